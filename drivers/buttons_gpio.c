@@ -1,9 +1,10 @@
-/* buttons_gpio.c -- the reader's counters as the HAL's samples, and the HAL's wishes as its. */
+/* buttons_gpio.c -- converts the reader's counters to HAL samples, and HAL commands to reader
+ * commands. */
 #include "drivers/buttons_gpio.h"
 
 #include <string.h>
 
-/* Which button a line is; 0: a coin is none. */
+/* Button of each input line; 0 for coins. */
 static const uint32_t button_of[GPIO_INPUT_COUNT] = {
     [GPIO_START] = INPUT_START,     [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
     [GPIO_OK] = INPUT_OK,           [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,
@@ -20,7 +21,7 @@ static uint32_t buttons_of(uint32_t roles)
     return buttons;
 }
 
-/* Which of HAL_LINE_COUNT a role is. */
+/* Returns the index of a role among HAL_LINE_COUNT lines. */
 static uint32_t line_of(uint32_t role)
 {
     uint32_t line = 0;
@@ -33,7 +34,7 @@ static uint32_t line_of(uint32_t role)
     return line;
 }
 
-/* Every line as it is, for the operator: before it is believed, and how often it changed. */
+/* Fills the raw level, edge count and faults of every line, for the operator's test page. */
 static void sample_lines(struct gpio_reader *reader, struct button_sample *out)
 {
     const uint32_t raw = atomic_load(&reader->raw);
@@ -50,7 +51,7 @@ static void sample_lines(struct gpio_reader *reader, struct button_sample *out)
 static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
     struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
-    const uint32_t pressed = atomic_exchange(&reader->pressed, 0); /* The level comes after it. */
+    const uint32_t pressed = atomic_exchange(&reader->pressed, 0); /* Read before the level. */
     const uint32_t missing = atomic_load(&reader->missing);
     *out = (struct button_sample){
         .pressed = buttons_of(pressed),
@@ -112,7 +113,8 @@ static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
-/* What was asked for is read first: the reader adds it to `pending` before it is taken off. */
+/* Returns requested and unfinished pulses. `pulses` is read first, because the reader adds to
+ * `pending` before it subtracts from `pulses`. */
 static uint32_t buttons_gpio_pending(void *self, enum hal_switch which)
 {
     struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;

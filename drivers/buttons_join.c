@@ -1,4 +1,4 @@
-/* buttons_join.c -- asks every panel, and says what any of them says. */
+/* buttons_join.c -- polls every part and merges the samples. */
 #include "drivers/buttons_join.h"
 
 #include <stdio.h>
@@ -34,7 +34,7 @@ static void add(struct button_sample *sum, const struct button_sample *part)
     sum->full_screen |= part->full_screen;
 }
 
-/* The joint panel is there while any part of it is; a part that fails says what it still knows. */
+/* Returns HAL_OK if any part exists. A part that fails still contributes its sample. */
 static int join_poll(void *self, struct button_sample *out)
 {
     const struct buttons_join *join = self;
@@ -50,7 +50,8 @@ static int join_poll(void *self, struct button_sample *out)
     return result;
 }
 
-/* Four controllers' own buttons are told of once. */
+/* Joins the descriptions. Equal lines in a row, such as those of four controllers, are written
+ * once. */
 static const char *join_describe(void *self)
 {
     struct buttons_join *join = self;

@@ -1,4 +1,4 @@
-/* coin_mech.c -- a pulse begins, ends, and after the gap it is judged once. */
+/* coin_mech.c -- measures a pulse, and classifies it once after the gap. */
 #include "drivers/coin_mech.h"
 
 struct coin_mech coin_mech_begin(uint64_t width_min_ns, uint64_t width_max_ns, bool active,
@@ -60,7 +60,7 @@ void coin_mech_turn(struct coin_mech *mech, uint64_t time_ns, bool active)
         mech->begin_ns = time_ns;
     }
     if (active) {
-        mech->state = COIN_FALLS; /* Within the gap it is the same pulse that goes on. */
+        mech->state = COIN_FALLS; /* Within the gap the same pulse continues. */
     } else if (mech->state == COIN_FALLS) {
         mech->state = COIN_FELL;
         mech->end_ns = time_ns;

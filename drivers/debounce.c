@@ -1,4 +1,4 @@
-/* debounce.c -- a level that stood still for long enough. */
+/* debounce.c -- accepts a level that was stable for the period. */
 #include "drivers/debounce.h"
 
 struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns)
@@ -29,7 +29,7 @@ bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
         debounce->raw = active;
         debounce->since_ns = time_ns;
     }
-    return turned || debounce_settle(debounce, time_ns, out); /* At once where the period is 0. */
+    return turned || debounce_settle(debounce, time_ns, out); /* At once if the period is 0. */
 }
 
 uint64_t debounce_due_ns(const struct debounce *debounce)

@@ -1,7 +1,7 @@
-/* debounce.h -- which of a contact's many edges is the turn that somebody meant. Pure.
+/* debounce.h -- filters contact bounce. Pure.
  *
- * A level counts once it has stood still for the period, and its turn is dated back to when it
- * began to: how late anybody looks changes nothing, so a pulse keeps its width. */
+ * A level counts after it was stable for the period. Its transition has the time at which the
+ * level began, so the width of a pulse does not depend on when the functions are called. */
 #ifndef KINGYO_DRIVERS_DEBOUNCE_H
 #define KINGYO_DRIVERS_DEBOUNCE_H
 
@@ -9,13 +9,13 @@
 #include <stdint.h>
 
 struct debounce {
-    uint64_t period_ns; /* 0: every edge counts; the kernel has done it. */
-    uint64_t since_ns;  /* When `raw` began. */
-    bool raw;           /* As the last edge left it. */
-    bool stable;        /* What counts. */
+    uint64_t period_ns; /* 0: every edge counts, because the kernel debounces. */
+    uint64_t since_ns;  /* Start of `raw`. */
+    bool raw;           /* Level after the last edge. */
+    bool stable;        /* Debounced level. */
 };
 
-/* A turn that counts. */
+/* A debounced transition. */
 struct debounce_turn {
     uint64_t time_ns;
     bool active;
@@ -23,14 +23,16 @@ struct debounce_turn {
 
 struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns);
 
-/* An edge to `active`, edges in the order of their times. True: a turn came of it or before it. */
+/* Processes an edge to `active`; edges must come in order of time. Returns true if a transition
+ * was completed. */
 bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
                    struct debounce_turn *out);
 
-/* `now_ns` is here, and no edge before it is still to come. True: a turn. */
+/* Evaluates the state at `now_ns`, before which no further edge may follow. Returns true if a
+ * transition was completed. */
 bool debounce_settle(struct debounce *debounce, uint64_t now_ns, struct debounce_turn *out);
 
-/* When settle() will have something to say; UINT64_MAX: not before the next edge. */
+/* Returns when debounce_settle() must be called, or UINT64_MAX if only an edge requires it. */
 uint64_t debounce_due_ns(const struct debounce *debounce);
 
 #endif

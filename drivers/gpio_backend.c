@@ -1,4 +1,4 @@
-/* gpio_backend.c -- find, ask, wait, lose. */
+/* gpio_backend.c -- finds and requests lines, waits for edges, and detects removed chips. */
 #include "drivers/gpio_backend.h"
 
 #include <errno.h>
@@ -10,7 +10,7 @@ static uint32_t bit_of(enum gpio_role role)
     return 1u << role;
 }
 
-/* ---- Holding -------------------------------------------------------------------------------- */
+/* ---- Requesting lines ----------------------------------------------------------------------- */
 
 static void let_go(struct gpio_backend *backend, enum gpio_role role)
 {
@@ -108,7 +108,7 @@ static void backend_close(void *self)
 
 /* ---- Levels --------------------------------------------------------------------------------- */
 
-/* What a call that failed means: the chip is gone, or this time went wrong. */
+/* Converts errno of a failed call to HAL_ERR_GONE (the line is then released) or HAL_ERR_IO. */
 static int failure(struct gpio_backend *backend, enum gpio_role role)
 {
     if (errno != ENODEV) {
@@ -143,9 +143,9 @@ static int backend_debounces(void *self, enum gpio_role role)
     return backend->held & bit_of(role) ? backend->ops->debounces(role) : 0;
 }
 
-/* ---- Waiting -------------------------------------------------------------------------------- */
+/* ---- Waiting for edges ---------------------------------------------------------------------- */
 
-/* A line without edges; 1: there was one nevertheless. */
+/* Polls a line without edge detection. Returns 1 and one edge if the level changed. */
 static uint32_t look(struct gpio_backend *backend, enum gpio_role role, struct gpio_edge *out)
 {
     const int level = backend_level(backend, role);
@@ -153,7 +153,7 @@ static uint32_t look(struct gpio_backend *backend, enum gpio_role role, struct g
     return gpio_dev_look(&backend->looks, role, level, out);
 }
 
-/* What `role` has to say; how many edges that are. */
+/* Reads the edges of `role`. Returns their number. */
 static uint32_t hear(struct gpio_backend *backend, const struct gpio_dev_ready *ready,
                      enum gpio_role role, struct gpio_edge *out, uint32_t max)
 {
@@ -180,7 +180,7 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
         count += hear(backend, &ready, role, out + count, max - count);
     }
-    if (backend->went && count == 0) { /* What the others said comes first. */
+    if (backend->went && count == 0) { /* Edges of the other chips are returned first. */
         backend->went = 0;
         return HAL_ERR_GONE;
     }
@@ -223,6 +223,6 @@ struct gpio_lines gpio_backend_device(struct gpio_backend *backend,
         .describe = backend_describe,
     };
     backend->ops = ops;
-    backend_close(backend); /* A fresh state: no descriptor is 0. */
+    backend_close(backend); /* Initializes the state, so that no file descriptor is 0. */
     return (struct gpio_lines){ .ops = &lines_ops, .self = backend };
 }

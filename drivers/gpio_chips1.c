@@ -1,4 +1,4 @@
-/* gpio_chips1.c -- what libgpiod 1.6 says of every line. */
+/* gpio_chips1.c -- lists the lines of a chip with libgpiod 1.6. */
 #include "drivers/gpio_chips.h"
 
 #include <gpiod.h>

@@ -1,4 +1,4 @@
-/* gpio_chips2.c -- what libgpiod 2.x says of every line. */
+/* gpio_chips2.c -- lists the lines of a chip with libgpiod 2.x. */
 #include "drivers/gpio_chips.h"
 
 #include <gpiod.h>

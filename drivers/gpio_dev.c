@@ -1,4 +1,4 @@
-/* gpio_dev.c -- /dev/gpiochip*, poll() and sentences. */
+/* gpio_dev.c -- /dev/gpiochip*, poll(), and error messages. */
 #include "drivers/gpio_dev.h"
 
 #include <errno.h>
@@ -65,7 +65,7 @@ struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t ti
         polled[i] = (struct pollfd){ .fd = fds[i], .events = POLLIN }; /* poll() skips -1. */
     }
     if (poll(polled, GPIO_INPUT_COUNT, (int)timeout_ms) <= 0) {
-        return ready; /* Nothing came; a signal is none of our business. */
+        return ready; /* Timeout or signal. */
     }
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
         ready.readable |= polled[i].revents & POLLIN ? 1u << i : 0u;
@@ -76,7 +76,7 @@ struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t ti
 
 bool gpio_dev_lacks_edges(int error)
 {
-    return error == ENODEV || error == ENXIO; /* Of gpiod_to_irq() in the kernel. */
+    return error == ENODEV || error == ENXIO; /* Errors of gpiod_to_irq() in the kernel. */
 }
 
 void gpio_dev_look_from_now(struct gpio_dev_looks *looks, enum gpio_role role, int level)

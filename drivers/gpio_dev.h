@@ -1,5 +1,5 @@
-/* gpio_dev.h -- what both libgpiod backends do alike: chips in /dev, waiting on lines, and the
- * words for what cannot be had. */
+/* gpio_dev.h -- helpers of both libgpiod backends: chips in /dev, waiting, polling, error
+ * messages. */
 #ifndef KINGYO_DRIVERS_GPIO_DEV_H
 #define KINGYO_DRIVERS_GPIO_DEV_H
 
@@ -7,50 +7,54 @@
 
 #include "drivers/gpio_lines.h"
 
-/* A walk over the chips' device files, in the folder's order, each once: symbolic links (Raspberry
- * Pi OS has some for chips' former numbers) are left out. The first call with a walk that is zero
- * but for `root` opens it; the one that answers false has closed it, and so does gpio_dev_end(). */
+/* An iteration over the device files of all chips, in directory order. Symbolic links are
+ * skipped, because Raspberry Pi OS has links for former chip numbers. The first call of
+ * gpio_dev_next() needs a zero-initialized walk; only `root` may be set. The walk is closed when
+ * gpio_dev_next() returns false, or by gpio_dev_end(). */
 struct gpio_dev_walk {
-    const char *root; /* Of the machine that is looked at; null: this one. */
+    const char *root; /* Root folder of the machine to examine; null: this one. */
     DIR *folder;
-    char path[sizeof "/dev/" + 256]; /* Without the root. */
-    uint32_t count;   /* Chips so far. */
+    char path[sizeof "/dev/" + 256]; /* Path without the root. */
+    uint32_t count;   /* Chips found so far. */
 };
 bool gpio_dev_next(struct gpio_dev_walk *walk);
 void gpio_dev_end(struct gpio_dev_walk *walk);
 
-/* What a library calls something; null becomes "". */
+/* Copies a text of libgpiod; null becomes "". */
 void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text);
 
-/* Waits at most `timeout_ms` for the descriptors of input lines; -1 is none. Sets a bit for each
- * that has something to read, and one for each whose chip went away. */
+/* Waits at most `timeout_ms` for events on the descriptors of input lines (-1: no descriptor).
+ * Sets one bit for each role that is readable, and one for each role whose chip was removed. */
 struct gpio_dev_ready {
     uint32_t readable, gone;
 };
 struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms);
 
-/* Lines of chips that give no interrupts (port expanders whose INT is not wired): their levels are
- * looked at this often, which a coin's pulse of 20 ms outlasts five times over. */
+/* Polling interval of lines without interrupts, such as port expanders whose INT pin is not
+ * connected. A coin pulse of 20 ms is five times as long. */
 #define GPIO_LOOK_MS 4u
 struct gpio_dev_looks {
-    uint32_t roles;  /* That are looked at, a bit each ... */
-    uint32_t active; /* ... and where they were. */
+    uint32_t roles;  /* Polled roles, one bit each. */
+    uint32_t active; /* Their last levels. */
 };
 
-/* Whether asking for edges failed since the line gives none. */
+/* Returns true if a request with edge detection failed because the line has no interrupt. */
 bool gpio_dev_lacks_edges(int error);
 void gpio_dev_look_from_now(struct gpio_dev_looks *looks, enum gpio_role role, int level);
-/* How long may be waited when there are such lines. */
+/* Returns the longest wait in ms, which is limited to GPIO_LOOK_MS if lines are polled. */
 uint32_t gpio_dev_look_ms(const struct gpio_dev_looks *looks, uint32_t timeout_ms);
-/* True: `level` is another than before, and `out` is the edge of it, dated now. */
+/* Returns true if `level` differs from the last one, and fills `out` with an edge stamped with
+ * the current time. */
 bool gpio_dev_look(struct gpio_dev_looks *looks, enum gpio_role role, int level,
                    struct gpio_edge *out);
 
-/* The line is known, but `error` (an errno) came of asking for it; `consumer` holds it, if any. */
+/* Writes why an existing line was refused. `error` is the errno value; `consumer` is the current
+ * user of the line or "". */
 void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
                           const char *consumer);
 
-/* No chip has the line; `denied`: the path of one that may not be opened, or "". */
+/* Writes why no chip has the line. `denied` is the path of a chip that could not be opened, or
+ * "". */
 void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
                           const char *denied, uint32_t chip_count);
 

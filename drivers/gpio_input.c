@@ -1,4 +1,4 @@
-/* gpio_input.c -- edges by their times, and the level as the last word. */
+/* gpio_input.c -- edges by time stamp, corrected by polled levels. */
 #include "drivers/gpio_input.h"
 
 #define NEVER UINT64_MAX
@@ -14,21 +14,22 @@ struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t n
     };
 }
 
-/* ---- Looks ---------------------------------------------------------------------------------- */
+/* ---- Polled levels -------------------------------------------------------------------------- */
 
-/* The level is still another than the edges say. */
+/* Returns true while the polled level differs from the edges. */
 static bool is_doubted(const struct gpio_looks *other)
 {
     return other->since_ns != NEVER && other->back_ns == NEVER;
 }
 
-/* Seen twice, and no edge was told meanwhile: the kernel is late by more than a spark lasts. */
+/* Returns true if two polls prove a different level: the kernel is late by more than a glitch
+ * lasts. */
 static bool is_proof(const struct gpio_looks *other)
 {
     return other->since_ns != NEVER && other->last_ns - other->since_ns >= GPIO_PROOF_NS;
 }
 
-/* Forgets what was looked at. A level that came and went and that no edge explained is a loss. */
+/* Discards the polls. A proven level that no edge explained counts as a lost edge. */
 static void end_looks(struct gpio_input *input, bool is_explained)
 {
     const struct gpio_looks *other = &input->other;
@@ -38,7 +39,7 @@ static void end_looks(struct gpio_input *input, bool is_explained)
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
 
-/* The edge to the level that was seen behind it: the kernel read it when that was over. */
+/* Applies a late edge to the level that was polled after it. */
 static bool take_late(struct gpio_input *input, uint64_t time_ns, struct debounce_turn *out)
 {
     struct debounce *debounce = &input->debounce;
@@ -46,19 +47,20 @@ static bool take_late(struct gpio_input *input, uint64_t time_ns, struct debounc
     const uint64_t back_ns = input->other.back_ns;
     input->late++;
     input->blinked_ns = NEVER;
-    input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns; /* Masked until then. */
+    /* Later edges of that pulse are masked. */
+    input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
     end_looks(input, true);
     const bool turned = debounce_edge(debounce, time_ns, !before, out);
     return turned || back_ns == NEVER ? turned : debounce_edge(debounce, back_ns, before, out);
 }
 
-/* The line left its level and was back before the kernel looked: what stood, stands anew. */
+/* Processes a null edge: the line changed and changed back, so the debounce time starts again. */
 static bool take_blink(struct gpio_input *input, const struct gpio_edge *edge,
                        struct debounce_turn *out)
 {
     struct debounce *debounce = &input->debounce;
     if (debounce->period_ns == 0) {
-        return false; /* What the kernel debounced does not blink. */
+        return false; /* The kernel debounces this line, so null edges have no meaning. */
     }
     input->blinks++;
     const bool is_pair = input->blinked_ns != NEVER &&
@@ -72,7 +74,8 @@ static bool take_blink(struct gpio_input *input, const struct gpio_edge *edge,
     input->told_ns = edge->taken_ns;
     struct debounce_turn none;
     const bool turned = debounce_edge(debounce, edge->time_ns, !active, out);
-    debounce_edge(debounce, edge->time_ns, active, &none); /* At once: nothing can settle. */
+    /* Immediately after the edge, so it cannot settle. */
+    debounce_edge(debounce, edge->time_ns, active, &none);
     return turned;
 }
 
@@ -84,7 +87,7 @@ bool gpio_input_edge(struct gpio_input *input, const struct gpio_edge *edge,
     const bool changes = active != input->debounce.raw;
     input->lost += edge->lost_before;
     if (edge->time_ns <= input->believed_ns) {
-        return false; /* Older news than the level. */
+        return false; /* Older than the polled level. */
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
         (!changes || !is_doubted(other))) {
@@ -100,7 +103,8 @@ bool gpio_input_edge(struct gpio_input *input, const struct gpio_edge *edge,
 
 /* ---- Levels --------------------------------------------------------------------------------- */
 
-/* The level is another than the edges say. True: for so long that it is believed. */
+/* Records a poll with an unexpected level. Returns true if that level has lasted long enough to
+ * be accepted. */
 static bool doubt(struct gpio_input *input, uint64_t now_ns)
 {
     struct gpio_looks *other = &input->other;

@@ -1,61 +1,72 @@
-/* gpio_input.h -- what to believe of one input line: its edges, and its level looked at now and
- * then. Pure.
+/* gpio_input.h -- filters the edges of one input line with polled levels. Pure.
  *
- * The kernel says the time of an edge well, and its direction less well: its thread reads the level
- * when it comes round to it, and of edges a few milliseconds apart that was the next one's. So
- *  - an edge that changes nothing, a blink, tells of a level that came and went before the kernel
- *    looked: the line was not at rest, that is all;
- *  - where that level was read between, twice, before the edge dated ahead of it was told, the
- *    kernel was late by that much and the edge is the one to that level: a coin's pulse that was
- *    over before the kernel looked is a pulse;
- *  - two blinks that nobody saw a level between are never a pulse: a kernel that was late by a
- *    whole coin and two sparks of a relay, or of a lighter held to the slot, look alike to a reader
- *    that was not run meanwhile. They are counted as doubtful, for the operator;
- *  - where the level disagrees with the edges for longer than an edge can be under way, edges were
- *    lost, and the level is right; what is dated before that and comes after it is old news. */
+ * The kernel's time stamp of an edge is accurate, but its direction may be wrong. The interrupt
+ * thread reads the level some milliseconds later, after further edges may have passed. Therefore
+ * these rules apply:
+ *
+ * - A null edge is an edge event to the level that the line already had. The line changed and
+ *   changed back before the kernel read the level. A null edge only restarts the debounce time.
+ * - If the level in between was polled twice before the edge event arrived, the kernel was late.
+ *   The event is then the edge to the polled level, so a coin pulse that ended before the kernel
+ *   read the level still counts.
+ * - Two null edges without a polled level in between never count as a pulse. A late kernel with
+ *   a coin, and two glitches of a relay or a lighter, cannot be distinguished if the reader did
+ *   not run meanwhile. Such pairs are counted as doubtful.
+ * - If the level differs from the edges for longer than an edge event can be delayed, edges were
+ *   lost and the level is taken. Edges with earlier time stamps are then ignored. */
 #ifndef KINGYO_DRIVERS_GPIO_INPUT_H
 #define KINGYO_DRIVERS_GPIO_INPUT_H
 
 #include "drivers/debounce.h"
 #include "drivers/gpio_lines.h"
 
-#define GPIO_UNDER_WAY_NS 20000000u /* Three times the 6 ms at which edges were seen late. */
-#define GPIO_PROOF_NS 4000000u /* Between two looks, less than GPIO_COIN_LOOK_NS: no spark lasts. */
-#define GPIO_PAIR_NS 2000000u  /* From the telling of a blink to the date of its masked next one. */
+/* Longest delay of an edge event; three times the observed 6 ms. */
+#define GPIO_UNDER_WAY_NS 20000000u
+/* Polling span that proves a stable level: longer than a glitch, and shorter than
+ * GPIO_COIN_LOOK_NS. */
+#define GPIO_PROOF_NS 4000000u
+/* Longest time from receiving a null edge to the time stamp of the masked edge after it. */
+#define GPIO_PAIR_NS 2000000u
 
-/* Looks in a row that found another level than the edges say, by the times before each of them;
+/* Consecutive polls whose level differs from the edges, by the time before each poll.
  * UINT64_MAX: none. */
 struct gpio_looks {
-    uint64_t since_ns, last_ns; /* The first and the last of them ... */
-    uint64_t back_ns;           /* ... and the one behind them that found it as the edges say. */
+    uint64_t since_ns, last_ns; /* First and last poll with the other level. */
+    uint64_t back_ns;           /* Next poll with the expected level. */
 };
 
 struct gpio_input {
     struct debounce debounce;
-    uint64_t blinked_ns;  /* The last edge, where it was a blink out of rest; else UINT64_MAX. */
-    uint64_t told_ns;     /* When that was taken. */
-    uint64_t believed_ns; /* Up to when the level was believed against the edges. */
+    /* Time stamp of the last edge if it was a null edge at rest, otherwise UINT64_MAX. */
+    uint64_t blinked_ns;
+    uint64_t told_ns;     /* Time at which that edge was received. */
+    /* Edges up to this time are ignored, because a polled level replaced them. */
+    uint64_t believed_ns;
     struct gpio_looks other;
-    uint32_t blinks;      /* Edges that changed nothing, */
-    uint32_t late;        /* edges that a level read before they were told put right, */
-    uint32_t doubtful;    /* pairs of blinks: two sparks, or a pulse that nobody saw, */
-    uint32_t lost;        /* and edges that came too late, or never. Since the start. */
+    uint32_t blinks;      /* Null edges since the start. */
+    uint32_t late;        /* Late edges corrected by a polled level, since the start. */
+    /* Pairs of null edges, either two glitches or a missed pulse, since the start. */
+    uint32_t doubtful;
+    uint32_t lost;        /* Edges lost or too late, since the start. */
 };
 
 struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t now_ns);
 
-/* An edge of this line, in the order of their times. True: a turn that counts. */
+/* Processes an edge of this line; edges must come in order of time. Returns true if a debounced
+ * transition results. */
 bool gpio_input_edge(struct gpio_input *input, const struct gpio_edge *edge,
                      struct debounce_turn *out);
 
-/* The line's level, read at `now_ns` after every edge that had come was taken. True: a turn. */
+/* Processes the level read at `now_ns`, after all available edges. Returns true if a debounced
+ * transition results. */
 bool gpio_input_level(struct gpio_input *input, uint64_t now_ns, bool active,
                       struct debounce_turn *out);
 
-/* When the level should be read next; UINT64_MAX: whenever it is convenient. */
+/* Returns when the level should be read next, or UINT64_MAX if there is no deadline. */
 uint64_t gpio_input_due_ns(const struct gpio_input *input);
 
-/* Up to when every turn of this line is known at `now_ns`: what still has to stand is not. */
+/* Returns the time before which all transitions of this line are known. A level that is still
+ * being debounced is not known yet. */
 uint64_t gpio_input_known_ns(const struct gpio_input *input, uint64_t now_ns);
 
 #endif

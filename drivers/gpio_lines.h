@@ -1,10 +1,11 @@
-/* gpio_lines.h -- buttons, coins and lamps on GPIO lines: what is wired where, and the one small
- * table of functions that each libgpiod has a file for.
+/* gpio_lines.h -- GPIO lines for buttons, coins and lamps: wiring, and the interface of a
+ * backend.
  *
- * gpio_lines1.c is for libgpiod 1.6 (Debian 12), gpio_lines2.c for 2.x (Debian 13), gpio_lines0.c
- * for a machine without; pkg-config says which is compiled. gpio_lines_sim.h is their twin. A line
- * is found by its name, else by its chip's label and offset, never by a chip's number, which
- * changes between boots. All calls are one thread's: the reader's (gpio_reader.h). */
+ * gpio_lines1.c implements the interface for libgpiod 1.6 (Debian 12), gpio_lines2.c for 2.x
+ * (Debian 13), and gpio_lines0.c for a build without libgpiod; pkg-config selects one.
+ * gpio_lines_sim.h is the simulated twin. A line is found by its name, or by the chip's label
+ * and an offset. Chip numbers are not used, because they change between boots. All calls come
+ * from one thread, the reader (gpio_reader.h). */
 #ifndef KINGYO_DRIVERS_GPIO_LINES_H
 #define KINGYO_DRIVERS_GPIO_LINES_H
 
@@ -22,12 +23,12 @@ enum gpio_role {
     GPIO_TEST,
     GPIO_SERVICE,
     GPIO_TILT,
-    GPIO_COIN, /* COIN_LINE_COUNT of them. */
+    GPIO_COIN, /* First of COIN_LINE_COUNT coin lines. */
     GPIO_COIN2,
     GPIO_COIN3,
     GPIO_DOOR,
     GPIO_INPUT_COUNT,
-    GPIO_START_LAMP = GPIO_INPUT_COUNT, /* From here on outputs, in enum hal_switch's order. */
+    GPIO_START_LAMP = GPIO_INPUT_COUNT, /* Outputs from here on, in the order of enum hal_switch. */
     GPIO_COIN_LOCKOUT,
     GPIO_TICKET,
     GPIO_COIN_COUNTER,
@@ -46,14 +47,14 @@ static inline bool gpio_role_is_coin(enum gpio_role role)
 
 _Static_assert(GPIO_COIN3 - GPIO_COIN + 1u == COIN_LINE_COUNT, "a role each coin line");
 
-/* Coins are locked out while nobody lets them in: before the first word, and after the last. All
- * other outputs begin inactive. */
+/* Returns true for outputs that start active. Coins are locked out before the first command and
+ * after the last. All other outputs start inactive. */
 static inline bool gpio_role_begins_active(enum gpio_role role)
 {
     return role == GPIO_COIN_LOCKOUT;
 }
 
-#define GPIO_TEXT_SIZE 32u /* As the kernel's GPIO_MAX_NAME_SIZE. */
+#define GPIO_TEXT_SIZE 32u /* GPIO_MAX_NAME_SIZE of the kernel. */
 
 enum gpio_bias {
     GPIO_BIAS_AS_IS = 0,
@@ -62,70 +63,75 @@ enum gpio_bias {
     GPIO_BIAS_OFF,
 };
 
-/* How one role is wired. Zero: it is not. A time of 0 is the role's own (gpio_wires.h). */
+/* Wiring of one role. The zero value means not wired. A time of 0 selects the role's default
+ * (gpio_wires.h). */
 struct gpio_wire {
     uint8_t wired;
-    char name[GPIO_TEXT_SIZE]; /* Of the line; "": by chip and offset. */
-    char chip[GPIO_TEXT_SIZE]; /* The chip's label; "" beside a name: any chip. */
+    char name[GPIO_TEXT_SIZE]; /* Line name; "": the line is given by chip and offset. */
+    char chip[GPIO_TEXT_SIZE]; /* Chip label; "" with a line name: any chip. */
     uint32_t offset;
     uint8_t active_low;
     uint8_t bias;              /* enum gpio_bias */
-    uint32_t debounce_us;      /* Inputs. */
-    uint32_t pulse_min_us;     /* Coins: how long a pulse lasts. */
+    uint32_t debounce_us;      /* For inputs. */
+    uint32_t pulse_min_us;     /* For coins: shortest and longest pulse. */
     uint32_t pulse_max_us;
-    uint32_t pulse_on_us;      /* Outputs: a pulse, and the rest behind it. */
+    uint32_t pulse_on_us;      /* For outputs: pulse length, and the pause after it. */
     uint32_t pulse_off_us;
 };
 
-/* One edge, as the kernel saw it. */
+/* One edge event of the kernel. */
 struct gpio_edge {
-    uint64_t time_ns;     /* CLOCK_MONOTONIC, when the kernel took it. */
+    uint64_t time_ns;     /* CLOCK_MONOTONIC time of the interrupt. */
     uint8_t role;         /* enum gpio_role */
-    uint8_t active;       /* After active_low: the level that the edge went to, as far as the kernel
-                             knows: it reads the level a little after the edge. */
-    uint32_t lost_before; /* Edges of this line that the kernel's queue dropped before it. */
-    uint64_t taken_ns;    /* When the reader took it, which sets it; 0: nobody says. */
+    /* Level after the edge, after active_low. The kernel reads the level shortly after the
+     * interrupt, so it can be wrong. */
+    uint8_t active;
+    uint32_t lost_before; /* Edges of this line that the kernel's queue dropped before this edge. */
+    /* Time at which the reader received the edge, set by the reader; 0: not set. */
+    uint64_t taken_ns;
 };
 
-#define GPIO_EDGES_MAX 64u /* Taken at once: four full queues of one line (16 on 6.1). */
+/* Capacity of one read: four full queues of a line (16 edges on kernel 6.1). */
+#define GPIO_EDGES_MAX 64u
 
-/* One line of a chip, as `kingyoctl lines list` and `doctor` show it. */
+/* One line of a chip, as shown by `kingyoctl lines list` and `doctor`. */
 struct gpio_line_info {
-    char device[GPIO_TEXT_SIZE];   /* "gpiochip0" */
-    char chip[GPIO_TEXT_SIZE];     /* Its label. */
+    char device[GPIO_TEXT_SIZE];   /* Such as "gpiochip0". */
+    char chip[GPIO_TEXT_SIZE];     /* Label of the chip. */
     uint32_t offset;
-    char name[GPIO_TEXT_SIZE];     /* "" where the board gives none. */
-    char consumer[GPIO_TEXT_SIZE]; /* Who holds it; "" where nobody does, or nobody says. */
+    char name[GPIO_TEXT_SIZE];     /* "" if the board gives no name. */
+    char consumer[GPIO_TEXT_SIZE]; /* Current user of the line; "" if unused or unknown. */
     uint8_t used, is_output, active_low;
 };
 
 struct gpio_lines_ops {
-    /* Asks for every wired line that is not held yet; outputs are driven at once, as
-     * gpio_role_begins_active() says. What cannot be had is told in `why[role]`, one line each with
-     * what to do ("BTN_START is held by 'gpio-keys': remove its overlay"), "" where all is well.
-     * Returns what is held now, a bit each role; HAL_ERR_NONE where no GPIO chip is there. */
+    /* Requests every wired line that is not held yet. Outputs are driven at once, as
+     * gpio_role_begins_active() defines. `why[role]` gets one line with the fault and its remedy
+     * ("BTN_START is held by 'gpio-keys': remove its overlay"), or "". Returns the held lines,
+     * one bit for each role, or HAL_ERR_NONE if there is no GPIO chip. */
     int (*open)(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
-    /* Waits for edges at most `timeout_ms`, also where no line is held. Returns how many came, each
-     * line's oldest first; as many as `max` where there may be more. HAL_ERR_GONE when a chip went
-     * away: its lines are closed, open() finds the others still held. */
+    /* Waits for edges at most `timeout_ms`, even if no line is held. Returns the number of
+     * edges, the oldest of each line first; `max` means that there may be more. Returns
+     * HAL_ERR_GONE after a chip was removed. Its lines are then closed and the others remain
+     * held. */
     int (*wait)(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms);
-    /* The line's level now, after active_low: 0 or 1; HAL_ERR_GONE where it is not held. */
+    /* Returns the level, after active_low: 0 or 1. Returns HAL_ERR_GONE if the line is not held. */
     int (*level)(void *self, enum gpio_role role);
-    int (*set)(void *self, enum gpio_role role, int active); /* Outputs. */
-    /* Whether the kernel debounces this line itself. */
+    int (*set)(void *self, enum gpio_role role, int active); /* For outputs. */
+    /* Returns 1 if the kernel debounces this line. */
     int (*debounces)(void *self, enum gpio_role role);
-    /* Tells every line of every chip that may be opened; returns how many there are, or
-     * HAL_ERR_NONE without a chip. */
+    /* Calls `tell` for every line of every accessible chip. Returns the number of lines, or
+     * HAL_ERR_NONE if there is no chip. */
     int (*list)(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                 void *context);
     void (*close)(void *self);
-    const char *(*describe)(void *self); /* "libgpiod 1.6.3" */
+    const char *(*describe)(void *self); /* Such as "libgpiod 1.6.3". */
 };
 
 struct gpio_lines { const struct gpio_lines_ops *ops; void *self; };
 
-/* The library's own backend; one static state: a kiosk has one cabinet. */
+/* Returns the backend of this build. Its state is static, because a kiosk has one cabinet. */
 struct gpio_lines gpio_lines_device(void);
 
 #endif

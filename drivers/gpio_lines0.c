@@ -1,4 +1,4 @@
-/* gpio_lines0.c -- no libgpiod on the machine that built this: no line can be had, it says. */
+/* gpio_lines0.c -- the backend of a build without libgpiod, which reports every line as missing. */
 #include <stdio.h>
 #include <time.h>
 

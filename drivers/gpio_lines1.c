@@ -1,25 +1,26 @@
-/* gpio_lines1.c -- lines through libgpiod 1.6, which speaks the kernel's first GPIO interface.
+/* gpio_lines1.c -- the backend for libgpiod 1.6, which uses the kernel's first GPIO interface.
  *
- * There each input line has a descriptor and a queue of its own: 16 edges, and what comes when it
- * is full is dropped without a word. No edge has a number, so that a loss is inferred: a queue that
- * was found full, and behind it an edge in the direction that the line already had. */
+ * Each input line has its own descriptor and a queue of 16 edges. When the queue is full, the
+ * kernel drops further edges without a report, and edges have no sequence numbers. A loss is
+ * therefore inferred if the queue was full and the next edge has the direction that the line
+ * already had. */
 #include <gpiod.h>
 #include <string.h>
 
 #include "drivers/gpio_backend.h"
 #include "drivers/gpio_chips.h"
 
-#define QUEUE_SIZE 16u /* LINEEVENT's kfifo in gpiolib-cdev.c. */
+#define QUEUE_SIZE 16u /* kfifo of LINEEVENT in gpiolib-cdev.c. */
 #define NS_PER_S 1000000000ull
 
 static struct held {
-    struct gpiod_chip *chip; /* Null: not held. Each line has its chip opened for itself. */
+    struct gpiod_chip *chip; /* Null: not held. Each line opens its chip separately. */
     struct gpiod_line *line;
-    uint8_t active;          /* Where the last edge went. */
-    uint8_t was_full;        /* The queue, when it was last read. */
+    uint8_t active;          /* Level after the last edge. */
+    uint8_t was_full;        /* 1 if the last read found the queue full. */
 } lines[GPIO_ROLE_COUNT];
 
-/* ---- Holding -------------------------------------------------------------------------------- */
+/* ---- Requesting lines ----------------------------------------------------------------------- */
 
 static bool open_chip(enum gpio_role role, const char *path)
 {
@@ -43,7 +44,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 
 static void release(enum gpio_role role)
 {
-    gpiod_chip_close(lines[role].chip); /* Releases its line. */
+    gpiod_chip_close(lines[role].chip); /* This also releases the line. */
     lines[role] = (struct held){ 0 };
 }
 
@@ -122,7 +123,7 @@ static int set(enum gpio_role role, int active)
     return gpiod_line_set_value(lines[role].line, active != 0);
 }
 
-/* The first interface has no word for it. */
+/* Returns 0, because the first interface cannot debounce. */
 static int debounces(enum gpio_role role)
 {
     (void)role;

@@ -1,7 +1,7 @@
-/* gpio_lines2.c -- lines through libgpiod 2.x, which speaks the kernel's second GPIO interface.
+/* gpio_lines2.c -- the backend for libgpiod 2.x, which uses the kernel's second GPIO interface.
  *
- * Each line is a request of its own, so that each has a queue of its own and one that chatters
- * starves none. Edges are numbered: what the queue dropped is known. The kernel debounces. */
+ * Each line is a separate request with its own queue, so that a bouncing line cannot fill the
+ * queue of another line. Edges are numbered, so losses are exact. The kernel can debounce. */
 #include <errno.h>
 #include <gpiod.h>
 #include <string.h>
@@ -9,18 +9,18 @@
 #include "drivers/gpio_backend.h"
 #include "drivers/gpio_chips.h"
 
-#define QUEUE_SIZE GPIO_EDGES_MAX /* Asked of the kernel, which gives 16 a line unasked. */
+#define QUEUE_SIZE GPIO_EDGES_MAX /* Requested size; the kernel's default is 16 for each line. */
 
 static struct held {
     struct gpiod_chip *chip;                /* Null: not held. */
     unsigned int offset;
-    struct gpiod_line_request *request;     /* Null: not had yet. */
-    struct gpiod_edge_event_buffer *buffer; /* Of inputs with edges. */
-    uint32_t seen;                          /* Number of the last edge that came; 0: none did. */
-    uint8_t debounces;                      /* The kernel does. */
+    struct gpiod_line_request *request;     /* Null: not requested yet. */
+    struct gpiod_edge_event_buffer *buffer; /* For inputs with edge detection. */
+    uint32_t seen;                          /* Number of the last edge; 0: none yet. */
+    uint8_t debounces;                      /* 1 if the kernel debounces the line. */
 } lines[GPIO_ROLE_COUNT];
 
-/* ---- Finding -------------------------------------------------------------------------------- */
+/* ---- Finding lines -------------------------------------------------------------------------- */
 
 static bool open_chip(enum gpio_role role, const char *path)
 {
@@ -46,7 +46,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
     return offset >= 0;
 }
 
-/* ---- Holding -------------------------------------------------------------------------------- */
+/* ---- Requesting lines ----------------------------------------------------------------------- */
 
 static void release(enum gpio_role role)
 {
@@ -61,9 +61,10 @@ static void release(enum gpio_role role)
     *held = (struct held){ 0 };
 }
 
-/* Where a turn's time is no matter. The kernel dates what it debounced when its work queue came
- * round to it, in steps of 4 ms and late when the machine is busy: of coins' pulses of 40 ms on an
- * emulated machine it made some of 15 ms and some of 75. Edges as they came are dated exactly. */
+/* Returns true for lines whose transition times do not matter. The kernel stamps debounced edges
+ * when its work queue runs, in steps of 4 ms and late on a busy machine. On an emulated machine,
+ * coin pulses of 40 ms became 15 to 75 ms. Edges without kernel debouncing have exact time
+ * stamps. */
 static bool kernel_may_debounce(enum gpio_role role)
 {
     return !gpio_role_is_coin(role) && role != GPIO_TILT;
@@ -96,7 +97,7 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
     return failed;
 }
 
-/* Null: it was refused, and errno says why. */
+/* Requests a line. Returns null on an error and sets errno. */
 static struct gpiod_line_request *request_line(const struct held *held,
                                                const struct gpio_wire *wire, enum gpio_role role,
                                                bool has_edges)
@@ -156,7 +157,7 @@ static struct gpio_edge edge_of(struct held *held, enum gpio_role role,
         .time_ns = gpiod_edge_event_get_timestamp_ns(event),
         .role = (uint8_t)role,
         .active = gpiod_edge_event_get_event_type(event) == GPIOD_EDGE_EVENT_RISING_EDGE,
-        .lost_before = number - held->seen - 1u, /* They begin at 1. */
+        .lost_before = number - held->seen - 1u, /* Numbers start at 1. */
     };
     held->seen = number;
     return edge;

@@ -1,4 +1,4 @@
-/* gpio_lines_sim.c -- lines that are asked for, waited on and switched, and their time. */
+/* gpio_lines_sim.c -- the simulated line device and its time. */
 #include "drivers/gpio_lines_sim.h"
 
 #include <stdio.h>
@@ -80,7 +80,7 @@ static struct gpio_edge take(struct gpio_lines_sim *sim, enum gpio_role role, bo
     return edge;
 }
 
-/* Takes what a line's queue holds; as in gpio_lines1.c, a queue found full may have lost some. */
+/* Reads a line's queue. As in gpio_lines1.c, a queue that was full may have lost edges. */
 static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct gpio_edge *out,
                          uint32_t max)
 {
@@ -170,7 +170,8 @@ static int sim_list(void *self, void (*tell)(void *context, const struct gpio_li
 static void sim_close(void *self)
 {
     struct gpio_lines_sim *sim = self;
-    memcpy(sim->outputs, sim->rests, sizeof sim->outputs); /* Inputs, as most chips make of them. */
+    /* Released outputs become inputs, as on most chips. */
+    memcpy(sim->outputs, sim->rests, sizeof sim->outputs);
     sim->held = 0;
 }
 
@@ -229,8 +230,8 @@ void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script scri
     memset(sim, 0, sizeof *sim);
     sim->queue_size = GPIO_SIM_QUEUE_MAX;
     sim->is_numbered = 1;
-    sim->seed = seed ? seed : 1u; /* xorshift stays at 0. */
+    sim->seed = seed ? seed : 1u; /* xorshift would stay at 0. */
     sim->script = script;
-    sim->now_ns = 1u; /* 0 is 'never' for a line that the kernel serves. */
+    sim->now_ns = 1u; /* 0 means idle in busy_until_ns. */
     sim->has_next = script.next && script.next(script.self, &sim->next_event);
 }

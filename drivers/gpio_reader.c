@@ -1,4 +1,4 @@
-/* gpio_reader.c -- wait, believe, count, switch; and look for what is missing. */
+/* gpio_reader.c -- the GPIO thread: waits, debounces, counts coins, and drives outputs. */
 #include "drivers/gpio_reader.h"
 
 #include <signal.h>
@@ -9,13 +9,13 @@
 #include "drivers/gpio_wires.h"
 
 #define NS_PER_MS 1000000u
-#define WATCH_NS 100000000u  /* Levels are read this often even where no edge comes. */
-#define STOP_STEPS_MAX 200u  /* Of 10 ms: ten pulses of the slowest meters. */
+#define WATCH_NS 100000000u  /* Polling interval of all lines, with or without edges. */
+#define STOP_STEPS_MAX 200u  /* Steps of 10 ms: ten pulses of the slowest meters. */
 #define STOP_STEP_NS 10000000
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
 
-/* ---- What was seen -------------------------------------------------------------------------- */
+/* ---- Results -------------------------------------------------------------------------------- */
 
 static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct debounce_turn turn)
 {
@@ -25,7 +25,8 @@ static void take_turn(struct gpio_reader *reader, enum gpio_role role, struct de
     }
     reader->levels = turn.active ? reader->levels | gpio_role_bit(role)
                                  : reader->levels & ~gpio_role_bit(role);
-    atomic_store(&reader->held, reader->levels); /* Before the press: who sees that sees this. */
+    /* Stored before `pressed`, so that a reader of the press also sees the level. */
+    atomic_store(&reader->held, reader->levels);
     if (turn.active) {
         atomic_fetch_or(&reader->pressed, gpio_role_bit(role));
     }
@@ -45,7 +46,7 @@ static void publish_coins(struct gpio_reader *reader, uint32_t line)
     coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
 }
 
-/* Moves what was counted since the last time to where the frame loop finds it. */
+/* Publishes the counts since the last call to the frame loop. */
 static void publish(struct gpio_reader *reader)
 {
     struct gpio_total *total = &reader->total;
@@ -67,7 +68,7 @@ static void publish(struct gpio_reader *reader)
     total->lost_edges += lost;
 }
 
-/* ---- One round ------------------------------------------------------------------------------ */
+/* ---- One iteration -------------------------------------------------------------------------- */
 
 static void earlier(uint64_t *due_ns, uint64_t other_ns)
 {
@@ -103,7 +104,7 @@ static void take_edges(struct gpio_reader *reader, struct gpio_edge *edges, uint
     }
 }
 
-/* Reads the level of every line that was touched or is due, which lets its last turn count. */
+/* Reads the level of every line that had edges or is due, which completes its last transition. */
 static void settle_inputs(struct gpio_reader *reader, uint32_t touched)
 {
     const struct gpio_lines *lines = &reader->lines;
@@ -136,7 +137,7 @@ static void drive_output(struct gpio_reader *reader, enum gpio_role role)
     const uint32_t bit = gpio_role_bit(role);
     struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
     if (!(reader->had & bit)) {
-        return; /* Its pulses wait for it. */
+        return; /* The pulses wait until the line returns. */
     }
     const bool pulses = pulse_train_at(train, gpio_reader_now_ns(reader));
     const bool active = pulses || (atomic_load(&reader->wanted) & bit) != 0;
@@ -151,8 +152,8 @@ static void drive_output(struct gpio_reader *reader, enum gpio_role role)
     }
 }
 
-/* What is taken is owed before it is no longer asked for: whoever looks at both, what is asked for
- * first, misses none. */
+/* Drives all outputs. New pulses are added to `pending` and `owed` before they are removed from
+ * `pulses`, so that a reader of `pulses` and then `pending` misses none. */
 static void drive_outputs(struct gpio_reader *reader)
 {
     uint32_t owed = 0, taken[GPIO_OUTPUT_COUNT];
@@ -196,11 +197,11 @@ void gpio_reader_step(struct gpio_reader *reader)
                                               wait_ms(reader));
     if (count == HAL_ERR_GONE) {
         gpio_reader_lose_lines(reader);
-        publish(reader); /* What was counted of lines that may be asked for anew. */
+        publish(reader); /* Publishes counts before the lines are requested again. */
         gpio_reader_ask(reader);
     }
     take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u, &touched);
-    if (count < (int)GPIO_EDGES_MAX) { /* Else more edges come before anything may settle. */
+    if (count < (int)GPIO_EDGES_MAX) { /* If the buffer is full, more edges must be read first. */
         if (gpio_reader_now_ns(reader) >= reader->watch_ns) {
             reader->watch_ns = gpio_reader_now_ns(reader) + WATCH_NS;
             touched = ~0u;
@@ -211,7 +212,7 @@ void gpio_reader_step(struct gpio_reader *reader)
     publish(reader);
 }
 
-/* ---- Its life ------------------------------------------------------------------------------- */
+/* ---- Start and stop ------------------------------------------------------------------------- */
 
 int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
                      const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
@@ -259,16 +260,17 @@ static void *read_lines(void *context)
     return NULL;
 }
 
-/* Signals of a fault in the thread itself. */
+/* Signals that a fault in the thread itself raises. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
-/* The thread takes no signals: those that end the kiosk are the main thread's to see. */
+/* Starts the thread with all other signals blocked, because the main thread handles them. */
 int gpio_reader_start(struct gpio_reader *reader)
 {
     sigset_t all, before;
     sigfillset(&all);
     for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
-        sigdelset(&all, panics[i]); /* A blocked one would end the process without evidence. */
+        /* A blocked fault signal would end the process without a trace. */
+        sigdelset(&all, panics[i]);
     }
     pthread_sigmask(SIG_SETMASK, &all, &before);
     reader->runs = pthread_create(&reader->thread, NULL, read_lines, reader) == 0;

@@ -1,8 +1,8 @@
-/* gpio_reader.h -- the thread that lives with the lines: edges in, lamps and pulses out.
+/* gpio_reader.h -- the thread that reads all input lines and drives all output lines.
  *
- * It alone touches the lines. What it saw waits in counters until the frame loop comes by, so a
- * loop that stands still for a second loses no coin; what the frame loop wants it finds there too.
- * A chip that goes away is looked for once a second, and so is a line that could not be had. */
+ * No other thread uses the lines. Results wait in atomic counters until the frame loop reads
+ * them, so a frame loop that stalls for a second loses no coin. Commands of the frame loop go
+ * the same way. A removed chip or a line that could not be requested is retried once a second. */
 #ifndef KINGYO_DRIVERS_GPIO_READER_H
 #define KINGYO_DRIVERS_GPIO_READER_H
 
@@ -14,70 +14,74 @@
 #include "drivers/pulse_train.h"
 
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
-#define GPIO_WAIT_MS_MAX 20u /* How late a lamp may be, and a level that no edge told of. */
-#define GPIO_COIN_LOOK_NS 5000000u /* A coin line's level is read so often: thrice in a pulse. */
+/* Longest delay of an output change, and of a level change without an edge event. */
+#define GPIO_WAIT_MS_MAX 20u
+#define GPIO_COIN_LOOK_NS 5000000u /* Polling interval of a coin line: three times in a pulse. */
 
-/* What was counted since the lines were asked for first. */
+/* Counts since the lines were first requested. */
 struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
-    uint32_t too_short, stuck, cut; /* As coin_mech's, of all coin lines. */
-    uint32_t doubtful;                     /* Two sparks, or a coin that nobody saw. */
+    uint32_t too_short, stuck, cut; /* Sums over all coin lines, as in coin_mech. */
+    uint32_t doubtful; /* Pairs of null edges: two glitches, or a missed coin. */
     uint32_t lost_edges, lost_chips;
 };
 
 struct gpio_reader {
     struct gpio_lines lines;
     struct hal_clock clock;
-    struct gpio_wire wires[GPIO_ROLE_COUNT]; /* With every time filled in. */
+    struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring with all default times filled in. */
 
-    /* The reader's own. */
-    uint32_t had;                            /* Lines held, a bit each role. */
+    /* Used only by the reader thread. */
+    uint32_t had;                            /* Held lines, one bit for each role. */
     uint32_t lit;                            /* Outputs that were last set active. */
-    uint64_t retry_ns;                       /* When what is missing is asked for again. */
-    uint64_t watch_ns;                       /* When every level is read again, */
-    uint64_t coin_look_ns[COIN_LINE_COUNT];  /* and a coin line's. */
+    uint64_t retry_ns;                       /* Time of the next request of missing lines. */
+    uint64_t watch_ns;                       /* Next time to read all levels. */
+    uint64_t coin_look_ns[COIN_LINE_COUNT];  /* Next time to read each coin line. */
     struct gpio_input inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin[COIN_LINE_COUNT];
     struct pulse_train trains[GPIO_OUTPUT_COUNT];
-    uint32_t levels;                         /* Debounced, a bit each role. */
-    struct gpio_total total;                 /* For whoever steps. */
+    uint32_t levels;                         /* Debounced levels, one bit for each role. */
+    struct gpio_total total;                 /* Read by the caller of gpio_reader_step(). */
 
-    /* Between the threads. */
-    _Atomic uint32_t held, pressed;          /* Bits of input roles; coins are never among them. */
-    _Atomic uint32_t coins[COIN_LINE_COUNT]; /* Since they were last taken, */
-    _Atomic uint32_t faults;                 /* likewise. */
-    _Atomic uint32_t raw;                    /* Levels before they count, a bit each role; */
-    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* their changes, bounces too, */
-    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* and each line's faults: likewise. */
-    _Atomic uint32_t missing;                /* Lines wired and not held, a bit each role. */
-    _Atomic uint32_t wanted;                 /* Outputs that are to be active. */
-    _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT]; /* Asked for since the reader last looked. */
-    _Atomic uint32_t owed;                   /* Pulses that have not ended, of all held outputs. */
-    _Atomic uint32_t pending[GPIO_OUTPUT_COUNT]; /* Of each output, held or missing. */
+    /* Shared between the threads. */
+    _Atomic uint32_t held, pressed;          /* Bits of input roles, without coins. */
+    _Atomic uint32_t coins[COIN_LINE_COUNT]; /* Coins since the last read. */
+    _Atomic uint32_t faults;                 /* Faults since the last read. */
+    _Atomic uint32_t raw;                    /* Levels before debouncing, one bit for each role. */
+    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges including bounces, since the last read. */
+    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line, since the last read. */
+    _Atomic uint32_t missing; /* Wired lines that are not held, one bit for each role. */
+    _Atomic uint32_t wanted;                 /* Outputs to be active. */
+    /* Pulses requested and not yet taken by the reader. */
+    _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT];
+    _Atomic uint32_t owed;                   /* Unfinished pulses of all held outputs. */
+    /* Unfinished pulses of each output, held or missing. */
+    _Atomic uint32_t pending[GPIO_OUTPUT_COUNT];
     _Atomic int stop;
     pthread_t thread;
     int runs;
 
-    pthread_mutex_t mutex;                   /* Over the words alone. */
+    pthread_mutex_t mutex;                   /* Protects `why` and `text`. */
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE];
     char text[HAL_TEXT_SIZE];
 };
 
-/* Asks for the lines once, without a thread: gpio_reader_step() is then the caller's to call.
- * Answers as gpio_lines_ops.open. The caller owns `reader`, which must not move. */
+/* Requests the lines once, without a thread; the caller then calls gpio_reader_step(). Returns
+ * the result of gpio_lines_ops.open. The caller owns `reader`, which must not move. */
 int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
                      const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock);
 
-/* One round: waits for edges at most GPIO_WAIT_MS_MAX, takes them, sets the outputs. */
+/* Runs one iteration: waits for edges at most GPIO_WAIT_MS_MAX, processes them, and sets the
+ * outputs. */
 void gpio_reader_step(struct gpio_reader *reader);
 
-/* Ends the lines: no coin is taken from now on, lamps go out, pulses that are owed are given up. */
+/* Closes the lines: locks out coins, switches lamps off, and drops unfinished pulses. */
 void gpio_reader_close(struct gpio_reader *reader);
 
-/* The thread that steps. 0, or HAL_ERR_IO where there can be none. */
+/* Starts the thread. Returns HAL_OK, or HAL_ERR_IO if there is no thread. */
 int gpio_reader_start(struct gpio_reader *reader);
 
-/* Lets owed pulses end for at most two seconds, ends the thread and closes. */
+/* Waits at most two seconds for unfinished pulses, ends the thread and closes the lines. */
 void gpio_reader_stop(struct gpio_reader *reader);
 
 #endif

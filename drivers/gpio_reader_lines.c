@@ -1,4 +1,4 @@
-/* gpio_reader_lines.c -- asks, begins, loses, and says what there is. */
+/* gpio_reader_lines.c -- requests lines, initializes them, and reports missing ones. */
 #include "drivers/gpio_reader_lines.h"
 
 #include <stdio.h>
@@ -6,7 +6,7 @@
 
 #include "drivers/gpio_wires.h"
 
-#define RETRY_NS 1000000000u /* A chip that comes back is had within a second. */
+#define RETRY_NS 1000000000u /* A returned chip is in use again within a second. */
 
 uint32_t gpio_reader_begin_bits(void)
 {
@@ -38,12 +38,13 @@ static void begin_input(struct gpio_reader *reader, enum gpio_role role)
     if (gpio_role_is_coin(role)) {
         reader->coin[role - GPIO_COIN] = coin_mech_begin(
             wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull, active, now);
-    } else if (active) { /* Held, but nobody saw it pressed. */
+    } else if (active) { /* Pressed already, so there is no press edge. */
         reader->levels |= gpio_role_bit(role);
     }
 }
 
-/* A coin that had left its sensor when the line went has fallen, if its end did not stand yet. */
+/* Completes a coin whose pulse had ended when the line was lost, even if its end was not
+ * debounced yet. An unfinished pulse is cut. */
 static void lose_coin(struct gpio_reader *reader, enum gpio_role role)
 {
     const struct debounce *debounce = &reader->inputs[role].debounce;
@@ -85,8 +86,8 @@ static uint32_t count_bits(uint32_t bits)
     return (uint32_t)__builtin_popcount(bits);
 }
 
-/* "; no start, coin (BTN_START: there is no GPIO chip in /dev)": each line that is missing, and why
- * the first of them is. */
+/* Writes "; no start, coin (BTN_START: there is no GPIO chip in /dev)": all missing lines, and
+ * the reason for the first. */
 static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
                         char out[HAL_TEXT_SIZE])
 {
@@ -103,11 +104,11 @@ static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZ
     }
     const size_t room = HAL_TEXT_SIZE - length;
     if (first[0] && snprintf(out + length, room, " (%s)", first) >= (int)room) {
-        out[HAL_TEXT_SIZE - 2u] = ')'; /* Cut short. */
+        out[HAL_TEXT_SIZE - 2u] = ')'; /* Truncated. */
     }
 }
 
-/* One line of what there is, and of what is missing. */
+/* Updates the one-line description of held and missing lines. */
 static void say(struct gpio_reader *reader, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
 {
     char missing[HAL_TEXT_SIZE];

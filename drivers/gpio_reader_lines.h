@@ -1,4 +1,5 @@
-/* gpio_reader_lines.h -- the reader's lines as they come and go. gpio_reader.c's own. */
+/* gpio_reader_lines.h -- requests and releases the reader's lines. A private part of
+ * gpio_reader.c. */
 #ifndef KINGYO_DRIVERS_GPIO_READER_LINES_H
 #define KINGYO_DRIVERS_GPIO_READER_LINES_H
 
@@ -14,16 +15,16 @@ static inline uint32_t gpio_role_bit(enum gpio_role role)
     return 1u << role;
 }
 
-/* Outputs that are active until somebody says otherwise. */
+/* Returns the outputs that start active. */
 uint32_t gpio_reader_begin_bits(void);
 
-/* Lines that are wired and not held. */
+/* Returns the wired lines that are not held. */
 uint32_t gpio_reader_missing_bits(const struct gpio_reader *reader);
 
-/* Asks for what is missing. Answers as gpio_lines_ops.open. */
+/* Requests missing lines. Returns the result of gpio_lines_ops.open. */
 int gpio_reader_ask(struct gpio_reader *reader);
 
-/* Lets go of what went with its chip: one loss, one fault. */
+/* Releases the lines of removed chips and counts one fault. */
 void gpio_reader_lose_lines(struct gpio_reader *reader);
 
 #endif

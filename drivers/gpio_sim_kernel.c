@@ -1,4 +1,4 @@
-/* gpio_sim_kernel.c -- wires that move, a kernel that comes round to them, a queue. */
+/* gpio_sim_kernel.c -- models wires, the delayed interrupt thread of the kernel, and its queues. */
 #include "drivers/gpio_sim_kernel.h"
 
 #include <assert.h>
@@ -6,7 +6,7 @@
 
 #define NEVER UINT64_MAX
 
-/* xorshift32: lateness needs no better. */
+/* Returns a random delay by xorshift32, which is good enough for delays. */
 static uint64_t lateness_ns(struct gpio_lines_sim *sim)
 {
     sim->seed ^= sim->seed << 13;
@@ -24,7 +24,7 @@ static void push(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
         if (!sim->is_numbered) {
             return;
         }
-        line->first++; /* The second interface drops the oldest. */
+        line->first++; /* The second interface drops the oldest edge. */
         line->count--;
     }
     const uint32_t at = (line->first + line->count++) % GPIO_SIM_QUEUE_MAX;
@@ -33,13 +33,13 @@ static void push(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
     line->queue[at].active = line->level;
 }
 
-/* The kernel's thread comes round to a line: it reads the level as it is now. */
+/* Runs the kernel's interrupt thread for a line, which reads the current level. */
 static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
 {
     const uint64_t time_ns = line->busy_until_ns;
     push(sim, line);
     line->busy_until_ns = 0;
-    if (line->pending) { /* The masked edge is taken now, and dated now. */
+    if (line->pending) { /* The masked edge gets the current time stamp. */
         line->pending = 0;
         line->stamp_ns = time_ns;
         line->busy_until_ns = time_ns + lateness_ns(sim);
@@ -90,7 +90,7 @@ static void happen(struct gpio_lines_sim *sim, const struct gpio_sim_event *even
     }
 }
 
-/* The line that the kernel comes to first; null: none waits. */
+/* Returns the line that the kernel serves next, or null. */
 static struct gpio_sim_line *next_served(struct gpio_lines_sim *sim)
 {
     struct gpio_sim_line *first = NULL;

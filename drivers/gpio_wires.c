@@ -1,4 +1,4 @@
-/* gpio_wires.c -- words of wiring. */
+/* gpio_wires.c -- parses wiring texts and fills in defaults. */
 #include "drivers/gpio_wires.h"
 
 #include <ctype.h>
@@ -8,28 +8,29 @@
 
 #include "drivers/gpio_word.h"
 
-#define COIN_DEBOUNCE_US 3000u  /* Contacts of coin switches jump for 1 to 3 ms. */
-#define COIN_MIN_US 15000u      /* 25 ms -20 %, and 5 ms of jumping at its ends. */
-#define COIN_MAX_US 250000u     /* 200 ms +20 %. */
+#define COIN_DEBOUNCE_US 3000u  /* Coin switches bounce for 1 to 3 ms. */
+#define COIN_MIN_US 15000u      /* 25 ms - 20 %, and 5 ms of bounce. */
+#define COIN_MAX_US 250000u     /* 200 ms + 20 %, rounded up. */
 #define PULSE_ON_US 100000u     /* Electromechanical meters do five to ten steps a second. */
 #define PULSE_OFF_US 100000u
 
-/* What a role is called, and what stands still for how long before it counts. */
+/* Name and default debounce time of each role. */
 static const struct {
     const char *name;
     uint32_t debounce_us;
 } roles[GPIO_ROLE_COUNT] = {
-    [GPIO_START] = { "start", 5000 },     /* Microswitches jump for 1 to 5 ms, and a frame is 16. */
+    [GPIO_START] = { "start", 5000 }, /* Microswitches bounce for 1 to 5 ms; a frame has 16 ms. */
     [GPIO_LEFT] = { "left", 5000 },
     [GPIO_RIGHT] = { "right", 5000 },
     [GPIO_OK] = { "ok", 5000 },
-    [GPIO_TEST] = { "test", 20000 },      /* Hidden and rare: rather slow than by accident. */
+    /* Rarely used, so a slow response is better than an accidental press. */
+    [GPIO_TEST] = { "test", 20000 },
     [GPIO_SERVICE] = { "service", 20000 },
-    [GPIO_TILT] = { "tilt", 2000 },       /* A pendulum touches its ring for a few milliseconds. */
+    [GPIO_TILT] = { "tilt", 2000 }, /* A tilt pendulum touches its ring for a few milliseconds. */
     [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
     [GPIO_COIN2] = { "coin2", COIN_DEBOUNCE_US },
     [GPIO_COIN3] = { "coin3", COIN_DEBOUNCE_US },
-    [GPIO_DOOR] = { "door", 50000 },      /* It rattles. */
+    [GPIO_DOOR] = { "door", 50000 },      /* Doors rattle. */
     [GPIO_START_LAMP] = { "start-lamp", 0 },
     [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
     [GPIO_TICKET] = { "ticket", 0 },
@@ -70,7 +71,7 @@ enum gpio_role gpio_role_find(const char *name, size_t length)
     return GPIO_ROLE_COUNT;
 }
 
-/* ---- A wire --------------------------------------------------------------------------------- */
+/* ---- One wire ------------------------------------------------------------------------------- */
 
 static bool copies_name(struct gpio_word word, char out[GPIO_TEXT_SIZE])
 {
@@ -82,7 +83,7 @@ static bool copies_name(struct gpio_word word, char out[GPIO_TEXT_SIZE])
     return true;
 }
 
-/* NAME, or CHIP:OFFSET where digits alone stand behind the last colon. */
+/* Parses NAME, or CHIP:OFFSET if only digits follow the last colon. */
 static bool reads_line(struct gpio_word word, struct gpio_wire *wire)
 {
     const char *colon = word.length ? memrchr(word.at, ':', word.length) : NULL;
@@ -119,7 +120,7 @@ static bool reads_level_or_bias(struct gpio_word word, struct gpio_wire *wire, b
     return false;
 }
 
-/* Each time is a word of the roles that have it, and of no other. */
+/* Parses a time that is valid for the role; other times are rejected. */
 static bool reads_timing(struct gpio_word word, enum gpio_role role, struct gpio_wire *wire)
 {
     if (gpio_word_takes_off(&word, "debounce=")) {
@@ -134,7 +135,7 @@ static bool reads_timing(struct gpio_word word, enum gpio_role role, struct gpio
            gpio_word_reads_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
 }
 
-/* What is wrong with a word that is none. */
+/* Writes why a word is invalid. */
 static bool refuse_word(struct gpio_word word, enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     const char *name = roles[role].name, *at = word.at;
@@ -181,7 +182,7 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
             return refuse_word(word, role, why);
         }
     }
-    if (!has_bias) { /* Undriven, an input is not pressed, and the lock is locked. */
+    if (!has_bias) { /* An undriven input is released, and the undriven coin lock is locked. */
         const bool is_up = gpio_role_is_input(role) == (wire.active_low != 0);
         wire.bias = is_up ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
     }

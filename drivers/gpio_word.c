@@ -1,4 +1,4 @@
-/* gpio_word.c -- pieces of a text, numbers and times. */
+/* gpio_word.c -- parses tokens, numbers and times. */
 #include "drivers/gpio_word.h"
 
 #include <ctype.h>

@@ -1,4 +1,4 @@
-/* gpio_word.h -- the words that wiring is written with. gpio_wires.c's own. */
+/* gpio_word.h -- parses tokens of a wiring text. A private part of gpio_wires.c. */
 #ifndef KINGYO_DRIVERS_GPIO_WORD_H
 #define KINGYO_DRIVERS_GPIO_WORD_H
 
@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A piece of the text: its bytes are the caller's. */
+/* A part of the text, whose bytes the caller owns. */
 struct gpio_word {
     const char *at;
     size_t length;
@@ -14,16 +14,19 @@ struct gpio_word {
 
 bool gpio_word_is(struct gpio_word word, const char *text);
 
-/* Whether `word` begins with `prefix`, which is then taken off. */
+/* Returns true and removes `prefix` if `word` starts with it. */
 bool gpio_word_takes_off(struct gpio_word *word, const char *prefix);
 
-/* The part of `rest` before `mark`, and `rest` behind it; all of it where there is no mark. */
+/* Splits `rest` at the first `mark`. Returns the part before it, or all of `rest` if there is no
+ * mark. */
 struct gpio_word gpio_word_split(struct gpio_word *rest, char mark);
 
-/* Digits up to `max`, taken off the front. */
+/* Parses and removes leading digits. Returns false if there are none or if the value exceeds
+ * `max`. */
 bool gpio_word_takes_number(struct gpio_word *word, uint32_t max, uint32_t *out);
 
-/* Two times of 1 us to GPIO_TIME_US_MAX with `mark` between them; one that is read alone. */
+/* Parse two times with `mark` between them, or a single time. Valid times are 1 us to
+ * GPIO_TIME_US_MAX. */
 bool gpio_word_reads_times(struct gpio_word word, char mark, uint32_t *first_us,
                            uint32_t *second_us);
 bool gpio_word_reads_time(struct gpio_word word, uint32_t *out_us);

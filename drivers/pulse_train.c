@@ -1,4 +1,4 @@
-/* pulse_train.c -- on, off, on, off. */
+/* pulse_train.c -- alternates pulses and pauses. */
 #include "drivers/pulse_train.h"
 
 void pulse_train_add(struct pulse_train *train, uint32_t count)

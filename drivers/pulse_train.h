@@ -1,7 +1,7 @@
-/* pulse_train.h -- a meter's or a dispenser's pulses, one after the other. Pure.
+/* pulse_train.h -- generates a sequence of pulses for a meter or a ticket dispenser. Pure.
  *
- * A pulse lasts at least its time and so does the rest behind it, however late anybody looks: a
- * late one is longer, never lost and never two in one. */
+ * A pulse and the pause after it have at least their nominal length. If the caller is late, a
+ * pulse becomes longer, but pulses are never lost or merged. */
 #ifndef KINGYO_DRIVERS_PULSE_TRAIN_H
 #define KINGYO_DRIVERS_PULSE_TRAIN_H
 
@@ -10,18 +10,18 @@
 
 struct pulse_train {
     uint64_t on_ns, off_ns;
-    uint64_t until_ns; /* What is now, pulse or rest, lasts until here. */
-    uint32_t left;     /* Pulses that have not begun. */
+    uint64_t until_ns; /* End of the current pulse or pause. */
+    uint32_t left;     /* Pulses that have not started. */
     bool on;
 };
 
-/* `count` more; what is left stays at UINT32_MAX when there are more. */
+/* Adds `count` pulses. The sum saturates at UINT32_MAX. */
 void pulse_train_add(struct pulse_train *train, uint32_t count);
 
-/* The output's level from `now_ns` on. */
+/* Returns the level of the output from `now_ns` on. */
 bool pulse_train_at(struct pulse_train *train, uint64_t now_ns);
 
-/* When at() will say something else; UINT64_MAX: not before more are added. */
+/* Returns when the level changes next, or UINT64_MAX if no pulse is left. */
 uint64_t pulse_train_due_ns(const struct pulse_train *train);
 
 #endif
