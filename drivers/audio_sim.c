@@ -1,4 +1,4 @@
-/* audio_sim.c -- silent, but keeps count. */
+/* audio_sim.c -- counts sounds without output. */
 #include "drivers/audio_sim.h"
 
 static int audio_sim_open(void *self)

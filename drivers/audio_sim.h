@@ -1,4 +1,4 @@
-/* audio_sim.h -- counts what would have been heard. */
+/* audio_sim.h -- a simulated audio device that counts sounds. */
 #ifndef KINGYO_DRIVERS_AUDIO_SIM_H
 #define KINGYO_DRIVERS_AUDIO_SIM_H
 
@@ -6,9 +6,9 @@
 
 struct audio_sim {
     uint32_t played[SOUND_COUNT];
-    float gain;          /* Of the last one. */
-    uint8_t fails;       /* Set: every play answers HAL_ERR_IO. */
-    uint8_t gone;        /* Set: every play answers HAL_ERR_GONE, and no open finds a card. */
+    float gain;          /* Gain of the last sound. */
+    uint8_t fails;       /* 1: every play returns HAL_ERR_IO. */
+    uint8_t gone;        /* 1: every play returns HAL_ERR_GONE, and open() fails. */
     uint32_t open_count;
 };
 

@@ -1,4 +1,4 @@
-/* clock_sim.c -- time as a variable. */
+/* clock_sim.c -- a clock that returns a variable. */
 #include "drivers/clock_sim.h"
 
 static uint64_t clock_sim_now_ns(void *self)

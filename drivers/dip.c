@@ -1,8 +1,9 @@
-/* dip.c -- a quintic between two heights. */
+/* dip.c -- a quintic polynomial between two heights. */
 #include "drivers/dip.h"
 
-/* A dip sets off at once, or the first frames after the click would show nothing: twice what the
- * smoothest stroke needs, and still in the air. A lift begins under water and takes its time. */
+/* Initial acceleration of a dip, so that the first frames after the click already show motion.
+ * It is twice that of the smoothest stroke and acts in the air. A lift starts under water
+ * without it. */
 #define START_M_S2 (-16.0f)
 
 void dip_init(struct dip *dip)
@@ -10,7 +11,8 @@ void dip_init(struct dip *dip)
     *dip = (struct dip){ .from_m = DIP_HOVER_M, .to_m = DIP_HOVER_M };
 }
 
-/* The quintic with the given start (place, speed, acceleration) that ends at rest. */
+/* Evaluates the quintic with the given initial height, velocity and acceleration that ends at
+ * rest. */
 struct dip_state dip_at(const struct dip *dip, uint64_t time_ns)
 {
     const float total = dip->duration_s;

@@ -1,7 +1,8 @@
-/* dip.h -- lets a ring down into the water and brings it up again along one smooth stroke. Pure.
+/* dip.h -- the trajectory of a ring that dips into the water and comes up again. Pure.
  *
- * For hands without an axis of height: a button says when, this says how. Whatever the ring does
- * when the button changes, it goes on from there without a jerk. */
+ * For controllers without a vertical axis: a button starts the stroke, and this module computes
+ * the height. A new stroke starts from the ring's current height, velocity and acceleration, so
+ * it has no jerk. */
 #ifndef KINGYO_DRIVERS_DIP_H
 #define KINGYO_DRIVERS_DIP_H
 
@@ -9,18 +10,18 @@
 
 #include "core/base/fmath.h"
 
-#define DIP_HOVER_M 0.035f    /* Over the water: clear of ripples, near enough to aim. */
-#define DIP_DEPTH_M (-0.050f) /* Under it: where the fish of a 10 .. 20 cm tank cruise. */
+#define DIP_HOVER_M 0.035f    /* Above the water: clear of ripples, close enough to aim. */
+#define DIP_DEPTH_M (-0.050f) /* Below the surface: where the fish swim in a tank of 10 .. 20 cm. */
 #define DIP_DOWN_S 0.30f
-#define DIP_UP_S 0.46f        /* Slower than down: a wet sheet carries the pool on it. */
+#define DIP_UP_S 0.46f        /* Slower than down, because wet paper carries water. */
 
 #define DIP_SLANT_MAX_RAD (28.0f * F_DEG)
 #define DIP_SLANT_AT_M_S 0.40f
 
-/* The present stroke: a quintic from where the ring was when the button changed. */
+/* The current stroke: a quintic polynomial from the ring's state at its start. */
 struct dip {
     uint64_t start_ns;
-    float duration_s; /* 0 before the first. */
+    float duration_s; /* 0 before the first stroke. */
     float from_m, from_m_s, from_m_s2, to_m;
 };
 
@@ -28,19 +29,19 @@ struct dip_state {
     float height_m, speed_m_s, acceleration_m_s2;
 };
 
-/* A ring that hovers. */
+/* Initializes a ring that hovers. */
 void dip_init(struct dip *dip);
 
-/* From `time_ns` on it goes down, or up. */
+/* Starts a stroke down or up at `time_ns`. */
 void dip_begin(struct dip *dip, uint64_t time_ns, int down);
 
-/* At a time that is not before the stroke's start. */
+/* Returns the state at `time_ns`, which must not be before the stroke's start. */
 struct dip_state dip_at(const struct dip *dip, uint64_t time_ns);
 
-/* The far edge leads into the water and out of it, in proportion to the ring's speed. A hand also
- * runs away from the player as it goes down, so this turns the paper toward its own course, and
- * less water is pushed by it: what a practised hand does. A poi that goes in flat lasts four dips;
- * with this, eight. Radians >= 0. */
+/* Returns the slant of the ring in radians (>= 0), proportional to its vertical speed. The far
+ * edge leads into the water and out of it. The ring also moves away from the player on its way
+ * down, so the slanted paper moves more edge-on and displaces less water. A flat poi lasts four
+ * dips, a slanted one eight. */
 float dip_slant_rad(float speed_m_s);
 
 #endif

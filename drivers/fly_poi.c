@@ -1,24 +1,25 @@
-/* fly_poi.c -- the manner of playing with sticks. */
+/* fly_poi.c -- integrates the velocity of sticks into a pose. */
 #include "drivers/fly_poi.h"
 
 #include "drivers/pointer_fan.h"
 
-#define PUSH_TAU_S 0.07f  /* A thumb flicks, an arm does not. */
-#define TWIST_TAU_S 0.06f /* As the wheel's tilt of a pointer. */
-#define STEP_MAX_S 0.008f /* What is flown is added up in steps so short that none matters. */
-#define GAP_MAX_S 1.0f    /* Nobody looked for longer: it stood meanwhile. */
+#define PUSH_TAU_S 0.07f  /* Smooths the flicks of a thumb to the motion of an arm. */
+#define TWIST_TAU_S 0.06f /* The same as the wheel's tilt in pointer_poi.c. */
+/* Largest integration step; small enough that the step size does not matter. */
+#define STEP_MAX_S 0.008f
+#define GAP_MAX_S 1.0f    /* After a longer pause of the calls the poi has not moved. */
 
-/* Half of the picture's width and height that a hand may go to, seen from the middle. */
+/* Share of half the image's width and height that the poi may reach from the middle. */
 #define SEEN 0.94f
 #define VIEW_ASPECT (16.0f / 9.0f)
 
-/* A ring that leans into its way, as pointer_poi's. */
+/* The ring leans into its motion, as in pointer_poi.c. */
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
 
-#define LEVEL_FROM_M 0.03f /* So near to its hovering a ring that levels slows down. */
+#define LEVEL_FROM_M 0.03f /* Distance from the hover height at which LEVEL slows down. */
 
-#define LAP_M 0.35f /* So far beyond the near edge the fan lies in the player's lap. */
+#define LAP_M 0.35f /* Distance beyond the near edge at which the fan rests. */
 
 static float share_of(float value)
 {
@@ -36,7 +37,8 @@ static vec3 kept_within(vec3 v, vec3 low, vec3 high)
               f_clamp(v.z, low.z, high.z));
 }
 
-/* The higher a ring, the farther up in the picture it is, and the wider apart. */
+/* Limits a position to the visible part at its height. A higher ring appears farther up in the
+ * image and can move less far before it leaves the image. */
 static vec3 seen_m(const struct fly_poi *fly, vec3 at_m)
 {
     const float height = f_clamp((at_m.y - FLY_LOW_M) / (FLY_HIGH_M - FLY_LOW_M), 0.0f, 1.0f);
@@ -69,7 +71,7 @@ void fly_poi_init(struct fly_poi *fly, const struct view *view)
     fly_poi_look(fly, view);
 }
 
-/* The ring's height over the still water: that of its flight, less what it is let down. */
+/* Returns the ring's height over the still water: the flight height minus the depth of the dip. */
 static float height_m(const struct fly_poi *fly, uint64_t time_ns)
 {
     return fly->place_m.y - DIP_HOVER_M + dip_at(&fly->dip, time_ns).height_m;
@@ -80,7 +82,7 @@ static float pace_m_s(float at_m)
     return f_lerp(FLY_WATER_M_S, FLY_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
 }
 
-/* A little push goes a little way: the cube under the straight line makes the middle fine. */
+/* Applies a response curve: the cubic part makes small deflections fine. */
 static float eased(float push)
 {
     return push * (0.35f + 0.65f * push * push);
@@ -155,8 +157,8 @@ void fly_poi_report(struct fly_poi *fly, const struct fly_report *report)
     }
 }
 
-/* Going down it also goes away from the player, along the line of sight, so that the slant of the
- * ring turns it toward its own course. */
+/* Moves the ring away from the player along the line of sight as it goes down, so that the
+ * slanted ring moves more edge-on through the water. */
 static vec3 slid_m(const struct fly_poi *fly, float down_m)
 {
     const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);

@@ -1,7 +1,7 @@
-/* null.c -- absence as a device: nothing is shown, felt, heard or kept, and nothing fails. */
+/* null.c -- null drivers, which do nothing and report HAL_ERR_NONE. */
 #include "drivers/null.h"
 
-/* `self` of a null device is its line of text; the ops never write through it. */
+/* `self` of a null device is its line of text, which is never written. */
 static const char *null_describe(void *self)
 {
     return self;
@@ -295,7 +295,7 @@ static int null_is_well(void *self)
     return 0;
 }
 
-/* Nothing is saved, and so nothing is refused or left behind. */
+/* Returns 0: nothing was saved, refused or left to write. */
 static uint32_t null_none(void *self)
 {
     (void)self;

@@ -1,4 +1,4 @@
-/* pad_hand.c -- the manner of playing with a pad. */
+/* pad_hand.c -- decodes a game pad. */
 #include "drivers/pad_hand.h"
 
 #define AXIS_FULL 32767.0f
@@ -17,7 +17,8 @@ void pad_hand_look(struct pad_hand *hand, const struct view *view)
 
 /* ---- Sticks and motion ----------------------------------------------------------------------- */
 
-/* A stick's way from its dead middle to its rim, [0, 1]. Its direction stays. */
+/* Returns the deflection of a stick outside of its dead zone, with length [0, 1] and unchanged
+ * direction. */
 static vec3 read_stick(int16_t x_raw, int16_t y_raw)
 {
     const float dead = (float)PAD_DEAD / AXIS_FULL;
@@ -45,7 +46,8 @@ static void read_motion(struct pad_hand *hand)
     }
 }
 
-/* Pushed away the far edge rises, as by a wheel; pushed to the right the right one sinks. */
+/* Converts the right stick to tilt: pushing away lifts the far edge, as the wheel does, and
+ * pushing right lowers the right edge. */
 static void read_sticks(struct pad_hand *hand)
 {
     const int16_t *axis = hand->now.axis;
@@ -53,7 +55,7 @@ static void read_sticks(struct pad_hand *hand)
     hand->stick_twist = v3(-twist.y * STICK_TWIST, 0.0f, twist.x * STICK_TWIST);
 }
 
-/* ---- The hand -------------------------------------------------------------------------------- */
+/* ---- Pose ------------------------------------------------------------------------------------ */
 
 static uint32_t hand_buttons(const struct pad_hand *hand)
 {
@@ -63,7 +65,7 @@ static uint32_t hand_buttons(const struct pad_hand *hand)
            (buttons & PAD_SHOULDER_LEFT ? (uint32_t)POINTER_FAN : 0u);
 }
 
-/* Stick and wrist turn the ring together. */
+/* Reports push, buttons and the sum of stick tilt and motion tilt to fly_poi. */
 static void tell_fly(struct pad_hand *hand)
 {
     const uint32_t buttons = hand_buttons(hand);
@@ -84,7 +86,7 @@ static void come_to(struct pad_hand *hand, uint64_t time_ns)
     hand->time_ns = time_ns > hand->time_ns ? time_ns : hand->time_ns;
 }
 
-/* In menus nearly anything is OK. */
+/* Maps pad buttons to cabinet buttons. Most buttons are OK in menus. */
 static uint32_t cabinet_buttons(uint32_t buttons)
 {
     return (buttons & PAD_START ? (uint32_t)INPUT_START : 0u) |
@@ -134,14 +136,15 @@ struct shade_input pad_hand_fan(struct pad_hand *hand, uint64_t time_ns)
     return fly_poi_fan(&hand->fly, time_ns);
 }
 
-/* ---- What the hand feels --------------------------------------------------------------------- */
+/* ---- Force feedback -------------------------------------------------------------------------- */
 
 static uint16_t motor(float level)
 {
     return (uint16_t)(f_clamp(level, 0.0f, 1.0f) * 65535.0f + 0.5f);
 }
 
-/* Squared: a glide along the paper's plane, as it should be, is hardly felt. */
+/* Returns the motor levels. Drag is squared, so that a correct glide along the plane of the
+ * paper is barely felt. */
 struct pad_rumble pad_rumble_of(const struct poi_force *force)
 {
     return (struct pad_rumble){

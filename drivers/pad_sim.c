@@ -26,7 +26,8 @@ static int pad_sim_open(void *self)
     sim->open_count++;
     if (sim->gone && sim_now_ns(sim) >= sim->replug_ns) {
         const struct view view = sim->track.hand.fly.view;
-        pad_track_init(&sim->track, &view, sim_now_ns(sim)); /* As SDL's, it comes anew. */
+        /* A replugged pad starts with a new state, as with SDL. */
+        pad_track_init(&sim->track, &view, sim_now_ns(sim));
         sim->gone = 0;
         sim->unplug_at = PAD_SIM_NEVER;
     }
@@ -46,7 +47,7 @@ static vec3 any_vec3(uint32_t index, uint32_t what)
     return v3(any_float(index, what), any_float(index, what + 1), any_float(index, what + 2));
 }
 
-/* SDL checks none of it either. */
+/* Fills a report with random bits, because SDL does not validate values either. */
 static void spoil(struct pad_report *report, uint32_t index)
 {
     for (uint32_t i = 0; i < PAD_AXIS_COUNT; i++) {
@@ -72,7 +73,7 @@ static struct pad_report next_report(struct pad_sim *sim)
     return report;
 }
 
-/* What arrived by now waits; HAL_ERR_GONE once the cable is out. */
+/* Queues the reports that arrived by now. Returns HAL_ERR_GONE after the pad was unplugged. */
 static int arrive(struct pad_sim *sim)
 {
     const uint64_t now_ns = sim_now_ns(sim);
@@ -110,7 +111,7 @@ static int pad_sim_feel(void *self, const struct poi_force *force)
 static void pad_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct pad_sim *sim = self;
-    (void)showing; /* It points at the water, not at the screen. */
+    (void)showing; /* A stick refers to the water, not to the screen. */
     pad_hand_look(&sim->track.hand, view);
 }
 

@@ -1,8 +1,8 @@
-/* pad_sim.h -- a game pad made of memory: plays raw pad reports through the real decoder.
+/* pad_sim.h -- a simulated game pad: plays raw pad reports through the real decoder.
  *
- * Faults are injected below the decoder, where cables and thumbs are: unplugged at any report,
- * reports doubled, sticks that jump to their corner, any bits, silence and the burst after it. The
- * caller owns the state and the reports. */
+ * Faults are injected below the decoder: unplugging at any report, doubled reports, sticks that
+ * jump to a corner, random bits, and silence followed by a burst. The caller owns the state and
+ * the reports. */
 #ifndef KINGYO_DRIVERS_PAD_SIM_H
 #define KINGYO_DRIVERS_PAD_SIM_H
 
@@ -15,20 +15,20 @@ struct pad_sim {
     struct hal_clock clock;
     const struct pad_report *reports; /* Sorted by time; must outlive the device. */
     uint32_t report_count;
-    uint32_t next;                 /* First report that has not arrived yet. */
-    uint32_t unplug_at;            /* Before this report the cable is pulled; PAD_SIM_NEVER. */
-    uint64_t replug_ns;            /* From this time on open() finds it again. */
-    uint32_t double_every;         /* Every n-th report arrives twice; 0: none does. */
-    uint32_t jump_at;              /* Here both sticks lie in a corner for once; PAD_SIM_NEVER. */
-    uint32_t spoil_from, spoil_to; /* These reports say any bits. */
-    uint64_t silent_from_ns, silent_to_ns; /* Nothing arrives in between; it comes all at once. */
+    uint32_t next;                 /* Index of the next report. */
+    uint32_t unplug_at;            /* Unplugged before this report, or PAD_SIM_NEVER. */
+    uint64_t replug_ns;            /* Time from which open() finds the pad again. */
+    uint32_t double_every;         /* Every n-th report arrives twice; 0: none. */
+    uint32_t jump_at; /* Report in which both sticks jump to a corner, or PAD_SIM_NEVER. */
+    uint32_t spoil_from, spoil_to; /* Range of reports with random bits. */
+    uint64_t silent_from_ns, silent_to_ns; /* Reports of this time arrive together at its end. */
     uint8_t gone;
     uint32_t open_count;
-    struct pad_rumble felt;        /* How it hums. */
+    struct pad_rumble felt;        /* Motor levels set last. */
     struct pad_track track;
 };
 
-/* No reports and no faults. */
+/* Initializes a pad without reports and faults. */
 void pad_sim_init(struct pad_sim *sim, struct hal_clock clock, const struct view *view);
 
 struct hal_poi pad_sim_device(struct pad_sim *sim);

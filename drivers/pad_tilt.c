@@ -1,19 +1,19 @@
-/* pad_tilt.c -- a complementary filter on the direction of up. */
+/* pad_tilt.c -- a complementary filter for the direction of up. */
 #include "drivers/pad_tilt.h"
 
 #define G_M_S2 9.81f
-#define DOWN_TAU_S 0.5f    /* Shaking takes a tenth of that; a gyroscope drifts in minutes. */
-#define REST_TAU_S 4.0f    /* Longer than any scoop's look at a fish. */
-#define REST_BAND_RAD (2.0f * F_DEG) /* A hand trembles by as much. */
-#define RATE_MAX_RAD_S 40.0f /* 2,000 degrees/s is full scale of every pad; beyond is noise. */
-#define STEP_MAX_S 0.25f   /* A rate that is older says nothing of now. */
+#define DOWN_TAU_S 0.5f /* Shaking has a tenth of this period; a gyroscope drifts over minutes. */
+#define REST_TAU_S 4.0f    /* Longer than a player aims at a fish. */
+#define REST_BAND_RAD (2.0f * F_DEG) /* Tremor of a human hand. */
+#define RATE_MAX_RAD_S 40.0f /* All pads measure up to 2,000 degrees/s; larger values are noise. */
+#define STEP_MAX_S 0.25f   /* A rotation rate is valid no longer than this. */
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {
     return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
 }
 
-/* What stands still in the world turns the other way in the pad's axes. */
+/* Rotates `up` opposite to the pad's rotation, because the direction is fixed in the world. */
 static void turn_to(struct pad_tilt *tilt, uint64_t time_ns)
 {
     const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
@@ -34,7 +34,8 @@ int pad_tilt_turns(struct pad_tilt *tilt, uint64_t time_ns, vec3 rate_rad_s)
     return 0;
 }
 
-/* A pad that is shaken or falls knows of no down: then the gyroscope has the word. */
+/* Corrects `up` by gravity, unless shaking or free fall makes the acceleration differ from 1 g
+ * by more than 30 %. */
 int pad_tilt_weighs(struct pad_tilt *tilt, uint64_t time_ns, vec3 up_m_s2)
 {
     if (!v3_is_finite(up_m_s2)) {

@@ -1,9 +1,9 @@
-/* pad_tilt.h -- how a pad is held: its gyroscope and accelerometer into a wrist. Pure.
+/* pad_tilt.h -- estimates the tilt of a game pad from its gyroscope and accelerometer. Pure.
  *
- * The gyroscope says at once how the pad turns, the accelerometer says slowly, and amid all the
- * shaking of a hand, where down is; together they know pitch and roll without drift. Nobody holds a
- * pad level, so what counts is the tilt against the way it is held at rest, which is learned: at
- * once by LEVEL, and slowly while the poi hovers. */
+ * The gyroscope measures rotation at once but drifts. The accelerometer measures the direction
+ * of gravity without drift, but slowly and disturbed by shaking. Together they determine pitch
+ * and roll. Players do not hold a pad level, so the result is the tilt relative to the rest
+ * attitude. The rest attitude is set by LEVEL, and follows slowly while the poi hovers. */
 #ifndef KINGYO_DRIVERS_PAD_TILT_H
 #define KINGYO_DRIVERS_PAD_TILT_H
 
@@ -11,31 +11,34 @@
 
 #include "core/base/vec.h"
 
-#define PAD_TILT_MAX_RAD (45.0f * F_DEG) /* A wrist with a poi in it goes no farther in play. */
+#define PAD_TILT_MAX_RAD (45.0f * F_DEG) /* Limit of the tilt in play. */
 
-/* Axes as SDL gives them: +x to the right, +y up out of the buttons, +z toward the player. */
+/* State of the filter. Axes are SDL's: +x right, +y up out of the buttons, +z toward the player. */
 struct pad_tilt {
-    vec3 up;             /* The world's up in the pad's axes. */
-    uint8_t knows_down;  /* `up` came from an accelerometer. */
+    vec3 up;             /* Direction of up in the pad's axes. */
+    uint8_t knows_down;  /* 1 after the first valid acceleration. */
     uint8_t knows_rest;
     float rest_pitch_rad, rest_roll_rad;
-    uint64_t turn_ns;    /* As far as it was turned. */
-    uint64_t weigh_ns;   /* Of the newest weight. */
-    uint64_t rest_ns;    /* Since then the rest was not followed. */
+    uint64_t turn_ns;    /* Time to which `up` was rotated. */
+    uint64_t weigh_ns;   /* Time of the newest acceleration. */
+    uint64_t rest_ns;    /* Time to which the rest attitude was updated. */
     vec3 rate_rad_s;
 };
 
-/* The pad turns with `rate_rad_s` from `time_ns` on. -1: a number is none; nothing changes. */
+/* Sets the rotation rate from `time_ns` on. Returns 0, or -1 if a component is not finite;
+ * nothing then changes. */
 int pad_tilt_turns(struct pad_tilt *tilt, uint64_t time_ns, vec3 rate_rad_s);
 
-/* What the accelerometer says, gravity with it: at rest 9.8 m/s2 upward. -1 as above. */
+/* Processes an acceleration including gravity, which is 9.8 m/s2 upward at rest. Returns 0, or
+ * -1 as above. */
 int pad_tilt_weighs(struct pad_tilt *tilt, uint64_t time_ns, vec3 up_m_s2);
 
-/* From now on this is level. */
+/* Makes the current attitude the rest attitude. */
 void pad_tilt_level(struct pad_tilt *tilt);
 
-/* Pitch and roll at `time_ns`, as a poi's, within PAD_TILT_MAX_RAD; 0 before it is known how it is
- * held. While `hovers` the way that it is held becomes the rest. */
+/* Returns pitch and roll at `time_ns` as angles of the poi, within PAD_TILT_MAX_RAD. Both are 0
+ * before the first acceleration. While `hovers` is set the rest attitude follows the current
+ * one. */
 struct angles pad_tilt_at(struct pad_tilt *tilt, uint64_t time_ns, int hovers);
 
 #endif

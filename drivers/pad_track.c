@@ -1,9 +1,9 @@
-/* pad_track.c -- a queue of reports, and samples a tick apart. */
+/* pad_track.c -- a queue of reports, and samples one tick apart. */
 #include "drivers/pad_track.h"
 
 #include <string.h>
 
-#define SAMPLE_NS 8333333ull /* A tick. */
+#define SAMPLE_NS 8333333ull /* One tick. */
 
 void pad_track_init(struct pad_track *track, const struct view *view, uint64_t time_ns)
 {
@@ -22,7 +22,7 @@ void pad_track_keep(struct pad_track *track, const struct pad_report *report)
     track->report[track->report_count++] = *report;
 }
 
-/* A sample each `step_ns` as long as it lies before `until_ns`. */
+/* Writes a sample each `step_ns` before `until_ns`. Returns their number. */
 static uint32_t sample_until(struct pad_track *track, uint64_t until_ns, uint64_t step_ns,
                              struct poi_sample *out, uint32_t max)
 {
@@ -41,7 +41,8 @@ uint32_t pad_track_take(struct pad_track *track, uint64_t now_ns, struct poi_sam
         return 0;
     }
     const uint64_t span_ns = now_ns > track->sampled_ns ? now_ns - track->sampled_ns : 0;
-    const uint64_t even_ns = span_ns / max + 1u; /* After a stall: all of it, in larger steps. */
+    /* After a stall the whole time is sampled in larger steps. */
+    const uint64_t even_ns = span_ns / max + 1u;
     const uint64_t step_ns = even_ns > SAMPLE_NS ? even_ns : SAMPLE_NS;
     uint32_t count = 0;
     for (uint32_t i = 0; i < track->report_count; i++) {

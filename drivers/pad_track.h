@@ -1,34 +1,35 @@
-/* pad_track.h -- a pad's reports as they wait for the next look, and the way its hand makes. Pure.
+/* pad_track.h -- queues a pad's reports and samples the resulting motion. Pure.
  *
- * A stick is a speed, so a hand goes on between two reports: it is sampled a tick apart, however
- * seldom the kiosk looks. SDL's pads and their simulated twin both end here. */
+ * A stick sets a velocity, so the poi moves between reports too. The motion is sampled once for
+ * each tick, however rarely the kiosk polls. SDL's pads and their simulated twin use this
+ * module. */
 #ifndef KINGYO_DRIVERS_PAD_TRACK_H
 #define KINGYO_DRIVERS_PAD_TRACK_H
 
 #include "drivers/pad_hand.h"
 
-#define PAD_REPORTS_MAX 64u /* That wait: as many as HAL_POI_SAMPLES_MAX. */
+#define PAD_REPORTS_MAX 64u /* Queue capacity, the same as HAL_POI_SAMPLES_MAX. */
 
 struct pad_track {
     struct pad_hand hand;
-    struct pad_report report[PAD_REPORTS_MAX]; /* Not taken yet, oldest first. */
+    struct pad_report report[PAD_REPORTS_MAX]; /* Pending reports, oldest first. */
     uint32_t report_count;
     uint64_t sampled_ns;
 };
 
-/* A hand over the middle of the water at `time_ns`. */
+/* Initializes the track with the poi over the middle of the water at `time_ns`. */
 void pad_track_init(struct pad_track *track, const struct view *view, uint64_t time_ns);
 
-/* A report came. Where PAD_REPORTS_MAX wait, the oldest is taken, and the way it told is not seen
- * but its buttons are. */
+/* Appends a report. If the queue is full, the oldest report is decoded now: its buttons count,
+ * but its motion is not sampled. */
 void pad_track_keep(struct pad_track *track, const struct pad_report *report);
 
-/* The hand's way from the last look to `now_ns`: at most `max` samples, the last of now. Returns
- * how many. */
+/* Samples the motion from the last call to `now_ns`. Writes at most `max` samples, of which the
+ * last is at `now_ns`. Returns their number. */
 uint32_t pad_track_take(struct pad_track *track, uint64_t now_ns, struct poi_sample *out,
                         uint32_t max);
 
-/* Its buttons, with those of all reports that still wait. */
+/* Decodes all pending reports and adds the buttons. */
 void pad_track_buttons(struct pad_track *track, struct button_sample *out);
 
 #endif

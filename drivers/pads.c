@@ -1,4 +1,4 @@
-/* pads.c -- pads come and go; SDL's controller events into pad reports. */
+/* pads.c -- game pad hot-plug, and SDL's controller events as pad reports. */
 #include "drivers/pads.h"
 
 #include <SDL.h>
@@ -34,7 +34,7 @@ uint64_t pads_now_ns(const struct pads *pads)
     return pads->clock.ops->now_ns(pads->clock.self);
 }
 
-/* ---- Coming and going ------------------------------------------------------------------------ */
+/* ---- Hot-plug -------------------------------------------------------------------------------- */
 
 static struct pad *pad_of(struct pads *pads, int32_t instance)
 {
@@ -51,7 +51,8 @@ static int was(const struct pad *pad, const char *guid, const char *serial)
     return pad->was_here && strcmp(pad->guid, guid) == 0 && strcmp(pad->serial, serial) == 0;
 }
 
-/* A free place: its own from before, else one that nobody had, else anyone's. */
+/* Returns a free place: the pad's former one, else one never used, else any. Returns null if all
+ * are in use. */
 static struct pad *place_for(struct pads *pads, const char *guid, const char *serial)
 {
     struct pad *unused = NULL;
@@ -82,7 +83,7 @@ static void begin_pad(struct pad *pad)
              name ? name : "of no name", pad->cannot_rumble ? "" : ", rumbles");
 }
 
-/* A wrist where there are sensors for one. */
+/* Enables the motion sensors of a pad that has them. */
 static void begin_motion(struct pad *pad)
 {
     static const SDL_SensorType types[] = { SDL_SENSOR_GYRO, SDL_SENSOR_ACCEL };
@@ -106,7 +107,7 @@ int pads_are_barred(const struct pads *pads, uint16_t vendor, uint16_t product,
     return 0;
 }
 
-/* What is known of one that is not opened yet. */
+/* Reads the ids of a pad that is not opened yet. */
 static void look_at(int32_t device_index, struct pad *out)
 {
     const char *node = SDL_JoystickPathForIndex(device_index);
@@ -115,7 +116,7 @@ static void look_at(int32_t device_index, struct pad *out)
     usb_sysfs_node_serial("/sys", node ? node : "", out->usb_serial);
 }
 
-/* A fifth pad finds no place, and is asked again when it is plugged in again. */
+/* Opens a new pad. When all places are in use the pad is ignored until it is plugged in again. */
 static void plug_in(struct pads *pads, int32_t device_index)
 {
     char guid[PAD_GUID_SIZE];
@@ -225,12 +226,13 @@ static void take_event(struct pads *pads, const SDL_Event *event, uint64_t time_
     case SDL_CONTROLLERSENSORUPDATE:
         sense(pads, &event->csensor, time_ns);
         break;
-    default: /* What the joystick under the controller said, which is the same again. */
+    default: /* Events of the joystick API repeat the controller events. */
         break;
     }
 }
 
-/* SDL stamps events with the moment of the pumping: they are spread over the time before it. */
+/* Processes all pending events. SDL stamps events with the time of pumping, so they are spread
+ * evenly over the time since the last call. */
 void pads_pump(struct pads *pads)
 {
     SDL_Event events[EVENT_BATCH];
@@ -252,7 +254,7 @@ void pads_pump(struct pads *pads)
     pads->pumped_ns = now;
 }
 
-/* ---- All of them ----------------------------------------------------------------------------- */
+/* ---- Start and stop -------------------------------------------------------------------------- */
 
 void pads_init(struct pads *pads, struct hal_clock clock, const struct view *view)
 {
@@ -304,7 +306,7 @@ int pads_open(struct pads *pads, const char *database)
         return HAL_ERR_NONE;
     }
     if (database) {
-        SDL_GameControllerAddMappingsFromFile(database); /* None there is none needed. */
+        SDL_GameControllerAddMappingsFromFile(database); /* A missing file is not an error. */
     }
     pads->is_open = 1;
     pads->pumped_ns = pads_now_ns(pads);

@@ -1,10 +1,10 @@
-/* pads.h -- game pads that come and go, through SDL's game controllers and its database of them.
+/* pads.h -- game pads with hot-plug, through SDL's game controller API and its mapping database.
  *
- * Needs SDL's video for the event queue and whoever owns the window to pump it. Takes joystick and
- * controller events from the queue and no others. Up to PADS_MAX pads; one that is pulled out comes
- * back to its own place. A pad that SDL has no mapping for is not taken: a file of mappings or
- * $SDL_GAMECONTROLLERCONFIG may add one, and as a HID device it can be learned instead. Devices
- * that another driver of ours holds are barred first: one owner a device. */
+ * Needs SDL's video subsystem for the event queue; the owner of the window pumps the queue.
+ * Removes joystick and controller events from the queue and no others. At most PADS_MAX pads are
+ * used, and a replugged pad returns to its own place. A pad without an SDL mapping is ignored. A
+ * mapping file or $SDL_GAMECONTROLLERCONFIG can add a mapping, or the pad can be learned as a
+ * HID device. Devices of another driver are barred first, so that each device has one owner. */
 #ifndef KINGYO_DRIVERS_PADS_H
 #define KINGYO_DRIVERS_PADS_H
 
@@ -13,32 +13,33 @@
 #include "platform/hal.h"
 
 #define PADS_MAX POI_MAX
-#define PADS_BAR_MAX 40u /* The 32 that USB lets name, and eight that play there unnamed. */
+/* 32 keys chosen for USB, and eight devices that play there without being chosen. */
+#define PADS_BAR_MAX 40u
 #define PAD_GUID_SIZE 33u
 
 struct _SDL_GameController;
 
 struct pad {
     struct pads *pads;
-    struct _SDL_GameController *controller; /* Null: nobody holds this one now. */
-    int32_t instance;                       /* Of SDL, of this plugging in. */
-    char guid[PAD_GUID_SIZE];               /* Who it was last: SDL's model number ... */
-    char serial[32];                        /* ... and its own, "" where it says none. */
-    uint16_t vendor, product;               /* On USB, ... */
-    char usb_serial[HID_TEXT_SIZE];         /* ... as the kernel has read it; "": not known. */
+    struct _SDL_GameController *controller; /* Null while unplugged. */
+    int32_t instance;                       /* SDL's id, new at each connection. */
+    char guid[PAD_GUID_SIZE];               /* SDL's GUID of the last device. */
+    char serial[32];                        /* Its serial number, or "". */
+    uint16_t vendor, product;               /* USB ids. */
+    char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys; "": not known. */
     uint8_t was_here;
     struct pad_report now;
     struct pad_track track;
-    struct pad_rumble rumble;               /* As it hums by now, ... */
-    uint64_t rumble_ns;                     /* ... and since when. */
+    struct pad_rumble rumble;               /* Motor levels sent last. */
+    uint64_t rumble_ns;                     /* Time at which they were sent. */
     uint8_t cannot_rumble;
     char text[HAL_TEXT_SIZE];
 };
 
-/* A USB device that is another driver's: the one with that serial number, or all of its kind. */
+/* A USB device of another driver: the one with this serial number, or all of its product. */
 struct pad_bar {
     uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* "": all. */
+    char serial[HID_TEXT_SIZE]; /* "": all devices of the product. */
 };
 
 struct pads {
@@ -54,23 +55,24 @@ struct pads {
 
 void pads_init(struct pads *pads, struct hal_clock clock, const struct view *view);
 
-/* From now on these, and no others, are another driver's: they are not opened, and one that is a
- * pad of ours is let go. Where all of a kind are meant SDL does not even look at them: its hint
- * knows no serial numbers. Before pads_open() for those that are plugged in already. At most
- * PADS_BAR_MAX are heeded; bytes behind a serial number's end are 0. Asked again with the same it
- * does nothing. */
+/* Replaces the list of barred devices, which other drivers own. Barred devices are not opened,
+ * and a barred pad that is open is closed. A product without serial numbers is also given to
+ * SDL's ignore hint, which does not support serial numbers. Must be called before pads_open()
+ * for devices that are already plugged in. At most PADS_BAR_MAX entries are used; bytes after
+ * the end of a serial number must be 0. An unchanged list has no effect. */
 void pads_bar(struct pads *pads, const struct pad_bar *bar, uint32_t count);
 
-/* Whether such a pad is another driver's. One whose number is not known may be the one that is. */
+/* Returns 1 if the pad is barred. A pad with unknown serial number matches any serial number. */
 int pads_are_barred(const struct pads *pads, uint16_t vendor, uint16_t product,
                     const char *serial);
 
-/* Begins SDL's controllers. `database`: a file of further mappings; null, or not there: none.
- * HAL_ERR_NONE, and pads->text says why: there will be no pads. */
+/* Starts SDL's game controllers. `database` is a file of further mappings; it may be null or
+ * missing. Returns HAL_OK, or HAL_ERR_NONE with the reason in pads->text; there are then no
+ * pads. */
 int pads_open(struct pads *pads, const char *database);
 void pads_close(struct pads *pads);
 
-/* Takes what SDL's queue holds of them. */
+/* Processes SDL's pending pad events. */
 void pads_pump(struct pads *pads);
 uint64_t pads_now_ns(const struct pads *pads);
 

@@ -1,8 +1,8 @@
-/* poi_descriptor.c -- HID 1.11 section 6.2.2, an item a line.
+/* poi_descriptor.c -- the descriptor bytes, one item a line (HID 1.11 section 6.2.2).
  *
- * Units are the specification's: its system 1 is centimetre, gram, second, so that a newton is
- * 10^5 of g cm/s^2 and a newton metre 10^7 of g cm^2/s^2; degrees are of system 4. Physical ends
- * belong to the logical ends, and are whole numbers. */
+ * Units follow the specification. Unit system 1 is centimeter, gram, second, so a newton is 10^5
+ * g cm/s^2 and a newton meter is 10^7 g cm^2/s^2. Degrees belong to system 4. The physical
+ * limits correspond to the logical limits and are integers. */
 #include "drivers/poi_descriptor.h"
 
 #include <string.h>
@@ -12,7 +12,7 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0x09, 0x08,       /* Usage (Multi-axis Controller) */
     0xa1, 0x01,       /* Collection (Application) */
 
-    0x85, 0x01,       /*   Report ID (1): where it is */
+    0x85, 0x01,       /*   Report ID (1): pose */
     0x06, 0x4b, 0xff, /*   Usage Page (ours) */
     0x09, 0x01,       /*   Usage (sequence) */
     0x15, 0x00,       /*   Logical Minimum (0) */
@@ -58,7 +58,7 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0x95, 0x08,       /*   Report Count (8) */
     0x81, 0x02,       /*   Input (Data, Variable, Absolute) */
 
-    0x85, 0x02,       /*   Report ID (2): what its hand is to feel */
+    0x85, 0x02,       /*   Report ID (2): force feedback */
     0x06, 0x4b, 0xff, /*   Usage Page (ours) */
     0x09, 0x02,       /*   Usage (feel) */
     0xa1, 0x02,       /*   Collection (Logical) */

@@ -1,11 +1,11 @@
-/* poi_mouse.c -- SDL's mouse and finger events into pointer reports; the decoder does the rest. */
+/* poi_mouse.c -- converts SDL's mouse and finger events to pointer reports for the decoder. */
 #include "drivers/poi_mouse.h"
 
 #include <SDL.h>
 #include <stdio.h>
 
 #define EVENT_BATCH 64
-#define CREEP_PX 24.0f /* A push of a table moves a mouse by less. */
+#define CREEP_PX 24.0f /* More than a bump against the table moves a mouse. */
 
 void poi_mouse_init(struct poi_mouse *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds)
@@ -30,8 +30,8 @@ static uint64_t mouse_now_ns(const struct poi_mouse *mouse)
     return mouse->clock.ops->now_ns(mouse->clock.self);
 }
 
-/* Keys are taken out of the queue by whoever has the buttons; this only sees them pass. Key, not
- * place on the board: it is F where F is printed. */
+/* Observes F, while the button driver removes key events from the queue. The key code is used
+ * rather than the scan code, so it is the key labelled F. */
 static int watch_key(void *self, SDL_Event *event)
 {
     struct poi_mouse *mouse = self;
@@ -50,19 +50,20 @@ static int poi_mouse_open(void *self)
                  "no mouse: there is no window for it to move over");
         return HAL_ERR_NONE;
     }
-    SDL_ShowCursor(SDL_DISABLE); /* The poi is the cursor. */
+    SDL_ShowCursor(SDL_DISABLE); /* The poi serves as the cursor. */
     static const char *const names[] = { "", "mouse", "touch screen", "mouse or touch screen" };
     const char *video = SDL_GetCurrentVideoDriver();
     snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->heeds & 3u],
              video ? video : "?");
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_HEEDS_FINGERS ? "0" : "1");
     mouse->last_poll_ns = mouse_now_ns(mouse);
-    SDL_DelEventWatch(watch_key, mouse); /* Opened again, it still watches once. */
+    SDL_DelEventWatch(watch_key, mouse); /* Removed first, so that reopening adds it only once. */
     SDL_AddEventWatch(watch_key, mouse);
     return HAL_OK;
 }
 
-/* Bare of a window system a touch screen names no window: it is the one that is drawn in. */
+/* Reads the window's size. Without a window system a touch event has no window; the current GL
+ * window is then used. */
 static void learn_window(struct pointer_report *report, uint32_t window_id)
 {
     SDL_Window *named = SDL_GetWindowFromID(window_id);
@@ -127,7 +128,8 @@ static void take_finger(struct poi_mouse *mouse, const SDL_TouchFingerEvent *fin
     }
 }
 
-/* Where a window opens under it a pointer at rest has "moved"; a hand moves it on. */
+/* Records use after CREEP_PX of motion, because a window that opens under a resting pointer
+ * causes a motion event. */
 static void notice_use(struct poi_mouse *mouse, const SDL_Event *event)
 {
     const int is_motion = event->type == SDL_MOUSEMOTION;
@@ -163,7 +165,7 @@ static void take_event(struct poi_mouse *mouse, const SDL_Event *event)
                             (mouse->fingers.dips ? (uint32_t)POINTER_DIP : 0u);
 }
 
-/* What the pointer says goes to both hands; each heeds what is its own. */
+/* Passes the pointer report to the fan and the poi. */
 static int tell_hands(struct poi_mouse *mouse)
 {
     const struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->showing);
@@ -171,7 +173,8 @@ static int tell_hands(struct poi_mouse *mouse)
     return pointer_poi_report(&mouse->pointer, &seen);
 }
 
-/* The key has no place in the queue among the mouse's events: it counts from the poll after. */
+/* Applies the state of F. The key has no position among the mouse events, so it counts from the
+ * next poll. */
 static void take_fan_key(struct poi_mouse *mouse, uint64_t now_ns)
 {
     const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;
@@ -191,8 +194,8 @@ static struct poi_sample sample_at(struct poi_mouse *mouse, uint64_t time_ns)
     };
 }
 
-/* SDL stamps a whole batch with the moment it was pumped, so the reports of a fast mouse are spread
- * evenly over the time since the last poll. One of out[] is left free. */
+/* Processes events and writes a sample for each. SDL stamps a batch with the time of pumping, so
+ * the reports are spread evenly over the time since the last poll. One of out[] is left free. */
 static uint32_t take_events(struct poi_mouse *mouse, uint32_t first, uint32_t last,
                             uint64_t now_ns, struct poi_sample *out, uint32_t max)
 {
@@ -215,7 +218,8 @@ static uint32_t take_events(struct poi_mouse *mouse, uint32_t first, uint32_t la
     return count;
 }
 
-/* The last sample is of now: the stroke goes on, and a pointer at rest is still a hand. */
+/* Processes all events. The last sample is at the current time, because a dip continues between
+ * events and a resting pointer is still valid. */
 static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct poi_mouse *mouse = self;
@@ -241,7 +245,7 @@ static int poi_mouse_feel(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
-    return HAL_ERR_NONE; /* A mouse cannot push back. */
+    return HAL_ERR_NONE; /* A mouse has no force feedback. */
 }
 
 static const char *poi_mouse_describe(void *self)

@@ -1,11 +1,11 @@
-/* poi_mouse.h -- the mouse, or fingers on a touch screen, as a poi, and with F held as a fan,
- * through SDL's event queue.
+/* poi_mouse.h -- the mouse or a touch screen as a poi, and with F held as a fan, through SDL.
  *
- * Needs an initialised SDL video subsystem and a window; whoever owns the window pumps the queue
- * (display poll) before this is polled. Takes mouse and finger events from the queue and no others;
- * F it sees go by, whoever takes it. Where both are heeded the one that moved last leads, and the
- * other's buttons count. Fingers that are not heeded are a mouse's, as SDL makes it of them: one
- * that touches dips. The poi is polled before the fan and the buttons. */
+ * Needs SDL's video subsystem and a window. The owner of the window pumps the queue (display
+ * poll) before this device is polled. Mouse and finger events are removed from the queue, no
+ * others; F is observed by an event watch. If both mouse and fingers are enabled, the device
+ * that moved last sets the position, and the buttons of both count. Fingers that are not enabled
+ * act as a mouse, because SDL converts them, and a touch then dips. The poi must be polled
+ * before the fan and the buttons. */
 #ifndef KINGYO_DRIVERS_POI_MOUSE_H
 #define KINGYO_DRIVERS_POI_MOUSE_H
 
@@ -23,34 +23,34 @@ struct poi_mouse {
     struct hal_clock clock;
     struct pointer_poi pointer;
     struct pointer_fan fan;
-    uint8_t fan_key;              /* Whether F is down. */
-    uint8_t heeds;                /* enum pointer_heed */
-    uint32_t mouse_buttons;       /* enum pointer_button */
+    uint8_t fan_key;              /* 1 while F is down. */
+    uint8_t heeds;                /* enum pointer_heed, the enabled devices. */
+    uint32_t mouse_buttons;       /* enum pointer_button bits that are down. */
     struct touch_fingers fingers;
-    uint64_t used_ns;             /* When it last said what only a hand says; 0: never. */
-    float crept_px;               /* Moved since then. */
-    struct showing showing;       /* As told last; zero: it fills the window. */
-    struct pointer_report report; /* The pointer as last known; wheel apart. */
+    uint64_t used_ns;             /* Last use by a person; 0: never. */
+    float crept_px;               /* Motion in pixels since then. */
+    struct showing showing;       /* Set by look(); zero: the image fills the window. */
+    struct pointer_report report; /* Last pointer state; the wheel is reset for each event. */
     uint64_t last_poll_ns;
     char text[HAL_TEXT_SIZE];
 };
 
-/* `width`, `height`: the window's size until the first event tells the true one. `heeds`: a set of
- * enum pointer_heed. */
+/* Initializes the device. `width` and `height` are the window's size until the first event gives
+ * the true size. `heeds` is a set of enum pointer_heed. */
 void poi_mouse_init(struct poi_mouse *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds);
 
 struct hal_poi poi_mouse_device(struct poi_mouse *mouse);
 
-/* The fan that the same mouse leads while F is held. */
+/* Returns the fan that the same mouse controls while F is held. */
 struct hal_shade poi_mouse_fan(struct poi_mouse *mouse);
 
-/* Whether somebody has it in hand: it was moved on, pressed or touched within POINTER_USED_NS. That
- * a window opened under it is no sign of that. `mouse`: a struct poi_mouse. */
+/* Returns 1 if a person moved, pressed or touched the device within POINTER_USED_NS. The motion
+ * event of a window that opens under the pointer does not count. `mouse` is a struct poi_mouse. */
 #define POINTER_USED_NS 120000000000ull
 int poi_mouse_is_used(void *mouse);
 
-/* START by three fingers. */
+/* Returns a button device that reports START for three fingers. */
 struct hal_buttons poi_mouse_buttons(struct poi_mouse *mouse);
 
 #endif

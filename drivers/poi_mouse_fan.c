@@ -1,4 +1,4 @@
-/* poi_mouse_fan.c -- what else the pointer of poi_mouse.c is: a fan, and a START button. */
+/* poi_mouse_fan.c -- the fan and the START button of the pointer in poi_mouse.c. */
 #include <SDL.h>
 
 #include "drivers/poi_mouse.h"
@@ -6,7 +6,8 @@
 static int fan_open(void *self)
 {
     (void)self;
-    return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_NONE; /* The poi's open() did the rest. */
+    /* open() of the poi has initialized the rest. */
+    return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_NONE;
 }
 
 static int fan_poll(void *self, struct shade_input *out)

@@ -1,13 +1,13 @@
-/* poi_pad.c -- a pad as the devices of struct hal: poi, fan, buttons. */
+/* poi_pad.c -- implements the poi, fan and button devices of a game pad. */
 #include "drivers/poi_pad.h"
 
 #include <SDL.h>
 
 #include "core/base/panic.h"
 
-#define RUMBLE_MS 250           /* It stops by itself when nobody says more: a kiosk that hangs. */
+#define RUMBLE_MS 250           /* The motors stop after this time if the kiosk hangs. */
 #define RUMBLE_AGAIN_NS 100000000ull
-#define RUMBLE_STEP 2048        /* What no thumb can tell from before, of 65,535. */
+#define RUMBLE_STEP 2048        /* Smallest change that a thumb can feel, of 65,535. */
 
 int pads_is_there(void *self)
 {
@@ -39,7 +39,7 @@ static uint32_t apart(uint16_t a, uint16_t b)
     return a > b ? (uint32_t)(a - b) : (uint32_t)(b - a);
 }
 
-/* A motor is told when it should hum otherwise, and again before it would stop. */
+/* Sets the motor levels when they change, and again before the pad would stop them. */
 static int pad_feel(void *self, const struct poi_force *force)
 {
     struct pad *pad = self;
@@ -65,7 +65,7 @@ static int pad_feel(void *self, const struct poi_force *force)
 static void pad_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct pad *pad = self;
-    (void)showing; /* It points at the water, not at the screen. */
+    (void)showing; /* A stick refers to the water, not to the screen. */
     pad->pads->view = *view;
     pad_hand_look(&pad->track.hand, view);
 }
@@ -122,7 +122,7 @@ struct hal_shade pads_fan(struct pads *pads, uint32_t index)
     return (struct hal_shade){ .ops = &ops, .self = &pads->pad[index] };
 }
 
-/* A pad without a seat still presses START. */
+/* Merges the buttons of all pads. A pad without a slot can also press START. */
 static int buttons_poll(void *self, struct button_sample *out)
 {
     struct pads *pads = self;

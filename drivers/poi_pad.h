@@ -1,16 +1,17 @@
-/* poi_pad.h -- a game pad as a poi, as a fan, and as a panel of buttons. */
+/* poi_pad.h -- a game pad as the poi, fan and button devices of struct hal. */
 #ifndef KINGYO_DRIVERS_POI_PAD_H
 #define KINGYO_DRIVERS_POI_PAD_H
 
 #include "drivers/pads.h"
 #include "platform/hal.h"
 
-/* Place `index` < PADS_MAX. */
+/* Return the poi and the fan of pad `index` < PADS_MAX. */
 struct hal_poi pads_poi(struct pads *pads, uint32_t index);
 struct hal_shade pads_fan(struct pads *pads, uint32_t index);
-int pads_is_there(void *pad); /* `pad`: &pads->pad[index]. Looks for new ones, too. */
+/* Returns 1 if the pad `pad` (&pads->pad[index]) is plugged in. Processes pending events first. */
+int pads_is_there(void *pad);
 
-/* START, LEFT, RIGHT, OK and LANGUAGE of all of them; asked after the pois. */
+/* Returns START, LEFT, RIGHT, OK and LANGUAGE of all pads. Must be polled after the pois. */
 struct hal_buttons pads_buttons(struct pads *pads);
 
 #endif

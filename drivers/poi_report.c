@@ -1,4 +1,4 @@
-/* poi_report.c -- fixed places in fixed bytes. */
+/* poi_report.c -- encodes and decodes fixed-size reports. */
 #include "drivers/poi_report.h"
 
 #include "core/base/fmath.h"
@@ -19,7 +19,7 @@ static int32_t get_i16(const uint8_t *bytes)
     return bits < 32768 ? bits : bits - 65536;
 }
 
-/* Away from 0 at the half, so that a force and its opposite are opposite in bytes, too. */
+/* Rounds halves away from 0, so that opposite forces have opposite encodings. */
 static int32_t steps_of(float value, float most, int32_t otherwise)
 {
     if (!f_is_finite(value)) {
@@ -36,7 +36,7 @@ static void put_three(uint8_t *bytes, vec3 v, float most, int32_t otherwise)
     put_i16(bytes + 4, steps_of(v.z, most, otherwise));
 }
 
-/* 0 where one of them is no value. */
+/* Returns 0 if a component has no value. */
 static int get_three(const uint8_t *bytes, float most, vec3 *out)
 {
     const int32_t x = get_i16(bytes), y = get_i16(bytes + 2), z = get_i16(bytes + 4);

@@ -48,7 +48,7 @@ static float any_bits(uint32_t index, uint32_t what)
     return value;
 }
 
-/* Every fourth is no number for sure. */
+/* Fills a report with random numbers; every fourth has a NaN. */
 static void spoil(struct pointer_report *report, uint32_t index)
 {
     report->x_px = index % 4u ? any_bits(index, 0) : 0.0f / 0.0f;
@@ -72,8 +72,8 @@ static struct pointer_report take_report(struct poi_sim *sim)
     return report;
 }
 
-/* The device's answer at each poll ends in a sample of now: a pointer at rest is still a hand,
- * and a stroke goes on between two reports. */
+/* Plays all reports that are due. The last sample is at the current time, because a dip
+ * continues between reports and a resting pointer is still valid. */
 static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct poi_sim *sim = self;
@@ -109,7 +109,7 @@ static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 static void poi_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct poi_sim *sim = self;
-    (void)showing; /* It points at the water, not at the screen. */
+    (void)showing; /* The simulated image fills the window. */
     sim->pointer.view = sim->fan.view = *view;
 }
 

@@ -1,7 +1,7 @@
-/* pointer_fan.c -- the swing of a fan. */
+/* pointer_fan.c -- moves the fan in and out. */
 #include "drivers/pointer_fan.h"
 
-/* Below the window's lower edge: the player's lap. */
+/* Below the window's lower edge, in front of the player. */
 #define REST_NDC_Y (-2.2f)
 
 void pointer_fan_init(struct pointer_fan *fan, const struct view *view)

@@ -1,21 +1,22 @@
-/* pointer_poi.c -- the manner of playing with a mouse. */
+/* pointer_poi.c -- turns two axes and buttons into a pose. */
 #include "drivers/pointer_poi.h"
 
-/* The wheel clicks, the hand does not: the tilt follows within about three time constants. */
+/* Smooths the notches of the wheel: the tilt reaches its goal in about three time constants. */
 #define TILT_TAU_S 0.06f
 
-/* No wrist keeps a ring in its own plane while the arm hurries: the leading edge rises with the
- * speed. Gliding at 0.1 m/s this is under 3 degrees; at 1 m/s the paper takes the water's full
- * push. */
+/* Lean of the ring with speed, because a fast arm cannot keep a ring in its plane. The lean is
+ * below 3 degrees at 0.1 m/s; at 1 m/s the paper takes the full pressure of the water. */
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
-#define LEAN_TAU_S 0.06f      /* Whole pixels at 60 Hz step by 0.04 m/s; leaning forgets it. */
+/* Smooths the velocity, because whole pixels at 60 Hz make steps of 0.04 m/s. */
+#define LEAN_TAU_S 0.06f
 
-/* From where it waited back under the pointer: unhurried, or its paper would pay for it. */
+/* Time of the return under the pointer, slow enough not to damage the paper. */
 #define BACK_S 0.30f
-#define BACK_S_PER_WIDTH 0.9f /* And so much more for the width of the window. */
-#define BACK_FREE_M 0.025f    /* So high it is clear of the water, and goes at its pace; ... */
-#define BACK_UNDER_WATER 0.12f /* ... below it, at so much of that, or the paper would tear. */
+#define BACK_S_PER_WIDTH 0.9f /* Additional time for one width of the window. */
+/* Height from which the ring is clear of the water and returns at full pace. */
+#define BACK_FREE_M 0.025f
+#define BACK_UNDER_WATER 0.12f /* Share of that pace under water, because the paper would tear. */
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {
@@ -34,8 +35,8 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
     }
 }
 
-/* The pointer's speed over the water's surface, where strokes do not count, from one sample to the
- * next; a pause longer than a second is a new hand. */
+/* Estimates the pointer's velocity over the still water, without the dip. The velocity is reset
+ * after a pause of more than one second. */
 static void follow_hand(struct pointer_poi *pointer, vec3 hand_m)
 {
     const float dt = seconds_between(pointer->hand_ns, pointer->time_ns);
@@ -46,7 +47,7 @@ static void follow_hand(struct pointer_poi *pointer, vec3 hand_m)
         const vec3 along = v3(speed.x, 0.0f, speed.z);
         pointer->hand_m_s = v3_lerp(pointer->hand_m_s, along, dt / (dt + LEAN_TAU_S));
     } else {
-        return; /* The same moment again. */
+        return; /* The same time as before. */
     }
     pointer->hand_m = hand_m;
     pointer->hand_ns = pointer->time_ns;
@@ -81,7 +82,7 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
     return on;
 }
 
-/* The share of the way back that is still to go: smooth at both ends. */
+/* Returns the remaining share of the return, smooth at both ends. */
 static float lag_left(const struct pointer_poi *pointer)
 {
     return pointer->back_s > 0.0f
@@ -89,7 +90,8 @@ static float lag_left(const struct pointer_poi *pointer)
                : 0.0f;
 }
 
-/* It waits where it is at this moment, be that on its way; or it sets off to (x, y). */
+/* Stops the poi at its current position if `waits` is set, and otherwise starts its return to
+ * (x, y). */
 static void wait_or_come_back(struct pointer_poi *pointer, float x, float y, int waits)
 {
     const float left = lag_left(pointer);

@@ -1,9 +1,9 @@
-/* pose_fan.c -- one hand, two things to hold. */
+/* pose_fan.c -- one controller that moves a poi or a fan. */
 #include "drivers/pose_fan.h"
 
 #include "drivers/pointer_fan.h"
 
-#define LAP_Z_M 0.75f /* In the player's lap, beyond the near edge of any tank. */
+#define LAP_Z_M 0.75f /* In front of the player, beyond the near edge of any tank. */
 
 void pose_fan_init(struct pose_fan *fan)
 {
@@ -22,7 +22,8 @@ static void go_to_time(struct pose_fan *fan, uint64_t time_ns)
     fan->time_ns = time_ns;
 }
 
-/* The way from angle to angle is the shorter one round; what is no number stays what it is. */
+/* Interpolates an angle the shorter way round. A value that is not finite is passed on, so that
+ * the core rejects it. */
 static float turned(float from_rad, float to_rad, float share)
 {
     const float way_rad = to_rad - from_rad;
@@ -50,7 +51,7 @@ void pose_fan_move(struct pose_fan *fan, const struct poi_target *hand, int held
 {
     go_to_time(fan, time_ns);
     if (held && !fan->held) {
-        fan->waits = pose_fan_poi(fan); /* Of before this: it may have moved with the key. */
+        fan->waits = pose_fan_poi(fan); /* The pose before this report, which may have moved too. */
         fan->back = 0.0f;
     }
     fan->held = held != 0;

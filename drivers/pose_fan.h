@@ -1,5 +1,7 @@
-/* pose_fan.h -- our own poi as a fan: while its FAN key is down, the hand that it tracks holds the
- * fan over the water, and the poi waits where it was. Pure. */
+/* pose_fan.h -- the fan of our own poi. Pure.
+ *
+ * While the FAN key is down, the tracked controller moves the fan over the water, and the poi
+ * waits in place. */
 #ifndef KINGYO_DRIVERS_POSE_FAN_H
 #define KINGYO_DRIVERS_POSE_FAN_H
 
@@ -7,24 +9,24 @@
 
 #include "platform/hal.h"
 
-#define POSE_FAN_BACK_S 0.5f /* From where the poi waited to where the hand is by then. */
+#define POSE_FAN_BACK_S 0.5f /* Time of the poi's return to the controller. */
 
 struct pose_fan {
-    struct poi_target hand;   /* Newest of the tracked hand. */
-    struct poi_target waits;  /* Where the poi waits, or set off from. */
+    struct poi_target hand;   /* Newest pose of the controller. */
+    struct poi_target waits;  /* Pose at which the poi waits, or from which it returns. */
     uint8_t held;
-    float swing;              /* [0, 1]: 0 out of sight, 1 where the hand is ... */
-    float back;               /* [0, 1]: 1 once the poi is back in the hand ... */
-    uint64_t time_ns;         /* ... at this time. */
+    float swing;              /* [0, 1]: 0 out of sight, 1 at the controller's position. */
+    float back;               /* [0, 1]: 1 when the poi has returned to the controller. */
+    uint64_t time_ns;         /* Time of `swing` and `back`. */
 };
 
-/* A hand that holds its poi. */
+/* Initializes the state with the poi at the controller. */
 void pose_fan_init(struct pose_fan *fan);
 
-/* The hand is at `hand` by now, and holds the fan or not; time never goes back. */
+/* Sets the controller's pose, and whether FAN is held, at `time_ns`, which must never decrease. */
 void pose_fan_move(struct pose_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns);
 
-/* Where the poi is, and where the fan's shadow. */
+/* Return the pose of the poi, and the shadow of the fan. */
 struct poi_target pose_fan_poi(const struct pose_fan *fan);
 struct shade_input pose_fan_shade(struct pose_fan *fan, uint64_t time_ns);
 

@@ -1,12 +1,12 @@
-/* seats.c -- musical chairs, and what passes from a chair to whoever sits on it. */
+/* seats.c -- assigns sources to slots and forwards the calls of each slot to its source. */
 #include "drivers/seats.h"
 
 #include "core/base/panic.h"
 
-/* ---- The rule ------------------------------------------------------------------------------- */
+/* ---- Assignment ----------------------------------------------------------------------------- */
 
-/* Of the sources that are there, as many as there are seats, best kinds first: a bit each. Within a
- * kind those that sit already come first. */
+/* Selects at most one available source for each slot, best kinds first, one bit each. Within a
+ * kind, sources that have a slot come first. */
 static uint32_t invited(const uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count,
                         uint32_t there)
 {
@@ -30,7 +30,7 @@ static uint32_t invited(const uint8_t seat[POI_MAX], const uint8_t *kind, uint32
     return guests;
 }
 
-/* The best kind among the guests that nobody called yet. */
+/* Returns the best kind among the selected sources that are not assigned yet. */
 static uint8_t best_kind(const uint8_t *kind, uint32_t count, uint32_t guests)
 {
     uint8_t best = SEAT_POINTER;
@@ -50,7 +50,8 @@ static uint8_t first_of(const uint8_t *kind, uint32_t count, uint32_t guests, ui
     return SEAT_EMPTY;
 }
 
-/* Which kind sits at each seat is settled first; then who of them: those that sit right stay. */
+/* Assigns a kind to each slot first, then a source. A source whose slot has the right kind
+ * stays. */
 void seats_share(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count, uint32_t there)
 {
     const uint32_t guests = invited(seat, kind, count, there);
@@ -74,7 +75,7 @@ void seats_share(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count, uin
     }
 }
 
-/* ---- The seats ------------------------------------------------------------------------------ */
+/* ---- Slots ---------------------------------------------------------------------------------- */
 
 void seats_init(struct seats *seats, const char *empty_line)
 {
@@ -99,7 +100,7 @@ static const struct seat_source *source_of(const struct seat *seat)
     return seat->source == SEAT_EMPTY ? NULL : &seat->seats->source[seat->source];
 }
 
-/* A motor that hums would hum on in a hand that plays no more. */
+/* Stops the motors of a source that loses its slot. */
 static void stand_up(const struct seat_source *source)
 {
     static const struct poi_force nothing = { 0 };
@@ -121,7 +122,7 @@ static uint32_t who_is_there(const struct seats *seats, uint8_t kind[SEAT_SOURCE
     return there ? there : stand_ins;
 }
 
-/* Who sits and was away is here again: that is told at once, in a round, too. */
+/* Returns the slots whose missing source is available again, also during a game. */
 static uint32_t who_came_back(const struct seats *seats, uint32_t there)
 {
     uint32_t back = 0;
@@ -163,8 +164,8 @@ static uint32_t who_sits(const struct seats *seats)
     return sitting;
 }
 
-/* In a game: whose controller is away may take up another of its kind that nobody plays with. It
- * may be his own, plugged in elsewhere. */
+/* During a game, replaces a missing source by a free source of the same kind, which can be the
+ * same controller plugged in elsewhere. */
 static uint32_t take_up_others(struct seats *seats, const uint8_t kind[SEAT_SOURCE_MAX],
                                uint32_t there)
 {
@@ -196,7 +197,8 @@ static void listen(struct seats *seats, uint32_t index)
     }
 }
 
-/* One that stands in is heard at all times: what it says shows that somebody has it in hand. */
+/* Polls the sources without a slot. A stand-in is polled even if it is not available, because
+ * its motion shows that a person uses it. */
 static void listen_to_idle(struct seats *seats, uint32_t there)
 {
     uint32_t heard = there;

@@ -1,64 +1,69 @@
-/* seats.h -- who sits where: shares what can be a poi out among the players' seats.
+/* seats.h -- the input multiplexer: assigns controllers to the players' slots.
  *
- * Sources come and go while the kiosk runs: a USB poi is plugged in, a pad's battery ends. Each
- * seat's device of struct hal stays the same and passes on to whatever source sits there. The best
- * kind gets the first seat; who sits keeps his place among his kind. In a game a seat changes only
- * if its controller is away and another of its kind stands by. Whoever is there and has no
- * seat is listened to all the same, lest his words pile up: his buttons count, and the operator's
- * desk may learn him. */
+ * Controllers (sources) come and go while the kiosk runs, for example when a USB poi is plugged
+ * in or the battery of a pad is empty. Each slot is a fixed device of struct hal that forwards
+ * to its current source. The best kind of source gets the first slot, and sources of one kind
+ * keep their slots. During a game a slot changes only if its controller is missing and another
+ * one of its kind is free. Sources without a slot are polled too, so that their reports do not
+ * accumulate. Their buttons count, and the controller manager can learn them. */
 #ifndef KINGYO_DRIVERS_SEATS_H
 #define KINGYO_DRIVERS_SEATS_H
 
 #include "platform/hal.h"
 
-#define SEAT_SOURCE_MAX (3u * POI_MAX) /* USB pois, pads, and room for one pointer. */
+/* USB pois, pads, and up to POI_MAX others such as the pointer. */
+#define SEAT_SOURCE_MAX (3u * POI_MAX)
 #define SEAT_EMPTY UINT8_MAX
 
-/* The kinds of sources, best first. */
+/* Kinds of sources, best first. */
 enum seat_kind {
-    SEAT_USB = 0, /* A poi one can hold, or what the operator chose to be one. */
+    SEAT_USB = 0, /* A hand-held poi, or a controller that the operator chose. */
     SEAT_PAD,
-    SEAT_POINTER, /* The mouse, a finger. */
+    SEAT_POINTER, /* The mouse or a touch screen. */
 };
 
 struct seat_source {
     struct hal_poi poi;
-    struct hal_shade fan;         /* Ops null: it has none. */
-    int (*is_there)(void *self);  /* Whether somebody could play with it now; null: always. */
-    void *self;                   /* Of is_there(). */
+    struct hal_shade fan;         /* Ops null: the source has no fan. */
+    int (*is_there)(void *self);  /* Returns 1 if the source can be used now; null: always. */
+    void *self;                   /* First argument of is_there(). */
     uint8_t kind;                 /* enum seat_kind */
-    uint8_t stands_in;            /* It is there whenever nobody else is, whatever is_there() says:
-                                     a mouse that lies about is no second player. */
+    /* 1: the source is used if no other source is available, even if is_there() returns 0. A
+     * mouse that nobody moves thus plays alone, but not as a second player. */
+    uint8_t stands_in;
 };
 
 struct seats {
     struct seat_source source[SEAT_SOURCE_MAX];
     uint32_t source_count;
-    uint32_t there;           /* Sources that were there when they were last asked, a bit each; */
-    uint32_t idle;            /* and those of them that are open without a seat. */
-    struct view view;         /* As told last, and how that lies on the screen; */
-    struct showing showing;   /* who sits down is told both. */
+    uint32_t there;           /* Sources available at the last check, one bit each. */
+    uint32_t idle;            /* Available sources that are open without a slot. */
+    struct view view;         /* Camera view set last. */
+    struct showing showing;   /* Image geometry set last; a new source gets both. */
     uint8_t has_view;
-    const char *empty_line;   /* What the first seat says while nobody sits there. */
+    const char *empty_line;   /* Description of the first slot while it is empty. */
     struct seat {
         struct seats *seats;
         uint8_t index;
-        uint8_t source;       /* < source_count, or SEAT_EMPTY. */
+        uint8_t source;       /* Index < source_count, or SEAT_EMPTY. */
     } seat[POI_MAX];
 };
 
-/* Nobody sits anywhere. `empty_line` is kept, not copied: what is missing, and what to do. */
+/* Initializes empty slots. `empty_line` is not copied; it describes what is missing and the
+ * remedy. */
 void seats_init(struct seats *seats, const char *empty_line);
 
-/* Adds a source, the best first. -1: there are SEAT_SOURCE_MAX already, and it will not play. */
+/* Adds a source; better sources must be added first. Returns 0, or -1 if there are
+ * SEAT_SOURCE_MAX sources already; the source is then ignored. */
 int seats_add(struct seats *seats, const struct seat_source *source);
 
 struct hal_poi seats_poi(struct seats *seats, uint32_t seat);
 struct hal_shade seats_fan(struct seats *seats, uint32_t seat);
 struct hal_seats seats_device(struct seats *seats);
 
-/* The rule alone: who sits in `seat` (SEAT_EMPTY, or the place of a source) goes where he should,
- * given the kinds of `count` sources and which of them are `there` (a bit each). */
+/* Computes the assignment only. `seat` has the index of each slot's source or SEAT_EMPTY and is
+ * updated. `kind` has the kinds of `count` sources, and `there` one bit for each available
+ * source. */
 void seats_share(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count, uint32_t there);
 
 #endif

@@ -1,4 +1,4 @@
-/* sensor_sim.c -- a report each period, and what becomes of it. */
+/* sensor_sim.c -- generates a report each period and applies the fault. */
 #include "drivers/sensor_sim.h"
 
 #include <string.h>
@@ -78,7 +78,7 @@ static struct poi_target say(struct sensor_sim *sim, uint64_t time_ns)
     return target;
 }
 
-/* Beyond SENSOR_SIM_HELD_MAX the oldest are lost, as in every buffer. */
+/* Delays a report. When the buffer is full, the oldest report is lost. */
 static void hold_back(struct sensor_sim *sim, struct poi_target target)
 {
     if (sim->held_count == SENSOR_SIM_HELD_MAX) {
@@ -132,7 +132,7 @@ static int sensor_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-/* Opened again it begins with now: what it would have said while it was away is lost. */
+/* Starts reports at the current time; those of the time away are lost. */
 static int sensor_sim_open(void *self)
 {
     struct sensor_sim *sim = self;
@@ -156,7 +156,7 @@ static int sensor_sim_feel(void *self, const struct poi_force *force)
 static void sensor_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct sensor_sim *sim = self;
-    (void)showing; /* It points at the water, not at the screen. */
+    (void)showing; /* A pose refers to the water, not to the screen. */
     sim->view = *view;
 }
 

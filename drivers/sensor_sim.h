@@ -1,8 +1,8 @@
-/* sensor_sim.h -- a six-axis sensor made of memory: trembles as true ones do, breaks as asked.
+/* sensor_sim.h -- a simulated six-axis sensor with realistic noise and selectable faults.
  *
- * Its reports come at a steady rate; each says where `hand` is, a hair beside it. One fault at a
- * time, between two moments: what cables, radios and sensors do to a hand that does nothing wrong.
- * The caller owns the state and leads the hand. */
+ * Reports have a fixed rate, and each contains the pose `hand` plus noise. One fault at a time
+ * is active between two times. The faults are those of cables, radios and sensors while the user
+ * does nothing wrong. The caller owns the state and moves the pose. */
 #ifndef KINGYO_DRIVERS_SENSOR_SIM_H
 #define KINGYO_DRIVERS_SENSOR_SIM_H
 
@@ -13,35 +13,36 @@
 enum sensor_fault {
     SENSOR_FINE = 0,
     SENSOR_GONE,         /* Unplugged: poll() and open() fail. */
-    SENSOR_SILENT,       /* Linked, but nothing comes. */
-    SENSOR_HELD_BACK,    /* Nothing comes, and all of it at once when it is over. */
-    SENSOR_STUCK,        /* The same bits again and again. */
-    SENSOR_JUMPED,       /* A metre aside. */
-    SENSOR_FLIPPED,      /* Upside down. */
-    SENSOR_NOT_A_NUMBER, /* NaN or infinite, in one field after the other. */
-    SENSOR_GARBAGE,      /* Any bits in all fields. */
-    SENSOR_TWICE,        /* Each report comes twice. */
+    SENSOR_SILENT,       /* Connected, but no reports arrive. */
+    SENSOR_HELD_BACK,    /* No reports until the end of the fault, then all at once. */
+    SENSOR_STUCK,        /* Identical bits in each report. */
+    SENSOR_JUMPED,       /* Displaced by one meter. */
+    SENSOR_FLIPPED,      /* Rotated by 180 degrees. */
+    SENSOR_NOT_A_NUMBER, /* NaN or infinite in one field after another. */
+    SENSOR_GARBAGE,      /* Random bits in all fields. */
+    SENSOR_TWICE,        /* Each report arrives twice. */
     SENSOR_FAULT_COUNT,
 };
 
 struct sensor_sim {
     struct hal_clock clock;
-    struct poi_target hand;    /* Where it truly is; the caller moves it. */
-    uint64_t period_ns;        /* Between two reports. */
+    struct poi_target hand;    /* True pose, moved by the caller. */
+    uint64_t period_ns;        /* Time between two reports. */
     uint8_t fault;             /* enum sensor_fault ... */
-    uint64_t from_ns, to_ns;   /* ... from the first of these on, and before the second. */
+    uint64_t from_ns, to_ns;   /* Fault active from the first time until before the second. */
 
-    uint64_t next_ns;          /* When the next report is due. */
-    uint32_t count;            /* Of reports so far; each trembles by its number. */
+    uint64_t next_ns;          /* Time of the next report. */
+    uint32_t count;            /* Reports so far; also selects the noise. */
     uint32_t open_count;
-    struct poi_target last;    /* Said in the last report. */
-    struct poi_target held[SENSOR_SIM_HELD_MAX]; /* Kept back, oldest first. */
+    struct poi_target last;    /* Pose in the last report. */
+    struct poi_target held[SENSOR_SIM_HELD_MAX]; /* Delayed reports, oldest first. */
     uint32_t held_count;
-    struct view view;          /* As look() said last. */
-    struct poi_force felt;     /* What the hand was last made to feel. */
+    struct view view;          /* View set by look(). */
+    struct poi_force felt;     /* Force feedback set last. */
 };
 
-/* A fine sensor of `rate_hz` >= 1 reports a second, the hand at the middle of the water. */
+/* Initializes a sensor without faults at `rate_hz` >= 1 reports a second, at the middle of the
+ * water. */
 void sensor_sim_init(struct sensor_sim *sim, struct hal_clock clock, uint32_t rate_hz);
 
 struct hal_poi sensor_sim_device(struct sensor_sim *sim);

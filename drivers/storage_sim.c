@@ -1,4 +1,4 @@
-/* storage_sim.c -- a card with moods. */
+/* storage_sim.c -- a store in memory with selectable faults. */
 #include "drivers/storage_sim.h"
 
 #include <string.h>
@@ -94,7 +94,7 @@ static uint32_t storage_sim_saved_id(void *self)
     return sim->polls_since++ >= sim->delay_polls ? sim->entry.id : 0;
 }
 
-/* As busy and as broken as for rounds. */
+/* Uses the same fault counters as for entries. */
 static int storage_sim_keep_edit(void *self, const struct edit_record *edit)
 {
     struct storage_sim *sim = self;

@@ -1,4 +1,4 @@
-/* touch_fingers.c -- who leads, and how many are down. */
+/* touch_fingers.c -- tracks the leader and the number of fingers. */
 #include "drivers/touch_fingers.h"
 
 #include "core/base/fmath.h"
@@ -31,7 +31,7 @@ static int move(struct touch_fingers *fingers, const struct touch_event *event)
 static int put_down(struct touch_fingers *fingers, const struct touch_event *event)
 {
     if (find(fingers, event->id) < fingers->count) {
-        return move(fingers, event); /* Its lifting was not told. */
+        return move(fingers, event); /* The event of its lifting was lost. */
     }
     if (fingers->count == TOUCH_FINGER_MAX) {
         return 0;

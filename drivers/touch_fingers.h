@@ -1,8 +1,8 @@
-/* touch_fingers.h -- fingers on glass into one pointer. Pure.
+/* touch_fingers.h -- combines the fingers on a touch screen into one pointer. Pure.
  *
- * A finger that lies on the screen cannot hover, so where a mouse has a button a second finger is:
- * the first leads the ring over the water, two let it down, three press START. Who led stays the
- * leader until all are up: another finger does not pull the ring to its own place. */
+ * A finger cannot hover, so a second finger replaces the mouse button. The first finger moves
+ * the ring over the water, a second one lowers the ring, and a third one presses START. The
+ * first finger remains the leader until it is lifted; other fingers never move the ring. */
 #ifndef KINGYO_DRIVERS_TOUCH_FINGERS_H
 #define KINGYO_DRIVERS_TOUCH_FINGERS_H
 
@@ -10,7 +10,7 @@
 
 #include "drivers/pointer_poi.h"
 
-#define TOUCH_FINGER_MAX 10u /* More do not fit on a hand; they are not heeded. */
+#define TOUCH_FINGER_MAX 10u /* Further fingers are ignored. */
 #define TOUCH_DIP_FINGERS 2u
 #define TOUCH_START_FINGERS 3u
 
@@ -21,30 +21,31 @@ enum touch_kind {
 };
 
 struct touch_event {
-    uint64_t time_ns; /* When it came. */
+    uint64_t time_ns; /* Arrival time. */
     uint8_t kind;     /* enum touch_kind */
-    int64_t id;       /* Of the finger, as long as it is down. */
-    float x, y;       /* In the window, 0 .. 1 from its top left corner; any bits. */
+    int64_t id;       /* Identifies the finger while it is down. */
+    float x, y;       /* Position in the window, 0 .. 1 from the top left corner; any bits. */
 };
 
 struct touch_fingers {
-    int64_t id[TOUCH_FINGER_MAX]; /* Of those that are down. */
+    int64_t id[TOUCH_FINGER_MAX]; /* Fingers that are down. */
     uint32_t count;
     int64_t leader;
-    uint8_t has_leader;           /* It is still down. */
-    float x, y;                   /* Where the leader was last, [0, 1]; */
-    uint8_t has_place;            /* after the first touch. */
-    uint8_t dips;                 /* Level. */
-    uint8_t start_pressed;        /* An edge, until it is taken. */
+    uint8_t has_leader;           /* 1 while the leader is down. */
+    float x, y;                   /* Last position of the leader, [0, 1]. */
+    uint8_t has_place;            /* 1 after the first touch. */
+    uint8_t dips;                 /* 1 while two or more fingers are down. */
+    uint8_t start_pressed;        /* Press edge, until it is read. */
 };
 
-/* 1: something changed. 0: no number, an unknown finger, one too many, or nothing new. */
+/* Processes one event. Returns 1 if the state changed. Returns 0 for a position that is not
+ * finite, an unknown finger, too many fingers, or no change. */
 int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *event);
 
-/* What they say as a pointer: its place in a window and its buttons; the rest of `report` stays. */
+/* Writes the position and the dip button to `report`; its other fields stay unchanged. */
 void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_report *report);
 
-/* Whether three fingers came together since the last call. */
+/* Returns 1 if a third finger came down since the last call. */
 int touch_fingers_start(struct touch_fingers *fingers);
 
 #endif

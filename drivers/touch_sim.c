@@ -24,7 +24,7 @@ static uint64_t sim_now_ns(const struct touch_sim *sim)
     return sim->clock.ops->now_ns(sim->clock.self);
 }
 
-/* Whose fingers were down when it went is not known when it comes back. */
+/* Reopens the screen without fingers, because earlier ones are unknown after unplugging. */
 static int touch_sim_open(void *self)
 {
     struct touch_sim *sim = self;
@@ -123,7 +123,7 @@ static int touch_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 static void touch_sim_look(void *self, const struct view *view, const struct showing *showing)
 {
     struct touch_sim *sim = self;
-    (void)showing; /* It points at the water, not at the screen. */
+    (void)showing; /* The simulated image fills the window. */
     sim->pointer.view = *view;
 }
 
@@ -131,7 +131,7 @@ static int touch_sim_feel(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
-    return HAL_ERR_NONE; /* Glass cannot push back. */
+    return HAL_ERR_NONE; /* A touch screen has no force feedback. */
 }
 
 static const char *touch_sim_describe(void *self)
