@@ -1,4 +1,4 @@
-/* core.c -- the order of a tick, written down in one place. */
+/* core.c -- the fixed order of the steps of a tick, and the hash of the state. */
 #include "core/core.h"
 
 #include "core/base/float_env.h"
@@ -18,11 +18,11 @@
 #include "core/poi/wake.h"
 #include "core/poi/yield.h"
 
-/* The budgets of the kiosk: the tank takes 1 MiB at most; game, pois and bowls a sixteenth of that,
- * and the growth lab half as much: eight makers' species with all their curves (19 KiB), and a
- * graph for each of 15, as it was at start and as it is (8 KiB each). The smallest board keeps so
- * much for them, and as much again for the scene. `kingyoctl tank` allocates a larger tank of its
- * own (platform/ctl/tank.mk). */
+/* Memory budgets of the kiosk. The tank uses at most 1 MiB; game, pois and bowls use a sixteenth of
+ * that. The growth lab uses half as much: eight custom species with all their curves (19 KiB), and
+ * for each of 15 species the saved and the edited graph (8 KiB each). The smallest board reserves
+ * this much for the state and the same for the scene. `kingyoctl tank` allocates a larger tank of
+ * its own (platform/ctl/tank.mk). */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
 _Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
@@ -30,8 +30,8 @@ _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its bud
 
 #define FAN_REACH_M 1.0f
 
-/* All but the configuration, made of it. Where there is nothing but the growth lab, the evening
- * begins in it. */
+/* Initializes everything except the configuration, from the configuration. If the growth lab is the
+ * only item on offer, the session starts in the lab. */
 static void open_stall(struct core *core)
 {
     memset(&core->game, 0, sizeof core->game);
@@ -73,7 +73,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     return CORE_OK;
 }
 
-/* Fish and other rings have to do with it. */
+/* Returns 1 if fish and other rings collide with the poi. */
 static int is_met(const struct core *core, uint32_t index)
 {
     return hand_plays(core, index) && rest_is_met(core, index);
@@ -93,7 +93,7 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
     return count;
 }
 
-/* Those of other players: its own the poi knows. */
+/* Keeps the poi out of the bowls of other players; the poi handles its own bowl in poi_tick(). */
 static void keep_off_bowls(struct core *core, uint32_t index)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -103,7 +103,8 @@ static void keep_off_bowls(struct core *core, uint32_t index)
     }
 }
 
-/* Walls and its own bowl have the last word of a ring that another one moved. */
+/* Separates overlapping rings. The constraints of walls and own bowl are applied last to each ring
+ * that moved. */
 static void part_rings(struct core *core, const uint8_t live[POI_MAX])
 {
     for (uint32_t k = 0; k < POI_MAX * POI_MAX; k++) {
@@ -124,7 +125,8 @@ static void tick_pois(struct core *core, const struct input *input,
             const struct poi_grip grip = {
                 .target = targets[i],
                 .has_wrist = core->poi[i].link == POI_LINK_BOT || rest_holds(core, i) ||
-                             core->poi[i].link == POI_LINK_LOST || /* Nobody empties it. */
+                             core->poi[i].link == POI_LINK_LOST || /* A lost poi is not emptied into
+                                                                      its bowl. */
                              (core->poi[i].link == POI_LINK_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i]);
@@ -148,8 +150,8 @@ static void tick_water(struct core *core, const uint8_t live[POI_MAX])
     }
 }
 
-/* Whence a fan swings in it casts nothing on the water yet: well beyond the walls, but not
- * nowhere. */
+/* Returns the shadow of a fan. The centre is clamped to FAN_REACH_M beyond the walls, so that a fan
+ * entering from outside casts no shadow on the water yet. */
 static struct shade_cast fan_shade(const struct core *core, const struct shade_input *shade)
 {
     if (!shade->present) {
@@ -186,7 +188,7 @@ static void gather_shades(struct core *core, const struct input *input)
     tank_cast(&core->tank, casts);
 }
 
-/* In the order in which they were gathered. */
+/* Applies the reactions of the obstacles, in the order of gather_obstacles(). */
 static void give_way(struct core *core, const struct obstacle *obstacles)
 {
     uint32_t at = 0;
@@ -228,13 +230,14 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
     }
 }
 
-/* Once walls and fish have had their say: blows that catch_tick() gathers now are felt, and load
- * the paper, in the next tick. */
+/* Writes the force feedback after the wall and fish contacts of this tick. Impacts that
+ * catch_tick() adds later take effect, as force and as load on the paper, in the next tick. */
 static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], struct output *output)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
-        if (live[i] && !core->poi[i].spared) { /* Who does not lead it must not be pulled by it. */
+        if (live[i] && !core->poi[i].spared) { /* No force feedback unless the player controls the
+                                                  poi. */
             haptics_feel(&core->poi[i], &output->poi[i]);
         }
     }

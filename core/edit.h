@@ -1,5 +1,5 @@
-/* edit.h -- what somebody made of a species' curves in the growth lab: plain data, as it is handed
- * out to be kept and read back at the next start. */
+/* edit.h -- the edited growth curves of one species, as plain data. The growth lab outputs an edit
+ * record, the store saves it, and the next start loads it. */
 #ifndef KINGYO_CORE_EDIT_H
 #define KINGYO_CORE_EDIT_H
 
@@ -7,19 +7,22 @@
 
 #include "core/morph/species.h"
 
-/* 540 bytes, of which a stall keeps one a species. */
+/* Edited curves of one species. 540 bytes; the core keeps one per species. */
 struct lab_edit {
-    uint8_t template;         /* enum graph_template that it began as; parts keep their own curves
-                                 under TEMPLATE_OWN, and follow `graph` under any other. */
-    uint8_t scale_knot_count; /* As species_card's: 0 is the growth curve. */
-    struct graph graph;       /* The whole fish's. */
+    uint8_t template;         /* enum graph_template that the graph started from. Under TEMPLATE_OWN
+                                 each body part keeps its own curve; under any other template every
+                                 part follows `graph`. */
+    uint8_t scale_knot_count; /* Number of entries in `scale_knots`, as in struct species_card; 0:
+                                 the growth curve gives the scale. */
+    struct graph graph;       /* Graph of the whole fish. */
     struct scale_knot scale_knots[GRAPH_KNOT_MAX];
 };
 
 struct edit_record {
-    uint32_t id;       /* 0: nothing to save. Rises by one with each. */
-    uint8_t is_own;    /* Back to the species' own: what was kept of it goes. */
-    uint8_t key_count; /* Of the species. */
+    uint32_t id;       /* Id of the record, one higher with each record; 0: nothing to save. */
+    uint8_t is_own;    /* 1: the species returns to its original curves, and the store deletes the
+                          saved edit. */
+    uint8_t key_count; /* Number of key shapes of the species. */
     char species[SPECIES_NAME_SIZE];
     struct lab_edit edit;
 };

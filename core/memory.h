@@ -1,5 +1,5 @@
-/* memory.h -- what the store remembers when the kiosk starts, and the core goes on from.
- * Zero: nothing was ever kept. */
+/* memory.h -- the persistent state that the store loads at startup and the core continues from. All
+ * zero: nothing was stored. */
 #ifndef KINGYO_CORE_MEMORY_H
 #define KINGYO_CORE_MEMORY_H
 
@@ -10,7 +10,8 @@
 
 struct memory {
     struct ledger_start ledger;
-    struct settings settings; /* A value that setting_allows() not is the standard's. */
+    struct settings settings; /* A value that setting_allows() rejects is replaced by its
+                                 default. */
     struct audits audits;
     struct ranking ranking;
 };

@@ -1,6 +1,7 @@
-/* output.h -- everything the core asks of the world. The core appends and never reads it back.
+/* output.h -- the complete output of the core. The core appends to it and never reads it back.
  *
- * The frame loop clears the sounds once a frame, lets the ticks append, then serves them. */
+ * The frame loop clears the sounds once per frame, runs the ticks, and then passes the output to
+ * the devices. */
 #ifndef KINGYO_CORE_OUTPUT_H
 #define KINGYO_CORE_OUTPUT_H
 
@@ -10,23 +11,24 @@
 #include "core/input.h"
 #include "core/ledger.h"
 
-#define OUTPUT_SOUND_MAX 16u /* A frame's worth; more in one frame could not be told apart. */
+#define OUTPUT_SOUND_MAX 16u /* Capacity for one frame; more sounds in one frame cannot be
+                                distinguished. */
 
 enum sound {
     SOUND_NONE = 0,
     SOUND_DIP,     /* The ring enters the water. */
-    SOUND_LIFT,    /* The ring leaves it, dripping. */
+    SOUND_LIFT,    /* The ring leaves the water, dripping. */
     SOUND_CATCH,   /* A fish lands in the bowl. */
     SOUND_SLAP,    /* A tail hits the paper. */
     SOUND_TEAR,    /* A hole opens. */
-    SOUND_GONE,    /* The paper can hold nothing any more. */
+    SOUND_GONE,    /* The paper becomes useless. */
     SOUND_START,   /* A round begins. */
-    SOUND_TICK,    /* Each of the last seconds. */
+    SOUND_TICK,    /* Countdown of the last seconds, one sound per second. */
     SOUND_RESULT,  /* The round is over. */
-    SOUND_CALL,    /* The keeper calls the time: a minute, two, ten seconds left. */
-    SOUND_FOUL,    /* The umpire's whistle. */
-    SOUND_CHOOSE,  /* Another mode is pointed at. */
-    SOUND_COIN,    /* A coin was taken. */
+    SOUND_CALL,    /* Time announcement: one minute, two minutes, ten seconds left. */
+    SOUND_FOUL,    /* Whistle for a foul. */
+    SOUND_CHOOSE,  /* The selection moves to another mode. */
+    SOUND_COIN,    /* A coin was accepted. */
     SOUND_COUNT,
 };
 
@@ -36,62 +38,71 @@ struct sound_event {
     float pan;     /* -1 left .. 1 right */
 };
 
-/* What the hand that holds the poi feels: the reaction of water, fish and walls, in world axes,
- * from the same physics that moves the ring; and three plain levels for a motor that only hums. */
+/* Force feedback for one poi: the reaction of water, fish and walls in world axes, from the same
+ * physics that moves the ring. Three scalar levels drive a simple rumble motor. */
 struct poi_force {
-    vec3 force_n;    /* On the hand; each part within +-POI_FORCE_N_MAX. */
-    vec3 torque_n_m; /* About the grip; within +-POI_TORQUE_N_M_MAX. */
-    float drag;      /* [0, 1] of the water's push, 1 at POI_DRAG_N_FULL. */
-    float slap;      /* [0, 1] of a tail's blow in this tick. */
-    float tear;      /* [0, 1] of the paper that tore in this tick, 1 from ten cells on. */
+    vec3 force_n;    /* Force on the player's hand; each component within +-POI_FORCE_N_MAX. */
+    vec3 torque_n_m; /* Torque about the grip; each component within +-POI_TORQUE_N_M_MAX. */
+    float drag;      /* Drag force of the water, [0, 1]; 1 at POI_DRAG_N_FULL. */
+    float slap;      /* Strength of a tail's impact in this tick, [0, 1]. */
+    float tear;      /* Amount of paper torn in this tick, [0, 1]; 1 from ten cells on. */
 };
 
-#define POI_FORCE_N_MAX 20.0f    /* As much as a wrist gives. */
-#define POI_TORQUE_N_M_MAX 4.0f  /* That at the end of a handle of 13 cm, and half as much again. */
-#define POI_DRAG_N_FULL 2.0f     /* Broadside at 0.8 m/s: what paper bears at most. */
+#define POI_FORCE_N_MAX 20.0f    /* The largest force that a wrist resists. */
+#define POI_TORQUE_N_M_MAX 4.0f  /* POI_FORCE_N_MAX at the end of a 13 cm handle, times 1.5. */
+#define POI_DRAG_N_FULL 2.0f     /* Drag broadside at 0.8 m/s, which is the most that paper
+                                    withstands. */
 
-/* What the operator orders of a controller. */
+/* Commands of the operator for a controller. */
 enum desk_order_kind {
     DESK_NOTHING = 0,
-    DESK_CHOOSE,     /* Take it from whoever has it; it is a poi from now on. */
-    DESK_RELEASE,    /* Give it back, and forget what was learned. */
-    DESK_LEARN,      /* Begin to learn it; it is chosen while that lasts. */
-    DESK_LEARN_NEXT, /* Whoever holds it says that he did as he was told. */
-    DESK_LEARN_KEEP, /* Keep what was learned for this vendor:product:serial. */
-    DESK_LEARN_END,  /* Forget it, and give back who was not chosen before. */
-    DESK_RESTART,    /* Of no controller: the kiosk ends and begins anew. */
-    DESK_REPLAY,     /* No controller's: show the replay of the round `round_id`. */
-    DESK_SEEN,       /* Nor this: the operator has seen which databases were set aside. */
+    DESK_CHOOSE,     /* Detach the controller from its driver; it is a poi from now on. */
+    DESK_RELEASE,    /* Return the controller to its driver and delete the learned mapping. */
+    DESK_LEARN,      /* Start the learn wizard; the controller is attached while the wizard runs. */
+    DESK_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
+    DESK_LEARN_KEEP, /* Save the learned mapping for this vendor:product:serial. */
+    DESK_LEARN_END,  /* Discard the learned mapping, and return the controller to its driver if it
+                        was not attached before. */
+    DESK_RESTART,    /* Restart the kiosk; applies to no controller. */
+    DESK_REPLAY,     /* Show the replay of round `round_id`; applies to no controller. */
+    DESK_SEEN,       /* The operator has read which databases were quarantined; applies to no
+                        controller. */
 };
 
 struct desk_order {
     uint8_t kind; /* enum desk_order_kind */
-    uint8_t row;  /* < CONTROLLER_MAX, as in desk_input. */
-    uint32_t round_id; /* Of DESK_REPLAY: its entry in the ledger. */
+    uint8_t row;  /* Row < CONTROLLER_MAX, as in struct desk_input. */
+    uint32_t round_id; /* Ledger id of the round, for DESK_REPLAY only. */
 };
 
-#define DESK_ORDER_MAX 8u /* More than a hand gives in the longest frame (PACE_TICKS_MAX), so that
-                             the oldest is told before its place is taken. */
+#define DESK_ORDER_MAX 8u /* More commands than a person gives in the longest frame
+                             (PACE_TICKS_MAX), so that the shell reads the oldest command before it
+                             is overwritten. */
 
 struct output {
-    uint32_t sound_count; /* <= OUTPUT_SOUND_MAX; further sounds of the frame are not heard. */
+    uint32_t sound_count; /* <= OUTPUT_SOUND_MAX; further sounds of the frame are dropped. */
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
-    uint8_t start_lamp;     /* Level. */
-    uint8_t coin_lockout;   /* Level: coins fall through to the return. */
-    uint32_t coins_counted; /* Since the start: the meter in the cabinet gets a pulse for each. */
-    uint32_t tickets;       /* Since the start: the dispenser gets a pulse for each. The next is
-                               asked for once input.tickets_done has reached this number. */
-    uint32_t order_count;   /* Since the start; order n, from 0, lies at n % DESK_ORDER_MAX. */
+    uint8_t start_lamp;     /* Level of the start button's lamp, 0 or 1. */
+    uint8_t coin_lockout;   /* 1: coins fall through to the return tray. */
+    uint32_t coins_counted; /* Coins counted since the start. The meter in the cabinet receives one
+                               pulse for each. */
+    uint32_t tickets;       /* Tickets requested since the start; the dispenser receives one pulse
+                               for each. The next ticket is requested when input.tickets_done
+                               reaches this number. */
+    uint32_t order_count;   /* Commands since the start; command n, from 0, is in orders[n %
+                               DESK_ORDER_MAX]. */
     struct desk_order orders[DESK_ORDER_MAX];
-    uint32_t entry_id;      /* The newest entry's; entry n lies at n % LEDGER_RING. */
+    uint32_t entry_id;      /* Id of the newest entry; entry n is in entries[n % LEDGER_RING]. */
     struct ledger_entry entries[LEDGER_RING];
-    struct round_record record; /* The newest finished round, for who only looks on. */
-    struct edit_record edit;    /* Likewise; what the store did not take by then is this run's. */
+    struct round_record record; /* The newest finished round, for readers that do not need the
+                                   ledger. */
+    struct edit_record edit;    /* The newest edit of a species. An edit that the store did not read
+                                   before the next edit is not saved. */
 };
 
-/* Adds a tick's force to its frame's, which the frame loop cleared: a device is told of the hardest
- * blow and tear of a frame, and of the latest pull where there is no blow. */
+/* Merges the force of one tick into the force of its frame, which the frame loop clears. The device
+ * receives the strongest impact and tear of the frame; without an impact, the latest force. */
 static inline void output_feel(struct poi_force *frame, const struct poi_force *tick)
 {
     const struct poi_force before = *frame;
@@ -103,7 +114,7 @@ static inline void output_feel(struct poi_force *frame, const struct poi_force *
     frame->tear = f_max(before.tear, tick->tear);
 }
 
-/* Appends one sound, or drops it when the frame already has OUTPUT_SOUND_MAX. */
+/* Appends one sound. The sound is dropped when the frame already has OUTPUT_SOUND_MAX sounds. */
 static inline void output_sound(struct output *output, enum sound sound, float gain, float pan)
 {
     if (output->sound_count < OUTPUT_SOUND_MAX) {

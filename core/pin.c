@@ -9,7 +9,7 @@
 #define SALT_MASK ((1u << SALT_BITS) - 1u)
 #define HIDDEN (1u << (SALT_BITS + DIGEST_BITS))
 
-/* Never PIN_WITHHELD: a salt of 0 is taken as 1. */
+/* Never returns PIN_WITHHELD, because a salt of 0 is replaced by 1. */
 int32_t pin_hide(uint32_t pin, uint32_t salt)
 {
     CORE_ASSERT(pin <= PIN_MAX);

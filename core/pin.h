@@ -1,10 +1,11 @@
-/* pin.h -- the operator's PIN as the settings keep it: salted and hashed.
+/* pin.h -- the operator's PIN as the settings store it: salted and hashed.
  *
- * The value of SET_PIN is 0 (no PIN is asked for), 1 to 9999 (a PIN in plain digits, from the
- * configuration file or from a database of an older Kingyo), or negative: bit 31, 11 bits of salt,
- * and the first 20 bits of SHA-256 over salt and PIN. Four digits are soon guessed from any hash.
- * The hash keeps the PIN from a casual reader; file modes and the waiting time protect it. Of the
- * 9,999 PINs another one opens the menu as well with a chance of 1 %, which no guesser can use. */
+ * SET_PIN has three forms. 0: no PIN is required. 1 .. 9999: a PIN in plain digits, from the
+ * configuration file or from a database of an older Kingyo. Negative: bit 31, 11 bits of salt, and
+ * the first 20 bits of SHA-256 over salt and PIN. Four digits can be guessed quickly from any hash,
+ * so the hash protects only against a casual reader. File modes and the lockout time protect
+ * against the rest. With a probability of 1 % one of the other 9,998 PINs has the same hash, which
+ * does not help a guesser. */
 #ifndef KINGYO_CORE_PIN_H
 #define KINGYO_CORE_PIN_H
 
@@ -12,18 +13,18 @@
 
 #define PIN_MAX 9999
 
-/* A kept value that matches no PIN: stands for a PIN where the true value must not be, such as in
- * the replay of a score. */
+/* A stored value that matches no PIN. PIN_WITHHELD replaces the true value where it must not
+ * appear, such as in the replay of a score. */
 #define PIN_WITHHELD INT32_MIN
 
-/* Returns the value that is kept for `pin`, at most PIN_MAX (else it asserts); 0 for 0. Any `salt`;
- * its lowest 11 bits count. */
+/* Returns the stored form of `pin`; 0 for `pin` 0. `pin` must be <= PIN_MAX, else the function
+ * asserts. Only the lowest 11 bits of `salt` are used. */
 int32_t pin_hide(uint32_t pin, uint32_t salt);
 
-/* Whether a kept value is a PIN in plain digits. */
+/* Returns 1 if the stored value is a PIN in plain digits, else 0. */
 int pin_is_plain(int32_t kept);
 
-/* Whether `pin` opens what `kept` closes. */
+/* Returns 1 if `pin` matches the stored value `kept`, else 0. */
 int pin_matches(int32_t kept, uint32_t pin);
 
 #endif

@@ -1,7 +1,7 @@
-/* placing.h -- how the picture lies on the screen: turned, inset, moved a little, dimmed.
+/* placing.h -- the transform from the picture to the screen: rotation, inset, shift and brightness.
  *
- * Like the camera (view.h) it is a contract of two sides that must agree: the display draws through
- * it, and whoever points at the picture looks back through it. The core itself knows of no screen.
+ * Like the camera (view.h), the transform is shared by two sides that must agree: the display draws
+ * with it, and pointer devices map screen points back through it. The core itself does not use it.
  * Screen and picture are measured in pixels from their top left corners, x to the right, y down. */
 #ifndef KINGYO_CORE_PLACING_H
 #define KINGYO_CORE_PLACING_H
@@ -10,27 +10,31 @@
 
 #include "core/base/fmath.h"
 
-#define PLACING_INSET_MAX 0.25f /* Of a side; more would leave no picture. */
+#define PLACING_INSET_MAX 0.25f /* Largest inset as a share of a side; a larger inset would leave no
+                                   picture. */
 
-/* What is asked of the display. Zero is a picture as large as the screen, and dark. */
+/* Display options. All zero is a picture of the screen's size at zero brightness. */
 struct showing {
     uint32_t rotation;        /* Quarter turns clockwise, 0 .. 3. */
-    float inset_x, inset_y;   /* [0, PLACING_INSET_MAX]: left black at each side of the screen, as a
-                                 share of its width, of its height. */
-    float shift_x, shift_y;   /* [-0.01, 0.01] of the screen's height: against burning in. */
-    float light;              /* [0, 1]; at 0 nothing need be drawn. */
+    float inset_x, inset_y;   /* [0, PLACING_INSET_MAX]: black margin at each side of the screen, as
+                                 a share of the screen's width (x) and height (y). */
+    float shift_x, shift_y;   /* [-0.01, 0.01] of the screen's height; moves the picture against
+                                 burn-in. */
+    float light;              /* Brightness [0, 1]; at 0 the display may skip drawing. */
 };
 
-/* The same for one size of screen. */
+/* The transform for one screen size. */
 struct placing {
-    float screen_width, screen_height; /* > 0 */
-    float width, height;               /* Of the picture, as it is drawn and read; > 0. */
-    float x, y;                        /* Its top left corner on the screen. */
-    float xx, xy, yx, yy;              /* Its axes there: (xx, yx) is its x, (xy, yy) its y. */
-    float light;                       /* As struct showing's. */
+    float screen_width, screen_height; /* Screen size in pixels, > 0. */
+    float width, height;               /* Size of the picture in pixels in its own orientation, >
+                                          0. */
+    float x, y;                        /* Top left corner of the picture on the screen. */
+    float xx, xy, yx, yy;              /* Axes of the picture on the screen: (xx, yx) is its x axis,
+                                          (xy, yy) its y axis. */
+    float light;                       /* Brightness, as in struct showing. */
 };
 
-/* A picture that fills the screen, at full light. */
+/* Returns the transform of a picture that fills the screen at full brightness. */
 static inline struct placing placing_whole(float width, float height)
 {
     return (struct placing){ .screen_width = width, .screen_height = height,
@@ -43,11 +47,14 @@ static inline float placing_whole_pixels(float pixels)
     return f_floor(pixels + 0.5f);
 }
 
-/* Whole pixels: the picture is as sharp as one that fills the screen. */
+/* Returns the transform for `showing` on a screen of `width` x `height` pixels. Offsets are rounded
+ * to whole pixels, so that the picture is as sharp as a full-screen picture. */
 static inline struct placing placing_of(const struct showing *showing, float width, float height)
 {
-    static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f }; /* Where its x points, and ... */
-    static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f }; /* ... its y is a quarter on. */
+    static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f }; /* x components of the picture's x
+                                                                   axis per quarter turn. */
+    static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f }; /* y components; the y axis is one
+                                                                   quarter turn further. */
     const uint32_t turn = showing->rotation & 3u;
     const float left = placing_whole_pixels(
         f_clamp(showing->inset_x, 0.0f, PLACING_INSET_MAX) * width);
@@ -68,7 +75,8 @@ static inline struct placing placing_of(const struct showing *showing, float wid
     return placing;
 }
 
-/* Where a point of the screen is on the picture; beside it, if it is. */
+/* Converts a screen point to picture coordinates in place. The result lies outside the picture if
+ * the screen point does. */
 static inline void placing_look_back(const struct placing *placing, float *x, float *y)
 {
     const float right = *x - placing->x, down = *y - placing->y;
@@ -76,8 +84,8 @@ static inline void placing_look_back(const struct placing *placing, float *x, fl
     *y = placing->xy * right + placing->yy * down;
 }
 
-/* The same forward, for OpenGL: a point of the picture at -1 .. 1 with y up is on the screen at
- * turn * point + move, in the same measure. `turn` is column-major. */
+/* Computes the same transform in OpenGL clip coordinates. A picture point in -1 .. 1 with y up is
+ * at turn * point + move on the screen, also in -1 .. 1. `turn` is column-major. */
 static inline void placing_clip(const struct placing *p, float turn[4], float move[2])
 {
     const float w = 2.0f / p->screen_width, h = 2.0f / p->screen_height;
@@ -89,7 +97,7 @@ static inline void placing_clip(const struct placing *p, float turn[4], float mo
     move[1] = 1.0f - h * (p->y + 0.5f * (p->yx * p->width + p->yy * p->height));
 }
 
-/* The part of the screen that the picture covers; it may reach over the screen's edge. */
+/* The rectangle of the screen that the picture covers; it may extend beyond the screen's edge. */
 struct placing_part {
     float left, top, right, bottom;
 };

@@ -1,4 +1,4 @@
-/* scene.c -- the picture, rebuilt from the state: nothing here is remembered. */
+/* scene.c -- the scene, rebuilt from the state. This file keeps no state of its own. */
 #include "core/base/mem.h"
 #include "core/core.h"
 #include "core/game/board.h"
@@ -25,7 +25,8 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->progress = life_progress(&species_wakin.card, fish->age_days);
 }
 
-/* Cells beyond the ring take the value of the paper beside them, so that a renderer may filter. */
+/* Copies the value of the nearest paper cell in the row to the cells outside the ring, so that a
+ * renderer can filter. */
 static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_COUNT])
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -36,7 +37,7 @@ static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_CO
             first++;
         }
         if (first == SHEET_SIDE) {
-            continue; /* A row without paper has nothing to spread. */
+            continue; /* A row without paper has no value to copy. */
         }
         uint32_t last = SHEET_SIDE - 1u;
         while (state[last] == CELL_OUTSIDE) {
@@ -130,7 +131,7 @@ static void show_players(const struct core *core, struct scene *scene)
     }
 }
 
-/* What a mode is played with here. */
+/* Writes the round length and the paper grade of `mode` under this configuration. */
 static void show_offer(const struct core *core, uint8_t mode, struct scene_offer *out)
 {
     const struct core_config *config = &core->config;

@@ -1,43 +1,43 @@
-/* scene_machine.h -- what the machine below the stall is like, on the operator's pages. The shell
- * looks (platform/machine.h); nothing of it is in the core's state. */
+/* scene_machine.h -- the state of the computer for the operator's pages. The shell fills it in
+ * (platform/machine.h); the core's state does not contain it. */
 #ifndef KINGYO_CORE_SCENE_MACHINE_H
 #define KINGYO_CORE_SCENE_MACHINE_H
 
 #include <stdint.h>
 
-/* Whether what is written to the data folder outlives the power. */
+/* Whether data written to the data folder survives a power cut. */
 enum scene_keeps {
-    KEEPS_UNKNOWN = 0, /* Nobody has looked yet. */
-    KEEPS_PROVEN,      /* board/kiosk/check-data has seen it come back from the disk. */
-    KEEPS_FOLDER,      /* A folder of this machine, which nobody has tried. */
-    KEEPS_MEMORY,      /* It lies in memory: no. */
-    KEEPS_NOT,         /* check-data says no. */
-    KEEPS_NOWHERE,     /* There is no folder. */
+    KEEPS_UNKNOWN = 0, /* Not yet checked. */
+    KEEPS_PROVEN,      /* board/kiosk/check-data has read test data back after a power cut. */
+    KEEPS_FOLDER,      /* The data folder is on a disk of this machine, but was never tested. */
+    KEEPS_MEMORY,      /* The data folder is in RAM, so data does not survive. */
+    KEEPS_NOT,         /* check-data found that data does not survive. */
+    KEEPS_NOWHERE,     /* No data folder exists. */
 };
 
-/* Whether anybody restarts a stall whose frames stop. */
+/* Whether a watchdog restarts the kiosk when frames stop. */
 enum scene_watch {
     WATCH_NONE = 0,
-    WATCH_NO_LIMIT, /* A service manager listens, and would wait for ever. */
+    WATCH_NO_LIMIT, /* A service manager is connected, but has no timeout. */
     WATCH_FED,
-    WATCH_DEAF,     /* It took no sign of life the last time. */
+    WATCH_DEAF,     /* The last keep-alive message was not accepted. */
 };
 
-/* Zero: nobody has looked yet. */
+/* All zero: the machine was not checked yet. */
 struct scene_machine {
     uint8_t has_looked;
     uint8_t keeps;          /* enum scene_keeps */
-    uint8_t watch;          /* enum scene_watch; known without a look. */
+    uint8_t watch;          /* enum scene_watch; valid even if `has_looked` is 0. */
     uint8_t has_backup, has_heat;
-    uint8_t is_clock_back;  /* Its clock is behind what it wrote before this start. */
-    uint32_t backup_min;    /* Since the last good backup was made; where it has one. */
-    uint32_t room_mib;      /* Free in the data folder, for us. */
-    int32_t heat_margin_c;  /* To the heat at which it slows down; where it has a sensor. */
-    uint32_t aside;         /* Databases that were set aside, and not acknowledged. */
-    uint32_t panics;        /* Programs that ended by a panic, since they are counted. */
-    uint8_t left_out;       /* What was left out because of them since the machine was switched on:
-                               0 nothing, 1 settings, 2 replays too, 3 names too. */
-    uint32_t missed;        /* Ranked rounds since the start whose replay could not be kept. */
+    uint8_t is_clock_back;  /* 1: the clock is behind a time stamp written before this start. */
+    uint32_t backup_min;    /* Minutes since the last good backup, if `has_backup`. */
+    uint32_t room_mib;      /* Space available to Kingyo in the data folder, in MiB. */
+    int32_t heat_margin_c;  /* Degrees Celsius left to the throttling temperature, if `has_heat`. */
+    uint32_t aside;         /* Quarantined databases that the operator has not acknowledged. */
+    uint32_t panics;        /* Programs ended by a panic, since the count began. */
+    uint8_t left_out;       /* Data left out because of panics since power-on: 0 nothing, 1
+                               settings, 2 also replays, 3 also names. */
+    uint32_t missed;        /* Ranked rounds since the start whose replay could not be saved. */
 };
 
 #endif

@@ -1,4 +1,4 @@
-/* settings.c -- the table, and how the core is told. */
+/* settings.c -- the table of settings and its functions. */
 #include "core/settings.h"
 
 #include "core/base/hash.h"
@@ -6,11 +6,12 @@
 #include "core/core.h"
 #include "core/pin.h"
 
-#define MICRO 10000000 /* 10 m, or ten times a whole: calibration counts in millionths. */
+#define MICRO 10000000 /* Range of a calibration value, in millionths: 10 m, or a factor of 10. */
 
 #define CALIBRATION(seat, name)                                                                    \
     { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
-/* As core/game/calibrate.h says; all 0: the controller is believed as it is. */
+/* The nine calibration values of core/game/calibrate.h; all 0: the controller's pose is used
+ * unchanged. */
 #define SEAT(seat)                                                                                 \
     CALIBRATION(seat, "xx"), CALIBRATION(seat, "xz"), CALIBRATION(seat, "x0"),                     \
         CALIBRATION(seat, "zx"), CALIBRATION(seat, "zz"), CALIBRATION(seat, "z0"),                 \
@@ -58,7 +59,7 @@ const struct setting *setting_of(uint32_t id)
     return &table[id];
 }
 
-/* Of grades there are none between the mode's own and the strongest. */
+/* No grades exist between 0 (the mode's default) and SHEET_GRADE_MIN. */
 static int is_grade(int32_t value)
 {
     return value == 0 || (value >= (int32_t)SHEET_GRADE_MIN && value <= (int32_t)SHEET_GRADE_MAX);
@@ -117,7 +118,8 @@ void settings_hide_pin(struct settings *settings, uint32_t salt)
     settings->value[SET_PIN] = pin_is_plain(kept) ? pin_hide((uint32_t)kept, salt) : kept;
 }
 
-/* A card that was in a greater tank's stall, or a file that was written for one. */
+/* Limits the fish count to the tank. A larger number comes from an SD card that was used with a
+ * larger tank, or from a configuration file for one. */
 static uint32_t fish_that_fit(uint32_t wanted, const struct core_config *config)
 {
     const uint32_t most = tank_preset_fish_max(tank_preset(config->preset), 1.0f);

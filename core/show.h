@@ -1,5 +1,5 @@
-/* show.h -- how single things of the state look: the scene shows them so, and a bot's eye sees them
- * so (core/game/sight.h). */
+/* show.h -- conversions of state values to scene values, shared by the scene and by the vision of
+ * the bot (core/game/sight.h). */
 #ifndef KINGYO_CORE_SHOW_H
 #define KINGYO_CORE_SHOW_H
 
@@ -8,7 +8,7 @@
 #include "core/scene.h"
 #include "core/tank/fish.h"
 
-/* enum scene_place of a fish in enum fish_gait `gait`. */
+/* Returns the enum scene_place of a fish in enum fish_gait `gait`. */
 static inline uint8_t show_place(uint8_t gait)
 {
     switch (gait) {
@@ -21,15 +21,15 @@ static inline uint8_t show_place(uint8_t gait)
     }
 }
 
-/* [0, 1] along the colour keys: keepers see the first red at 50 to 60 days, and clear red within
- * three to four months. */
+/* Returns the position along the colour keys, [0, 1]. Fish keepers report the first red at 50 to 60
+ * days and clear red within three to four months. */
 static inline float show_maturity(float age_days)
 {
     return f_smoothstep(50.0f, 120.0f, age_days);
 }
 
-/* The pictures of a cell < SHEET_CELL_COUNT: 255 whole .. 1 nearly torn, 0 where there is no paper;
- * and 0 dry .. 255 wet, 0 beyond the ring. */
+/* Return the scene values of a cell < SHEET_CELL_COUNT. Integrity: 255 whole .. 1 nearly torn, 0 no
+ * paper. Wetness: 0 dry .. 255 wet, 0 outside the ring. */
 static inline uint8_t show_integrity(const struct sheet *sheet, uint32_t cell)
 {
     const float whole = f_clamp(1.0f - sheet->damage[cell], 0.0f, 1.0f);

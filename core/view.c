@@ -1,7 +1,7 @@
 /* view.c -- a pinhole camera. */
 #include "core/view.h"
 
-#define RAY_LENGTH_MAX_M 4.0f /* Farther than any tank. */
+#define RAY_LENGTH_MAX_M 4.0f /* Longer than any tank. */
 
 struct basis view_basis(const struct view *view)
 {
