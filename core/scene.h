@@ -47,7 +47,8 @@ struct scene {
     uint8_t language;        /* enum language */
     uint8_t hint;            /* enum scene_hint */
     float phase_s;           /* Seconds since the phase began. */
-    float veil;              /* [0, 1]: darkness of the tank behind text. */
+    float veil;              /* [0, 1]: darkness of the tank in the fade between two sessions;
+                                text over the tank stays bright. */
     float seconds_left;      /* Seconds left in the round; in READY, seconds until the round begins;
                                 else 0. */
     uint32_t caught[POI_MAX];

@@ -1,4 +1,4 @@
-/* adjust.c -- turns settings, and tells of them. */
+/* adjust.c -- changes settings and logs them in the ledger. */
 #include "core/game/adjust.h"
 
 #include "core/base/hash.h"
@@ -17,7 +17,9 @@ void adjust_init(struct adjust *adjust, const struct core_config *config)
     const uint32_t wrong = config->memory.audits.count[AUDIT_WRONG_PINS];
     *adjust = (struct adjust){
         .told = config->memory.settings,
-        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* Typed just now, for all it knows. */
+        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* The times of stored wrong PINs are
+                                                               unknown, so the lockout time starts
+                                                               at boot. */
     };
     settings_mend(&adjust->told);
 }
@@ -50,7 +52,7 @@ void adjust_set(struct core *core, uint32_t id, int32_t value)
     }
 }
 
-/* The next one that is allowed: of paper grades there are none from 1 to 3. */
+/* Returns the next allowed value; paper grades 1 to 3 do not exist and are skipped. */
 static int32_t step_from(const struct core *core, uint32_t id, int32_t value, int is_down)
 {
     const struct setting *setting = setting_of(id);
@@ -98,7 +100,7 @@ int adjust_factory(struct core *core, struct output *output)
     return 1;
 }
 
-/* Whether it could be told of `id`, or there was nothing to tell. */
+/* Logs setting `id` if it changed. Returns 0 if the ledger had no room, else 1. */
 static int tell(struct core *core, uint32_t id, struct output *output)
 {
     struct adjust *adjust = &core->game.adjust;
@@ -107,7 +109,7 @@ static int tell(struct core *core, uint32_t id, struct output *output)
         return 1;
     }
     if (!ledger_may_write(&core->game.ledger, LEDGER_SETTING)) {
-        return 0; /* Later: a setting is no entry that may be missed. */
+        return 0; /* The next tick tries again, because no change of a setting may be lost. */
     }
     const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu),
                                         .count = id >> 8, .value = value };

@@ -1,10 +1,9 @@
-/* adjust.h -- settings that are turned while the kiosk runs: they count at once, and are told to
- * the ledger as soon as they rest.
+/* adjust.h -- changes of settings while the kiosk runs. A change takes effect at once and is logged
+ * in the ledger when the value has not changed for a while.
  *
- * Whoever turns one (a page of the operator's menu, calibration) calls adjust_set() and is done:
- * what the ledger does not know yet is told by a later tick, so that neither a full ring nor a menu
- * that is closed in haste loses a setting. A knob that is turned through twenty values is one
- * entry. */
+ * A caller (a page of the operator's menu, calibration) only calls adjust_set(). A later
+ * adjust_tick() logs each value that the ledger does not have yet, so that neither a full ring nor
+ * a quickly closed menu loses a setting. A knob turned through twenty values produces one entry. */
 #ifndef KINGYO_CORE_GAME_ADJUST_H
 #define KINGYO_CORE_GAME_ADJUST_H
 
@@ -13,45 +12,50 @@
 #include "core/output.h"
 #include "core/settings.h"
 
-#define ADJUST_REST_TICKS (CORE_TICK_HZ / 2u) /* Nobody turns on after so long. */
+#define ADJUST_REST_TICKS (CORE_TICK_HZ / 2u) /* Ticks without a change after which a setting is
+                                                 logged. */
 
 struct adjust {
-    struct settings told; /* As the ledger knows them. */
-    uint32_t turn_tick;   /* When one was turned last. */
-    uint32_t entry_id;    /* The newest entry that told of one; 0: none in this run. */
-    uint32_t pin_wrong;   /* PINs in a row that were none, .. 255, and ... */
-    uint32_t pin_tick;    /* ... when the last was typed, or the kiosk began with some: here, since
-                             a closed menu forgets. */
+    struct settings told; /* The settings as logged in the ledger. */
+    uint32_t turn_tick;   /* Tick of the last change. */
+    uint32_t entry_id;    /* Id of the newest entry that logged a setting; 0: none in this run. */
+    uint32_t pin_wrong;   /* Number of wrong PINs in a row, 0 .. 255. */
+    uint32_t pin_tick;    /* Tick of the last wrong PIN, or of the kiosk's start if wrong PINs were
+                             stored. The field is here and not in struct menu, because a closed menu
+                             loses its state. */
 };
 
 struct core;
 struct core_config;
 
-/* What `config` remembers, mended, is what the ledger knows. */
+/* Initializes `adjust`: the settings in `config`, with invalid values replaced, count as logged. */
 void adjust_init(struct adjust *adjust, const struct core_config *config);
 
-/* The highest value that this stall can have: no more fish than there is room for. */
+/* Returns the highest value that setting `id` can have in this kiosk. The fish count is limited by
+ * the capacity of the tank. */
 int32_t adjust_max(const struct core *core, uint32_t id);
 
-/* From now on it has this value, which setting_allows() and adjust_max() must. Fish and players are
- * those of the next attract. */
+/* Sets setting `id` to `value`, which setting_allows() and adjust_max() must permit. A new number
+ * of fish or players takes effect at the next attract mode. */
 void adjust_set(struct core *core, uint32_t id, int32_t value);
 
-/* So many steps up or down, no further than to the end of its range; from there to the other end.
- * Returns 1 where it came to an end. */
+/* Moves setting `id` up or down by `step_count` steps, at most to the end of its range. A step from
+ * the end leads to the opposite end. Returns 1 if the value is at the end, else 0. */
 int adjust_turn(struct core *core, uint32_t id, int is_down, uint32_t step_count);
 
-/* All at their standards, and told in one entry with the purse emptied. 0: there is no room in the
- * ledger just now, and nothing was done. */
+/* Resets every setting to its default, empties the balance, and logs both in one entry. Returns 1,
+ * or 0 without any change if the ledger ring has no room. */
 int adjust_factory(struct core *core, struct output *output);
 
-/* Tells what rests. Once a tick, whatever the phase. */
+/* Logs changed settings that have not changed for ADJUST_REST_TICKS. Call once per tick in every
+ * phase. */
 void adjust_tick(struct core *core, struct output *output);
 
-/* Whether all that was turned is on disk. */
+/* Returns 1 if every change is on disk. */
 int adjust_is_saved(const struct core *core);
 
-/* `rules_7` as in struct core_config: only then the PIN counts, as in recordings of format 7. */
+/* Returns `hash` continued over `adjust`. The PIN counts only if `rules_7` (struct core_config), as
+ * in recordings of format 7. */
 uint64_t adjust_hash(uint64_t hash, const struct adjust *adjust, int rules_7);
 
 #endif

@@ -1,47 +1,54 @@
-/* aim.c -- ways through water, and what they cost. Costs are seconds of a player's time: those that
- * the way takes, and those that a poor chance of success will take for the next try. */
+/* aim.c -- paths through the water and their costs. A cost is in seconds of the player's time: the
+ * time of the path, plus the expected time of another try if success is unlikely. */
 #include "core/game/aim.h"
 
 #include "core/base/mem.h"
 
-#define WALL_ROOM_M 0.052f      /* From a wall to the ring's centre. */
-#define FLOOR_ROOM_M 0.012f     /* Under the ring. */
+#define WALL_ROOM_M 0.052f      /* Least distance from a wall to the ring's centre. */
+#define FLOOR_ROOM_M 0.012f     /* Clearance under the ring. */
 #define BOWL_ROOM_M 0.050f
-#define CLEAR_M 0.010f          /* The ring's lowest edge over the water before it goes in. */
-#define BESIDE_SHARE 0.30f      /* Of its length: so far from its middle the ring stops first. */
-#define TAIL_SHARE 0.42f        /* Of its length: so far behind its middle a tail slaps, */
-#define TAIL_OFF_M 0.003f       /* beyond the paper; */
-#define RIM_MIN 0.20f           /* but its middle lies on it: place in radii. */
+#define CLEAR_M 0.010f          /* Height of the ring's lowest edge above the water before the
+                                   dip. */
+#define BESIDE_SHARE 0.30f      /* Share of the fish's length: distance of the stop point from the
+                                   fish's centre, beyond the ring. */
+#define TAIL_SHARE 0.42f        /* Share of the fish's length: distance from its centre to the
+                                   slapping part of the tail. */
+#define TAIL_OFF_M 0.003f       /* Distance of the tail beyond the paper's edge. */
+#define RIM_MIN 0.20f           /* Place of the fish's centre on the paper, in ring radii: minimum
+                                   and maximum. */
 #define RIM_MAX 0.45f
-#define STEEP_RAD (35.0f * F_DEG) /* From here on it slides in along the paper's plane. */
+#define STEEP_RAD (35.0f * F_DEG) /* From this entry angle on, the ring slides in along the paper's
+                                     plane. */
 
-/* How a right hand can hold the handle: toward the player, and turned out to either side. */
+/* Handle yaws of a right hand: toward the player, and turned to either side. */
 #define YAW_MIN_RAD (-1.2f)
 #define YAW_MAX_RAD 1.6f
 #define YAW_EASY_RAD 0.35f
 static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 #define YAW_COUNT (sizeof yaws_rad / sizeof yaws_rad[0])
 
-#define START_S 0.60f           /* From now until the ring is under the fish, and the way. */
+#define START_S 0.60f           /* Time until the ring is under the fish, added to the path time. */
 #define DEPTH_S_M 8.0f
 #define SPEED_S_PER_M_S 4.0f
-#define LENGTH_S_M 10.0f        /* For each metre that it is not as long as they like. */
-#define SIDE_S 2.50f            /* The wrong end first. */
+#define LENGTH_S_M 10.0f        /* Seconds per metre of difference from the preferred fish
+                                   length. */
+#define SIDE_S 2.50f            /* Cost of approaching the wrong end first. */
 #define YAW_S_RAD 0.10f
-#define GULP_S 0.30f            /* Who gulps sees and dives late. */
+#define GULP_S 0.30f            /* Bonus for a gulping fish, because it notices the poi late and
+                                   dives late. */
 #define COMPANY_M 0.030f
-#define COMPANY_S 0.25f         /* Each that comes along saves a part of a way of its own. */
-#define RIVAL_M 0.10f           /* Another player's poi is so near: */
-#define RIVAL_S 0.60f           /* there is trouble. */
+#define COMPANY_S 0.25f         /* Each further fish nearby saves part of a separate path. */
+#define RIVAL_M 0.10f           /* Distance at which another player's poi interferes. */
+#define RIVAL_S 0.60f           /* Cost of that interference. */
 
 vec3 aim_forward(float yaw_rad)
 {
     return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
 }
 
-/* ---- Ways ----------------------------------------------------------------------------------- */
+/* ---- Paths ---------------------------------------------------------------------------------- */
 
-/* Where in the poi's plane the fish shall lie: x to the right, z toward the handle. */
+/* Chooses where the fish will lie in the poi's plane: x to the right, z toward the handle. */
 static void choose_place(const struct technique *technique, const struct look *look,
                          float length_m, float *x_m, float *z_m)
 {
@@ -55,7 +62,8 @@ static void choose_place(const struct technique *technique, const struct look *l
     }
 }
 
-/* Flat paper goes straight down; the more it slants, the more the way is along its plane. */
+/* Returns the slope of the path below the water. Level paper goes straight down; with more tilt the
+ * path follows the paper's plane more closely. */
 static float slope_rad(const struct technique *technique)
 {
     const float entry_rad = technique->entry_deg * F_DEG;
@@ -69,7 +77,7 @@ static int inside_walls(vec3 tank_m, vec3 point_m)
            f_abs(point_m.z) < 0.5f * tank_m.z - WALL_ROOM_M;
 }
 
-/* Whether the ring's way over the floor plan stays clear of the bowl. */
+/* Returns 1 if the ring's path, seen from above, stays clear of the bowl. */
 static int clears_bowl(const struct sight_bowl *bowl, vec3 from_m, vec3 to_m)
 {
     const float dx = to_m.x - from_m.x, dz = to_m.z - from_m.z;
@@ -131,7 +139,8 @@ static float rivals_s(const struct look *look, vec3 fish_m)
     return cost_s;
 }
 
-/* Deep, quick fish are hard to take, and one that gulps is easy: who chases does not ask. */
+/* Returns the cost of a fish's depth and speed, less a bonus if the fish gulps. HUNT_CHASE ignores
+ * this cost. */
 static float hardness_s(const struct look_fish *fish)
 {
     return -DEPTH_S_M * fish->position_m.y + SPEED_S_PER_M_S * v3_length(fish->velocity_m_s) -
@@ -146,7 +155,8 @@ static float cost_of_fish(const struct technique *technique, const struct look *
            rivals_s(look, fish->position_m) + company_s(technique, look, fish);
 }
 
-/* Which end of the fish a ring that comes this way is under first. */
+/* Returns the cost of handle yaw `yaw_rad`. The yaw decides which end of the fish the ring passes
+ * under first. */
 static float cost_of_yaw(const struct technique *technique, const struct look_fish *fish,
                          float yaw_rad)
 {
@@ -174,7 +184,8 @@ float aim_yaw(const struct technique *technique, const struct look_fish *fish, f
     return fits ? wanted_rad : yaw_rad;
 }
 
-/* The cheapest hand for a fish; 0 where none has room. */
+/* Finds the handle yaw with the lowest cost for one fish. Returns 0 if no yaw leaves room for a
+ * path, else 1. */
 static int choose_yaw(const struct technique *technique, const struct look *look, vec3 hand_m,
                       const struct look_fish *fish, float age_s, float *yaw_rad, float *cost_s)
 {

@@ -1,7 +1,8 @@
-/* aim.h -- which fish to go for, and by which way: geometry on what an eye has seen.
+/* aim.h -- target selection of the bot: which fish to scoop and along which path, computed from a
+ * visual snapshot.
  *
- * A way goes from over the water down to a stop beside the fish and under it, then level until the
- * fish is over the place of the paper that it shall lie on. */
+ * A path goes from above the water down to a stop point beside and below the fish. From there the
+ * path is level until the fish is over the intended place of the paper. */
 #ifndef KINGYO_CORE_GAME_AIM_H
 #define KINGYO_CORE_GAME_AIM_H
 
@@ -10,34 +11,36 @@
 #include "core/game/look.h"
 #include "core/game/technique.h"
 
-#define AIM_RING_M 0.0465f     /* The poi's outer radius, as everybody knows it. */
-#define AIM_UNDER_M 0.020f     /* The ring's depth below the fish's middle. */
+#define AIM_RING_M 0.0465f     /* Outer radius of the poi, which every player can see. */
+#define AIM_UNDER_M 0.020f     /* Depth of the ring below the fish's centre. */
 
 struct aim_way {
     float yaw_rad;
-    vec3 entry_m; /* Over the water, */
-    vec3 stop_m;  /* under it, beside the fish, */
-    vec3 under_m; /* the ring's centre when the fish is over its place. */
+    vec3 entry_m; /* Point above the water where the path starts. */
+    vec3 stop_m;  /* Stop point under water, beside the fish. */
+    vec3 under_m; /* Position of the ring's centre when the fish is over its place on the paper. */
 };
 
-/* Toward the far edge of a poi that is held so. */
+/* Returns the horizontal unit vector toward the far edge of a poi with handle yaw `yaw_rad`. */
 vec3 aim_forward(float yaw_rad);
 
-/* The way to a fish at `fish_m` for a handle turned by `yaw_rad`. Returns whether walls, floor and
- * the own bowl leave room for it. */
+/* Computes the path to a fish at `fish_m` for handle yaw `yaw_rad`. Returns 1 if walls, floor and
+ * the own bowl leave room for the path, else 0. */
 int aim_way_to(const struct technique *technique, const struct look *look, vec3 fish_m,
                float length_m, float yaw_rad, struct aim_way *way);
 
-/* The fish that costs a hand at `hand_m` the least time to bring home, of those that were seen
- * near, or null; with the yaw to take it with. `age_s` is how old the look is. */
+/* Returns the fish with the lowest time cost for a poi at `hand_m`, among the nearby fish of the
+ * snapshot, or NULL. `*yaw_rad` receives the best handle yaw. `age_s` is the age of the
+ * snapshot. */
 const struct look_fish *aim_choose(const struct technique *technique, const struct look *look,
                                    vec3 hand_m, float age_s, float *yaw_rad);
 
-/* The handle's yaw that brings the technique's end of a fish over the ring first; `yaw_rad` where
- * that is any, or no wrist turns so far. */
+/* Returns the handle yaw at which the ring passes under the technique's preferred end of the fish
+ * first. Returns `yaw_rad` if the technique has no preference or the wrist cannot turn that far. */
 float aim_yaw(const struct technique *technique, const struct look_fish *fish, float yaw_rad);
 
-/* The fish seen nearest to where a ring under water is, within `reach_m`, or null. */
+/* Returns the fish that is horizontally nearest to an underwater ring at `ring_m`, above the ring
+ * and within `reach_m`, or NULL. */
 const struct look_fish *aim_nearest(const struct look *look, vec3 ring_m, float reach_m);
 
 #endif

@@ -1,4 +1,4 @@
-/* album.c -- the catch as it came, and each fish's life as the growth curve has it. */
+/* album.c -- the caught fish, and each fish's life from the species' growth curve. */
 #include "core/game/album.h"
 
 #include "core/base/hash.h"
@@ -72,7 +72,8 @@ void album_tick(struct core *core, const struct input *input, struct output *out
     }
 }
 
-/* [0, 1]: slow at both ends, where there is most to see. */
+/* Returns the position in the life of fish `index`, [0, 1]. The motion is slow at both ends, where
+ * the fish changes most. */
 static float lived(uint32_t elapsed, uint32_t index)
 {
     const uint32_t begin = index * ALBUM_STAGGER_TICKS;
@@ -80,8 +81,9 @@ static float lived(uint32_t elapsed, uint32_t index)
     return f_smoothstep(0.0f, 1.0f, f_min((float)since / (float)ALBUM_LIFE_TICKS, 1.0f));
 }
 
-/* It hatched like any other; by the time that it was caught it was as much longer or shorter than
- * its age says as it will be for the rest of its life. */
+/* Returns the length of the fish at `age_days`. The length starts at the species' usual length. At
+ * the age of the catch the length reaches the fish's own ratio to the usual length, and keeps that
+ * ratio for the rest of the life. */
 static float own_length_m(const struct species_card *card, const struct album_fish *fish,
                           float progress, float age_days)
 {

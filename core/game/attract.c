@@ -1,11 +1,14 @@
-/* attract.c -- nobody plays: the stall's own bot does, until somebody dips or presses START. */
+/* attract.c -- attract mode: the built-in bot plays until a player dips the poi or presses
+ * START. */
 #include "core/core.h"
 #include "core/game/keeper.h"
 #include "core/game/paper.h"
 #include "core/game/phases.h"
 
-#define SWAP_TICKS (2u * CORE_TICK_HZ) /* The bot keeps a torn poi for so long. */
-#define BOWL_MAX 10u                   /* Then it begins anew, or a night would empty the tank. */
+#define SWAP_TICKS (2u * CORE_TICK_HZ) /* Time for which the bot keeps a torn poi. */
+#define BOWL_MAX 10u                   /* Fish in the bot's bowl at which the bowl is emptied,
+                                          because otherwise the bot would empty the tank over
+                                          night. */
 
 void attract_begin(struct core *core)
 {
@@ -27,7 +30,7 @@ void attract_tick(struct core *core, const struct input *input, struct output *o
         choose_begin(core, output);
     }
     if (game->phase != PHASE_ATTRACT) {
-        hints_init(&game->hints); /* A new player. */
+        hints_init(&game->hints); /* Restart the hints for a new player. */
         return;
     }
     if (core->tick - game->phase_tick >= CHAPTER_TICKS_MAX) {

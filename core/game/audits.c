@@ -1,4 +1,4 @@
-/* audits.c -- what each kind of entry adds to. */
+/* audits.c -- the counters that each kind of ledger entry changes. */
 #include "core/game/audits.h"
 
 #include "core/base/hash.h"
@@ -111,7 +111,7 @@ static void note_refund(struct audits *audits, const struct ledger_entry *entry)
 
 /* ---- Play ----------------------------------------------------------------------------------- */
 
-/* Of day 0, 2000-01-01, a Saturday: Monday is 0. */
+/* Returns 0 for Monday .. 6 for Sunday. Day 0, 2000-01-01, is a Saturday. */
 static uint32_t weekday_of(uint16_t day)
 {
     return (day + 5u) % 7u;
@@ -140,7 +140,8 @@ static uint32_t seconds(uint32_t ticks)
     return (ticks + CORE_TICK_HZ / 2u) / CORE_TICK_HZ;
 }
 
-/* Its paper's life is that of the first sheet: who plays for a score has no other. */
+/* Adds one player's result. Paper lifetime counts the first sheet only, because scored modes give
+ * one sheet. */
 static void note_player(struct audits *audits, const struct round_record *round, uint32_t seat)
 {
     const struct player_record *player = &round->player[seat];
@@ -195,7 +196,7 @@ static void note_loss(struct audits *audits, const struct ledger_entry *entry)
     }
 }
 
-/* Whoever sets books to zero is in the books. */
+/* Resets a group of counters. The number of resets itself is kept and incremented. */
 static void note_reset(struct audits *audits, const struct ledger_entry *entry)
 {
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
@@ -245,7 +246,8 @@ static void note_test_coin(struct audits *audits, const struct ledger_entry *ent
     add(audits, AUDIT_TEST_COINS, entry->count);
 }
 
-/* A name, a setting and what was left are no figures of these books. */
+/* Entries without a row in the table, such as LEDGER_NAME, LEDGER_SETTING and LEDGER_LEFT, change
+ * no counter. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry)
 {
     static void (*const note[LEDGER_KIND_COUNT])(struct audits *, const struct ledger_entry *) = {

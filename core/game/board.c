@@ -1,4 +1,4 @@
-/* board.c -- which board hangs there, and what is on it. */
+/* board.c -- selection and content of the leaderboard screen. */
 #include "core/game/board.h"
 
 #include "core/base/mem.h"
@@ -23,11 +23,11 @@ struct board_place board_best_place(const struct ranking *ranking, uint8_t mode,
     return best;
 }
 
-/* ---- Which ---------------------------------------------------------------------------------- */
+/* ---- Selection ------------------------------------------------------------------------------ */
 
 struct pick {
     uint8_t shown, mode, period;
-    uint32_t ticks; /* Since it came. */
+    uint32_t ticks; /* Ticks since the leaderboard appeared. */
 };
 
 static int is_empty(const struct core *core, uint8_t mode, uint32_t period)
@@ -40,7 +40,7 @@ static int is_offered(const struct core *core, uint8_t mode)
     return (keeper_modes(&core->config) >> mode & 1u) && rules_of(mode)->keeps_score;
 }
 
-/* The `turn`th, round and round, of those that somebody is on. */
+/* Returns the leaderboard number `turn`, modulo the number of leaderboards that have entries. */
 static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ticks)
 {
     uint8_t hung[MODE_COUNT * RANK_PERIOD_COUNT];
@@ -58,7 +58,8 @@ static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ti
     return (struct pick){ 1, nth / RANK_PERIOD_COUNT, nth % RANK_PERIOD_COUNT, ticks };
 }
 
-/* The tank first, then a board: whoever comes by sees goldfish. */
+/* Returns the leaderboard for attract mode. Each interval starts with the tank, so that passers-by
+ * see goldfish first. */
 static struct pick in_attract(const struct core *core)
 {
     const uint32_t elapsed = core->tick - core->game.phase_tick;
@@ -69,7 +70,7 @@ static struct pick in_attract(const struct core *core)
     return nth_board(core, elapsed / BOARD_EVERY_TICKS, within + BOARD_TICKS - BOARD_EVERY_TICKS);
 }
 
-/* The proudest place of that round. */
+/* Returns the leaderboard with the best place of the round that just ended. */
 static struct pick after_round(const struct core *core)
 {
     const struct game *game = &core->game;
@@ -84,7 +85,7 @@ static struct pick after_round(const struct core *core)
     return (struct pick){ best.place != 0, game->mode, best.period, core->tick - game->phase_tick };
 }
 
-/* The one that the operator turned to. */
+/* Returns the leaderboard selected in the operator's menu. */
 static struct pick in_menu(const struct core *core)
 {
     const struct menu *menu = &core->game.menu;

@@ -1,5 +1,5 @@
-/* board.h -- the wall with the best names on it: after a round with who was ranked, and by turns
- * while nobody plays. */
+/* board.h -- the leaderboard screen: after a round with a ranked player, and at intervals in
+ * attract mode. */
 #ifndef KINGYO_CORE_GAME_BOARD_H
 #define KINGYO_CORE_GAME_BOARD_H
 
@@ -10,13 +10,15 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define BOARD_TICKS (9u * CORE_TICK_HZ)        /* Ten rows are read in so long; ... */
-#define BOARD_EVERY_TICKS (30u * CORE_TICK_HZ) /* ... so often in attract, which shows the tank. */
+#define BOARD_TICKS (9u * CORE_TICK_HZ)        /* Duration of the leaderboard screen; enough to read
+                                                  ten rows. */
+#define BOARD_EVERY_TICKS (30u * CORE_TICK_HZ) /* Interval in attract mode; the tank is shown for
+                                                  the rest of it. */
 
-/* How proud somebody may be: the period in which he stands highest, of two the longer. */
+/* Best place of a player over all periods; of equal places, the one in the longer period. */
 struct board_place {
     uint8_t period; /* enum rank_period */
-    uint8_t place;  /* From 1; 0: he stands nowhere. */
+    uint8_t place;  /* Place from 1; 0: not ranked. */
 };
 
 struct core;
@@ -24,11 +26,12 @@ struct core;
 struct board_place board_best_place(const struct ranking *ranking, uint8_t mode, uint32_t round_id,
                                     uint8_t seat);
 
-/* The board of the round that was named last. START or a dip plays on, OK turns it over. */
+/* Enters the leaderboard phase for the round of the latest name entry. START or a dip starts a
+ * game; OK turns the page. */
 void board_begin(struct core *core);
 void board_tick(struct core *core, const struct input *input, struct output *output);
 
-/* What there is to see of it, in attract too. */
+/* Fills `out` with the visible leaderboard, in attract mode too. */
 void board_show(const struct core *core, struct scene_board *out);
 
 #endif

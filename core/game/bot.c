@@ -1,4 +1,5 @@
-/* bot.c -- the mind: what was seen becomes known, and the stage that it is in decides. */
+/* bot.c -- the bot's main loop: a snapshot becomes usable after the reaction time, and the current
+ * stage acts on it. */
 #include "core/game/bot.h"
 
 #include "core/base/hash.h"
@@ -19,13 +20,14 @@ static vec3 attention_m(const struct bot *bot)
     return hunts || bot->technique.hunt == HUNT_CHASE ? bot_hand_m(bot) : bot_ground_m(bot);
 }
 
-/* What was seen becomes known, and the next look is taken. */
+/* Makes the last snapshot usable, and takes the next one. */
 static void perceive(struct bot *bot, const struct sight *sight, uint32_t tick)
 {
     const struct look_fish followed = bot->known.prey;
     bot->known = bot->seen;
     if (bot->known.prey.fish != bot->prey) {
-        bot->known.prey = followed; /* It has only just turned its eyes. */
+        bot->known.prey = followed; /* The snapshot was taken before the current target was
+                                       selected, so the target's earlier data is kept. */
     }
     look_take(&bot->seen, &bot->known, sight, bot->prey, attention_m(bot));
     bot->act_tick = tick + reaction_ticks(bot, tick);

@@ -1,7 +1,8 @@
-/* bot.h -- a player made of habits: it looks, and acts a moment later on what it saw.
+/* bot.h -- the built-in bot: an artificial player with human reaction times and arm motion.
  *
- * It knows the stall only by looks (look.h), one each 150 to 250 ms, and each is known to it only
- * when the next is taken: what it acts on is always the past. Its hand moves as an arm does. */
+ * The bot perceives the game only through snapshots (look.h), one every 150 to 250 ms. A snapshot
+ * becomes usable when the next one is taken, so the bot always acts on the past. Its poi moves like
+ * a human arm. */
 #ifndef KINGYO_CORE_GAME_BOT_H
 #define KINGYO_CORE_GAME_BOT_H
 
@@ -14,13 +15,14 @@
 #include "core/input.h"
 
 enum bot_stage {
-    BOT_REST = 0, /* Keeps poi and shadow off the water: nothing is played. */
+    BOT_REST = 0, /* Keeps poi and shadow away from the water while no game is played. */
     BOT_SOAK,     /* Wets the fresh paper. */
-    BOT_CHOOSE,   /* Hovers and chooses. */
-    BOT_APPROACH, /* Over the water, to where the slide begins. */
-    BOT_WATCH,    /* Waits there until the fish is calm: a still shadow frightens nobody. */
-    BOT_DIP,      /* Slides in. */
-    BOT_GLIDE,    /* Levels off and goes under the fish. */
+    BOT_CHOOSE,   /* Hovers and selects a fish. */
+    BOT_APPROACH, /* Moves above the water to the start of the path. */
+    BOT_WATCH,    /* Waits there until the fish is calm, because a still shadow does not startle
+                     fish. */
+    BOT_DIP,      /* Slides into the water. */
+    BOT_GLIDE,    /* Levels the poi and moves under the fish. */
     BOT_LIFT,
     BOT_CARRY,
     BOT_TIP,
@@ -29,27 +31,27 @@ enum bot_stage {
 
 struct bot {
     struct technique technique;
-    uint32_t seed;          /* Of its luck. */
+    uint32_t seed;          /* Seed of the bot's random numbers. */
     uint8_t stage;          /* enum bot_stage */
-    uint16_t prey;          /* The fish it is after, or LOOK_NO_FISH. */
-    uint32_t stage_tick;    /* When the stage began. */
-    uint32_t act_tick;      /* When it knows what it last saw. */
-    uint32_t tries;         /* Fish that it went for. */
-    float yaw_rad;          /* How it holds the handle for this fish. */
-    vec3 miss_m;            /* How far this try goes wrong. */
-    struct poi_target goal; /* Where it wants its hand, ... */
-    float speed_m_s;        /* ... how fast on the way there, ... */
-    float ease_s;           /* ... and in what time it gets up that speed. */
+    uint16_t prey;          /* Target fish, or LOOK_NO_FISH. */
+    uint32_t stage_tick;    /* Tick at which the stage began. */
+    uint32_t act_tick;      /* Tick at which `seen` becomes usable. */
+    uint32_t tries;         /* Number of attempts so far. */
+    float yaw_rad;          /* Handle yaw for this fish. */
+    vec3 miss_m;            /* Aiming error of this attempt. */
+    struct poi_target goal; /* Pose toward which the arm moves. */
+    float speed_m_s;        /* Maximum speed on the way to `goal`. */
+    float ease_s;           /* Time to reach that speed, in seconds. */
     struct bot_hand hand;
-    struct look known;      /* What it acts on. */
-    struct look seen;       /* The newest look; becomes known at `act_tick`. */
+    struct look known;      /* Snapshot on which the bot acts. */
+    struct look seen;       /* Newest snapshot; becomes `known` at `act_tick`. */
 };
 
-/* A bot that plays by a copy of `technique`; its hand begins over the middle of the tank. */
+/* Initializes `bot` with a copy of `technique`. The arm starts above the middle of the tank. */
 void bot_init(struct bot *bot, const struct technique *technique, uint32_t seed);
 
-/* One tick of thought and motion for the bot that holds the poi of `sight->player`, before the
- * core's tick: where its hand is now, wrist and all. */
+/* Advances the bot by one tick, before the core's tick. `sight->player` is the player that the bot
+ * controls. Returns the pose of the arm, including the wrist angles. */
 struct poi_target bot_tick(struct bot *bot, const struct sight *sight);
 
 uint64_t bot_hash(uint64_t hash, const struct bot *bot);

@@ -1,16 +1,16 @@
-/* bot_hand.c -- bells of speed, and a tremor. */
+/* bot_hand.c -- bell-shaped speed profiles and tremor. */
 #include "core/game/bot_hand.h"
 
 #include "core/base/hash.h"
 #include "core/base/rng.h"
 
-/* The rest of the way becomes speed so: far off the arm goes at full speed, and brakes at half of
- * its acceleration, as people reach; near, it creeps in. */
+/* Gain from remaining distance to speed. Far from the goal the arm moves at full speed and brakes
+ * at half of its acceleration, as people do. Near the goal the arm approaches slowly. */
 #define CREEP_PER_S 11.0f
 #define WRIST_PULL_PER_S 12.0f
 #define WRIST_EASE_S 0.06f
 
-/* Sines of whole tenths of a hertz: all begin anew together every ten seconds. */
+/* The frequencies are multiples of 0.1 Hz, so all sine waves repeat together every ten seconds. */
 #define TREMOR_TICKS (10u * CORE_TICK_HZ)
 #define SWAY_HZ 1.3f
 #define DRIFT_HZ 3.7f
@@ -50,7 +50,7 @@ void bot_hand_move(struct bot_hand *hand, const struct poi_target *goal, float s
     now->roll_rad = turn(now->roll_rad, goal->angles.roll_rad, &hand->turning.roll_rad);
 }
 
-/* Straight lines between numbers drawn every NOISE_TICKS; [-1, 1]. */
+/* Returns piecewise linear noise in [-1, 1], with a new random value every NOISE_TICKS. */
 static float noise(uint32_t seed, uint32_t tick, uint32_t axis)
 {
     const struct rng_key now = { seed, tick / NOISE_TICKS, axis, RNG_BOT_TREMOR };

@@ -1,4 +1,4 @@
-/* bot_hand.h -- a bot's arm and wrist: they take time to start, turn and stop, and tremble. */
+/* bot_hand.h -- arm and wrist motion of a bot, with limited acceleration and tremor. */
 #ifndef KINGYO_CORE_GAME_BOT_HAND_H
 #define KINGYO_CORE_GAME_BOT_HAND_H
 
@@ -6,23 +6,23 @@
 
 #include "core/input.h"
 
-#define BOT_HAND_M_S_MAX 2.0f     /* No stroke over a tank of water is faster ... */
-#define BOT_HAND_M_S2_MAX 14.0f   /* ... nor set going harder. */
+#define BOT_HAND_M_S_MAX 2.0f     /* Highest arm speed over a water tank, in m/s. */
+#define BOT_HAND_M_S2_MAX 14.0f   /* Highest arm acceleration, in m/s2. */
 #define BOT_WRIST_RAD_S_MAX 7.0f
 
 struct bot_hand {
-    struct poi_target pose; /* Where it is, without its tremor. */
+    struct poi_target pose; /* Current pose without tremor. */
     vec3 velocity_m_s;
-    struct angles turning;  /* rad/s of each angle. */
+    struct angles turning;  /* Angular velocity in rad/s of each angle. */
 };
 
-/* One tick of the way to `goal`, in a bell of speed of `speed_m_s` at most; it is there when it
- * stands there. */
+/* Advances the arm by one tick toward `goal` with a bell-shaped speed profile. `speed_m_s` is the
+ * maximum speed, and `ease_s` is the time to reach it. The arm comes to rest at `goal`. */
 void bot_hand_move(struct bot_hand *hand, const struct poi_target *goal, float speed_m_s,
                    float ease_s);
 
-/* The tremor in a tick: below `tremor_m` along each axis. A sway, the beat of the muscles at 9 Hz
- * and noise, `seed`'s own. */
+/* Returns the tremor offset at `tick`: below `tremor_m` along each axis. The tremor is the sum of
+ * slow sway, the 9 Hz muscle tremor and noise, with phases from `seed`. */
 vec3 bot_hand_tremor(float tremor_m, uint32_t seed, uint32_t tick);
 
 uint64_t bot_hand_hash(uint64_t hash, const struct bot_hand *hand);

@@ -1,27 +1,32 @@
-/* bot_home.c -- a fish is on the paper: up, over the bowl, and in. */
+/* bot_home.c -- bot stages with a fish on the paper: lift, carry to the bowl, and empty the poi. */
 #include "core/game/bot_mind.h"
 
 #include "core/poi/pose.h"
 
-#define LIFTED_Y_M 0.058f /* The ring is clear of the water, with a fish on it. */
+#define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is clear of the water. */
 #define HASTY_EASE_S 0.06f
-#define HASTY_SHARE 2.5f          /* Of the speed of a drained lift. */
-#define CRADLE_RAD (0.0f * F_DEG) /* Far edge down: water runs off, and a fish lies at the rim. */
-#define JAM_M 0.050f              /* A ring seen so far below the hand is held by fish: wait. */
+#define HASTY_SHARE 2.5f          /* Speed of a fast lift relative to a draining lift. */
+#define CRADLE_RAD (0.0f * F_DEG) /* Pitch while lifting. A lowered far edge would let water run off
+                                     with the fish at the rim. */
+#define JAM_M 0.050f              /* Largest distance of the ring below the arm's position. If fish
+                                     hold the ring further down, the arm waits. */
 
-#define STUCK_S 1.4f              /* No lift takes so long: */
-#define STUCK_Y_M (-0.005f)       /* it is stuck, if it is still under water. */
+#define STUCK_S 1.4f              /* Time after which a lift counts as stuck. */
+#define STUCK_Y_M (-0.005f)       /* Height below which the ring is still under water. */
 #define STUCK_BACK_M 0.035f
 #define STUCK_BACK_S 0.35f
 #define STUCK_TURN_S 1.2f
 
-#define TIP_RAD (58.0f * F_DEG)   /* Steep enough for a fish to roll over the ring. */
-#define TIP_FALL_M 0.046f         /* It leaves the ring so far from its centre. */
-#define TIP_EDGE_M 0.010f         /* The lower edge keeps so far over the mouth. */
+#define TIP_RAD (58.0f * F_DEG)   /* Pitch that is steep enough for a fish to slide over the
+                                     ring. */
+#define TIP_FALL_M 0.046f         /* Distance from the ring's centre to the point where the fish
+                                     leaves the ring. */
+#define TIP_EDGE_M 0.010f         /* Height of the lower edge above the bowl's mouth. */
 #define TIP_HOLD_S 0.42f
 #define TIP_LAST_S 1.5f
 
-/* Fish that lie between ring and surface hold it down: it gives way, draws back, tries again. */
+/* Frees a ring that fish above it hold under water: the ring moves down and back, and then the lift
+ * is tried again. Returns 1 while the ring moves back, else 0. */
 static int frees_ring(struct bot *bot, uint32_t tick)
 {
     const float turn_s = bot_stage_s(bot, tick) - STUCK_S;
@@ -57,7 +62,8 @@ void bot_lift(struct bot *bot, uint32_t tick)
     }
 }
 
-/* Over the bowl's near side for a ring that comes `toward` it, a horizontal unit vector. */
+/* Returns the tipping position over the near side of the bowl. `toward` is the horizontal unit
+ * vector of the ring's approach. */
 static vec3 over_bowl_m(const struct bot *bot, vec3 toward)
 {
     const vec3 bowl_m = bot->known.bowl.position_m;
@@ -81,7 +87,8 @@ void bot_carry(struct bot *bot, uint32_t tick)
     }
     bot_want(bot, over_bowl_m(bot, toward), CRADLE_RAD, bot->technique.carry_m_s);
     if (bot_way_left_m(bot) < 2.0f * BOT_THERE_M) {
-        bot->miss_m = toward; /* No try goes on: it keeps which way it tips. */
+        bot->miss_m = toward; /* miss_m is not used for an attempt here, so it stores the tipping
+                                 direction. */
         bot_go(bot, BOT_TIP, tick);
     }
 }

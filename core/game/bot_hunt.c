@@ -1,9 +1,9 @@
-/* bot_hunt.c -- to a fish and under it. */
+/* bot_hunt.c -- bot stages from the approach of a fish to the position under it. */
 #include "core/game/bot_mind.h"
 
 #define CALM_M_S 0.05f
 #define CHASE_LOST_M 0.25f
-#define LOST_M 0.075f /* A fish that is farther from the ring is not followed. */
+#define LOST_M 0.075f /* Distance from the ring beyond which a fish is not followed. */
 #define GLIDE_S_MAX 0.9f
 #define DIP_S_MAX 1.2f
 #define APPROACH_S_MAX 1.5f
@@ -13,13 +13,14 @@ static float entry_pitch_rad(const struct bot *bot)
     return -bot->technique.entry_deg * F_DEG;
 }
 
-/* Seconds that the way takes from the surface until the fish is over the paper. */
+/* Returns the time in seconds from the water surface until the fish is over the paper. */
 static float stroke_s(const struct bot *bot)
 {
     return 0.06f / bot->technique.dip_m_s + 0.03f / bot->technique.glide_m_s;
 }
 
-/* Before the dip the hand follows the entry as the fish moves on. Returns whether it is there. */
+/* Keeps the poi over the entry point while the fish moves. Returns 1 when the poi is there, else
+ * 0. */
 static int keep_over_entry(struct bot *bot, uint32_t tick)
 {
     struct aim_way way;
@@ -38,7 +39,7 @@ static int keep_over_entry(struct bot *bot, uint32_t tick)
 void bot_approach(struct bot *bot, uint32_t tick)
 {
     if (bot->known.riders > 0 && bot_saw_since(bot, 0.0f)) {
-        bot_go(bot, BOT_CARRY, tick); /* Something stuck to the paper. */
+        bot_go(bot, BOT_CARRY, tick); /* A fish is on the paper already. */
     } else if (keep_over_entry(bot, tick)) {
         bot_go(bot, bot->technique.hunt == HUNT_SHADE ? BOT_WATCH : BOT_DIP, tick);
     }
@@ -64,7 +65,8 @@ void bot_dip(struct bot *bot, uint32_t tick)
     }
 }
 
-/* What fled is let go; another that is near may do. Returns whether there is a fish to go under. */
+/* Keeps the target fish, or switches to another fish nearby if the target escaped. Returns 1 if a
+ * fish is in reach, else 0. */
 static int keep_prey(struct bot *bot, uint32_t tick)
 {
     const float reach_m = bot->technique.hunt == HUNT_CHASE ? CHASE_LOST_M : LOST_M;

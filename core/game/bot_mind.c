@@ -1,8 +1,8 @@
-/* bot_mind.c -- what every stage goes by. */
+/* bot_mind.c -- helpers shared by all stages of the bot. */
 #include "core/game/bot_mind.h"
 
 #define WRIST_THERE_RAD (3.0f * F_DEG)
-#define EASE_S 0.15f        /* A hand gets up its speed in this time. */
+#define EASE_S 0.15f        /* Time for the arm to reach its speed. */
 #define BESIDE_BOWL_M 0.14f
 
 float bot_stage_s(const struct bot *bot, uint32_t tick)
@@ -67,7 +67,7 @@ int bot_prey_swims(const struct bot *bot)
     return bot->prey != LOOK_NO_FISH && bot->known.prey.place == SCENE_IN_TANK;
 }
 
-/* On the bowl's inner side. */
+/* Returns a point beside the bowl, toward the middle of the tank. */
 vec3 bot_ground_m(const struct bot *bot)
 {
     const vec3 bowl_m = bot->known.bowl.position_m;

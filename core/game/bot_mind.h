@@ -1,53 +1,56 @@
-/* bot_mind.h -- inside the bot: the stages of a scoop, and what they go by. For bot*.c alone.
+/* bot_mind.h -- internal interface of bot*.c: the stages of a scoop and their inputs.
  *
- * What the hand feels it knows at once: that it has arrived, and how long ago something began. All
- * else it has seen, a moment ago. */
+ * The bot has immediate access to its own arm position and to the time since an event. All other
+ * data comes from the last usable snapshot. */
 #ifndef KINGYO_CORE_GAME_BOT_MIND_H
 #define KINGYO_CORE_GAME_BOT_MIND_H
 
 #include "core/game/aim.h"
 #include "core/game/bot.h"
 
-#define BOT_HOVER_Y_M 0.062f /* Over the water while it chooses. */
-#define BOT_THERE_M 0.012f   /* Near enough, for a hand on its way. */
+#define BOT_HOVER_Y_M 0.062f /* Hover height above the water while a fish is selected. */
+#define BOT_THERE_M 0.012f   /* Distance that counts as arrived. */
 
-/* ---- What it has ---------------------------------------------------------------------------- */
+/* ---- Queries -------------------------------------------------------------------------------- */
 
-float bot_stage_s(const struct bot *bot, uint32_t tick); /* Since the stage began, ... */
-float bot_age_s(const struct bot *bot, uint32_t tick);   /* ... and since what it knows was seen. */
+float bot_stage_s(const struct bot *bot, uint32_t tick); /* Seconds since the stage began. */
+float bot_age_s(const struct bot *bot, uint32_t tick);   /* Seconds since `known` was captured. */
 
-/* Whether that was seen in this stage, at least `after_s` after it began (< 0: before it). */
+/* Returns 1 if `known` was captured at least `after_s` seconds after the start of the stage. A
+ * negative `after_s` allows a capture before the start. */
 int bot_saw_since(const struct bot *bot, float after_s);
 
-int bot_plays(const struct bot *bot);      /* There is something to play, and a poi to play with. */
-int bot_prey_swims(const struct bot *bot); /* It is after a fish that is still in the tank. */
-vec3 bot_ground_m(const struct bot *bot);  /* Where it soaks its paper and looks for fish. */
+int bot_plays(const struct bot *bot);      /* 1 if a game runs and the bot has a poi. */
+int bot_prey_swims(const struct bot *bot); /* 1 if the target fish is still in the tank. */
+vec3 bot_ground_m(const struct bot *bot);  /* Place for wetting the paper and searching for fish. */
 
-/* The hand: where it is, what is left of its way, and whether it is turned as it wants. */
+/* Arm state: position, distance to the goal, and whether the wrist has reached its angles. */
 vec3 bot_hand_m(const struct bot *bot);
 float bot_way_left_m(const struct bot *bot);
 int bot_wrist_is_there(const struct bot *bot);
 
-/* The way to where the prey will be `ahead_s` from now, as aim_way_to(). */
+/* Computes the path to the predicted position of the target fish in `ahead_s` seconds, as
+ * aim_way_to(). */
 int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s, struct aim_way *way);
 
-/* ---- What it does --------------------------------------------------------------------------- */
+/* ---- Actions -------------------------------------------------------------------------------- */
 
-/* Enters a stage. Who begins to lift looks at no one fish any more. */
+/* Enters a stage. Stages outside BOT_APPROACH .. BOT_GLIDE have no target fish. */
 void bot_go(struct bot *bot, uint8_t stage, uint32_t tick);
 
-/* Wants its hand there, the handle as it holds it, in no hurry to get up that speed. */
+/* Sets the arm's goal with the current handle yaw and the default acceleration time. */
 void bot_want(struct bot *bot, vec3 position_m, float pitch_rad, float speed_m_s);
 
-/* One tick of each stage (enum bot_stage), with what it knows: what to want, when to go on. */
-void bot_rest(struct bot *bot, uint32_t tick); /* bot_wait.c: before a scoop */
+/* Stage functions (enum bot_stage), one call per tick: each sets the arm's goal and decides when to
+ * change the stage. */
+void bot_rest(struct bot *bot, uint32_t tick); /* bot_wait.c: before a scoop. */
 void bot_soak(struct bot *bot, uint32_t tick);
 void bot_choose(struct bot *bot, uint32_t tick);
-void bot_approach(struct bot *bot, uint32_t tick); /* bot_hunt.c: to a fish and under it */
+void bot_approach(struct bot *bot, uint32_t tick); /* bot_hunt.c: toward and under a fish. */
 void bot_watch(struct bot *bot, uint32_t tick);
 void bot_dip(struct bot *bot, uint32_t tick);
 void bot_glide(struct bot *bot, uint32_t tick);
-void bot_lift(struct bot *bot, uint32_t tick); /* bot_home.c: home with it */
+void bot_lift(struct bot *bot, uint32_t tick); /* bot_home.c: to the bowl with the fish. */
 void bot_carry(struct bot *bot, uint32_t tick);
 void bot_tip(struct bot *bot, uint32_t tick);
 

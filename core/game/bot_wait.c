@@ -1,13 +1,13 @@
-/* bot_wait.c -- before a scoop: it keeps off the water, wets its paper, looks for a fish. */
+/* bot_wait.c -- bot stages before a scoop: rest, wetting the paper, and selecting a fish. */
 #include "core/game/bot_mind.h"
 
 #include "core/base/rng.h"
 
-#define REST_BEYOND_M 0.12f /* Its shadow falls beside the tank. */
+#define REST_BEYOND_M 0.12f /* Distance at which the shadow falls beside the tank. */
 #define REST_Y_M 0.14f
 #define SOAK_PITCH_RAD (-40.0f * F_DEG)
 #define SOAK_MARGIN_M 0.006f
-#define SOAKED 0.85f /* Of the share that it means to wet. */
+#define SOAKED 0.85f /* Share of the technique's wet area that counts as done. */
 #define SOAK_S_MAX 2.6f
 
 static int paper_is_fresh(const struct bot *bot)
@@ -26,7 +26,7 @@ void bot_rest(struct bot *bot, uint32_t tick)
     }
 }
 
-/* The ring's height at which so much of its area is under water, held at a slant. */
+/* Returns the ring height at which `share` of its area is under water while the poi is tilted. */
 static float soak_y_m(float share)
 {
     const float low = AIM_RING_M * f_sin(-SOAK_PITCH_RAD);

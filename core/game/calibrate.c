@@ -1,4 +1,4 @@
-/* calibrate.c -- an affine map by least squares, and what it makes of a pose. */
+/* calibrate.c -- the affine map by least squares, and its application to a pose. */
 #include "core/game/calibrate.h"
 
 #include "core/base/fmath.h"
@@ -19,7 +19,7 @@ vec3 calibration_mark(vec3 tank_size_m, uint32_t corner)
               (float)side[corner][1] * (0.5f * tank_size_m.z - CALIBRATE_INSET_M));
 }
 
-/* ---- Whether it is a tank at all ------------------------------------------------------------ */
+/* ---- Checks of the corners ------------------------------------------------------------------ */
 
 static int are_near(const vec3 *corner_m)
 {
@@ -33,7 +33,8 @@ static int are_near(const vec3 *corner_m)
     return least_m < CALIBRATE_NEAR_M;
 }
 
-/* The sine of the turn at a corner, seen from above: all of one sign go round once. */
+/* Returns the sine of the turn at a corner, seen from above. Four values of one sign mean that the
+ * corners form a convex loop. */
 static float turn_at(const vec3 *corner_m, uint32_t corner)
 {
     const vec3 here_m = corner_m[corner];
@@ -44,7 +45,8 @@ static float turn_at(const vec3 *corner_m, uint32_t corner)
     return (from_m.x * to_m.z - from_m.z * to_m.x) / lengths;
 }
 
-#define STRAIGHT_SIN 0.05f /* Three degrees: less is a line, and what is across it is unknown. */
+#define STRAIGHT_SIN 0.05f /* Sine of three degrees. A smaller turn is a straight line, which leaves
+                              the direction across it undetermined. */
 
 static enum calibration_fault shape_of(const vec3 *corner_m)
 {
@@ -83,8 +85,9 @@ static vec3 middle_of(const vec3 *corner_m)
     return v3_scale(sum_m, 1.0f / (float)CALIBRATE_CORNERS);
 }
 
-/* The four go round a middle, so that the normal equations can be solved. The sums are about the
- * middle: far from the origin they would lose their last millimetre. */
+/* Fits the map by the normal equations, which are solvable because the corners surround their
+ * centre. The sums are relative to the centre, because sums far from the origin would lose the last
+ * millimetre in float. */
 static struct map fit(const vec3 *said_m, const vec3 *mark_m)
 {
     const vec3 from_m = middle_of(said_m), to_m = middle_of(mark_m);
@@ -167,9 +170,9 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
     return CALIBRATION_GOOD;
 }
 
-/* ---- What it makes of a pose ---------------------------------------------------------------- */
+/* ---- Correction of a pose ------------------------------------------------------------------- */
 
-/* Of a map that is part old and part new one in ten million agrees by chance. */
+/* A mix of old and new settings passes the check with a probability of one in ten million. */
 int32_t calibration_check(const int32_t value[CALIBRATION_VALUES])
 {
     const uint64_t most = (uint64_t)setting_of(SET_CALIBRATION_CHECK)->max;
@@ -205,7 +208,7 @@ static float whole(const int32_t *value, enum calibration_value which)
     return (float)value[which] / MILLION;
 }
 
-/* Where the handle's direction goes: yaw 0 looks along -z. */
+/* Returns the yaw of the corrected handle direction; yaw 0 points along -z. */
 static float turned_yaw(const struct map *map, float yaw_rad)
 {
     const vec3 ahead = v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));

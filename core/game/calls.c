@@ -1,4 +1,4 @@
-/* calls.c -- the calls of the national championship. */
+/* calls.c -- the time announcements of the national championship. */
 #include "core/game/calls.h"
 
 #include "core/input.h"

@@ -1,4 +1,5 @@
-/* calls.h -- what the keeper calls out when: one minute, two, ten seconds left, the last five. */
+/* calls.h -- schedule of the time announcements: one minute, two minutes, ten seconds left, and the
+ * last five seconds. */
 #ifndef KINGYO_CORE_GAME_CALLS_H
 #define KINGYO_CORE_GAME_CALLS_H
 
@@ -6,8 +7,9 @@
 
 #include "core/scene.h"
 
-/* What is called `elapsed_ticks` into a round of `total_ticks`, each once: a round too short for a
- * minute has no call of it, and none comes when ten seconds or less are left. */
+/* Returns the announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE. Each
+ * announcement is returned for one tick. A minute announcement is omitted if the round is too short
+ * or has ten seconds or less left. */
 enum time_call call_at(uint32_t elapsed_ticks, uint32_t total_ticks);
 
 #endif

@@ -1,4 +1,4 @@
-/* chapter.c -- what goes on when the stall begins anew. */
+/* chapter.c -- the state that continues across sessions. */
 #include "core/game/chapter.h"
 
 #include "core/base/hash.h"
@@ -13,7 +13,7 @@ void chapter_ask(struct core *core)
     }
 }
 
-/* `core->tick` is the next one already. */
+/* Call after `core->tick` was incremented. */
 int chapter_is_over(const struct core *core)
 {
     const struct game *game = &core->game;
@@ -38,7 +38,8 @@ void chapter_turn(struct core *core)
     };
     config->memory.ledger.last_id = game->ledger.last_id;
     config->memory.ledger.purse = game->ledger.purse;
-    config->memory.ledger.stand = (struct ledger_stand){ 0 }; /* No round is open in attract. */
+    config->memory.ledger.stand = (struct ledger_stand){ 0 }; /* No round is open in attract
+                                                                 mode. */
     config->memory.audits = game->audits;
     config->memory.ranking = game->ranking;
     memcpy(config->book.has_edit, game->lab.has_edit, sizeof config->book.has_edit);

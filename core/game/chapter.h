@@ -1,11 +1,11 @@
-/* chapter.h -- the evening in chapters: when attract begins, and every ten minutes of it, the stall
- * begins anew, so that what follows is a recording of its own.
+/* chapter.h -- sessions: at each start of attract mode, and after every ten minutes of it, the core
+ * restarts from its configuration, so that each session is a separate recording.
  *
- * A chapter begins with the very state that core_init() makes of the configuration which the core
- * holds from then on: a fresh tank under a fresh seed, and all that goes on (money, ledger, audits,
- * ranking, saved graphs, the tick). Whoever keeps that configuration and the inputs since can play
- * any round again, at most ten minutes and its own time after its chapter's beginning. What is
- * seen of it is a short dip to dark. */
+ * A session starts with the state that core_init() creates from the configuration in the core. The
+ * tank and the seed are fresh; money, ledger, audits, leaderboard, saved graphs and the tick
+ * continue. The configuration and the inputs since then reproduce any round of the session. A round
+ * starts at most ten minutes plus its own waiting time after the session's start. The player sees a
+ * short fade to dark. */
 #ifndef KINGYO_CORE_GAME_CHAPTER_H
 #define KINGYO_CORE_GAME_CHAPTER_H
 
@@ -18,12 +18,14 @@
 #include "core/game/upkeep.h"
 #include "core/input.h"
 
-#define CHAPTER_TICKS_MAX (600u * CORE_TICK_HZ)  /* Of attract; a game that runs is not cut. */
-#define CHAPTER_FADE_TICKS (CORE_TICK_HZ / 2u)   /* Before the cut, and after it. */
+#define CHAPTER_TICKS_MAX (600u * CORE_TICK_HZ)  /* Longest attract time of a session; a running
+                                                    game is never interrupted. */
+#define CHAPTER_FADE_TICKS (CORE_TICK_HZ / 2u)   /* Duration of the fade before the restart, and of
+                                                    the fade after it. */
 
-/* What goes on from the chapter before. Zero: there was none, the kiosk begins. */
+/* State carried over from the previous session. All zero: the kiosk has just started. */
 struct chapter {
-    uint32_t tick;  /* The first of this one; 0 at the start. */
+    uint32_t tick;  /* First tick of this session; 0 at the kiosk's start. */
     uint32_t order_count, edit_save_id, edit_saved_id; /* As in struct menu and struct lab. */
     struct ledger ledger;
     struct credit credit;
@@ -35,20 +37,21 @@ struct chapter {
 struct core;
 struct game;
 
-/* A chapter will begin when the picture is dark, if it is still attract then. */
+/* Requests a new session. The session starts when the picture is dark, if attract mode is still
+ * active then. */
 void chapter_ask(struct core *core);
 
-/* Whether the tick that is over was the chapter's last. */
+/* Returns 1 if the finished tick was the last one of the session. */
 int chapter_is_over(const struct core *core);
 
-/* Writes into core->config what the next chapter begins with; the rest of `core` is to be made of
- * it, by core_init()'s own way. */
+/* Writes the configuration of the next session to core->config. The caller then rebuilds the rest
+ * of `core` as core_init() does. */
 void chapter_turn(struct core *core);
 
-/* Puts what goes on into a fresh game; where the kiosk begins, nothing does. */
+/* Copies the carried-over state to a fresh game. Does nothing at the kiosk's start. */
 void chapter_go_on(struct game *game, const struct chapter *chapter);
 
-/* How dark it is, [0, 1]: 1 at the cut. */
+/* Returns the darkness of the picture, [0, 1]; 1 at the restart. */
 float chapter_veil(const struct core *core);
 
 uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter, int rules_7);

@@ -1,6 +1,6 @@
-/* choose.c -- which mode, or the growth lab? LEFT and RIGHT point, and so does a hand: the tank's
- * width has as many shares as there are choices, in their order. START, OK or a dip takes what is
- * pointed at. */
+/* choose.c -- the selection screen for the mode or the growth lab. LEFT, RIGHT or the position of a
+ * poi selects. The tank's width is divided into one section per item, in their order. START, OK or
+ * a dip confirms the selection. */
 #include "core/core.h"
 #include "core/game/keeper.h"
 #include "core/game/phases.h"
@@ -14,7 +14,7 @@ static uint32_t mode_count(uint8_t modes)
     return count;
 }
 
-/* The `nth` of those offered, from 0. */
+/* Returns the `nth` item on offer, from 0. */
 static uint8_t nth_mode(uint8_t modes, uint32_t nth)
 {
     uint8_t mode = 0;
@@ -51,15 +51,16 @@ static void point_at(struct core *core, uint32_t nth, struct output *output)
     }
 }
 
-/* From 0, over which share of the tank a hand is; beyond a wall it is over the outermost. */
+/* Returns the section of the tank under the poi, from 0. A poi beyond a wall counts for the
+ * outermost section. */
 static uint32_t share_under(const struct core *core, vec3 hand_m, uint32_t count)
 {
     const float share = hand_m.x / core->tank.size_m.x + 0.5f;
     return (uint32_t)f_clamp(share * (float)count, 0.0f, (float)count - 0.5f);
 }
 
-/* A hand points as it comes over another share; where it rests the buttons have their way. One that
- * moves on is somebody who looks at what there is. */
+/* Selects by position when the poi enters another section, so that the buttons keep control while
+ * the poi stays in one section. A moving poi also restarts the timeout of the screen. */
 static void follow_hand(struct core *core, uint32_t index, struct output *output)
 {
     struct player *player = &core->game.player[index];
@@ -75,7 +76,7 @@ static void follow_hand(struct core *core, uint32_t index, struct output *output
     }
 }
 
-/* The first player's hand has the last word. */
+/* Evaluates the pois from last to first, so that the first player's poi decides. */
 static void point_by_hands(struct core *core, struct output *output)
 {
     for (uint32_t i = POI_MAX; i-- > 0;) {
@@ -99,8 +100,8 @@ static void point_by_buttons(struct core *core, const struct input *input, struc
     }
 }
 
-/* What is pointed at, or all that there is. While somebody chose, the store may have stopped: then
- * the choice stands, and he may ask again. */
+/* Confirms the selection, or the only item on offer. If no credit can be used because the store
+ * stopped in the meantime, the selection stays and the player may try again. */
 static void take(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
@@ -143,7 +144,8 @@ void choose_tick(struct core *core, const struct input *input, struct output *ou
 {
     const uint32_t dipped = phase_dipped(core, input);
     point_by_hands(core, output);
-    if (dipped < POI_MAX) { /* Where it dips, whatever the buttons said since it came there. */
+    if (dipped < POI_MAX) { /* A dip selects the section below it, even if a button selected another
+                               item since. */
         point_at(core, core->game.player[dipped].points - 1u, output);
     }
     point_by_buttons(core, input, output);
