@@ -1,4 +1,4 @@
-/* coins.c -- nothing that falls is lost, nothing counts twice. */
+/* coins.c -- every coin counts exactly once, even while the ledger is full. */
 #include "core/game/coins.h"
 
 #include "core/core.h"
@@ -31,7 +31,8 @@ static void fall(struct core *core, uint32_t line, uint32_t pulses)
 {
     struct untold *untold = &core->game.credit.untold[line];
     const uint32_t units = capped((uint64_t)pulses * setting(core, SET_COIN_1 + line));
-    const uint32_t owed = credit_price(core) > 0 ? units : 0u; /* Else nobody owes for it. */
+    const uint32_t owed = credit_price(core) > 0 ? units : 0u; /* In free play a coin adds no units
+                                                                  to the balance. */
     add(&untold->pulses, pulses);
     add(&untold->units, units);
     add(&untold->owed, owed);
@@ -68,7 +69,8 @@ void coins_test(struct core *core, const struct input *input, struct output *out
     core->game.credit.metered += coin_pulses(input);
 }
 
-/* Where there is no bonus nothing counts towards one that is switched on later. */
+/* Without a configured bonus the counter stays 0, so that old units do not count towards a bonus
+ * that is enabled later. */
 static void note_for_bonus(struct core *core, uint32_t units)
 {
     struct purse *purse = &core->game.ledger.purse;
@@ -76,7 +78,7 @@ static void note_for_bonus(struct core *core, uint32_t units)
     purse->bonus_units = setting(core, SET_BONUS_UNITS) > 0 ? capped(sum) : 0u;
 }
 
-/* Recordings of format 7 count these units toward a bonus even where none is configured. */
+/* Recordings of format 7 count these units towards a bonus even if no bonus is configured. */
 void coins_fold_untold(struct core *core)
 {
     struct purse *purse = &core->game.ledger.purse;
@@ -107,8 +109,8 @@ static void tell(struct core *core, uint32_t line, struct output *output)
 
 /* ---- Units to credits ----------------------------------------------------------------------- */
 
-/* A coin may be the last of a credit, and one of many that fell in one tick: no loop. What finds no
- * room waits as units. */
+/* Buys as many credits as units and SET_CREDIT_MAX permit. Several coins may arrive in one tick, so
+ * the count is computed by division. Remaining units stay in the balance. */
 static uint32_t buy(struct core *core)
 {
     struct purse *purse = &core->game.ledger.purse;
@@ -160,7 +162,7 @@ void coins_settle(struct core *core, struct output *output)
     }
 }
 
-/* ---- What nobody came for ------------------------------------------------------------------- */
+/* ---- Expiry --------------------------------------------------------------------------------- */
 
 void coins_expire(struct core *core, struct output *output)
 {

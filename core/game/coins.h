@@ -1,7 +1,7 @@
-/* coins.h -- from pulses of coin lines to units, and from units to credits.
+/* coins.h -- conversion of coin pulses to units, and of units to credits.
  *
- * Within core/game only. What falls is written down at once, or as soon as there is room for an
- * entry; until then it waits here and in purse.untold. */
+ * Internal to core/game. Each coin is logged in the ledger at once, or as soon as the ledger has
+ * room. Until then the coin is counted here and in purse.untold. */
 #ifndef KINGYO_CORE_GAME_COINS_H
 #define KINGYO_CORE_GAME_COINS_H
 
@@ -12,21 +12,22 @@
 
 struct core;
 
-/* Pulses of each line, each worth what the settings say. */
+/* Adds the pulses of each coin line, with the value per pulse from the settings. */
 void coins_fall(struct core *core, const struct input *input, struct output *output);
 
-/* The same in the operator's menu: metered, and nobody's money. */
+/* Logs coins inserted in the operator's menu: the meter counts them, but the balance does not
+ * change. */
 void coins_test(struct core *core, const struct input *input, struct output *output);
 
-/* Moves the units of coins that no entry reported before the last power cut into the purse. */
+/* Adds the units that were not logged before the last power cut to the balance. */
 void coins_fold_untold(struct core *core);
 
-/* Writes down what waits, and makes credits of units while there are fewer than SET_CREDIT_MAX; the
- * bonus comes on top of that. */
+/* Logs pending coins, and converts units to credits while the balance has fewer than
+ * SET_CREDIT_MAX. Bonus credits may exceed that limit. */
 void coins_settle(struct core *core, struct output *output);
 
-/* Credits and units that nobody touched for SET_CREDIT_EXPIRY_MIN lapse, in attract alone and never
- * while anything waits to be written. */
+/* Expires credits and units after SET_CREDIT_EXPIRY_MIN without activity. Expiry happens only in
+ * attract mode and only when nothing is waiting to be written. */
 void coins_expire(struct core *core, struct output *output);
 
 #endif

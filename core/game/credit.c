@@ -1,4 +1,4 @@
-/* credit.c -- from credits to rounds, and what keeps a coin from being taken. */
+/* credit.c -- credits and rounds, and the conditions that close the coin slot. */
 #include "core/game/credit.h"
 
 #include "core/base/hash.h"
@@ -8,7 +8,7 @@
 #include "core/game/stand.h"
 #include "core/game/tickets.h"
 
-#define NEVER_S 1e6f /* Eleven days. */
+#define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
 
 uint32_t credit_price(const struct core *core)
 {
@@ -51,7 +51,7 @@ static void take_service(struct core *core, struct output *output)
     }
 }
 
-/* Whether somebody could play: a seat with a controller that is there, or the bot's. */
+/* Returns 1 if someone could play: a slot has a connected controller or the bot. */
 static int has_poi(const struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -89,8 +89,8 @@ static uint8_t warnings(const struct core *core, const struct input *input)
                      (has_poi(core, input) ? 0u : (uint32_t)WARN_NO_POI));
 }
 
-/* What was left before its end was told had its worth: the growth lab, or a round that nobody came
- * to. */
+/* Closes a round or a lab visit that ended without a result: the growth lab, or a round that no
+ * player joined. */
 static void close_what_is_over(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
@@ -122,8 +122,8 @@ void credit_tick(struct core *core, const struct input *input, struct output *ou
     credit->warnings = warnings(core, input);
 }
 
-/* In the menu the slot is open on one page alone: where the operator drops coins to see them
- * counted. A guest would not know that nothing is sold just then. */
+/* Returns 1 if the coin slot must return coins. In the menu the slot is open only on the page that
+ * tests the input lines, because a visitor could not see that nothing is sold at that moment. */
 static int sends_coins_back(const struct core *core)
 {
     const struct game *game = &core->game;
@@ -143,9 +143,9 @@ void credit_show_outputs(const struct core *core, struct output *output)
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
 
-/* Which credit is played next (enum purse_open), or OPEN_NONE. One that came back goes first: it
- * has had its refund. Then what the operator gave: whoever tries the machine leaves what was
- * paid. */
+/* Returns the kind of credit to use next (enum purse_open), or OPEN_NONE. A refunded credit comes
+ * first, because it cannot be refunded again. Service credits come next, so that an operator's test
+ * leaves paid credits unused. */
 static uint8_t next_credit(const struct core *core)
 {
     const struct ledger *ledger = &core->game.ledger;
@@ -160,7 +160,8 @@ static uint8_t next_credit(const struct core *core)
     return sure.service > 0 ? OPEN_SERVICE : sure.paid > 0 ? OPEN_PAID : OPEN_NONE;
 }
 
-/* Where nothing can be written at all nothing is sold: its end would not be told either. */
+/* If the ledger has no room, no round is sold, because the end of the round could not be logged
+ * either. */
 int credit_can_play(const struct core *core)
 {
     return credit_price(core) == 0 ||
@@ -220,8 +221,9 @@ void credit_take(struct core *core, uint8_t what, struct output *output)
     ledger_write(core, &entry, output);
 }
 
-/* There may be more than SET_CREDIT_MAX now, by the one that was taken: it is a person's. What
- * cannot come back is still open at a restart if nobody had played: that entry refunds nothing. */
+/* A refund may exceed SET_CREDIT_MAX by one, because the credit belongs to a player. A round with a
+ * non-refundable credit can be open at a restart if no player had joined; its LEDGER_REFUND has
+ * count 0. */
 void credit_give_back(struct core *core, enum refund_cause cause, struct output *output)
 {
     struct purse *purse = &core->game.ledger.purse;
@@ -265,7 +267,7 @@ uint32_t credit_hand_out_tickets(struct core *core)
     return won;
 }
 
-/* ---- What there is to see ------------------------------------------------------------------- */
+/* ---- Display -------------------------------------------------------------------------------- */
 
 static float since_s(const struct core *core, uint32_t tick)
 {

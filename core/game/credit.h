@@ -1,16 +1,18 @@
-/* credit.h -- what was paid: units become credits, and a credit buys the tank a round.
+/* credit.h -- payment: units become credits, and one credit buys one round at the tank.
  *
- * One credit plays for everybody who has a poi in hand: it is the tank that is hired. It is taken
- * when what was chosen begins, not when START is pressed: who only looks at the choice and leaves
- * has paid nothing. It comes back when that round ends because the pois' controllers went and
- * nobody came again, because the operator opened the menu, or because the kiosk itself stopped in
- * it; such a round wins no tickets and is neither a score nor a record. No credit comes back after
- * two thirds of the round, and none comes back twice: such a round keeps its score and its tickets
- * (core/game/stand.h). A credit that came back is played before all others, so that one flag in the
- * purse tells it apart, across power cuts too.
- * The purse is the ledger's (core/ledger.h) and outlives the plug. A credit that is not on disk yet
- * is on its way: it is shown, and may not be played. While nothing can be written the slot is
- * closed; a coin that falls all the same waits (coins.h). */
+ * One credit pays for all players who hold a poi. The credit is taken when the selected round
+ * starts, not when START is pressed, so leaving the selection screen is free. The credit is
+ * refunded if the round ends because all controllers were lost, because the operator opened the
+ * menu, or because the kiosk stopped. Such a round wins no tickets and produces no score and no
+ * record.
+ *
+ * No credit is refunded after two thirds of the round, and none is refunded twice; such a round
+ * keeps its score and its tickets (core/game/stand.h). A refunded credit is used before all others,
+ * so that one flag in the balance identifies it, even after a power cut.
+ *
+ * The balance is stored in the ledger (core/ledger.h) and survives a power cut. A credit that is
+ * not on disk yet is displayed but cannot be played. While the ledger cannot be written, the coin
+ * slot is closed; coins that are inserted anyway are kept pending (coins.h). */
 #ifndef KINGYO_CORE_GAME_CREDIT_H
 #define KINGYO_CORE_GAME_CREDIT_H
 
@@ -21,86 +23,93 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define CREDIT_COINS_MAX 20u       /* A round that costs more units is paid with banknotes. */
-#define CREDIT_TICKET_FISH_MAX 20u /* More than most people catch. */
-#define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ) /* So long a shake is held against the cabinet. */
-#define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ) /* Who pressed START with the coin waits so long. */
+#define CREDIT_COINS_MAX 20u       /* Highest price of a round; a more expensive round is paid with
+                                      banknotes. */
+#define CREDIT_TICKET_FISH_MAX 20u /* More fish than most players catch. */
+#define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ) /* Time for which a tilt keeps the coin slot
+                                                 closed. */
+#define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ) /* Time for which a START press waits for the coin to
+                                                  reach the disk. */
 
-/* What is not so, to be told to whoever stands there; a bit each. */
+/* Conditions that are displayed as warnings and close the coin slot; one bit each. */
 enum credit_warning {
-    WARN_TILT = 1u << 0,   /* It was shaken or leant: nothing is lost by it, but coins are sent back
-                              while it may be shaken to make the mechanism count. */
-    WARN_DOOR = 1u << 1,   /* It stands open. A round that runs is not the door's concern. */
-    WARN_NO_POI = 1u << 2, /* No seat has a controller: who paid could not play. */
-    WARN_STORE = 1u << 3,  /* What is paid now would not outlive the plug. */
+    WARN_TILT = 1u << 0,   /* The cabinet was shaken or tilted. Nothing is lost, but coins are
+                              returned, because shaking can make the coin mechanism count. */
+    WARN_DOOR = 1u << 1,   /* The door is open. A running round continues. */
+    WARN_NO_POI = 1u << 2, /* No slot has a controller, so a paying player could not play. */
+    WARN_STORE = 1u << 3,  /* The store is not safe: a payment now would not survive a power cut. */
 };
 
-/* Coins that no entry tells of yet. */
+/* Coins that no ledger entry contains yet. */
 struct untold {
     uint32_t pulses;
-    uint32_t units; /* What they are worth; */
-    uint32_t owed;  /* those of them that somebody has a right to. */
+    uint32_t units; /* Value of the pulses in units. */
+    uint32_t owed;  /* Units that must be added to the balance; 0 for coins inserted during free
+                       play. */
 };
 
 struct credit {
-    uint8_t came_back;   /* What the last round cost did. */
+    uint8_t came_back;   /* 1: the credit of the last round was refunded. */
     uint8_t warnings;    /* enum credit_warning */
     struct untold untold[COIN_LINE_COUNT];
-    uint32_t metered;    /* Coins since the start, */
-    uint32_t shakes;     /* how often it was shaken, */
-    uint32_t tickets;    /* and the pulses that the dispenser was asked for. */
-    uint32_t coin_tick;  /* When the last coin fell; */
-    uint32_t tilt_tick;  /* when it was shaken last; 0: never. */
-    uint32_t asked_tick; /* When somebody wanted to play and had not paid; 0: never. */
-    uint32_t await_tick; /* When somebody wanted to play whose credit was on its way; 0: never. */
-    uint32_t act_tick;   /* When anybody last had to do with the purse. */
-    uint32_t stand_id;   /* Entry of the newest LEDGER_STAND of the open round; 0: none yet. */
-    struct ledger_stand stand; /* What that entry reports. */
-    uint32_t ticket_id;  /* LEDGER_TICKET whose pulse waits for the disk; 0: none does. */
+    uint32_t metered;    /* Coins counted since the start. */
+    uint32_t shakes;     /* Tilt events since the start. */
+    uint32_t tickets;    /* Pulses requested from the ticket dispenser since the start. */
+    uint32_t coin_tick;  /* Tick of the last coin. */
+    uint32_t tilt_tick;  /* Tick of the last tilt; 0: never. */
+    uint32_t asked_tick; /* Tick of the last start attempt without a credit; 0: never. */
+    uint32_t await_tick; /* Tick of the last start attempt with a credit that was not on disk yet;
+                            0: never. */
+    uint32_t act_tick;   /* Tick of the last change to the balance by a person. */
+    uint32_t stand_id;   /* Id of the newest LEDGER_STAND of the open round; 0: none yet. */
+    struct ledger_stand stand; /* Content of that entry. */
+    uint32_t ticket_id;  /* Id of the LEDGER_TICKET whose pulse waits for the disk; 0: none. */
 };
 
 struct core;
 
-/* What coins, SERVICE, TILT and DOOR say, before the phase's own tick. In the operator's menu a
- * coin is a test, and TILT and SERVICE mean nothing here. */
+/* Handles coins, SERVICE, TILT and DOOR, before the tick of the phase. In the operator's menu a
+ * coin is a test, and TILT and SERVICE have no effect here. */
 void credit_tick(struct core *core, const struct input *input, struct output *output);
 
-/* What of it is wanted of the world: lockout, meter, tickets. After the phase's tick. */
+/* Writes coin lockout, meter and ticket counts to `output`, after the tick of the phase. */
 void credit_show_outputs(const struct core *core, struct output *output);
 
-/* What a credit costs, in units; 0: nothing. */
+/* Returns the price of a credit in units; 0: free play. */
 uint32_t credit_price(const struct core *core);
 
-/* Whether a round may begin: it is free, or a credit that is on disk pays for it. */
+/* Returns 1 if a round may start: play is free, or a credit on disk pays for the round. */
 int credit_can_play(const struct core *core);
 
-/* Credits that may not be played yet. */
+/* Returns the number of credits that are not on disk yet. */
 uint32_t credit_coming(const struct core *core);
 
-/* Somebody wants to play who may not. Where his credit is on its way he has only to wait for it
- * (credit_is_awaited()); else the stall asks for a coin more loudly for a moment. */
+/* Handles a start attempt without a playable credit. If a credit is not on disk yet, the attempt
+ * waits for it (credit_is_awaited()); otherwise the display asks for a coin more prominently for a
+ * moment. */
 void credit_ask(struct core *core, struct output *output);
 
-/* Whether what somebody asked for in vain is possible now. */
+/* Returns 1 if a waiting start attempt is now possible. */
 int credit_is_awaited(const struct core *core);
 
-/* Takes one for `what` (enum game_mode, or CHOICE_LAB), which begins now. To be called only when
+/* Takes one credit for `what` (enum game_mode, or CHOICE_LAB), which starts now. Call only if
  * credit_can_play(). */
 void credit_take(struct core *core, uint8_t what, struct output *output);
 
-/* What runs now ends, and not as it should: its credit comes back, if it took one and
- * stand_is_spent() does not hold; else the purse stays open for the caller to close. A free round
- * whose pois went is a round all the same. */
+/* Ends the running round early. Its credit is refunded if one was taken and stand_is_spent() is 0;
+ * otherwise the balance stays open for the caller to close. A free round that lost its pois counts
+ * as a normal round. */
 void credit_give_back(struct core *core, enum refund_cause cause, struct output *output);
 
-/* Returns the tickets that the round has won so far: for what each player caught, none for a
- * bot. */
+/* Returns the tickets that the round has won so far, computed from each player's catch; 0 if the
+ * bot played. */
 uint32_t credit_tickets_won(const struct core *core);
 
-/* The round is over and was not given back: its tickets are owed from now on. Returns how many. */
+/* Adds the tickets of a finished, not refunded round to the balance. Returns the number of
+ * tickets. */
 uint32_t credit_hand_out_tickets(struct core *core);
 
-/* What there is to see of it. */
+/* Fills `out` with the visible state of the credits. */
 void credit_show(const struct core *core, struct scene_credit *out);
 
 uint64_t credit_hash(uint64_t hash, const struct credit *credit);

@@ -1,35 +1,41 @@
-/* drift.c -- gentle ways, tick by tick. */
+/* drift.c -- trajectories of the failsafe motion, one step per tick. */
 #include "core/game/drift.h"
 
 #include "core/base/fmath.h"
 #include "core/poi/pose.h"
 
-#define COAST_M_S2 2.0f        /* A fish on level paper just keeps its place. */
-#define COAST_LAG_S 0.025f     /* So far a hand is before its ring in air, in seconds of its way. */
+#define COAST_M_S2 2.0f        /* Deceleration at which a fish on level paper just keeps its
+                                  place. */
+#define COAST_LAG_S 0.025f     /* Time by which the ring lags behind its target in air. */
 #define COAST_DONE_M_S 0.15f
-#define RISE_M_S 0.08f         /* Half wet paper of grade 7 bears that broadside (test_drift). */
+#define RISE_M_S 0.08f         /* Half-wet paper of grade 7 withstands this speed broadside
+                                  (test_drift). */
 #define TURN_RAD_S 1.5f
 #define SLANT_RAD (45.0f * F_DEG)
-#define SLANT_NEAR_RAD (10.0f * F_DEG) /* Turned so far, it sets off. */
-#define BACK_DRY_M_S 1.0f      /* From the bowl to the far corner within a second ... */
-#define BACK_WET_M_S 0.10f     /* ... and down into the water; borne broadside, too. */
-#define WET_BELOW_M 0.035f     /* Some of a tilted ring is under water. */
+#define SLANT_NEAR_RAD (10.0f * F_DEG) /* Tilt at which the upward motion starts. */
+#define BACK_DRY_M_S 1.0f      /* From the bowl to the far corner within a second. */
+#define BACK_WET_M_S 0.10f     /* Speed down into the water, which paper also withstands
+                                  broadside. */
+#define WET_BELOW_M 0.035f     /* Height below which part of a tilted ring may be under water. */
 #define BACK_TURN_RAD_S 4.0f
-#define BACK_SHARE 0.08f       /* Of the way that is left, each tick: it ends softly. */
-#define BACK_HASTE_PER_S 5.0f  /* Of that pace, ... */
-#define BACK_SHARE_PER_S 0.5f  /* ... and of the way, for each second beyond what is spared. */
-#define BACK_NEAR_M 0.006f     /* The spring of the hand takes up so much without a blow. */
+#define BACK_SHARE 0.08f       /* Share of the remaining distance per tick, for a soft end of the
+                                  motion. */
+#define BACK_HASTE_PER_S 5.0f  /* Increase of the speed per second after the immunity ends, as a
+                                  factor. */
+#define BACK_SHARE_PER_S 0.5f  /* Increase of the share per second after the immunity ends. */
+#define BACK_NEAR_M 0.006f     /* Distance that the hand spring covers without an impact. */
 #define BACK_NEAR_RAD 0.02f
-#define BACK_FAR_M 0.15f       /* So far aside it leaves the water for it, ... */
-#define BACK_ASIDE_M 0.03f     /* ... and goes down only so near. */
+#define BACK_FAR_M 0.15f       /* Horizontal distance from which the poi leaves the water on its
+                                  way. */
+#define BACK_ASIDE_M 0.03f     /* Horizontal distance within which the poi may go down. */
 
 static float toward(float from, float to, float step)
 {
     return from + f_clamp(to - from, -step, step);
 }
 
-/* Which edge leaves the water first: the higher one of a slanted ring, else that beyond which
- * there is more room. 1 is the far one, -1 the near one. */
+/* Returns the edge that leaves the water first: the higher edge of a tilted ring, else the edge
+ * with more room beyond it. 1: far edge, -1: near edge. */
 static float first_edge(struct poi_target hand)
 {
     if (f_abs(hand.angles.pitch_rad) > SLANT_NEAR_RAD) {
@@ -78,7 +84,8 @@ struct poi_target drift_out(const struct poi *poi, struct poi_target hand)
     return in_water && poi->rider_count == 0 ? slip_out(hand) : lift_level(hand);
 }
 
-/* Far is over the water, not through it: out of it first, over the place, and then down. */
+/* Returns the remaining path. A long path leads over the water: out of the water first, then above
+ * the destination, then down. */
 static vec3 way_back(vec3 from_m, vec3 to_m)
 {
     const vec3 way_m = v3_sub(to_m, from_m);
@@ -89,7 +96,7 @@ static vec3 way_back(vec3 from_m, vec3 to_m)
     return aside_m > BACK_ASIDE_M && way_m.y < 0.0f ? v3(way_m.x, 0.0f, way_m.z) : way_m;
 }
 
-/* The longer it takes beyond what is spared, the more haste it makes: no hand flees for ever. */
+/* The return becomes faster after the immunity ends, so that the return always completes. */
 struct poi_target drift_back(struct poi_target hand, struct poi_target wanted, uint32_t ticks)
 {
     const float age = f_min((float)ticks / (float)DRIFT_BACK_TICKS_MIN, 1.0f);

@@ -1,29 +1,34 @@
-/* drift.h -- how a poi goes that nobody leads: out of the water by itself, and back to its hand.
+/* drift.h -- failsafe motion: moves a poi without valid input out of the water, and later back to
+ * the controller's pose.
  *
- * Both are slow enough that no wet paper of any grade would tear by them, broadside or not, and the
- * poi is marked as spared besides: what a broken cable does costs nobody's paper. */
+ * Both motions are slow enough that wet paper of any grade survives them, even broadside. The poi
+ * is also marked as `spared` (immune to damage), so that a broken cable never costs a player the
+ * paper. */
 #ifndef KINGYO_CORE_GAME_DRIFT_H
 #define KINGYO_CORE_GAME_DRIFT_H
 
 #include "core/poi/poi.h"
 
-#define DRIFT_HOVER_M 0.060f       /* Where it waits: its lowest edge is clear of the water. */
-#define DRIFT_BACK_TICKS_MIN 48u   /* Back to its hand it takes 0.4 s at least. */
-#define DRIFT_SPARE_TICKS_MAX 360u /* Its paper is spared on the way for 3 s at most: then a hand
-                                      that flees from it is followed with more haste. */
+#define DRIFT_HOVER_M 0.060f       /* Height at which the poi waits: its lowest edge is clear of the
+                                      water. */
+#define DRIFT_BACK_TICKS_MIN 48u   /* Shortest duration of the return, 0.4 s. */
+#define DRIFT_SPARE_TICKS_MAX 360u /* Longest damage immunity of one return, 3 s. After that the
+                                      return speeds up, in case the controller keeps moving away. */
 
-/* Where the hand of a poi is that is lost in this tick: with the ring, whatever it said last. */
+/* Returns the target pose for the first tick after an input loss: at the ring, independent of the
+ * last input. */
 struct poi_target drift_begin(const struct poi *poi, struct poi_target hand);
 
-/* Where the hand of a poi that nobody leads is in the next tick, which is at `hand` in this one.
- * What was moving glides to rest first. With fish on it the ring goes level and straight up;
- * without, it slants and leaves the water along its own plane, toward the tank's middle. */
+/* Returns the next target pose of a poi without input, whose target pose is `hand`. A moving poi
+ * first coasts to rest. With fish on it the ring turns level and rises straight up. Without fish it
+ * tilts and leaves the water along its own plane, toward the middle of the tank. */
 struct poi_target drift_out(const struct poi *poi, struct poi_target hand);
 
-/* The same of a poi that goes back to where its hand is again, `ticks` after it began. */
+/* Returns the next target pose of a poi that returns to the controller's pose `wanted`, `ticks`
+ * after the start of the return. */
 struct poi_target drift_back(struct poi_target hand, struct poi_target wanted, uint32_t ticks);
 
-/* Whether it is back: from then on the hand leads. */
+/* Returns 1 if the return is complete, so that the controller takes over. */
 int drift_is_back(struct poi_target hand, struct poi_target wanted, uint32_t ticks);
 
 #endif

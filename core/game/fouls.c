@@ -1,4 +1,4 @@
-/* fouls.c -- from what shadows and fish did to the umpire's call. */
+/* fouls.c -- detection of fouls from shadows and catches. */
 #include "core/game/fouls.h"
 
 #include "core/core.h"
@@ -21,7 +21,7 @@ void foul_commit(struct core *core, uint32_t index, enum foul kind, struct outpu
 
 /* ---- Before the start ----------------------------------------------------------------------- */
 
-/* What was there when READY began has as long to go as what comes. */
+/* A shadow that was present when READY began gets the same time as a new shadow. */
 static int is_held_over_fish(const struct core *core, const struct shade *shade)
 {
     const float ready_s = (float)(core->tick - core->game.phase_tick) * CORE_TICK_S;
@@ -29,9 +29,10 @@ static int is_held_over_fish(const struct core *core, const struct shade *shade)
            tank_shade_count(&core->tank, &shade->cast) > 0;
 }
 
-/* What the keeper's changes do to the poi (another tank, a new holder) is no motion of the hand's,
- * so the hand itself is looked at. A pointer points at other water when the picture is another one,
- * a frame later, and lays its way there onto the next frame: where it is by then, it rests. */
+/* Tracks whether the player moved the controller. The input pose is checked, because a new tank or
+ * a new holder moves the poi without the player. A pointer refers to other water after the view
+ * changes and spreads that jump over the next frame, so a new rest position is accepted until
+ * FOUL_SETTLE_TICKS. */
 static void watch_stance(struct player *player, vec3 hand_m, uint32_t ready_ticks)
 {
     if (player->stance == STANCE_UNSEEN || ready_ticks < FOUL_SETTLE_TICKS) {
@@ -47,7 +48,7 @@ static int has_moved(struct core *core, uint32_t index)
     struct player *player = &core->game.player[index];
     const uint32_t ready_ticks = core->tick - core->game.phase_tick;
     if (!pause_holds(core, index)) {
-        player->stance = STANCE_UNSEEN; /* A cable that breaks commits no foul. */
+        player->stance = STANCE_UNSEEN; /* A broken cable is no foul. */
     } else if (core->poi[index].link == POI_LINK_LIVE) {
         watch_stance(player, core->game.trust[index].newest.position_m, ready_ticks);
     } else if (core->poi[index].link == POI_LINK_BOT) {
@@ -76,7 +77,7 @@ void fouls_of_catch(struct core *core, const struct catch_result caught[POI_MAX]
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (!pause_holds(core, i) || core->game.paused) {
-            continue; /* What falls off a poi that nobody leads is nobody's doing. */
+            continue; /* Fish that fall off a poi without input count for no player. */
         }
         if (caught[i].poured > 0) {
             foul_commit(core, i, FOUL_POURED, output);

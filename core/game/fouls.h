@@ -1,8 +1,8 @@
-/* fouls.h -- the umpire: what was done against the rules, found in the motion itself.
+/* fouls.h -- the umpire: detects fouls from the motion of pois and fish.
  *
- * It is noted in every mode, for the coach; where the rules judge, it is called. What lasts, or
- * follows within FOUL_APART_TICKS, is one incident and called once. The third call ends a player's
- * round. */
+ * Fouls are recorded in every mode, for the hints. In modes with judging rules a foul is also
+ * announced and counted. A foul that lasts, or recurs within FOUL_APART_TICKS, counts once. The
+ * third counted foul ends a player's round. */
 #ifndef KINGYO_CORE_GAME_FOULS_H
 #define KINGYO_CORE_GAME_FOULS_H
 
@@ -14,20 +14,22 @@
 #include "core/scene.h"
 
 #define FOUL_APART_TICKS (2u * CORE_TICK_HZ)
-#define FOUL_SHADE_S 1.5f /* A shadow that rests so long over fish before the start is held. */
-#define FOUL_SETTLE_TICKS 144u /* 1.2 s of READY: a poi then has come from the stall's hand to its
-                                  own, and two of the longest frames are over. */
+#define FOUL_SHADE_S 1.5f /* Time for which a shadow must rest over fish before the start to be a
+                             foul. */
+#define FOUL_SETTLE_TICKS 144u /* First 1.2 s of READY, without stance checks. In that time a poi
+                                  moves from the rest position to its controller, and two of the
+                                  longest frames pass. */
 
 struct core;
 
-/* Player `index` does in this tick what is a foul of this kind. */
+/* Records a foul of this kind by player `index`, and counts it if the mode judges. */
 void foul_commit(struct core *core, uint32_t index, enum foul kind, struct output *output);
 
-/* Before the start: who holds a shadow over fish? A fan has nothing to do there, however it came; a
- * poi has to be somewhere, so that of a hand which has rested since READY began is no foul. */
+/* Checks before the start for shadows held over fish. A fan is a foul however it got there. A poi
+ * is a foul only if its controller has moved since READY began. */
 void fouls_before_start(struct core *core, struct output *output);
 
-/* In the round: how fish came into the bowls. */
+/* Checks during the round how fish came into the bowls. */
 void fouls_of_catch(struct core *core, const struct catch_result caught[POI_MAX],
                     struct output *output);
 

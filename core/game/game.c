@@ -1,4 +1,4 @@
-/* game.c -- the order of a game's tick, and what holds in all phases. */
+/* game.c -- the order of the steps in a game tick, and functions common to all phases. */
 #include "core/game/game.h"
 
 #include "core/base/hash.h"
@@ -84,7 +84,7 @@ void game_init(struct game *game, const struct core_config *config)
     chapter_go_on(game, &config->chapter);
 }
 
-/* Where START would be heard as a beginning. */
+/* Returns 1 if the START lamp is lit: START would begin a game, or the menu lights it. */
 static int start_lamp(const struct core *core)
 {
     const uint8_t phase = core->game.phase;
@@ -115,7 +115,7 @@ void game_tick(struct core *core, const struct input *said, struct output *outpu
     }
     self_test_tick(core, said, output);
     adjust_tick(core, output);
-    hand_links(core, input); /* A new phase may hand the poi to someone else in this very tick. */
+    hand_links(core, input); /* A new phase may change the source of a poi in the same tick. */
     hand_tick_all(core, input, targets, live);
     hints_tick(&game->hints, core);
     output->start_lamp = (uint8_t)start_lamp(core);
@@ -137,7 +137,7 @@ int game_pumps(const struct game *game, uint32_t tick)
                                         : game->phase != PHASE_ROUND;
 }
 
-/* Until nobody pointed for too long, and at most so long in all. */
+/* Returns the timeout of the selection screen in ticks since its start. */
 static uint32_t choice_ticks(const struct game *game)
 {
     const uint32_t pointed = game->point_tick - game->phase_tick + GAME_CHOOSE_TICKS;

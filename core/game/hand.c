@@ -1,4 +1,4 @@
-/* hand.c -- which hand has which poi, and how one takes it over from another. */
+/* hand.c -- sources of the pois, and the blending between them. */
 #include "core/game/hand.h"
 
 #include "core/base/panic.h"
@@ -8,17 +8,19 @@
 #include "core/game/rest.h"
 #include "core/poi/pose.h"
 
-#define CLEAR_Y_M 0.035f     /* Pois are held above this while nothing may be scooped. */
-#define GRIP_TICKS 144u      /* 1.2 s from one hand to the next: 1 m/s across the tank. */
-#define DOUBT_TICKS 8u       /* A stray of a sixteenth of a second moves no poi. */
-#define FAR_M 0.30f          /* What is so far away after that ... */
-#define FAR_TURN 0.3f        /* ... or turned so much is gone to gently, ... */
-#define FAR_LEAN 0.8f        /* ... but a mouse leans its poi as it hurries. */
-#define WET_BELOW_M 0.020f   /* Some of a tilted ring may be under water. */
-#define SPARE_TICKS_ALL (2u * DRIFT_SPARE_TICKS_MAX) /* Of many ways back one after the other. */
-#define REFILL_TICKS 8u      /* So long it is led for each tick more that it may be spared. */
-#define REACH_SIDE_M 0.20f   /* Beyond the walls ... */
-#define REACH_HEIGHT_M 0.35f /* ... and above the water that an arm reaches. */
+#define CLEAR_Y_M 0.035f     /* Lowest height of a poi while dips are not allowed. */
+#define GRIP_TICKS 144u      /* Blend time after a change of the source, 1.2 s: 1 m/s across the
+                                tank. */
+#define DOUBT_TICKS 8u       /* An outlier of a sixteenth of a second moves no poi. */
+#define FAR_M 0.30f          /* Distance from which a new pose is approached gently. */
+#define FAR_TURN 0.3f        /* Rotation from which a new pose is approached gently. */
+#define FAR_LEAN 0.8f        /* Same limit for a pointer, which tilts its poi during fast motion. */
+#define WET_BELOW_M 0.020f   /* Height below which part of a tilted ring may be under water. */
+#define SPARE_TICKS_ALL (2u * DRIFT_SPARE_TICKS_MAX) /* Total damage immunity of several returns in
+                                                        a row. */
+#define REFILL_TICKS 8u      /* Ticks of normal control that restore one tick of immunity. */
+#define REACH_SIDE_M 0.20f   /* Reach of an arm beyond the walls. */
+#define REACH_HEIGHT_M 0.35f /* Reach of an arm above the water. */
 
 int hand_plays(const struct core *core, uint32_t index)
 {
@@ -57,7 +59,8 @@ int hand_dips(const struct core *core, const struct input *input, uint32_t index
            input->poi[index].target.position_m.y < GAME_DIP_Y_M;
 }
 
-/* In attract nobody else's link counts. Who is not believed is as good as away. */
+/* Returns the current source of a poi. In attract mode only the bot counts. A controller with
+ * invalid input counts as lost. */
 static uint8_t link_now(const struct core *core, const struct input *input, uint32_t index)
 {
     if (core->game.phase == PHASE_ATTRACT) {
@@ -73,7 +76,7 @@ static float direction(float angle_rad)
     return f_wrap_angle(angle_rad);
 }
 
-/* No poi that is led goes below this. */
+/* Returns the lowest height for a controlled poi. */
 static float lowest_m(const struct core *core, uint32_t index)
 {
     return game_may_scoop(core, index) ? -core->tank.size_m.y : CLEAR_Y_M;
@@ -109,7 +112,7 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     if (link == POI_LINK_BOT) {
         bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
         game->bot[index].hand.pose = game->hand[index];
-        hand_forget_way(game, index); /* It is led to nobody any more. */
+        hand_forget_way(game, index); /* The bot has no controller pose to return to. */
     }
     if (link == POI_LINK_LIVE && game->holder[index] == POI_LINK_LOST) {
         game->back_ticks[index] = game->was_lost[index] = 1;
@@ -121,20 +124,22 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     game->holder[index] = link;
 }
 
-/* From the old hand to the new one: the share that is taken over each tick grows from 0 to 1. */
+/* Blends from the old target pose to the new one after a change of the source. The share per tick
+ * grows from 0 to 1. */
 static struct poi_target follow(struct core *core, uint32_t index, struct poi_target wanted)
 {
     struct game *game = &core->game;
     const int begins = game->phase == PHASE_ROUND && core->tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
-        game->grip_tick[index] = core->tick; /* Who waits with the button held enters gently. */
+        game->grip_tick[index] = core->tick; /* A player who waits with the button held starts with
+                                                a gentle dip. */
     }
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(core, wanted, lowest_m(core, index));
     return age < 1.0f ? pose_between(game->hand[index], wanted, age * age * age) : wanted;
 }
 
-/* Where a stray costs paper or a fish. Who may scoop no more has neither to lose. */
+/* Returns 1 if an outlier could damage the paper or lose a fish. */
 static int is_at_stake(const struct core *core, uint32_t index, vec3 next_m)
 {
     const struct poi *poi = &core->poi[index];
@@ -142,7 +147,7 @@ static int is_at_stake(const struct core *core, uint32_t index, vec3 next_m)
     return f_min(low_m, next_m.y) < WET_BELOW_M || poi->rider_count > 0;
 }
 
-/* [0, 1]: as much of the way as goes in a tick. */
+/* Returns the share of the motion that the speed limits permit in one tick, [0, 1]. */
 static float share_in_a_tick(const struct poi_target *from, const struct poi_target *to,
                              float pace_m_s, float pace_rad_s)
 {
@@ -159,9 +164,9 @@ static int is_far(const struct poi_target *from, const struct poi_target *to, in
            trust_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
 }
 
-/* A pose that is farther away than an arm goes may be a sensor that strays for a moment: the hand
- * stays where it is until that is over, or has lasted for long enough to be its way. A mouse may be
- * thrown, over the water. */
+/* Filters outliers. A pose farther away than an arm moves in a tick may be a sensor error, so the
+ * target stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above the water a fast
+ * mouse motion is accepted. */
 static struct poi_target steady(struct core *core, uint32_t index, struct poi_target next,
                                 int has_wrist)
 {
@@ -184,7 +189,8 @@ static struct poi_target steady(struct core *core, uint32_t index, struct poi_ta
     return share < 1.0f ? pose_between(hand, next, share) : next;
 }
 
-/* Its paper is spared until it is back, but not for ever: neither on one way, nor on many. */
+/* Advances the return to the controller's pose. The paper is immune until the return completes,
+ * within the limits for one return and for all returns. */
 static struct poi_target go_back(struct core *core, uint32_t index, struct poi_target wanted)
 {
     struct game *game = &core->game;
@@ -219,7 +225,8 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
     return steady(core, index, next, says->has_wrist);
 }
 
-/* Nobody leads it. Whoever is there again, or waits for somebody else, fetches it from there. */
+/* Moves a poi without input out of the water. Restored input, or the end of the pause, starts the
+ * return from there. */
 static void drift(struct core *core, uint32_t index)
 {
     struct game *game = &core->game;
@@ -232,7 +239,8 @@ static void drift(struct core *core, uint32_t index)
     }
 }
 
-/* The stall's own hand. A bot looks on; a person gets it back gently. */
+/* Parks a poi that is not in use. A bot keeps observing; a person gets the poi back by a gentle
+ * blend. */
 static void put_away(struct core *core, uint32_t index)
 {
     struct game *game = &core->game;
@@ -249,7 +257,7 @@ static void put_away(struct core *core, uint32_t index)
     }
 }
 
-/* While the round waits for a lost hand, all let go alike. */
+/* During a pause for a lost controller, every poi of the tank is in failsafe. */
 static void tick_hand(struct core *core, const struct input *input, uint32_t index)
 {
     struct game *game = &core->game;
@@ -285,7 +293,8 @@ void hand_tick_all(struct core *core, const struct input *input,
         targets[i] = core->game.hand[i];
         core->game.live_y_m[i] = is_believed(core, i)
                                      ? input->poi[i].target.position_m.y
-                                     : -1.0f; /* No way down from a hand that was not there. */
+                                     : -1.0f; /* The next valid pose after invalid input is no
+                                                 downward crossing. */
     }
 }
 

@@ -1,4 +1,5 @@
-/* hand.h -- the hands on the pois: a person's, the bot's, or none. */
+/* hand.h -- the controllers of the pois: a person, the bot, or no one. This module turns their
+ * input into the target pose of each poi. */
 #ifndef KINGYO_CORE_GAME_HAND_H
 #define KINGYO_CORE_GAME_HAND_H
 
@@ -7,34 +8,35 @@
 struct core;
 struct game;
 
-/* Whether a poi takes part: it has a bowl, and someone to hold it, lost or not. */
+/* Returns 1 if the poi is in use: it has a bowl and a controller, which may be lost. */
 int hand_plays(const struct core *core, uint32_t index);
 
-/* What the controllers said, as each seat's calibration sets it right; all else as it is. */
+/* Returns a copy of the input with each slot's calibration applied to its pose. */
 struct input hand_set_right(const struct core *core, const struct input *said);
 
-/* Judges what each controller says (trust.h); once a tick, before all else. */
+/* Validates the pose of each controller (trust.h). Call once per tick before all other steps. */
 void hand_read(struct core *core, const struct input *input);
 
-/* Whether the controller of a poi that takes part is away or talks nonsense. Its poi drifts out of
- * the water, its paper is spared, and it waits. */
+/* Returns 1 if the controller of a poi in use is disconnected or its input is invalid. The poi then
+ * moves out of the water, takes no damage, and waits. */
 int hand_is_lost(const struct core *core, uint32_t index);
 
-/* Whether a person's hand goes down through GAME_DIP_Y_M in this tick, poi or no poi. */
+/* Returns 1 if a person's controller moves down through GAME_DIP_Y_M in this tick, whether or not
+ * the slot has a poi. */
 int hand_dips(const struct core *core, const struct input *input, uint32_t index);
 
-/* Writes into each poi who holds it in the present phase. In attract the stall's own bot has the
- * first poi, whoever holds a controller, and there is no other. */
+/* Writes the source of each poi for the present phase. In attract mode the built-in bot controls
+ * the first poi, even if controllers are connected, and no other poi is in use. */
 void hand_links(struct core *core, const struct input *input);
 
-/* Moves each hand to what its holder wants: within an arm's reach, above the water while nothing
- * may be scooped, smoothly after a change of holder, out of the water while the controller is lost,
- * and gently back to it when it is there again. What no arm or wrist does in a tick is doubted for
- * a sixteenth of a second first, where it could cost paper or a fish. */
+/* Moves each poi's target pose toward its source's pose. The target stays within arm's reach, and
+ * above the water while dips are not allowed. A change of the source is blended. An input loss
+ * moves the poi out of the water, and restored input moves it gently back. A motion too fast for an
+ * arm or wrist is ignored for a sixteenth of a second if it could damage paper or lose a fish. */
 void hand_tick_all(struct core *core, const struct input *input,
                    struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 
-/* A poi that is taken over anew, or put elsewhere, is on no way back to any hand. */
+/* Cancels the return of a poi that has a new source or a new position. */
 void hand_forget_way(struct game *game, uint32_t index);
 
 #endif

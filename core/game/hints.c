@@ -1,32 +1,34 @@
-/* hints.c -- rules from what the player does to what would help now. */
+/* hints.c -- rules that select a hint from the player's actions. */
 #include "core/game/hints.h"
 
 #include "core/base/hash.h"
 #include "core/core.h"
 #include "core/game/pause.h"
 
-#define LOOK_TICKS 12u            /* Rules look ten times a second. */
-#define MOVED_M 0.15f             /* So far a hand has tried to move the poi. */
-#define HASTE_M_S 0.35f           /* Faster than this through water is haste ... */
-#define HASTE_CELLS 3u            /* ... when so many cells tear within a look. */
+#define LOOK_TICKS 12u            /* Ticks between two evaluations: ten per second. */
+#define MOVED_M 0.15f             /* Distance that counts as a deliberate motion. */
+#define HASTE_M_S 0.35f           /* Speed through water that counts as too fast. */
+#define HASTE_CELLS 3u            /* Cells torn between two evaluations that trigger the hint. */
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
-#define TILT_RAD 0.15f            /* A wrist that turned on purpose. */
-#define FRUITLESS_DIPS 2u         /* So many in vain, and a word on how it is done helps. */
-#define ABOVE_M 0.045f            /* A fish so near the ring's axis is over it. */
-#define WET_CELL 0.2f             /* A cell that was under for a quarter of a second, ... */
-#define WET_PART_MIN 0.15f        /* ... and between these shares of the paper as wet in part. */
+#define TILT_RAD 0.15f            /* Pitch that counts as a deliberate tilt. */
+#define FRUITLESS_DIPS 2u         /* Dips without a catch after which the technique is explained. */
+#define ABOVE_M 0.045f            /* Horizontal distance at which a fish counts as above the
+                                     ring. */
+#define WET_CELL 0.2f             /* Wetness of a cell after a quarter of a second under water. */
+#define WET_PART_MIN 0.15f        /* Shares of wet paper between which the paper counts as partly
+                                     wet. */
 #define WET_PART_MAX 0.85f
-#define POURED_TICKS (4u * CORE_TICK_HZ) /* So long the word on a pour stands. */
+#define POURED_TICKS (4u * CORE_TICK_HZ) /* Time for which the hint about pouring is shown. */
 
 #define BIT(hint) (1u << (hint))
 
-/* Urgent lines need not wait until the last one was read. */
+/* Urgent hints replace the current hint at once. */
 static int is_urgent(uint8_t hint)
 {
     return hint == HINT_TORN || hint == HINT_LOST_POI;
 }
 
-/* What was done need not be said any longer. */
+/* Returns 1 if the player has done what `hint` asks for. */
 static int is_followed(uint8_t hint, const struct poi *poi)
 {
     return hint == HINT_LIFT ? poi->immersed < 0.5f : hint == HINT_DIP && poi->immersed > 0.5f;
@@ -42,7 +44,8 @@ static const struct player *player_of(const struct hints *hints, const struct co
     return &core->game.player[hints->pupil];
 }
 
-/* One keeper, one voice: for the first who has a poi in hand. Another one begins from the start. */
+/* Selects the first player who has a poi in use. A different player starts without learned
+ * actions. */
 static void turn_to_pupil(struct hints *hints, const struct core *core)
 {
     for (uint8_t i = 0; i < POI_MAX; i++) {
@@ -58,8 +61,8 @@ static void turn_to_pupil(struct hints *hints, const struct core *core)
 }
 
 struct view_of_fish {
-    int held;  /* Some fish lies on the poi. */
-    int above; /* Some fish swims over it. */
+    int held;  /* 1: a fish lies on the poi. */
+    int above; /* 1: a fish swims above the poi. */
 };
 
 static struct view_of_fish look_at_fish(const struct hints *hints, const struct core *core)
@@ -76,7 +79,7 @@ static struct view_of_fish look_at_fish(const struct hints *hints, const struct 
     return view;
 }
 
-/* Dips in vain count from the last catch, or from when the poi was new. */
+/* Counts dips since the last catch, or since the poi was new. */
 static void count_dips(struct hints *hints, const struct core *core)
 {
     const uint32_t caught = player_of(hints, core)->caught;
@@ -87,7 +90,7 @@ static void count_dips(struct hints *hints, const struct core *core)
     hints->caught = caught;
 }
 
-/* What the last tenth of a second taught or tore. */
+/* Updates the learned actions and the fast-motion flag. */
 static void observe(struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
     const struct poi *poi = poi_of(hints, core);
@@ -107,7 +110,8 @@ static void observe(struct hints *hints, const struct core *core, struct view_of
     count_dips(hints, core);
 }
 
-/* Cells that went while the ring moved too fast; between two looks speed may come and go. */
+/* Counts cells torn while the ring moves too fast. Runs every tick, because the speed may change
+ * between two evaluations. */
 static void watch_haste(struct hints *hints, const struct poi *poi)
 {
     const uint32_t now = poi->sheet.paper_cells;
@@ -117,7 +121,7 @@ static void watch_haste(struct hints *hints, const struct poi *poi)
     hints->paper_cells = now;
 }
 
-/* Dry and wet paper tear where they meet. */
+/* Returns 1 if the paper is partly wet, because paper tears at the border of wet and dry areas. */
 static int is_wet_in_part(const struct poi *poi)
 {
     uint32_t wet = 0;
@@ -137,7 +141,8 @@ static int has_poured(const struct hints *hints, const struct core *core)
     return poured_tick != 0 && core->tick - poured_tick < POURED_TICKS;
 }
 
-/* The lesson: the first thing not done yet that fits the moment. */
+/* Returns the first hint of the lesson that the player has not followed and that fits the
+ * situation. */
 static uint8_t lesson(const struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
     const uint32_t missing = ~hints->learned;
@@ -182,7 +187,8 @@ static uint8_t wanted_in_round(const struct hints *hints, const struct core *cor
     return rules_of(core->game.mode)->coaches ? lesson(hints, core, fish) : HINT_NONE;
 }
 
-/* Before the start: an umpire says what is forbidden, else it is time to find one's poi. */
+/* Returns the hint for READY: with an umpire, the rule about shadows; otherwise how to move the
+ * poi. */
 static uint8_t wanted_in_ready(const struct hints *hints, const struct core *core)
 {
     if (rules_of(core->game.mode)->judges) {
@@ -208,7 +214,7 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     case PHASE_LAB:
     case PHASE_ALBUM:
     case PHASE_NAME:
-        return HINT_NONE; /* They say themselves what to do. */
+        return HINT_NONE; /* These pages contain their own instructions. */
     case PHASE_BOARD:
         return want_to_play(core);
     case PHASE_MENU:
@@ -220,7 +226,8 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     default:
         break;
     }
-    const int nobody_leads = !pause_holds(core, hints->pupil); /* The pupil is away: all are. */
+    const int nobody_leads = !pause_holds(core, hints->pupil); /* The player of the hints has no poi
+                                                                  in use only if no player has. */
     if (game->paused || (nobody_leads && !player_of(hints, core)->out)) {
         return HINT_LOST_POI;
     }
@@ -237,7 +244,8 @@ void hints_tick(struct hints *hints, const struct core *core)
 {
     turn_to_pupil(hints, core);
     watch_haste(hints, poi_of(hints, core));
-    const int edge = core->tick == core->game.phase_tick; /* A new phase speaks at once. */
+    const int edge = core->tick == core->game.phase_tick; /* A new phase updates the hint at
+                                                             once. */
     if (!edge && core->tick % LOOK_TICKS != 0) {
         return;
     }

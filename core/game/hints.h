@@ -1,36 +1,36 @@
-/* hints.h -- what the stall calls to a player: one thing at a time, the next one to learn.
+/* hints.h -- hints for a player: one line at a time, for the next thing to learn.
  *
- * With several at the tank it looks at the first who has a poi in hand: one keeper, one voice. That
- * a hand is waited for it says of any.
- * A rule looks at what the player does and says what would help; a hint is shown until it is done,
- * and no hint gives way within HINT_TICKS_MIN unless it was followed or something urgent is to be
- * said. */
+ * With several players the hints are for the first player who has a poi in use, but a pause for a
+ * lost controller is shown for any player. Each rule checks the player's actions and selects a
+ * helpful hint. A hint stays until the player follows it. A hint is replaced within HINT_TICKS_MIN
+ * only if it was followed or an urgent hint is due. */
 #ifndef KINGYO_CORE_GAME_HINTS_H
 #define KINGYO_CORE_GAME_HINTS_H
 
 #include <stdint.h>
 
-#define HINT_TICKS_MIN 180u /* 1.5 s: the time that a short line takes to read. */
+#define HINT_TICKS_MIN 180u /* 1.5 s, the time to read a short line. */
 
 struct hints {
-    uint8_t pupil;        /* Whom it looks at, < POI_MAX. */
+    uint8_t pupil;        /* Player for whom the hints are, < POI_MAX. */
     uint8_t shown;        /* enum scene_hint */
-    uint32_t shown_tick;  /* Since when. */
-    uint32_t learned;     /* Bit (1 << enum scene_hint): done by this player. */
-    uint32_t haste_tick;  /* When haste last tore the paper; 0 never. */
-    uint32_t haste_cells; /* Torn in haste since the last look. */
-    uint32_t paper_cells; /* Of the pupil's poi in the last tick. */
-    uint32_t dips_before; /* Of that poi, when it last caught something or was new. */
-    uint32_t caught;      /* Of the pupil at the last look. */
-    float moved_m;        /* Way of the poi in this round, up to what counts as moved. */
+    uint32_t shown_tick;  /* Tick at which the hint appeared. */
+    uint32_t learned;     /* Bits (1 << enum scene_hint) of the actions that this player has
+                             done. */
+    uint32_t haste_tick;  /* Tick at which fast motion last tore the paper; 0: never. */
+    uint32_t haste_cells; /* Cells torn by fast motion since the last evaluation. */
+    uint32_t paper_cells; /* Paper cells of the player's poi in the last tick. */
+    uint32_t dips_before; /* Number of dips of that poi at its last catch, or 0 for a new poi. */
+    uint32_t caught;      /* Fish caught by the player at the last evaluation. */
+    float moved_m;        /* Distance that the poi has moved in this round, up to 1 m. */
 };
 
 struct core;
 
-/* A new player: nothing learned yet. */
+/* Resets the hints for a new player. */
 void hints_init(struct hints *hints);
 
-/* One look at the state, each tick; writes only `hints`. */
+/* Evaluates the rules. Call once per tick; writes only to `hints`. */
 void hints_tick(struct hints *hints, const struct core *core);
 
 uint64_t hints_hash(uint64_t hash, const struct hints *hints);

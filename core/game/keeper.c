@@ -16,7 +16,7 @@ uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game
         (struct rng_key){ seed, number, index + POI_MAX * (uint32_t)series, RNG_ROUND_SEED });
 }
 
-/* ---- What is offered ------------------------------------------------------------------------ */
+/* ---- Offer ---------------------------------------------------------------------------------- */
 
 uint8_t keeper_modes(const struct core_config *config)
 {
@@ -65,7 +65,8 @@ static uint32_t fish_count(const struct core_config *config, uint8_t preset)
     return is_own ? config->fish_count : tank_preset(preset)->fish_count;
 }
 
-/* The operator's menu may have asked for other fish, or other seats, than there are. */
+/* Returns 1 if the open tank matches the configuration. The operator's menu may have changed the
+ * number of fish or players. */
 static int is_set_up(const struct core *core, uint8_t preset)
 {
     int is_so = preset == core->tank.preset &&
@@ -86,7 +87,8 @@ static void place_all(struct core *core, const struct tank_preset *preset)
                  rest_place(core, i).position_m, seed);
         core->poi[i].link = link;
         core->game.hand[i] = rest_place(core, i);
-        core->game.holder[i] = POI_LINK_ABSENT; /* Whoever holds it takes it over anew. */
+        core->game.holder[i] = POI_LINK_ABSENT; /* The controller takes the poi over from the rest
+                                                   position. */
         hand_forget_way(&core->game, i);
         core->bowl[i] = (struct bowl){ 0 };
         if (i < player_count(&core->config)) {
@@ -105,7 +107,9 @@ static void open_tank(struct core *core, uint8_t preset, uint32_t seed)
     const int opened = tank_open(&core->tank, &config);
     CORE_ASSERT(opened);
     for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        core->tank.fish[i].thought_tick = (uint8_t)core->tick; /* Hatched just now. */
+        core->tank.fish[i].thought_tick = (uint8_t)core->tick; /* The fish start with the current
+                                                                  tick as their last behavior
+                                                                  tick. */
     }
 }
 

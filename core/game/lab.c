@@ -1,4 +1,4 @@
-/* lab.c -- one tick of the growth lab: where the hand is, what it presses, how life goes on. */
+/* lab.c -- one tick of the growth lab: pointer, buttons and playback. */
 #include "core/game/lab.h"
 
 #include "core/base/hash.h"
@@ -8,7 +8,7 @@
 #include "core/game/lab_press.h"
 #include "core/game/phases.h"
 
-#define BUTTON_LIFE_S 9.0f /* A held LEFT or RIGHT goes through a life in so long. */
+#define BUTTON_LIFE_S 9.0f /* Seconds for a whole life while LEFT or RIGHT is held. */
 
 void lab_init(struct lab *lab, const struct core_config *config)
 {
@@ -26,12 +26,12 @@ void lab_begin(struct core *core, struct output *output)
     phase_enter(core, PHASE_LAB);
     lab->stir_tick = lab->act_tick = core->tick;
     lab->start_ticks = 0;
-    lab->presses = 1; /* The dip that opened it presses nothing here. */
+    lab->presses = 1; /* The dip that opened the lab presses nothing here. */
     lab_take(core, lab->species);
     output_sound(output, SOUND_START, 0.7f, 0.0f);
 }
 
-/* ---- The hand ------------------------------------------------------------------------------- */
+/* ---- The pointer ---------------------------------------------------------------------------- */
 
 static void note_stir(struct core *core)
 {
@@ -44,7 +44,8 @@ static void note_stir(struct core *core)
     }
 }
 
-/* What one hand held is not another's: that one presses nothing until it has come up. */
+/* Switches to another player's pointer. The new pointer presses nothing until it was above the
+ * water once, so that it does not continue the previous drag. */
 static void change_hands(struct lab *lab, uint32_t index)
 {
     if (lab->has_hand && index != lab->hand) {
@@ -55,7 +56,7 @@ static void change_hands(struct lab *lab, uint32_t index)
     lab->hand = (uint8_t)index;
 }
 
-/* Where it is, and whether it is down. */
+/* Updates the pointer's position and its press state. */
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct lab *lab = &core->game.lab;
@@ -90,7 +91,8 @@ static void step_life(struct lab *lab, float way)
     lab->progress = f_clamp(lab->progress + way, 0.0f, 1.0f);
 }
 
-/* START plays or stops at once, in heed_buttons(); held on, it leaves. */
+/* Returns 1 if START was held long enough to leave. A short press plays or stops in
+ * heed_buttons(). */
 static int ends_by_start(struct core *core, const struct input *input)
 {
     struct lab *lab = &core->game.lab;
@@ -118,7 +120,8 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
     if ((input->pressed | input->held) & guests) {
         lab->stir_tick = core->tick;
     }
-    if (input->pressed & guests) { /* One that is held for minutes is stuck. */
+    if (input->pressed & guests) { /* A button held for minutes is stuck, so only new presses
+                                      count. */
         lab->act_tick = core->tick;
     }
 }
@@ -159,7 +162,7 @@ void lab_tick(struct core *core, const struct input *input, struct output *outpu
     }
 }
 
-/* ---- What is seen of it --------------------------------------------------------------------- */
+/* ---- Display -------------------------------------------------------------------------------- */
 
 static uint8_t keeping(const struct lab *lab)
 {

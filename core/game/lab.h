@@ -1,8 +1,8 @@
-/* lab.h -- the growth lab: a life to scrub through, and the graph that shapes it to edit.
+/* lab.h -- the growth lab: a page to play a species' life and to edit its growth graph.
  *
- * A hand over the water points at what is on the canvas (lab_layout.h), and presses it while it is
- * down; a mouse does the same with its button. LEFT and RIGHT lead through life while held, START
- * plays it (and ends the lab when held), OK shows the next species. There is no score. */
+ * A pose over the water points at the canvas (lab_layout.h) and presses while it is below the press
+ * height; a mouse uses its button. LEFT and RIGHT move through the life while held. START plays the
+ * life, or leaves the lab when held. OK shows the next species. The lab has no score. */
 #ifndef KINGYO_CORE_GAME_LAB_H
 #define KINGYO_CORE_GAME_LAB_H
 
@@ -12,49 +12,53 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define LAB_IDLE_TICKS (60u * CORE_TICK_HZ)  /* Nobody moves any more: back to attract. */
-#define LAB_SWING_TICKS (180u * CORE_TICK_HZ) /* Nor is a poi that only swings on its cord
-                                                 somebody: it never presses anything. */
-#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ)  /* A life takes so long to play, ... */
-#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u) /* ... and stands still at its end. */
-#define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* START held so long leaves. */
-#define LAB_GRAB 24.0f         /* A knot is taken within so much of it, on the canvas. */
+#define LAB_IDLE_TICKS (60u * CORE_TICK_HZ)  /* Time without motion after which the lab returns to
+                                                attract mode. */
+#define LAB_SWING_TICKS (180u * CORE_TICK_HZ) /* Time without a press after which the lab also ends,
+                                                 because a poi swinging on its cord moves but never
+                                                 presses. */
+#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ)  /* Duration of a played life. */
+#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u) /* Pause at the end of a life. */
+#define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* Time for which START must be held to leave. */
+#define LAB_GRAB 24.0f         /* Distance on the canvas within which a knot is grabbed. */
 
-/* What the hand has hold of, from the press to the release. */
+/* Element that is dragged, from the press to the release. */
 enum lab_hold {
     HOLD_NOTHING = 0,
-    HOLD_AGE,    /* On the line of life, */
-    HOLD_CHART,  /* along the growth curve, */
-    HOLD_PLOT,   /* or across the graph. */
-    HOLD_WEIGHT, /* A knot of the key in `layer`. */
-    HOLD_SIZE,   /* A knot of the scale. */
+    HOLD_AGE,    /* Position on the age axis. */
+    HOLD_CHART,  /* Position on the growth curve. */
+    HOLD_PLOT,   /* Position on the graph. */
+    HOLD_WEIGHT, /* Knot of the key in `layer`. */
+    HOLD_SIZE,   /* Knot of the scale. */
     HOLD_BUTTON,
-    HOLD_LEAVE,  /* The way out: taken when the hand comes up. */
+    HOLD_LEAVE,  /* Leave button, which acts on release. */
 };
 
-#define LAB_LAYER_SIZE MORPH_KEY_MAX /* Of `layer`: the scale; below it, a key. */
+#define LAB_LAYER_SIZE MORPH_KEY_MAX /* Value of `layer` for the scale; smaller values are keys. */
 
 struct lab {
-    uint8_t species;   /* In the book's order. */
-    uint8_t layer;     /* Which curve the hand is at. */
+    uint8_t species;   /* Index in the order of the lab book. */
+    uint8_t layer;     /* Curve that is edited. */
     uint8_t playing, compare, path;
     uint8_t has_hand, presses;
-    uint8_t hand;      /* Which player's it is, or was last. */
-    uint8_t points;    /* enum lab_part that is under the hand. */
+    uint8_t hand;      /* Player whose pose points, or pointed last. */
+    uint8_t points;    /* enum lab_part under the pointer. */
     uint8_t holds;     /* enum lab_hold */
     uint8_t held_knot;
-    uint8_t upright;   /* As the last input said, ... */
-    uint8_t edit_refused; /* ... and that the store keeps nothing. */
-    uint8_t has_edit[SPECIES_MAX]; /* The stall keeps an edit of that species. */
-    uint32_t stir_tick, act_tick;  /* When a hand last moved, and last pressed something. */
-    uint32_t rest_ticks;           /* At the end of a life that plays. */
-    uint32_t start_ticks;          /* START has been held so long. */
-    uint32_t save_id, saved_id;    /* The newest given to the store, and known to be kept; ... */
-    uint32_t asked_id;             /* ... that of what is on the table; 0: none was asked for. */
-    float x, y;                    /* The hand, on the canvas; ... */
-    float stir_x, stir_y;          /* ... and where it last moved on from. */
+    uint8_t upright;   /* 1: portrait screen, from the last input. */
+    uint8_t edit_refused; /* 1: the store saves no edits, from the last input. */
+    uint8_t has_edit[SPECIES_MAX]; /* 1: the kiosk has a saved edit of that species. */
+    uint32_t stir_tick, act_tick;  /* Ticks of the last motion and of the last press. */
+    uint32_t rest_ticks;           /* Ticks since the played life reached its end. */
+    uint32_t start_ticks;          /* Ticks for which START has been held. */
+    uint32_t save_id, saved_id;    /* Ids of the newest edit sent to the store, and of the newest
+                                      edit confirmed on disk. */
+    uint32_t asked_id;             /* Id of the save request for the current edit; 0: not
+                                      requested. */
+    float x, y;                    /* Pointer position on the canvas. */
+    float stir_x, stir_y;          /* Pointer position at the last motion. */
     float progress;
-    struct lab_edit edit;          /* On the table. */
+    struct lab_edit edit;          /* The current edit. */
     struct lab_edit edits[SPECIES_MAX];
 };
 
@@ -63,14 +67,14 @@ struct core_config;
 
 void lab_init(struct lab *lab, const struct core_config *config);
 
-/* Opens the lab: the species that was last looked at, as a larva, playing. */
+/* Opens the lab with the last shown species as a larva, playing. */
 void lab_begin(struct core *core, struct output *output);
 void lab_tick(struct core *core, const struct input *input, struct output *output);
 
-/* What there is to see of it. */
+/* Fills `out` with the visible state of the lab. */
 void lab_show(const struct core *core, struct scene_lab *out);
 
-uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab); /* Without what is kept. */
-uint64_t lab_hash(uint64_t hash, const struct lab *lab);       /* What is kept. */
+uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab); /* Hash without the saved edits. */
+uint64_t lab_hash(uint64_t hash, const struct lab *lab);       /* Hash of the saved edits. */
 
 #endif

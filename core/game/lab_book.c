@@ -1,4 +1,4 @@
-/* lab_book.c -- species by number, and all of it as a number. */
+/* lab_book.c -- access to the species by index, and the hash of all species data. */
 #include "core/game/lab_book.h"
 
 #include "core/base/hash.h"

@@ -1,4 +1,4 @@
-/* lab_edit.c -- dragging, adding and taking away knots. */
+/* lab_edit.c -- functions that drag, add and remove knots. */
 #include "core/game/lab_edit.h"
 
 #include "core/base/mem.h"
@@ -6,7 +6,7 @@
 
 #define ROUND_GAP (5.0f * LAB_KNOT_GAP)
 
-/* ---- The whole ------------------------------------------------------------------------------ */
+/* ---- Whole edits ---------------------------------------------------------------------------- */
 
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card)
 {
@@ -90,7 +90,7 @@ static float sum_of_others(const struct graph_knot *knot, uint32_t key_count, ui
     return sum;
 }
 
-/* Where nobody else had anything, the neighbours in life take it over. */
+/* Gives the rest to the neighbouring keys, because all other keys have weight 0. */
 static void share_among_neighbours(struct graph_knot *knot, uint32_t key_count, uint32_t key,
                                    float rest)
 {
@@ -189,7 +189,8 @@ struct scale_line {
     uint32_t count;
 };
 
-/* In the order of life; one that has the place of another, or no room, is left out. */
+/* Inserts a knot in order of progress. A knot with the same progress as another, or without room,
+ * is omitted. */
 static void draw_knot(struct scale_line *line, struct scale_knot knot)
 {
     uint32_t place = 0;
@@ -206,7 +207,8 @@ static void draw_knot(struct scale_line *line, struct scale_knot knot)
     line->count++;
 }
 
-/* Where length turns round between two keys, as a conger's does before it is an eel. */
+/* Returns true between two keys if the length reverses there, as for a conger before its eel
+ * shape. */
 static bool is_in_a_turn(const struct species_card *card, float age_days)
 {
     const float *age = card->key_age_days;
@@ -225,7 +227,7 @@ static bool is_turning_point(const struct growth *growth, uint32_t index)
            (at->length_m > at[-1].length_m) == (at->length_m > at[1].length_m);
 }
 
-/* The points at which it turns round come before the others: there may be no room for all. */
+/* Draws the reversal points first, because not all points may fit. */
 static void draw_turns(struct scale_line *line, const struct species_card *card)
 {
     for (uint32_t turning = 2; turning-- > 0;) {
@@ -240,7 +242,8 @@ static void draw_turns(struct scale_line *line, const struct species_card *card)
     }
 }
 
-/* Where the curve is round, a straight line between knots far apart would cut the corner. */
+/* Adds a knot in the middle of distant knots, because a straight line would cut off a curved
+ * part. */
 static void draw_rounds(struct scale_line *line, const struct species_card *card)
 {
     for (uint32_t i = 1; i < line->count; i++) {

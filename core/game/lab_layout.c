@@ -1,4 +1,4 @@
-/* lab_layout.c -- every part's place on both canvases. */
+/* lab_layout.c -- the position of each part on both canvases. */
 #include "core/game/lab_layout.h"
 
 #include "core/base/fmath.h"
@@ -6,7 +6,7 @@
 
 #define KEY_GAP 8.0f
 #define KEY_WIDTH_MAX 262.0f
-#define PRESS_ROOM 12.0f   /* So far beside a field a press still means it. */
+#define PRESS_ROOM 12.0f   /* Margin around a field within which a press still selects the field. */
 
 static const struct overlay_box wide[LAB_PART_COUNT] = {
     [LAB_BACK] = { 24.0f, 14.0f, 56.0f, 52.0f },
@@ -62,7 +62,8 @@ static const struct overlay_box upright_boxes[LAB_PART_COUNT] = {
     [LAB_RESET] = { 433.0f, 1328.0f, 397.0f, 60.0f },
 };
 
-/* All in one row, each as wide as there is room, and no wider than a fish asks for. */
+/* Places the key pictures in one row, as wide as the row permits, up to the width that a fish
+ * needs. */
 static struct overlay_box key_box(struct overlay_box row, uint32_t key_count, uint32_t key)
 {
     if (key >= key_count) {

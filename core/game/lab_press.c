@@ -1,4 +1,4 @@
-/* lab_press.c -- the lab's buttons, and knots under a hand. */
+/* lab_press.c -- buttons of the lab, and dragging of knots. */
 #include "core/game/lab_press.h"
 
 #include "core/base/mem.h"
@@ -27,7 +27,7 @@ void lab_take(struct core *core, uint32_t species)
     lab->rest_ticks = 0;
     lab->playing = 1;
     lab->asked_id = 0;
-    lab->holds = HOLD_BUTTON; /* A hand that is down held a knot of another graph. */
+    lab->holds = HOLD_BUTTON; /* A pressed pointer must not drag a knot of the previous graph. */
     lab->held_knot = LAB_NO_KNOT;
 }
 
@@ -45,7 +45,8 @@ int lab_is_kept(const struct core *core)
                                        : lab_is_own(core);
 }
 
-/* An edit that is the species' own is kept as such: the next start has nothing to read. */
+/* Requests saving. An edit equal to the original is saved as such, so that the next start loads
+ * nothing. */
 static void save(struct core *core, struct output *output)
 {
     struct lab *lab = &core->game.lab;
@@ -88,7 +89,7 @@ static void add_knot(struct core *core)
     }
 }
 
-/* A knot without which a drawing would never be seen is needed, and stays. */
+/* Removes the nearest knot, unless the graph would become invalid without it. */
 static void remove_knot(struct core *core)
 {
     struct lab *lab = &core->game.lab;
@@ -112,7 +113,7 @@ static void play_or_stop(struct lab *lab)
     }
 }
 
-/* A key's picture leads to its time of life and takes its curve in hand. */
+/* Moves to the key's age and selects its curve for editing. */
 static void go_to_key(struct core *core, uint32_t key)
 {
     struct lab *lab = &core->game.lab;
@@ -188,7 +189,7 @@ static float away2(const struct lab *lab, struct overlay_box plot, float progres
     return x * x + y * y;
 }
 
-/* The knot of the scale under the hand, or LAB_NO_KNOT. */
+/* Returns the scale knot under the pointer, or LAB_NO_KNOT. */
 static uint32_t size_knot_at(const struct lab *lab, const struct species_card *card)
 {
     const struct overlay_box plot = plot_of(lab, card);
@@ -207,7 +208,8 @@ static uint32_t size_knot_at(const struct lab *lab, const struct species_card *c
     return found;
 }
 
-/* Where several keys' knots lie one upon the other, the one in hand is meant. */
+/* Returns the weight knot under the pointer, or LAB_NO_KNOT. If knots of several keys overlap, the
+ * selected key's knot is preferred. */
 static uint32_t weight_knot_at(const struct lab *lab, const struct species_card *card,
                                uint32_t *key)
 {
@@ -243,7 +245,7 @@ static void grab_in_plot(struct lab *lab, const struct species_card *card)
     }
 }
 
-/* ---- The hand ------------------------------------------------------------------------------- */
+/* ---- The pointer ---------------------------------------------------------------------------- */
 
 static void scrub_to(struct lab *lab, float progress)
 {
@@ -252,7 +254,8 @@ static void scrub_to(struct lab *lab, float progress)
     lab->playing = 0;
 }
 
-/* A knot stays where it was last when the next step would leave no shape to solve for. */
+/* Drags a knot. The knot keeps its last valid position if the next one would make the graph
+ * invalid. */
 static void drag_weight(struct lab *lab, const struct species_card *card, struct overlay_point at)
 {
     const uint32_t knot = lab->held_knot;
@@ -274,14 +277,14 @@ static void drag_size(struct lab *lab, const struct species_card *card, struct o
     scrub_to(lab, lab->edit.scale_knots[knot].progress);
 }
 
-/* In shares of a field, from its lower left corner. */
+/* Returns the pointer position as shares of a field, from its lower left corner. */
 static struct overlay_point share_of(const struct lab *lab, struct overlay_box field)
 {
     return (struct overlay_point){ (lab->x - field.x) / field.width,
                                1.0f - (lab->y - field.y) / field.height };
 }
 
-/* The chart's axis is age, from hatching to the last key's. */
+/* Returns the progress at the pointer; the axis is age, from hatching to the last key's age. */
 static float charted_progress(const struct lab *lab, const struct species_card *card)
 {
     const struct overlay_box chart = lab_box(lab->upright, card->key_count, LAB_CHART);

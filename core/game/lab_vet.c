@@ -1,14 +1,16 @@
-/* lab_vet.c -- whether what a stall or a recording brings of species can be worked with.
+/* lab_vet.c -- validation of species data from the data folder or from a recording.
  *
- * A packed file was vetted before it came here (platform/species/vet.c); a recording's book comes
- * straight from the disk, so that the same ranges are asked for again. */
+ * Packed files were validated before (platform/species/vet.c). The lab book of a recording is read
+ * directly from disk, so the same ranges are checked again here. */
 #include "core/game/lab_book.h"
 
-#define AGE_MAX_DAYS 14610.0f /* 40 years: as far as growth.c looks. */
-#define LENGTH_MIN_M 0.0005f  /* Of a maker's species; a hand may go to LAB_LENGTH_MIN_M. */
-#define LENGTH_APART 0.02f    /* A key's length and the growth curve's at its age: so alike. */
+#define AGE_MAX_DAYS 14610.0f /* 40 years, the limit of growth.c. */
+#define LENGTH_MIN_M 0.0005f  /* Minimum for a custom species; an edit in the lab may use
+                                 LAB_LENGTH_MIN_M. */
+#define LENGTH_APART 0.02f    /* Largest relative difference between a key's length and the growth
+                                 curve at its age. */
 
-/* Not a number is in no range, nor is what has no end. */
+/* Returns true if `x` is in the range; false for NaN and infinity. */
 static bool is_within(float x, float low, float high)
 {
     return x >= low && x <= high;
@@ -24,7 +26,7 @@ static bool is_name_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/* a-z, 0-9 and _, then zeros to the end. */
+/* Returns true for 1 or more of a-z, 0-9 and _, followed only by zeros. */
 static bool is_name(const char name[SPECIES_NAME_SIZE])
 {
     uint32_t length = 0;
@@ -52,7 +54,7 @@ static bool growth_is_good(const struct growth *growth)
     return good;
 }
 
-/* `card`'s growth is good. */
+/* `card`'s growth must be valid. */
 static bool keys_are_good(const struct species_card *card)
 {
     bool good = card->key_count >= 3 && card->key_count <= MORPH_KEY_MAX;

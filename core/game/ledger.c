@@ -1,4 +1,4 @@
-/* ledger.c -- one entry after the other. */
+/* ledger.c -- writes entries to the ring and tracks their state on disk. */
 #include "core/game/ledger.h"
 
 #include "core/base/hash.h"
@@ -22,8 +22,8 @@ static uint32_t waiting(const struct ledger *ledger)
     return ledger->last_id - ledger->saved_id;
 }
 
-/* Where there was no store what was written is nowhere; one that is found at last owes none of it.
- * The purse as it is by then is told it (upkeep.c), and counts as kept when that is on disk. */
+/* Entries written without a store are lost, so a store that appears later does not wait for them.
+ * The file upkeep.c logs the current balance, which counts as `kept` once it is on disk. */
 static void note_store(struct ledger *ledger, int is_well)
 {
     if (ledger->boot == 0 && is_well && !ledger->is_well) {
@@ -33,7 +33,7 @@ static void note_store(struct ledger *ledger, int is_well)
     ledger->is_well = is_well != 0;
 }
 
-/* What is on disk stays there: an older answer that comes late says nothing new. */
+/* Accepts the store's newest saved id. An older id is ignored, because saved entries stay saved. */
 static void note_saved(struct ledger *ledger, uint32_t saved_id)
 {
     const uint32_t ahead = saved_id - ledger->saved_id;
@@ -72,8 +72,8 @@ int ledger_has_room(const struct ledger *ledger, uint8_t kind)
            waiting(ledger) < LEDGER_RING - (is_of_a_round(kind) ? 0u : LEDGER_SPARE);
 }
 
-/* A stall that never had a store keeps nothing and was never told that anything is safe: there the
- * oldest entry gives way. */
+/* A kiosk without a store never reported an entry as safe, so the oldest entry may be
+ * overwritten. */
 int ledger_may_write(const struct ledger *ledger, uint8_t kind)
 {
     return ledger_has_room(ledger, kind) ||
@@ -128,7 +128,7 @@ int ledger_owes_purse(const struct ledger *ledger)
     return ledger->is_well && waiting(ledger) == 0 && !same_purse(&ledger->purse, &ledger->kept);
 }
 
-/* What is left of `sure` when a count went from `before` to `after`. */
+/* Returns the rest of `sure` after a count changed from `before` to `after`; gains are ignored. */
 static uint32_t less_spent(uint32_t sure, uint32_t before, uint32_t after)
 {
     const uint32_t spent = before > after ? before - after : 0u;
@@ -141,7 +141,7 @@ struct ledger_credits ledger_sure(const struct ledger *ledger)
     struct purse before = ledger->kept;
     for (uint32_t i = 1; i <= waiting(ledger); i++) {
         if (waiting(ledger) > LEDGER_RING) {
-            return (struct ledger_credits){ 0 }; /* Nobody keeps anything. */
+            return (struct ledger_credits){ 0 }; /* No store saves the entries. */
         }
         const struct purse *after = &ledger->after[(ledger->saved_id + i) % LEDGER_RING];
         sure.paid = less_spent(sure.paid, before.paid, after->paid);

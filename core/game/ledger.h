@@ -1,8 +1,8 @@
-/* ledger.h -- the core's end of the ledger: writes entries, and knows how far they are on disk.
+/* ledger.h -- the core's side of the ledger: writes entries, and tracks which of them are on disk.
  *
- * Until the store says that an entry is on disk the core keeps the purse that it carries, so that
- * it can say what a power cut in this very tick would leave: the purse that is kept. What came
- * since is on its way; what was spent since is spent. */
+ * The core keeps the balance of each entry until the store reports the entry as saved. The core can
+ * therefore compute the balance that would remain after a power cut in this tick: the field `kept`.
+ * Credits gained since then are not playable yet; credits spent since then are spent. */
 #ifndef KINGYO_CORE_GAME_LEDGER_H
 #define KINGYO_CORE_GAME_LEDGER_H
 
@@ -12,20 +12,20 @@
 #include "core/ledger.h"
 #include "core/output.h"
 
-#define LEDGER_WAIT_TICKS_MAX (2u * CORE_TICK_HZ) /* A card that syncs takes a tenth of that; one
-                                                     that hangs says nothing at all. */
+#define LEDGER_WAIT_TICKS_MAX (2u * CORE_TICK_HZ) /* A working card syncs in a tenth of this time; a
+                                                     card that hangs never reports. */
 
 struct ledger {
-    uint32_t last_id;  /* The newest entry's, ... */
-    uint32_t saved_id; /* ... and the newest that is on disk. */
+    uint32_t last_id;  /* Id of the newest entry. */
+    uint32_t saved_id; /* Id of the newest entry on disk. */
     uint32_t boot;
-    uint32_t unkept;   /* Entries that found no room: none of them was money. */
-    uint32_t wait_ticks; /* How long some have waited without one of them being saved. */
+    uint32_t unkept;   /* Entries dropped for lack of room; none of them was a payment. */
+    uint32_t wait_ticks; /* Ticks for which entries have waited without any of them being saved. */
     uint16_t day, minute;
-    uint8_t is_well;   /* As the last input said. */
-    struct purse purse; /* As it is, ... */
-    struct purse kept;  /* ... as it is on disk, ... */
-    struct purse after[LEDGER_RING]; /* ... and after each entry that is not; n's at n %
+    uint8_t is_well;   /* 1: the store is healthy, from the last input. */
+    struct purse purse; /* Current balance. */
+    struct purse kept;  /* Balance on disk. */
+    struct purse after[LEDGER_RING]; /* Balance after each unsaved entry; that of entry n at n %
                                         LEDGER_RING. */
 };
 
@@ -34,34 +34,35 @@ struct core_config;
 
 void ledger_init(struct ledger *ledger, const struct core_config *config);
 
-/* What the store says, before anything of the tick is written. */
+/* Reads the store's state from `input`, before any entry of the tick is written. */
 void ledger_tick(struct core *core, const struct input *input);
 
-/* Whether there is room for an entry of this kind (enum ledger_kind). */
+/* Returns 1 if the ring has room for an entry of this kind (enum ledger_kind). */
 int ledger_has_room(const struct ledger *ledger, uint8_t kind);
 
-/* Whether it would be written: there is room, or a stall that keeps nothing makes some. */
+/* Returns 1 if an entry of this kind would be written: the ring has room, or the kiosk has no store
+ * and overwrites the oldest entry. */
 int ledger_may_write(const struct ledger *ledger, uint8_t kind);
 
-/* Writes an entry: id, boot, tick, day, minute and purse are filled in, the rest is the caller's.
- * Audits and ranking note it at once. Returns its id, or 0 when there was no room, which is
- * counted. */
+/* Writes an entry. Id, boot, tick, day, minute and balance are filled in; the caller supplies the
+ * other fields. Statistics and leaderboard are updated at once. Returns the id of the entry, or 0
+ * if the ring had no room; such drops are counted. */
 uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct output *output);
 
-/* Whether the entry is on disk. */
+/* Returns 1 if the entry is on disk. */
 int ledger_is_saved(const struct ledger *ledger, uint32_t id);
 
-/* Whether all that was written is on disk, or will never be because there is no store. */
+/* Returns 1 if every entry is on disk, or if the kiosk has no store. */
 int ledger_is_settled(const struct ledger *ledger);
 
-/* Whether what is paid now will soon be on disk: the store is well, answers, and has room. */
+/* Returns 1 if a payment now will soon be on disk: the store is healthy, responds, and has room. */
 int ledger_is_safe(const struct ledger *ledger);
 
-/* Whether the purse is another than the one on disk and no entry that carries it is on its way: a
- * store was found at last, or had no room when it changed. */
+/* Returns 1 if the balance differs from the one on disk and no pending entry contains it. This
+ * happens when a store appears later, or had no room when the balance changed. */
 int ledger_owes_purse(const struct ledger *ledger);
 
-/* The credits that are on disk and not spent: these, and no others, may be played. */
+/* Credits that are on disk and not spent; only these can be played. */
 struct ledger_credits {
     uint32_t paid, service;
 };

@@ -7,9 +7,10 @@
 #include "core/tank/preset.h"
 
 #define DAY_MINUTES (24u * 60u)
-#define PURSE_LIMIT (2u * PURSE_MAX) /* A credit that comes back is added without a limit. */
+#define PURSE_LIMIT (2u * PURSE_MAX) /* A refund is added without a limit, so a stored count may
+                                        exceed PURSE_MAX. */
 
-/* OPEN_SPENT marks a round, so it never stands alone. */
+/* OPEN_SPENT is a flag of an open round and never stands alone. */
 static int open_is_good(int32_t open)
 {
     return open >= OPEN_NONE && open <= (int32_t)(OPEN_SERVICE | OPEN_SPENT) && open != OPEN_SPENT;
@@ -25,7 +26,7 @@ static int purse_is_good(const struct purse *purse)
            purse->tickets <= PURSE_TICKETS_MAX;
 }
 
-/* A name ends within its field and holds no control character. */
+/* A name must end within its field and contain no control character. */
 static int name_is_good(const char name[LEDGER_NAME_SIZE])
 {
     uint32_t length = 0;
@@ -38,7 +39,7 @@ static int name_is_good(const char name[LEDGER_NAME_SIZE])
     return length < LEDGER_NAME_SIZE;
 }
 
-/* The grade is 0 where an earlier version did not record it. */
+/* The grade is 0 in records of an earlier version. */
 static int round_is_good(const struct round_record *round)
 {
     return round->mode < MODE_COUNT && round->grade <= SHEET_GRADE_MAX &&
@@ -71,7 +72,8 @@ static uint8_t detail_max(uint8_t kind)
     }
 }
 
-/* Audits add the value of the other kinds as an unsigned number. */
+/* Returns 1 if `value` is valid. Statistics add the value of most kinds as an unsigned number, so
+ * it must be >= 0 there. */
 static int value_is_good(const struct ledger_entry *entry)
 {
     return entry->kind == LEDGER_SETTING || entry->kind == LEDGER_RESET ||
