@@ -1,10 +1,10 @@
-/* let_go.c -- riders become falling fish. */
+/* let_go.c -- turns carried fish into falling fish. */
 #include "core/game/let_go.h"
 
 #include "core/base/panic.h"
 #include "core/poi/fall.h"
 
-#define THROW_M_S_MAX 0.3f /* A hand that lets go does not throw. */
+#define THROW_M_S_MAX 0.3f /* Highest release speed, because a released fish must not be thrown. */
 
 void let_go_all(struct poi *poi, const struct tank *tank)
 {
@@ -26,7 +26,8 @@ static int is_held(const struct fish *fish, uint32_t poi_index)
     return fish->gait == GAIT_HELD && fish->holder == poi_index;
 }
 
-/* A fish that is held without being a rider has nothing that would let it fall. */
+/* Frees fish that are marked as held without being on the poi's list, because no other code would
+ * let them fall. */
 static void free_the_forgotten(const struct poi *poi, uint32_t poi_index, struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {

@@ -1,6 +1,6 @@
-/* let_go.h -- what lay on a poi that is no longer there falls; nothing hangs in the air.
+/* let_go.h -- release of fish: fish on a poi that disappears fall into the water or a bowl.
  *
- * A poi goes when its controller is taken away in a round, and when it is exchanged. */
+ * A poi disappears when its controller is removed during a round, and when the poi is replaced. */
 #ifndef KINGYO_CORE_GAME_LET_GO_H
 #define KINGYO_CORE_GAME_LET_GO_H
 
@@ -8,11 +8,11 @@
 
 #include "core/poi/catch.h"
 
-/* Every rider begins to fall, at the speed that it had, up to that of a calm hand. */
+/* Makes every fish on the poi fall, at its current velocity, limited to that of a calm arm. */
 void let_go_all(struct poi *poi, const struct tank *tank);
 
-/* One tick of the fish of a poi that nobody plays with, instead of catch_tick: all that it held are
- * in the water or a bowl soon. What came into a bowl is added to `results`. */
+/* Advances the released fish of an unused poi by one tick, in place of catch_tick(). Every fish
+ * soon reaches the water or a bowl. Fish that land in a bowl are added to `results`. */
 void let_go_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
                  struct catch_result results[POI_MAX]);
 

@@ -1,14 +1,15 @@
-/* look.c -- one look: attention, speeds from two places, the picture of the paper. */
+/* look.c -- taking a snapshot: selection of fish, speeds, and the state of the paper. */
 #include "core/game/look.h"
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/game/patch.h"
 
-#define DEPTH_WEIGHT 4.0f   /* A fish a centimetre lower is as far as one 4 cm farther. */
-#define GULP_M 0.04f        /* Who gulps catches the eye, from so much farther. */
-#define OVER_M 0.045f       /* Water over the paper that is looked into. */
-#define RIDE_M 0.025f       /* Who lies on the paper is not higher. */
+#define DEPTH_WEIGHT 4.0f   /* Depth counts four times: a fish 1 cm deeper ranks like one 4 cm
+                               farther away. */
+#define GULP_M 0.04f        /* Distance bonus of a gulping fish, which attracts attention. */
+#define OVER_M 0.045f       /* Depth of the water above the paper that is searched. */
+#define RIDE_M 0.025f       /* Greatest height of a fish lying on the paper. */
 
 static struct look_fish see_fish(const struct sight *sight, uint32_t index)
 {
@@ -47,7 +48,7 @@ static void judge_speed(struct look_fish *now, const struct look *before, uint32
     }
 }
 
-/* ---- Fish about ----------------------------------------------------------------------------- */
+/* ---- Nearby fish ---------------------------------------------------------------------------- */
 
 static float strangeness(const struct sight_fish *fish, vec3 attention_m)
 {
@@ -56,7 +57,7 @@ static float strangeness(const struct sight_fish *fish, vec3 attention_m)
     return f_sqrt(dx * dx + dz * dz) - DEPTH_WEIGHT * fish->position_m.y - bonus_m;
 }
 
-/* The LOOK_NEAR_MAX least strange, in order. */
+/* Inserts a fish into the list of the LOOK_NEAR_MAX best-ranked fish, in order of rank. */
 static void notice(struct look *look, float far_m[LOOK_NEAR_MAX], const struct sight *sight,
                    uint32_t index, float strange_m)
 {
@@ -72,7 +73,7 @@ static void notice(struct look *look, float far_m[LOOK_NEAR_MAX], const struct s
     look->near[at] = see_fish(sight, index);
 }
 
-/* Where a fish is in the axes of its own poi. */
+/* Counts a fish that is on or above the bot's own paper, in the poi's axes. */
 static void count_upon(struct look *look, const struct basis *axes, const struct sight_fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, look->poi.position_m);

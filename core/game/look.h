@@ -1,8 +1,8 @@
-/* look.h -- what stays of one look at the stall: a few fish and how they moved since the last look,
- * the own paper, the bowl.
+/* look.h -- a visual snapshot for the bot: nearby fish with their speeds, the bot's paper, and its
+ * bowl.
  *
- * A look is the past as soon as it is taken. Speeds are two places and the time between them, as an
- * eye has them; a fish that was not noticed before seems to stand still. */
+ * A snapshot is outdated as soon as it is taken. A speed is the difference of two snapshots over
+ * their time difference. A fish missing in the previous snapshot gets speed 0. */
 #ifndef KINGYO_CORE_GAME_LOOK_H
 #define KINGYO_CORE_GAME_LOOK_H
 
@@ -11,24 +11,25 @@
 #include "core/game/sight.h"
 
 #define LOOK_NO_FISH 0xffffu
-#define LOOK_NEAR_MAX 24u /* More than anybody has in view at once; chosen near where it looks. */
+#define LOOK_NEAR_MAX 24u /* Largest number of nearby fish, more than a person can watch; the fish
+                             nearest to the point of attention are kept. */
 
 struct look_fish {
-    uint16_t fish; /* LOOK_NO_FISH: none. */
+    uint16_t fish; /* Index of the fish; LOOK_NO_FISH: none. */
     uint8_t place; /* enum scene_place */
     uint8_t gulps;
     vec3 position_m, velocity_m_s;
-    float heading_rad; /* Of the nose, as yaw. */
+    float heading_rad; /* Direction of the nose, as yaw. */
     float length_m;
 };
 
-/* What became of its own paper, from the picture of it. */
+/* State of the bot's own paper, from its picture. */
 struct look_paper {
-    float wet;      /* [0, 1], mean of what is left. */
-    float left;     /* [0, 1] */
-    uint8_t holds;  /* Somewhere it has a patch for a fish ... */
-    uint8_t middle; /* ... and it is the middle, or nearly. */
-    float x_m, z_m; /* The middle of that patch, in the poi's plane; 0 while the paper is whole. */
+    float wet;      /* Mean wetness of the remaining paper, [0, 1]. */
+    float left;     /* Remaining share of the paper, [0, 1]. */
+    uint8_t holds;  /* 1: some patch of the paper is large enough for a fish. */
+    uint8_t middle; /* 1: that patch is at or near the middle of the ring. */
+    float x_m, z_m; /* Centre of that patch in the poi's plane; 0 while the paper is whole. */
 };
 
 struct look {
@@ -39,22 +40,22 @@ struct look {
     struct sight_poi poi;
     struct sight_bowl bowl;
     struct look_paper paper;
-    uint32_t rival_count;  /* Other players' pois. */
+    uint32_t rival_count;  /* Number of other players' pois. */
     vec3 rival_m[POI_MAX];
-    uint32_t riders;       /* Fish that lie on its poi. */
-    uint32_t over;         /* Fish in the water over its paper. */
-    struct look_fish prey; /* The one that it follows with its eyes. */
+    uint32_t riders;       /* Number of fish on the bot's paper. */
+    uint32_t over;         /* Number of fish in the water above the bot's paper. */
+    struct look_fish prey; /* The target fish. */
     uint32_t near_count;   /* <= LOOK_NEAR_MAX */
     struct look_fish near[LOOK_NEAR_MAX];
 };
 
-/* One look, now: at `prey` (or LOOK_NO_FISH), and at the fish that swim shallow about
- * `attention_m`. `before` is the look before; all zero there was none. */
+/* Takes a snapshot of the fish `prey` (or LOOK_NO_FISH) and of the shallow fish around
+ * `attention_m`. `before` is the previous snapshot, or all zero. */
 void look_take(struct look *look, const struct look *before, const struct sight *sight,
                uint16_t prey, vec3 attention_m);
 
-/* Where a fish is by now, `age_s` after it was seen, if it keeps on: nobody guesses farther than
- * LOOK_FORESIGHT_S. */
+/* Returns the predicted position of a fish `age_s` after the snapshot at constant velocity. The
+ * prediction is limited to LOOK_FORESIGHT_S. */
 #define LOOK_FORESIGHT_S 0.6f
 vec3 look_foresee(const struct look_fish *seen, float age_s);
 

@@ -1,4 +1,4 @@
-/* menu.c -- one tick of the operator's menu: buttons, the hand, and what is taken. */
+/* menu.c -- one tick of the operator's menu: buttons, pointer, and selection. */
 #include "core/game/menu.h"
 
 #include "core/base/mem.h"
@@ -9,7 +9,7 @@
 #include "core/game/menu_parts.h"
 #include "core/game/phases.h"
 
-/* What the shell says of controllers is in range: another driver's bug is not ours to draw. */
+/* Asserts that the controller state from the shell is in range. */
 static void check(const struct desk_input *desk)
 {
     CORE_ASSERT(desk->learn_step < LEARN_STEP_COUNT);
@@ -32,7 +32,7 @@ int menu_is_asking(const struct core *core)
     return is_played(core) && ask_tick != 0 && core->tick - ask_tick < MENU_ASK_TICKS;
 }
 
-/* A hand that rests where it was as the menu opens has pointed at nothing yet. */
+/* Records the pointers at the opening of the menu, so that a resting pointer highlights nothing. */
 static void note_hands(struct core *core, const struct input *input)
 {
     struct menu *menu = &core->game.menu;
@@ -47,7 +47,7 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
     *menu = (struct menu){
         .desk = input->desk,
         .upright = input->upright != 0,
-        .presses = 1, /* Who holds a poi down takes nothing. */
+        .presses = 1, /* A poi that is down when the menu opens selects nothing. */
         .order_count = menu->order_count,
         .take_tick = core->tick,
         .act_tick = core->tick,
@@ -60,10 +60,10 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
     } else {
         credit_give_back(core, REFUND_OPERATOR, output);
     }
-    upkeep_tell(core, input, output); /* What is looked at in there is of now. */
+    upkeep_tell(core, input, output); /* Update the statistics that the menu is about to show. */
     core->game.paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->poi[i].rider_count = 0; /* They go back to the water. */
+        core->poi[i].rider_count = 0; /* The fish return to the water. */
     }
     keeper_pour_back(core);
     phase_enter(core, PHASE_MENU);
@@ -96,7 +96,8 @@ static uint8_t first_tag(uint16_t offered)
     return tag;
 }
 
-/* What was pointed at may be gone: a controller was unplugged, a step was learned. */
+/* Highlights an item that is on offer. The previous item may be gone, for example after a
+ * controller was unplugged. */
 static void point_at_something(struct menu *menu)
 {
     const uint16_t offered = menu_offers(menu);
@@ -108,7 +109,7 @@ void menu_turn(struct core *core, enum menu_page page)
 {
     struct menu *menu = &core->game.menu;
     menu->page = (uint8_t)page;
-    menu->points = 0; /* Whatever lies under a hand that rests was not pointed at. */
+    menu->points = 0; /* An item under a resting pointer was not pointed at. */
     if (menu_sheet_of(menu->page)->enter) {
         menu_sheet_of(menu->page)->enter(core);
     }
@@ -123,7 +124,7 @@ static void point_at(struct menu *menu, uint32_t tag, struct output *output)
     }
 }
 
-/* The next that is offered, forward or back, and round. */
+/* Moves the highlight to the next item on offer, forward or backward, and wraps around. */
 static void point_on(struct menu *menu, int forward, struct output *output)
 {
     const uint32_t count = menu_tag_count(menu->page);
@@ -179,23 +180,23 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
     }
 }
 
-/* ---- The hand ------------------------------------------------------------------------------- */
+/* ---- The pointer ---------------------------------------------------------------------------- */
 
-/* A controller that is being learned or calibrated is swung about: its way over the water means
- * nothing yet. */
+/* Returns 1 while a controller is learned, calibrated or tested, because its motion is not meant as
+ * pointing. */
 static int is_learning(const struct menu *menu)
 {
     if (menu->page == MENU_CALIBRATION) {
         return calibrate_runs(&menu->calibrate);
     }
     if (menu->page == MENU_SELF_TEST) {
-        return 1; /* It is tried there, and points at nothing. */
+        return 1; /* The self-test page tests the pois, so they do not point. */
     }
     return menu->page == MENU_LEARN && menu->desk.learn_step != LEARN_TRY &&
            menu->desk.learn_step != LEARN_FAILED && menu->desk.learn_step != LEARN_UNKEPT;
 }
 
-/* From 1; 0: none. */
+/* Returns the item under the pointer, from 1; 0: none. */
 static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
 {
     const uint16_t offered = menu_offers(menu);
@@ -207,8 +208,9 @@ static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
     return 0;
 }
 
-/* Whoever moves leads, with a bowl at the tank or without: what is tried here may be a controller
- * that nobody played with yet. `*stirs`: it has just moved. */
+/* Returns the pointer of the controller that moved last, even if its slot has no bowl, because the
+ * operator may test a controller that was never used in a game. `*stirs` is 1 if the pointer has
+ * just moved. */
 static struct overlay_hand leading_hand(struct core *core, const struct input *input, int *stirs)
 {
     struct menu *menu = &core->game.menu;
@@ -227,8 +229,8 @@ static struct overlay_hand leading_hand(struct core *core, const struct input *i
     return lead;
 }
 
-/* It points as it comes over a tag; where it rests, also on a page that opens under it, the buttons
- * have their way. */
+/* Moves the highlight when the pointer enters an item. While the pointer rests, even on a new page,
+ * the buttons keep control. */
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct menu *menu = &core->game.menu;
@@ -236,7 +238,7 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     const struct overlay_hand hand = leading_hand(core, input, &stirs);
     if (!hand.present || is_learning(menu)) {
         menu->has_hand = menu->points = 0;
-        menu->presses = 1; /* Whoever comes next takes nothing until it has come up. */
+        menu->presses = 1; /* The next pointer selects nothing until it was above the water once. */
         return;
     }
     const int was_down = menu->presses || hand.player != menu->hand;
@@ -252,7 +254,8 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     menu->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
     if (menu->presses && !was_down && points > 0) {
         menu->points = points;
-        point_at(menu, points - 1u, output); /* Whatever the buttons said since it came there. */
+        point_at(menu, points - 1u, output); /* A dip selects the item under the pointer, even if a
+                                                button moved the highlight since. */
         take(core, output);
     }
 }
@@ -267,7 +270,7 @@ static void count_presses(struct menu *menu, uint32_t pressed)
     }
 }
 
-/* In here a coin is a test, on whichever page it falls. */
+/* Counts a coin in the menu as a test, on every page. */
 static void count_coins(struct core *core, uint32_t count, struct output *output)
 {
     struct menu *menu = &core->game.menu;
@@ -294,21 +297,24 @@ static void watch(struct core *core, const struct input *input, struct output *o
     const int is_used = input->pressed != 0 || coin_pulses(input) > 0;
     menu->use_tick = is_used ? core->tick : menu->use_tick;
     menu->act_tick = is_used || has_changed ? core->tick : menu->act_tick;
-    if (is_unkept && menu->page != MENU_PIN) { /* Who said "keep" is told. */
+    if (is_unkept && menu->page != MENU_PIN) { /* Report the failed save to the operator who saved
+                                                  the mapping. */
         menu->row = input->desk.learn_row;
         menu_turn(core, MENU_LEARN);
     }
     point_at_something(menu);
 }
 
-/* What takes is still pressed: a button, or the poi under water over the tag. */
+/* Returns 1 while the button that selected is held, or the poi is still under water over the
+ * item. */
 static int is_taking(const struct menu *menu)
 {
     return (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
            (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
 }
 
-/* Nobody moves any more; or something does, and nobody is there. */
+/* Returns 1 if no activity occurred for the timeout, or only motion occurred for several
+ * timeouts. */
 static int is_deserted(const struct core *core)
 {
     const struct menu *menu = &core->game.menu;

@@ -1,19 +1,19 @@
-/* menu.h -- the operator's menu: pages of wooden tags, one of which is pointed at.
+/* menu.h -- the operator's menu: pages of items drawn as wooden tags, one of which is highlighted.
  *
- * TEST opens it. Then SERVICE, LEFT and RIGHT point, and TEST, START and OK take what is pointed
- * at: the two buttons inside the cabinet suffice. So does a hand over the water, which points where
- * it is and takes by a dip: that of any seat, and the one that moved last. The last tag of each
- * page leads back.
+ * TEST opens the menu. Then SERVICE, LEFT and RIGHT move the highlight, and TEST, START and OK
+ * select the highlighted item, so the two buttons inside the cabinet suffice. A poi over the water
+ * also moves the highlight, and a dip selects. The poi of any slot can be used; the one that moved
+ * last counts. The last item of each page leads back.
  *
- * While it is open nothing is played and coins are sent back, but on the page that tries the lines:
- * there a coin is a test, which the meter counts and nobody is given a credit for. TEST in a round
- * only asks: it lies where a cleaner's elbow reaches it, and somebody stands there who has paid.
- * Pressed again it ends the round, without a result, since a round that was cut short is neither a
- * score nor a record; what it cost comes back.
+ * While the menu is open no game is played and coins are returned. The exception is the page that
+ * tests the input lines: there the meter counts a coin as a test, without a credit. TEST during a
+ * round only asks for confirmation, because the button is easy to press by accident and the player
+ * has paid. A second press ends the round and refunds its credit. Such a round is neither a score
+ * nor a record.
  *
- * To add a page: a name in enum menu_page, a row in menu_pages.c that says which page it belongs to
- * and what its tags do, and a row of words in platform/render/ui_menu_words.c. A page that only
- * shows tags for others, or settings of a group, needs no code at all. */
+ * To add a page, add a name to enum menu_page, a row in menu_pages.c with its parent and actions,
+ * and a row of texts in platform/render/ui_menu_words.c. A page that only lists other pages, or a
+ * group of settings, needs no code. */
 #ifndef KINGYO_CORE_GAME_MENU_H
 #define KINGYO_CORE_GAME_MENU_H
 
@@ -26,127 +26,139 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define MENU_TAG_MAX 16u /* Of a page: twelve in its body, and four at its foot. */
-#define MENU_ASK_TICKS (5u * CORE_TICK_HZ)    /* So long a second TEST ends the round. */
-#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two takes within it are one hand's. */
-#define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Left open and forgotten: the stall opens again. */
-#define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ) /* The same of who does not know the PIN. */
-#define MENU_SWING_SPANS 3u /* So many of such spans without a press, a take or a coin end it, too:
-                               what moves all the while is a poi that swings on its cord. */
+#define MENU_TAG_MAX 16u /* Largest number of items on a page: twelve in its body and four at its
+                            foot. */
+#define MENU_ASK_TICKS (5u * CORE_TICK_HZ)    /* Time within which a second TEST ends the round. */
+#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two selections within this time count as one. */
+#define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Time without activity after which an open menu
+                                                 closes. */
+#define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ) /* The same timeout on the PIN page. */
+#define MENU_SWING_SPANS 3u /* Number of timeouts without a press, a selection or a coin after which
+                               the menu also closes, because constant motion comes from a poi
+                               swinging on its cord. */
 #define MENU_PIN_DIGITS 4u
-#define MENU_COUNT_MAX 9999u                  /* A counter of the lines' page stops there. */
+#define MENU_COUNT_MAX 9999u                  /* Upper limit of a counter on the page of the input
+                                                 lines. */
 
-/* Pages of one parent hang there in this order. */
+/* Pages with the same parent are listed in this order. */
 enum menu_page {
     MENU_TOP = 0,
-    MENU_DEVICES,     /* Leads to what is plugged in and wired: */
-    MENU_CONTROLLERS, /* all that are plugged in, ... */
-    MENU_CONTROLLER,  /* ... one of them, ... */
-    MENU_LEARN,       /* ... and what it says when it is moved; */
-    MENU_LINES,       /* buttons and coins; */
-    MENU_AXES,        /* where each poi says that it is, and how often. */
-    MENU_CALIBRATION, /* What each says is set right: the tank's corners, water level, tilt. */
-    MENU_MONEY,       /* Settings, a group each. */
+    MENU_DEVICES,     /* List of the pages about devices and wiring. */
+    MENU_CONTROLLERS, /* All plugged-in controllers. */
+    MENU_CONTROLLER,  /* One controller. */
+    MENU_LEARN,       /* The learn wizard of a controller. */
+    MENU_LINES,       /* Test of buttons and coins. */
+    MENU_AXES,        /* Reported pose and report rate of each poi. */
+    MENU_CALIBRATION, /* Calibration: corners of the tank, water level and tilt of each slot. */
+    MENU_MONEY,       /* Pages of settings, one per group. */
     MENU_GAME,
-    MENU_MODES,       /* Which of them are offered. */
+    MENU_MODES,       /* Modes on offer. */
     MENU_SOUND,
     MENU_PICTURE,
-    MENU_CARD,        /* A test card over all of the picture. */
-    MENU_BOOKS,       /* Leads to the audits: */
+    MENU_CARD,        /* Test card over the whole picture. */
+    MENU_BOOKS,       /* List of the pages with statistics. */
     MENU_EARNINGS,
     MENU_PLAYS,
     MENU_HOURS,
     MENU_MACHINE,
-    MENU_RESET,       /* a group of them is set to zero. */
-    MENU_RANKING,     /* The best of a mode, today, this week or ever, ... */
-    MENU_SCORE,       /* ... and one of them: its replay, and a name that must go. */
-    MENU_SELF_TEST,   /* Ready for opening? */
-    MENU_UPKEEP,      /* Leads to what is seldom needed: */
-    MENU_FILES,       /* what was found in the data folder, and what was not fit for use; */
-    MENU_ABOUT,       /* versions and devices; */
+    MENU_RESET,       /* Confirmation of a reset of a group of statistics. */
+    MENU_RANKING,     /* Leaderboard of a mode: today, this week, or ever. */
+    MENU_SCORE,       /* One score: its replay, and removal of its name. */
+    MENU_SELF_TEST,   /* Self-test before opening. */
+    MENU_UPKEEP,      /* List of rarely needed pages. */
+    MENU_FILES,       /* Files found in the data folder, and rejected files. */
+    MENU_ABOUT,       /* Versions and devices. */
     MENU_NEW_PIN,
     MENU_RESTART,
-    MENU_FACTORY,     /* everything as on the first day. */
-    MENU_PIN,         /* Asked for before all others, where one is set. */
+    MENU_FACTORY,     /* Factory reset. */
+    MENU_PIN,         /* PIN entry before all other pages, if a PIN is set. */
     MENU_PAGE_COUNT,
 };
 
-/* The tags of pages that have code of their own. */
-enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* Behind one for each controller. */
+/* Items of pages that have code of their own. */
+enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* After one item for each controller. */
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
 enum { CALIBRATE_NEXT = 0, CALIBRATE_BEGIN, CALIBRATE_UNDO, CALIBRATE_NONE, CALIBRATE_BACK,
        CALIBRATE_TAGS };
 enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
-enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* Behind one a row. */
+enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* After one item for each
+                                                                         row. */
 enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_SURE, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
 enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
-enum { SURE_YES = 0, SURE_BACK, SURE_TAGS }; /* Of what is asked twice; it points at the second. */
-enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS }; /* Behind a key for each digit: 1, 2 .. 9, 0. */
+enum { SURE_YES = 0, SURE_BACK, SURE_TAGS }; /* Items of a confirmation; the second item is
+                                                highlighted first. */
+enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS }; /* After one key for each digit: 1, 2 .. 9, 0. */
 
-/* The feet of pages of settings, behind one for each setting and for each page of theirs. */
+/* Foot items of settings pages, after one item for each setting and each subpage. */
 enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };
 
 struct menu {
     uint8_t page;    /* enum menu_page */
-    uint8_t chosen;  /* On a page of settings: the row that was turned last; MENU_TAG_MAX: none. */
-    uint8_t turns_down; /* There a take turns a value down, not up. */
-    uint8_t turning; /* Since it was taken TEST, or the poi, has not come up: it turns on. */
-    uint8_t from;    /* The page that asked whether to reset. */
-    uint8_t pin_count; /* Digits of a PIN that were typed so far, ... */
-    uint16_t pin;    /* ... and those digits. */
-    uint8_t turn_count; /* How often it turned on, .. 255, and ... */
-    uint32_t turn_tick; /* ... when it was turned last. */
-    uint8_t row;     /* Of the controller that is dealt with. */
-    uint8_t upright; /* As the last input said. */
-    uint8_t file_first; /* The first row that the files' page shows. */
-    uint8_t board;   /* Of the ranking: its mode * RANK_PERIOD_COUNT + its period; ... */
-    uint8_t score;   /* ... the row that is dealt with, ... */
-    uint8_t score_is_named, score_asks; /* ... whether it has a name, and that is to go; ... */
-    uint16_t scores; /* ... and those that somebody is in, a bit each. */
+    uint8_t chosen;  /* On a settings page: the row that was changed last; MENU_TAG_MAX: none. */
+    uint8_t turns_down; /* 1: selecting an item on a settings page lowers its value; 0: raises the
+                           value. */
+    uint8_t turning; /* 1 while the button or poi that selected a setting is still pressed, so that
+                        the value keeps changing. */
+    uint8_t from;    /* Page that asked for confirmation of a reset. */
+    uint8_t pin_count; /* Number of PIN digits typed so far. */
+    uint16_t pin;    /* PIN digits typed so far, as a number. */
+    uint8_t turn_count; /* Number of automatic repeats, up to 255. */
+    uint32_t turn_tick; /* Tick of the last change of a value. */
+    uint8_t row;     /* Row of the selected controller. */
+    uint8_t upright; /* 1: portrait screen, from the last input. */
+    uint8_t file_first; /* First row that the file page shows. */
+    uint8_t board;   /* Selected leaderboard: its mode * RANK_PERIOD_COUNT + its period. */
+    uint8_t score;   /* Selected row of the leaderboard. */
+    uint8_t score_is_named, score_asks; /* score_is_named: the row has a name. score_asks: removal
+                                           of the name waits for confirmation. */
+    uint16_t scores; /* Bit mask of the leaderboard rows that have a score. */
     uint8_t has_hand, hand, presses;
-    uint8_t points;  /* The tag under the hand, from 1; 0: none. */
-    uint8_t tag[MENU_PAGE_COUNT]; /* Which is pointed at on each page. */
-    struct desk_input desk;       /* As the last input said. */
-    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Since it was opened. */
+    uint8_t points;  /* Item under the pointer, from 1; 0: none. */
+    uint8_t tag[MENU_PAGE_COUNT]; /* Highlighted item of each page. */
+    struct desk_input desk;       /* State of the controllers, from the last input. */
+    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
+                                                   opened. */
     uint32_t held;
-    uint32_t test_coins, coin_tick; /* Those that fell on the lines' page. */
+    uint32_t test_coins, coin_tick; /* Number of test coins, and tick of the last one. */
     uint32_t order_count;
-    uint32_t ask_tick;  /* When TEST was pressed in a round; 0: it was not. */
-    uint32_t take_tick; /* When a tag was taken last, ... */
-    uint32_t act_tick;  /* ... when anybody last did anything, ... */
-    uint32_t use_tick;  /* ... and when it was more than to move a hand. */
-    float x, y;         /* The hand, on the canvas; ... */
+    uint32_t ask_tick;  /* Tick of a TEST press during a round; 0: none. */
+    uint32_t take_tick; /* Tick of the last selection. */
+    uint32_t act_tick;  /* Tick of the last activity. */
+    uint32_t use_tick;  /* Tick of the last activity other than motion. */
+    float x, y;         /* Pointer position on the canvas. */
     struct calibrate calibrate;
     struct self_test self;
-    struct overlay_point rest[POI_MAX]; /* ... and where each last moved on from. */
+    struct overlay_point rest[POI_MAX]; /* Pointer position of each slot at its last motion. */
 };
 
 struct core;
 
-/* Whether TEST opens the menu in this very tick; in a round, it asks first. */
+/* Returns 1 if TEST opens the menu in this tick. During a round the first press only asks for
+ * confirmation. */
 int menu_opens(struct core *core, const struct input *input, struct output *output);
 void menu_tick(struct core *core, const struct input *input, struct output *output);
 
-/* Whether a second TEST would end the round now. */
+/* Returns 1 if a second TEST would end the round now. */
 int menu_is_asking(const struct core *core);
 
-/* Whether the lines are looked at: the slot is open, and a coin is a test of it. */
+/* Returns 1 if the input lines are tested: the coin slot is open, and a coin counts as a test. */
 int menu_tries_lines(const struct core *core);
 
-/* While the lines are looked at, the start button's lamp is lit by its button. */
+/* Returns 1 if the START lamp is lit; during the test of the input lines the START button lights
+ * it. */
 int menu_lights_start(const struct core *core);
 
-/* After a wrong PIN none is taken for so long: 5 s, and twice as long after each further one, up to
- * 160 s. 0: one is. */
+/* Returns the ticks until a PIN can be typed; 0: now. A wrong PIN locks the entry for 5 s, and each
+ * further one doubles the time, up to 160 s. */
 uint32_t menu_pin_wait_ticks(const struct core *core);
 
-/* Rows of the files' page that are seen at once, with the words of each in full. */
+/* Returns the number of rows visible at once on the file page, with the full text of each row. */
 uint32_t menu_files_shown(int upright);
 
-/* What there is to see of it. */
+/* Fills `out` with the visible state of the menu. */
 void menu_show(const struct core *core, struct scene_menu *out);
 
 uint64_t menu_hash(uint64_t hash, const struct menu *menu);

@@ -1,4 +1,4 @@
-/* menu_books.c -- setting a group of the audits to zero, which is an entry of the ledger itself. */
+/* menu_books.c -- reset of a group of statistics, which is itself logged in the ledger. */
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
@@ -10,7 +10,8 @@ void menu_book_take(struct core *core, uint32_t tag, struct output *output)
     menu_turn(core, MENU_RESET);
 }
 
-/* Of all the group's counters: whoever compares books sees how much was taken off. */
+/* Returns the sum of the group's counters, which the ledger entry stores so that later reports show
+ * the amount removed. */
 static int32_t sum_of(const struct audits *audits, enum audit_group group)
 {
     uint32_t sum = 0;
@@ -21,7 +22,7 @@ static int32_t sum_of(const struct audits *audits, enum audit_group group)
     return (int32_t)sum;
 }
 
-/* Where the ledger has no room just now the question stays. */
+/* If the ledger has no room, the confirmation stays open. */
 void menu_reset_take(struct core *core, uint32_t tag, struct output *output)
 {
     const uint8_t from = core->game.menu.from, group = menu_sheet_of(from)->about;

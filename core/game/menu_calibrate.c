@@ -1,4 +1,4 @@
-/* menu_calibrate.c -- the page on which a seat's poi is calibrated. */
+/* menu_calibrate.c -- the menu page that calibrates a slot's poi. */
 #include "core/game/menu_calibrate.h"
 
 #include "core/base/hash.h"
@@ -6,7 +6,7 @@
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
-/* ---- Tags ----------------------------------------------------------------------------------- */
+/* ---- Items ---------------------------------------------------------------------------------- */
 
 uint16_t menu_calibrate_offers(const struct menu *menu)
 {
@@ -42,7 +42,8 @@ void menu_calibrate_enter(struct core *core)
     }
 }
 
-/* Becomes the seat's calibration; what it was, if it was whole, is kept in its place. */
+/* Stores `value` as the slot's calibration. The previous calibration, if it was complete, is kept
+ * for undo. */
 static void swap_with(struct core *core, int32_t value[CALIBRATION_VALUES])
 {
     struct calibrate *calibrate = &core->game.menu.calibrate;
@@ -70,7 +71,7 @@ void menu_calibrate_take(struct core *core, uint32_t tag, struct output *output)
         next_seat(calibrate);
     } else if (tag == CALIBRATE_BEGIN) {
         calibrate->step = CALIBRATE_CORNER;
-        calibrate->must_move = 1; /* It may lie in its holder yet. */
+        calibrate->must_move = 1; /* The poi may still be in its holder. */
     } else if (tag == CALIBRATE_UNDO) {
         memcpy(value, calibrate->before[calibrate->seat], sizeof value);
         swap_with(core, value);
@@ -99,7 +100,8 @@ static void rest_at(struct calibrate *calibrate, const struct poi_target *at)
     calibrate->still_ticks = 0;
 }
 
-/* Sums are of small numbers: far from the origin a sum of places would lose them. */
+/* Adds the deviation from the anchor. A sum of positions would lose precision far from the
+ * origin. */
 static void add(struct calibrate *calibrate, const struct poi_target *at)
 {
     struct poi_target *sum = &calibrate->sum;
@@ -120,7 +122,7 @@ static struct poi_target mean(const struct calibrate *calibrate)
     return at;
 }
 
-/* Whether it has been still for long enough. */
+/* Returns 1 when the poi has been still for CALIBRATE_STILL_TICKS. */
 static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
 {
     const struct poi_target *at = &poi->target;

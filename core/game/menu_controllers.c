@@ -1,8 +1,8 @@
-/* menu_controllers.c -- choosing those that play, and learning one that nobody knows. */
+/* menu_controllers.c -- selection of controllers, and the learn wizard for an unknown one. */
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
-/* ---- All of them ---------------------------------------------------------------------------- */
+/* ---- All controllers ------------------------------------------------------------------------ */
 
 uint16_t menu_rows_offers(const struct menu *menu)
 {
@@ -20,9 +20,9 @@ void menu_rows_take(struct core *core, uint32_t tag, struct output *output)
     menu_turn(core, MENU_CONTROLLER);
 }
 
-/* ---- One of them ---------------------------------------------------------------------------- */
+/* ---- One controller ------------------------------------------------------------------------- */
 
-/* Another controller: what was done to the last one is no matter. */
+/* Highlights the first item, because the page is for a different controller than before. */
 void menu_enter_anew(struct core *core)
 {
     core->game.menu.tag[core->game.menu.page] = 0;
@@ -33,9 +33,11 @@ uint16_t menu_row_offers(const struct menu *menu)
     static const uint16_t by_state[CONTROLLER_STATE_COUNT] = {
         [CONTROLLER_FREE] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_LEARN),
         [CONTROLLER_PLAYS] = MENU_TAG(ROW_RELEASE) | MENU_TAG(ROW_LEARN),
-        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* Away, it can be learned as little as led. */
-        [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE), /* Perhaps we may by
-                                                                               now. */
+        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* A disconnected controller cannot be
+                                                      learned. */
+        [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE), /* The permission may
+                                                                               have been granted
+                                                                               since. */
     };
     return by_state[menu->desk.state[menu->row]] | MENU_TAG(ROW_BACK);
 }
@@ -50,15 +52,17 @@ void menu_row_take(struct core *core, uint32_t tag, struct output *output)
     menu_order(core, output, tag == ROW_CHOOSE ? DESK_CHOOSE : DESK_RELEASE);
 }
 
-/* ---- Learning it ---------------------------------------------------------------------------- */
+/* ---- Learn wizard --------------------------------------------------------------------------- */
 
 uint16_t menu_learn_offers(const struct menu *menu)
 {
     switch (menu->desk.learn_step) {
     case LEARN_NONE:
-        return MENU_TAG(LEARNS_END); /* Nobody has begun yet, or the controller is away. */
+        return MENU_TAG(LEARNS_END); /* The wizard has not started, or the controller is
+                                        disconnected. */
     case LEARN_TRY:
-    case LEARN_UNKEPT: /* The card may be in by now. */
+    case LEARN_UNKEPT: /* A second attempt to save may succeed, for example with an SD card
+                          inserted. */
         return MENU_TAG(LEARNS_KEEP) | MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
     case LEARN_FAILED:
         return MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);

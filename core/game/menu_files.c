@@ -1,4 +1,4 @@
-/* menu_files.c -- turning over what was found in the data folder. */
+/* menu_files.c -- the menu page that lists the files of the data folder. */
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
@@ -20,7 +20,7 @@ uint16_t menu_files_offers(const struct menu *menu)
                       MENU_TAG(FILES_BACK));
 }
 
-/* Nobody acknowledges by a press too many. */
+/* Highlights an item that is harmless if selected by accident. */
 void menu_files_enter(struct core *core)
 {
     struct menu *menu = &core->game.menu;
@@ -28,8 +28,8 @@ void menu_files_enter(struct core *core)
     menu->tag[MENU_FILES] = is_long(menu) ? FILES_MORE : FILES_BACK;
 }
 
-/* Behind the last row comes the first again. What was set aside is the shell's to know, and to
- * mark. */
+/* Shows the next rows, and the first rows after the last ones. Acknowledging quarantined databases
+ * is a command for the shell. */
 void menu_files_take(struct core *core, uint32_t tag, struct output *output)
 {
     struct menu *menu = &core->game.menu;

@@ -1,16 +1,18 @@
-/* menu_layout.c -- where the tags of a page are, for the hand that takes them and the picture that
- * shows them alike. */
+/* menu_layout.c -- positions of the items of a page, shared by the pointer code and the
+ * renderer. */
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 #include "core/game/menu_pages.h"
 
-/* What differs between the two canvases. */
+/* Measures that differ between the two canvases. */
 struct measures {
     struct overlay_box body;
-    uint32_t hung_max;                 /* Tags side by side. */
-    float hung_width, hung_height, hung_gap, hung_drop; /* `drop`: for the next row's pole. */
+    uint32_t hung_max;                 /* Items side by side. */
+    float hung_width, hung_height, hung_gap, hung_drop; /* `hung_drop` is the space for the next
+                                                           row's pole. */
     float row_height, row_pitch;
-    float settings_height;             /* Of the body, so much is the settings'; then words. */
+    float settings_height;             /* Height of the settings in the body; a help text is
+                                          below. */
     uint32_t key_columns;
     float key_top, key_width, key_height, key_gap;
     float foot_y, foot_width, foot_height, foot_gap;
@@ -35,7 +37,7 @@ static const struct measures upright_measures = {
     .foot_y = 1262.0f, .foot_width = 250.0f, .foot_height = 86.0f, .foot_gap = 20.0f,
 };
 
-/* How many of the tags from `first` up to `limit` are offered. */
+/* Returns the number of items on offer from `first` to before `limit`. */
 static uint32_t count_offered(uint16_t offered, uint32_t first, uint32_t limit)
 {
     uint32_t count = 0;
@@ -45,7 +47,7 @@ static uint32_t count_offered(uint16_t offered, uint32_t first, uint32_t limit)
     return count;
 }
 
-/* The `nth` of `count`, in as few rows as they fit, each centred. */
+/* Returns the box of item `nth` of `count`, in as few rows as possible, each centred. */
 static struct overlay_box hung_box(const struct measures *m, uint32_t nth, uint32_t count)
 {
     const uint32_t rows = (count + m->hung_max - 1u) / m->hung_max;
@@ -64,7 +66,7 @@ static struct overlay_box hung_box(const struct measures *m, uint32_t nth, uint3
     };
 }
 
-/* All in one row, each no wider than there is room. */
+/* Returns the box of a foot item. All foot items are in one row and share its width. */
 static struct overlay_box foot_box(const struct measures *m, int upright, uint32_t nth,
                                    uint32_t count)
 {
@@ -79,7 +81,7 @@ static struct overlay_box foot_box(const struct measures *m, int upright, uint32
     };
 }
 
-/* The last row may be shorter, and is centred. */
+/* Returns the box of a key. The last row may be shorter and is centred. */
 static struct overlay_box key_box(const struct measures *m, uint32_t nth, uint32_t count)
 {
     const uint32_t row = nth / m->key_columns, column = nth % m->key_columns;
@@ -94,7 +96,8 @@ static struct overlay_box key_box(const struct measures *m, uint32_t nth, uint32
     };
 }
 
-/* As high as so many leave room for, and no higher than others. */
+/* Returns the box of a row. The row height depends on the number of rows, up to the normal
+ * height. */
 static struct overlay_box row_box(const struct measures *m, float height, uint32_t nth,
                                   uint32_t count)
 {

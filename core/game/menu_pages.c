@@ -1,4 +1,4 @@
-/* menu_pages.c -- which pages there are, where each hangs, and what its tags do. */
+/* menu_pages.c -- the table of pages, with parent and actions of each. */
 #include "core/game/menu_pages.h"
 
 #include "core/base/panic.h"
@@ -82,10 +82,10 @@ const struct menu_sheet *menu_sheet_of(uint8_t page)
     return &sheets[page];
 }
 
-/* ---- What a body holds ---------------------------------------------------------------------- */
+/* ---- Content of a body ---------------------------------------------------------------------- */
 
-/* The `nth` whose parent this is; MENU_PAGE_COUNT: there are not so many, and `*count` are. Those
- * that rows of another kind lead to hang nowhere. */
+/* Returns child page `nth` of `parent`, or MENU_PAGE_COUNT if there are fewer; `*count` receives
+ * the number of children passed. Pages opened by rows of data are no children of a list. */
 static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
 {
     *count = 0;
@@ -104,7 +104,7 @@ static uint32_t child_count(uint8_t parent)
     return count;
 }
 
-/* One that is a set of bits has a page of its own. */
+/* Returns setting `nth` of a group, without bit settings, which have a page of their own. */
 static uint32_t nth_setting(uint8_t group, uint32_t nth, uint32_t *count)
 {
     *count = 0;
@@ -194,7 +194,7 @@ uint16_t menu_offers(const struct menu *menu)
                          : (uint16_t)((1u << menu_tag_count(menu->page)) - 1u);
 }
 
-/* ---- What a take does ----------------------------------------------------------------------- */
+/* ---- Actions -------------------------------------------------------------------------------- */
 
 void menu_order(struct core *core, struct output *output, enum desk_order_kind kind)
 {

@@ -1,4 +1,4 @@
-/* menu_parts.h -- what pages with code of their own do. Within the menu only. */
+/* menu_parts.h -- internal interface of the menu pages that have code of their own. */
 #ifndef KINGYO_CORE_GAME_MENU_PARTS_H
 #define KINGYO_CORE_GAME_MENU_PARTS_H
 
@@ -6,7 +6,7 @@
 
 #define MENU_TAG(tag) ((uint16_t)(1u << (tag)))
 
-/* Tells the shell what to do, about the controller that is dealt with. */
+/* Sends a command to the shell, for the selected controller. */
 void menu_order(struct core *core, struct output *output, enum desk_order_kind kind);
 
 /* menu_controllers.c */
@@ -17,7 +17,7 @@ void menu_row_take(struct core *core, uint32_t tag, struct output *output);
 uint16_t menu_learn_offers(const struct menu *menu);
 void menu_learn_take(struct core *core, uint32_t tag, struct output *output);
 void menu_learn_leave(struct core *core, struct output *output);
-void menu_enter_anew(struct core *core); /* The first tag is pointed at. */
+void menu_enter_anew(struct core *core); /* Highlights the first item. */
 
 /* menu_calibrate.c */
 uint16_t menu_calibrate_offers(const struct menu *menu);
@@ -39,7 +39,7 @@ void menu_book_take(struct core *core, uint32_t tag, struct output *output);
 void menu_reset_take(struct core *core, uint32_t tag, struct output *output);
 
 /* menu_upkeep.c */
-void menu_sure_enter(struct core *core); /* Back is pointed at: nothing is done in haste. */
+void menu_sure_enter(struct core *core); /* Highlights Back, so that a hasty press does nothing. */
 void menu_restart_take(struct core *core, uint32_t tag, struct output *output);
 void menu_factory_take(struct core *core, uint32_t tag, struct output *output);
 
@@ -62,7 +62,7 @@ void menu_settings_enter(struct core *core);
 void menu_settings_take(struct core *core, uint32_t tag, struct output *output);
 void menu_bits_take(struct core *core, uint32_t tag, struct output *output);
 
-/* Whether a value turns on, since what took it is still pressed. */
+/* Repeats the change of a value while the button or poi that selected it is still pressed. */
 void menu_settings_tick(struct core *core, int is_pressed, struct output *output);
 
 #endif

@@ -1,4 +1,4 @@
-/* menu_pin.c -- four digits before the menu opens, and how they are chosen. */
+/* menu_pin.c -- entry of the PIN before the menu opens, and choice of a new PIN. */
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/core.h"
@@ -8,8 +8,8 @@
 #define WAIT_TICKS (5u * CORE_TICK_HZ)
 #define DOUBLINGS_MAX 5u
 
-/* Told to the ledger, so that who pulls the plug waits as long as who does not. Where it has no
- * room the wait stands all the same, as long as the power does. */
+/* Logs a PIN entry in the ledger, so that the lockout time continues after a power cut. If the
+ * ledger has no room, the lockout still applies until power-off. */
 static void note_typed(struct core *core, int is_right, struct output *output)
 {
     struct adjust *adjust = &core->game.adjust;
@@ -41,7 +41,8 @@ void menu_pin_enter(struct core *core)
     menu->tag[menu->page] = 0;
 }
 
-/* Whether the last digit was typed; they are then in menu->pin. */
+/* Adds a digit, or erases all. Returns 1 if the last digit was typed; menu->pin then has all
+ * digits. */
 static int type(struct core *core, uint32_t tag)
 {
     struct menu *menu = &core->game.menu;
@@ -71,7 +72,7 @@ void menu_pin_take(struct core *core, uint32_t tag, struct output *output)
     menu_pin_enter(core);
 }
 
-/* The digits of a recording of format 7 were kept as they are. */
+/* Returns the stored form of the new PIN. Recordings of format 7 stored plain digits. */
 static int32_t kept_pin(const struct core *core)
 {
     const uint32_t salt = rng_u32((struct rng_key){ core->config.seed, core->tick, 0, RNG_PIN });
@@ -79,7 +80,7 @@ static int32_t kept_pin(const struct core *core)
     return core->config.rules_7 ? (int32_t)pin : pin_hide(pin, salt);
 }
 
-/* 0000 asks for none from now on. */
+/* Sets a new PIN; 0000 disables the PIN. */
 void menu_new_pin_take(struct core *core, uint32_t tag, struct output *output)
 {
     (void)output;

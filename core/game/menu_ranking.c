@@ -1,9 +1,8 @@
-/* menu_ranking.c -- the pages of the ranking: looking through it, seeing a score again, and taking
- * down a name. */
+/* menu_ranking.c -- menu pages of the leaderboard: browse, play back a score, and remove a name. */
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
-/* Boards in order: of each mode the day's, the week's and the one that is never wiped. */
+/* Number of leaderboards: for each mode those of the day, of the week, and the permanent one. */
 #define BOARD_COUNT (MODE_COUNT * RANK_PERIOD_COUNT)
 
 static struct rank_row *rows_of(struct core *core)
@@ -17,7 +16,7 @@ static struct rank_row *score(struct core *core)
     return &rows_of(core)[core->game.menu.score];
 }
 
-/* ---- All ------------------------------------------------------------------------------------ */
+/* ---- Leaderboards --------------------------------------------------------------------------- */
 
 static void note_rows(struct core *core)
 {
@@ -38,7 +37,7 @@ void menu_ranking_enter(struct core *core)
     note_rows(core);
 }
 
-/* Practice keeps no score: there is nothing of it to turn to. */
+/* Skips modes without a score, such as practice. */
 static void next_board(struct core *core)
 {
     struct menu *menu = &core->game.menu;
@@ -48,7 +47,7 @@ static void next_board(struct core *core)
     note_rows(core);
 }
 
-/* The day may have ended since its rows were looked at. */
+/* Opens the selected score, if the row still exists; a new day may have cleared it. */
 void menu_ranking_take(struct core *core, uint32_t tag, struct output *output)
 {
     struct menu *menu = &core->game.menu;
@@ -64,7 +63,7 @@ void menu_ranking_take(struct core *core, uint32_t tag, struct output *output)
     }
 }
 
-/* ---- One ------------------------------------------------------------------------------------ */
+/* ---- One score ------------------------------------------------------------------------------ */
 
 uint16_t menu_score_offers(const struct menu *menu)
 {
@@ -88,7 +87,7 @@ static void show_again(struct core *core, struct output *output)
     output->order_count = ++menu->order_count;
 }
 
-/* Its fish stay: they were caught. A ledger that has no room is asked again by hand. */
+/* Removes the name; the score stays. If the ledger has no room, the operator must try again. */
 static void unname(struct core *core, struct output *output)
 {
     const struct rank_row *row = score(core);

@@ -1,14 +1,13 @@
-/* menu_settings.c -- pages of settings: TEST turns the value that is pointed at, and turns on while
- * it is held. */
+/* menu_settings.c -- settings pages: TEST changes the highlighted value, and repeats while held. */
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
-/* Held so long it turns on, and then so often: eight values a second. */
+/* Delay before the first repeat, and interval of the repeats: eight values per second. */
 #define HOLD_TICKS (CORE_TICK_HZ / 2u)
 #define AGAIN_TICKS (CORE_TICK_HZ / 8u)
 
-/* Through a long range it hurries: by ten steps from the second second on, by a hundred from the
+/* Long ranges repeat faster: by ten steps from the second second on, by a hundred from the
  * fifth. */
 #define HURRY_COUNT 12u
 #define RUSH_COUNT 36u
@@ -20,7 +19,7 @@ static int is_settings(const struct menu *menu)
     return menu_sheet_of(menu->page)->body == BODY_SETTINGS;
 }
 
-/* The first row that is not at its standard; MENU_TAG_MAX: all are. */
+/* Returns the first row that differs from its default; MENU_TAG_MAX: none. */
 static uint8_t first_changed(const struct core *core, uint8_t page)
 {
     for (uint32_t tag = 0; tag < menu_body_count(page); tag++) {
@@ -51,7 +50,8 @@ static uint32_t stride(const struct core *core, uint32_t id)
                                                                          : 1u;
 }
 
-/* It stops at the end of its range: whoever wants the other one presses again. */
+/* Changes a value. The repeat stops at the end of the range; a new press continues at the opposite
+ * end. */
 static void turn(struct core *core, uint32_t id)
 {
     struct menu *menu = &core->game.menu;
@@ -60,8 +60,8 @@ static void turn(struct core *core, uint32_t id)
     menu->turning = !is_at_end;
 }
 
-/* Back to its standard goes what was turned last: SERVICE has passed other rows since. Before
- * anything was turned, the first that was found changed. */
+/* Offers a reset to the default for the row that was changed last, because SERVICE has passed other
+ * rows since. Before any change, the row is the first that differs from its default. */
 uint16_t menu_settings_offers(const struct menu *menu)
 {
     const uint32_t standard = menu_body_count(menu->page) + SETTINGS_STANDARD;
@@ -87,7 +87,7 @@ void menu_settings_take(struct core *core, uint32_t tag, struct output *output)
     }
 }
 
-/* The last one that is left cannot be taken away. */
+/* Toggles a bit. The last set bit cannot be cleared. */
 void menu_bits_take(struct core *core, uint32_t tag, struct output *output)
 {
     const uint32_t id = menu_sheet_of(core->game.menu.page)->about;

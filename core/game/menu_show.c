@@ -1,4 +1,4 @@
-/* menu_show.c -- what there is to see of the operator's menu, and its hash. */
+/* menu_show.c -- the visible state of the operator's menu, and its hash. */
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/core.h"
@@ -6,8 +6,9 @@
 
 _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
 
-#define SAVED_TICKS (10u * CORE_TICK_HZ) /* So long what was turned is said to be on disk. */
-#define NEVER_S 1e6f /* Eleven days. */
+#define SAVED_TICKS (10u * CORE_TICK_HZ) /* Time for which the page reports that a change is on
+                                            disk. */
+#define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
 
 void menu_show(const struct core *core, struct scene_menu *out)
 {
@@ -39,7 +40,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->from = menu->from;
     out->pin_count = menu->pin_count;
     out->pin_wait_s = (float)menu_pin_wait_ticks(core) * CORE_TICK_S;
-    /* What is typed to get in is nobody's to read over a shoulder. */
+    /* The PIN typed to open the menu must not be visible. */
     out->pin = menu->page == MENU_NEW_PIN ? menu->pin : 0;
     memcpy(out->audit, core->game.audits.count, sizeof core->game.audits.count);
     out->boot = core->game.ledger.boot;

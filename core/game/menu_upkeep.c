@@ -1,4 +1,4 @@
-/* menu_upkeep.c -- what is asked twice: a restart, and the state of the first day. */
+/* menu_upkeep.c -- actions that require confirmation: restart and factory reset. */
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
@@ -9,7 +9,8 @@ void menu_sure_enter(struct core *core)
     core->game.menu.tag[core->game.menu.page] = SURE_BACK;
 }
 
-/* The shell ends the frame loop once the store has everything, and begins anew. */
+/* Requests a restart. The shell ends the frame loop when the store has saved everything, and starts
+ * the kiosk again. */
 void menu_restart_take(struct core *core, uint32_t tag, struct output *output)
 {
     (void)tag;
@@ -20,7 +21,7 @@ void menu_factory_take(struct core *core, uint32_t tag, struct output *output)
 {
     (void)tag;
     if (adjust_factory(core, output)) {
-        /* What the machine and its files say holds again. */
+        /* A restart applies the configuration of the machine and of its files again. */
         menu_order(core, output, DESK_RESTART);
         menu_turn(core, MENU_UPKEEP);
     }

@@ -1,4 +1,4 @@
-/* name.c -- from a place in the ranking to a name in it. */
+/* name.c -- from a place on the leaderboard to a name there. */
 #include "core/game/name.h"
 
 #include "core/base/hash.h"
@@ -9,7 +9,7 @@
 #include "core/game/name_filter.h"
 #include "core/game/phases.h"
 
-/* ---- Who ------------------------------------------------------------------------------------ */
+/* ---- Players -------------------------------------------------------------------------------- */
 
 static int is_ranked(const struct core *core, uint32_t round_id, uint8_t seat)
 {
@@ -52,19 +52,19 @@ static uint8_t alphabet_of(uint8_t language)
     return language == LANGUAGE_JA ? ALPHABET_HIRAGANA : ALPHABET_LATIN;
 }
 
-/* A clean board; time begins anew. */
+/* Clears the letters and restarts the timeout. */
 static void ask(struct core *core)
 {
     struct name *name = &core->game.name;
     name->key = 0;
     name->letter_count = 0;
     name->points = 0;
-    name->presses = 1; /* Who is under water takes nothing until the hand has come up. */
+    name->presses = 1; /* A poi under water presses nothing until it was above the water once. */
     name->held_ticks = 0;
     name->seat_tick = name->act_tick = core->tick;
 }
 
-/* The next one's turn, if there is one. */
+/* Starts the entry of the next player. Returns 0 if no player is left. */
 static int turn(struct core *core)
 {
     struct name *name = &core->game.name;
@@ -90,7 +90,7 @@ int name_begin(struct core *core, struct output *output)
     return 1;
 }
 
-/* ---- What stands there ---------------------------------------------------------------------- */
+/* ---- Letters -------------------------------------------------------------------------------- */
 
 static int stands_refused(const struct name *name)
 {
@@ -133,7 +133,7 @@ static void take_done(struct core *core, struct output *output)
     finish(core, output);
 }
 
-/* Who has filled the line has nothing left to do but to be done. */
+/* Adds a letter. When the line is full, the Done key is highlighted. */
 static void add_letter(struct name *name, uint16_t letter)
 {
     if (name->letter_count < NAME_LETTERS_MAX) {
@@ -193,7 +193,7 @@ static int is_there(const struct name *name, uint32_t key)
     return key >= NAME_CELLS || name_letter(name->alphabet, key) != 0;
 }
 
-/* The next key, forward or back, and round; over what has no letter. */
+/* Moves the highlight to the next key, forward or backward, wraps around, and skips empty cells. */
 static void point_on(struct core *core, int forward, struct output *output)
 {
     const struct name *name = &core->game.name;
@@ -224,7 +224,7 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
     }
 }
 
-/* From 1; 0: none. */
+/* Returns the key under the pointer, from 1; 0: none. */
 static uint8_t key_under(const struct name *name, struct overlay_point at)
 {
     for (uint32_t key = 0; key < NAME_KEY_COUNT; key++) {
@@ -235,7 +235,7 @@ static uint8_t key_under(const struct name *name, struct overlay_point at)
     return 0;
 }
 
-/* One that moves on is somebody who looks for a letter. */
+/* Restarts the timeout when the pointer moves, because the player is searching for a letter. */
 static void note_stir(struct core *core, struct overlay_point at)
 {
     struct name *name = &core->game.name;
@@ -247,7 +247,8 @@ static void note_stir(struct core *core, struct overlay_point at)
     }
 }
 
-/* It points as it comes over a key; where it rests the buttons have their way. */
+/* Moves the highlight when the pointer enters a key. While the pointer rests, the buttons keep
+ * control. */
 static void follow_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct name *name = &core->game.name;
@@ -268,14 +269,15 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     name->points = points;
     name->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
-        point_at(core, points - 1u, output); /* Whatever the buttons said since it came there. */
+        point_at(core, points - 1u, output); /* A dip presses the key under the pointer, even if a
+                                                button moved the highlight since. */
         take(core, output);
     }
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-/* A letter may be gone with its alphabet. */
+/* Highlights another key if the letter does not exist in the new alphabet. */
 static void point_at_something(struct name *name)
 {
     name->key = is_there(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;

@@ -1,11 +1,11 @@
-/* name.h -- whoever is ranked writes a name, one player after the other, the best first.
+/* name.h -- name entry: each ranked player enters a name, one after the other, the best first.
  *
- * A player's own hand points where it is and takes by a dip. LEFT and RIGHT go from key to key, and
- * run while held; OK and START take. A player who does nothing for a while, or takes too long,
- * keeps what stands there; what stands there is written to the ledger. A name that does not belong
- * on the wall (name_filter.h) is asked for once more, then there is none.
+ * The player's own poi points at a key, and a dip presses it. LEFT and RIGHT move from key to key,
+ * and repeat while held; OK and START press the key. After a timeout the letters entered so far are
+ * the name. The name is written to the ledger. An offensive name (name_filter.h) is rejected once
+ * and must be entered again; a second rejection leaves the score without a name.
  *
- * It is asked for only where the operator wants it (SET_NAMES) and there is a store to keep it. */
+ * Names are requested only if the operator enabled them (SET_NAMES) and a store exists. */
 #ifndef KINGYO_CORE_GAME_NAME_H
 #define KINGYO_CORE_GAME_NAME_H
 
@@ -16,49 +16,52 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define NAME_IDLE_TICKS (20u * CORE_TICK_HZ) /* Nobody points or takes any more. */
-#define NAME_TICKS_MAX (60u * CORE_TICK_HZ)  /* A player's, with friends who help. */
-#define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)  /* A press before that was meant for the result. */
-#define NAME_RUN_TICKS (CORE_TICK_HZ / 2u)   /* A button held so long runs on, ... */
-#define NAME_STEP_TICKS (CORE_TICK_HZ / 10u) /* ... a key each so many ticks. */
-#define NAME_REFUSALS_MAX 1u                 /* Then there is no name. */
+#define NAME_IDLE_TICKS (20u * CORE_TICK_HZ) /* Timeout without pointing or pressing. */
+#define NAME_TICKS_MAX (60u * CORE_TICK_HZ)  /* Longest time for one player, including help from
+                                                friends. */
+#define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)  /* Delay before a press counts, because an earlier
+                                                press was meant for the result. */
+#define NAME_RUN_TICKS (CORE_TICK_HZ / 2u)   /* Time after which a held button repeats. */
+#define NAME_STEP_TICKS (CORE_TICK_HZ / 10u) /* Ticks per key while a button repeats. */
+#define NAME_REFUSALS_MAX 1u                 /* Number of rejections that permit another try. */
 
 struct name {
-    uint32_t round_id;  /* Of the last round that somebody was ranked with; 0: none since. */
-    uint8_t ranked;     /* Who was, a bit a seat, ... */
-    uint8_t waits;      /* ... and of those, who has not been asked. */
-    uint8_t seat;       /* Who writes. */
+    uint32_t round_id;  /* Round of the last ranked player; 0: none since. */
+    uint8_t ranked;     /* Bit mask of the ranked slots. */
+    uint8_t waits;      /* Bit mask of the ranked slots that still need a name. */
+    uint8_t seat;       /* Slot of the current player. */
     uint8_t alphabet;   /* enum name_alphabet */
-    uint8_t key;        /* That is pointed at: a cell, or enum name_key. */
-    uint8_t points;     /* The one under the hand, from 1; 0: none. */
+    uint8_t key;        /* Highlighted key: a cell, or enum name_key. */
+    uint8_t points;     /* Key under the pointer, from 1; 0: none. */
     uint8_t upright, has_hand, presses;
-    uint8_t refusals;   /* Of this player's names. */
+    uint8_t refusals;   /* Rejected names of this player. */
     uint8_t letter_count;
     uint16_t letter[NAME_LETTERS_MAX];
-    uint32_t seat_tick; /* When this player was asked, ... */
-    uint32_t act_tick;  /* ... and did something last. */
-    uint32_t held_ticks; /* How long LEFT or RIGHT is held. */
-    float x, y;         /* The hand, on the canvas, ... */
-    float rest_x, rest_y; /* ... and where it last moved on from. */
+    uint32_t seat_tick; /* Tick at which this player's entry began. */
+    uint32_t act_tick;  /* Tick of this player's last activity. */
+    uint32_t held_ticks; /* Ticks for which LEFT or RIGHT has been held. */
+    float x, y;         /* Pointer position on the canvas. */
+    float rest_x, rest_y; /* Pointer position at the last motion. */
 };
 
 struct core;
 struct game;
 
-/* A round is over and its entry is `round_id`, or 0 where it has none: who is ranked? */
+/* Determines the ranked players of a finished round. `round_id` is its ledger id, or 0 without an
+ * entry. */
 void name_note_round(struct core *core, uint32_t round_id);
 
-/* Asks whoever is ranked and was not asked yet; returns whether there is anybody. */
+/* Starts the name entry of the next ranked player. Returns 1, or 0 if no player is left. */
 int name_begin(struct core *core, struct output *output);
 void name_tick(struct core *core, const struct input *input, struct output *output);
 
-/* It is cut short: what stands there is kept. */
+/* Ends the name entry early and logs the letters entered so far. */
 void name_keep(struct core *core, struct output *output);
 
-/* Until the one who writes is asked no longer. */
+/* Returns the seconds until the current entry times out. */
 float name_seconds_left(const struct name *name, uint32_t tick);
 
-/* What there is to see of it. */
+/* Fills `out` with the visible state of the name entry. */
 void name_show(const struct core *core, struct scene_name *out);
 
 uint64_t name_hash(uint64_t hash, const struct name *name);

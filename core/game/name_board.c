@@ -1,15 +1,15 @@
-/* name_board.c -- the letters, their forms and their places. */
+/* name_board.c -- the letters, their forms and their positions. */
 #include "core/game/name_board.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define HOLE 0x3000u          /* A wide space. */
-#define KATAKANA_AFTER 0x60u  /* So far behind hiragana. */
+#define HOLE 0x3000u          /* Full-width space, which marks an empty cell. */
+#define KATAKANA_AFTER 0x60u  /* Offset from a hiragana code point to its katakana. */
 #define KATAKANA_FIRST 0x30a1u
 #define KATAKANA_LAST 0x30f3u
 
-/* As exercise books for first-graders and half a century of games have them. */
+/* The usual order of kana tables and of name entry in arcade games. */
 static const uint16_t letters[ALPHABET_COUNT][NAME_CELLS + 1u] = {
     [ALPHABET_HIRAGANA] = u"あいうえおはひふへほ"
                           u"かきくけこまみむめも"
@@ -28,7 +28,7 @@ static const uint16_t letters[ALPHABET_COUNT][NAME_CELLS + 1u] = {
                        u"　　　　　　　　　　",
 };
 
-/* Each letter's forms side by side. */
+/* The forms of each letter, side by side. */
 static const uint16_t forms[] =
     u"あぁ いぃ うぅ えぇ おぉ やゃ ゆゅ よょ わゎ "
     u"かが きぎ くぐ けげ こご さざ しじ すず せぜ そぞ "
@@ -44,7 +44,7 @@ uint16_t name_letter(uint8_t alphabet, uint32_t cell)
 
 static uint16_t changed_kana(uint16_t letter)
 {
-    uint32_t first = 0; /* Of its group. */
+    uint32_t first = 0; /* First index of the letter's group. */
     for (uint32_t i = 0; forms[i] != 0; i++) {
         if (forms[i] == ' ') {
             first = i + 1u;
@@ -67,9 +67,9 @@ uint16_t name_changed(uint16_t letter)
     return changed_kana(letter);
 }
 
-/* What differs between the two canvases. */
+/* Measures that differ between the two canvases. */
 struct measures {
-    float x, y, width, height, pitch_x, pitch_y; /* Of the cells. */
+    float x, y, width, height, pitch_x, pitch_y; /* Position, size and spacing of the cells. */
     float keys_x, keys_y, key_width, key_height, key_pitch;
 };
 

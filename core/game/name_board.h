@@ -1,4 +1,5 @@
-/* name_board.h -- what a guest writes a name with: fifty letters of one alphabet and four keys.
+/* name_board.h -- the on-screen keyboard of the name entry: fifty letters of one alphabet and four
+ * function keys.
  *
  * A letter is a code point below U+10000. */
 #ifndef KINGYO_CORE_GAME_NAME_BOARD_H
@@ -9,7 +10,8 @@
 #include "core/game/overlay.h"
 #include "core/ledger.h"
 
-#define NAME_LETTERS_MAX 8u /* As many as are read from across the street on one row of ten. */
+#define NAME_LETTERS_MAX 8u /* Number of letters that remain readable on a row of ten from across
+                               the street. */
 _Static_assert(3u * NAME_LETTERS_MAX < LEDGER_NAME_SIZE, "three bytes a letter, and the zero");
 
 enum name_alphabet {
@@ -23,26 +25,28 @@ enum name_alphabet {
 #define NAME_ROWS 5u
 #define NAME_CELLS (NAME_COLUMNS * NAME_ROWS)
 
-/* Behind the cells, in the order in which buttons go through them. */
+/* Function keys, after the cells, in the order in which the buttons step. */
 enum name_key {
-    NAME_ALPHABET = NAME_CELLS, /* The next alphabet. */
-    NAME_CHANGE,                /* The last letter's next form: voiced, small, a capital. */
+    NAME_ALPHABET = NAME_CELLS, /* Switches to the next alphabet. */
+    NAME_CHANGE,                /* Changes the last letter to its next form: voiced, small, or
+                                   capital. */
     NAME_ERASE,
     NAME_DONE,
     NAME_KEY_COUNT,
 };
 
-/* The letter in a cell, row by row; 0: none is there. `alphabet` < ALPHABET_COUNT and
- * `cell` < NAME_CELLS, else it asserts. */
+/* Returns the letter in a cell, row by row; 0: empty cell. `alphabet` must be < ALPHABET_COUNT and
+ * `cell` < NAME_CELLS, else the function asserts. */
 uint16_t name_letter(uint8_t alphabet, uint32_t cell);
 
-/* The next of a letter's forms, round and round; itself where it has no other. */
+/* Returns the next form of a letter, wrapping around; the letter itself if it has one form. */
 uint16_t name_changed(uint16_t letter);
 
-/* Where a key or cell is on the canvas (overlay.h); empty where a cell has no letter. */
+/* Returns the box of a key or cell on the canvas (overlay.h); an empty box for an empty cell. */
 struct overlay_box name_box(int upright, uint8_t alphabet, uint32_t key);
 
-/* The letters as UTF-8, zero-filled. `count` <= NAME_LETTERS_MAX, else it asserts. */
+/* Writes the letters as UTF-8, padded with zeros. `count` must be <= NAME_LETTERS_MAX, else the
+ * function asserts. */
 void name_spell(const uint16_t *letters, uint32_t count, char out[LEDGER_NAME_SIZE]);
 
 #endif

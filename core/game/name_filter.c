@@ -1,4 +1,4 @@
-/* name_filter.c -- a short name against a short list, each with each. */
+/* name_filter.c -- compares the name with each word of the list. */
 #include "core/game/name_filter.h"
 
 #include "core/base/mem.h"

@@ -1,10 +1,10 @@
-/* name_fold.c -- width, case, kind of kana, look-alikes. */
+/* name_fold.c -- normalization of width, case, kana and look-alike characters. */
 #include "core/game/name_fold.h"
 
 #define MALFORMED 0xffffu
-#define KATAKANA_AFTER 0x60u /* So far behind hiragana. */
+#define KATAKANA_AFTER 0x60u /* Offset from a hiragana code point to its katakana. */
 
-/* How many bytes follow, in letters below U+10000; 3: it is no such letter's first. */
+/* Returns the number of continuation bytes for letters below U+10000; 3: not a valid first byte. */
 static uint32_t tail_count(uint8_t lead)
 {
     return lead < 0x80u ? 0u : lead < 0xc2u ? 3u : lead < 0xe0u ? 1u : lead < 0xf0u ? 2u : 3u;
@@ -31,7 +31,7 @@ static uint16_t next_letter(const char **at)
 
 static uint16_t narrowed(uint16_t letter)
 {
-    static const uint16_t kana[] = /* U+FF66 .. U+FF9D, small ones as large. */
+    static const uint16_t kana[] = /* U+FF66 .. U+FF9D, with small kana as normal ones. */
         u"をあいうえおやゆよつーあいうえおかきくけこさしすせそ"
         u"たちつてとなにぬねのはひふへほまみむめもやゆよらりるれろわん";
     if (letter >= 0xff01u && letter <= 0xff5eu) {
@@ -48,13 +48,14 @@ static uint16_t hiragana(uint16_t letter)
     }
     for (uint32_t i = 0; small[i] != 0; i++) {
         if (small[i] == letter) {
-            return (uint16_t)(letter + 1u); /* The large one follows it. */
+            return (uint16_t)(letter + 1u); /* The normal kana follows the small one. */
         }
     }
     return letter;
 }
 
-/* What a digit or sign stands for; a capital, its small letter. `l` looks like `I`. */
+/* Returns the letter that a digit or sign stands for, or the small letter of a capital. `l` counts
+ * as `i` because it looks like `I`. */
 static uint16_t stood_for(uint16_t letter)
 {
     static const char signs[] = "0o1i2z3e4a5s6b7t8b9g@a$s!i|i+tli";
@@ -79,7 +80,7 @@ static int is_kana(uint16_t letter)
     return letter >= 0x3041u && letter <= 0x3094u;
 }
 
-/* Narrow kana carry their voice behind them. */
+/* Applies a half-width voicing mark to the previous kana. Returns 1 if `letter` is such a mark. */
 static int voices_last(uint16_t letter, uint16_t *out, uint32_t count)
 {
     if ((letter != 0xff9eu && letter != 0xff9fu) || count == 0 || !is_kana(out[count - 1u])) {
@@ -91,7 +92,7 @@ static int voices_last(uint16_t letter, uint16_t *out, uint32_t count)
 
 uint32_t name_fold(const char *utf8, enum name_ends ends, uint16_t out[NAME_FOLD_MAX])
 {
-    uint32_t count = 0, end = 0; /* Behind the last that is no ornament. */
+    uint32_t count = 0, end = 0; /* Number of letters up to the last one that is no decoration. */
     while (*utf8 != 0 && count < NAME_FOLD_MAX) {
         const uint16_t raw = next_letter(&utf8);
         if (voices_last(raw, out, count)) {

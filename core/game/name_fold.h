@@ -1,24 +1,25 @@
-/* name_fold.h -- a name as it sounds and looks, whatever it is written with.
+/* name_fold.h -- name normalization: maps spellings that look or sound alike to one form.
  *
- * Wide and narrow letters, capitals, katakana, small kana, digits and signs that stand for letters
- * are all one; spaces, dots and long marks are nothing. What is refused (name_filter.h) is compared
- * so, and the list of it is folded by the same function when it is baked. */
+ * Full-width and half-width letters, capitals, katakana, small kana, and digits or signs used as
+ * letters become one form. Spaces, dots and long-vowel marks are removed. The filter
+ * (name_filter.h) compares normalized names, and the build normalizes its word list with the same
+ * function. */
 #ifndef KINGYO_CORE_GAME_NAME_FOLD_H
 #define KINGYO_CORE_GAME_NAME_FOLD_H
 
 #include <stdint.h>
 
-#define NAME_FOLD_MAX 32u /* Letters; what is behind them is not looked at. */
+#define NAME_FOLD_MAX 32u /* Largest number of letters; further letters are ignored. */
 
 enum name_ends {
     NAME_ENDS_KEPT = 0,
-    NAME_ENDS_TRIMMED, /* Digits and signs at both ends are an ornament. */
+    NAME_ENDS_TRIMMED, /* Removes digits and signs at both ends, which are decoration. */
 };
 
-/* Fills `out` and returns how many letters it has. Malformed bytes are nothing. */
+/* Writes the normalized letters to `out` and returns their number. Malformed bytes are skipped. */
 uint32_t name_fold(const char *utf8, enum name_ends ends, uint16_t out[NAME_FOLD_MAX]);
 
-/* Takes repeated letters out; returns how many are left. */
+/* Removes repeated letters in place. Returns the number of letters left. */
 uint32_t name_squeeze(uint16_t *letters, uint32_t count);
 
 #endif

@@ -1,4 +1,4 @@
-/* overlay.c -- two canvases, and the hand over them. */
+/* overlay.c -- the two canvases, and the pointer on them. */
 #include "core/game/overlay.h"
 
 #include "core/base/fmath.h"
@@ -9,7 +9,7 @@
 #define WIDE_HEIGHT 720.0f
 #define UPRIGHT_WIDTH 854.0f
 #define UPRIGHT_HEIGHT 1400.0f
-#define DEPTH_MIN_M 0.05f  /* What is nearer to the eye is not on any screen. */
+#define DEPTH_MIN_M 0.05f  /* Smallest depth before the camera; nearer points are on no screen. */
 
 struct overlay_point overlay_size(int upright)
 {
@@ -23,8 +23,8 @@ int overlay_is_inside(struct overlay_box box, float room, struct overlay_point a
            at.y >= box.y - room && at.y <= box.y + box.height + room;
 }
 
-/* A screen shows `half_height_tan` above and below its middle if it is `aspect_min` wide or wider;
- * else that much times aspect_min beside it. */
+/* A screen of aspect `aspect_min` or wider shows `half_height_tan` above and below its middle. A
+ * narrower screen shows aspect_min times that to each side. */
 struct overlay_point overlay_point_of(const struct view *view, int upright, vec3 point_m)
 {
     const struct basis axes = view_basis(view);
@@ -37,8 +37,9 @@ struct overlay_point overlay_point_of(const struct view *view, int upright, vec3
     return (struct overlay_point){ 0.5f * canvas.x + unit * right, 0.5f * canvas.y - unit * up };
 }
 
-/* Who holds a poi that can turn looks at the tank, not through a pointer's ray: its plan is the
- * canvas. Such an arm need not reach behind the tank for what stands high on the screen. */
+/* Maps a controller with rotation by the tank's floor plan, because its user looks at the tank and
+ * not along a pointer ray. The arm then need not reach behind the tank for items at the top of the
+ * screen. */
 static struct overlay_point plan_point(const struct core *core, int upright, vec3 hand_m)
 {
     const struct overlay_point canvas = overlay_size(upright);

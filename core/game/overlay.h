@@ -1,9 +1,9 @@
-/* overlay.h -- what lies over the tank's picture and is pointed at by a hand over its water.
+/* overlay.h -- mapping of poses over the water to a pointer on a canvas over the tank's picture.
  *
- * A canvas of 1280 x 720 lies on wide screens, one of 854 x 1400 on those that stand upright, x to
- * the right, y down, from its top left corner; each is as large as fits, centred. A canvas is
- * measured in the tank's camera: what is under a point of the water's plane is under that point's
- * place on the screen, whatever the screen's size. */
+ * Wide screens use a canvas of 1280 x 720, portrait screens one of 854 x 1400, with x to the right
+ * and y down from the top left corner. Each canvas is as large as the screen permits, and centred.
+ * The mapping uses the tank's camera: a point on the water surface maps to the canvas point drawn
+ * over it, independent of the screen's size. */
 #ifndef KINGYO_CORE_GAME_OVERLAY_H
 #define KINGYO_CORE_GAME_OVERLAY_H
 
@@ -13,12 +13,13 @@
 #include "core/input.h"
 #include "core/view.h"
 
-/* Narrower screens (width over height) take the upright canvas. */
+/* Narrower screens (width over height) use the portrait canvas. */
 #define OVERLAY_UPRIGHT_ASPECT 0.61f
 
-#define OVERLAY_PRESS_Y_M 0.010f   /* A hand below this presses ... */
-#define OVERLAY_RELEASE_Y_M 0.018f /* ... until it is above this: a mouse's hovers at 0.035. */
-#define OVERLAY_STIR 14.0f         /* A hand that stays within this of where it was rests. */
+#define OVERLAY_PRESS_Y_M 0.010f   /* Height below which a pose presses. */
+#define OVERLAY_RELEASE_Y_M 0.018f /* Height above which the press ends; a mouse hovers at 0.035. */
+#define OVERLAY_STIR 14.0f         /* Distance on the canvas within which a pointer counts as
+                                      resting. */
 
 struct overlay_box {
     float x, y, width, height;
@@ -28,16 +29,17 @@ struct overlay_point {
     float x, y;
 };
 
-struct overlay_point overlay_size(int upright); /* Its width and height. */
+struct overlay_point overlay_size(int upright); /* Returns width and height of the canvas. */
 
-/* Whether a point is in a box or less than `room` beside it; in an empty box there is none. */
+/* Returns 1 if a point is in a box or less than `room` beside it; always 0 for an empty box. */
 int overlay_is_inside(struct overlay_box box, float room, struct overlay_point at);
 
-/* Where a point of the world is on the canvas. */
+/* Returns the canvas point of a world point. */
 struct overlay_point overlay_point_of(const struct view *view, int upright, vec3 point_m);
 
-/* A hand that points: where it is, clamped to the canvas, and how high. Absent: nobody's, or it
- * cannot be read. A leap loses nothing here, so no hand is doubted for one. */
+/* A pointer: its position, clamped to the canvas, and the height of its pose. Not present if no
+ * controller is connected or its pose is invalid. A jump is harmless here, so jumps are not
+ * filtered. */
 struct overlay_hand {
     uint8_t present;
     uint8_t player;
@@ -50,7 +52,7 @@ struct core;
 struct overlay_hand overlay_hand_of(const struct core *core, const struct input *input,
                                     int upright, uint32_t player);
 
-/* That of the first who has a bowl at the tank. */
+/* Returns the pointer of the first player who has a bowl at the tank. */
 struct overlay_hand overlay_first_hand(const struct core *core, const struct input *input,
                                        int upright);
 

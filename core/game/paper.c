@@ -1,4 +1,4 @@
-/* paper.c -- the judge's look at the paper itself. */
+/* paper.c -- the test for usable paper. */
 #include "core/game/paper.h"
 
 #include "core/game/patch.h"

@@ -1,13 +1,15 @@
-/* paper.h -- what a torn paper is still good for. */
+/* paper.h -- decides whether torn paper is still usable. */
 #ifndef KINGYO_CORE_GAME_PAPER_H
 #define KINGYO_CORE_GAME_PAPER_H
 
 #include "core/poi/sheet.h"
 
-#define PAPER_LEFT_MIN 0.35f /* Less area than this is a fringe along the ring. */
+#define PAPER_LEFT_MIN 0.35f /* Smallest usable share of the paper; a smaller rest is a fringe along
+                                the ring. */
 
-/* Whether a fish could still lie on it: enough area, and a whole patch somewhere (patch.h). A
- * partly torn poi may be played on, so a hole alone, were it in the very middle, ends no round. */
+/* Returns 1 if a fish could lie on the paper: enough area is left, and a whole patch exists
+ * (patch.h). A hole alone, even in the middle, does not end a round, because a partly torn poi may
+ * be used. */
 int paper_can_hold(const struct sheet *sheet);
 
 #endif

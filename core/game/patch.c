@@ -1,9 +1,9 @@
-/* patch.c -- nine points of a patch, seventeen patches of a sheet. */
+/* patch.c -- tests nine points per patch, and seventeen patches per sheet. */
 #include "core/game/patch.h"
 
 #define WINDS 8u
 
-/* The eight winds, so that no sine is needed; the far edge first. */
+/* Eight directions as constants, so that no sine is needed; the far edge first. */
 #define DIAGONAL 0.7071f
 static const float wind_x[WINDS] = { 0.0f,  DIAGONAL, -DIAGONAL, 1.0f,
                                      -1.0f, DIAGONAL, -DIAGONAL, 0.0f };

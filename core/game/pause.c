@@ -1,4 +1,4 @@
-/* pause.c -- who is waited for, and for how long. */
+/* pause.c -- decides for which player the round pauses, and for how long. */
 #include "core/game/pause.h"
 
 #include "core/core.h"
@@ -9,7 +9,7 @@ int pause_holds(const struct core *core, uint32_t index)
     return hand_plays(core, index) && !hand_is_lost(core, index);
 }
 
-/* Whether anybody has held a poi in this round. */
+/* Marks the players who have a poi in use. Returns 1 if any player has had one in this round. */
 static int note_who_plays(struct core *core)
 {
     int any = 0;
@@ -21,7 +21,8 @@ static int note_who_plays(struct core *core)
     return any;
 }
 
-/* Whose round goes on: with their poi in hand (1), or with that hand away (0). */
+/* Returns the number of players still in the round: those with a working controller (`holds` 1), or
+ * those without (0). */
 static uint32_t count_in(const struct core *core, int holds)
 {
     uint32_t count = 0;
@@ -32,7 +33,8 @@ static uint32_t count_in(const struct core *core, int holds)
     return count;
 }
 
-/* Waiting counts only while somebody waits. */
+/* Counts the waiting time for each lost player while other players wait, and puts players beyond
+ * the limits out of the round. */
 static void lose_patience(struct core *core, int others_wait)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -52,7 +54,8 @@ void pause_tick(struct core *core)
 {
     struct game *game = &core->game;
     const int anybody_played = note_who_plays(core);
-    const int in_time = game_seconds_left(game, core->tick) > 0.0f; /* Else none are waited for. */
+    const int in_time = game_seconds_left(game, core->tick) > 0.0f; /* After time is up the round
+                                                                       does not pause. */
     const uint32_t busy = count_in(core, 1);
     lose_patience(core, in_time && busy > 0);
     game->paused = in_time && (!anybody_played || count_in(core, 0) > 0);

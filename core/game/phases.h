@@ -1,8 +1,9 @@
-/* phases.h -- attract, choose, ready, round, result, album: how each begins, and what a tick of it
- * does. name.h and board.h, between result and album, say so themselves.
+/* phases.h -- the phases attract, choose, ready, round, result and album: the functions that begin
+ * each phase and run its tick. The phases between result and album have headers of their own,
+ * name.h and board.h.
  *
- * Within core/game only: game.c asks for the phase's tick, and a phase begins the next one. What
- * is begun in a tick has its first own tick in the next. */
+ * Internal to core/game. game.c calls the tick of the current phase, and a phase begins the next
+ * one. A new phase has its first tick in the following tick. */
 #ifndef KINGYO_CORE_GAME_PHASES_H
 #define KINGYO_CORE_GAME_PHASES_H
 
@@ -11,32 +12,32 @@
 
 struct core;
 
-/* From now on it is `phase` (enum scene_phase). */
+/* Switches to `phase` (enum scene_phase). */
 void phase_enter(struct core *core, uint8_t phase);
 
-/* Who wants to play, dips: a live poi with a bowl goes down through GAME_DIP_Y_M in this tick.
- * Returns its player's index, or POI_MAX when none does. */
+/* Returns the player whose live poi with a bowl moves down through GAME_DIP_Y_M in this tick, or
+ * POI_MAX if none does. Such a dip means that the player wants to play. */
 uint32_t phase_dipped(const struct core *core, const struct input *input);
 
-/* The stall's own tank, played in by its bot. */
+/* Attract mode: the configured tank, played by the bot. */
 void attract_begin(struct core *core);
 void attract_tick(struct core *core, const struct input *input, struct output *output);
 
-/* Somebody wants to play. Nobody has paid: all stays as it is. Else, where several modes are
- * offered, which? Where there is nothing to choose it is READY at once. */
+/* Handles a request to play. Without a credit the state stays unchanged. With several modes on
+ * offer the selection starts; otherwise READY starts at once. */
 void choose_begin(struct core *core, struct output *output);
 void choose_tick(struct core *core, const struct input *input, struct output *output);
 
-/* A new round of the mode pointed at: its tank, empty bowls, nobody has caught anything. */
+/* Starts a new round of the selected mode, with its tank, empty bowls and zero scores. */
 void ready_begin(struct core *core, struct output *output);
 void ready_tick(struct core *core, struct output *output);
 
 void round_begin(struct core *core, struct output *output);
 void round_tick(struct core *core, struct output *output);
 
-/* The round is over: it is weighed and told. */
+/* Ends the round: its result is logged and shown. */
 void result_begin(struct core *core, struct output *output);
-/* Ends a round that counts without showing its result: the operator's menu opens. */
+/* Ends a round that counts without showing its result, because the operator's menu opens. */
 void result_skip(struct core *core, struct output *output);
 void result_tick(struct core *core, const struct input *input, struct output *output);
 

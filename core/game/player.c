@@ -1,4 +1,4 @@
-/* player.c -- a player's state as a number. */
+/* player.c -- hash of a player's state. */
 #include "core/game/player.h"
 
 #include "core/base/hash.h"

@@ -1,4 +1,4 @@
-/* player.h -- what a round knows of each who plays in it. */
+/* player.h -- the state of each player in a round. */
 #ifndef KINGYO_CORE_GAME_PLAYER_H
 #define KINGYO_CORE_GAME_PLAYER_H
 
@@ -7,34 +7,36 @@
 #include "core/base/vec.h"
 #include "core/scene.h"
 
-#define PLAYER_STIR_M 0.03f /* A hand that stays within this of where it was rests. */
+#define PLAYER_STIR_M 0.03f /* Distance within which a controller counts as resting. */
 
-/* What a hand has done since READY began. */
+/* Motion of a controller since READY began. */
 enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
 
 struct player {
-    uint8_t plays;  /* Has held its poi in this round. */
-    uint8_t out;    /* Its round is over before time is called. */
-    uint8_t handed; /* Has got its fresh paper for this round. */
-    uint8_t points; /* In CHOOSE: at which share of the tank its hand was, from 1; 0: nowhere. */
+    uint8_t plays;  /* 1: the player has had a poi in use in this round. */
+    uint8_t out;    /* 1: the player's round ended before time was up. */
+    uint8_t handed; /* 1: the player has received fresh paper for this round. */
+    uint8_t points; /* In CHOOSE: section of the tank under the poi, from 1; 0: none. */
     uint8_t fouls;  /* 0 .. FOUL_MAX */
-    uint8_t foul;   /* enum foul: the latest, ... */
-    uint32_t foul_tick;                /* ... and when it was called. */
-    uint32_t offence_tick[FOUL_COUNT]; /* When each kind was last committed, called or not. */
+    uint8_t foul;   /* enum foul of the latest foul. */
+    uint32_t foul_tick;                /* Tick of the latest counted foul. */
+    uint32_t offence_tick[FOUL_COUNT]; /* Tick at which each kind was last committed, counted or
+                                          not. */
     uint32_t caught;
-    uint32_t scoops;     /* With papers before the one in hand. */
-    uint32_t torn_tick;  /* Since when the paper in hand can hold no fish; 0: it can. */
-    uint32_t first_torn_tick; /* The same of the first of its papers, without the round's
-                                 pauses before. */
-    uint32_t sheets_before;   /* Papers before the one in hand. */
-    uint32_t lost_ticks; /* How long others have waited for its hand without a break, ... */
-    uint32_t waited_ticks; /* ... and in all of this round. */
-    uint8_t stance;           /* enum player_stance, in READY ... */
-    float rest_x_m, rest_z_m; /* ... and where its hand was when first seen there; in CHOOSE, where
-                                 it was when it last moved on. */
+    uint32_t scoops;     /* Dips with the earlier sheets of this round. */
+    uint32_t torn_tick;  /* Tick at which the current sheet became useless; 0: usable. */
+    uint32_t first_torn_tick; /* Tick at which the first sheet became useless, without earlier
+                                 pauses of the round; 0: usable. */
+    uint32_t sheets_before;   /* Number of sheets before the current one. */
+    uint32_t lost_ticks; /* Ticks for which others have waited for this controller without a
+                            break. */
+    uint32_t waited_ticks; /* Ticks of all such waits in this round. */
+    uint8_t stance;           /* enum player_stance, in READY. */
+    float rest_x_m, rest_z_m; /* Rest position of the controller: in READY, where it was first seen;
+                                 in CHOOSE, where it last moved. */
 };
 
-/* Whether a hand at `hand_m` is no longer where it rested. */
+/* Returns 1 if the controller at `hand_m` has left its rest position. */
 static inline int player_stirs(const struct player *player, vec3 hand_m)
 {
     const float x_m = hand_m.x - player->rest_x_m, z_m = hand_m.z - player->rest_z_m;

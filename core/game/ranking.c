@@ -1,4 +1,4 @@
-/* ranking.c -- who stands where. */
+/* ranking.c -- computes the places from ledger entries. */
 #include "core/game/ranking.h"
 
 #include "core/base/hash.h"
@@ -7,7 +7,7 @@
 
 #define WEEK_DAYS 7u
 
-/* A week begins on Monday; 2000-01-01, day 0, was a Saturday. */
+/* Returns the week of a day. Weeks begin on Monday; 2000-01-01, day 0, was a Saturday. */
 static uint16_t week_of(uint16_t day)
 {
     return (uint16_t)((day + 5u) / WEEK_DAYS);
@@ -27,8 +27,8 @@ static void begin_week(struct ranking *ranking, const struct ledger_entry *entry
     ranking->week_boot = entry->boot;
 }
 
-/* Without a clock the kiosk's starts are what there is to count, and only a round is worth a
- * new day: the clock of a board without a battery may be set a minute after the start. */
+/* Starts days and weeks by runs of the kiosk, for entries without a date. Only a round begins a new
+ * day, because the clock of a board without a battery may be set a minute after the start. */
 static void turn_by_boots(struct ranking *ranking, const struct ledger_entry *entry)
 {
     if (entry->kind != LEDGER_ROUND || entry->boot == ranking->boot) {
@@ -42,9 +42,9 @@ static void turn_by_boots(struct ranking *ranking, const struct ledger_entry *en
     }
 }
 
-/* A day back is a clock that is set about midnight; further back, or ahead, it is another day, or
- * one wild date would hold the board for years. What was played in this start before the clock was
- * set belongs to the day that it then says. */
+/* Starts days and weeks by date. A date one day back is a clock set around midnight. Any other date
+ * starts a new day, because otherwise one wrong date would block the leaderboard for years. Rounds
+ * played in this run before the clock was set belong to the day that the clock then shows. */
 static void turn_by_clock(struct ranking *ranking, const struct ledger_entry *entry)
 {
     const int is_first = ranking->day == 0 && entry->boot == ranking->boot;
@@ -54,7 +54,7 @@ static void turn_by_clock(struct ranking *ranking, const struct ledger_entry *en
         clear(ranking, RANK_DAY);
     }
     if (ranking->week == 0 && entry->boot - ranking->week_boot < WEEK_DAYS) {
-        ranking->week = week; /* It began without a clock. */
+        ranking->week = week; /* The week began without a clock. */
     } else if (week != ranking->week) {
         begin_week(ranking, entry, week);
     }

@@ -1,4 +1,5 @@
-/* ready.c -- a few seconds before the start: fresh paper, empty bowls, and hands off the fish. */
+/* ready.c -- the phase READY: a few seconds for fresh paper and empty bowls, without shadows over
+ * the fish. */
 #include "core/core.h"
 #include "core/game/fouls.h"
 #include "core/game/keeper.h"
@@ -26,7 +27,7 @@ void ready_begin(struct core *core, struct output *output)
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
 
-/* Each poi gets its paper as soon as it is clear of the water, so that nothing jumps. */
+/* Replaces each poi's paper as soon as the poi is clear of the water, so that nothing jumps. */
 static void hand_out_paper(struct core *core, uint32_t elapsed, uint32_t total)
 {
     struct game *game = &core->game;

@@ -1,21 +1,23 @@
-/* rest.c -- put away: who, how it goes there, and what it still is to others. */
+/* rest.c -- parking: which pois are parked, their motion, and their remaining effect on others. */
 #include "core/game/rest.h"
 
 #include "core/core.h"
 #include "core/tank/preset.h"
 
-#define ALONG_M 0.105f       /* So far beyond its bowl's middle: the handle lies beside the bowl, */
-#define INSIDE_M 0.005f      /* and so far within the wall, or the ring would leave the picture. */
+#define ALONG_M 0.105f       /* Distance beyond the bowl's centre, so that the handle lies beside
+                                the bowl. */
+#define INSIDE_M 0.005f      /* Distance within the wall, so that the ring stays in the picture. */
 #define ON_RIM_M 0.004f
-#define OVER_RIM_M 0.020f    /* So high it goes to it. */
-#define LIFT_M_S 0.30f       /* Its paper is spared. */
+#define OVER_RIM_M 0.020f    /* Height above the rim during the motion. */
+#define LIFT_M_S 0.30f       /* Lift speed; the paper takes no damage. */
 #define AWAY_M_S 0.80f
-#define AWAY_SHARE 0.06f     /* Of the way that is left, each tick: it ends softly. */
-#define START_TICKS 36.0f    /* It sets off softly, too. */
+#define AWAY_SHARE 0.06f     /* Share of the remaining distance per tick, for a soft end of the
+                                motion. */
+#define START_TICKS 36.0f    /* Ticks of acceleration, for a soft start. */
 #define TURN_RAD_S 3.0f
-#define NEAR_M 0.03f         /* Over its place; then down, ... */
-#define DOWN_M_S 0.08f       /* ... so fast. */
-#define CLEAR_M 0.010f       /* Beside a bowl. */
+#define NEAR_M 0.03f         /* Horizontal distance within which the poi is lowered. */
+#define DOWN_M_S 0.08f       /* Lowering speed. */
+#define CLEAR_M 0.010f       /* Clearance beside a bowl. */
 #define FADE_TICKS 60.0f
 
 static float rim_m(const struct core *core)
@@ -34,7 +36,8 @@ struct poi_target rest_place(const struct core *core, uint32_t index)
     };
 }
 
-/* A bot has nothing to do but in play; a person's poi is its cursor for as long as it is in. */
+/* Returns 1 if the poi is unused. A bot uses its poi only during a game. A person's poi is the
+ * pointer for as long as the player is in. */
 static int is_idle(const struct core *core, uint32_t index)
 {
     const struct game *game = &core->game;
@@ -44,7 +47,7 @@ static int is_idle(const struct core *core, uint32_t index)
     return is_out || (!in_play && core->poi[index].link == POI_LINK_BOT);
 }
 
-/* Since it was taken from its hand. */
+/* Returns the ticks since the poi was parked. */
 static uint32_t held_ticks(const struct core *core, uint32_t index)
 {
     const uint32_t linger = core->game.player[index].out ? REST_LINGER_TICKS : 0u;
@@ -64,7 +67,7 @@ int rest_tick(struct core *core, uint32_t index)
     return rest_holds(core, index);
 }
 
-/* ---- The way there -------------------------------------------------------------------------- */
+/* ---- Motion to the rest position ------------------------------------------------------------ */
 
 static float turn_level(float angle_rad)
 {
@@ -72,7 +75,7 @@ static float turn_level(float angle_rad)
     return angle_rad - f_clamp(angle_rad, -step_rad, step_rad);
 }
 
-/* Under a bowl, or between two, there is no way up. */
+/* Returns 1 if the ring is under a bowl or between two, where it cannot move up. */
 static int is_under_a_bowl(const struct core *core, vec3 ring_m)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -92,7 +95,8 @@ static float step_of(float way_m, float pace_m_s)
     return f_clamp(way_m, -pace_m_s * CORE_TICK_S, pace_m_s * CORE_TICK_S);
 }
 
-/* By turns, as the ring itself has come along: toward the middle, up, over the rims, and down. */
+/* Returns the next position. The motion has four steps, chosen by the ring's actual position:
+ * toward the middle, up, over the rims, and down. */
 static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float begun)
 {
     const vec3 place_m = rest_place(core, index).position_m;
@@ -122,7 +126,7 @@ struct poi_target rest_way(const struct core *core, uint32_t index, struct poi_t
     };
 }
 
-/* ---- To others ------------------------------------------------------------------------------ */
+/* ---- Effect on others ----------------------------------------------------------------------- */
 
 int rest_is_met(const struct core *core, uint32_t index)
 {

@@ -1,8 +1,8 @@
-/* rest.h -- where a poi lies that nobody plays with: on the rim, beside its own bowl.
+/* rest.h -- parking: an unused poi moves to a rest position on the tank's rim, beside its own bowl.
  *
- * Who is out is put away, and so are the stall's own bots' pois while nothing is played. Such a poi
- * is spared, casts ever less shadow, is no obstacle once it is out of the water, and what lay on it
- * falls. Whoever plays with it next takes it over from there. */
+ * The pois of players who are out are parked, and so are the bot's pois between games. A parked poi
+ * takes no damage, its shadow fades, and fish on it fall. Out of the water a parked poi is no
+ * obstacle. The next controller takes the poi over from its rest position. */
 #ifndef KINGYO_CORE_GAME_REST_H
 #define KINGYO_CORE_GAME_REST_H
 
@@ -10,24 +10,27 @@
 
 struct core;
 
-#define REST_LINGER_TICKS 120u /* Who is out keeps the poi for a second, to see why. */
+#define REST_LINGER_TICKS 120u /* Delay of one second before the poi of a player who is out is
+                                  parked, so that the player sees why. */
 
-/* On the rim of the open tank, its handle toward the player, beside the bowl of player `index`:
- * wholly in the picture, and nobody else's place. */
+/* Returns the rest position of player `index`: on the open tank's rim beside the player's bowl,
+ * with the handle toward the player. The position is completely visible, and different for each
+ * player. */
 struct poi_target rest_place(const struct core *core, uint32_t index);
 
-/* Counts how long player `index` has had nothing to do with its poi in this tick. Returns whether
- * it is put away by now. */
+/* Counts the ticks for which player `index` has not used the poi. Returns 1 if the poi is parked
+ * now. */
 int rest_tick(struct core *core, uint32_t index);
 
-/* Whether it is put away: nobody's hand leads it. */
+/* Returns 1 if the poi is parked, so that no controller moves it. */
 int rest_holds(const struct core *core, uint32_t index);
 
-/* Where the hand of a poi that is put away is in the next tick, which is at `hand` in this one: up
- * out of the water, over all rims, and down on its place. */
+/* Returns the next target pose of a parked poi, whose target pose is `hand`: up out of the water,
+ * over all rims, and down to the rest position. */
 struct poi_target rest_way(const struct core *core, uint32_t index, struct poi_target hand);
 
-/* Whether fish and other pois still meet it, and [0, 1] how much of its shadow is left. */
+/* Return 1 if fish and other pois still collide with the poi, and the share of its shadow that is
+ * left, [0, 1]. */
 int rest_is_met(const struct core *core, uint32_t index);
 float rest_shade(const struct core *core, uint32_t index);
 

@@ -1,5 +1,5 @@
-/* result.c -- the round is over: the count stands there for a while. What was given back was no
- * round: else a plug that is pulled at a full bowl would be worth its prize again and again. */
+/* result.c -- the phase RESULT: shows the score for a while. A refunded round has no result,
+ * because otherwise pulling the plug with a full bowl could win the same prize repeatedly. */
 #include "core/core.h"
 #include "core/game/phases.h"
 #include "core/game/score.h"
@@ -8,7 +8,7 @@ void result_begin(struct core *core, struct output *output)
 {
     core->game.paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->poi[i].rider_count = 0; /* Too late: they go back to the water. */
+        core->poi[i].rider_count = 0; /* The time is up, so the fish return to the water. */
     }
     phase_enter(core, PHASE_RESULT);
     name_note_round(core, 0);
@@ -25,7 +25,7 @@ void result_skip(struct core *core, struct output *output)
     name_note_round(core, 0);
 }
 
-/* The same players go on: they know what they have learned. */
+/* Leads to the next phase. Hints learned by the players are kept for the next round. */
 void result_tick(struct core *core, const struct input *input, struct output *output)
 {
     const uint32_t elapsed = core->tick - core->game.phase_tick;

@@ -1,4 +1,4 @@
-/* round.c -- the round: its clock and calls, torn paper, and what ends it. */
+/* round.c -- the round: clock, announcements, torn paper, and the end of the round. */
 #include "core/core.h"
 #include "core/game/calls.h"
 #include "core/game/hand.h"
@@ -9,11 +9,12 @@
 #include "core/game/rules.h"
 #include "core/game/stand.h"
 
-#define RENEW_TICKS CORE_TICK_HZ /* To see the hole before the poi is changed. */
+#define RENEW_TICKS CORE_TICK_HZ /* Time to see the hole before the paper is replaced. */
 
 void round_begin(struct core *core, struct output *output)
 {
-    keeper_pour_back(core); /* What fell off an old poi meanwhile would lie there uncounted. */
+    keeper_pour_back(core); /* Fish that fell off an old poi since then would lie in the bowls
+                               without being counted. */
     phase_enter(core, PHASE_ROUND);
     core->game.round_tick = core->tick;
     core->game.paused_ticks = 0;
@@ -22,7 +23,7 @@ void round_begin(struct core *core, struct output *output)
 
 /* ---- Paper ---------------------------------------------------------------------------------- */
 
-/* In place of a torn one, once what is left of it is clear of the water, so that nothing jumps. */
+/* Replaces torn paper when the poi is clear of the water, so that nothing jumps. */
 static void renew_paper(struct core *core, uint32_t index)
 {
     struct player *player = &core->game.player[index];
@@ -73,7 +74,8 @@ static int all_are_out(const struct core *core)
     return played;
 }
 
-/* When time is called nothing more may be scooped, but what lies on paper may be brought home. */
+/* Returns 1 if a fish lies on any poi. After time is up no fish can be scooped, but fish on paper
+ * may still be carried to the bowl. */
 static int any_carries(const struct core *core)
 {
     uint32_t riders = 0;
@@ -98,7 +100,7 @@ static void call_time(struct core *core, uint32_t elapsed, uint32_t total, struc
 {
     const enum time_call call = call_at(elapsed, total);
     if (call == CALL_COUNTDOWN) {
-        output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* In every mode. */
+        output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* The countdown sounds in every mode. */
     }
     if (call == CALL_NONE || !rules_of(core->game.mode)->calls) {
         return;

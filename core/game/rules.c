@@ -1,4 +1,4 @@
-/* rules.c -- the table of modes. */
+/* rules.c -- the table of rules. */
 #include "core/game/rules.h"
 
 #include "core/base/panic.h"

@@ -1,8 +1,9 @@
-/* rules.h -- the modes of the stall as data: what is played, for how long, and what ends it.
+/* rules.h -- the modes as data: tank, paper, duration, and the end of a round.
  *
- * No code asks which mode is played; it asks what its rules say. Championship: the rules of the
- * national championship (three minutes, one No. 5 poi of 80 mm, calls at one and two minutes, ten
- * seconds and the last five, three fouls end the round, a torn poi may be used while it can). */
+ * No code checks the mode itself; code reads the mode's rules. Championship follows the national
+ * championship. A round has three minutes, one No. 5 poi of 80 mm, and announcements at one and two
+ * minutes, at ten seconds and for the last five. Three fouls end the round, and a torn poi may be
+ * used while it holds. */
 #ifndef KINGYO_CORE_GAME_RULES_H
 #define KINGYO_CORE_GAME_RULES_H
 
@@ -10,26 +11,27 @@
 
 #include "core/scene.h"
 
-#define RULES_STALLS_TANK 0xffu /* The tank that the stall has open anyway. */
-#define RULES_READY_S 3u        /* To take the poi and find the bowl, where nobody judges. */
+#define RULES_STALLS_TANK 0xffu /* The configured tank. */
+#define RULES_READY_S 3u        /* Time to take the poi and find the bowl, in modes without an
+                                   umpire. */
 
 struct rules {
-    const char *name;      /* As the command line names it. */
+    const char *name;      /* Name on the command line. */
     uint8_t tank;          /* enum tank_preset_id, or RULES_STALLS_TANK */
-    uint8_t grade;         /* Of the paper; 0: the stall's own. */
+    uint8_t grade;         /* Grade of the paper; 0: the configured grade. */
     uint32_t round_s;
-    uint32_t ready_s;      /* To take the poi, before the start. */
-    uint8_t renews_paper;  /* A poi that can hold no fish any more is changed for a fresh one, a
-                              second later and clear of the water; else who holds it is out. */
-    uint8_t judges;        /* Fouls are called, and what came by one does not count. Where nobody
-                              judges, every fish in the bowl does, as at a stall. */
-    uint8_t calls;         /* The keeper calls the time. */
-    uint8_t coaches;       /* ... and says what to do next; an umpire says only what is wrong. */
+    uint32_t ready_s;      /* Time to take the poi before the start. */
+    uint8_t renews_paper;  /* 1: useless paper is replaced after a second, when the poi is clear of
+                              the water; 0: the player is out. */
+    uint8_t judges;        /* 1: fouls are counted, and fish caught by a foul do not count. 0: every
+                              fish in the bowl counts, as at a real stall. */
+    uint8_t calls;         /* 1: the time is announced. */
+    uint8_t coaches;       /* 1: hints explain the next step; 0: hints only report fouls. */
     uint8_t shows_stress;
-    uint8_t keeps_score;   /* A record and a best of the day come of it. */
+    uint8_t keeps_score;   /* 1: the round produces a record and can be ranked. */
 };
 
-/* `mode` < MODE_COUNT, else it asserts. */
+/* Returns the rules of `mode`. `mode` must be < MODE_COUNT, else the function asserts. */
 const struct rules *rules_of(uint8_t mode);
 
 #endif

@@ -1,4 +1,4 @@
-/* score.c -- counting fish. */
+/* score.c -- counting of fish. */
 #include "core/game/score.h"
 
 #include "core/core.h"
@@ -6,7 +6,8 @@
 #include "core/game/keeper.h"
 #include "core/game/rules.h"
 
-/* Fish that a foul brought lie in a bowl with the others; the umpire does not count them. */
+/* Returns the number of fish that count. Fish caught by a foul are in the bowl too, but do not
+ * count in modes with an umpire. */
 static uint32_t valid(const struct rules *rules, const struct catch_result *caught)
 {
     return rules->judges ? caught->landed : caught->bowled;

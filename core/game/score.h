@@ -1,4 +1,4 @@
-/* score.h -- what counts, and what is kept of a round. */
+/* score.h -- scoring of a round, and its stored record. */
 #ifndef KINGYO_CORE_GAME_SCORE_H
 #define KINGYO_CORE_GAME_SCORE_H
 
@@ -9,16 +9,16 @@
 
 struct core;
 
-/* The last step of a tick: what came into the bowls counts as the mode's rules say. */
+/* Runs the last step of a tick: counts the fish that reached the bowls, by the mode's rules. */
 void game_score(struct core *core, const struct catch_result caught[POI_MAX],
                 struct output *output);
 
-/* The round that runs, or was the last to run, in figures; `id` is 0. */
+/* Returns the record of the current or the last round, with `id` 0. */
 struct round_record game_record(const struct core *core);
 
-/* At the end of a round that was not given back: its LEDGER_ROUND, which closes the purse, and with
- * it its place in the ranking. A round that nobody played leaves none, one without a score no
- * record. */
+/* Logs the LEDGER_ROUND of a finished, not refunded round, which also closes the balance and
+ * updates the leaderboard. A round without players is not logged, and a round without a score
+ * produces no record. */
 void score_keep(struct core *core, uint32_t tickets, struct output *output);
 
 #endif

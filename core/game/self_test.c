@@ -1,13 +1,14 @@
-/* self_test.c -- what is tried on the page, and the verdict. */
+/* self_test.c -- the tests of the page, and their evaluation. */
 #include "core/game/self_test.h"
 
 #include "core/base/hash.h"
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
-/* ---- Tags ----------------------------------------------------------------------------------- */
+/* ---- Items ---------------------------------------------------------------------------------- */
 
-/* The question that is open: of the note first, then of lamp and slot. */
+/* Returns the open question: about the sound first, then about lamp and slot; NULL if both are
+ * answered. */
 static uint8_t *open_question(struct self_test *self)
 {
     return self->heard == SELF_UNSAID   ? &self->heard
@@ -45,7 +46,7 @@ void menu_self_take(struct core *core, uint32_t tag, struct output *output)
     }
 }
 
-/* ---- What is tried -------------------------------------------------------------------------- */
+/* ---- Tests ---------------------------------------------------------------------------------- */
 
 static int is_open(const struct core *core)
 {
@@ -73,7 +74,7 @@ static void watch_poi(struct self_test *self, const struct poi_input *poi, uint3
     }
 }
 
-/* The volume as it is, told once more: an entry that changes nothing, whatever reads it. */
+/* Logs the unchanged volume as a test entry, which changes nothing for any reader. */
 static void write_one(struct core *core, struct output *output)
 {
     const struct ledger_entry entry = {
@@ -108,7 +109,7 @@ int self_test_shows(const struct core *core)
            core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
-/* ---- The verdict ---------------------------------------------------------------------------- */
+/* ---- Evaluation ----------------------------------------------------------------------------- */
 
 void self_test_show(const struct core *core, struct scene_self_test *out)
 {
@@ -142,7 +143,8 @@ static uint8_t said(uint8_t answer)
     return answer == SELF_SAYS_YES ? SELF_GOOD : answer == SELF_SAYS_NO ? SELF_BAD : SELF_ASKS;
 }
 
-/* TILT and DOOR are no buttons, and the language's is on no cabinet's panel. */
+/* Buttons that must be tested. TILT and DOOR are no buttons, and no cabinet has a language
+ * button. */
 #define TRIED_BUTTONS                                                                              \
     ((uint32_t)(INPUT_START | INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST | INPUT_SERVICE))
 
@@ -156,7 +158,7 @@ static uint8_t judge_buttons(const struct scene *scene)
     return untried == 0 ? SELF_GOOD : SELF_ASKS;
 }
 
-/* A seat that plays without a controller, or one whose reports come late, is bad. */
+/* A slot in play is bad without a controller or with late reports. */
 static uint8_t judge_pois(const struct scene_self_test *self)
 {
     uint8_t state = SELF_GOOD;
@@ -169,7 +171,8 @@ static uint8_t judge_pois(const struct scene_self_test *self)
     return state;
 }
 
-/* A stall without a single line has neither lamp nor slot, unless somebody misses them. */
+/* A kiosk without input lines has neither lamp nor slot, so they count as good unless the operator
+ * reports a fault. */
 static uint8_t judge_lamp(const struct scene *scene)
 {
     const int is_wired = scene->devices.lines[0] != '\0';
@@ -177,7 +180,7 @@ static uint8_t judge_lamp(const struct scene *scene)
     return moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD : said(moved);
 }
 
-/* Where nothing is sold coins are sent back. */
+/* In free play coins are returned, so the test does not require one. */
 static uint8_t judge_coins(const struct scene *scene)
 {
     const int is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
@@ -210,7 +213,7 @@ static uint8_t judge_room(uint32_t room_mib)
                                            : SELF_BAD;
 }
 
-/* What nobody has looked at yet waits; what has not answered in time is bad. */
+/* Evaluates the machine. Checks without data wait; after the timeout a waiting check is bad. */
 static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
 {
     const int is_fresh =

@@ -1,13 +1,13 @@
-/* self_test.h -- ready for opening? One page that tries everything a guest will touch, and what
- * keeps the stall alive below it.
+/* self_test.h -- the self-test before opening: one page that tests everything a player uses, and
+ * the state of the machine.
  *
- * What tries itself is known within twenty seconds: an entry of the ledger that comes back from the
- * disk, the clock, the picture's rate, what was refused at the start, and what the shell knows of
- * the machine (struct scene_machine), which never reaches the core's state. What has not answered
- * by then is bad. What only a person knows is asked: whether the note was heard, whether lamp and
- * slot moved, each button, a coin, each poi in all three directions. Nothing is ready that was not
- * tried, but for what this stall does not have: lamp and slot without lines, coins without a
- * price. */
+ * Automatic checks finish within twenty seconds: a ledger entry that returns from the disk, the
+ * clock, the frame rate, and files rejected at startup. The shell adds the state of the machine
+ * (struct scene_machine), which never reaches the core's state. A check without a result by then is
+ * bad. The operator confirms what only a person can notice: the sound, the lamp and the coin slot.
+ * The operator also presses each button, inserts a coin, and moves each poi in all three
+ * directions. An untested part is not ready, unless the kiosk does not have it: lamp and slot
+ * without input lines, coins in free play. */
 #ifndef KINGYO_CORE_GAME_SELF_TEST_H
 #define KINGYO_CORE_GAME_SELF_TEST_H
 
@@ -17,24 +17,27 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Then there is a verdict. */
-#define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ) /* A card that takes longer is no card. */
-#define SELF_TEST_WAY_M 0.03f      /* A poi has moved in a direction once it went so far. */
-#define SELF_TEST_LATE_TICKS 4u    /* Reports this old: fewer than 30 a second. */
-#define SELF_TEST_FRAMES_MIN 25u   /* A second; a picture that is slower is none to play by. */
+#define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Time after which every check has a result. */
+#define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ) /* Time for a write to disk; a slower card counts
+                                                      as failed. */
+#define SELF_TEST_WAY_M 0.03f      /* Distance that counts as a motion in one direction. */
+#define SELF_TEST_LATE_TICKS 4u    /* Report age that is late: fewer than 30 reports per second. */
+#define SELF_TEST_FRAMES_MIN 25u   /* Frames per second below which the display is too slow to
+                                      play. */
 
-#define SELF_BACKUP_OLD_MIN 180u   /* One is made at the start and each hour. */
-#define SELF_ROOM_LOW_MIB 64u      /* The database, twice, with a replay of each ranked round. */
-#define SELF_ROOM_BAD_MIB 8u       /* Not even an evening's entries and their backup. */
-#define SELF_HEAT_NEAR_C 10        /* A hot afternoon more, and the machine slows itself down. */
+#define SELF_BACKUP_OLD_MIN 180u   /* Minutes; a backup is made at startup and every hour. */
+#define SELF_ROOM_LOW_MIB 64u      /* Twice the database, plus a replay of each ranked round. */
+#define SELF_ROOM_BAD_MIB 8u       /* Too little for one evening's entries and their backup. */
+#define SELF_HEAT_NEAR_C 10        /* Degrees Celsius to throttling; a hot afternoon can add as
+                                      much. */
 
-/* What the machine is asked, and then what is played with. */
+/* Checks of the machine, followed by checks of the game devices. */
 enum self_check {
-    SELF_STORE = 0, /* An entry came back from the disk; no database was set aside. */
+    SELF_STORE = 0, /* A ledger entry returned from the disk, and no database is in quarantine. */
     SELF_BACKUP,
-    SELF_DATA,    /* What is written outlives the power. */
+    SELF_DATA,    /* Written data survives a power cut. */
     SELF_ROOM,
-    SELF_FILES,   /* Nothing was refused at the start. */
+    SELF_FILES,   /* No file was rejected at startup. */
     SELF_CLOCK,
     SELF_HEAT,
     SELF_WATCHDOG,
@@ -50,7 +53,7 @@ enum self_check {
 enum self_state {
     SELF_WAITS = 0,
     SELF_GOOD,
-    SELF_LOOK, /* The stall can open; somebody is to see to it today. */
+    SELF_LOOK, /* The kiosk can open, but the part needs attention today. */
     SELF_BAD,
     SELF_ASKS,
     SELF_STATES,
@@ -59,33 +62,36 @@ enum self_state {
 enum { SELF_UNSAID = 0, SELF_SAYS_YES, SELF_SAYS_NO };
 
 struct self_test {
-    uint8_t heard, moved;      /* What the operator said of the note, of lamp and slot. */
-    uint8_t present;           /* Seats with a controller, a bit each. */
-    uint8_t ways[POI_MAX];     /* Directions that each went: a bit each of x, y, z. */
-    uint8_t worst_age[POI_MAX]; /* Of its reports, in ticks. */
-    vec3 first_m[POI_MAX];     /* Where each was first seen. */
-    uint8_t knows_first;       /* A bit each. */
+    uint8_t heard, moved;      /* The operator's answers about the sound, and about lamp and
+                                  slot. */
+    uint8_t present;           /* Bit mask of the slots with a controller. */
+    uint8_t ways[POI_MAX];     /* Directions in which each poi moved: one bit each for x, y, z. */
+    uint8_t worst_age[POI_MAX]; /* Largest age of a report, in ticks. */
+    vec3 first_m[POI_MAX];     /* Position at which each poi was first seen. */
+    uint8_t knows_first;       /* Bit mask of the slots with a valid `first_m`. */
     uint32_t begin_tick;
-    uint32_t entry_id;         /* That was written for it; 0: none could be. */
+    uint32_t entry_id;         /* Id of the entry written for the test; 0: the ledger had no
+                                  room. */
 };
 
 struct core;
 
-/* Tries what is to be tried, while its page of the menu is open; once a tick. */
+/* Runs the tests while their page of the menu is open. Call once per tick. */
 void self_test_tick(struct core *core, const struct input *input, struct output *output);
 
-/* What there is to know of it, for self_test_judge(). */
+/* Writes the results for self_test_judge() to `out`. */
 void self_test_show(const struct core *core, struct scene_self_test *out);
 
-/* While lamp and slot are asked about: both by turns, half a second each. */
+/* Returns 1 for the first half of each second while the page asks about lamp and slot, which are
+ * then switched on and off. */
 int self_test_shows(const struct core *core);
 
-/* Judges what the scene says of the core and of devices, all of enum self_check. Returns what
- * the operator should hear of next: what he is to try, then what is bad, then what is to be looked
- * at, then what is not known yet; SELF_CHECKS: ready. */
+/* Evaluates core and device data of the scene, and writes the state of each enum self_check.
+ * Returns the check to display next: one that the operator must perform, then a bad one, then one
+ * that needs attention, then one without a result; SELF_CHECKS: ready. */
 uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS]);
 
-/* How many of them need somebody: all that are not good. */
+/* Returns the number of checks that are not good. */
 uint32_t self_test_left(const uint8_t state[SELF_CHECKS]);
 
 uint64_t self_test_hash(uint64_t hash, const struct self_test *self);

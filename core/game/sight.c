@@ -1,5 +1,5 @@
-/* sight.c -- the eye: the only file of the bots that knows the core. It reads what core/scene.c
- * shows, field by field, and nothing beside. */
+/* sight.c -- the only file of the bot that accesses the core. It reads the fields that core/scene.c
+ * shows, and no others. */
 #include "core/game/sight.h"
 
 #include "core/base/panic.h"

@@ -1,9 +1,9 @@
-/* sight.h -- what a person at the stall sees: the picture of the scene, asked one thing at a time.
+/* sight.h -- the vision of the bot: the visible state of the game, one object per call.
  *
- * A bot knows the stall through these functions alone. None tells more than core_scene() shows, and
- * each tells the same (tests/unit/test_sight.c): where fish are, not where they go or what they
- * mean to do; the picture of the paper, not its strength. The eye borrows the core for the call it
- * is handed to, and keeps nothing. */
+ * A bot reads the game only through these functions. Each returns what core_scene() shows, and
+ * nothing more (tests/unit/test_sight.c). A bot sees where fish are, but not their plans, and the
+ * picture of the paper, but not its strength. struct sight refers to the core for the duration of a
+ * call and stores nothing. */
 #ifndef KINGYO_CORE_GAME_SIGHT_H
 #define KINGYO_CORE_GAME_SIGHT_H
 
@@ -17,13 +17,13 @@ struct core;
 
 struct sight {
     const struct core *core;
-    uint32_t player; /* < POI_MAX: whose poi and bowl are its own. */
+    uint32_t player; /* Player < POI_MAX whose poi and bowl belong to the bot. */
 };
 
 struct sight_game {
     uint32_t tick;
     uint8_t phase, mode; /* enum scene_phase, enum game_mode */
-    uint8_t fouls;       /* Its own. */
+    uint8_t fouls;       /* Fouls of this player. */
     float seconds_left;
 };
 
@@ -56,19 +56,23 @@ struct sight_fan {
 };
 
 struct sight_game sight_game(const struct sight *sight);
-vec3 sight_tank_m(const struct sight *sight); /* Width, water depth, breadth. */
+vec3 sight_tank_m(const struct sight *sight); /* Returns width, water depth and breadth of the
+                                                 tank. */
 
-/* Fish are told apart by their number: < sight_fish_count(), else it asserts. */
+/* Return the number of fish, and one fish. `fish` must be < sight_fish_count(), else the function
+ * asserts. */
 uint32_t sight_fish_count(const struct sight *sight);
 struct sight_fish sight_fish(const struct sight *sight, uint32_t fish);
 
-/* `index` < POI_MAX, else they assert. What is not present is all zero. */
+/* Return one object. `index` must be < POI_MAX (fan: < SHADE_MAX), else the function asserts. An
+ * object that is not present is all zero. */
 struct sight_poi sight_poi(const struct sight *sight, uint32_t index);
 struct sight_bowl sight_bowl(const struct sight *sight, uint32_t index);
 struct sight_fan sight_fan(const struct sight *sight, uint32_t index);
 
-/* The picture of its own paper, `cell` < SHEET_SIDE * SHEET_SIDE, row by row from the far edge:
- * 0 a hole or beyond the ring, 1 nearly torn .. 255 whole; and 0 dry .. 255 wet. */
+/* Return a cell of the picture of the player's own paper. `cell` < SHEET_SIDE * SHEET_SIDE, row by
+ * row from the far edge. Integrity: 0 hole or outside the ring, 1 nearly torn .. 255 whole.
+ * Wetness: 0 dry .. 255 wet. */
 uint8_t sight_integrity(const struct sight *sight, uint32_t cell);
 uint8_t sight_wetness(const struct sight *sight, uint32_t cell);
 

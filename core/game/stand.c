@@ -1,4 +1,4 @@
-/* stand.c -- an open round that counts, as one ledger entry and back. */
+/* stand.c -- packs an open round into one ledger entry, and unpacks it. */
 #include "core/game/stand.h"
 
 #include "core/base/hash.h"
@@ -6,13 +6,14 @@
 #include "core/game/rules.h"
 #include "core/game/tickets.h"
 
-#define SEAT_BITS 8u     /* A byte of `count` for the catch of each seat. */
+#define SEAT_BITS 8u     /* One byte of `count` per slot, for its catch. */
 #define SEAT_MAX 255u
-#define TICKETS_MASK 0xffffu /* Of `value`; the seats that play and the bot's bit are above. */
+#define TICKETS_MASK 0xffffu /* Tickets in `value`; the bits of the players and of the bot are
+                                above. */
 #define PLAYERS_SHIFT 16u
 #define PLAYERS_MASK 15u
 #define BOT_SHIFT 20u
-#define GRADE_SHIFT 4u   /* Of `detail`; the mode is below. */
+#define GRADE_SHIFT 4u   /* Grade in `detail`; the mode is in the lower bits. */
 #define MODE_MASK 15u
 _Static_assert(POI_MAX * SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
@@ -32,7 +33,8 @@ int stand_is_spent(const struct core *core)
            ((core->game.ledger.purse.open & OPEN_SPENT) || is_mostly_played(core));
 }
 
-/* A free round without tickets would gain nothing from an entry for each catch. */
+/* Returns 1 if a power cut could lose something of value. A free round without tickets is not
+ * logged. */
 static int has_value(const struct core *core)
 {
     const uint8_t kind = core->game.ledger.purse.open & OPEN_KIND;
@@ -84,14 +86,15 @@ void stand_tick(struct core *core, struct output *output)
     credit->stand_id = ledger_write(core, &entry, output);
 }
 
-/* ---- The next start ------------------------------------------------------------------------- */
+/* ---- At the next start ---------------------------------------------------------------------- */
 
-/* Times, paper and fish of the tank are unknown: 0, as in rounds of an earlier Kingyo. */
+/* Returns the record of the round. Times, paper and fish count are unknown and 0, as in records of
+ * an earlier Kingyo. */
 static struct round_record record_of(const struct ledger_stand *stand)
 {
     const uint32_t value = (uint32_t)stand->value;
     struct round_record record = {
-        .mode = stand->detail & MODE_MASK, /* stand_is_good() holds. */
+        .mode = stand->detail & MODE_MASK, /* In range, because stand_is_good() was checked. */
         .grade = stand->detail >> GRADE_SHIFT,
         .players = (uint8_t)(value >> PLAYERS_SHIFT & PLAYERS_MASK),
         .by_bot = (uint8_t)(value >> BOT_SHIFT & 1u),

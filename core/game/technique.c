@@ -1,4 +1,4 @@
-/* technique.c -- two ways to play, as figures. */
+/* technique.c -- the two built-in techniques. */
 #include "core/game/technique.h"
 
 #include "core/base/hash.h"

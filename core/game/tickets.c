@@ -1,4 +1,4 @@
-/* tickets.c -- first the ledger, then the pulse, then the next ticket. */
+/* tickets.c -- the sequence of ledger entry, pulse, and next ticket. */
 #include "core/game/tickets.h"
 
 #include "core/core.h"
@@ -14,7 +14,7 @@ void tickets_owe(struct core *core, uint32_t count)
     purse->tickets = (uint16_t)(purse->tickets + (count < room ? count : room));
 }
 
-/* Tickets that are owed and whose debt is on disk. */
+/* Returns the number of owed tickets whose debt is on disk. */
 static uint32_t sure_tickets(const struct ledger *ledger)
 {
     const uint16_t kept = ledger->kept.tickets, now = ledger->purse.tickets;

@@ -1,4 +1,4 @@
-/* trust.c -- each way in which a hand is lost, one after the other. */
+/* trust.c -- the checks for lost input, one after the other. */
 #include "core/game/trust.h"
 
 #include "core/base/fmath.h"
@@ -6,11 +6,12 @@
 #include "core/base/mem.h"
 #include "core/base/vec.h"
 
-/* How far beyond an arm's pace a pose may be before it is a leap: reports come a little unevenly,
- * and 3 m/s with a report missing is 3.4 cm too much. */
+/* Tolerance of the jump test. Reports arrive a little unevenly: a motion at 3 m/s with one missing
+ * report exceeds the limit by 3.4 cm. */
 #define ARM_LEAP_M 0.035f
 #define POINTER_LEAP_M 0.30f
-#define WRIST_PER_S 40.0f /* Of the way that the tips of the unit axes go: rad/s while small. */
+#define WRIST_PER_S 40.0f /* Limit for the motion of the unit axes' tips per second; equals rad/s
+                             for small rotations. */
 #define LEAP_TURN 0.3f    /* 36 degrees in one tick. */
 #define CREDIT_KEEP 0.95f
 
@@ -53,8 +54,8 @@ int trust_is_leap(const struct poi_target *from, const struct poi_target *to, fl
            trust_turn(from->angles, to->angles) > WRIST_PER_S * seconds + LEAP_TURN;
 }
 
-/* What goes beyond an arm's pace sums up and is forgotten at that pace. Below 0 it is a credit:
- * what a hand may have gone unseen. It fades within the frame that catches up. */
+/* Accumulates the motion beyond the allowed pace `free`, and reduces the sum at that pace. A
+ * negative sum is an allowance for unseen motion, which decays within the frame that catches up. */
 static float beyond(float before, float step, float free)
 {
     const float sum = before + step - free;
@@ -73,7 +74,7 @@ static int leaps(struct trust *trust, const struct poi_input *input)
     trust->spin = beyond(trust->spin, turn, WRIST_PER_S * CORE_TICK_S);
     const int leapt = trust->rush_m > leap_m(input->has_wrist) || trust->spin > LEAP_TURN;
     if (leapt) {
-        trust->rush_m = trust->spin = 0.0f; /* From here on, if it stays. */
+        trust->rush_m = trust->spin = 0.0f; /* Restart from the new pose, in case it stays. */
     }
     return leapt && input->has_wrist;
 }
@@ -87,7 +88,7 @@ static int is_stuck(struct trust *trust, const struct poi_input *input)
     return input->trembles && trust->same_ticks > TRUST_STUCK_TICKS;
 }
 
-/* Both are asked each time, for each keeps count. */
+/* Runs both checks in every tick, because each updates counters. */
 static int goes_on(struct trust *trust, const struct poi_input *input)
 {
     const int stuck = is_stuck(trust, input);
@@ -95,7 +96,7 @@ static int goes_on(struct trust *trust, const struct poi_input *input)
     return !stuck && !leapt;
 }
 
-/* Whether what is said now agrees with what was said before. */
+/* Returns 1 if the current input is consistent with the earlier input. */
 static int agrees(struct trust *trust, const struct poi_input *input)
 {
     if (input->link != POI_LINK_LIVE || !trust_can_read(&input->target)) {
@@ -107,8 +108,8 @@ static int agrees(struct trust *trust, const struct poi_input *input)
     return is_sane && input->age_ticks <= TRUST_SILENT_TICKS;
 }
 
-/* After reports that were late, the way that was missed is gone in three quarters of the time that
- * it took: broken into straight pieces a way is shorter, and the paper would wear less by it. */
+/* After late reports the missed motion is replayed in three quarters of its duration. Straight
+ * pieces make the path shorter, so a full-time replay would be slower and wear the paper less. */
 static void count_late(struct trust *trust, const struct poi_input *input)
 {
     const uint16_t before = trust->silent_ticks;

@@ -1,4 +1,4 @@
-/* upkeep.c -- boots, crashes, and hours. */
+/* upkeep.c -- entries for starts, crashes and uptime. */
 #include "core/game/upkeep.h"
 
 #include "core/base/hash.h"
@@ -18,7 +18,8 @@ static void tell_boot(struct core *core, struct output *output)
     const int counts = (ledger->purse.open & OPEN_SPENT) && stand_finish(core, output);
     if (!counts && ledger->purse.open != OPEN_NONE) {
         credit_give_back(core, REFUND_RESTART, output);
-        core->game.credit.came_back = 0; /* Of another evening: nobody waits for that news. */
+        core->game.credit.came_back = 0; /* The refunded round is from an earlier run, so no message
+                                            is shown. */
     }
 }
 
@@ -63,13 +64,13 @@ int upkeep_last_word(const struct core *core, const struct input *input, struct 
     return ledger->boot > 0;
 }
 
-/* Where there is no room it is told as soon as there is some. */
+/* An entry without room is logged as soon as the ledger has room. */
 void upkeep_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct upkeep *upkeep = &core->game.upkeep;
     if (!upkeep->is_told) {
         upkeep->is_told = 1;
-        if (core->game.ledger.boot > 0) { /* Else nobody counts them. */
+        if (core->game.ledger.boot > 0) { /* Without a store, starts are not counted. */
             tell_boot(core, output);
         }
     }

@@ -1,8 +1,9 @@
-/* upkeep.h -- what the machine says of itself: that it began, what that ended, and how it fares.
+/* upkeep.h -- the health log: ledger entries about starts, crashes, uptime and faults.
  *
- * The first entry of each start is LEDGER_BOOT. A round that was open then was cut off by a crash
- * or the plug: its credit comes back. Every two minutes, and whenever the operator opens the menu,
- * a LEDGER_HEALTH tells how long the machine has been up and what went wrong meanwhile. */
+ * The first entry of each start is LEDGER_BOOT. A round that was open then was interrupted by a
+ * crash or a power cut, and its credit is refunded. A LEDGER_HEALTH is logged every two minutes and
+ * whenever the operator opens the menu. It contains the uptime and the faults since the previous
+ * one. */
 #ifndef KINGYO_CORE_GAME_UPKEEP_H
 #define KINGYO_CORE_GAME_UPKEEP_H
 
@@ -12,36 +13,41 @@
 #include "core/ledger.h"
 #include "core/output.h"
 
-#define UPKEEP_TICKS (120u * CORE_TICK_HZ) /* What a pulled plug takes from the books at most. */
+#define UPKEEP_TICKS (120u * CORE_TICK_HZ) /* Interval of the entries, which limits what a power cut
+                                              removes from the statistics. */
 
 struct upkeep {
-    uint8_t is_told;       /* This start's LEDGER_BOOT is written. */
-    uint32_t told_tick;    /* When a LEDGER_HEALTH was written last, ... */
-    uint32_t dropped_ticks, device_faults; /* ... and what it found in the input. */
+    uint8_t is_told;       /* 1: the LEDGER_BOOT of this start is written. */
+    uint32_t told_tick;    /* Tick of the last LEDGER_HEALTH. */
+    uint32_t dropped_ticks, device_faults; /* Values of the input at the last LEDGER_HEALTH. */
     uint32_t told_shakes;
-    uint32_t away_ticks[POI_MAX]; /* How long a seat that plays has been without its controller. */
-    uint32_t loss_tick[POI_MAX];  /* When a seat last lost its controller in a round; 0: never. */
+    uint32_t away_ticks[POI_MAX]; /* Ticks for which a slot in play has been without its
+                                     controller. */
+    uint32_t loss_tick[POI_MAX];  /* Tick at which a slot last lost its controller in a round; 0:
+                                     never. */
 };
 
-/* A controller that is away so long in a round was lost; a shorter gap is a glitch. */
+/* Time without a controller that counts as a loss; a shorter gap is a glitch. */
 #define UPKEEP_LOSS_TICKS CORE_TICK_HZ
-/* A loss within this time of the same seat's last one is a repeated loss: LEDGER_LOSS. */
+/* A loss within this time after the same slot's last loss is logged as repeated: LEDGER_LOSS. */
 #define UPKEEP_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
 
 struct core;
 
-/* Counts repeated losses of each seat's controller. Once a tick of the round, after
+/* Logs repeated losses of each slot's controller. Call once per tick of the round, after
  * pause_tick(). */
 void upkeep_note_losses(struct core *core, struct output *output);
 
-/* Once a tick, before anything else is written in it. */
+/* Logs boot and health entries that are due. Call once per tick, before any other entry of the
+ * tick. */
 void upkeep_tick(struct core *core, const struct input *input, struct output *output);
 
-/* Tells now. */
+/* Logs a LEDGER_HEALTH now. */
 void upkeep_tell(struct core *core, const struct input *input, struct output *output);
 
-/* What would be told now, as the entry that comes next, for an orderly end after the last tick: the
- * core is left as a recording of it knows it. 0: there is no store to keep it. */
+/* Fills `out` with the final LEDGER_HEALTH for a shutdown after the last tick, with the next id.
+ * The core is unchanged, so that it still matches its recording. Returns 1, or 0 if no store
+ * exists. */
 int upkeep_last_word(const struct core *core, const struct input *input, struct ledger_entry *out);
 
 uint64_t upkeep_hash(uint64_t hash, const struct upkeep *upkeep);
