@@ -11,7 +11,8 @@
 #include "core/tank/tank.h"
 
 #define OVERLAP_DEEP_MM 0.5 /* Deeper is an overlap; less is a brush. */
-#define OVERLAP_CELL_MAX 128u
+/* Cells along a side: in the largest tank of either build a cell is about as wide as two balls. */
+#define OVERLAP_CELL_MAX (TANK_FISH_MAX > TANK_FISH_KIOSK ? 256u : 128u)
 
 struct overlap_box {
     double centre_m[3];

@@ -10,6 +10,7 @@
 #include "platform/ctl/tank_lab.h"
 #include "platform/ctl/tank_report.h"
 #include "platform/ctl/tank_trace.h"
+#include "platform/huge_pages.h"
 #include "platform/print.h"
 
 #define PROGRESS_TICKS (2u * CORE_TICK_HZ)
@@ -70,7 +71,7 @@ static enum exit_code run(int argc, const char *const *argv)
     if (code != EXIT_OK) {
         return code;
     }
-    struct tank_lab *lab = calloc(1, sizeof *lab);
+    struct tank_lab *lab = huge_pages_alloc(sizeof *lab);
     if (!lab) {
         print_error("kingyoctl tank: out of memory");
         return EXIT_IO;
@@ -80,7 +81,7 @@ static enum exit_code run(int argc, const char *const *argv)
         code = measure(lab);
         tank_lab_close(lab);
     }
-    free(lab);
+    huge_pages_free(lab, sizeof *lab);
     return code;
 }
 

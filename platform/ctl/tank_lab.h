@@ -16,7 +16,7 @@
 #include "platform/ctl/tank_path.h"
 #include "platform/ctl/tank_plan.h"
 
-/* Sums over all ticks. */
+/* Sums over all observed ticks. */
 struct lab_sums {
     uint64_t fish_ticks;
     uint64_t gait_ticks[GAIT_COUNT];
@@ -39,7 +39,11 @@ struct tank_lab {
     struct lab_sums sums;
     struct meetings meetings;
     float oxygen_start_mg_l;
-    float *tick_ns;         /* [plan->tick_count]: of the tank's tick alone. */
+    uint32_t observe_every; /* Ticks from one observation to the next one. */
+    uint32_t observed_tick; /* Tick count at the last observation. */
+    uint32_t timed_count;   /* Entries of tick_ns that are in use. */
+    float *tick_ns; /* [plan->tick_count]: CPU time of the tank's tick alone, for each timed tick.
+                       With `observe_every` of at most CROWD_LOOK_TICKS every tick is timed. */
     uint32_t *shade_count;  /* [tank_lab_seconds()]: fish within the shades ... */
     uint32_t *surfacing_count; /* ... and at the surface, at the start and after each second. */
 };
@@ -51,7 +55,8 @@ uint32_t tank_lab_seconds(const struct tank_plan *plan);
  * must outlive the lab. Returns EXIT_OK; after an error one line is on standard error. */
 enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan);
 
-/* One tick, measured. */
+/* Advances the tank by one tick and measures its time. After every `observe_every`th tick and after
+ * the last one of the plan, also measures overlaps, encounters, gaits and speeds. */
 void tank_lab_tick(struct tank_lab *lab);
 
 /* Dissolved in the water now. */

@@ -24,14 +24,15 @@ static void open_pair(struct meetings *meetings, const struct meeting *pair)
     meetings->newest[pair->low] = meetings->open_count;
 }
 
-static void forget_the_parted(struct meetings *meetings, const struct tank *tank)
+static void forget_the_parted(struct meetings *meetings, const struct tank *tank,
+                              uint32_t ticks)
 {
     const uint32_t count = meetings->open_count;
     meetings->open_count = 0;
     memset(meetings->newest, 0, tank->fish_count * sizeof meetings->newest[0]);
     for (uint32_t i = 0; i < count; i++) {
         struct meeting pair = meetings->open[i];
-        pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + MEETINGS_LOOK_TICKS;
+        pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + ticks;
         if (pair.apart_ticks < MEETINGS_PART_TICKS) {
             open_pair(meetings, &pair); /* At or before index i, which has been read. */
         }
@@ -64,7 +65,7 @@ static void begin(struct meetings *meetings, const struct fish *fish, fish_index
     meetings->rear_end += fish->avoid_kind == MEET_REAR_END ? 1u : 0u;
 }
 
-void meetings_watch(struct meetings *meetings, const struct tank *tank)
+void meetings_watch(struct meetings *meetings, const struct tank *tank, uint32_t ticks)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *fish = &tank->fish[i];
@@ -77,7 +78,9 @@ void meetings_watch(struct meetings *meetings, const struct tank *tank)
             meetings->avoided[i] = fish->avoiding;
         }
     }
-    if (++meetings->ticks % MEETINGS_LOOK_TICKS == 0) {
-        forget_the_parted(meetings, tank);
+    meetings->unlooked_ticks += ticks;
+    if (meetings->unlooked_ticks >= MEETINGS_LOOK_TICKS) {
+        forget_the_parted(meetings, tank, meetings->unlooked_ticks);
+        meetings->unlooked_ticks = 0;
     }
 }

@@ -26,6 +26,7 @@ enum figure {
     FIGURE_OXYGEN_MG_L,
     FIGURE_TIME_COMPRESSION,
     FIGURE_TRACE_EVERY,
+    FIGURE_OBSERVE_EVERY,
     FIGURE_COUNT,
 };
 
@@ -49,6 +50,7 @@ static const struct range ranges[FIGURE_COUNT] = {
     [FIGURE_TIME_COMPRESSION] = { "--time-compression", 0, (double)OXYGEN_TIME_COMPRESSION_MAX,
                                   0 },
     [FIGURE_TRACE_EVERY] = { "--trace-every", 1, PLAN_SECONDS_MAX * CORE_TICK_HZ, 1 },
+    [FIGURE_OBSERVE_EVERY] = { "--observe-every", 1, PLAN_SECONDS_MAX * CORE_TICK_HZ, 1 },
 };
 
 enum pump {
@@ -361,6 +363,9 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
     plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);
     plan->trace_every =
         words->given[FIGURE_TRACE_EVERY] ? (uint32_t)figure[FIGURE_TRACE_EVERY] : 12u;
+    if (words->given[FIGURE_OBSERVE_EVERY]) {
+        plan->observe_every = (uint32_t)figure[FIGURE_OBSERVE_EVERY];
+    }
     return settle_fish(plan, words);
 }
 

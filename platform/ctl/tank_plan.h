@@ -22,6 +22,7 @@ struct tank_plan {
     struct plan_shade shade[SHADE_MAX];
     const char *poi_path, *place, *trace; /* Null when not asked for. */
     uint32_t trace_every;                 /* Ticks. */
+    uint32_t observe_every; /* Ticks; 0: the default, which depends on the number of fish. */
     uint8_t has_fish; /* --fish was given: files must agree. */
     uint8_t as_json;
 };

@@ -20,10 +20,10 @@ static int by_size(const void *left, const void *right)
 static double mean_ns(const struct tank_lab *lab)
 {
     double sum_ns = 0.0;
-    for (uint32_t i = 0; i < lab->tick; i++) {
+    for (uint32_t i = 0; i < lab->timed_count; i++) {
         sum_ns += (double)lab->tick_ns[i];
     }
-    return sum_ns / (double)lab->tick;
+    return sum_ns / (double)lab->timed_count;
 }
 
 struct tank_figures tank_figures_of(struct tank_lab *lab)
@@ -42,9 +42,10 @@ struct tank_figures tank_figures_of(struct tank_lab *lab)
         figures.other_share += gait > GAIT_BURST ? figures.share[gait] : 0.0;
     }
     figures.surfacing_share = figures.share[GAIT_SURFACE];
-    qsort(lab->tick_ns, lab->tick, sizeof lab->tick_ns[0], by_size);
-    figures.tick_ms_median = 1e-6 * (double)lab->tick_ns[lab->tick / 2u];
-    figures.tick_ms_p99 = 1e-6 * (double)lab->tick_ns[(uint64_t)lab->tick * 99u / 100u];
+    const uint64_t count = lab->timed_count;
+    qsort(lab->tick_ns, count, sizeof lab->tick_ns[0], by_size);
+    figures.tick_ms_median = 1e-6 * (double)lab->tick_ns[count / 2u];
+    figures.tick_ms_p99 = 1e-6 * (double)lab->tick_ns[count * 99u / 100u];
     return figures;
 }
 
@@ -81,8 +82,8 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
     printf("{\"preset\": \"%s\", \"fish\": %u", tank_preset(lab->tank.preset)->name,
            lab->tank.fish_count);
     put(", \"seconds\": ", lab->plan->seconds, 3);
-    printf(", \"seed\": %u, \"ticks\": %u, \"state_hash\": \"%016llx\"", lab->tank.seed, lab->tick,
-           (unsigned long long)tank_lab_hash(lab));
+    printf(", \"seed\": %u, \"ticks\": %u, \"observe_every\": %u, \"state_hash\": \"%016llx\"",
+           lab->tank.seed, lab->tick, lab->observe_every, (unsigned long long)tank_lab_hash(lab));
     put(", \"ns_per_fish_tick\": ", figures->ns_per_fish_tick, 1);
     put(", \"tick_ms_median\": ", figures->tick_ms_median, 6);
     put(", \"tick_ms_p99\": ", figures->tick_ms_p99, 6);

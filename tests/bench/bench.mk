@@ -24,7 +24,7 @@ bench-tank:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_TANK) $(BUILD)/tests/sizes
 	@tests/bench/bench_tank.sh $(BUILD)
 
-$(BENCH_TANK): $(MANY)/bench_tank.o $(MANY_OBJ) $(BUILD)/platform/cpu.o $(GENERATED_CORE_OBJ)
+$(BENCH_TANK): $(MANY)/bench_tank.o $(MANY_OBJ) $(BUILD)/platform/cpu.o $(BUILD)/platform/huge_pages.o $(GENERATED_CORE_OBJ)
 	@mkdir -p $(@D)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(BENCH_TANK_TIMED:%=-Wl,--wrap=%) -o $@ $^ -lm

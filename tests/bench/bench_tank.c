@@ -13,7 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include <time.h>
 
 #include "core/base/panic.h"
@@ -21,6 +20,7 @@
 #include "core/tank/swim.h"
 #include "core/tank/tank.h"
 #include "platform/cpu.h"
+#include "platform/huge_pages.h"
 
 #define SAMPLES_MAX 4000u
 #define SAMPLES_MIN 8u
@@ -552,16 +552,13 @@ static void print_peers(void)
     puts("");
 }
 
-/* 60 MiB at random: pages of 2 MiB spare the processor most look-ups of where they lie. */
 static void open_store(void)
 {
-    const size_t page = 1u << 21, size = (sizeof *store + page - 1u) / page * page;
-    store = aligned_alloc(page, size);
+    store = huge_pages_alloc(sizeof *store);
     if (!store) {
-        fprintf(stderr, "bench_tank: no memory for %zu bytes\n", size);
+        fprintf(stderr, "bench_tank: no memory for %zu bytes\n", sizeof *store);
         exit(1);
     }
-    madvise(store, size, MADV_HUGEPAGE); /* Where it cannot, it costs what it costs. */
 }
 
 int main(int argc, char **argv)

@@ -13,7 +13,7 @@ holds() { # SQL expression over j, the JSON of FILE
 
 # ---- JSON
 "$ctl" tank --fish 300 --seconds 5 --seed 7 --shade 0,0,10,1,4 --json --trace "$work/trace.csv" >"$work/a.json"
-keys='preset fish seconds seed ticks state_hash ns_per_fish_tick tick_ms_median tick_ms_p99 body_overlaps
+keys='preset fish seconds seed ticks observe_every state_hash ns_per_fish_tick tick_ms_median tick_ms_p99 body_overlaps
 deepest_overlap_mm encounters gait_share speed_cm_s stamina_mean surfacing_share oxygen_mg_l shade_count
 surfacing_count'
 has_keys() {
@@ -87,6 +87,9 @@ hash_of() { "$ctl" tank "$@" --json >"$work/h.json" && json "$work/h.json" state
 same() { [ "$1" = "$2" ] && [ -n "$1" ]; }
 differ() { [ "$1" != "$2" ] && [ -n "$1" ]; }
 first=$(hash_of --fish 300 --seconds 3 --seed 5)
+check 'observations change nothing in the tank' same "$first" "$(hash_of --fish 300 --seconds 3 --seed 5 --observe-every 50)"
+check 'and every 50th tick with the last one are observed' holds "$work/h.json" \
+    "json_extract(j,'\$.observe_every')=50 and abs((select sum(value) from json_each(j,'\$.gait_share'))-1)<1e-5"
 check 'the same seed swims to the same hash' same "$first" "$(hash_of --fish 300 --seconds 3 --seed 5)"
 check 'all pairs find what the grid finds' same "$first" \
     "$(hash_of --fish 300 --seconds 3 --seed 5 --pairs all)"
@@ -111,6 +114,7 @@ END
 "$ctl" tank --fish 131072 --area-scale 250 --seconds 0.1 --json >"$work/many.json"
 check '131,072 fish swim' holds "$work/many.json" "json_extract(j,'\$.fish')=131072"
 check 'without touching' holds "$work/many.json" "json_extract(j,'\$.body_overlaps')=0"
+check 'and are observed every 24th tick' holds "$work/many.json" "json_extract(j,'\$.observe_every')=24"
 too_many() { "$ctl" tank --fish 131073 --area-scale 250 2>"$work/text"; [ $? -eq 2 ] && grep -q '1 to 131072 fish' "$work/text"; }
 check '131,073 fish are refused with the limit' too_many
 

@@ -29,7 +29,7 @@ static void watch_stage(const struct tank_stage *stages, uint32_t count, uint32_
     meetings = (struct meetings){ 0 };
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         tank_tick(tank, tick, NULL, 0);
-        meetings_watch(&meetings, tank);
+        meetings_watch(&meetings, tank, 1);
     }
 }
 
@@ -81,9 +81,9 @@ static void test_a_pair_counts_again_only_when_it_has_parted(void **state)
     meetings = (struct meetings){ 0 };
     for (uint32_t turn = 0; turn < 3; turn++) { /* In turns, without parting. */
         give_way(&tank->fish[turn % 2u], (fish_index)(1u - turn % 2u));
-        meetings_watch(&meetings, tank);
+        meetings_watch(&meetings, tank, 1);
         tank->fish[turn % 2u].avoiding = AVOID_NONE;
-        meetings_watch(&meetings, tank);
+        meetings_watch(&meetings, tank, 1);
     }
     assert_int_equal(meetings.head_on, 1);
     assert_int_equal(meetings.by_yaw, 3);
@@ -91,16 +91,35 @@ static void test_a_pair_counts_again_only_when_it_has_parted(void **state)
     tank->fish[0].position_m.z += 0.02f; /* 8 cm between the middles: spaces of 7 are apart. */
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - MEETINGS_LOOK_TICKS; tick++) {
         assert_int_equal(meetings.open_count, 1);
-        meetings_watch(&meetings, tank);
+        meetings_watch(&meetings, tank, 1);
     }
     for (uint32_t tick = 0; tick < 2u * MEETINGS_LOOK_TICKS; tick++) {
-        meetings_watch(&meetings, tank);
+        meetings_watch(&meetings, tank, 1);
     }
     assert_int_equal(meetings.open_count, 0);
     tank->fish[0].position_m = here;
     give_way(&tank->fish[0], 1);
-    meetings_watch(&meetings, tank);
+    meetings_watch(&meetings, tank, 1);
     assert_int_equal(meetings.head_on, 2);
+}
+
+/* Observed every 24 ticks, a pair is one encounter, and it parts after half a second as well. */
+static void test_a_pair_that_is_watched_in_steps_parts_in_time(void **state)
+{
+    (void)state;
+    const struct tank_stage near[] = { swimmer(0.0f, 3.0f, 0.0f), swimmer(0.0f, -3.0f, 180.0f) };
+    struct tank *tank = thesis_stage(near, 2, 1);
+    meetings = (struct meetings){ 0 };
+    give_way(&tank->fish[0], 1);
+    meetings_watch(&meetings, tank, 24);
+    meetings_watch(&meetings, tank, 24);
+    assert_int_equal(meetings.head_on, 1);
+    tank->fish[0].position_m.z += 0.02f;
+    meetings_watch(&meetings, tank, 24);
+    meetings_watch(&meetings, tank, 24);
+    assert_int_equal(meetings.open_count, 1); /* Apart for 48 ticks. */
+    meetings_watch(&meetings, tank, 24);
+    assert_int_equal(meetings.open_count, 0);
 }
 
 int main(void)
@@ -109,6 +128,7 @@ int main(void)
         cmocka_unit_test(test_one_meeting_is_one_meeting_of_its_kind),
         cmocka_unit_test(test_who_meets_nobody_is_not_counted),
         cmocka_unit_test(test_a_pair_counts_again_only_when_it_has_parted),
+        cmocka_unit_test(test_a_pair_that_is_watched_in_steps_parts_in_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,6 +43,7 @@ static void test_nothing_asked_is_the_thesis_for_ten_seconds(void **state)
     assert_int_equal(plan.config.fish_count, 600);
     assert_int_equal(plan.tick_count, 1200);
     assert_int_equal(plan.trace_every, 12);
+    assert_int_equal(plan.observe_every, 0);
     assert_true(plan.config.stamina_min == 0.30f && plan.config.stamina_max == 1.0f);
 }
 
@@ -53,7 +54,7 @@ static void test_every_option_reaches_the_plan(void **state)
         read_plan("--preset official --fish 321 --area-scale 0.5 --seconds 2.5 --seed 4294967295 "
                   "--stamina 20 --temperature-c 30 --pressure-hpa 990 --oxygen-mg-l 3.5 --pump on "
                   "--time-compression 60 --shade 1,-2,10,0,5 --shade 3,4,5,1,2 --poi-path p.csv "
-                  "--place q.csv --pairs all --trace t.csv --trace-every 1 --json"),
+                  "--place q.csv --pairs all --trace t.csv --trace-every 1 --observe-every 7 --json"),
         EXIT_OK);
     assert_int_equal(plan.config.preset, TANK_PRESET_OFFICIAL);
     assert_int_equal(plan.config.fish_count, 321);
@@ -71,6 +72,7 @@ static void test_every_option_reaches_the_plan(void **state)
     assert_string_equal(plan.place, "q.csv");
     assert_string_equal(plan.trace, "t.csv");
     assert_int_equal(plan.trace_every, 1);
+    assert_int_equal(plan.observe_every, 7);
     assert_int_equal(plan.as_json, 1);
 }
 
