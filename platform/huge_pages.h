@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-/* Returns `size` bytes of zeros, aligned to 2 MiB, or NULL if there is no memory. With 2 MiB pages the
- * processor spends less time on address translation; the kernel may use ordinary pages instead. The
- * caller releases the memory with huge_pages_free() and the same size. */
+/* Returns `size` bytes of zeros, aligned to 2 MiB, or NULL if there is no memory. With 2 MiB pages
+ * the processor spends less time on address translation; the kernel may use ordinary pages instead.
+ * The caller releases the memory with huge_pages_free() and the same size. */
 void *huge_pages_alloc(size_t size);
 
 void huge_pages_free(void *memory, size_t size);

@@ -157,11 +157,21 @@ int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t ha
  * core_hash now. Returns its size in `out`, or 0 when it is not open or `size` is too small. */
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size);
 
-/* Replaces the start of a complete recording in memory, as replay_copy() makes it, and renews every
- * checksum. Returns the new size, or 0 if that is more than `size_max`: then nothing has changed.
- */
+/* Progress of renewing the checksums of a recording in memory. */
+struct replay_seal {
+    uint8_t *part; /* The next chunk of the recording, or its end. */
+    uint64_t sum;  /* Of all parts before it. */
+};
+
+/* Replaces the start of a complete recording in memory, as replay_copy() makes it. The checksums of
+ * its chunks and its end are wrong until replay_seal_next() has returned 1. Returns the new size,
+ * or 0 if that is more than `size_max`: then nothing has changed. */
 size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
-                            const struct core_config *config);
+                            const struct core_config *config, struct replay_seal *seal);
+
+/* Renews the checksums of the next chunks until `size` bytes or more are done. Returns 1 when the
+ * whole recording is done, else 0. */
+int replay_seal_next(struct replay_seal *seal, size_t size);
 
 /* ---- Reader (replay_reader.c) ---- */
 

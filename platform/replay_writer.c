@@ -59,8 +59,8 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
 
-/* Its sum goes behind a part that is there at all. Returns the size with it. */
-static size_t seal(uint8_t *part, size_t size, uint64_t *sum)
+/* Appends the checksum to a part that is not empty. Returns the size of both. */
+static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
 {
     if (size == 0) {
         return 0;
@@ -90,9 +90,9 @@ static size_t put_header(struct replay_writer *writer, const struct core_config 
     replay_put_u32(out + HEADER_BOOK, (uint32_t)book_size);
 
     writer->sum = HASH_START;
-    size_t size = seal(out, HEADER_SUM, &writer->sum);
-    size += seal(start, start_size, &writer->sum);
-    return size + seal(book, book_size, &writer->sum);
+    size_t size = put_sum(out, HEADER_SUM, &writer->sum);
+    size += put_sum(start, start_size, &writer->sum);
+    return size + put_sum(book, book_size, &writer->sum);
 }
 _Static_assert(HEADER_SUM + REPLAY_SUM_SIZE == REPLAY_HEADER_SIZE, "the start follows the sum");
 _Static_assert(sizeof KINGYO_VERSION <= REPLAY_PROGRAM_SIZE, "the version must fit the header");
@@ -197,7 +197,7 @@ static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
     replay_put_u32(chunk + CHUNK_FOULS, totals->fouls);
     replay_put_u32(chunk + CHUNK_WHO, who_played(totals));
     replay_put_u64(chunk + CHUNK_HASH, totals->hash);
-    const size_t size = seal(chunk, REPLAY_CHUNK_HEAD_SIZE + payload_size, sum);
+    const size_t size = put_sum(chunk, REPLAY_CHUNK_HEAD_SIZE + payload_size, sum);
     put_end(chunk + size, totals, *sum);
     return size;
 }
@@ -310,7 +310,7 @@ size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *o
 }
 
 size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
-                            const struct core_config *config)
+                            const struct core_config *config, struct replay_seal *seal)
 {
     uint8_t start[REPLAY_START_MAX];
     const size_t old_size = replay_get_u32(recording + HEADER_START);
@@ -323,15 +323,23 @@ size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
     memmove(recording + REPLAY_HEADER_SIZE + new_size, recording + behind, size - behind);
     memcpy(recording + REPLAY_HEADER_SIZE, start, new_size);
     replay_put_u32(recording + HEADER_START, (uint32_t)new_size);
-    uint64_t sum = HASH_START;
-    uint8_t *part = recording;
-    part += seal(part, HEADER_SUM, &sum);
-    part += seal(part, new_size, &sum);
-    part += seal(part, book_size, &sum);
-    while (memcmp(part, REPLAY_CHUNK_TAG, 4) == 0) {
-        part +=
-            seal(part, REPLAY_CHUNK_HEAD_SIZE + replay_get_u32(part + CHUNK_PAYLOAD_SIZE), &sum);
-    }
-    replay_put_u64(part + END_SUM, hash_bytes(sum, part, END_SUM));
+    *seal = (struct replay_seal){ recording, HASH_START };
+    seal->part += put_sum(seal->part, HEADER_SUM, &seal->sum);
+    seal->part += put_sum(seal->part, new_size, &seal->sum);
+    seal->part += put_sum(seal->part, book_size, &seal->sum);
     return size - old_size + new_size;
+}
+
+int replay_seal_next(struct replay_seal *seal, size_t size)
+{
+    const uint8_t *begin = seal->part;
+    while (memcmp(seal->part, REPLAY_CHUNK_TAG, 4) == 0) {
+        if ((size_t)(seal->part - begin) >= size) {
+            return 0;
+        }
+        const size_t payload_size = replay_get_u32(seal->part + CHUNK_PAYLOAD_SIZE);
+        seal->part += put_sum(seal->part, REPLAY_CHUNK_HEAD_SIZE + payload_size, &seal->sum);
+    }
+    replay_put_u64(seal->part + END_SUM, hash_bytes(seal->sum, seal->part, END_SUM));
+    return 1;
 }

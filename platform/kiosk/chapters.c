@@ -94,8 +94,10 @@ static void keep_round(struct chapters *chapters, uint32_t round_id, const struc
                                         sizeof chapters->replay);
     if (chapters->replay_size > 0) {
         chapters->replay_size = replay_replace_start(chapters->replay, chapters->replay_size,
-                                                     sizeof chapters->replay, &chapters->start);
+                                                     sizeof chapters->replay, &chapters->start,
+                                                     &chapters->seal);
     }
+    chapters->is_sealed = 0;
     chapters->round_id = chapters->replay_size > 0 ? round_id : 0;
     chapters->missed += chapters->replay_size == 0;
 }
@@ -176,7 +178,11 @@ int chapters_dump(struct chapters *chapters, const struct core *core, int is_sou
 int chapters_offer(struct chapters *chapters, const struct hal_storage *storage)
 {
     const struct hal_storage_ops *ops = storage->ops;
-    if (chapters->round_id == 0 || ops->saved_id(storage->self) < chapters->round_id) {
+    if (chapters->round_id != 0 && !chapters->is_sealed) {
+        chapters->is_sealed = (uint8_t)replay_seal_next(&chapters->seal, CHAPTERS_SEAL_SIZE);
+    }
+    if (chapters->round_id == 0 || !chapters->is_sealed ||
+        ops->saved_id(storage->self) < chapters->round_id) {
         return 0;
     }
     if (chapters->is_lent) {

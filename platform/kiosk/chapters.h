@@ -39,6 +39,8 @@ struct chapters {
     uint32_t seen_id;   /* The newest entry of the ledger that was looked at. */
     uint32_t round_id;  /* Whose replay lies in `replay`; 0: nobody's. */
     uint8_t is_lent;    /* The store has it. */
+    uint8_t is_sealed;  /* Its checksums are renewed. */
+    struct replay_seal seal;
     uint8_t has_pin;    /* Digits of a PIN were typed in this chapter: no replay of it is kept. */
     size_t replay_size;
     uint32_t missed;    /* Ranked rounds whose replay could not be kept. */
@@ -61,8 +63,12 @@ void chapters_before(struct chapters *chapters, const struct input *input);
 void chapters_tick(struct chapters *chapters, const struct input *input, const struct core *core,
                    const struct output *output);
 
-/* Once a frame: offers the store a replay whose round is on disk. Returns 1 when the store
- * failed. */
+/* Bytes of a replay whose checksums one frame renews, which takes 0.2 ms. CHAPTERS_SIZE bytes take
+ * 4 ms and are spread over 24 frames. */
+#define CHAPTERS_SEAL_SIZE (128u * 1024u)
+
+/* Once a frame: renews checksums of the replay that waits, CHAPTERS_SEAL_SIZE at a time, and then
+ * offers it to the store when its round is on disk. Returns 1 when the store failed. */
 int chapters_offer(struct chapters *chapters, const struct hal_storage *storage);
 
 /* ---- The PIN in a recording ------------------------------------------------------------------ */

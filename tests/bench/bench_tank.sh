@@ -17,7 +17,7 @@ if ! command -v valgrind >/dev/null; then
 fi
 count() { # FISH TICKS
     valgrind --tool=callgrind --callgrind-out-file="$build/callgrind.out" --toggle-collect=tank_tick \
-        "$bench" "$1" "$2" 2>"$build/callgrind.log" || { cat "$build/callgrind.log"; return 1; }
+        "$bench" "$1" "$2" >/dev/null 2>"$build/callgrind.log" || { cat "$build/callgrind.log"; return 1; }
     awk -v fish="$1" -v ticks="$2" -v tsv="$tsv" '
         /^(summary|totals):/ { sum = $2 }
         END { printf "Instructions a fish and tick at %d fish: %.0f (callgrind, 8 lanes where the processor has them).\n",

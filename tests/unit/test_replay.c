@@ -407,16 +407,21 @@ static struct replay_totals totals_of(uint32_t ticks)
     return (struct replay_totals){ .ticks = ticks, .caught = ticks / 50u, .hash = 500u + ticks };
 }
 
-/* `count` ticks into `size` bytes of memory. */
-static void write_memory(uint32_t count, size_t size)
+/* Records `count` ticks that begin with `start` into `size` bytes of memory. */
+static void write_memory_from(const struct core_config *start, uint32_t count, size_t size)
 {
-    assert_int_equal(replay_create_in(&writer, memory, size, &config, 99), 0);
+    assert_int_equal(replay_create_in(&writer, memory, size, start, 99), 0);
     for (uint32_t tick = 0; tick < count; tick++) {
         const struct input input = input_of(tick);
         const struct replay_totals totals = totals_of(tick + 1u);
         assert_true(replay_wants_digest(&writer) == (tick % CORE_TICK_HZ == CORE_TICK_HZ - 1u));
         replay_add(&writer, &input, tick, &totals);
     }
+}
+
+static void write_memory(uint32_t count, size_t size)
+{
+    write_memory_from(&config, count, size);
 }
 
 static void test_a_copy_is_a_whole_recording_and_the_recording_goes_on(void **state)
@@ -442,6 +447,31 @@ static void test_a_copy_is_a_whole_recording_and_the_recording_goes_on(void **st
         assert_int_equal(replay_open_in(&reader, copied, longer), 0);
         assert_int_equal(replay_scan_on(&reader, &totals), 0);
         assert_int_equal(totals.ticks, counts[i] + 1u);
+    }
+}
+
+/* The number of bytes that a step renews has no effect on the result. */
+static void test_a_replaced_start_has_the_bytes_of_a_recording_with_that_start(void **state)
+{
+    static const size_t steps[] = { 1, 2000, sizeof copied };
+    static uint8_t wanted[sizeof copied];
+    (void)state;
+    struct core_config other = config;
+    other.memory.ledger.boots = 12345678;
+    write_memory_from(&other, 500, sizeof memory);
+    const size_t size = replay_copy(&writer, 1, wanted, sizeof wanted);
+    write_memory(500, sizeof memory);
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        struct replay_seal seal;
+        uint32_t count = 1;
+        const size_t old_size = replay_copy(&writer, 1, copied, sizeof copied);
+        assert_int_equal(replay_replace_start(copied, old_size, size - 1u, &other, &seal), 0);
+        assert_int_equal(replay_replace_start(copied, old_size, size, &other, &seal), size);
+        while (!replay_seal_next(&seal, steps[i])) {
+            count++;
+        }
+        assert_memory_equal(copied, wanted, size);
+        assert_true(i == 0 ? count == 5 : i == 1 ? count > 1 : count == 1);
     }
 }
 
@@ -758,6 +788,7 @@ int main(void)
         cmocka_unit_test(test_a_recording_is_never_replaced),
         cmocka_unit_test(test_a_path_that_cannot_be_written_is_told),
         cmocka_unit_test(test_a_copy_is_a_whole_recording_and_the_recording_goes_on),
+        cmocka_unit_test(test_a_replaced_start_has_the_bytes_of_a_recording_with_that_start),
         cmocka_unit_test(test_memory_that_is_full_ends_the_recording_and_leaves_it_whole),
         cmocka_unit_test(test_a_digest_each_second_comes_back),
         cmocka_unit_test(test_memory_that_ends_early_is_refused),

@@ -54,7 +54,8 @@ static void test_every_option_reaches_the_plan(void **state)
         read_plan("--preset official --fish 321 --area-scale 0.5 --seconds 2.5 --seed 4294967295 "
                   "--stamina 20 --temperature-c 30 --pressure-hpa 990 --oxygen-mg-l 3.5 --pump on "
                   "--time-compression 60 --shade 1,-2,10,0,5 --shade 3,4,5,1,2 --poi-path p.csv "
-                  "--place q.csv --pairs all --trace t.csv --trace-every 1 --observe-every 7 --json"),
+                  "--place q.csv --pairs all --trace t.csv --trace-every 1 --observe-every 7 "
+                  "--json"),
         EXIT_OK);
     assert_int_equal(plan.config.preset, TANK_PRESET_OFFICIAL);
     assert_int_equal(plan.config.fish_count, 321);
