@@ -51,7 +51,8 @@ static void sample_lines(struct gpio_reader *reader, struct button_sample *out)
 static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
     struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
-    const uint32_t pressed = atomic_exchange(&reader->pressed, 0); /* Read before the level. */
+    /* Read before `held`, see take_turn(). */
+    const uint32_t pressed = atomic_exchange(&reader->pressed, 0);
     const uint32_t missing = atomic_load(&reader->missing);
     *out = (struct button_sample){
         .pressed = buttons_of(pressed),

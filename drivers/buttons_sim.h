@@ -4,7 +4,7 @@
 
 #include "platform/hal.h"
 
-/* One scripted event. Scripts are sorted by time. */
+/* A scripted event. Scripts are sorted by time. */
 struct button_event {
     uint64_t time_ns;
     uint32_t pressed;    /* enum input_button bits that are pressed. */

@@ -24,8 +24,8 @@ struct coin_mech {
     uint64_t width_min_ns, width_max_ns; /* The window; both limits are valid widths. */
     uint64_t begin_ns, end_ns;           /* Start and end of the current pulse. */
     uint8_t state;                       /* enum coin_state */
-    bool spoilt; /* This pulse does not count, because its start was not seen. */
-    bool sticks;                         /* The pulse is too long and was counted as stuck. */
+    bool spoilt; /* 1 if the pulse does not count, because its start was not seen. */
+    bool sticks;                         /* 1 if the pulse is too long and was counted as stuck. */
     uint64_t width_ns;                   /* Width of the last coin. */
     uint32_t coins, too_short, stuck;    /* Counts since the start. */
     uint32_t cut;                        /* Pulses whose end was not seen, since the start. */
@@ -50,6 +50,7 @@ void coin_mech_lose(struct coin_mech *mech);
  * it. */
 uint64_t coin_mech_due_ns(const struct coin_mech *mech);
 
+/* Returns the sum of all fault counts. */
 static inline uint32_t coin_mech_faults(const struct coin_mech *mech)
 {
     return mech->too_short + mech->stuck + mech->cut;

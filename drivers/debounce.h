@@ -1,7 +1,8 @@
 /* debounce.h -- filters contact bounce. Pure.
  *
- * A level counts after it was stable for the period. Its transition has the time at which the
- * level began, so the width of a pulse does not depend on when the functions are called. */
+ * A level counts after it was stable for the period. The resulting transition gets the time at
+ * which the level began. The width of a pulse therefore does not depend on when these functions
+ * are called. */
 #ifndef KINGYO_DRIVERS_DEBOUNCE_H
 #define KINGYO_DRIVERS_DEBOUNCE_H
 
@@ -21,6 +22,7 @@ struct debounce_turn {
     bool active;
 };
 
+/* Returns the state of a line that has been at `active` since `now_ns`. */
 struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns);
 
 /* Processes an edge to `active`; edges must come in order of time. Returns true if a transition

@@ -2,7 +2,7 @@
 #include "drivers/dip.h"
 
 /* Initial acceleration of a dip, so that the first frames after the click already show motion.
- * It is twice that of the smoothest stroke and acts in the air. A lift starts under water
+ * The value is twice that of the smoothest stroke and acts in the air. A lift starts under water
  * without it. */
 #define START_M_S2 (-16.0f)
 

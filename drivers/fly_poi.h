@@ -16,7 +16,7 @@
 #define FLY_AIR_M_S 0.55f    /* At full deflection: across the kiosk's tank in 1.5 s. */
 #define FLY_WATER_M_S 0.26f  /* Under water; wet paper bears 0.4 m/s broadside. */
 #define FLY_HEIGHT_M_S 0.30f /* Vertical velocity, equal to the fastest part of a dip. */
-#define FLY_HIGH_M 0.12f     /* Upper limit, a hand above the rim. */
+#define FLY_HIGH_M 0.12f     /* Upper limit, above the rim of the tank. */
 #define FLY_LOW_M (-0.11f)   /* Lower limit, the floor of the kiosk's tank. */
 #define FLY_TILT_MAX_RAD (60.0f * F_DEG)
 

@@ -17,7 +17,11 @@ struct gpio_dev_walk {
     char path[sizeof "/dev/" + 256]; /* Path without the root. */
     uint32_t count;   /* Chips found so far. */
 };
+
+/* Finds the next chip. Returns false, and closes the walk, if there is none. */
 bool gpio_dev_next(struct gpio_dev_walk *walk);
+
+/* Closes a walk before its end. */
 void gpio_dev_end(struct gpio_dev_walk *walk);
 
 /* Copies a text of libgpiod; null becomes "". */
@@ -40,6 +44,8 @@ struct gpio_dev_looks {
 
 /* Returns true if a request with edge detection failed because the line has no interrupt. */
 bool gpio_dev_lacks_edges(int error);
+
+/* Starts polling the line of `role`, whose current level is `level`. */
 void gpio_dev_look_from_now(struct gpio_dev_looks *looks, enum gpio_role role, int level);
 /* Returns the longest wait in ms, which is limited to GPIO_LOOK_MS if lines are polled. */
 uint32_t gpio_dev_look_ms(const struct gpio_dev_looks *looks, uint32_t timeout_ms);

@@ -50,6 +50,7 @@ struct gpio_input {
     uint32_t lost;        /* Edges lost or too late, since the start. */
 };
 
+/* Returns the state of a line that has been at `active` since `now_ns`. */
 struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t now_ns);
 
 /* Processes an edge of this line; edges must come in order of time. Returns true if a debounced

@@ -40,6 +40,7 @@ static inline bool gpio_role_is_input(enum gpio_role role)
     return role < GPIO_INPUT_COUNT;
 }
 
+/* Returns true for the coin lines. */
 static inline bool gpio_role_is_coin(enum gpio_role role)
 {
     return role >= GPIO_COIN && role <= GPIO_COIN3;
@@ -79,7 +80,7 @@ struct gpio_wire {
     uint32_t pulse_off_us;
 };
 
-/* One edge event of the kernel. */
+/* An edge event of the kernel. */
 struct gpio_edge {
     uint64_t time_ns;     /* CLOCK_MONOTONIC time of the interrupt. */
     uint8_t role;         /* enum gpio_role */
@@ -94,7 +95,7 @@ struct gpio_edge {
 /* Capacity of one read: four full queues of a line (16 edges on kernel 6.1). */
 #define GPIO_EDGES_MAX 64u
 
-/* One line of a chip, as shown by `kingyoctl lines list` and `doctor`. */
+/* A line of a chip, as shown by `kingyoctl lines list` and `doctor`. */
 struct gpio_line_info {
     char device[GPIO_TEXT_SIZE];   /* Such as "gpiochip0". */
     char chip[GPIO_TEXT_SIZE];     /* Label of the chip. */
@@ -113,8 +114,8 @@ struct gpio_lines_ops {
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
     /* Waits for edges at most `timeout_ms`, even if no line is held. Returns the number of
      * edges, the oldest of each line first; `max` means that there may be more. Returns
-     * HAL_ERR_GONE after a chip was removed. Its lines are then closed and the others remain
-     * held. */
+     * HAL_ERR_GONE after a chip was removed. The lines of that chip are then closed and the
+     * others remain held. */
     int (*wait)(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms);
     /* Returns the level, after active_low: 0 or 1. Returns HAL_ERR_GONE if the line is not held. */
     int (*level)(void *self, enum gpio_role role);
@@ -131,7 +132,8 @@ struct gpio_lines_ops {
 
 struct gpio_lines { const struct gpio_lines_ops *ops; void *self; };
 
-/* Returns the backend of this build. Its state is static, because a kiosk has one cabinet. */
+/* Returns the backend of this build. The state of the backend is static, because a kiosk has one
+ * cabinet. */
 struct gpio_lines gpio_lines_device(void);
 
 #endif

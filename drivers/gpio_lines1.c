@@ -44,7 +44,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 
 static void release(enum gpio_role role)
 {
-    gpiod_chip_close(lines[role].chip); /* This also releases the line. */
+    gpiod_chip_close(lines[role].chip); /* Releases the line too. */
     lines[role] = (struct held){ 0 };
 }
 

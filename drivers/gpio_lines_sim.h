@@ -2,10 +2,10 @@
  * clock.
  *
  * A script changes the wires. A model of the kernel stands between the wires and wait(). The
- * kernel reads a level late, and edges that arrive meanwhile become one edge. Its queue has a
- * fixed size and drops edges, with numbers (libgpiod 2.x) or without (1.6). Chips can be removed
- * and return, and lines can be held by other programs. Time advances only in wait() and
- * gpio_lines_sim_pass(). The caller owns the state. All calls come from one thread. */
+ * kernel reads a level late, and edges that arrive meanwhile become one edge. The queue of a
+ * line has a fixed size and drops edges, with numbers (libgpiod 2.x) or without (1.6). Chips can
+ * be removed and return, and lines can be held by other programs. Time advances only in wait()
+ * and gpio_lines_sim_pass(). The caller owns the state. All calls come from one thread. */
 #ifndef KINGYO_DRIVERS_GPIO_LINES_SIM_H
 #define KINGYO_DRIVERS_GPIO_LINES_SIM_H
 

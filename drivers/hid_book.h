@@ -53,8 +53,8 @@ const struct hid_map *hid_book_find(const struct hid_book *book,
                                     const struct hid_identity *identity);
 
 /* Stores or deletes the mapping of a controller. Returns HAL_ERR_BUSY while the previous job is
- * being written (retry in the next frame). Returns HAL_ERR_IO if the store is full or the writer
- * thread did not start. */
+ * being written (retry in the next frame). Returns HAL_ERR_IO if the store is full, if the
+ * mapping cannot be written as text, or if the writer thread did not start. */
 int hid_book_keep(struct hid_book *book, const struct hid_identity *identity,
                   const struct hid_map *map);
 int hid_book_forget(struct hid_book *book, const struct hid_identity *identity);

@@ -45,7 +45,7 @@ struct hid_group {
     int64_t physical_min, physical_max;
     int32_t unit_exponent;              /* Power of ten. */
     uint32_t unit;
-    uint16_t range_first, range_count; /* Its usages in hid_descriptor.range. */
+    uint16_t range_first, range_count; /* Usages of the group, in hid_descriptor.range. */
 };
 
 enum hid_error {

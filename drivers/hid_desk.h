@@ -1,7 +1,8 @@
-/* hid_desk.h -- the controller manager: which controllers play, and learning a new one.
+/* hid_desk.h -- the controller manager: selects the controllers that play, and learns new ones.
  *
- * Implements hal_controllers for the operator's menu over the device list of a transport, the
- * slots of the frame loop and the mapping store. One thread calls; no call blocks. */
+ * Implements hal_controllers for the operator's menu. The manager uses the device list of a
+ * transport, the slots of the frame loop and the mapping store. All calls come from one thread,
+ * and no call blocks. */
 #ifndef KINGYO_DRIVERS_HID_DESK_H
 #define KINGYO_DRIVERS_HID_DESK_H
 
@@ -22,8 +23,8 @@ struct hid_desk {
     uint8_t learn_waits;               /* 1 while the chosen controller is not attached yet. */
     uint8_t keeps, forgets;            /* 1 while a busy store makes the next poll retry. */
     uint8_t writes;                    /* 1 while the learned mapping is being written. */
-    /* 1 if the controller was free before learning; it is released again unless its mapping is
-     * kept. */
+    /* 1 if the controller was free before learning. Such a controller is released afterwards
+     * unless its mapping is kept. */
     uint8_t gives_back;
     struct hid_identity learn_identity; /* The controller that is being learned. */
     struct hid_identity forget_identity;

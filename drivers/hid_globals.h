@@ -31,6 +31,7 @@ struct hid_global_stack {
 /* Applies one Global item. Returns HID_OK, or the error of Push, Pop or Report ID. */
 enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item);
 
+/* Returns a minimum, which is always signed. */
 int64_t hid_limit_min(struct hid_limit limit);
 
 /* Returns a maximum, which is signed only if its minimum `min` is negative. */

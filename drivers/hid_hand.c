@@ -6,7 +6,7 @@
 #include "drivers/hid_value.h"
 #include "drivers/poi_report.h"
 
-/* Virtual window in pixels for a relative mouse: one count is one pixel. */
+/* Virtual window for a relative mouse, in which each count is one pixel. */
 #define WINDOW_WIDTH 1920u
 #define WINDOW_HEIGHT 1080u
 

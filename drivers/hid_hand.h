@@ -32,8 +32,8 @@ struct hid_hand {
     float value[HID_BINDING_MAX];
     uint16_t array[HID_BINDING_MAX]; /* Indexes of the array groups that have bindings. */
     uint32_t array_count;
-    /* One bit for each binding of a stick that was seen near its rest. A stick that never was is
-     * missing or broken, and its value is ignored. */
+    /* One bit for each binding of a stick that was near its rest at least once. The value of any
+     * other stick is ignored, because such a stick is missing or broken. */
     uint32_t awake;
     uint64_t time_ns;           /* Arrival of the newest report. */
     uint64_t range_ns;          /* Last time the pen was in range. */

@@ -4,6 +4,7 @@
 
 #include "drivers/hid_learn.h"
 
+/* Returns the descriptor group of a recorded field. */
 const struct hid_group *hid_judge_group(const struct hid_learn *learn,
                                         const struct learn_field *field);
 

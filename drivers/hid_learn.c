@@ -6,8 +6,8 @@
 #include "core/base/fmath.h"
 #include "drivers/hid_judge.h"
 
-#define REST_NS 1000000000ull  /* Duration without motion that completes the rest step. */
-#define REST_REPORTS 8u        /* Reports that complete the rest step together with REST_NS. */
+#define REST_NS 1000000000ull  /* Duration of LEARN_REST at which its progress is complete. */
+#define REST_REPORTS 8u        /* Reports that are needed for that as well. */
 
 /* ---- Fields --------------------------------------------------------------------------------- */
 

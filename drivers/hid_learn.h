@@ -35,7 +35,7 @@ struct learn_key {
 
 struct hid_learn {
     struct hid_descriptor descriptor;
-    struct hid_map offered; /* The mapping without learning; its buttons are kept. */
+    struct hid_map offered; /* The mapping without learning, whose buttons are kept. */
     struct hid_map map;     /* The learned mapping, valid in LEARN_TRY. */
     uint8_t step;           /* enum learn_step */
     uint32_t report_count;  /* Reports in the current step. */

@@ -94,8 +94,8 @@ struct hid_map {
 };
 
 /* Returns 1 if the reports have the layout of our own poi: every axis of drivers/poi_report.h at
- * its position. This test is wider than poi_descriptor_is(): a device with an additional report
- * is also accepted after the operator chose it. */
+ * its position. Unlike poi_descriptor_is(), this function also accepts a device with additional
+ * reports, which can play after the operator chose it. */
 int hid_map_is_own(const struct hid_descriptor *descriptor);
 
 /* Returns 1 if the descriptor declares the keys of a keyboard. Such a device is never used. */

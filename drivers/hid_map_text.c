@@ -2,9 +2,9 @@
  *
  *   learned fly x=rate:1:u8@0:128..255~12 dip=press:1:u1@37:0..1 ok=press:0:u8@16:0..1/00070028
  *
- * The first words are the source, the style and the optional flags "trembles" and "feels". One
- * word for each binding follows: role=manner:report:bits@offset:rest..full, then ~dead if there
- * is a dead zone, and /usage for an element of an array. */
+ * The first words are the source, the style and the optional flags "trembles" and "feels". Each
+ * further word is a binding with the syntax role=manner:report:bits@offset:rest..full. Optional
+ * suffixes are ~dead for a dead zone and /usage for an element of an array. */
 #include "drivers/hid_map.h"
 
 #include <inttypes.h>

@@ -35,7 +35,7 @@ enum {
     USAGE_SECOND_BARREL = 0x000d005a,
 };
 
-/* One field of a report. */
+/* A field of a report. */
 struct hid_spot {
     const struct hid_group *group; /* Null if no field was found. */
     uint32_t index;                /* < group->count */

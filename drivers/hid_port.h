@@ -4,7 +4,7 @@
  * A port is one slot and reports the controller that is currently attached to it. The libusb
  * transport (usb_seats.h) and its simulated twin (hid_port_sim.h) implement this interface, and
  * poi_hid.h decodes its reports. Decoders do not depend on USB, and transports do not depend on
- * the game. No call blocks; one thread calls. */
+ * the game. No call blocks, and all calls come from one thread. */
 #ifndef KINGYO_DRIVERS_HID_PORT_H
 #define KINGYO_DRIVERS_HID_PORT_H
 

@@ -63,6 +63,7 @@ void hid_port_sim_init(struct hid_port_sim *sim, struct hal_clock clock,
 /* Sends a report now. A report is lost while the port is not open. */
 void hid_port_sim_say(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size);
 
+/* Returns the port of the simulated slot. */
 struct hid_port hid_port_sim_port(struct hid_port_sim *sim);
 
 #endif

@@ -1,7 +1,7 @@
 /* hid_roster.h -- the device list interface between a transport and the controller manager.
  *
- * The list contains the connected controllers and those that play. hid_desk.h calls it. One
- * thread calls; no call blocks. */
+ * The list contains the connected controllers and those that play. The controller manager
+ * (hid_desk.h) calls it from one thread, and no call blocks. */
 #ifndef KINGYO_DRIVERS_HID_ROSTER_H
 #define KINGYO_DRIVERS_HID_ROSTER_H
 
@@ -19,7 +19,7 @@ struct hid_roster_ops {
      * it is LOST. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
     /* Lets the controller play now and after each reconnection. HAL_OK means that the command
-     * was accepted; its result appears in the row. Returns HAL_ERR_BUSY if POI_MAX controllers
+     * was accepted; the row shows the result later. Returns HAL_ERR_BUSY if POI_MAX controllers
      * play already, or HAL_ERR_NONE if there is no such row or the controller is barred. */
     int (*choose)(void *self, uint32_t row);
     int (*release)(void *self, uint32_t row);

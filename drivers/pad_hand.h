@@ -79,8 +79,10 @@ struct poi_sample pad_hand_sample(struct pad_hand *hand, uint64_t time_ns);
 /* Writes the buttons that are down and the press edges since the last call. */
 void pad_hand_buttons(struct pad_hand *hand, struct button_sample *out);
 
+/* Returns the fan, which the left stick moves while PAD_SHOULDER_LEFT is held. */
 struct shade_input pad_hand_fan(struct pad_hand *hand, uint64_t time_ns);
 
+/* Sets the camera view. */
 void pad_hand_look(struct pad_hand *hand, const struct view *view);
 
 /* Motor levels of a pad, 0 .. 65,535. The slow motor follows the drag of the water. The fast

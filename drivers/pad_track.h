@@ -29,7 +29,7 @@ void pad_track_keep(struct pad_track *track, const struct pad_report *report);
 uint32_t pad_track_take(struct pad_track *track, uint64_t now_ns, struct poi_sample *out,
                         uint32_t max);
 
-/* Decodes all pending reports and adds the buttons. */
+/* Decodes all pending reports and writes the buttons. */
 void pad_track_buttons(struct pad_track *track, struct button_sample *out);
 
 #endif

@@ -24,7 +24,7 @@ struct pad {
     struct _SDL_GameController *controller; /* Null while unplugged. */
     int32_t instance;                       /* SDL's id, new at each connection. */
     char guid[PAD_GUID_SIZE];               /* SDL's GUID of the last device. */
-    char serial[32];                        /* Its serial number, or "". */
+    char serial[32];                        /* Serial number from SDL, or "". */
     uint16_t vendor, product;               /* USB ids. */
     char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys; "": not known. */
     uint8_t was_here;
@@ -53,6 +53,7 @@ struct pads {
     char text[HAL_TEXT_SIZE];
 };
 
+/* Initializes the state without starting SDL. `view` is copied. */
 void pads_init(struct pads *pads, struct hal_clock clock, const struct view *view);
 
 /* Replaces the list of barred devices, which other drivers own. Barred devices are not opened,
@@ -66,10 +67,12 @@ void pads_bar(struct pads *pads, const struct pad_bar *bar, uint32_t count);
 int pads_are_barred(const struct pads *pads, uint16_t vendor, uint16_t product,
                     const char *serial);
 
-/* Starts SDL's game controllers. `database` is a file of further mappings; it may be null or
+/* Starts SDL's game controllers. `database` is a file of further mappings, which may be null or
  * missing. Returns HAL_OK, or HAL_ERR_NONE with the reason in pads->text; there are then no
  * pads. */
 int pads_open(struct pads *pads, const char *database);
+
+/* Closes all pads and stops SDL's game controllers. */
 void pads_close(struct pads *pads);
 
 /* Processes SDL's pending pad events. */

@@ -1,7 +1,7 @@
 /* poi_hid.h -- any HID controller as a poi: decodes the raw reports of a port by a mapping.
  *
- * Implements the poi, fan and button devices of struct hal for one slot. It works with any port,
- * USB or simulated. The frame loop is the only caller. */
+ * Implements the poi, fan and button devices of struct hal for one slot. The port may be USB or
+ * simulated. The frame loop is the only caller. */
 #ifndef KINGYO_DRIVERS_POI_HID_H
 #define KINGYO_DRIVERS_POI_HID_H
 

@@ -1,8 +1,8 @@
 /* pointer_fan.h -- turns pointer reports into the position of a fan (uchiwa).
  *
  * Pure, like pointer_poi.h. While POINTER_FAN is held, the fan is over the water under the
- * pointer. It enters from the player's side and leaves the same way along a smooth path, so it
- * never appears or jumps suddenly. */
+ * pointer. The fan enters from the player's side and leaves the same way along a smooth path, so
+ * that it never appears or jumps suddenly. */
 #ifndef KINGYO_DRIVERS_POINTER_FAN_H
 #define KINGYO_DRIVERS_POINTER_FAN_H
 

@@ -28,8 +28,8 @@ struct seat_source {
     int (*is_there)(void *self);  /* Returns 1 if the source can be used now; null: always. */
     void *self;                   /* First argument of is_there(). */
     uint8_t kind;                 /* enum seat_kind */
-    /* 1: the source is used if no other source is available, even if is_there() returns 0. A
-     * mouse that nobody moves thus plays alone, but not as a second player. */
+    /* 1: the source is used if no other source is available, even if is_there() returns 0. For
+     * example, a mouse that nobody moves can play alone, but not as a second player. */
     uint8_t stands_in;
 };
 

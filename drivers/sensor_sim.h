@@ -1,8 +1,8 @@
 /* sensor_sim.h -- a simulated six-axis sensor with realistic noise and selectable faults.
  *
- * Reports have a fixed rate, and each contains the pose `hand` plus noise. One fault at a time
- * is active between two times. The faults are those of cables, radios and sensors while the user
- * does nothing wrong. The caller owns the state and moves the pose. */
+ * Reports have a fixed rate, and each contains the pose `hand` plus noise. At most one fault is
+ * active at a time, in an interval that the caller sets. The faults are those of cables, radios
+ * and sensors while the user does nothing wrong. The caller owns the state and moves the pose. */
 #ifndef KINGYO_DRIVERS_SENSOR_SIM_H
 #define KINGYO_DRIVERS_SENSOR_SIM_H
 

@@ -7,8 +7,8 @@
 
 struct storage_sim {
     struct ledger_entry entry;  /* Entry accepted last. */
-    struct round_record record; /* Record of the last session. */
-    struct ledger_entry round;  /* Entry of the last session. */
+    struct round_record record; /* Record of the last round. */
+    struct ledger_entry round;  /* Entry of the last round. */
     struct edit_record edit;    /* Edit accepted last. */
     uint32_t accepted_count;
     uint32_t refused_count;
@@ -21,7 +21,7 @@ struct storage_sim {
     uint32_t polls_since;
     uint8_t *replay; /* Buffer of the caller for one replay; null: replays are not stored. */
     size_t replay_room;
-    uint32_t replay_id;         /* Id of the session whose replay is stored; 0: none. */
+    uint32_t replay_id;         /* Id of the round whose replay is stored; 0: none. */
     size_t replay_size;
     /* Calls of replay_kept_id() or replay_fetched() until the replay is done. */
     uint32_t replay_polls_left;

@@ -21,7 +21,7 @@
 #define USB_WISH_MAX 32u /* Capacity of the rules: four pois, each replaced seven times. */
 #define USB_ERROR_SIZE 96u
 
-/* One controller, or all controllers of one product. */
+/* A controller, or all controllers of a product. */
 struct usb_key {
     uint16_t vendor, product;
     char serial[HID_TEXT_SIZE]; /* "": any serial number. */
@@ -30,7 +30,11 @@ struct usb_key {
 /* Parses "VVVV:PPPP" or "VVVV:PPPP:SERIAL" with four hexadecimal digits each. Returns 0, or -1
  * if the text is invalid. */
 int usb_key_read(struct usb_key *out, const char *text);
+
+/* Writes the key in the format that usb_key_read() parses. */
 void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE]);
+
+/* Returns the key of a controller, including its serial number if it has one. */
 struct usb_key usb_key_of(const struct hid_identity *identity);
 
 struct usb_wish {
@@ -74,7 +78,7 @@ enum usb_kind {
     USB_KIND_OWN,         /* The exact descriptor of our own poi. */
 };
 
-/* One interface of a device. */
+/* An interface of a device. */
 struct usb_subject {
     const struct hid_identity *identity;
     uint8_t is_boot_keyboard; /* From the interface descriptor, HID 1.11 section 4.2. */
@@ -93,6 +97,8 @@ enum usb_verdict {
     USB_ASK,        /* May be claimed to read its report descriptor and then be classified again. */
     USB_PLAYS,
 };
+
+/* Returns whether an interface may be claimed, by its kind and by the most specific rule. */
 enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
                                   const struct usb_subject *subject);
 
@@ -111,9 +117,9 @@ struct usb_place {
     struct hid_identity identity;
 };
 
-/* Returns the slot for a new controller, or POI_MAX if there is none. Its former slot comes
- * first, found by serial number or port. A slot that was never used is next, then one that is
- * not held. */
+/* Returns the slot for a new controller, or POI_MAX if there is none. The controller's former
+ * slot comes first, found by serial number or port. A slot that was never used is next, then one
+ * that is not held. */
 uint32_t usb_choice_seat(const struct usb_place place[POI_MAX],
                          const struct hid_identity *identity);
 

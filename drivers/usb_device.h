@@ -1,4 +1,5 @@
-/* usb_device.h -- one HID device on the bus: its identity, its best interface, and opening it.
+/* usb_device.h -- a HID device on the bus: reads its identity, selects its best interface, opens
+ * it.
  *
  * Used only by the event thread. usb_device_open() blocks on the device for at most a few
  * seconds. */

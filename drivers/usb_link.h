@@ -66,6 +66,8 @@ struct usb_link {
 /* Allocates the transfers once. Returns 0, or -1 if there is no memory; usb_link_free() is then
  * still needed. */
 int usb_link_init(struct usb_link *link, struct hal_clock clock);
+
+/* Frees the transfers. No transfer may be in flight. */
 void usb_link_free(struct usb_link *link);
 
 /* Starts reading an open device whose interface is claimed. The link owns `handle` from now on.

@@ -1,7 +1,8 @@
 /* usb_mail.h -- a lock-free triple buffer for the newest value from one thread to another.
  *
- * The owner has three slots: one being written, one being read, and one between them. An unread
- * value is overwritten. The reader only ever sees the newest value. */
+ * The owner has three slots. The writer uses one slot, the reader another, and the third holds
+ * the value in between. An unread value is overwritten. The reader only ever sees the newest
+ * value. */
 #ifndef KINGYO_DRIVERS_USB_MAIL_H
 #define KINGYO_DRIVERS_USB_MAIL_H
 

@@ -1,8 +1,8 @@
 /* usb_pump.h -- the USB event thread, which waits for transfers and hot-plug events.
  *
  * Hot-plug callbacks only record that the bus changed. The thread then compares libusb's device
- * list with its own table (usb_pump_bus.c). It opens controllers that may play and closes those
- * that are gone (usb_pump_table.c). */
+ * list with its own table (usb_pump_bus.c). Controllers that may play are opened and missing
+ * ones are closed (usb_pump_table.c). */
 #ifndef KINGYO_DRIVERS_USB_PUMP_H
 #define KINGYO_DRIVERS_USB_PUMP_H
 
@@ -75,6 +75,8 @@ struct usb_pump {
 /* Starts the thread. Returns 0, or -1 and one line in `why`. The caller has filled the fields
  * before the shared part, and `pump` must stay valid until usb_pump_end() returns. */
 int usb_pump_begin(struct usb_pump *pump, char why[HAL_TEXT_SIZE]);
+
+/* Stops the thread and closes all devices; waits at most two seconds for transfers. */
 void usb_pump_end(struct usb_pump *pump);
 
 /* Wakes the event thread. May be called from any thread and does not block. */

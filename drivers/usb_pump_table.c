@@ -12,7 +12,8 @@
 #define RETRY_NS_MAX (60u * NS_PER_S)
 #define FAILURES_MAX 6u /* Intervals are 2, 4, 8, 16 and 32 s, and then the longest. */
 #define SETTLE_NS (2u * NS_PER_S)  /* Time in which a driver binds and the udev rules run. */
-/* Time for which the slot of an unplugged controller is held, since a session may wait for it. */
+/* Time for which the slot of an unplugged controller is held. A round can wait equally long for
+ * its controller. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
 
 static struct usb_judge judge_of(struct usb_pump *pump)

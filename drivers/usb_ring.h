@@ -1,8 +1,8 @@
 /* usb_ring.h -- the lock-free report queue from the event thread to the frame loop.
  *
- * One thread writes and one reads; neither blocks. When the queue is full, the newest report is
- * kept beside it and read in order. Reports in between are lost and counted. The generation of a
- * report identifies the controller that sent it. */
+ * The event thread writes and the frame loop reads; neither blocks. When the queue is full, the
+ * newest report is kept beside it and read in order. Reports in between are lost and counted.
+ * The generation of a report identifies the controller that sent it. */
 #ifndef KINGYO_DRIVERS_USB_RING_H
 #define KINGYO_DRIVERS_USB_RING_H
 

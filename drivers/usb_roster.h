@@ -29,6 +29,7 @@ struct usb_roster {
     void *wake_self;
 };
 
+/* Initializes an empty list. `wake` is called for each command. */
 void usb_roster_init(struct usb_roster *roster, void (*wake)(void *self), void *wake_self);
 
 /* For the event thread: copies and publishes `rows`; takes the next command. usb_roster_order()

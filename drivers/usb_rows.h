@@ -17,8 +17,8 @@ struct usb_rows {
 void usb_rows_init(struct usb_rows *rows);
 
 /* Returns a row for a new controller, marked FREE or BARRED, or CONTROLLER_MAX if there is none.
- * Its own LOST row comes first, then an empty row, then a BARRED row, then another LOST row. A
- * barred controller gets a row only while more than POI_MAX rows are empty. */
+ * The controller's own LOST row comes first, then an empty row, then a BARRED row, then another
+ * LOST row. A barred controller gets an empty row only while more than POI_MAX rows are empty. */
 uint32_t usb_rows_enter(struct usb_rows *rows, const struct hid_identity *identity, int is_barred);
 
 /* Returns the row of exactly this controller, present or lost, or CONTROLLER_MAX. */

@@ -46,6 +46,7 @@ struct usb_seat {
     char text[HAL_TEXT_SIZE];
 };
 
+/* Initializes an empty slot. `wake` is called for each output report. */
 void usb_seat_init(struct usb_seat *seat, void (*wake)(void *self), void *wake_self);
 
 /* ---- Event thread --------- */
@@ -53,7 +54,7 @@ void usb_seat_init(struct usb_seat *seat, void (*wake)(void *self), void *wake_s
 /* Attaches a controller to an empty slot. `face` is copied. */
 void usb_seat_sit(struct usb_seat *seat, const struct hid_face *face);
 
-/* Detaches the controller. Its queued reports can still be read. */
+/* Detaches the controller. The queued reports can still be read. */
 void usb_seat_leave(struct usb_seat *seat);
 
 /* Queues a report of the attached controller, received at `now_ns`. Size 0 is ignored, and a
@@ -63,10 +64,13 @@ void usb_seat_report(struct usb_seat *seat, uint64_t now_ns, const uint8_t *byte
 /* Returns the size of the output report to send now, or 0. The event thread owns `out_bytes`
  * until usb_seat_sent(). */
 uint32_t usb_seat_outgoing(struct usb_seat *seat);
+
+/* Releases the output report, so that the frame loop may write the next one. */
 void usb_seat_sent(struct usb_seat *seat);
 
 /* ---- Frame loop --------------- */
 
+/* Returns the port of the slot for poi_hid.h. */
 struct hid_port usb_seat_port(struct usb_seat *seat);
 
 #endif

@@ -38,6 +38,7 @@ struct usb_seats *usb_seats_start(const struct usb_seats_config *config, char wh
  * vendor:product:serial or else by port. */
 struct hid_port usb_seats_port(struct usb_seats *seats, uint32_t index);
 
+/* Returns the device list for the controller manager. */
 struct hid_roster usb_seats_roster(struct usb_seats *seats);
 
 /* Copies the keys chosen by the file or --usb, whether plugged in or not, so that no other
