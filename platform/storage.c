@@ -64,7 +64,7 @@ static void note_start(struct storage *storage)
     storage->start = storage->file.content;
     storage->accepted_id = storage->start.memory.ledger.last_id;
     atomic_store(&storage->saved_id, storage->accepted_id);
-    atomic_store(&storage->is_unproven, storage->file.is_suspect && !storage->file.refusal);
+    atomic_store(&storage->is_unproven, storage->file.is_suspect);
     storage->saved_boot = storage->start.memory.ledger.boots;
     storage->saved_tick = storage->start.tick;
     storage->prunes = true;

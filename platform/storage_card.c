@@ -182,8 +182,7 @@ static int look(struct storage *storage)
     }
     if (code == SQLITE_OK) {
         atomic_store(&storage->has_file, true);
-        atomic_store(&storage->is_unproven,
-                     storage->file.is_suspect && !storage->file.refusal);
+        atomic_store(&storage->is_unproven, storage->file.is_suspect);
         if (storage->moved) {
             storage_log_back(storage);
         }

@@ -178,14 +178,19 @@ static int begin(struct ledger_file *file, const struct ledger_file_how *how)
     return as_damage(code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code);
 }
 
-/* A log can be read only where its index may be written. But the file of a kiosk that was closed
- * has no log, and where nobody can write it nobody does: such a file is read as it stands. */
-static int open_unwritable(struct ledger_file *file, const char *path)
+static bool has_log(const char *path)
 {
     char log[PATH_MAX + 8];
     struct stat about;
     snprintf(log, sizeof log, "%s-wal", path);
-    if (strlen(path) >= PATH_MAX || (stat(log, &about) == 0 && about.st_size > 0)) {
+    return strlen(path) >= PATH_MAX || (stat(log, &about) == 0 && about.st_size > 0);
+}
+
+/* A log can be read only where its index may be written. But the file of a kiosk that was closed
+ * has no log, and where nobody can write it nobody does: such a file is read as it stands. */
+static int open_unwritable(struct ledger_file *file, const char *path)
+{
+    if (has_log(path)) {
         return SQLITE_CANTOPEN;
     }
     return sql_open_unwritable(path, &file->db);
@@ -205,13 +210,17 @@ static bool is_full(struct ledger_file *file, int code)
 }
 
 /* The index is then kept in memory, which only one program at a time may do: who looks on has to
- * wait until this is closed. */
+ * wait until this is closed. Entries of a log that was there stay suspect: it cannot be written
+ * again. */
 static int open_full(struct ledger_file *file, const char *path, const struct ledger_file_how *how)
 {
+    const bool had_log = has_log(path);
     int code = sql_open(path, SQLITE_OPEN_READWRITE, how ? how->vfs : NULL, &file->db);
     code = code == SQLITE_OK ? sql_run(file->db, "PRAGMA locking_mode = EXCLUSIVE") : code;
     file->refusal = SQLITE_FULL;
-    return code == SQLITE_OK ? begin(file, how) : code;
+    code = code == SQLITE_OK ? begin(file, how) : code;
+    file->is_suspect = had_log;
+    return code;
 }
 
 int ledger_file_open(struct ledger_file *file, const char *path,
@@ -225,6 +234,7 @@ int ledger_file_open(struct ledger_file *file, const char *path,
         ledger_file_close(file);
         code = open_unwritable(file, path);
         code = code == SQLITE_OK ? begin(file, how) : code;
+        file->is_suspect = false;
     } else if (is_full(file, code)) {
         ledger_file_close(file);
         code = open_full(file, path, how);
