@@ -102,8 +102,8 @@ static int open_file(int folder, int flags)
     struct stat about;
     const int file = openat(folder, PANICS_FILE,
                             flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600);
-    if (file < 0) {
-        return -errno;
+    if (file < 0) { /* A link, a socket, and a FIFO or a folder that is opened for writing. */
+        return errno == ELOOP || errno == ENXIO || errno == EISDIR ? -ENOTSUP : -errno;
     }
     const int error = fstat(file, &about) != 0 ? -errno : S_ISREG(about.st_mode) ? 0 : -ENOTSUP;
     if (error) {
@@ -153,6 +153,13 @@ static int set_strange_aside(int folder)
         }
     }
     return 0;
+}
+
+const char *panics_error(int error)
+{
+    return error == -EBADMSG   ? "is not a count of panics"
+           : error == -ENOTSUP ? "is not a regular file, and cannot be renamed"
+                               : strerror(-error);
 }
 
 int panics_read(struct panics *panics, int folder)

@@ -3,16 +3,22 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "platform/folder.h"
+#include "platform/panic.h"
 #include "platform/panic_text.h"
 #include "platform/say.h"
 #include "platform/store/ledger_leave.h"
 
 #define NAME_SIZE 16u
+#define EVIDENCE_WAIT_MS 200
 
 /* ---- The start ------------------------------------------------------------------------------ */
 
@@ -20,9 +26,45 @@ static int write_count(const struct evidence *evidence)
 {
     const int error = panics_write(&evidence->panics, evidence->folder - 1);
     if (error) {
-        say(SAY_ERROR, "%s/" PANICS_FILE ": cannot write: %s", evidence->data, strerror(-error));
+        say(SAY_ERROR, "%s/" PANICS_FILE ": cannot write: %s", evidence->data, panics_error(error));
     }
     return error;
+}
+
+/* A run of ten minutes without a panic needs nothing left out: the panics that are still to be
+ * answered are forgotten. A panic that comes at the same time wins. */
+static void forget_refused(struct evidence *evidence)
+{
+    atomic_store(&evidence->is_clearing, 1);
+    if (atomic_load(&evidence->has_frame) && !atomic_load(&evidence->has_panicked)) {
+        panics_forget(&evidence->panics);
+        write_count(evidence);
+    }
+    atomic_store(&evidence->is_clearing, 0);
+}
+
+static void *outlive_refused(void *self)
+{
+    struct timespec left = { .tv_sec = PANICS_WITHIN_S };
+    pthread_setname_np(pthread_self(), "evidence");
+    while (clock_nanosleep(CLOCK_MONOTONIC, 0, &left, &left) == EINTR) {
+    }
+    forget_refused(self);
+    return NULL;
+}
+
+/* Without that thread the next start tries to leave out the same part again. */
+static void wait_for_good_run(struct evidence *evidence)
+{
+    sigset_t all, before;
+    pthread_t thread;
+    sigfillset(&all);
+    panic_leave_open(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    if (pthread_create(&thread, NULL, outlive_refused, evidence) == 0) {
+        pthread_detach(thread);
+    }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
 /* The attempt is written first because leaving out may panic again. */
@@ -41,6 +83,9 @@ static void leave_out(struct evidence *evidence)
     }
     panics->attempt = LEFT_NOTHING;
     write_count(evidence);
+    if (panics_is_due(panics)) {
+        wait_for_good_run(evidence);
+    }
     say(SAY_ERROR, "after %s this start %s %s: %s", cause,
         result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
 }
@@ -94,7 +139,7 @@ void evidence_open(struct evidence *evidence, const char *data, struct chapters 
     const int error = panics_read(&evidence->panics, folder);
     if (error) {
         say(SAY_WARNING, "%s/" PANICS_FILE ": %s; panics are counted from zero", data,
-            error == -EBADMSG ? "is not a count of panics" : strerror(-error));
+            panics_error(error));
     }
     if (has_work(&evidence->panics)) {
         hold_and_leave_out(evidence);
@@ -173,8 +218,18 @@ static int freeze(const struct evidence *evidence)
     return evidence->chapters ? chapters_freeze(evidence->chapters, is_own) : is_own;
 }
 
+/* Waits while outlive_refused() writes the count, EVIDENCE_WAIT_MS at most. */
+static void stop_clearing(struct evidence *evidence)
+{
+    atomic_store(&evidence->has_panicked, 1);
+    for (int i = 0; i < EVIDENCE_WAIT_MS && atomic_load(&evidence->is_clearing); i++) {
+        poll(NULL, 0, 1);
+    }
+}
+
 int evidence_write(struct evidence *evidence, const char *reason)
 {
+    stop_clearing(evidence);
     const int is_sound = freeze(evidence);
     struct panics *panics = &evidence->panics;
     char name[NAME_SIZE] = "";

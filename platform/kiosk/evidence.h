@@ -25,12 +25,15 @@ struct evidence {
     uint32_t begun_s;        /* As panics_up_s(). */
     struct panics panics;    /* As the file says. */
     atomic_uchar has_frame;  /* The first frame was shown. */
+    atomic_uchar has_panicked; /* evidence_write() has begun: `panics` is its own. */
+    atomic_uchar is_clearing;  /* A thread clears `panics` after a good run. */
 };
 
 /* Opens the data folder and reads the count, on the thread that will tick the core and before the
  * store is opened. After three panics within ten minutes, or one before the first frame, it leaves
- * out a part of what the store remembers (store/ledger_leave.h) and reports that in the log.
- * Without a folder panics are only reported. */
+ * out a part of what the store remembers (store/ledger_leave.h) and reports that in the log. If
+ * that fails, the next start tries again, unless this one runs for ten minutes: then a thread
+ * clears the count. Without a folder panics are only reported. */
 void evidence_open(struct evidence *evidence, const char *data, struct chapters *chapters,
                    const struct core *core);
 

@@ -1,6 +1,8 @@
 /* test_evidence.c -- a start after panics records what it left out only after it has succeeded. */
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <semaphore.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,6 +13,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -35,6 +38,19 @@ int flock(int handle, int operation)
         return -1;
     }
     return (int)syscall(SYS_flock, handle, operation);
+}
+
+/* Ten minutes are over as soon as a test says so. */
+static sem_t ten_minutes;
+
+int clock_nanosleep(clockid_t clock, int flags, const struct timespec *wait, struct timespec *left)
+{
+    (void)clock;
+    (void)flags;
+    (void)left;
+    assert_int_equal(wait->tv_sec, 600);
+    sem_wait(&ten_minutes);
+    return 0;
 }
 
 int chmod(const char *name, mode_t mode)
@@ -159,6 +175,55 @@ static void test_a_failed_attempt_changes_nothing_and_the_next_start_tries_again
     assert_left_out();
 }
 
+/* Lets the ten minutes of each thread end that a start of these tests began. */
+static void end_ten_minutes(void)
+{
+    for (int i = 0; i < 8; i++) {
+        sem_post(&ten_minutes);
+    }
+    for (int i = 0; i < 2000 && read_count().count > 0; i++) {
+        poll(NULL, 0, 1);
+    }
+    while (sem_trywait(&ten_minutes) == 0) {
+    }
+}
+
+static void test_after_a_failed_attempt_and_a_good_run_nothing_is_left_out(void **state)
+{
+    (void)state;
+    fill();
+    block_copies(1);
+    evidence_open(&evidence, dir, NULL, NULL);
+    assert_nothing_changed();
+    evidence_note_frame(&evidence);
+    end_ten_minutes();
+    close(evidence.folder - 1);
+    const struct panics now = read_count();
+    assert_false(panics_is_due(&now));
+    assert_int_equal(now.total, 1);
+    block_copies(0);
+    start();
+    assert_true(has_volume());
+}
+
+static void test_a_panic_in_that_run_makes_the_next_start_try_again(void **state)
+{
+    (void)state;
+    static struct core core;
+    fill();
+    block_copies(1);
+    evidence_open(&evidence, dir, NULL, &core);
+    evidence_write(&evidence, "a test");
+    evidence_note_frame(&evidence);
+    sem_post(&ten_minutes);
+    poll(NULL, 0, 100);
+    close(evidence.folder - 1);
+    assert_int_equal(read_count().count, 2);
+    block_copies(0);
+    start();
+    assert_left_out();
+}
+
 static void test_a_start_without_a_database_leaves_nothing_out_later(void **state)
 {
     (void)state;
@@ -231,6 +296,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_an_attempt_is_on_disk_while_settings_are_left_out),
         TEST(test_a_failed_attempt_changes_nothing_and_the_next_start_tries_again),
+        TEST(test_after_a_failed_attempt_and_a_good_run_nothing_is_left_out),
+        TEST(test_a_panic_in_that_run_makes_the_next_start_try_again),
         TEST(test_a_start_without_a_database_leaves_nothing_out_later),
         TEST(test_a_folder_that_another_process_holds_stays_as_it_is),
         TEST(test_a_card_without_flock_leaves_settings_out),

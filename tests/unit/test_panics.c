@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -168,6 +169,17 @@ static void test_a_file_with_any_wrong_byte_or_size_is_refused(void **state)
     assert_int_equal(panics_read(&read, folder), 0);
 }
 
+static int rename_error; /* errno of every renameat(); 0: renameat() works. */
+
+int renameat(int from, const char *name, int to, const char *other)
+{
+    if (rename_error) {
+        errno = rename_error;
+        return -1;
+    }
+    return (int)syscall(SYS_renameat2, from, name, to, other, 0);
+}
+
 static void is_set_aside(const char *name)
 {
     struct panics panics = { .total = 1 }, read = { .total = 9 };
@@ -199,6 +211,27 @@ static void test_a_link_a_fifo_and_a_folder_are_set_aside_so_that_panics_count(v
     unlinkat(folder, PANICS_FILE ".other-3", AT_REMOVEDIR);
 }
 
+static void test_what_a_read_only_card_keeps_in_its_place_has_plain_words(void **state)
+{
+    (void)state;
+    struct panics panics = { .total = 1 };
+    unlinkat(folder, PANICS_FILE, 0);
+    rename_error = EROFS;
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(i == 0   ? mkfifoat(folder, PANICS_FILE, 0600)
+                         : i == 1 ? symlinkat("other", folder, PANICS_FILE)
+                                  : mkdirat(folder, PANICS_FILE, 0700), 0);
+        assert_int_equal(panics_read(&panics, folder), -ENOTSUP);
+        assert_int_equal(panics_write(&panics, folder), -ENOTSUP);
+        assert_string_equal(panics_error(-ENOTSUP),
+                            "is not a regular file, and cannot be renamed");
+        unlinkat(folder, PANICS_FILE, i == 2 ? AT_REMOVEDIR : 0);
+    }
+    rename_error = 0;
+    assert_string_equal(panics_error(-EBADMSG), "is not a count of panics");
+    assert_string_equal(panics_error(-EACCES), "Permission denied");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -212,6 +245,7 @@ int main(void)
         cmocka_unit_test(test_no_file_is_no_panic),
         cmocka_unit_test(test_a_file_with_any_wrong_byte_or_size_is_refused),
         cmocka_unit_test(test_a_link_a_fifo_and_a_folder_are_set_aside_so_that_panics_count),
+        cmocka_unit_test(test_what_a_read_only_card_keeps_in_its_place_has_plain_words),
     };
     return cmocka_run_group_tests(tests, open_folder, close_folder);
 }
