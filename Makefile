@@ -94,6 +94,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/paper/paper.mk
 -include tests/fuzz/fuzz.mk
 -include tests/monkey/monkey.mk
+-include tests/metrics/metrics.mk
 -include tests/vm/vm.mk tests/fuzz/devices.mk tests/fuzz/files.mk tests/power/power.mk tests/mutants/mutants.mk
 
 ## help: this list

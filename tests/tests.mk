@@ -19,7 +19,8 @@ E2E := $(E2E_BIN) $(BUILD)/tests/vm/look
 # Whole-machine tests run alone, after those that only compute (tests/run.sh).
 TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tests/bake/test_*.sh \
     tests/soak/test_*.sh tests/ctl/test_*.sh tests/fuzz/test_*.sh \
-    tests/hid/test_*.sh tests/board/test_*.sh tests/power/test_*.sh tests/mutants/test_*.sh)
+    tests/hid/test_*.sh tests/board/test_*.sh tests/power/test_*.sh tests/mutants/test_*.sh \
+    tests/metrics/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(GPIO_TEST) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 
