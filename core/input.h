@@ -57,8 +57,8 @@ enum controller_state {
     CONTROLLER_STATE_COUNT,
 };
 
-/* Steps of the learn wizard for an unknown controller, in this order. Each step asks the operator
- * for one action. */
+/* Steps of the learn wizard for an unknown controller, in this order. Each step requires one action
+ * of the operator. */
 enum learn_step {
     LEARN_NONE = 0, /* No learn wizard is active. */
     LEARN_REST,     /* Hold the controller still. */
@@ -86,7 +86,7 @@ struct desk_input {
 
 enum poi_link {
     POI_LINK_ABSENT = 0, /* No controller is assigned. */
-    POI_LINK_LOST = 1,   /* The controller was connected before; its poi moves out of the water and
+    POI_LINK_LOST = 1,   /* The controller was connected before; the poi moves out of the water and
                             waits. */
     POI_LINK_LIVE = 2,   /* `target` is up to date. */
     POI_LINK_BOT = 3,    /* The core's own bot controls this poi. */

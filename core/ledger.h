@@ -33,8 +33,8 @@ enum ledger_kind {
                          coins that the previous start could not log. */
     LEDGER_COINS,     /* `count` pulses of coin line `detail` (from 0), worth `value` units. */
     LEDGER_SERVICE,   /* The SERVICE button added a credit without payment. */
-    LEDGER_BEGIN,     /* A round started; purse.open is the kind of credit. `detail`: its mode or
-                         CHOICE_LAB; `count`: paper grade, 0 in the lab. */
+    LEDGER_BEGIN,     /* A round started, paid with the kind of credit in purse.open. `detail`: mode
+                         of the round, or CHOICE_LAB; `count`: paper grade, 0 in the lab. */
     LEDGER_ROUND,     /* A round ended, see `round`. `value`: tickets won; `detail`: ROUND_CUT_OFF
                          if a power cut ended the round, else 0. */
     LEDGER_REFUND,    /* A round was cancelled. `count`: credits returned, 0 for free play;
@@ -78,8 +78,8 @@ enum refund_cause {
 enum purse_open {
     OPEN_NONE = 0,
     OPEN_FREE,
-    OPEN_PAID,    /* A credit of purse.paid. */
-    OPEN_SERVICE, /* A credit of purse.service. */
+    OPEN_PAID,    /* Paid credit, from purse.paid. */
+    OPEN_SERVICE, /* Service credit, from purse.service. */
     OPEN_KIND = 3, /* Mask of the values above. */
     OPEN_SPENT = 4, /* Flag: the credit is not refundable, because two thirds of the round were
                        played or the credit was already refunded once. */

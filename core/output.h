@@ -56,7 +56,8 @@ struct poi_force {
 /* Commands of the operator for a controller. */
 enum desk_order_kind {
     DESK_NOTHING = 0,
-    DESK_CHOOSE,     /* Detach the controller from its driver; it is a poi from now on. */
+    DESK_CHOOSE,     /* Detach the controller from its driver; the controller is a poi from now
+                        on. */
     DESK_RELEASE,    /* Return the controller to its driver and delete the learned mapping. */
     DESK_LEARN,      /* Start the learn wizard; the controller is attached while the wizard runs. */
     DESK_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
@@ -97,8 +98,9 @@ struct output {
     struct ledger_entry entries[LEDGER_RING];
     struct round_record record; /* The newest finished round, for readers that do not need the
                                    ledger. */
-    struct edit_record edit;    /* The newest edit of a species. An edit that the store did not read
-                                   before the next edit is not saved. */
+    struct edit_record edit;    /* The newest edit of a species. An edit that the store did not
+                                   read before the next edit is not saved, and is lost at the
+                                   next start. */
 };
 
 /* Merges the force of one tick into the force of its frame, which the frame loop clears. The device

@@ -1,4 +1,4 @@
-/* pin.c -- see pin.h. */
+/* pin.c -- salted hash of a PIN, and the comparison with a typed PIN. */
 #include "core/pin.h"
 
 #include "core/base/panic.h"

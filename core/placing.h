@@ -1,8 +1,8 @@
 /* placing.h -- the transform from the picture to the screen: rotation, inset, shift and brightness.
  *
- * Like the camera (view.h), the transform is shared by two sides that must agree: the display draws
- * with it, and pointer devices map screen points back through it. The core itself does not use it.
- * Screen and picture are measured in pixels from their top left corners, x to the right, y down. */
+ * Like the camera (view.h), the transform is shared by two sides that must agree. The display draws
+ * with the transform, and pointer devices use its inverse. The core itself does not use it. Screen
+ * and picture are measured in pixels from their top left corners, x to the right, y down. */
 #ifndef KINGYO_CORE_PLACING_H
 #define KINGYO_CORE_PLACING_H
 
@@ -97,7 +97,8 @@ static inline void placing_clip(const struct placing *p, float turn[4], float mo
     move[1] = 1.0f - h * (p->y + 0.5f * (p->yx * p->width + p->yy * p->height));
 }
 
-/* The rectangle of the screen that the picture covers; it may extend beyond the screen's edge. */
+/* The rectangle of the screen that the picture covers; the rectangle may extend beyond the screen's
+ * edge. */
 struct placing_part {
     float left, top, right, bottom;
 };

@@ -1,9 +1,11 @@
 /* scene.h -- the complete picture of one frame, rebuilt from the state.
  *
  * The scene is plain data without pointers, so it can be stored, compared or drawn on another
- * thread. Its parts, in drawing order: scene_tank.h (objects and fish in the water), scene_game.h
- * (phases, announcements, hints, credits), scene_pages.h (lab, album, name, leaderboard) and
- * scene_menu.h (the operator's menu). */
+ * thread. The parts of a scene, in drawing order:
+ * - scene_tank.h: objects and fish in the water,
+ * - scene_game.h: phases, announcements, hints and credits,
+ * - scene_pages.h: lab, album, name entry and leaderboard,
+ * - scene_menu.h: the operator's menu. */
 #ifndef KINGYO_CORE_SCENE_H
 #define KINGYO_CORE_SCENE_H
 
@@ -62,7 +64,7 @@ struct scene {
     struct scene_offer {
         uint16_t round_s;    /* Longest duration in seconds. */
         uint8_t grade;       /* Grade of the paper. */
-    } offer[MODE_COUNT];     /* One entry for every mode, on offer or not. */
+    } offer[MODE_COUNT];     /* Entry for every mode, on offer or not. */
     uint8_t grade;           /* Grade of the round's paper. */
     uint8_t paused;          /* 1: a controller is lost and the clock is stopped. */
     uint8_t call;            /* enum time_call of the latest announcement. */

@@ -48,7 +48,7 @@ enum foul {
 /* Time announcements; each is shown and played once. */
 enum time_call {
     CALL_NONE = 0,
-    CALL_ONE_MINUTE = 1,  /* One minute has passed. */
+    CALL_ONE_MINUTE = 1,  /* The first minute has passed. */
     CALL_TWO_MINUTES = 2, /* Two minutes have passed. */
     CALL_TEN_SECONDS = 3, /* Ten seconds are left. */
     CALL_COUNTDOWN = 4,   /* The last five seconds, one at a time; see seconds_left. */
@@ -73,7 +73,7 @@ enum scene_hint {
     HINT_CLEAR_RIM,   /* Lift the whole ring out of the water before the bowl. */
     HINT_CHOOSE,      /* LEFT and RIGHT select, START begins. */
     HINT_COIN,        /* Insert a coin to play. */
-    HINT_PAID_BACK,   /* The round ended because no poi was left; its credit was refunded. */
+    HINT_PAID_BACK,   /* The round ended because no poi was left; the credit was refunded. */
     HINT_COUNT,
 };
 

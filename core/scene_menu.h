@@ -52,7 +52,7 @@ struct scene_menu {
     uint8_t calibrate_fault; /* ... enum calibration_fault, ... */
     float calibrate_progress; /* [0, 1] progress of holding still. */
     vec3 calibrated_m;       /* Calibrated position of the poi. */
-    uint8_t from;            /* Page of the books that asks for confirmation of a reset. */
+    uint8_t from;            /* Page of the books that requests confirmation of a reset. */
     uint8_t pin_count;       /* Number of digits typed. */
     uint16_t pin;            /* Digits typed; displayed only while a new PIN is chosen. */
     float pin_wait_s;        /* Seconds until a PIN can be typed again. */

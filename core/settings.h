@@ -1,9 +1,9 @@
 /* settings.h -- the operator's settings: name, range, step and default of each.
  *
- * Each setting is one number, and its properties are a row of one table, so that the menu, the
- * configuration file, the store and the manual always agree. A value comes from four sources: the
- * table's default, the configuration file, the value saved by the menu, and the command line. Each
- * later source overrides the earlier ones. */
+ * Each setting is one number, and its properties are a row of one table. The menu, the
+ * configuration file, the store and the manual therefore always agree. A value comes from four
+ * sources: the table's default, the configuration file, the value saved by the menu, and the
+ * command line. Each later source overrides the earlier ones. */
 #ifndef KINGYO_CORE_SETTINGS_H
 #define KINGYO_CORE_SETTINGS_H
 
@@ -12,7 +12,7 @@
 #include "core/input.h"
 
 enum setting_id {
-    /* Money. One unit is the value of the smallest coin. */
+    /* Money. A unit is the value of the smallest coin. */
     SET_PLAY = 0,       /* enum play_kind */
     SET_PRICE,          /* Units per credit. */
     SET_COIN_1,         /* Units per pulse of each coin line. */

@@ -1,7 +1,7 @@
 /* view.h -- the camera: position, direction and field of view.
  *
- * The camera is part of the core's contracts because two sides must agree on it: the renderer that
- * draws the tank, and the pointer devices that find the point of the water under the pointer. */
+ * The camera is part of the core's contracts because two sides must agree on it. The renderer draws
+ * the tank with the camera, and pointer devices find the point of the water under the pointer. */
 #ifndef KINGYO_CORE_VIEW_H
 #define KINGYO_CORE_VIEW_H
 

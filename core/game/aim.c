@@ -39,7 +39,7 @@ static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 #define COMPANY_M 0.030f
 #define COMPANY_S 0.25f         /* Each further fish nearby saves part of a separate path. */
 #define RIVAL_M 0.10f           /* Distance at which another player's poi interferes. */
-#define RIVAL_S 0.60f           /* Cost of that interference. */
+#define RIVAL_S 0.60f           /* Cost of a nearby poi of another player. */
 
 vec3 aim_forward(float yaw_rad)
 {

@@ -19,7 +19,7 @@ enum audit_id {
     AUDIT_COINS_1 = 0, /* Pulses of each coin line. */
     AUDIT_COINS_2,
     AUDIT_COINS_3,
-    AUDIT_UNITS,       /* Value of those pulses in units. */
+    AUDIT_UNITS,       /* Value of all coin pulses in units. */
     AUDIT_TEST_COINS,
     AUDIT_CREDITS_PAID,
     AUDIT_CREDITS_BONUS, /* Bonus credits, included in AUDIT_CREDITS_PAID. */

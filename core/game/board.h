@@ -15,7 +15,7 @@
 #define BOARD_EVERY_TICKS (30u * CORE_TICK_HZ) /* Interval in attract mode; the tank is shown for
                                                   the rest of it. */
 
-/* Best place of a player over all periods; of equal places, the one in the longer period. */
+/* Best place of a player over all periods; if places are equal, the longer period counts. */
 struct board_place {
     uint8_t period; /* enum rank_period */
     uint8_t place;  /* Place from 1; 0: not ranked. */

@@ -1,8 +1,8 @@
 /* bot.h -- the built-in bot: an artificial player with human reaction times and arm motion.
  *
  * The bot perceives the game only through snapshots (look.h), one every 150 to 250 ms. A snapshot
- * becomes usable when the next one is taken, so the bot always acts on the past. Its poi moves like
- * a human arm. */
+ * becomes usable when the next one is taken, so the bot always acts on the past. The poi of the bot
+ * moves like a human arm. */
 #ifndef KINGYO_CORE_GAME_BOT_H
 #define KINGYO_CORE_GAME_BOT_H
 
@@ -41,7 +41,7 @@ struct bot {
     vec3 miss_m;            /* Aiming error of this attempt. */
     struct poi_target goal; /* Pose toward which the arm moves. */
     float speed_m_s;        /* Maximum speed on the way to `goal`. */
-    float ease_s;           /* Time to reach that speed, in seconds. */
+    float ease_s;           /* Time to reach `speed_m_s`, in seconds. */
     struct bot_hand hand;
     struct look known;      /* Snapshot on which the bot acts. */
     struct look seen;       /* Newest snapshot; becomes `known` at `act_tick`. */

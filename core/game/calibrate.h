@@ -6,9 +6,8 @@
  * SET_CALIBRATION on), in millionths of a metre, of a radian or of 1, so that 0 means no
  * correction:
  *
- * x' = (1 + xx) x + xz z + x0; y' = y + y0; pitch' = pitch + p;
- *
- * z' = zx x + (1 + zz) z + z0; roll' = roll + r.
+ *   x' = (1 + xx) x + xz z + x0      y' = y + y0      pitch' = pitch + p
+ *   z' = zx x + (1 + zz) z + z0                       roll'  = roll + r
  *
  * Each setting is a ledger entry of its own, and a power cut may occur between two entries. A check
  * value is therefore written last (SET_CALIBRATION_CHECK). If the check value does not match the

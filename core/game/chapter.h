@@ -1,5 +1,7 @@
-/* chapter.h -- sessions: at each start of attract mode, and after every ten minutes of it, the core
- * restarts from its configuration, so that each session is a separate recording.
+/* chapter.h -- sessions: the parts into which an evening is divided, one recording each.
+ *
+ * A new session begins at each start of attract mode, and after every ten minutes of it. The core
+ * then restarts from its configuration.
  *
  * A session starts with the state that core_init() creates from the configuration in the core. The
  * tank and the seed are fresh; money, ledger, audits, leaderboard, saved graphs and the tick

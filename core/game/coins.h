@@ -1,7 +1,7 @@
 /* coins.h -- conversion of coin pulses to units, and of units to credits.
  *
  * Internal to core/game. Each coin is logged in the ledger at once, or as soon as the ledger has
- * room. Until then the coin is counted here and in purse.untold. */
+ * room. Before that the coin is counted here and in purse.untold. */
 #ifndef KINGYO_CORE_GAME_COINS_H
 #define KINGYO_CORE_GAME_COINS_H
 

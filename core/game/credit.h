@@ -1,10 +1,9 @@
 /* credit.h -- payment: units become credits, and one credit buys one round at the tank.
  *
- * One credit pays for all players who hold a poi. The credit is taken when the selected round
- * starts, not when START is pressed, so leaving the selection screen is free. The credit is
- * refunded if the round ends because all controllers were lost, because the operator opened the
- * menu, or because the kiosk stopped. Such a round wins no tickets and produces no score and no
- * record.
+ * A credit pays for every player with a poi. The credit is taken when the selected round starts,
+ * not when START is pressed, so leaving the selection screen is free. The credit is refunded if the
+ * round ends because all controllers were lost, because the operator opened the menu, or because
+ * the kiosk stopped. Such a round wins no tickets and produces no score and no record.
  *
  * No credit is refunded after two thirds of the round, and none is refunded twice; such a round
  * keeps its score and its tickets (core/game/stand.h). A refunded credit is used before all others,
@@ -62,7 +61,7 @@ struct credit {
                             0: never. */
     uint32_t act_tick;   /* Tick of the last change to the balance by a person. */
     uint32_t stand_id;   /* Id of the newest LEDGER_STAND of the open round; 0: none yet. */
-    struct ledger_stand stand; /* Content of that entry. */
+    struct ledger_stand stand; /* Content of the newest LEDGER_STAND. */
     uint32_t ticket_id;  /* Id of the LEDGER_TICKET whose pulse waits for the disk; 0: none. */
 };
 
@@ -85,7 +84,7 @@ int credit_can_play(const struct core *core);
 uint32_t credit_coming(const struct core *core);
 
 /* Handles a start attempt without a playable credit. If a credit is not on disk yet, the attempt
- * waits for it (credit_is_awaited()); otherwise the display asks for a coin more prominently for a
+ * waits for it (credit_is_awaited()); otherwise the display highlights the request for a coin for a
  * moment. */
 void credit_ask(struct core *core, struct output *output);
 
@@ -96,7 +95,7 @@ int credit_is_awaited(const struct core *core);
  * credit_can_play(). */
 void credit_take(struct core *core, uint8_t what, struct output *output);
 
-/* Ends the running round early. Its credit is refunded if one was taken and stand_is_spent() is 0;
+/* Ends the running round early. The credit is refunded if one was taken and stand_is_spent() is 0;
  * otherwise the balance stays open for the caller to close. A free round that lost its pois counts
  * as a normal round. */
 void credit_give_back(struct core *core, enum refund_cause cause, struct output *output);

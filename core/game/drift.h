@@ -2,7 +2,7 @@
  * the controller's pose.
  *
  * Both motions are slow enough that wet paper of any grade survives them, even broadside. The poi
- * is also marked as `spared` (immune to damage), so that a broken cable never costs a player the
+ * is also marked as `spared` (immune to damage), so that a broken cable never damages a player's
  * paper. */
 #ifndef KINGYO_CORE_GAME_DRIFT_H
 #define KINGYO_CORE_GAME_DRIFT_H

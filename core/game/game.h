@@ -64,7 +64,7 @@ struct game {
     uint8_t played;      /* 1: a person has held a poi in this round. */
     uint8_t paused;      /* 1: a controller is lost and the round waits. */
     uint8_t call;        /* enum time_call of the latest announcement in this round. */
-    uint32_t call_tick;  /* Tick of that announcement. */
+    uint32_t call_tick;  /* Tick of the latest announcement. */
     uint32_t phase_tick; /* Tick at which the phase began; moved forward while the round's clock is
                             paused. */
     uint32_t round_tick; /* Tick at which the round began; never moved. */
@@ -72,14 +72,13 @@ struct game {
     uint32_t point_tick; /* In CHOOSE: tick of the last selection. */
     uint32_t lost_ticks; /* Ticks for which the current pause without any active player has
                             lasted. */
-    uint32_t waited_ticks; /* Ticks of all such pauses in this round. */
+    uint32_t waited_ticks; /* Ticks of all pauses without any active player in this round. */
     uint32_t gone_tick;  /* Tick at which the last player was out; moved forward during pauses; 0
                             while players are active. In attract mode: tick at which the bot's paper
                             was torn or its bowl was full. */
     uint32_t language_until; /* Tick at which attract mode ends a visitor's choice of language; 0:
                                 no choice. */
-    uint32_t turn_tick;   /* Tick at which a new session starts (chapter.h); 0: none was
-                             requested. */
+    uint32_t turn_tick;   /* Tick at which a new session starts (chapter.h); 0: not requested. */
     uint32_t round_s;     /* Length of this round in seconds. */
     uint32_t round_count; /* Number of started rounds; part of the seed of the next paper. */
     struct ledger ledger;
@@ -90,7 +89,7 @@ struct game {
     struct player player[POI_MAX];
     uint8_t holder[POI_MAX];         /* enum poi_link of the last tick: the source that controlled
                                         the poi. */
-    uint32_t grip_tick[POI_MAX];     /* Tick at which that source took control. */
+    uint32_t grip_tick[POI_MAX];     /* Tick at which the current source took control of the poi. */
     struct poi_target hand[POI_MAX]; /* Target pose of each poi in the last tick, after smoothing
                                         and failsafe. */
     float live_y_m[POI_MAX];         /* Height of the last valid controller pose; a dip is a
@@ -125,8 +124,9 @@ void game_init(struct game *game, const struct core_config *config);
 void game_tick(struct core *core, const struct input *input, struct output *output,
                struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
 
-/* Returns 1 if player `index` may dip the poi: in attract mode, and in the round while the clock
- * runs, time is left and the player is not out. Otherwise the poi is kept above the water. */
+/* Returns 1 if player `index` may dip the poi. A dip is allowed in attract mode, and in a round
+ * while the clock runs, time is left and the player is not out. Otherwise the poi is kept above the
+ * water. */
 int game_may_scoop(const struct core *core, uint32_t index);
 
 /* Returns 1 if the tank's pump bubbles at `tick`. The pump is off during a round (a rule of the

@@ -14,7 +14,8 @@
 #define DOUBT_TICKS 8u       /* An outlier of a sixteenth of a second moves no poi. */
 #define FAR_M 0.30f          /* Distance from which a new pose is approached gently. */
 #define FAR_TURN 0.3f        /* Rotation from which a new pose is approached gently. */
-#define FAR_LEAN 0.8f        /* Same limit for a pointer, which tilts its poi during fast motion. */
+#define FAR_LEAN 0.8f        /* Same rotation limit for a pointer; larger, because a pointer tilts
+                                its poi during fast motion. */
 #define WET_BELOW_M 0.020f   /* Height below which part of a tilted ring may be under water. */
 #define SPARE_TICKS_ALL (2u * DRIFT_SPARE_TICKS_MAX) /* Total damage immunity of several returns in
                                                         a row. */
@@ -164,9 +165,9 @@ static int is_far(const struct poi_target *from, const struct poi_target *to, in
            trust_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
 }
 
-/* Filters outliers. A pose farther away than an arm moves in a tick may be a sensor error, so the
- * target stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above the water a fast
- * mouse motion is accepted. */
+/* Filters outliers. A pose farther away than an arm moves in a tick may be a sensor error. The
+ * target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above the water a
+ * fast mouse motion is accepted. */
 static struct poi_target steady(struct core *core, uint32_t index, struct poi_target next,
                                 int has_wrist)
 {

@@ -28,7 +28,7 @@ static int is_urgent(uint8_t hint)
     return hint == HINT_TORN || hint == HINT_LOST_POI;
 }
 
-/* Returns 1 if the player has done what `hint` asks for. */
+/* Returns 1 if the player has done the action that `hint` describes. */
 static int is_followed(uint8_t hint, const struct poi *poi)
 {
     return hint == HINT_LIFT ? poi->immersed < 0.5f : hint == HINT_DIP && poi->immersed > 0.5f;

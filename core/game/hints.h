@@ -1,9 +1,9 @@
 /* hints.h -- hints for a player: one line at a time, for the next thing to learn.
  *
- * With several players the hints are for the first player who has a poi in use, but a pause for a
- * lost controller is shown for any player. Each rule checks the player's actions and selects a
- * helpful hint. A hint stays until the player follows it. A hint is replaced within HINT_TICKS_MIN
- * only if it was followed or an urgent hint is due. */
+ * With several players the hints are for the first player who has a poi in use. A pause for a lost
+ * controller is shown for any player. Each rule checks the player's actions and selects a helpful
+ * hint. A hint stays until the player follows it. A hint is replaced within HINT_TICKS_MIN only if
+ * it was followed or an urgent hint is due. */
 #ifndef KINGYO_CORE_GAME_HINTS_H
 #define KINGYO_CORE_GAME_HINTS_H
 

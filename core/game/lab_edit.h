@@ -1,8 +1,8 @@
 /* lab_edit.h -- editing of a deformation graph: drag, add and remove knots.
  *
- * Every function keeps the graph valid: knots rise from progress 0 to 1, and at each knot the
- * weights are >= 0 and sum to 1 (2005 thesis, eq. 3.2 and figure 3.7). Functions have no side
- * effects outside their arguments. */
+ * Every function keeps the graph valid. Knots rise from progress 0 to 1. At each knot the weights
+ * are >= 0 and sum to 1 (2005 thesis, eq. 3.2 and figure 3.7). Functions have no side effects
+ * outside their arguments. */
 #ifndef KINGYO_CORE_GAME_LAB_EDIT_H
 #define KINGYO_CORE_GAME_LAB_EDIT_H
 

@@ -19,13 +19,13 @@ struct ledger {
     uint32_t last_id;  /* Id of the newest entry. */
     uint32_t saved_id; /* Id of the newest entry on disk. */
     uint32_t boot;
-    uint32_t unkept;   /* Entries dropped for lack of room; none of them was a payment. */
+    uint32_t unkept;   /* Entries dropped for lack of room; never payments. */
     uint32_t wait_ticks; /* Ticks for which entries have waited without any of them being saved. */
     uint16_t day, minute;
     uint8_t is_well;   /* 1: the store is healthy, from the last input. */
     struct purse purse; /* Current balance. */
     struct purse kept;  /* Balance on disk. */
-    struct purse after[LEDGER_RING]; /* Balance after each unsaved entry; that of entry n at n %
+    struct purse after[LEDGER_RING]; /* Balance after each unsaved entry; entry n uses index n %
                                         LEDGER_RING. */
 };
 
@@ -58,8 +58,8 @@ int ledger_is_settled(const struct ledger *ledger);
 /* Returns 1 if a payment now will soon be on disk: the store is healthy, responds, and has room. */
 int ledger_is_safe(const struct ledger *ledger);
 
-/* Returns 1 if the balance differs from the one on disk and no pending entry contains it. This
- * happens when a store appears later, or had no room when the balance changed. */
+/* Returns 1 if the balance differs from the one on disk and no pending entry contains it. The
+ * difference arises when a store appears later, or had no room when the balance changed. */
 int ledger_owes_purse(const struct ledger *ledger);
 
 /* Credits that are on disk and not spent; only these can be played. */

@@ -1,4 +1,4 @@
-/* ledger_range.c -- see ledger_range.h. */
+/* ledger_range.c -- range checks for each kind of ledger record. */
 #include "core/game/ledger_range.h"
 
 #include "core/game/audits.h"

@@ -1,4 +1,4 @@
-/* look.c -- taking a snapshot: selection of fish, speeds, and the state of the paper. */
+/* look.c -- capture of a snapshot: selection of fish, speeds, and the state of the paper. */
 #include "core/game/look.h"
 
 #include "core/base/hash.h"

@@ -208,7 +208,7 @@ static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
     return 0;
 }
 
-/* Returns the pointer of the controller that moved last, even if its slot has no bowl, because the
+/* Returns the pointer of the controller that moved last. The slot need not have a bowl, because the
  * operator may test a controller that was never used in a game. `*stirs` is 1 if the pointer has
  * just moved. */
 static struct overlay_hand leading_hand(struct core *core, const struct input *input, int *stirs)

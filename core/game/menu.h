@@ -7,7 +7,7 @@
  *
  * While the menu is open no game is played and coins are returned. The exception is the page that
  * tests the input lines: there the meter counts a coin as a test, without a credit. TEST during a
- * round only asks for confirmation, because the button is easy to press by accident and the player
+ * round only requests confirmation, because the button is easy to press by accident and the player
  * has paid. A second press ends the round and refunds its credit. Such a round is neither a score
  * nor a record.
  *
@@ -32,10 +32,11 @@
 #define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)  /* Two selections within this time count as one. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ) /* Time without activity after which an open menu
                                                  closes. */
-#define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ) /* The same timeout on the PIN page. */
+#define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ) /* Time without activity after which the menu
+                                                    closes on the PIN page. */
 #define MENU_SWING_SPANS 3u /* Number of timeouts without a press, a selection or a coin after which
-                               the menu also closes, because constant motion comes from a poi
-                               swinging on its cord. */
+                               the menu also closes. Constant motion alone comes from a poi that
+                               swings on its cord. */
 #define MENU_PIN_DIGITS 4u
 #define MENU_COUNT_MAX 9999u                  /* Upper limit of a counter on the page of the input
                                                  lines. */
@@ -102,7 +103,7 @@ struct menu {
                            value. */
     uint8_t turning; /* 1 while the button or poi that selected a setting is still pressed, so that
                         the value keeps changing. */
-    uint8_t from;    /* Page that asked for confirmation of a reset. */
+    uint8_t from;    /* Page that requested confirmation of a reset. */
     uint8_t pin_count; /* Number of PIN digits typed so far. */
     uint16_t pin;    /* PIN digits typed so far, as a number. */
     uint8_t turn_count; /* Number of automatic repeats, up to 255. */
@@ -136,7 +137,7 @@ struct menu {
 
 struct core;
 
-/* Returns 1 if TEST opens the menu in this tick. During a round the first press only asks for
+/* Returns 1 if TEST opens the menu in this tick. During a round the first press only requests
  * confirmation. */
 int menu_opens(struct core *core, const struct input *input, struct output *output);
 void menu_tick(struct core *core, const struct input *input, struct output *output);

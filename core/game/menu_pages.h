@@ -12,10 +12,10 @@
 enum menu_body {
     BODY_FREE = 0, /* The body has no items; the page shows other content there. */
     BODY_HUNG,     /* Large items side by side, eight at most. */
-    BODY_ROWS,     /* One row per item; an item not on offer leaves its place empty. */
-    BODY_PAGES,    /* One large item for each page with this parent. */
-    BODY_SETTINGS, /* One row for each setting of a group, then one for each subpage. */
-    BODY_BITS,     /* One row for each bit of one setting. */
+    BODY_ROWS,     /* A row per item; an item not on offer leaves its place empty. */
+    BODY_PAGES,    /* A large item for each page with this parent. */
+    BODY_SETTINGS, /* A row for each setting of a group, then one for each subpage. */
+    BODY_BITS,     /* A row for each bit of one setting. */
     BODY_KEYS,     /* Small items with a digit each. */
 };
 

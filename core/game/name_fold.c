@@ -1,4 +1,4 @@
-/* name_fold.c -- normalization of width, case, kana and look-alike characters. */
+/* name_fold.c -- normalization of width, case, kana and similar characters. */
 #include "core/game/name_fold.h"
 
 #define MALFORMED 0xffffu
@@ -54,8 +54,8 @@ static uint16_t hiragana(uint16_t letter)
     return letter;
 }
 
-/* Returns the letter that a digit or sign stands for, or the small letter of a capital. `l` counts
- * as `i` because it looks like `I`. */
+/* Returns the letter that a digit or sign stands for, or the small letter of a capital. `l` becomes
+ * `i` because `l` resembles `I`. */
 static uint16_t stood_for(uint16_t letter)
 {
     static const char signs[] = "0o1i2z3e4a5s6b7t8b9g@a$s!i|i+tli";

@@ -1,4 +1,4 @@
-/* name_fold.h -- name normalization: maps spellings that look or sound alike to one form.
+/* name_fold.h -- name normalization: maps spellings with similar appearance or sound to one form.
  *
  * Full-width and half-width letters, capitals, katakana, small kana, and digits or signs used as
  * letters become one form. Spaces, dots and long-vowel marks are removed. The filter

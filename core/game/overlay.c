@@ -37,7 +37,7 @@ struct overlay_point overlay_point_of(const struct view *view, int upright, vec3
     return (struct overlay_point){ 0.5f * canvas.x + unit * right, 0.5f * canvas.y - unit * up };
 }
 
-/* Maps a controller with rotation by the tank's floor plan, because its user looks at the tank and
+/* Maps a controller with rotation by the tank's floor plan, because the player aims at the tank and
  * not along a pointer ray. The arm then need not reach behind the tank for items at the top of the
  * screen. */
 static struct overlay_point plan_point(const struct core *core, int upright, vec3 hand_m)

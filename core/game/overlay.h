@@ -1,9 +1,9 @@
 /* overlay.h -- mapping of poses over the water to a pointer on a canvas over the tank's picture.
  *
- * Wide screens use a canvas of 1280 x 720, portrait screens one of 854 x 1400, with x to the right
- * and y down from the top left corner. Each canvas is as large as the screen permits, and centred.
- * The mapping uses the tank's camera: a point on the water surface maps to the canvas point drawn
- * over it, independent of the screen's size. */
+ * Wide screens use a canvas of 1280 x 720, portrait screens a canvas of 854 x 1400. The origin is
+ * the top left corner, with x to the right and y down. Each canvas is as large as the screen
+ * permits, and centred. The mapping uses the tank's camera: a point on the water surface maps to
+ * the canvas point drawn over it, independent of the screen's size. */
 #ifndef KINGYO_CORE_GAME_OVERLAY_H
 #define KINGYO_CORE_GAME_OVERLAY_H
 

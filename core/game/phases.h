@@ -16,7 +16,7 @@ struct core;
 void phase_enter(struct core *core, uint8_t phase);
 
 /* Returns the player whose live poi with a bowl moves down through GAME_DIP_Y_M in this tick, or
- * POI_MAX if none does. Such a dip means that the player wants to play. */
+ * POI_MAX if none does. Such a dip is a request to play. */
 uint32_t phase_dipped(const struct core *core, const struct input *input);
 
 /* Attract mode: the configured tank, played by the bot. */

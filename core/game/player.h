@@ -30,7 +30,8 @@ struct player {
     uint32_t sheets_before;   /* Number of sheets before the current one. */
     uint32_t lost_ticks; /* Ticks for which others have waited for this controller without a
                             break. */
-    uint32_t waited_ticks; /* Ticks of all such waits in this round. */
+    uint32_t waited_ticks; /* Ticks in this round for which others have waited for this controller,
+                              in total. */
     uint8_t stance;           /* enum player_stance, in READY. */
     float rest_x_m, rest_z_m; /* Rest position of the controller: in READY, where it was first seen;
                                  in CHOOSE, where it last moved. */

@@ -20,7 +20,7 @@
 enum rank_period { RANK_DAY = 0, RANK_WEEK, RANK_EVER, RANK_PERIOD_COUNT };
 
 struct rank_row {
-    uint32_t caught;   /* 0: empty row. Of equal scores, the earlier one ranks higher. */
+    uint32_t caught;   /* 0: empty row. If scores are equal, the earlier score ranks higher. */
     uint32_t round_id; /* Id of the round's entry, under which the store keeps its replay. */
     uint16_t day;      /* Day of the round; 0: unknown. */
     uint8_t seat;

@@ -10,8 +10,8 @@
 
 struct core;
 
-#define REST_LINGER_TICKS 120u /* Delay of one second before the poi of a player who is out is
-                                  parked, so that the player sees why. */
+#define REST_LINGER_TICKS 120u /* Delay of one second before parking when a player is out, so that
+                                  the player sees the reason. */
 
 /* Returns the rest position of player `index`: on the open tank's rim beside the player's bowl,
  * with the handle toward the player. The position is completely visible, and different for each
@@ -25,8 +25,8 @@ int rest_tick(struct core *core, uint32_t index);
 /* Returns 1 if the poi is parked, so that no controller moves it. */
 int rest_holds(const struct core *core, uint32_t index);
 
-/* Returns the next target pose of a parked poi, whose target pose is `hand`: up out of the water,
- * over all rims, and down to the rest position. */
+/* Returns the next target pose of a parked poi, whose target pose is `hand`. The path leads up out
+ * of the water, over all rims, and down to the rest position. */
 struct poi_target rest_way(const struct core *core, uint32_t index, struct poi_target hand);
 
 /* Return 1 if fish and other pois still collide with the poi, and the share of its shadow that is

@@ -82,13 +82,13 @@ void self_test_tick(struct core *core, const struct input *input, struct output 
 /* Writes the results for self_test_judge() to `out`. */
 void self_test_show(const struct core *core, struct scene_self_test *out);
 
-/* Returns 1 for the first half of each second while the page asks about lamp and slot, which are
- * then switched on and off. */
+/* Returns 1 for the first half of each second while the question about lamp and slot is open. Lamp
+ * and slot follow this value. */
 int self_test_shows(const struct core *core);
 
 /* Evaluates core and device data of the scene, and writes the state of each enum self_check.
- * Returns the check to display next: one that the operator must perform, then a bad one, then one
- * that needs attention, then one without a result; SELF_CHECKS: ready. */
+ * Returns the check to display next, or SELF_CHECKS if the kiosk is ready. The order is: checks for
+ * the operator to perform, bad checks, checks that need attention, checks without a result. */
 uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS]);
 
 /* Returns the number of checks that are not good. */

@@ -1,5 +1,5 @@
-/* sight.c -- the only file of the bot that accesses the core. It reads the fields that core/scene.c
- * shows, and no others. */
+/* sight.c -- the only file of the bot that accesses the core. The file reads the fields that
+ * core/scene.c shows, and no others. */
 #include "core/game/sight.h"
 
 #include "core/base/panic.h"

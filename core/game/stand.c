@@ -6,7 +6,7 @@
 #include "core/game/rules.h"
 #include "core/game/tickets.h"
 
-#define SEAT_BITS 8u     /* One byte of `count` per slot, for its catch. */
+#define SEAT_BITS 8u     /* Bits of `count` for the catch of each slot. */
 #define SEAT_MAX 255u
 #define TICKETS_MASK 0xffffu /* Tickets in `value`; the bits of the players and of the bot are
                                 above. */

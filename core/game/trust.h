@@ -5,7 +5,7 @@
  * a noisy sensor repeats identical bits, or if the pose jumps faster than an arm can move. Input is
  * valid again after a quarter of a second of consistent reports; a pose that stays after a jump is
  * then the new pose. A pointer moves a picture, not an arm, and may jump, for example when it
- * leaves and re-enters a window. Its poi follows at a poi's speed (hand.c).
+ * leaves and re-enters a window. The poi of a pointer follows at a poi's speed (hand.c).
  *
  * All state is in struct trust; the functions have no other side effects. */
 #ifndef KINGYO_CORE_GAME_TRUST_H
@@ -25,7 +25,7 @@
 #define TRUST_ARM_M_S 4.0f      /* Highest speed of an arm. */
 #define TRUST_POINTER_M_S 16.0f /* Highest speed of a pointer: a mouse moved across the whole tank
                                    in 50 ms. */
-#define TRUST_POINTER_RAD_S 60.0f /* Highest rotation rate of a pointer's poi. Its rotation is
+#define TRUST_POINTER_RAD_S 60.0f /* Highest rotation rate of a pointer's poi. The rotation is
                                      derived from the motion and has no inertia. */
 #define TRUST_WRIST_RAD_S 20.0f /* Highest rotation rate of a wrist that holds a wet poi. */
 #define TRUST_RANGE_M 100.0f    /* Largest valid coordinate, beyond the length of any cord. */

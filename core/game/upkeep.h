@@ -2,8 +2,8 @@
  *
  * The first entry of each start is LEDGER_BOOT. A round that was open then was interrupted by a
  * crash or a power cut, and its credit is refunded. A LEDGER_HEALTH is logged every two minutes and
- * whenever the operator opens the menu. It contains the uptime and the faults since the previous
- * one. */
+ * whenever the operator opens the menu. The entry contains the uptime and the faults since the
+ * previous one. */
 #ifndef KINGYO_CORE_GAME_UPKEEP_H
 #define KINGYO_CORE_GAME_UPKEEP_H
 
