@@ -48,7 +48,7 @@ enum controller_state {
     CONTROLLER_NONE = 0,
     CONTROLLER_FREE,    /* Another driver uses the controller and keeps it unless the operator
                            selects the controller. */
-    CONTROLLER_PLAYS,   /* The controller is a poi, or becomes one when it is assigned. */
+    CONTROLLER_PLAYS,   /* Attached: the controller supplies, or can supply, the pose of a poi. */
     CONTROLLER_LOST,    /* The controller was a poi and is disconnected. */
     CONTROLLER_BARRED,  /* Never usable: a boot keyboard, a hub, or a device without input
                            fields. */

@@ -6,8 +6,8 @@
 #define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is clear of the water. */
 #define HASTY_EASE_S 0.06f
 #define HASTY_SHARE 2.5f          /* Speed of a fast lift relative to a draining lift. */
-#define CRADLE_RAD (0.0f * F_DEG) /* Pitch while lifting. A lowered far edge would let water run off
-                                     with the fish at the rim. */
+#define CRADLE_RAD (0.0f * F_DEG) /* Pitch while lifting, level. A negative pitch lowers the far
+                                     edge: water runs off, and the fish moves to the rim. */
 #define JAM_M 0.050f              /* Largest distance of the ring below the arm's position. If fish
                                      hold the ring further down, the arm waits. */
 

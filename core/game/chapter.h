@@ -1,4 +1,4 @@
-/* chapter.h -- sessions: the parts into which an evening is divided, one recording each.
+/* chapter.h -- sessions: the periods into which the running time is divided, one recording each.
  *
  * A new session begins at each start of attract mode, and after every ten minutes of it. The core
  * then restarts from its configuration.
@@ -28,7 +28,8 @@
 /* State carried over from the previous session. All zero: the kiosk has just started. */
 struct chapter {
     uint32_t tick;  /* First tick of this session; 0 at the kiosk's start. */
-    uint32_t order_count, edit_save_id, edit_saved_id; /* As in struct menu and struct lab. */
+    uint32_t order_count, edit_save_id, edit_saved_id; /* Command and edit ids, as in struct menu
+                                                          and struct lab. */
     struct ledger ledger;
     struct credit credit;
     struct upkeep upkeep;

@@ -123,7 +123,7 @@ void credit_tick(struct core *core, const struct input *input, struct output *ou
 }
 
 /* Returns 1 if the coin slot must return coins. In the menu the slot is open only on the page that
- * tests the input lines, because a visitor cannot see that no game is sold meanwhile. */
+ * tests the input lines, because a visitor cannot see that no game is sold then. */
 static int sends_coins_back(const struct core *core)
 {
     const struct game *game = &core->game;

@@ -30,7 +30,7 @@
 #define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ) /* Time for which a START press waits for the coin to
                                                   reach the disk. */
 
-/* Conditions that are displayed as warnings and close the coin slot; one bit each. */
+/* Conditions that close the coin slot and are displayed as warnings, as bit flags. */
 enum credit_warning {
     WARN_TILT = 1u << 0,   /* The cabinet was shaken or tilted. Nothing is lost, but coins are
                               returned, because shaking can make the coin mechanism count. */

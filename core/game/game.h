@@ -52,7 +52,7 @@
 #define GAME_STALE_TICKS (115u * CORE_TICK_HZ) /* Time in attract mode for which the pump is off. */
 #define GAME_AIR_TICKS (45u * CORE_TICK_HZ)    /* Time in attract mode for which the pump bubbles,
                                                   alternating with GAME_STALE_TICKS. */
-#define GAME_POI_GRADE 6u      /* The grade that stalls use most. */
+#define GAME_POI_GRADE 6u      /* Paper grade that real stalls use most; the default. */
 #define GAME_DIP_Y_M (-0.010f) /* Height that a pose must cross downward to count as a dip. */
 
 struct game {
@@ -61,7 +61,7 @@ struct game {
     uint8_t mode;        /* enum game_mode of this round, or the selected mode. */
     uint8_t lab_chosen;  /* In CHOOSE: 1 if the growth lab is selected. */
     uint8_t bot_played;  /* 1: the bot controlled a poi in this round. */
-    uint8_t played;      /* 1: a person has held a poi in this round. */
+    uint8_t played;      /* 1: a player or the bot has had a poi in use in this round. */
     uint8_t paused;      /* 1: a controller is lost and the round waits. */
     uint8_t call;        /* enum time_call of the latest announcement in this round. */
     uint32_t call_tick;  /* Tick of the latest announcement. */
@@ -92,15 +92,16 @@ struct game {
     uint32_t grip_tick[POI_MAX];     /* Tick at which the current source took control of the poi. */
     struct poi_target hand[POI_MAX]; /* Target pose of each poi in the last tick, after smoothing
                                         and failsafe. */
-    float live_y_m[POI_MAX];         /* Height of the last valid controller pose; a dip is a
-                                        downward crossing of GAME_DIP_Y_M. */
+    float live_y_m[POI_MAX];         /* Height of the controller pose in the last tick; -1 if the
+                                        input was invalid. A dip is a downward crossing of
+                                        GAME_DIP_Y_M. */
     struct trust trust[POI_MAX];     /* Input validation of each controller. */
     uint32_t back_ticks[POI_MAX];    /* Ticks since the poi began to return to the controller's
                                         pose; 0: the poi follows the controller. */
     uint8_t was_lost[POI_MAX];       /* 1 while the poi returns after an input loss. Damage is
                                         disabled until the poi arrives. */
-    uint32_t spared_ticks[POI_MAX];  /* Ticks of damage immunity used during returns; decreases
-                                        while the player controls the poi. */
+    uint32_t spared_ticks[POI_MAX];  /* Ticks of damage immunity used so far during returns;
+                                        decreases while the player controls the poi. */
     uint32_t doubt_ticks[POI_MAX];   /* Ticks for which the reported pose has required a motion that
                                         no arm can make. */
     uint32_t rest_ticks[POI_MAX];    /* Ticks for which the player has not used the poi. */

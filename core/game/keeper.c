@@ -1,4 +1,4 @@
-/* keeper.c -- tanks, bowls and paper. */
+/* keeper.c -- table setup: opens the tank, places the bowls and supplies paper. */
 #include "core/game/keeper.h"
 
 #include "core/base/mem.h"

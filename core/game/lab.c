@@ -45,7 +45,7 @@ static void note_stir(struct core *core)
 }
 
 /* Switches to another player's pointer. The new pointer presses nothing until it was above the
- * water once, so that it does not continue the previous drag. */
+ * water once, so that the previous drag does not continue. */
 static void change_hands(struct lab *lab, uint32_t index)
 {
     if (lab->has_hand && index != lab->hand) {

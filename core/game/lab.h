@@ -18,7 +18,8 @@
                                                  because a poi swinging on its cord moves but never
                                                  presses. */
 #define LAB_LIFE_TICKS (14u * CORE_TICK_HZ)  /* Duration of a played life. */
-#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u) /* Pause at the end of a life. */
+#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u) /* Pause at the end of a played life, before it
+                                                   starts again. */
 #define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* Time for which START must be held to leave. */
 #define LAB_GRAB 24.0f         /* Distance on the canvas within which a knot is grabbed. */
 
@@ -58,7 +59,7 @@ struct lab {
     float x, y;                    /* Pointer position on the canvas. */
     float stir_x, stir_y;          /* Pointer position at the last motion. */
     float progress;
-    struct lab_edit edit;          /* The current edit. */
+    struct lab_edit edit;          /* Edit that is displayed and changed; saved only on request. */
     struct lab_edit edits[SPECIES_MAX];
 };
 

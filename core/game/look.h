@@ -44,7 +44,7 @@ struct look {
     vec3 rival_m[POI_MAX];
     uint32_t riders;       /* Number of fish on the bot's paper. */
     uint32_t over;         /* Number of fish in the water above the bot's paper. */
-    struct look_fish prey; /* The target fish. */
+    struct look_fish prey; /* Target fish of the bot. */
     uint32_t near_count;   /* <= LOOK_NEAR_MAX */
     struct look_fish near[LOOK_NEAR_MAX];
 };

@@ -77,21 +77,23 @@ enum menu_page {
 };
 
 /* Items of pages that have code of their own. */
-enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* After one item for each controller. */
+enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS }; /* These items follow one item for each
+                                                   controller. */
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
 enum { CALIBRATE_NEXT = 0, CALIBRATE_BEGIN, CALIBRATE_UNDO, CALIBRATE_NONE, CALIBRATE_BACK,
        CALIBRATE_TAGS };
 enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
-enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* After one item for each
-                                                                         row. */
+enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* These items follow one item
+                                                                         for each row. */
 enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_SURE, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
 enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
 enum { SURE_YES = 0, SURE_BACK, SURE_TAGS }; /* Items of a confirmation; the second item is
                                                 highlighted first. */
-enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS }; /* After one key for each digit: 1, 2 .. 9, 0. */
+enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS }; /* These items follow one key for each digit: 1, 2 ..
+                                                9, 0. */
 
 /* Foot items of settings pages, after one item for each setting and each subpage. */
 enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };

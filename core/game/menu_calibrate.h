@@ -46,7 +46,7 @@ struct calibrate {
 
 struct core;
 
-/* Returns 1 while a poi moves from mark to mark, so that it does not point at items. */
+/* Returns 1 while a poi moves from mark to mark, so that the poi does not point at items. */
 int calibrate_runs(const struct calibrate *calibrate);
 
 /* Returns the progress of holding still, [0, 1]. */

@@ -13,7 +13,7 @@
 
 enum name_ends {
     NAME_ENDS_KEPT = 0,
-    NAME_ENDS_TRIMMED, /* Removes digits and signs at both ends, which are decoration. */
+    NAME_ENDS_TRIMMED, /* Digits and signs at both ends are removed as decoration. */
 };
 
 /* Writes the normalized letters to `out` and returns their number. Malformed bytes are skipped. */

@@ -23,7 +23,7 @@ struct player {
     uint32_t offence_tick[FOUL_COUNT]; /* Tick at which each kind was last committed, counted or
                                           not. */
     uint32_t caught;
-    uint32_t scoops;     /* Dips with the earlier sheets of this round. */
+    uint32_t scoops;     /* Number of dips with the earlier sheets of this round. */
     uint32_t torn_tick;  /* Tick at which the current sheet became useless; 0: usable. */
     uint32_t first_torn_tick; /* Tick at which the first sheet became useless, without earlier
                                  pauses of the round; 0: usable. */

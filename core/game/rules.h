@@ -1,9 +1,11 @@
 /* rules.h -- the modes as data: tank, paper, duration, and the end of a round.
  *
- * No code checks the mode itself; code reads the mode's rules. Championship follows the national
- * championship. A round has three minutes, one No. 5 poi of 80 mm, and announcements at one and two
- * minutes, at ten seconds and for the last five. Three fouls end the round, and a torn poi may be
- * used while it holds. */
+ * No code checks the mode itself; code reads the mode's rules. MODE_CHAMPIONSHIP follows the rules
+ * of the national championship:
+ * - A round has three minutes and one No. 5 poi of 80 mm.
+ * - The time is announced at one and two minutes, at ten seconds left, and for the last five
+ *   seconds.
+ * - Three fouls end the round, and a torn poi may be used while it holds. */
 #ifndef KINGYO_CORE_GAME_RULES_H
 #define KINGYO_CORE_GAME_RULES_H
 

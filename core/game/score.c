@@ -1,4 +1,4 @@
-/* score.c -- counting of fish. */
+/* score.c -- counts the fish of each player, and builds the record of a round. */
 #include "core/game/score.h"
 
 #include "core/core.h"

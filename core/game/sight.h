@@ -32,7 +32,7 @@ struct sight_fish {
     struct angles angles;
     float length_m;
     float bend_rad;
-    float gape, gulp; /* As in struct scene_fish. */
+    float gape, gulp; /* Opening of the mouth and progress of a gulp, as in struct scene_fish. */
     uint8_t place;    /* enum scene_place */
 };
 

@@ -10,9 +10,9 @@
  *
  * Other outputs with the same risk:
  * - The credit of a round has a value too. A credit can be played only when it is on disk
- * (ledger_sure()), and is refunded at most once (stand.h).
+ *   (ledger_sure()), and is refunded at most once (stand.h).
  * - The coin meter has no value for a player. Each coin is counted once and never again after a
- * restart; a power cut may lose its unfinished pulses.
+ *   restart; a power cut may lose its unfinished pulses.
  * - The coin slot opens only while an entry will soon be on disk (ledger_is_safe()).
  * - The START lamp, sounds and the forces in the poi have no value. */
 #ifndef KINGYO_CORE_GAME_TICKETS_H

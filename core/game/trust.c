@@ -1,4 +1,4 @@
-/* trust.c -- the checks for lost input, one after the other. */
+/* trust.c -- the checks that detect invalid or lost input. */
 #include "core/game/trust.h"
 
 #include "core/base/fmath.h"

@@ -46,7 +46,7 @@ void upkeep_tick(struct core *core, const struct input *input, struct output *ou
 void upkeep_tell(struct core *core, const struct input *input, struct output *output);
 
 /* Fills `out` with the final LEDGER_HEALTH for a shutdown after the last tick, with the next id.
- * The core is unchanged, so that it still matches its recording. Returns 1, or 0 if no store
+ * The core is unchanged, so that the core still matches its recording. Returns 1, or 0 if no store
  * exists. */
 int upkeep_last_word(const struct core *core, const struct input *input, struct ledger_entry *out);
 
