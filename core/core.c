@@ -20,9 +20,9 @@
 
 /* Memory budgets of the kiosk. The tank uses at most 1 MiB; game, pois and bowls use a sixteenth of
  * that. The growth lab uses half as much. The lab holds eight custom species with all their curves
- * (19 KiB), and for each of 15 species the saved and the edited graph (8 KiB each). The smallest
- * board reserves this much for the state and the same for the scene. `kingyoctl tank` allocates a
- * larger tank of its own (platform/ctl/tank.mk). */
+ * (19 KiB). For each of 15 species the lab also holds the saved and the edited graph (8 KiB each).
+ * The smallest board reserves this much for the state and the same for the scene. `kingyoctl tank`
+ * allocates a larger tank of its own (platform/ctl/tank.mk). */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
 _Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");

@@ -58,11 +58,11 @@ enum time_call {
 /* Hints for the player. The renderer supplies the text in the scene's language. */
 enum scene_hint {
     HINT_NONE = 0,
-    HINT_START,       /* Press to play. */
+    HINT_START,       /* Press START to play. */
     HINT_MOVE,        /* Move the poi over a fish. */
     HINT_DIP,         /* Hold the button to dip. */
     HINT_LIFT,        /* Release the button to lift. */
-    HINT_BOWL,        /* Carry it to the bowl. */
+    HINT_BOWL,        /* Carry the fish to the bowl. */
     HINT_TILT,        /* The wheel tilts the poi. */
     HINT_SLOWLY,      /* Fast movement tears paper. */
     HINT_GLIDE,       /* Dip beside a fish, slide under it, lift softly. */

@@ -48,16 +48,16 @@ struct scene_menu {
     uint8_t seat;            /* Slot whose controller is calibrated. */
     uint8_t calibrated;      /* Bit mask of the slots with a stored calibration, damaged ones
                                 included. */
-    uint8_t calibrate_step;  /* ... enum calibrate_step, ... */
-    uint8_t calibrate_fault; /* ... enum calibration_fault, ... */
+    uint8_t calibrate_step;  /* enum calibrate_step of the calibration. */
+    uint8_t calibrate_fault; /* enum calibration_fault of the last attempt. */
     float calibrate_progress; /* [0, 1] progress of holding still. */
     vec3 calibrated_m;       /* Calibrated position of the poi. */
-    uint8_t from;            /* Page of the books that requests confirmation of a reset. */
+    uint8_t from;            /* Page of the statistics that requests confirmation of a reset. */
     uint8_t pin_count;       /* Number of digits typed. */
     uint16_t pin;            /* Digits typed; displayed only while a new PIN is chosen. */
     float pin_wait_s;        /* Seconds until a PIN can be typed again. */
     uint32_t boot, last_id, saved_id; /* Start number and entry ids of the ledger. */
-    uint32_t audit[SCENE_AUDIT_MAX];  /* enum audit_id */
+    uint32_t audit[SCENE_AUDIT_MAX];  /* Counters of the statistics, indexed by enum audit_id. */
 };
 
 #define SCENE_NAME_SIZE 48u

@@ -2,8 +2,9 @@
  * in the ledger when the value has not changed for a while.
  *
  * A caller (a page of the operator's menu, calibration) only calls adjust_set(). A later
- * adjust_tick() logs each value that the ledger does not have yet, so that neither a full ring nor
- * a quickly closed menu loses a setting. A knob turned through twenty values produces one entry. */
+ * adjust_tick() logs each value that the ledger does not have yet. Neither a full ring nor a
+ * quickly closed menu can therefore lose a setting. A knob turned through twenty values produces
+ * one entry. */
 #ifndef KINGYO_CORE_GAME_ADJUST_H
 #define KINGYO_CORE_GAME_ADJUST_H
 

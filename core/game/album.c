@@ -82,8 +82,8 @@ static float lived(uint32_t elapsed, uint32_t index)
 }
 
 /* Returns the length of the fish at `age_days`. The length starts at the species' usual length. At
- * the age of the catch the length reaches the fish's own ratio to the usual length, and keeps that
- * ratio for the rest of the life. */
+ * the age of the catch the length reaches the fish's own ratio to the usual length. The ratio then
+ * stays constant. */
 static float own_length_m(const struct species_card *card, const struct album_fish *fish,
                           float progress, float age_days)
 {

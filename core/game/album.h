@@ -42,6 +42,7 @@ void album_tick(struct core *core, const struct input *input, struct output *out
 /* Returns the duration in ticks of a page with `fish_count` fish. */
 uint32_t album_ticks(uint32_t fish_count);
 
+/* Fills `out` with the visible state of the album; all zero in other phases. */
 void album_show(const struct core *core, struct scene_album *out);
 
 uint64_t album_hash(uint64_t hash, const struct album *album);

@@ -23,6 +23,8 @@ struct board_place {
 
 struct core;
 
+/* Returns the best place of slot `seat` of the round with ledger id `round_id`. The place is 0 if
+ * the slot is not ranked or `round_id` is 0. */
 struct board_place board_best_place(const struct ranking *ranking, uint8_t mode, uint32_t round_id,
                                     uint8_t seat);
 

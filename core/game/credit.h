@@ -5,7 +5,7 @@
  * round ends because all controllers were lost, because the operator opened the menu, or because
  * the kiosk stopped. Such a round wins no tickets and produces no score and no record.
  *
- * No credit is refunded after two thirds of the round, and none is refunded twice; such a round
+ * No credit is refunded after two thirds of the round, and none is refunded twice. Such a round
  * keeps its score and its tickets (core/game/stand.h). A refunded credit is used before all others,
  * so that one flag in the balance identifies it, even after a power cut.
  *
@@ -84,8 +84,8 @@ int credit_can_play(const struct core *core);
 uint32_t credit_coming(const struct core *core);
 
 /* Handles a start attempt without a playable credit. If a credit is not on disk yet, the attempt
- * waits for it (credit_is_awaited()); otherwise the display highlights the request for a coin for a
- * moment. */
+ * waits for the credit (credit_is_awaited()). Otherwise the display highlights the request for a
+ * coin for a moment. */
 void credit_ask(struct core *core, struct output *output);
 
 /* Returns 1 if a waiting start attempt is now possible. */

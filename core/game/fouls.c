@@ -31,7 +31,7 @@ static int is_held_over_fish(const struct core *core, const struct shade *shade)
 
 /* Tracks whether the player moved the controller. The input pose is checked, because a new tank or
  * a new holder moves the poi without the player. A pointer refers to other water after the view
- * changes and spreads that jump over the next frame, so a new rest position is accepted until
+ * changes and spreads the jump over the next frame. New rest positions are therefore accepted until
  * FOUL_SETTLE_TICKS. */
 static void watch_stance(struct player *player, vec3 hand_m, uint32_t ready_ticks)
 {

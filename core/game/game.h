@@ -117,6 +117,7 @@ struct game {
 struct core;
 struct core_config;
 
+/* Fills `game` with the state at the start of a session, from `config`. */
 void game_init(struct game *game, const struct core_config *config);
 
 /* Runs the first step of a tick: phases, fresh paper and empty bowls at the start of a round. Fills

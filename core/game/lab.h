@@ -66,6 +66,7 @@ struct lab {
 struct core;
 struct core_config;
 
+/* Initializes `lab` with the saved edits in `config`. */
 void lab_init(struct lab *lab, const struct core_config *config);
 
 /* Opens the lab with the last shown species as a larva, playing. */

@@ -32,6 +32,7 @@ struct ledger {
 struct core;
 struct core_config;
 
+/* Initializes `ledger` from the state that the store loaded at startup. */
 void ledger_init(struct ledger *ledger, const struct core_config *config);
 
 /* Reads the store's state from `input`, before any entry of the tick is written. */

@@ -49,6 +49,8 @@ struct overlay_hand {
 
 struct core;
 
+/* Returns the pointer of `player`. A controller with rotation maps by the tank's floor plan, other
+ * controllers by the camera. */
 struct overlay_hand overlay_hand_of(const struct core *core, const struct input *input,
                                     int upright, uint32_t player);
 

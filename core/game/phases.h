@@ -32,6 +32,7 @@ void choose_tick(struct core *core, const struct input *input, struct output *ou
 void ready_begin(struct core *core, struct output *output);
 void ready_tick(struct core *core, struct output *output);
 
+/* Start the clock of a round after READY, and run one tick of the round. */
 void round_begin(struct core *core, struct output *output);
 void round_tick(struct core *core, struct output *output);
 

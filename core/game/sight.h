@@ -55,6 +55,7 @@ struct sight_fan {
     float x_m, z_m, radius_m, still_s;
 };
 
+/* Returns the visible state of the game for `sight->player`; the player must be < POI_MAX. */
 struct sight_game sight_game(const struct sight *sight);
 vec3 sight_tank_m(const struct sight *sight); /* Returns width, water depth and breadth of the
                                                  tank. */
