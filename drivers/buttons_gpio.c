@@ -51,7 +51,7 @@ static void sample_lines(struct gpio_reader *reader, struct button_sample *out)
 static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
     struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
-    /* Read before `held`, see take_turn(). */
+    /* Read before `held`, because the reader stores `held` first. */
     const uint32_t pressed = atomic_exchange(&reader->pressed, 0);
     const uint32_t missing = atomic_load(&reader->missing);
     *out = (struct button_sample){

@@ -7,7 +7,7 @@
 
 struct buttons_gpio {
     struct gpio_reader reader;
-    char text[HAL_TEXT_SIZE]; /* Buffer of the last description. */
+    char text[HAL_TEXT_SIZE]; /* Buffer for the result of describe(). */
 };
 
 /* Requests the wired lines of `wires` (gpio_wires.h) and starts the reader thread. The caller

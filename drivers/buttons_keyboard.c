@@ -8,7 +8,7 @@
 struct key {
     SDL_Keycode code;
     uint32_t button; /* enum input_button; 0 for keys that are no cabinet button. */
-    uint8_t coin; /* Coin line + 1; 0: no coin. */
+    uint8_t coin;    /* Coin line + 1, or 0 for a key that is no coin. */
     uint8_t quit, full_screen;
 };
 

@@ -29,7 +29,8 @@ bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
         debounce->raw = active;
         debounce->since_ns = time_ns;
     }
-    return turned || debounce_settle(debounce, time_ns, out); /* At once if the period is 0. */
+    /* Completes the transition at once if the period is 0. */
+    return turned || debounce_settle(debounce, time_ns, out);
 }
 
 uint64_t debounce_due_ns(const struct debounce *debounce)

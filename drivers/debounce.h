@@ -11,9 +11,9 @@
 
 struct debounce {
     uint64_t period_ns; /* 0: every edge counts, because the kernel debounces. */
-    uint64_t since_ns;  /* Start of `raw`. */
-    bool raw;           /* Level after the last edge. */
-    bool stable;        /* Debounced level. */
+    uint64_t since_ns;  /* Time at which `raw` began. */
+    bool raw;           /* Level after the last edge, not debounced. */
+    bool stable;        /* Level after debouncing. */
 };
 
 /* A debounced transition. */

@@ -21,7 +21,7 @@
 /* The current stroke: a quintic polynomial from the ring's state at its start. */
 struct dip {
     uint64_t start_ns;
-    float duration_s; /* 0 before the first stroke. */
+    float duration_s; /* Duration of the stroke; 0 before the first one. */
     float from_m, from_m_s, from_m_s2, to_m;
 };
 

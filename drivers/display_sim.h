@@ -12,11 +12,11 @@ struct display_sim {
     uint32_t present_count;
     uint32_t full_screen_count; /* Number of full-screen toggles. */
     uint32_t gone_at;           /* Permanently lost from this present on; 0: never. */
-    uint8_t away;               /* 1: unplugged, and open() fails. */
+    uint8_t away;               /* 1 if the display is unplugged and open() must fail. */
     uint8_t needs_open;         /* 1 after it was unplugged, until open() succeeds. */
     uint32_t open_count;
     uint32_t fail_at;           /* Number of the present that fails with HAL_ERR_IO; 0: none. */
-    uint8_t quit;               /* 1: the next poll reports that the window was closed. */
+    uint8_t quit;               /* 1 if the next poll must report that the window was closed. */
     uint8_t opened;
 };
 

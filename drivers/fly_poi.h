@@ -36,7 +36,7 @@ struct fly_poi {
     struct dip dip;
     vec3 place_m;        /* Position over the still water, before the dip. */
     vec3 speed_m_s;      /* Velocity, smoothed like the motion of an arm. */
-    vec3 twist_rad;      /* Pitch, yaw, roll after smoothing. */
+    vec3 twist_rad;      /* Pitch, yaw, roll of the ring after smoothing. */
     vec3 shade_m;        /* Last position of the fan; x and z. */
     float swing;         /* [0, 1]: progress of the fan's way in, as in pointer_fan. */
     uint64_t time_ns;    /* Time of the newest report or sample. */

@@ -18,14 +18,14 @@ struct gpio_backend_ops {
     /* Copies the consumer of a refused line to `out`, or "" if it is unknown. */
     void (*consumer)(enum gpio_role role, char out[GPIO_TEXT_SIZE]);
     int (*edges_fd)(enum gpio_role role);
-    /* Returns the number of edges, or -1. */
+    /* Reads at most `max` edges. Returns their number, or -1 on an error. */
     int (*read_edges)(enum gpio_role role, struct gpio_edge *out, uint32_t max);
-    int (*get)(enum gpio_role role);             /* Returns 0, 1, or -1 on an error. */
-    int (*set)(enum gpio_role role, int active); /* Returns 0 or -1. */
+    int (*get)(enum gpio_role role);             /* Returns the level 0 or 1, or -1 on an error. */
+    int (*set)(enum gpio_role role, int active); /* Sets an output. Returns 0 or -1. */
     int (*debounces)(enum gpio_role role);
     /* Releases the line, if it was requested, and closes the chip. */
     void (*release)(enum gpio_role role);
-    /* Like gpio_chips_tell(). */
+    /* Lists the lines of a chip, like gpio_chips_tell(). */
     uint32_t (*tell_chip)(const char *path,
                           void (*tell)(void *context, const struct gpio_line_info *line),
                           void *context);
@@ -35,7 +35,7 @@ struct gpio_backend_ops {
 struct gpio_backend {
     const struct gpio_backend_ops *ops;
     uint32_t held;             /* Requested lines, one bit for each role. */
-    int fds[GPIO_INPUT_COUNT]; /* -1 if the line reports no edges. */
+    int fds[GPIO_INPUT_COUNT]; /* Edge event descriptors, or -1 for a line without edges. */
     struct gpio_dev_looks looks;
     uint8_t went;              /* 1 after a chip was removed, until wait() reports it. */
     char text[HAL_TEXT_SIZE];

@@ -62,10 +62,11 @@ struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t ti
     struct gpio_dev_ready ready = { 0 };
     struct pollfd polled[GPIO_INPUT_COUNT];
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
-        polled[i] = (struct pollfd){ .fd = fds[i], .events = POLLIN }; /* poll() skips -1. */
+        /* poll() ignores the descriptor -1. */
+        polled[i] = (struct pollfd){ .fd = fds[i], .events = POLLIN };
     }
     if (poll(polled, GPIO_INPUT_COUNT, (int)timeout_ms) <= 0) {
-        return ready; /* Timeout or signal. */
+        return ready; /* poll() timed out or was interrupted. */
     }
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
         ready.readable |= polled[i].revents & POLLIN ? 1u << i : 0u;

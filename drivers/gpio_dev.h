@@ -14,8 +14,8 @@
 struct gpio_dev_walk {
     const char *root; /* Root folder of the machine to examine; null: this one. */
     DIR *folder;
-    char path[sizeof "/dev/" + 256]; /* Path without the root. */
-    uint32_t count;   /* Chips found so far. */
+    char path[sizeof "/dev/" + 256]; /* Path of the current chip, without the root. */
+    uint32_t count;                  /* Chips found so far. */
 };
 
 /* Finds the next chip. Returns false, and closes the walk, if there is none. */
@@ -38,8 +38,8 @@ struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t ti
  * connected. A coin pulse of 20 ms is five times as long. */
 #define GPIO_LOOK_MS 4u
 struct gpio_dev_looks {
-    uint32_t roles;  /* Polled roles, one bit each. */
-    uint32_t active; /* Their last levels. */
+    uint32_t roles;  /* Lines that are polled, one bit for each role. */
+    uint32_t active; /* Last level of each polled line. */
 };
 
 /* Returns true if a request with edge detection failed because the line has no interrupt. */

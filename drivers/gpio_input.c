@@ -47,7 +47,7 @@ static bool take_late(struct gpio_input *input, uint64_t time_ns, struct debounc
     const uint64_t back_ns = input->other.back_ns;
     input->late++;
     input->blinked_ns = NEVER;
-    /* Later edges of that pulse are masked. */
+    /* Edges of that pulse up to this time are ignored. */
     input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
     end_looks(input, true);
     const bool turned = debounce_edge(debounce, time_ns, !before, out);
@@ -87,7 +87,7 @@ bool gpio_input_edge(struct gpio_input *input, const struct gpio_edge *edge,
     const bool changes = active != input->debounce.raw;
     input->lost += edge->lost_before;
     if (edge->time_ns <= input->believed_ns) {
-        return false; /* Older than the polled level. */
+        return false; /* The edge is older than an accepted poll. */
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
         (!changes || !is_doubted(other))) {

@@ -32,14 +32,14 @@
  * UINT64_MAX: none. */
 struct gpio_looks {
     uint64_t since_ns, last_ns; /* First and last poll with the other level. */
-    uint64_t back_ns;           /* Next poll with the expected level. */
+    uint64_t back_ns;           /* First later poll with the expected level. */
 };
 
 struct gpio_input {
     struct debounce debounce;
     /* Time stamp of the last edge if it was a null edge at rest, otherwise UINT64_MAX. */
     uint64_t blinked_ns;
-    uint64_t told_ns;     /* Time at which that edge was received. */
+    uint64_t told_ns;     /* Time at which the edge `blinked_ns` was received. */
     /* Edges up to this time are ignored, because a polled level replaced them. */
     uint64_t believed_ns;
     struct gpio_looks other;

@@ -55,7 +55,7 @@ static inline bool gpio_role_begins_active(enum gpio_role role)
     return role == GPIO_COIN_LOCKOUT;
 }
 
-#define GPIO_TEXT_SIZE 32u /* GPIO_MAX_NAME_SIZE of the kernel. */
+#define GPIO_TEXT_SIZE 32u /* Equals GPIO_MAX_NAME_SIZE of the kernel. */
 
 enum gpio_bias {
     GPIO_BIAS_AS_IS = 0,
@@ -73,7 +73,7 @@ struct gpio_wire {
     uint32_t offset;
     uint8_t active_low;
     uint8_t bias;              /* enum gpio_bias */
-    uint32_t debounce_us;      /* For inputs. */
+    uint32_t debounce_us;      /* Debounce time of an input; ignored for outputs. */
     uint32_t pulse_min_us;     /* For coins: shortest and longest pulse. */
     uint32_t pulse_max_us;
     uint32_t pulse_on_us;      /* For outputs: pulse length, and the pause after it. */
@@ -97,7 +97,7 @@ struct gpio_edge {
 
 /* A line of a chip, as shown by `kingyoctl lines list` and `doctor`. */
 struct gpio_line_info {
-    char device[GPIO_TEXT_SIZE];   /* Such as "gpiochip0". */
+    char device[GPIO_TEXT_SIZE];   /* Device name, such as "gpiochip0". */
     char chip[GPIO_TEXT_SIZE];     /* Label of the chip. */
     uint32_t offset;
     char name[GPIO_TEXT_SIZE];     /* "" if the board gives no name. */
@@ -119,7 +119,9 @@ struct gpio_lines_ops {
     int (*wait)(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms);
     /* Returns the level, after active_low: 0 or 1. Returns HAL_ERR_GONE if the line is not held. */
     int (*level)(void *self, enum gpio_role role);
-    int (*set)(void *self, enum gpio_role role, int active); /* For outputs. */
+    /* Sets the level of an output. Returns HAL_OK, or HAL_ERR_GONE if the line is not held, or
+     * HAL_ERR_IO. */
+    int (*set)(void *self, enum gpio_role role, int active);
     /* Returns 1 if the kernel debounces this line. */
     int (*debounces)(void *self, enum gpio_role role);
     /* Calls `tell` for every line of every accessible chip. Returns the number of lines, or
@@ -127,7 +129,7 @@ struct gpio_lines_ops {
     int (*list)(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                 void *context);
     void (*close)(void *self);
-    const char *(*describe)(void *self); /* Such as "libgpiod 1.6.3". */
+    const char *(*describe)(void *self); /* Returns a name such as "libgpiod 1.6.3". */
 };
 
 struct gpio_lines { const struct gpio_lines_ops *ops; void *self; };

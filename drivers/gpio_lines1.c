@@ -10,11 +10,12 @@
 #include "drivers/gpio_backend.h"
 #include "drivers/gpio_chips.h"
 
-#define QUEUE_SIZE 16u /* kfifo of LINEEVENT in gpiolib-cdev.c. */
+#define QUEUE_SIZE 16u /* Size of LINEEVENT's kfifo in the kernel's gpiolib-cdev.c. */
 #define NS_PER_S 1000000000ull
 
 static struct held {
-    struct gpiod_chip *chip; /* Null: not held. Each line opens its chip separately. */
+    /* Null if the line is not held. Each line opens its chip separately. */
+    struct gpiod_chip *chip;
     struct gpiod_line *line;
     uint8_t active;          /* Level after the last edge. */
     uint8_t was_full;        /* 1 if the last read found the queue full. */
@@ -44,7 +45,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 
 static void release(enum gpio_role role)
 {
-    gpiod_chip_close(lines[role].chip); /* Releases the line too. */
+    gpiod_chip_close(lines[role].chip); /* Closing the chip releases its line. */
     lines[role] = (struct held){ 0 };
 }
 

@@ -12,10 +12,10 @@
 #define QUEUE_SIZE GPIO_EDGES_MAX /* Requested size; the kernel's default is 16 for each line. */
 
 static struct held {
-    struct gpiod_chip *chip;                /* Null: not held. */
+    struct gpiod_chip *chip;                /* Null if the line is not held. */
     unsigned int offset;
-    struct gpiod_line_request *request;     /* Null: not requested yet. */
-    struct gpiod_edge_event_buffer *buffer; /* For inputs with edge detection. */
+    struct gpiod_line_request *request;     /* Null if the line was not requested yet. */
+    struct gpiod_edge_event_buffer *buffer; /* Buffer of an input with edge detection. */
     uint32_t seen;                          /* Number of the last edge; 0: none yet. */
     uint8_t debounces;                      /* 1 if the kernel debounces the line. */
 } lines[GPIO_ROLE_COUNT];
@@ -157,7 +157,7 @@ static struct gpio_edge edge_of(struct held *held, enum gpio_role role,
         .time_ns = gpiod_edge_event_get_timestamp_ns(event),
         .role = (uint8_t)role,
         .active = gpiod_edge_event_get_event_type(event) == GPIOD_EDGE_EVENT_RISING_EDGE,
-        .lost_before = number - held->seen - 1u, /* Numbers start at 1. */
+        .lost_before = number - held->seen - 1u, /* The kernel counts from 1. */
     };
     held->seen = number;
     return edge;

@@ -80,7 +80,7 @@ static struct gpio_edge take(struct gpio_lines_sim *sim, enum gpio_role role, bo
     return edge;
 }
 
-/* Reads a line's queue. As in gpio_lines1.c, a queue that was full may have lost edges. */
+/* Reads a line's queue. A queue that was full may have lost edges, like in gpio_lines1.c. */
 static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct gpio_edge *out,
                          uint32_t max)
 {
@@ -230,8 +230,8 @@ void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script scri
     memset(sim, 0, sizeof *sim);
     sim->queue_size = GPIO_SIM_QUEUE_MAX;
     sim->is_numbered = 1;
-    sim->seed = seed ? seed : 1u; /* xorshift would stay at 0. */
+    sim->seed = seed ? seed : 1u; /* A xorshift generator would stay at 0. */
     sim->script = script;
-    sim->now_ns = 1u; /* 0 means idle in busy_until_ns. */
+    sim->now_ns = 1u; /* Time 0 is reserved, because busy_until_ns 0 means idle. */
     sim->has_next = script.next && script.next(script.self, &sim->next_event);
 }

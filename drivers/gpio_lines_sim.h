@@ -24,7 +24,7 @@ enum gpio_sim_what {
 struct gpio_sim_event {
     uint64_t time_ns;
     uint8_t what; /* enum gpio_sim_what */
-    uint8_t role; /* An input role. */
+    uint8_t role; /* Role of an input line. */
     uint8_t active;
 };
 
@@ -43,37 +43,38 @@ struct gpio_sim_set {
 
 struct gpio_lines_sim {
     /* Settings that the caller may change after gpio_lines_sim_init(). */
-    uint32_t queue_size;              /* 16 simulates libgpiod 1.6; at most GPIO_SIM_QUEUE_MAX. */
+    /* Capacity of each queue. 16 simulates libgpiod 1.6; the limit is GPIO_SIM_QUEUE_MAX. */
+    uint32_t queue_size;
     /* 1 simulates 2.x, which drops the oldest edge and shows it; 0 drops the newest. */
     uint8_t is_numbered;
-    uint8_t kernel_debounces;         /* Reported only; the script must then contain no bounce. */
+    uint8_t kernel_debounces;          /* Reported only; the script must then contain no bounce. */
     uint64_t late_min_ns, late_max_ns; /* Delay after which the kernel reads the level. */
-    uint32_t held_by_others;          /* Lines that cannot be requested, one bit for each role. */
+    uint32_t held_by_others;           /* Lines that cannot be requested, one bit for each role. */
 
     uint64_t now_ns;
     struct gpio_sim_script script;
     struct gpio_sim_event next_event;
     bool has_next;
     uint32_t seed;
-    uint32_t held;                    /* Held roles, one bit each. */
+    uint32_t held;                    /* Lines that are held, one bit for each role. */
     uint32_t open_count;
     bool chip_is_away, went;
     struct gpio_sim_line {
-        uint8_t level;                /* Level of the wire. */
-        uint8_t pending; /* 1 if an edge arrived while the kernel served the previous one. */
-        uint64_t busy_until_ns;       /* Time at which the kernel reads the level; 0: idle. */
-        uint64_t stamp_ns;            /* Time stamp of the edge being served. */
-        uint32_t number;              /* Edges so far. */
-        uint32_t seen;                /* Number of the last edge that was read. */
-        uint8_t was_full, last;       /* State that infers losses as in gpio_lines1.c. */
-        uint32_t first, count;        /* Positions in the ring buffer `queue`. */
+        uint8_t level;          /* Level of the wire. */
+        uint8_t pending;        /* 1 if an edge arrived while the kernel served the previous one. */
+        uint64_t busy_until_ns; /* Time at which the kernel reads the level; 0: idle. */
+        uint64_t stamp_ns;      /* Time stamp of the edge that the kernel serves. */
+        uint32_t number;        /* Number of edges so far. */
+        uint32_t seen;          /* Number of the last edge that was read. */
+        uint8_t was_full, last; /* State that infers losses as in gpio_lines1.c. */
+        uint32_t first, count;  /* Positions in the ring buffer `queue`. */
         struct { uint64_t time_ns; uint32_t number; uint8_t active; } queue[GPIO_SIM_QUEUE_MAX];
     } lines[GPIO_INPUT_COUNT];
-    uint32_t dropped;                 /* Edges dropped, of all lines. */
+    uint32_t dropped;                 /* Number of edges dropped, of all lines. */
     uint8_t outputs[GPIO_ROLE_COUNT]; /* Output levels, after active_low. */
     uint8_t rests[GPIO_ROLE_COUNT];   /* Levels of undriven outputs: their bias, or low. */
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* Ring buffer of the newest output changes. */
-    uint32_t set_count;               /* Output changes so far. */
+    uint32_t set_count;               /* Number of output changes so far. */
 };
 
 /* Initializes lines at rest, a chip, a kernel without delay, and queues of libgpiod 2.x. */

@@ -22,7 +22,7 @@
 struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
     uint32_t too_short, stuck, cut; /* Sums over all coin lines, as in coin_mech. */
-    uint32_t doubtful; /* Pairs of null edges: two glitches, or a missed coin. */
+    uint32_t doubtful;              /* Pairs of null edges: two glitches, or a missed coin. */
     uint32_t lost_edges, lost_chips;
 };
 
@@ -31,27 +31,28 @@ struct gpio_reader {
     struct hal_clock clock;
     struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring with all default times filled in. */
 
-    /* Used only by the reader thread. */
+    /* The following fields are used only by the reader thread. */
     uint32_t had;                            /* Held lines, one bit for each role. */
     uint32_t lit;                            /* Outputs that were last set active. */
     uint64_t retry_ns;                       /* Time of the next request of missing lines. */
-    uint64_t watch_ns;                       /* Next time to read all levels. */
-    uint64_t coin_look_ns[COIN_LINE_COUNT];  /* Next time to read each coin line. */
+    uint64_t watch_ns;                       /* Next time at which all levels are read. */
+    uint64_t coin_look_ns[COIN_LINE_COUNT];  /* Next time at which each coin line is read. */
     struct gpio_input inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin[COIN_LINE_COUNT];
     struct pulse_train trains[GPIO_OUTPUT_COUNT];
     uint32_t levels;                         /* Debounced levels, one bit for each role. */
-    struct gpio_total total;                 /* Read by the caller of gpio_reader_step(). */
+    struct gpio_total total;                 /* Totals for the caller of gpio_reader_step(). */
 
-    /* Shared between the threads. */
-    _Atomic uint32_t held, pressed;          /* Bits of input roles, without coins. */
-    _Atomic uint32_t coins[COIN_LINE_COUNT]; /* Coins since the last read. */
+    /* The following fields are shared by both threads. */
+    /* Buttons that are down, and press edges, one bit for each role. */
+    _Atomic uint32_t held, pressed;
+    _Atomic uint32_t coins[COIN_LINE_COUNT]; /* Coins of each line since the last read. */
     _Atomic uint32_t faults;                 /* Faults since the last read. */
     _Atomic uint32_t raw;                    /* Levels before debouncing, one bit for each role. */
     _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges including bounces, since the last read. */
     _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line, since the last read. */
     _Atomic uint32_t missing; /* Wired lines that are not held, one bit for each role. */
-    _Atomic uint32_t wanted;                 /* Outputs to be active. */
+    _Atomic uint32_t wanted; /* Outputs that must be active, one bit for each role. */
     /* Pulses requested and not yet taken by the reader. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT];
     _Atomic uint32_t owed;                   /* Unfinished pulses of all held outputs. */

@@ -104,7 +104,7 @@ static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZ
     }
     const size_t room = HAL_TEXT_SIZE - length;
     if (first[0] && snprintf(out + length, room, " (%s)", first) >= (int)room) {
-        out[HAL_TEXT_SIZE - 2u] = ')'; /* Truncated. */
+        out[HAL_TEXT_SIZE - 2u] = ')'; /* The text was truncated. */
     }
 }
 

@@ -9,8 +9,8 @@
 #include "drivers/gpio_word.h"
 
 #define COIN_DEBOUNCE_US 3000u  /* Coin switches bounce for 1 to 3 ms. */
-#define COIN_MIN_US 15000u      /* 25 ms - 20 %, and 5 ms of bounce. */
-#define COIN_MAX_US 250000u     /* 200 ms + 20 %, rounded up. */
+#define COIN_MIN_US 15000u      /* Shortest common pulse: 25 ms - 20 %, less 5 ms of bounce. */
+#define COIN_MAX_US 250000u     /* Longest common pulse: 200 ms + 20 %, rounded up. */
 #define PULSE_ON_US 100000u     /* Electromechanical meters do five to ten steps a second. */
 #define PULSE_OFF_US 100000u
 
@@ -30,7 +30,7 @@ static const struct {
     [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
     [GPIO_COIN2] = { "coin2", COIN_DEBOUNCE_US },
     [GPIO_COIN3] = { "coin3", COIN_DEBOUNCE_US },
-    [GPIO_DOOR] = { "door", 50000 },      /* Doors rattle. */
+    [GPIO_DOOR] = { "door", 50000 },      /* A door switch rattles. */
     [GPIO_START_LAMP] = { "start-lamp", 0 },
     [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
     [GPIO_TICKET] = { "ticket", 0 },

@@ -9,8 +9,8 @@
  *
  *     low, high          the level that means pressed, lit or locked. The default is low for
  *                        inputs and coin-lockout, and high for other outputs.
- *     up, down, float    the bias. The default of an input is its released level, that of
- *                        coin-lockout the locked level, and that of other outputs as-is.
+ *     up, down, float,   the bias. The default of an input is its released level, that of
+ *     as-is              coin-lockout the locked level, and that of other outputs as-is.
  *     debounce=5ms       the time that a level must be stable
  *     window=15ms-250ms  the width of a coin pulse
  *     pulse=100ms/100ms  the pulse of an output and the pause after it

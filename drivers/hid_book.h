@@ -22,11 +22,11 @@
 /* The file operation that is pending for the writer thread. */
 struct hid_book_job {
     char path[HID_BOOK_PATH_SIZE];
-    char text[HID_BOOK_TEXT_SIZE]; /* New content; "" deletes the file. */
+    char text[HID_BOOK_TEXT_SIZE]; /* New content of the file; "" deletes the file. */
 };
 
 struct hid_book {
-    char folder[HID_BOOK_PATH_SIZE]; /* "": mappings are kept in memory only. */
+    char folder[HID_BOOK_PATH_SIZE]; /* Path of pois/; "" keeps mappings in memory only. */
     uint32_t count;
     struct hid_book_entry entry[HID_BOOK_MAX];
 
@@ -36,7 +36,7 @@ struct hid_book {
     /* has_job and stops are protected by `lock`, as are the fields below. */
     uint8_t has_thread, has_job, stops;
     struct hid_book_job job;
-    uint8_t last_failed;             /* 1 if the last finished job failed. */
+    uint8_t last_failed;                  /* 1 if the last finished job failed. */
     uint32_t written_count, failed_count; /* Jobs that succeeded and failed since the start. */
     void (*tell)(void *self, const char *line);
     void *tell_self;

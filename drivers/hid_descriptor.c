@@ -159,7 +159,7 @@ static enum hid_error add_input(struct reader *reader, uint32_t flags)
     const struct hid_group group = group_of(reader, flags);
     out->report_bits[now->report_id] = used + (uint32_t)bits;
     if (bits == 0 || group.range_count == 0) {
-        return HID_OK; /* No bits, or padding. */
+        return HID_OK; /* The item has no bits, or its bits are padding. */
     }
     if (now->report_size > HID_FIELD_BITS_MAX) {
         return HID_ERR_FIELD_SIZE;

@@ -9,18 +9,19 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define HID_DESCRIPTOR_SIZE_MAX 65535u /* wDescriptorLength is 16 bits. */
+#define HID_DESCRIPTOR_SIZE_MAX 65535u /* Limit of the 16-bit wDescriptorLength. */
 #define HID_GROUP_MAX 512u             /* Input items; the richest of 72 real devices has 209. */
 #define HID_RANGE_MAX 2048u            /* Usages and usage ranges of all groups together. */
 #define HID_DEPTH_MAX 32u              /* Nested collections; real devices nest 4 deep. */
 #define HID_PUSH_MAX 8u                /* Pushed globals; real devices push 1. */
-#define HID_FIELD_BITS_MAX 256u        /* Report Size of one field. */
+#define HID_FIELD_BITS_MAX 256u        /* Largest Report Size of one field. */
 #define HID_REPORT_BITS_MAX 65536u /* 8 KiB in one report; the largest real one has 7,487 bytes. */
 #define HID_FIELD_MAX 65536u /* Fields of all groups; fits one report of single bits. */
 
 enum hid_flag { /* Bits of an Input item, HID 1.11 section 6.2.2.5. */
                 HID_CONSTANT = 1u << 0,
-                HID_VARIABLE = 1u << 1, /* Otherwise an array, whose elements select usages. */
+                /* Set for a variable; clear for an array, whose elements select usages. */
+                HID_VARIABLE = 1u << 1,
                 HID_RELATIVE = 1u << 2,
                 HID_NULL_STATE = 1u << 6, /* A value outside the logical range means "no value". */
 };
@@ -29,7 +30,7 @@ enum hid_flag { /* Bits of an Input item, HID 1.11 section 6.2.2.5. */
 typedef uint32_t hid_usage;
 
 struct hid_range {
-    hid_usage first, last; /* Both inclusive; first <= last. */
+    hid_usage first, last; /* First and last usage, both inclusive; first <= last. */
     uint32_t place; /* Number of usages in its group before this range, at most 2047 * 65536. */
 };
 
@@ -43,7 +44,7 @@ struct hid_group {
     int64_t logical_min, logical_max;
     /* Both 0 if not declared; the logical range then applies. */
     int64_t physical_min, physical_max;
-    int32_t unit_exponent;              /* Power of ten. */
+    int32_t unit_exponent;              /* Exponent of the unit as a power of ten. */
     uint32_t unit;
     uint16_t range_first, range_count; /* Usages of the group, in hid_descriptor.range. */
 };
@@ -95,7 +96,7 @@ uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct h
 hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        uint32_t index);
 
-/* A report as received. */
+/* A report as received from the device. */
 struct hid_report {
     const uint8_t *bytes; /* Starts with the report id if the device uses report ids. */
     size_t size;

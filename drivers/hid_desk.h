@@ -14,9 +14,9 @@
 
 struct hid_desk {
     struct hid_roster roster;
-    struct hid_book *book;             /* Owned by the caller. */
+    struct hid_book *book;             /* Mapping store, owned by the caller. */
     struct poi_hid *seat[POI_MAX]; /* Owned by the caller; null if the transport has fewer slots. */
-    struct hid_row row[CONTROLLER_MAX]; /* State at the last poll. */
+    struct hid_row row[CONTROLLER_MAX]; /* Device list at the last poll. */
     struct hid_learn learn;
     uint8_t learn_row;
     uint8_t learn_seat;                /* Slot of the attached controller, otherwise POI_MAX. */

@@ -22,25 +22,25 @@
 struct hid_hand {
     struct hid_descriptor descriptor;
     struct hid_map map;
-    struct pointer_poi pointer; /* Used by HID_STYLE_POINTER. */
+    struct pointer_poi pointer; /* State of the pointer, used by HID_STYLE_POINTER. */
     struct pointer_fan fan;
     struct pointer_report report;
-    struct fly_poi fly;         /* Used by HID_STYLE_FLY. */
+    struct fly_poi fly;         /* State of the stick motion, used by HID_STYLE_FLY. */
     struct pose_fan pose;       /* Pose of the newest report, used by HID_STYLE_POSE. */
     /* Newest value of each binding. An axis has [-1, 1], a STEP has counts, a press has 0 or 1.
      * A hat has its direction 0 .. 7, or -1 for none. */
     float value[HID_BINDING_MAX];
     uint16_t array[HID_BINDING_MAX]; /* Indexes of the array groups that have bindings. */
     uint32_t array_count;
-    /* One bit for each binding of a stick that was near its rest at least once. The value of any
+    /* Bit set of the stick bindings that were near their rest at least once. The value of any
      * other stick is ignored, because such a stick is missing or broken. */
     uint32_t awake;
     uint64_t time_ns;           /* Arrival of the newest report. */
     uint64_t range_ns;          /* Last time the pen was in range. */
     uint32_t held;              /* Buttons that are down, enum input_button. */
-    uint32_t pressed;           /* Press edges not read yet. */
+    uint32_t pressed;           /* Press edges that were not read yet. */
     uint8_t sequence, has_sequence;
-    uint8_t present;            /* 1 after the first position. */
+    uint8_t present;            /* 1 after the first position was decoded. */
     uint32_t report_count, refused_count;
     uint32_t gap_count;         /* Reports lost according to the sequence number. */
 };

@@ -17,7 +17,7 @@ enum hid_item_type {
 struct hid_item {
     uint8_t type; /* enum hid_item_type */
     uint8_t tag;  /* 0 .. 15 */
-    uint8_t size; /* Data bytes: 0, 1, 2 or 4. */
+    uint8_t size; /* Number of data bytes: 0, 1, 2 or 4. */
     uint32_t data;
 };
 

@@ -4,12 +4,12 @@
 #include "core/base/fmath.h"
 #include "drivers/hid_offer.h"
 
-#define NOISE_MAX 0.20f        /* Largest noise at rest as a share of a field's range. */
-#define WAY_MIN 0.12f          /* Smallest travel of an axis as a share of its range. */
-#define PRESS_MIN 0.30f        /* Smallest travel of the dip control as a share of its range. */
-#define CLEAR_WAY 0.4f         /* Travel that counts as fully clear, as a share of the range. */
-#define VENDOR_WORTH 0.5f      /* Weight of a vendor-defined field, which must move twice as far. */
-#define STEP_WAY 100.0f        /* Travel of a relative field that counts as its range, in counts. */
+#define NOISE_MAX 0.20f   /* Largest noise at rest as a share of a field's range. */
+#define WAY_MIN 0.12f     /* Smallest travel of an axis as a share of its range. */
+#define PRESS_MIN 0.30f   /* Smallest travel of the dip control as a share of its range. */
+#define CLEAR_WAY 0.4f    /* Travel that counts as fully clear, as a share of the range. */
+#define VENDOR_WORTH 0.5f /* Weight of a vendor-defined field, which must move twice as far. */
+#define STEP_WAY 100.0f   /* Travel of a relative field that counts as its range, in counts. */
 #define MIDDLE_SHARE 0.2f /* A stick returns to within this share of its range around its rest. */
 #define DEAD_SHARE 0.08f
 #define PAGE_OF(usage) ((usage) >> 16)

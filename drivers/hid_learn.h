@@ -18,10 +18,10 @@
 /* Recording of one field: absolute values, or for a relative field the sum of its values. */
 struct learn_field {
     uint16_t group, index;
-    uint8_t heard, rested;         /* Seen in any report; seen in LEARN_REST. */
+    uint8_t heard, rested;         /* 1 if seen in any report, and 1 if seen in LEARN_REST. */
     int64_t rest_low, rest_high;   /* Range of the values in LEARN_REST. */
-    int64_t now;                   /* Newest value or sum. */
-    int64_t low[LEARN_STEP_COUNT]; /* Extremes in each step. */
+    int64_t now;                   /* Newest value, or newest sum of a relative field. */
+    int64_t low[LEARN_STEP_COUNT]; /* Lowest and highest value in each step. */
     int64_t high[LEARN_STEP_COUNT];
     int64_t end[LEARN_STEP_COUNT]; /* Value at the end of each step. */
 };
@@ -29,16 +29,16 @@ struct learn_field {
 /* Recording of one key of an array field. */
 struct learn_key {
     uint16_t group; /* Group of at most HID_ARRAY_MAX elements. */
-    uint8_t rested; /* Pressed before LEARN_DIP, so it is excluded. */
+    uint8_t rested; /* 1 if pressed before LEARN_DIP, which excludes the key. */
     hid_usage usage;
 };
 
 struct hid_learn {
     struct hid_descriptor descriptor;
-    struct hid_map offered; /* The mapping without learning, whose buttons are kept. */
-    struct hid_map map;     /* The learned mapping, valid in LEARN_TRY. */
-    uint8_t step;           /* enum learn_step */
-    uint32_t report_count;  /* Reports in the current step. */
+    struct hid_map offered;    /* The mapping without learning, whose buttons are kept. */
+    struct hid_map map;        /* The learned mapping, valid in LEARN_TRY. */
+    uint8_t step;              /* enum learn_step */
+    uint32_t report_count;     /* Number of reports in the current step. */
     uint64_t begun_ns, now_ns; /* Time of the first and the newest report of the current step. */
     uint32_t field_count, key_count;
     struct learn_field field[LEARN_FIELD_MAX];

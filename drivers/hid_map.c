@@ -7,7 +7,7 @@
 #include "drivers/poi_report.h"
 
 #define KEYBOARD_PAGE 0x0007u
-#define WORTH_KNOWN 100u /* Rating above every offered mapping. */
+#define WORTH_KNOWN 100u /* Rating of a known mapping, above every offered one. */
 
 /* ---- Our own poi ---------------------------------------------------------------------------- */
 

@@ -58,12 +58,12 @@ enum hid_manner {
 struct hid_binding {
     uint8_t role, manner;   /* enum hid_role, enum hid_manner */
     uint8_t report_id;
-    uint32_t bit_offset;    /* Offset in the payload, behind the report id. */
-    uint8_t bit_size;       /* 1 .. 32 */
-    uint8_t is_signed;      /* 1 for two's complement; vendor fields may not declare the sign. */
-    hid_usage usage; /* Pressed while an element of the array selects it; 0 if not an array. */
-    int64_t rest;           /* Value of a released stick or key, or of the low end of a PLACE. */
-    int64_t full;           /* Value at the positive end; below `rest` the axis is reversed. */
+    uint32_t bit_offset; /* Offset in the payload, behind the report id. */
+    uint8_t bit_size;    /* 1 .. 32 */
+    uint8_t is_signed;   /* 1 for two's complement; vendor fields may not declare the sign. */
+    hid_usage usage;     /* Pressed while an element of the array selects it; 0 if not an array. */
+    int64_t rest;        /* Value of a released stick or key, or of the low end of a PLACE. */
+    int64_t full;        /* Value at the positive end; below `rest` the axis is reversed. */
     /* Dead zone around the rest position, in counts. `rest`, `full` and `dead` are within
      * +-HID_VALUE_MAX. */
     int64_t dead;

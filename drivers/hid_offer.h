@@ -52,8 +52,8 @@ int32_t hid_offer_place(const struct hid_descriptor *descriptor, const struct hi
                         hid_usage usage);
 
 /* Returns the first field with this usage in reports of `application` (0: any). The report
- * `report_id` is searched first, then, if `report_only` is 0, all others. Constant fields are
- * skipped. In an array, the first element stands for all. */
+ * `report_id` (-1: any) is searched first, then, if `report_only` is 0, all others. Constant
+ * fields are skipped. In an array, the first element stands for all. */
 struct hid_spot hid_offer_find(const struct hid_descriptor *descriptor, hid_usage application,
                                int report_id, int report_only, hid_usage usage);
 

@@ -48,7 +48,7 @@ struct hid_face {
     uint8_t descriptor[HID_DESCRIPTOR_MAX];
 };
 
-/* One input report as received. */
+/* An input report as received. */
 struct hid_raw {
     uint64_t time_ns; /* Arrival on the clock of hal_clock_ops; never decreases. */
     uint32_t size;    /* 1 .. HID_REPORT_MAX; a transfer of length 0 is not a report. */

@@ -42,9 +42,9 @@ struct hid_port_sim {
     uint32_t fault_count;
     /* Number of the report before which the device is unplugged, or HID_SIM_NEVER. */
     uint32_t unplug_at;
-    uint64_t replug_ns;                /* Time from which open() finds the device again. */
-    uint8_t absent; /* 1 while no device is attached; the caller may change it. */
-    uint8_t busy;                      /* 1 makes send() return HAL_ERR_BUSY. */
+    uint64_t replug_ns; /* Time from which open() finds the device again. */
+    uint8_t absent;     /* 1 while no device is attached; the caller may change it. */
+    uint8_t busy;       /* 1 makes send() return HAL_ERR_BUSY. */
 
     uint32_t said_count;               /* Reports sent so far, which is the number of the next. */
     uint8_t is_open, gone;

@@ -11,7 +11,7 @@
 struct hid_row {
     struct hid_identity identity;
     uint8_t state; /* enum controller_state */
-    uint8_t seat;  /* Slot of the controller, or POI_MAX. */
+    uint8_t seat;  /* Slot of the controller, or POI_MAX if it has none. */
 };
 
 struct hid_roster_ops {

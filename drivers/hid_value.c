@@ -3,8 +3,8 @@
 
 #include "drivers/hid_bits.h"
 
-#define PRESS_AT 0.5f    /* Share of a trigger's travel that presses it. */
-#define RELEASE_AT 0.4f  /* Share that releases it; the difference is hysteresis. */
+#define PRESS_AT 0.5f     /* Share of a trigger's travel that presses it. */
+#define RELEASE_AT 0.4f   /* Share that releases it; the difference is hysteresis. */
 #define AWAKE_WITHIN 0.3f /* Deflection below which a stick counts as released. */
 #define HAT_DIRECTIONS 8.0f
 

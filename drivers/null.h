@@ -1,7 +1,7 @@
 /* null.h -- a null driver for each missing device, so that no pointer in struct hal is null.
  *
- * describe() returns `line`, which is not copied and names what is missing and the remedy. A
- * null `line` becomes "", for a device that this kiosk never has. The drivers have no state. */
+ * describe() returns `line`, which names what is missing and the remedy. The text is not copied.
+ * A null `line` becomes "", for a device that this kiosk never has. The drivers have no state. */
 #ifndef KINGYO_DRIVERS_NULL_H
 #define KINGYO_DRIVERS_NULL_H
 

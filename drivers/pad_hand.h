@@ -15,8 +15,8 @@
 #include "platform/hal.h"
 
 enum pad_axis {
-    PAD_LEAD_X = 0, /* Positive to the right. */
-    PAD_LEAD_Y,     /* Positive toward the player. */
+    PAD_LEAD_X = 0, /* Left stick, positive to the right. */
+    PAD_LEAD_Y,     /* Left stick, positive toward the player. */
     PAD_TILT_X,
     PAD_TILT_Y,
     PAD_TRIGGER_LEFT,  /* 0 .. 32,767 */
@@ -43,15 +43,16 @@ enum pad_button {
 };
 
 #define PAD_DEAD 4915          /* Dead zone, 15 % of an axis, for worn sticks. */
-#define PAD_TRIGGER_ON 16384   /* Press threshold at half travel. */
-#define PAD_TRIGGER_OFF 9830 /* Release threshold at 30 %; the hysteresis prevents repeated dips. */
+#define PAD_TRIGGER_ON 16384   /* Press threshold of a trigger, at half travel. */
+/* Release threshold of a trigger at 30 %; the hysteresis prevents repeated dips. */
+#define PAD_TRIGGER_OFF 9830
 #define PAD_TILT_RAD (45.0f * F_DEG) /* Tilt at full deflection of the right stick. */
 
 /* The complete state of a pad at one moment. */
 struct pad_report {
     uint64_t time_ns;
     int16_t axis[PAD_AXIS_COUNT];
-    uint32_t buttons;        /* enum pad_button bits that are down; other bits are ignored. */
+    uint32_t buttons;             /* enum pad_button bits that are down; other bits are ignored. */
     uint8_t has_turn, has_weight; /* 1 if new motion data follow, in SDL's axes. */
     vec3 turn_rad_s, weight_m_s2;
 };
@@ -61,9 +62,9 @@ struct pad_hand {
     struct pad_tilt tilt;
     struct pad_report now;  /* The newest report. */
     vec3 stick_twist;       /* Pitch, yaw, roll from the right stick, as in fly_report. */
-    uint64_t time_ns;       /* Time of the last update. */
+    uint64_t time_ns;       /* Time of the last report or sample. */
     uint8_t trigger_down;
-    uint32_t held, pressed; /* enum input_button bits. */
+    uint32_t held, pressed; /* Buttons that are down, and press edges, enum input_button. */
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */

@@ -13,10 +13,11 @@
 
 struct pad_sim {
     struct hal_clock clock;
-    const struct pad_report *reports; /* Sorted by time; must outlive the device. */
+    const struct pad_report *reports; /* Reports sorted by time; must outlive the device. */
     uint32_t report_count;
-    uint32_t next;                 /* Index of the next report. */
-    uint32_t unplug_at;            /* Unplugged before this report, or PAD_SIM_NEVER. */
+    uint32_t next;                 /* Index of the next report to play. */
+    /* Index of the report before which the pad is unplugged, or PAD_SIM_NEVER. */
+    uint32_t unplug_at;
     uint64_t replug_ns;            /* Time from which open() finds the pad again. */
     uint32_t double_every;         /* Every n-th report arrives twice; 0: none. */
     uint32_t jump_at; /* Report in which both sticks jump to a corner, or PAD_SIM_NEVER. */
@@ -24,7 +25,7 @@ struct pad_sim {
     uint64_t silent_from_ns, silent_to_ns; /* Reports of this time arrive together at its end. */
     uint8_t gone;
     uint32_t open_count;
-    struct pad_rumble felt;        /* Motor levels set last. */
+    struct pad_rumble felt;        /* Motor levels that were set last. */
     struct pad_track track;
 };
 

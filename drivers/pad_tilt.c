@@ -2,11 +2,14 @@
 #include "drivers/pad_tilt.h"
 
 #define G_M_S2 9.81f
-#define DOWN_TAU_S 0.5f /* Shaking has a tenth of this period; a gyroscope drifts over minutes. */
-#define REST_TAU_S 4.0f    /* Longer than a player aims at a fish. */
-#define REST_BAND_RAD (2.0f * F_DEG) /* Tremor of a human hand. */
+/* Time constant of gravity. Shaking has a tenth of this period; a gyroscope drifts over minutes. */
+#define DOWN_TAU_S 0.5f
+/* Time constant of the rest attitude, longer than a player aims at a fish. */
+#define REST_TAU_S 4.0f
+/* Tolerance around the rest attitude for the tremor of a human hand. */
+#define REST_BAND_RAD (2.0f * F_DEG)
 #define RATE_MAX_RAD_S 40.0f /* All pads measure up to 2,000 degrees/s; larger values are noise. */
-#define STEP_MAX_S 0.25f   /* A rotation rate is valid no longer than this. */
+#define STEP_MAX_S 0.25f     /* Longest time for which a rotation rate is valid. */
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {

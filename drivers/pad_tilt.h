@@ -11,11 +11,11 @@
 
 #include "core/base/vec.h"
 
-#define PAD_TILT_MAX_RAD (45.0f * F_DEG) /* Limit of the tilt in play. */
+#define PAD_TILT_MAX_RAD (45.0f * F_DEG) /* Largest tilt in play. */
 
 /* State of the filter. Axes are SDL's: +x right, +y up out of the buttons, +z toward the player. */
 struct pad_tilt {
-    vec3 up;             /* Direction of up in the pad's axes. */
+    vec3 up;             /* Upward direction in the pad's axes. */
     uint8_t knows_down;  /* 1 after the first valid acceleration. */
     uint8_t knows_rest;
     float rest_pitch_rad, rest_roll_rad;

@@ -20,8 +20,8 @@ struct pad_track {
 /* Initializes the track with the poi over the middle of the water at `time_ns`. */
 void pad_track_init(struct pad_track *track, const struct view *view, uint64_t time_ns);
 
-/* Appends a report. If the queue is full, the oldest report is decoded now: its buttons count,
- * but its motion is not sampled. */
+/* Appends a report. If the queue is full, the oldest report is decoded now. The buttons of that
+ * report count, but the motion is not sampled. */
 void pad_track_keep(struct pad_track *track, const struct pad_report *report);
 
 /* Samples the motion from the last call to `now_ns`. Writes at most `max` samples, of which the

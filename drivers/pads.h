@@ -21,17 +21,17 @@ struct _SDL_GameController;
 
 struct pad {
     struct pads *pads;
-    struct _SDL_GameController *controller; /* Null while unplugged. */
+    struct _SDL_GameController *controller; /* Null while no pad is plugged in. */
     int32_t instance;                       /* SDL's id, new at each connection. */
     char guid[PAD_GUID_SIZE];               /* SDL's GUID of the last device. */
     char serial[32];                        /* Serial number from SDL, or "". */
-    uint16_t vendor, product;               /* USB ids. */
+    uint16_t vendor, product;               /* USB vendor and product id. */
     char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys; "": not known. */
     uint8_t was_here;
     struct pad_report now;
     struct pad_track track;
     struct pad_rumble rumble;               /* Motor levels sent last. */
-    uint64_t rumble_ns;                     /* Time at which they were sent. */
+    uint64_t rumble_ns;                     /* Time at which `rumble` was sent. */
     uint8_t cannot_rumble;
     char text[HAL_TEXT_SIZE];
 };

@@ -117,7 +117,7 @@ static void take_finger(struct poi_mouse *mouse, const SDL_TouchFingerEvent *fin
         .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
                           : finger->type == SDL_FINGERUP ? TOUCH_UP
                                                          : TOUCH_MOVE),
-        .id = finger->fingerId, /* The report has the time. */
+        .id = finger->fingerId, /* The time is in the pointer report. */
         .x = finger->x,
         .y = finger->y,
     };
@@ -195,7 +195,8 @@ static struct poi_sample sample_at(struct poi_mouse *mouse, uint64_t time_ns)
 }
 
 /* Processes events and writes a sample for each. SDL stamps a batch with the time of pumping, so
- * the reports are spread evenly over the time since the last poll. One of out[] is left free. */
+ * the reports are spread evenly over the time since the last poll. The last element of out[]
+ * stays free for the caller. */
 static uint32_t take_events(struct poi_mouse *mouse, uint32_t first, uint32_t last,
                             uint64_t now_ns, struct poi_sample *out, uint32_t max)
 {

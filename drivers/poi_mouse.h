@@ -23,13 +23,13 @@ struct poi_mouse {
     struct hal_clock clock;
     struct pointer_poi pointer;
     struct pointer_fan fan;
-    uint8_t fan_key;              /* 1 while F is down. */
+    uint8_t fan_key;              /* 1 while the key F is down. */
     uint8_t heeds;                /* enum pointer_heed, the enabled devices. */
     uint32_t mouse_buttons;       /* enum pointer_button bits that are down. */
     struct touch_fingers fingers;
-    uint64_t used_ns;             /* Last use by a person; 0: never. */
-    float crept_px;               /* Motion in pixels since then. */
-    struct showing showing;       /* Set by look(); zero: the image fills the window. */
+    uint64_t used_ns;             /* Time of the last use by a person; 0: never. */
+    float crept_px;               /* Motion in pixels since `used_ns`. */
+    struct showing showing; /* Image geometry set by look(); zero: the image fills the window. */
     struct pointer_report report; /* Last pointer state; the wheel is reset for each event. */
     uint64_t last_poll_ns;
     char text[HAL_TEXT_SIZE];

@@ -20,7 +20,7 @@
 
 #define POI_REPORT_ID 1u
 #define POI_REPORT_SIZE 15u
-#define POI_REPORT_REACH_M 1.0f /* Range of a position; one step is 31 um. */
+#define POI_REPORT_REACH_M 1.0f /* Range of a position, with a step of 31 um. */
 #define POI_FEEL_ID 2u
 #define POI_FEEL_SIZE 17u
 

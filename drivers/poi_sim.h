@@ -14,19 +14,20 @@
 
 struct poi_sim {
     struct hal_clock clock;
-    const struct pointer_report *reports; /* Sorted by time; must outlive the device. */
+    const struct pointer_report *reports; /* Reports sorted by time; must outlive the device. */
     uint32_t report_count;
-    uint32_t next;            /* Index of the next report. */
-    uint32_t unplug_at;       /* Unplugged before this report, or POI_SIM_NEVER. */
+    uint32_t next;            /* Index of the next report to play. */
+    /* Index of the report before which the mouse is unplugged, or POI_SIM_NEVER. */
+    uint32_t unplug_at;
     uint64_t replug_ns;       /* Time from which open() finds the mouse again. */
     uint32_t double_every;    /* Every n-th report arrives twice; 0: none. */
-    uint32_t jump_at;         /* Report at the far corner, or POI_SIM_NEVER. */
+    uint32_t jump_at;         /* Index of the report at the far corner, or POI_SIM_NEVER. */
     uint32_t spoil_from, spoil_to; /* Range of reports with random numbers, including NaN. */
-    uint32_t spoil_count;     /* Number of such reports so far. */
+    uint32_t spoil_count;     /* Number of reports with random numbers so far. */
     uint64_t silent_from_ns, silent_to_ns; /* Reports of this time arrive together at its end. */
     uint8_t gone;
     uint32_t open_count;
-    struct poi_force felt;    /* Force feedback set last. */
+    struct poi_force felt;    /* Force feedback that was set last. */
     struct pointer_poi pointer;
     struct pointer_fan fan;
 };
@@ -36,7 +37,7 @@ void poi_sim_init(struct poi_sim *sim, struct hal_clock clock, const struct view
 
 struct hal_poi poi_sim_device(struct poi_sim *sim);
 
-/* Returns the fan of the same mouse; it is unplugged with the mouse. */
+/* Returns the fan of the same mouse, which is unplugged with the mouse. */
 struct hal_shade poi_sim_fan(struct poi_sim *sim);
 
 #endif

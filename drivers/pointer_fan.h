@@ -14,10 +14,10 @@
 
 struct pointer_fan {
     struct view view;
-    float ndc_x, ndc_y, aspect; /* Pointer position at the last fan report; as in pointer_poi. */
+    float ndc_x, ndc_y, aspect; /* Pointer position at the last fan report, like in pointer_poi. */
     uint8_t held;
     float swing;                /* [0, 1]: 0 out of sight, 1 under the pointer. */
-    uint64_t time_ns;           /* Time of `swing`. */
+    uint64_t time_ns;           /* Time to which `swing` was computed. */
 };
 
 /* Initializes a fan that is out of sight. `view` is copied. */

@@ -47,7 +47,7 @@ static void follow_hand(struct pointer_poi *pointer, vec3 hand_m)
         const vec3 along = v3(speed.x, 0.0f, speed.z);
         pointer->hand_m_s = v3_lerp(pointer->hand_m_s, along, dt / (dt + LEAN_TAU_S));
     } else {
-        return; /* The same time as before. */
+        return; /* No time has passed since the last sample. */
     }
     pointer->hand_m = hand_m;
     pointer->hand_ns = pointer->time_ns;

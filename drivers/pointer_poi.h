@@ -19,7 +19,7 @@
 
 enum pointer_button {
     POINTER_DIP = 1u << 0,   /* Left button: the ring is down while held. */
-    POINTER_LEVEL = 1u << 1, /* Right button: back to level. */
+    POINTER_LEVEL = 1u << 1, /* Right button, which levels the ring. */
     POINTER_FAN = 1u << 2,   /* A key: while held, the pointer moves the fan. */
 };
 
@@ -29,7 +29,7 @@ struct pointer_report {
     float x_px, y_px; /* Pixels from the window's top left corner; any finite value. */
     uint32_t width_px, height_px;      /* Size of the window; 0: not known. */
     uint32_t buttons;                  /* enum pointer_button bits that are down. */
-    float wheel_notches;               /* Since the last report; positive is away from the user. */
+    float wheel_notches; /* Wheel motion since the last report; positive is away from the user. */
 };
 
 #define POINTER_HOVER_M DIP_HOVER_M

@@ -17,7 +17,7 @@ struct pose_fan {
     uint8_t held;
     float swing;              /* [0, 1]: 0 out of sight, 1 at the controller's position. */
     float back;               /* [0, 1]: 1 when the poi has returned to the controller. */
-    uint64_t time_ns;         /* Time of `swing` and `back`. */
+    uint64_t time_ns;         /* Time to which `swing` and `back` were computed. */
 };
 
 /* Initializes the state with the poi at the controller. */

@@ -24,7 +24,7 @@ enum seat_kind {
 
 struct seat_source {
     struct hal_poi poi;
-    struct hal_shade fan;         /* Ops null: the source has no fan. */
+    struct hal_shade fan;         /* The source's fan; ops null: no fan. */
     int (*is_there)(void *self);  /* Returns 1 if the source can be used now; null: always. */
     void *self;                   /* First argument of is_there(). */
     uint8_t kind;                 /* enum seat_kind */
@@ -49,8 +49,8 @@ struct seats {
     } seat[POI_MAX];
 };
 
-/* Initializes empty slots. `empty_line` is not copied; it describes what is missing and the
- * remedy. */
+/* Initializes empty slots. `empty_line` describes what is missing and the remedy, and is not
+ * copied. */
 void seats_init(struct seats *seats, const char *empty_line);
 
 /* Adds a source; better sources must be added first. Returns 0, or -1 if there are

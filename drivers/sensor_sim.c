@@ -132,7 +132,7 @@ static int sensor_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-/* Starts reports at the current time; those of the time away are lost. */
+/* Starts reports at the current time. Reports of the time away are lost. */
 static int sensor_sim_open(void *self)
 {
     struct sensor_sim *sim = self;

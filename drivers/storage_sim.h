@@ -6,10 +6,10 @@
 #include "platform/hal.h"
 
 struct storage_sim {
-    struct ledger_entry entry;  /* Entry accepted last. */
+    struct ledger_entry entry;  /* Entry that was accepted last. */
     struct round_record record; /* Record of the last round. */
     struct ledger_entry round;  /* Entry of the last round. */
-    struct edit_record edit;    /* Edit accepted last. */
+    struct edit_record edit;    /* Edit that was accepted last. */
     uint32_t accepted_count;
     uint32_t refused_count;
     /* Result of refused_count(): entries that the writer could not write. */
@@ -31,7 +31,7 @@ struct storage_sim {
     struct audits late;         /* Sums of the entries passed to hand_over(). */
     struct purse late_purse;    /* Balance change passed to hand_over(). */
     uint32_t late_polls;        /* Calls of handed_over() until the data are on disk. */
-    uint32_t late_polls_left;   /* Remaining calls of these. */
+    uint32_t late_polls_left;   /* Remaining calls of handed_over() until then. */
 };
 
 struct hal_storage storage_sim_device(struct storage_sim *sim);

@@ -13,14 +13,15 @@
 
 struct touch_sim {
     struct hal_clock clock;
-    const struct touch_event *events; /* Sorted by time; must outlive the device. */
+    const struct touch_event *events; /* Events sorted by time; must outlive the device. */
     uint32_t event_count;
-    uint32_t next;                 /* Index of the next event. */
-    uint32_t unplug_at;            /* Unplugged before this event, or TOUCH_SIM_NEVER. */
+    uint32_t next;                 /* Index of the next event to play. */
+    /* Index of the event before which the screen is unplugged, or TOUCH_SIM_NEVER. */
+    uint32_t unplug_at;
     uint64_t replug_ns;            /* Time from which open() finds the screen again. */
     uint32_t double_every;         /* Every n-th event arrives twice; 0: none. */
     uint32_t mute_every;           /* Every n-th event is lost if it is a lift; 0: none. */
-    uint32_t jump_at;              /* Event at the far corner, or TOUCH_SIM_NEVER. */
+    uint32_t jump_at;              /* Index of the event at the far corner, or TOUCH_SIM_NEVER. */
     uint32_t spoil_from, spoil_to; /* Range of events with random bits. */
     uint64_t silent_from_ns, silent_to_ns; /* Events of this time arrive together at its end. */
     uint8_t gone;

@@ -260,7 +260,7 @@ uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_iden
     const int same_port = !strcmp(a->port, b->port);
     const int same_serial = !strcmp(a->serial, b->serial);
     if (a->serial[0] && same_serial) {
-        return same_port ? 4u : 3u; /* Cheap devices can share a serial number. */
+        return same_port ? 4u : 3u; /* Several cheap devices can have the same serial number. */
     }
     if (same_port) {
         return 2u; /* A replacement was plugged into the same port. */

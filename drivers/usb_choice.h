@@ -17,7 +17,7 @@
 
 #define USB_BENCH_VENDOR 0x1209u  /* pid.codes' test id, which no product may be sold with. */
 #define USB_BENCH_PRODUCT 0x0001u
-#define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* Fits "057e:2009:" and a serial number. */
+#define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* Size of "057e:2009:" with a serial number. */
 #define USB_WISH_MAX 32u /* Capacity of the rules: four pois, each replaced seven times. */
 #define USB_ERROR_SIZE 96u
 
@@ -74,8 +74,8 @@ enum usb_kind {
      * such as media keys or a power supply. */
     USB_KIND_KEYS,
     USB_KIND_LEARNABLE,   /* Input fields without a mapping; the controller must be learned. */
-    USB_KIND_HAND,        /* hid_map_choose() finds a mapping. */
-    USB_KIND_OWN,         /* The exact descriptor of our own poi. */
+    USB_KIND_HAND,        /* A mapping exists: hid_map_choose() finds one. */
+    USB_KIND_OWN,         /* Exactly the descriptor of our own poi. */
 };
 
 /* An interface of a device. */
@@ -83,7 +83,7 @@ struct usb_subject {
     const struct hid_identity *identity;
     uint8_t is_boot_keyboard; /* From the interface descriptor, HID 1.11 section 4.2. */
     uint8_t kind;             /* enum usb_kind */
-    uint8_t worth;            /* hid_map_worth() */
+    uint8_t worth;            /* Rating by hid_map_worth(). */
 };
 
 /* Sets the kind and worth of `subject` from its report descriptor. Size 0 means that the

@@ -32,7 +32,8 @@ int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TE
     FILE *file = handle >= 0 ? fdopen(handle, "r") : NULL;
     const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
     const int result = file ? read_lines(choice, path, file, why) : error;
-    if (result == -ENOTSUP || result == -ELOOP || result == -ENXIO) { /* ENXIO: a socket. */
+    /* open() of a socket fails with ENXIO. */
+    if (result == -ENOTSUP || result == -ELOOP || result == -ENXIO) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: is not a regular file", path);
     } else if (result < 0) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: cannot read: %.40s", path, strerror(-result));

@@ -6,11 +6,11 @@
 
 #include "drivers/usb_sysfs.h"
 
-#define HID_BOOT 1u              /* bInterfaceSubClass, HID 1.11 section 4.2. */
-#define HID_BOOT_KEYBOARD 1u     /* bInterfaceProtocol, section 4.3. */
-#define HID_CLASS_DESCRIPTOR 0x21u /* HID 1.11 section 7.1. */
+#define HID_BOOT 1u                /* Value of bInterfaceSubClass, HID 1.11 section 4.2. */
+#define HID_BOOT_KEYBOARD 1u       /* Value of bInterfaceProtocol, HID 1.11 section 4.3. */
+#define HID_CLASS_DESCRIPTOR 0x21u /* Descriptor type, HID 1.11 section 7.1. */
 #define HID_REPORT_DESCRIPTOR 0x22u
-#define PORT_DEPTH_MAX 7         /* Nested hubs, USB 3.1 section 10.1. */
+#define PORT_DEPTH_MAX 7         /* Deepest nesting of hubs, USB 3.1 section 10.1. */
 
 /* ---- Classification ------------------------------------------------------------------------- */
 

@@ -17,8 +17,8 @@
 /* Reason why a controller that may play does not. */
 enum usb_trouble {
     USB_FINE = 0,
-    USB_DENIED, /* No permission to open it. */
-    USB_HELD,   /* Claimed by another program. */
+    USB_DENIED, /* The kiosk has no permission to open the device. */
+    USB_HELD,   /* Another program has claimed the interface. */
     USB_BROKEN, /* The device does not respond. */
     USB_AWAY,   /* The device was unplugged meanwhile. */
 };
@@ -26,16 +26,16 @@ enum usb_trouble {
 struct usb_device {
     libusb_device *device;  /* A counted reference; null if the entry is empty. */
     uint8_t configuration;
-    uint8_t serial_index, product_index; /* String descriptor indexes; 0: none. */
+    uint8_t serial_index, product_index; /* Indexes of string descriptors; 0: none. */
     uint8_t is_boot;        /* 1 if the interface supports the boot protocol. */
     uint8_t is_boot_keyboard; /* 1 for the boot protocol of a keyboard. */
     uint32_t declared_size; /* Declared size of the report descriptor in bytes. */
     uint8_t is_read;        /* 1 if `face.descriptor` was read from the device itself. */
     uint8_t verdict;        /* enum usb_verdict */
     uint8_t kind;           /* enum usb_kind */
-    uint8_t worth;          /* hid_map_worth() */
+    uint8_t worth;          /* Rating by hid_map_worth(). */
     struct usb_pipe pipe;
-    struct hid_face face;   /* descriptor_size 0: not known yet. */
+    struct hid_face face;   /* Identity and descriptor; descriptor_size 0: not known yet. */
 };
 
 /* Inputs to the classification other than the device. */
@@ -63,7 +63,7 @@ void usb_device_judge(struct usb_device *device, const struct usb_judge *judge);
 enum usb_trouble usb_device_open(struct usb_device *device, const struct usb_judge *judge,
                                  libusb_device_handle **out);
 
-/* Releases the reference. */
+/* Releases the reference to the libusb device. */
 void usb_device_forget(struct usb_device *device);
 
 #endif

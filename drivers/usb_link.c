@@ -82,7 +82,7 @@ static int read_status(struct usb_link *link, const struct libusb_transfer *tran
         link->has_halted = 1;
         note_error(link, LIBUSB_ERROR_PIPE);
         return 0;
-    case LIBUSB_TRANSFER_CANCELLED: /* Cancelled by clear_halt(). */
+    case LIBUSB_TRANSFER_CANCELLED: /* clear_halt() has cancelled the transfer. */
         return 0;
     default: /* A transmission error, or the first sign that the cable is being unplugged. */
         note_error(link, LIBUSB_ERROR_IO);

@@ -13,9 +13,9 @@
 
 #include "drivers/usb_seat.h"
 
-#define USB_IN_FLIGHT 4u      /* At 1,000 Hz the thread may be delayed by 3 ms without loss. */
+#define USB_IN_FLIGHT 4u       /* At 1,000 Hz the thread may be delayed by 3 ms without loss. */
 #define USB_TRANSFER_MAX 1024u /* Largest packet of an interrupt endpoint, USB 2.0 5.7.3. */
-#define USB_ERRORS_MAX 8u     /* Consecutive errors before the device is opened again. */
+#define USB_ERRORS_MAX 8u      /* Consecutive errors before the device is opened again. */
 /* Time after cancelling in which returning transfers still deliver reports. */
 #define USB_LEAVE_MS 50u
 /* Timeout of an output report, after which force feedback would be late. */
@@ -34,7 +34,7 @@ struct usb_pipe {
 enum usb_link_state {
     USB_LINK_NONE = 0,
     USB_LINK_LIVE,
-    USB_LINK_DRAINING, /* Cancelled; some transfers have not returned yet. */
+    USB_LINK_DRAINING, /* The transfers are cancelled and some have not returned yet. */
 };
 
 struct usb_link;
@@ -48,13 +48,13 @@ struct usb_flight {
 };
 
 struct usb_link {
-    uint8_t state;       /* enum usb_link_state */
-    uint8_t is_gone;     /* Device unplugged; no further requests are allowed. */
-    uint8_t has_halted;  /* The endpoint stalled. */
-    uint8_t has_left;    /* 1 after the slot was detached. */
-    uint32_t error_count; /* Consecutive errors. */
-    uint64_t retry_ns;   /* Earliest time to submit transfers again. */
-    uint64_t leave_ns;   /* Deadline for detaching the slot, even if transfers are in flight. */
+    uint8_t state;        /* enum usb_link_state */
+    uint8_t is_gone;      /* 1 if the device was unplugged and accepts no requests. */
+    uint8_t has_halted;   /* 1 after the endpoint stalled. */
+    uint8_t has_left;     /* 1 after the slot was detached. */
+    uint32_t error_count; /* Number of consecutive errors. */
+    uint64_t retry_ns;    /* Earliest time to submit transfers again. */
+    uint64_t leave_ns;    /* Deadline for detaching the slot, even if transfers are in flight. */
     struct hal_clock clock;
     libusb_device_handle *handle;
     struct usb_seat *seat;

@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 #define NS_PER_MS 1000000ull
-#define IDLE_MS 1000         /* Longest wait in ms of an idle thread. */
-#define BUSY_MS 50           /* Longest wait in ms while an output report is in flight. */
+#define IDLE_MS 1000               /* Longest wait in ms of an idle thread. */
+#define BUSY_MS 50                 /* Longest wait in ms while an output report is in flight. */
 #define LAST_WAIT_NS 2000000000ull /* Limit for transfers to return when the kiosk ends. */
 
 uint64_t usb_pump_now_ns(const struct usb_pump *pump)
@@ -161,7 +161,7 @@ static void close_all(struct usb_pump *pump)
 static void hurry(void)
 {
     const struct sched_param first = { .sched_priority = 1 };
-    /* Without permission the normal priority remains. */
+    /* If permission is denied, the normal priority remains. */
     pthread_setschedparam(pthread_self(), SCHED_RR, &first);
 }
 

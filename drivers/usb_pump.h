@@ -20,47 +20,48 @@
 #include "drivers/usb_rows.h"
 #include "drivers/usb_seat.h"
 
-#define USB_DEVICE_MAX 16u        /* HID devices in the table; barred ones are replaced first. */
+#define USB_DEVICE_MAX 16u          /* HID devices in the table; barred ones are replaced first. */
 #define USB_LINK_MAX (2u * POI_MAX) /* Four open links, and four that are being closed. */
-#define USB_FD_MAX 16u            /* Two of libusb, one for each link, and our wake descriptor. */
+#define USB_FD_MAX 16u              /* Two of libusb, one for each link, and our wake descriptor. */
 #define USB_NOBODY UINT32_MAX
 
 /* A device on the bus and its state. */
 struct usb_entry {
-    struct usb_device device; /* .device null: the entry is empty. */
-    uint8_t trouble;          /* enum usb_trouble: current, and last reported. */
+    struct usb_device device; /* The device; .device null: the entry is empty. */
+    uint8_t trouble;          /* enum usb_trouble: the current value, and the one reported last. */
     uint8_t told_trouble;
     uint8_t failures; /* Consecutive failures to respond, each of which blocked the thread. */
-    uint8_t is_seen;          /* 1 if the current comparison found the device. */
-    uint32_t row, link, seat; /* USB_NOBODY: none. CONTROLLER_MAX also means no row. */
+    uint8_t is_seen;  /* 1 if the current comparison found the device. */
+    /* Indexes; USB_NOBODY: none. For `row`, CONTROLLER_MAX also means none. */
+    uint32_t row, link, seat;
     uint32_t drains;          /* Index of its previous link, which may still be closing. */
     uint64_t met_ns;
-    uint64_t due_ns;          /* Next time to examine the device. */
+    uint64_t due_ns;          /* Time at which the device is examined next. */
 };
 
 struct usb_pump {
     struct hal_clock clock;
     const char *sysfs;
-    const char *choices_path; /* "": choices are not stored. */
+    const char *choices_path; /* Path of the choices file; "": choices are not stored. */
     uint8_t is_unread;        /* 1 if the file exists but could not be read. */
     /* Callback for error messages, one line each; may be null. */
     void (*tell)(void *self, const char *line);
     void *tell_self;
     struct usb_choice choice;
 
-    /* Shared by both threads. */
+    /* The following fields are shared by both threads. */
     struct usb_seat seat[POI_MAX];
     struct usb_roster roster;
     atomic_int stop;
     int wake_fd;
 
-    /* Used only by the event thread. */
+    /* The following fields are used only by the event thread. */
     pthread_t thread;
     libusb_context *context;
     libusb_hotplug_callback_handle hotplug;
     uint8_t has_hotplug;
     uint8_t bus_changed, fds_changed, rows_changed;
-    uint64_t compare_ns;       /* Next comparison without a hot-plug event. */
+    uint64_t compare_ns;       /* Time of the next comparison without a hot-plug event. */
     uint64_t settled_ns;       /* Comparisons repeat quickly until this time. */
     uint32_t fd_count;
     struct pollfd fd[USB_FD_MAX];

@@ -6,11 +6,13 @@
 
 #define NS_PER_S 1000000000ull
 #define SOON_NS (NS_PER_S / 10u)
-#define RETRY_NS (2u * NS_PER_S)   /* Permissions and other programs change at human speed. */
+/* Retry interval; permissions and other programs change at human speed. */
+#define RETRY_NS (2u * NS_PER_S)
 /* Longest retry interval. The interval doubles with each failure, because an attempt blocks the
  * thread for seconds and other devices wait. */
 #define RETRY_NS_MAX (60u * NS_PER_S)
-#define FAILURES_MAX 6u /* Intervals are 2, 4, 8, 16 and 32 s, and then the longest. */
+/* Limit of the count: the retry intervals are 2, 4, 8, 16 and 32 s, and then the longest. */
+#define FAILURES_MAX 6u
 #define SETTLE_NS (2u * NS_PER_S)  /* Time in which a driver binds and the udev rules run. */
 /* Time for which the slot of an unplugged controller is held. A round can wait equally long for
  * its controller. */

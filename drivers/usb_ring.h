@@ -24,7 +24,7 @@ struct usb_ring_slot {
 struct usb_ring {
     _Alignas(USB_LINE_SIZE) atomic_uint pushed; /* Counts up like `taken`; both wrap at 2^32. */
     atomic_uint lost;
-    uint32_t next_number; /* Used only by the writer. */
+    uint32_t next_number; /* Number of the next report; used only by the writer. */
     _Alignas(USB_LINE_SIZE) atomic_uint taken;
     /* Used only by the reader: `late` has a report, and the peeked report is that one. */
     uint8_t has_late, is_late;

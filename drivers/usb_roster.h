@@ -16,7 +16,7 @@
 
 /* A command with a copy of the identity, because rows can change before the command is executed. */
 struct usb_order {
-    uint8_t plays; /* 0 releases the controller. */
+    uint8_t plays; /* 1 to choose the controller, 0 to release it. */
     struct hid_identity identity;
 };
 

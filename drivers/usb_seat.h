@@ -26,19 +26,19 @@ struct usb_sitting {
 };
 
 struct usb_seat {
-    /* Shared by both threads. */
+    /* The following fields are shared by both threads. */
     struct usb_ring ring;
-    atomic_uint generation; /* Odd while a controller is attached. */
+    atomic_uint generation; /* Number of the attachment; odd while a controller is attached. */
     struct usb_mail mail;
     struct usb_sitting sitting[USB_MAIL_SLOTS];
     /* enum usb_outgoing; selects the thread that owns the next three fields. */
     atomic_uint outgoing;
     uint32_t out_size, out_generation;
     uint8_t out_bytes[HID_REPORT_MAX];
-    /* Used only by the event thread. */
+    /* The following field is used only by the event thread. */
     uint64_t last_ns;       /* Time stamp of the newest report. */
-    /* Used only by the frame loop. */
-    uint32_t opened;        /* Generation opened last; 0: none. */
+    /* The following fields are used only by the frame loop. */
+    uint32_t opened;        /* Generation that the frame loop opened last; 0: none. */
     uint8_t is_never;       /* 1 if USB is not available at all. */
     struct hid_identity identity;
     void (*wake)(void *self); /* Wakes the event thread for an output report; does not block. */

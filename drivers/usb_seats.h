@@ -18,7 +18,7 @@ struct usb_seats;
 
 /* Configuration; everything is copied except the objects behind `clock` and the callback. */
 struct usb_seats_config {
-    struct hal_clock clock;       /* Also used by the event thread. */
+    struct hal_clock clock;       /* Clock, which the event thread uses too. */
     const char *choices;          /* File of chosen controllers; null: choices are not stored. */
     const struct usb_key *listed; /* Controllers that play regardless of the file (--usb). */
     uint32_t listed_count;
