@@ -53,7 +53,8 @@ struct trust {
 /* Returns 1 if each number is finite and within TRUST_RANGE_M or TRUST_ANGLE_RAD. */
 int trust_can_read(const struct poi_target *target);
 
-/* Returns 1 if no arm can move from one valid pose to the other in `seconds` >= 0. */
+/* Returns 1 if the motion from one valid pose to the other in `seconds` >= 0 is faster than an arm
+ * (`has_wrist` 1) or a pointer (`has_wrist` 0) can move. */
 int trust_is_leap(const struct poi_target *from, const struct poi_target *to, float seconds,
                   int has_wrist);
 
