@@ -157,8 +157,8 @@ void fly_poi_report(struct fly_poi *fly, const struct fly_report *report)
     }
 }
 
-/* Moves the ring away from the player along the line of sight as it goes down, so that the
- * slanted ring moves more edge-on through the water. */
+/* Moves the ring away from the player along the line of sight as it goes down. The slanted ring
+ * then moves more edge-on through the water. */
 static vec3 slid_m(const struct fly_poi *fly, float down_m)
 {
     const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);

@@ -22,7 +22,7 @@
 struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
     uint32_t too_short, stuck, cut; /* Sums over all coin lines, as in coin_mech. */
-    uint32_t doubtful;              /* Pairs of null edges: two glitches, or a missed coin. */
+    uint32_t doubtful; /* Pairs of null edges (gpio_input.h): two glitches, or a missed coin. */
     uint32_t lost_edges, lost_chips;
 };
 

@@ -13,7 +13,7 @@
  *     as-is              coin-lockout the locked level, and that of other outputs as-is.
  *     debounce=5ms       the time that a level must be stable
  *     window=15ms-250ms  the width of a coin pulse
- *     pulse=100ms/100ms  the pulse of an output and the pause after it
+ *     pulse=100ms/100ms  the pulse of an output and the pause after it.
  *
  * coin-lockout drives a coil that admits coins while it has current. When the kiosk ends for any
  * reason, most chips turn the released line into an input. Only the bias then drives it, so a

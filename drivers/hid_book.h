@@ -43,7 +43,7 @@ struct hid_book {
 };
 
 /* Reads the folder pois/ of `data` and starts the writer thread. With `data` null nothing is
- * stored. Each complaint goes to `complain` as one line "FILE:LINE: what"; `complain` may be
+ * stored. Each complaint is passed to `complain` as one line "FILE:LINE: what"; `complain` may be
  * null. Returns the number of complaints. */
 uint32_t hid_book_open(struct hid_book *book, const char *data,
                        void (*complain)(void *self, const char *line), void *self);

@@ -1,6 +1,6 @@
 /* null.h -- a null driver for each missing device, so that no pointer in struct hal is null.
  *
- * describe() returns `line`, which names what is missing and the remedy. The text is not copied.
+ * describe() returns `line`, which names the missing device and the remedy. The text is not copied.
  * A null `line` becomes "", for a device that this kiosk never has. The drivers have no state. */
 #ifndef KINGYO_DRIVERS_NULL_H
 #define KINGYO_DRIVERS_NULL_H

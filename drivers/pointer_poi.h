@@ -4,8 +4,8 @@
  * this decoder. A pointer has two axes and a pose has six. Holding the left button lowers the
  * ring along a smooth stroke, and releasing lifts it. The wheel tilts the ring and the right
  * button levels it. Fast motion leans the ring into its direction. The center of the ring stays
- * under the pointer at every height, because the pointer's ray is intersected with the plane at
- * the ring's current height.
+ * under the pointer at every height. For this purpose the pointer's ray is intersected with the
+ * plane at the ring's current height.
  *
  * While the pointer moves the fan (pointer_fan.h), the poi waits in place and then glides back
  * under the pointer. Buttons and wheel still control the poi, so one player can fan and scoop. */

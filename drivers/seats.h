@@ -1,10 +1,10 @@
 /* seats.h -- the input multiplexer: assigns controllers to the players' slots.
  *
- * Controllers (sources) come and go while the kiosk runs, for example when a USB poi is plugged
- * in or the battery of a pad is empty. Each slot is a fixed device of struct hal that forwards
- * to its current source. The best kind of source gets the first slot, and sources of one kind
- * keep their slots. During a game a slot changes only if its controller is missing and another
- * one of its kind is free. Sources without a slot are polled too, so that their reports do not
+ * Controllers (sources) come and go while the kiosk runs. For example, a USB poi is plugged in,
+ * or the battery of a pad is empty. Each slot is a fixed device of struct hal that forwards to
+ * its current source. The best kind of source gets the first slot, and sources of one kind keep
+ * their slots. During a game a slot changes only if its controller is missing and another one of
+ * its kind is free. Sources without a slot are polled too, so that their reports do not
  * accumulate. Their buttons count, and the controller manager can learn them. */
 #ifndef KINGYO_DRIVERS_SEATS_H
 #define KINGYO_DRIVERS_SEATS_H
@@ -29,7 +29,7 @@ struct seat_source {
     void *self;                   /* First argument of is_there(). */
     uint8_t kind;                 /* enum seat_kind */
     /* 1: the source is used if no other source is available, even if is_there() returns 0. For
-     * example, a mouse that nobody moves can play alone, but not as a second player. */
+     * example, a mouse at rest can play alone, but not as a second player. */
     uint8_t stands_in;
 };
 
@@ -49,16 +49,21 @@ struct seats {
     } seat[POI_MAX];
 };
 
-/* Initializes empty slots. `empty_line` describes what is missing and the remedy, and is not
- * copied. */
+/* Initializes empty slots. `empty_line` names the missing device and the remedy. The text is
+ * not copied. */
 void seats_init(struct seats *seats, const char *empty_line);
 
 /* Adds a source; better sources must be added first. Returns 0, or -1 if there are
  * SEAT_SOURCE_MAX sources already; the source is then ignored. */
 int seats_add(struct seats *seats, const struct seat_source *source);
 
+/* Returns the poi device of slot `seat` < POI_MAX, which is valid even while the slot is empty. */
 struct hal_poi seats_poi(struct seats *seats, uint32_t seat);
+
+/* Returns the fan device of slot `seat` < POI_MAX. */
 struct hal_shade seats_fan(struct seats *seats, uint32_t seat);
+
+/* Returns the device that the frame loop calls once a frame to update the assignment. */
 struct hal_seats seats_device(struct seats *seats);
 
 /* Computes the assignment only. `seat` has the index of each slot's source or SEAT_EMPTY and is

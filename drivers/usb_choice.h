@@ -1,10 +1,10 @@
 /* usb_choice.h -- rules for which USB controllers are claimed and which slot they get. Pure.
  *
- * A controller is claimed if the operator chose it in the menu (stored in a file), if --usb
- * names it, or if it is our own poi. Our own poi has no fixed vendor id and is recognized by its
- * report descriptor. If the descriptor cannot be read without claiming, only chosen ids and the
- * test id of pid.codes are claimed to read it. An interface with typing keys is never claimed,
- * even if it was chosen. */
+ * A controller is claimed if the operator chose it in the menu (stored in a file) or if --usb
+ * names it. Our own poi is always claimed, unless a rule forbids it. It has no fixed vendor id
+ * and is recognized by its report descriptor. If the descriptor cannot be read without claiming,
+ * only chosen ids and the test id of pid.codes are claimed to read it. An interface with typing
+ * keys is never claimed, even if it was chosen. */
 #ifndef KINGYO_DRIVERS_USB_CHOICE_H
 #define KINGYO_DRIVERS_USB_CHOICE_H
 

@@ -93,8 +93,8 @@ void usb_device_judge(struct usb_device *device, const struct usb_judge *judge)
     device->verdict = (uint8_t)usb_choice_judge(judge->choice, &subject);
 }
 
-/* Classifies `device` by one interface. A descriptor that was read from the device is kept,
- * because /sys shows none while the interface is claimed, and a kernel driver may show a
+/* Classifies `device` by one interface. A descriptor that was read from the device is kept.
+ * While the interface is claimed, /sys shows no descriptor, and a kernel driver may show a
  * corrected one. */
 static void look_at(struct usb_device *device, const struct usb_judge *judge,
                     const struct libusb_interface_descriptor *interface)

@@ -33,7 +33,7 @@ struct usb_pipe {
 
 enum usb_link_state {
     USB_LINK_NONE = 0,
-    USB_LINK_LIVE,
+    USB_LINK_LIVE,     /* The device is open and its transfers are in use. */
     USB_LINK_DRAINING, /* The transfers are cancelled and some have not returned yet. */
 };
 

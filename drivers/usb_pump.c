@@ -263,7 +263,7 @@ int usb_pump_begin(struct usb_pump *pump, char why[HAL_TEXT_SIZE])
 }
 
 /* Stops the thread. If a transfer never returned from the kernel, libusb and the link's memory
- * are leaked, because freeing memory under a transfer in flight would be worse. */
+ * are leaked. Freeing memory under a transfer in flight would be worse. */
 void usb_pump_end(struct usb_pump *pump)
 {
     atomic_store(&pump->stop, 1);

@@ -35,7 +35,7 @@ struct usb_entry {
     /* Indexes; USB_NOBODY: none. For `row`, CONTROLLER_MAX also means none. */
     uint32_t row, link, seat;
     uint32_t drains;          /* Index of its previous link, which may still be closing. */
-    uint64_t met_ns;
+    uint64_t met_ns;          /* Time at which the device was added. */
     uint64_t due_ns;          /* Time at which the device is examined next. */
 };
 
@@ -85,6 +85,7 @@ void usb_pump_wake(void *self);
 
 /* ---- Parts of the event thread ---- */
 
+/* Returns the current time of the thread's clock. */
 uint64_t usb_pump_now_ns(const struct usb_pump *pump);
 
 /* Compares the bus with the table when it is time to. New devices are added and missing ones

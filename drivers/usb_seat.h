@@ -17,7 +17,7 @@
 enum usb_outgoing {
     USB_OUT_NONE = 0, /* The frame loop may write the next report. */
     USB_OUT_READY,    /* The event thread may send the report. */
-    USB_OUT_FLYING,
+    USB_OUT_FLYING,   /* The transfer of the report is in flight. */
 };
 
 struct usb_sitting {
