@@ -26,14 +26,50 @@ libraries() { # ROOT
         sed -n 's/^shlibs:Depends=//p'
 }
 
+# Prints CHANGELOG.md in Debian's format. A version that is not listed there yet comes first.
+changelog() {
+    VERSION=$version DATE=$(date -u -d "@$SOURCE_DATE_EPOCH" +%F) LC_ALL=C awk '
+        function rfc_2822(on,   command, line) {
+            command = "date -u -R -d " on
+            command | getline line
+            close(command)
+            return line
+        }
+        function end_version() {
+            if (is_open) printf "\n -- The Kingyo authors <kingyo@example.org>  %s\n\n", rfc_2822(date)
+        }
+        function begin_version(version, on) {
+            end_version()
+            date = on
+            is_open = 1
+            printf "kingyo (%s) unstable; urgency=medium\n\n", version
+        }
+        function print_wrapped(first, rest, text,   count, i, line, word) {
+            count = split(text, word, " ")
+            line = first
+            for (i = 1; i <= count; i++) {
+                if (length(line) + length(word[i]) > 78) { print line; line = rest }
+                line = line " " word[i]
+            }
+            print line
+        }
+        $1 == "##" {
+            if (!is_open && $2 != ENVIRON["VERSION"]) {
+                begin_version(ENVIRON["VERSION"], ENVIRON["DATE"])
+                print "  * See the commits since the version below."
+            }
+            begin_version($2, $4)
+            next
+        }
+        is_open && /^- / { print_wrapped("  *", "   ", substr($0, 3)) }
+        END { end_version() }' CHANGELOG.md
+}
+
 documents() { # PACKAGE ROOT
-    local folder=$2/usr/share/doc/$1 date
-    date=$(LC_ALL=C date -u -R -d "@$SOURCE_DATE_EPOCH")
+    local folder=$2/usr/share/doc/$1
     mkdir -p "$folder"
     install -m 644 board/deb/copyright "$folder/copyright"
-    printf 'kingyo (%s) unstable; urgency=medium\n\n  * %s\n\n -- %s  %s\n' "$version" \
-        'What changed is told by the commits of the project.' \
-        'The Kingyo authors <kingyo@example.org>' "$date" | gzip -9n >"$folder/changelog.gz"
+    changelog | gzip -9n >"$folder/changelog.gz"
     if [ -d "$2/usr/share/man" ]; then
         find "$2/usr/share/man" -type f -exec gzip -9n {} +
     fi

@@ -46,6 +46,16 @@ depends() { dpkg-deb -f "$work"/build/deb/kingyo_*.deb Depends | grep libc6 | gr
 check 'the libraries that the programs are linked with are asked for' depends
 same_version() { [ "$(dpkg-deb -f "$1" Version)" = "$("$build/kingyo" --version | cut -d' ' -f2)" ]; }
 check 'its version is the program'\''s' same_version "$work"/build/deb/kingyo_*.deb
+newest_change() { # dpkg's own parser reads the changelog that was made from CHANGELOG.md.
+    zcat "$work/kingyo/usr/share/doc/kingyo/changelog.gz" >"$work/changelog" &&
+        [ "$(dpkg-parsechangelog -l "$work/changelog" -S Version)" = "$("$build/kingyo" --version | cut -d' ' -f2)" ] &&
+        dpkg-parsechangelog -l "$work/changelog" -S Changes | grep '^  \*' >/dev/null
+}
+if command -v dpkg-parsechangelog >/dev/null; then
+    check 'the newest entry of the changelog is of this version' newest_change
+else
+    skip 'the newest entry of the changelog is of this version' 'no dpkg-parsechangelog'
+fi
 conffile() { grep -qx /etc/kingyo/kingyo.conf "$work/scripts-kingyo/conffiles"; }
 check 'the configuration is the operator'\''s: dpkg asks before it writes over it' conffile
 no_takings() { ! find "$work/kingyo" "$work/kingyo-kiosk" -path '*/var/*' | grep .; }
