@@ -10,7 +10,7 @@ CC := gcc
 endif
 OPT ?= -O2
 
-.DEFAULT_GOAL := help
+.DEFAULT_GOAL := build
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
 MAKEFLAGS += --no-builtin-rules
@@ -97,16 +97,16 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 -include tests/metrics/metrics.mk
 -include tests/vm/vm.mk tests/fuzz/devices.mk tests/fuzz/files.mk tests/power/power.mk tests/mutants/mutants.mk
 
-## help: this list
+## build/help: Print this list
 help:
-	@echo 'Kingyo: `make run` plays, `make test` tests. Every task:'
-	@sed -nE 's/^## ([a-z0-9-]+): (.*)/\1\t\2/p' $(MAKEFILE_LIST) | sort | awk -F'\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
-	@echo 'Settings: V=1 (whole commands), BUILD=dir, CC=clang, OPT=-O0, BOARD=name.'
+	@echo 'Kingyo. Start with `make run` (play) or `make test`. `make` alone builds.'
+	@awk -f board/help.awk $(MAKEFILE_LIST)
+	@echo; echo 'Settings: V=1 (print whole commands), BUILD=dir, CC=clang, OPT=-O0, BOARD=name'
 
-## build: the kiosk (build/kingyo) and the operator's command line (build/kingyoctl)
+## build/build: Build build/kingyo (game) and build/kingyoctl (command line)
 build: $(BUILD)/kingyo $(BUILD)/kingyoctl
 
-## clang: the same with clang, in build-clang/
+## build/clang: Build both programs with clang into build-clang/
 clang:
 	+@$(MAKE) --no-print-directory BUILD=build-clang CC=clang build
 
@@ -159,10 +159,23 @@ $(BUILD)/%.o: %.c $(FOUND) | generated
 # Filled by assets/bake/bake.mk: what must exist before anything that includes it compiles.
 generated:
 
-## clean: removes everything that was built
+# A board links only with a board.c of its own. The boards of `make image` (board/NAME/image.conf) do not.
+generated: | linkable-board
+linkable-board:
+	@test -f board/$(BOARD)/board.c || { \
+	    echo 'make: board/$(BOARD)/board.c does not exist; BOARD is one of:' \
+	        $(patsubst board/%/board.c,%,$(wildcard board/*/board.c)) >&2; exit 2; }
+
+## build/compile_commands.json: Write the compilation database for editors and clang-tidy
+compile_commands.json: always
+	@$(MAKE) --no-print-directory --always-make --dry-run V=1 build tests 2>/dev/null | \
+	    board/compile_commands.sh >$@.new
+	@$(replace_if_other)
+
+## build/clean: Remove everything that was built
 clean:
 	rm -rf build build-clang $(BUILD)
 
 -include $(shell [ -d $(BUILD) ] && find $(BUILD) \( -path $(BUILD)/vm -o -path $(BUILD)/image \) -prune -o -type f -name '*.d' -print)
 
-.PHONY: help build clang generated clean always
+.PHONY: help build clang generated linkable-board clean always

@@ -3,13 +3,13 @@
 # A fresh machine's first command installs, then builds, then plays; the second only plays. The build
 # is a second make because what it asks of pkg-config is only there after the set-up.
 
-## run: plays; sets the machine up and builds first if it must; ARGS='--lang en' are for the kiosk
+## play/run: Set up, build and start the game; ARGS='--lang en' are its options
 run:
 	@board/setup.sh run
 	+@$(MAKE) --no-print-directory -j$(JOBS) build
 	@exec $(BUILD)/kingyo $(ARGS)
 
-## setup: installs every package that playing, testing and developing need, saying why
+## build/setup: Install every package for playing, testing and developing
 setup:
 	@board/setup.sh run test dev
 

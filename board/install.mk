@@ -5,7 +5,7 @@ DESTDIR ?=
 
 MAN := $(BUILD)/man/kingyo.6 $(BUILD)/man/kingyoctl.1 $(BUILD)/man/kingyo.conf.5 $(BUILD)/man/kingyo.conf
 
-## man: the manual pages and the example of kingyo.conf, filled with what the programs say, in build/man/
+## build/man: Build the manual pages and the example kingyo.conf in build/man/
 man: $(MAN)
 
 $(BUILD)/man/kingyo.conf: $(BUILD)/kingyoctl
@@ -20,19 +20,19 @@ $(BUILD)/man/%: board/man/%.in board/man/fill.sh $(BUILD)/kingyo $(BUILD)/kingyo
 
 tests: $(MAN)
 
-## install: programs, manual, service, rules below PREFIX=/usr/local (DESTDIR= for a root elsewhere)
+## package/install: Install below PREFIX=/usr/local; DESTDIR= names another root
 install: build $(MAN)
 	@DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' BUILD='$(BUILD)' board/install.sh install
 
-## uninstall: takes away what install put there; settings and takings stay
+## package/uninstall: Remove the installed files; settings and takings stay
 uninstall:
 	@DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' BUILD='$(BUILD)' board/install.sh uninstall
 
-## deb: Debian packages, kingyo and kingyo-kiosk, into build/deb/
+## package/deb: Build the Debian packages kingyo and kingyo-kiosk in build/deb/
 deb: build $(MAN)
 	@BUILD='$(BUILD)' board/deb/deb.sh
 
-## test-deb: installs, upgrades, removes and purges the packages in a minimal root; needs root and a mirror
+## test/test-deb: Install, upgrade and purge the packages in a minimal root
 test-deb: build $(MAN)
 	@board/setup.sh dev
 	@BUILD='$(BUILD)' tests/fresh/deb.sh $(RELEASE)

@@ -24,7 +24,7 @@ TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tes
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(GPIO_TEST) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
 
-## test: sets the machine up, builds and runs every test; the last line counts them
+## test/test: Set up, build and run all tests; the last line counts them
 test:
 	@board/setup.sh test
 	+@$(MAKE) --no-print-directory -j$(JOBS) tests
@@ -34,26 +34,26 @@ test:
 run-tests:
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_PROGRAMS)
 
-## tests: builds what `make test` runs, without running it
+## build/tests: Build what `make test` runs without running it
 tests: build $(UNIT) $(GPIO_TEST) $(E2E) $(VARIANT_BIN) $(BUILD)/core.o $(BUILD)/tests/ctl/judge_trace \
     $(BUILD)/tests/bench/technique $(BUILD)/tests/power/power
 
-## check: what a change must pass before it is kept: boundaries, tests, sizes
+## test/check: Run boundaries, tests and sizes, as before each commit
 check: boundaries
 	+@$(MAKE) --no-print-directory test
 	+@$(MAKE) --no-print-directory sizes
 
-## unit: the unit tests alone; `make unit ONLY=tank` runs test_tank*
+## test/unit: Run the unit tests; ONLY=tank runs test_tank* alone
 unit: $(filter $(BUILD)/tests/unit/test_$(ONLY)%,$(UNIT))
 	@tests/run.sh $(RESULTS) $^
 
-## test-e2e: the end-to-end tests alone: a virtual screen, the real kiosk, a real pointer
+## test/test-e2e: Run the end-to-end tests: virtual screen, real kiosk, real pointer
 test-e2e:
 	@board/setup.sh test
 	+@$(MAKE) --no-print-directory -j$(JOBS) build $(E2E)
 	@BUILD=$(BUILD) tests/run.sh $(RESULTS) $(TEST_ALONE)
 
-## test-fresh: both commands in either order, and with a package removed, on minimal Debian 12 and 13 roots; needs root, a mirror and minutes
+## test/test-fresh: Run `make run` and `make test` on minimal Debian 12 and 13 roots
 test-fresh:
 	@board/setup.sh dev
 	@BUILD=$(BUILD) tests/fresh/fresh.sh $(RELEASES)
@@ -99,7 +99,7 @@ $(BUILD)/tests/ctl/judge_trace: $(BUILD)/tests/ctl/judge_trace.o
 
 .SECONDARY: $(UNIT:%=%.o) $(BUILD)/tests/unit/panic.o
 
-## boundaries: proves who may include and call whom, from the compiler's own output
+## test/boundaries: Check which folder includes and calls which
 boundaries: includes symbols
 	@echo '  ok    the core stands alone, drivers see hal.h and contracts, only board/ and main wire'
 
@@ -113,14 +113,14 @@ symbols: $(BUILD)/core.o
 $(BUILD)/core.o: $(CORE_OBJ)
 	$(Q)$(LD) -r -o $@ $^
 
-## sizes: structs, code, constants and the deepest stack frames of the core
+## measure/sizes: Print structs, code, constants and deepest stack frames of the core
 sizes: $(BUILD)/tests/sizes $(BUILD)/core.o
 	@tests/sizes.sh $(BUILD)
 
 $(BUILD)/tests/sizes: $(BUILD)/tests/sizes.o
 	$(Q)$(CC) -o $@ $^
 
-## lint: shell scripts by shellcheck, and no line of C over 100 columns
+## test/lint: Check format, line length and shell scripts
 lint:
 	@board/setup.sh dev
 	@shellcheck --severity=warning $$(git ls-files '*.sh') .ci/run && echo '  ok    shellcheck'

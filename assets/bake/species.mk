@@ -42,7 +42,7 @@ $(BUILD)/generated/species_%.o: $(BUILD)/generated/species_%.c $(FOUND_TOOLS)
 	$(call step,CC,$<)
 	$(Q)$(CC) $(CORE_CFLAGS) $(DEP_FLAGS) -c -o $@ $<
 
-## species-sheet: each species' growth from three sides, in build/species_NAME.png, for makers
+## picture/species-sheet: Draw each species' growth from three sides in build/
 species-sheet: $(SPECIES:%=$(BUILD)/species_%.png)
 
 $(BUILD)/species_%.png: $(BUILD)/kingyoctl

@@ -2,7 +2,7 @@
 
 IMAGE := $(BUILD)/image/$(BOARD)
 
-## image: a bootable Debian disk with the stall on it; BOARD=vm: for a virtual machine with UEFI
+## package/image: Build a bootable Debian disk image; BOARD=vm is for a virtual machine
 image:
 	@board/setup.sh vm
 	@test -f board/$(BOARD)/image.conf || { \

@@ -13,7 +13,7 @@ GADGET_OBJ := $(patsubst %.c,$(BUILD)/poi-gadget/%.o,$(GADGET_SRC) $(GADGET_SHAR
 # Tests take its parts from the archive that all tests link.
 BOARD_OBJ += $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/main.c,$(GADGET_SRC)))
 
-## poi-gadget: kingyo-poi, the program of a poi's own board (board/poi-gadget/README.md)
+## build/poi-gadget: Build kingyo-poi, the program on the board inside a poi
 poi-gadget: $(BUILD)/kingyo-poi
 
 $(BUILD)/kingyo-poi: $(GADGET_OBJ)

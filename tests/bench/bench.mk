@@ -3,7 +3,7 @@
 BENCH_BIN := $(BUILD)/tests/bench/bench_start $(BUILD)/tests/bench/bench_latency \
     $(BUILD)/tests/bench/bench_open $(BUILD)/tests/bench/bench_reports
 
-## bench: frame time, start, memory, latency and sizes of this machine, as a table and build/bench.tsv
+## measure/bench: Print frame time, start, memory, latency and sizes; build/bench.tsv
 bench:
 	@board/setup.sh test
 	+@$(MAKE) --no-print-directory -j$(JOBS) build $(BENCH_BIN) $(E2E_BIN) $(BUILD)/tests/sizes $(BUILD)/core.o
@@ -19,7 +19,7 @@ BENCH_TANK := $(BUILD)/tests/bench/bench_tank
 BENCH_TANK_TIMED := swim_move_all crowd_mark crowd_follow crowd_is_stale crowd_touch crowd_look \
     pairs_begin pairs_next part_clear part_bodies swim_settle_all oxygen_tick
 
-## bench-tank: what a tick costs a fish, 50 to 100,000 of them, as tables and build/bench_tank.tsv
+## measure/bench-tank: Measure a tick with 50 to 100,000 fish; build/bench_tank.tsv
 bench-tank:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_TANK) $(BUILD)/tests/sizes
 	@tests/bench/bench_tank.sh $(BUILD)
@@ -36,7 +36,7 @@ $(MANY)/bench_tank.o: tests/bench/bench_tank.c $(FOUND_TOOLS) | generated
 
 BENCH_POI := $(BUILD)/tests/bench/bench_poi
 
-## bench-poi: what a tick of the paper costs with five fish on it, as a table and build/bench_poi.tsv
+## measure/bench-poi: Measure a tick of the paper with five fish on it
 bench-poi:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_POI)
 	@$(BENCH_POI) $(BUILD)/bench_poi.tsv
@@ -47,7 +47,7 @@ $(BENCH_POI): %: %.o $(BUILD)/core.a
 
 BENCH_MORPH := $(BUILD)/tests/bench/bench_morph
 
-## bench-morph: what blending 3, 5 and 8 key shapes costs a vertex, beside what memory alone takes; build/bench_morph.tsv
+## measure/bench-morph: Measure the blending of 3, 5 and 8 key shapes against memory speed
 bench-morph:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_MORPH)
 	@$(BENCH_MORPH) $(BUILD)/bench_morph.tsv
@@ -59,7 +59,7 @@ $(BENCH_MORPH): %: %.o $(BUILD)/platform/cpu.o $(BUILD)/core.a
 BENCH_HID := $(BUILD)/tests/bench/bench_hid
 BENCH_HID_SRC := $(patsubst %,drivers/%.c,hid_descriptor hid_globals hid_item hid_report)
 
-## bench-hid: what reading a report descriptor costs at worst, in time and in memory; build/bench_hid.tsv
+## measure/bench-hid: Measure the time and memory of the slowest report descriptors
 bench-hid:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_HID)
 	@$(BENCH_HID) tests/hid $(BUILD)/bench_hid.tsv
@@ -81,7 +81,7 @@ SEEDS ?= 200
 FIRST ?= 0
 ROUNDS ?= 200
 
-## bench-technique: whether each good technique pays, SEEDS (200) paired rounds from seed FIRST (0); table, TSV and plot in build/technique/
+## measure/bench-technique: Test whether good technique pays in SEEDS=200 paired rounds
 bench-technique:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/tests/bench/technique
 	@mkdir -p $(BUILD)/technique
@@ -89,7 +89,7 @@ bench-technique:
 	    [ $$code -gt 1 ] || { $(call BENCH_PLOT,$(BUILD)/technique,tests/bench/technique.gp,$(BUILD)/technique/technique.png); }; \
 	    exit $$code
 
-## bench-scores: whether novice and expert catch what people do, ROUNDS (200) each; table, TSV and plot in build/scores/
+## measure/bench-scores: Compare the catches of bots with those of people; ROUNDS=200
 bench-scores:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/tests/bench/scores
 	@mkdir -p $(BUILD)/scores

@@ -13,7 +13,7 @@ DEVICE_SRC := $(wildcard drivers/hid_*.c drivers/pointer_*.c drivers/pose_*.c dr
     board_pose sensor_twin feel_mix) $(patsubst %,platform/%.c,plain_file print ctl/user_file) core/view.c \
     $(patsubst %,core/base/%.c,fmath vec rng printable)
 
-## fuzz-devices: hostile descriptors, reports, maps, wires, coins, pads and fingers, FUZZ_SECONDS (30) each; counts in build/fuzz/devices.tsv
+## test/fuzz-devices: Fuzz descriptors, reports, mappings and coins; FUZZ_SECONDS=30
 fuzz-devices:
 	@board/setup.sh dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(DEVICE_BIN)

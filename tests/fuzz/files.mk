@@ -8,7 +8,7 @@ FILE_SRC := $(CORE_SRC) $(wildcard platform/replay*.c platform/edit_*.c platform
     drivers/usb_choice.c drivers/usb_choice_file.c tests/fuzz/scratch.c tests/fuzz/stall.c
 FILE_GENERATED = $(GENERATED_CORE_OBJ:$(BUILD)/%=$(FUZZ)/%)
 
-## fuzz-files: hostile recordings, graphs, kingyo.conf, usb.txt, tail files and ledger rows, FUZZ_SECONDS (30) each; counts in build/fuzz/files.tsv
+## test/fuzz-files: Fuzz replays, graphs, configuration and ledger; FUZZ_SECONDS=30
 fuzz-files:
 	@board/setup.sh dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(FILE_BIN) $(FUZZ)/file_seeds

@@ -15,7 +15,7 @@ FUZZ_SRC := $(filter-out %/blend_pick.c,$(wildcard core/morph/*.c)) core/base/fm
 FUZZ_OBJ := $(FUZZ_SRC:%.c=$(FUZZ)/%.o)
 FUZZ_BIN := $(FUZZ_TARGETS:%=$(FUZZ)/fuzz_%)
 
-## fuzz-morph: hostile species, OBJ, glTF and landmark files, FUZZ_SECONDS (30) each; findings in build/fuzz/findings/
+## test/fuzz-morph: Fuzz species, OBJ, glTF and landmark files; FUZZ_SECONDS=30
 fuzz-morph:
 	@board/setup.sh dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(FUZZ_BIN)

@@ -2,7 +2,7 @@
 
 GLTF := $(BUILD)/gltf
 
-## test-gltf: every species' .glb before Khronos' validator and three.js in a browser; pictures in build/gltf/
+## test/test-gltf: Check exported .glb files with Khronos' validator and three.js
 test-gltf: build
 	@board/setup.sh test gltf
 	@command -v node >/dev/null && command -v npm >/dev/null || board/setup.sh node

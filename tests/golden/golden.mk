@@ -1,7 +1,7 @@
 # golden.mk -- pictures for eyes.
 
 # BACKDROP=still.png puts a still of the tank behind the words.
-## ui-shots: pictures of every screen's words and signs, both languages, in out/ui/
+## picture/ui-shots: Draw every screen in both languages in out/ui/
 ui-shots: $(BUILD)/tests/golden/ui_shots
 	@mkdir -p out/ui
 	@$< out/ui $(BACKDROP)
@@ -13,7 +13,7 @@ $(BUILD)/tests/golden/ui_shots: $(BUILD)/tests/golden/ui_shots.o $(BUILD)/platfo
 
 LAB_SHOT = $(BUILD)/tests/render/shot --seconds 3 --lab
 ALBUM_SHOT = $(BUILD)/tests/render/shot --seconds 3 --album
-## lab-shots: pictures of the growth lab with every species, and of the album, in out/lab/
+## picture/lab-shots: Draw the growth lab with every species, and the album, in out/lab/
 lab-shots: $(BUILD)/tests/render/shot
 	@mkdir -p out/lab
 	@for name in $(SPECIES); do \

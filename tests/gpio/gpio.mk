@@ -3,7 +3,7 @@
 BENCH_COINS := $(BUILD)/tests/gpio/bench_coins
 COINS ?= 1000000
 
-## bench-coins: COINS (1,000,000, half by each libgpiod) with bounce and sparks at random frame loads: none lost, none doubled; build/bench_coins.tsv
+## measure/bench-coins: Count COINS=1000000 simulated coins with contact bounce and glitches
 bench-coins:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BENCH_COINS)
 	@$(BENCH_COINS) $(COINS) $(BUILD)/bench_coins.tsv
@@ -23,13 +23,13 @@ $(BUILD)/tests/gpio/test_gpio_backend: $(addprefix $(BUILD)/tests/gpio/,test_gpi
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(GPIO_TEST_WRAP) -o $@ $^ -lcmocka -lpthread
 
-## gpiod2: compiles and tests the backend for libgpiod 2.x with Debian 13's header and library, which it fetches
+## test/gpiod2: Test the libgpiod 2.x backend with the library of Debian 13
 gpiod2:
 	@board/setup.sh dev test
 	@BUILD=$(BUILD) CC='$(CC)' CFLAGS='$(BASE_CFLAGS) -D_GNU_SOURCE' LDFLAGS='$(GPIO_TEST_WRAP)' \
 	    tests/gpio/gpiod2.sh
 
-## test-gpio-sanitizers: the reader's thread under the thread sanitizer, the rest of GPIO under address and undefined
+## test/test-gpio-sanitizers: Test the GPIO thread and decoders under the sanitizers
 test-gpio-sanitizers:
 	@BUILD=$(BUILD) CC='$(CC)' CFLAGS='$(BASE_CFLAGS) -D_GNU_SOURCE' LDFLAGS='$(GPIO_TEST_WRAP)' \
 	    GPIOD='$(GPIOD)' tests/gpio/sanitizers.sh

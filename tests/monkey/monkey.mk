@@ -12,7 +12,7 @@ MONKEY_CORE_OBJ = $(CORE_SRC:%.c=$(MONKEY)/%.o) $(WIDE_SRC:%.c=$(MONKEY)/%_8.o)
 MONKEY_SHELL_OBJ = $(patsubst %.c,$(MONKEY)/%.o,$(PLATFORM_SRC) $(KIOSK_SRC) $(DRIVER_SRC) $(BOARD_SRC))
 MONKEY_OBJ = $(MONKEY_CORE_OBJ) $(filter-out %/main.o,$(MONKEY_SHELL_OBJ)) $(GENERATED_CORE_OBJ) $(GENERATED_OBJ)
 
-## test-monkey: random keys, pointer, window sizes and plugs by seed under the sanitizers; SECONDS=60, SEED=n repeats a run
+## test/test-monkey: Send random input to a sanitizer build; SECONDS=60, SEED=n
 test-monkey:
 	@board/setup.sh dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(MONKEY)/monkey $(MONKEY)/kingyo $(BUILD)/tests/monkey/fingers

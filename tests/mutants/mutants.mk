@@ -4,7 +4,7 @@ COUNT ?= 200
 SEED ?= 1
 MUTANT_SRC ?= $(wildcard core/game/*.c platform/store/*.c) $(DRIVER_SRC)
 
-## mutants: COUNT (200) random small faults by SEED (1) in core/game, drivers and platform/store against the unit tests
+## test/mutants: Count which of COUNT=200 random faults the unit tests detect
 mutants:
 	@board/setup.sh test
 	@tests/mutants/mutants.sh $(BUILD)/mutants $(COUNT) $(SEED) $(MUTANT_SRC)

@@ -2,7 +2,7 @@
 
 PAPER_CURVES := $(BUILD)/tests/paper/curves
 
-## paper-figures: time to tear, force and holes of the paper as SVG and PNG in build/paper/
+## picture/paper-figures: Plot tear time, force and holes of the paper in build/paper/
 paper-figures:
 	@board/setup.sh dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(PAPER_CURVES)

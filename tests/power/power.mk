@@ -4,7 +4,7 @@ POWER := $(BUILD)/tests/power/power
 CUTS ?= 50000
 LIVES_POWER ?= 600
 
-## test-power: pulls the plug at every write and sync of a busy festival hour, CUTS (50,000) times in all, and in LIVES_POWER (600) short lives whose syncs, writes, truncations and renames fail: nothing promised is lost or doubled
+## test/test-power: Cut the power CUTS=50000 times; fail calls in LIVES_POWER=600 runs
 test-power:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(POWER)
 	@$(POWER) --cuts $(CUTS) --lives $(LIVES_POWER)
@@ -20,7 +20,7 @@ LIVES ?= 100
 PRELOAD := $(BUILD)/tests/power/preload.so
 JUDGE := $(BUILD)/tests/power/judge
 
-## test-faults: LIVES (100) real kiosks whose syncs, writes, truncations and renames fail by seed, killed twice each, the power cut at several places: what their status reported as safe is there
+## test/test-faults: Run LIVES=100 real kiosks whose file calls and power fail
 test-faults:
 	@board/setup.sh test
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyo $(BUILD)/kingyoctl $(PRELOAD) $(JUDGE)
@@ -40,7 +40,7 @@ $(JUDGE): $(addprefix $(BUILD)/tests/power/,judge.o kiosk_tape.o cutter.o go_on.
 
 .PHONY: test-faults
 
-## bench-journals: each of SQLite's journals under the same quarter of an hour and 4,000 power cuts: its writes and syncs, and what it loses
+## measure/bench-journals: Compare SQLite's journal modes: writes, syncs, losses
 bench-journals:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(POWER)
 	@for journal in 'DELETE FULL' 'DELETE EXTRA' 'TRUNCATE FULL' 'PERSIST FULL' 'WAL NORMAL' 'WAL FULL'; do \
@@ -50,7 +50,7 @@ bench-journals:
 
 CARD := $(BUILD)/tests/power/card
 
-## bench-card: the frame loop while its card is slow, full or read-only: the longest frame, ticks dropped, the slot
+## measure/bench-card: Measure the frame loop with a slow, full or read-only card
 bench-card:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(CARD)
 	@$(CARD)

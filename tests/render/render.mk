@@ -13,7 +13,7 @@ $(BUILD)/tests/render/shot: $(SHOT_PARTS:%=$(BUILD)/tests/render/%.o) $(BUILD)/s
 # --compare, --path, --size-layer; --album N --progress P the album with N fish;
 # --menu PAGE --step N a page of the operator's menu; --coins N what a round costs;
 # --rotation QUARTERS, --inset and --shift THOUSANDTHS, --light PERCENT lay the picture on the screen.
-## shot: a picture of the stall in out/shot.png; ARGS="--mode championship --players 4 --start --seconds 40 --passes -o FILE"
+## picture/shot: Play and keep a frame in out/shot.png; ARGS="--players 4"
 shot: $(BUILD)/tests/render/shot
 	@mkdir -p out
 	@$< $(ARGS)
@@ -22,7 +22,7 @@ $(BUILD)/tests/render/film: $(BUILD)/tests/render/film.o $(BUILD)/shell.a $(BUIL
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-## film: twelve ticks of a C-start side by side in out/film.png; ARGS="-o FILE"
+## picture/film: Draw twelve ticks of a startled fish side by side in out/film.png
 film: $(BUILD)/tests/render/film
 	@mkdir -p out
 	@$< $(ARGS)
@@ -32,13 +32,13 @@ $(BUILD)/tests/render/specimen: $(BUILD)/tests/render/specimen.o $(BUILD)/platfo
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-## specimen: species at any age in out/specimen.png; ARGS="--species hirame --progress 0,0.5,1 --cell 900x500 -o FILE"
+## picture/specimen: Draw a species at any age; ARGS="--species hirame"
 specimen: $(BUILD)/tests/render/specimen
 	@mkdir -p out
 	@$< $(ARGS)
 
 PICTURE := out/pictures
-## pictures: the pages' pictures, made anew in assets/pictures/; needs ImageMagick
+## picture/pictures: Draw the pictures of the README pages (needs ImageMagick)
 pictures: fish-pictures game-pictures growth-picture lab-pictures menu-picture manual-pictures stall-picture
 
 # The choice of a mode, a championship of four, and what a big fish does to paper in practice: bots
@@ -104,7 +104,7 @@ MANUAL_PICTURES := menu:top:money picture:picture:card ranking:ranking:score boo
     lines:lines:axes upkeep:files:about calibration:calibration@3:calibration@6 \
     selftest:selftest:machine
 
-## manual-pictures: those of board/MANUAL.md, in assets/pictures/; needs ImageMagick
+## picture/manual-pictures: Draw the pictures of board/MANUAL.md (needs ImageMagick)
 manual-pictures: $(BUILD)/tests/render/shot
 	@mkdir -p $(PICTURE)
 	@set -e; for row in $(MANUAL_PICTURES); do IFS=: read -r name left right <<<"$$row"; \

@@ -34,7 +34,7 @@ $(foreach v,$(VARIANTS),$(eval $(call variant,$(v),$(subst -O, -O,$(v)))))
 SANITIZE := gcc -O1 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 $(eval $(call variant,sanitized,$(SANITIZE)))
 
-## golden: accepts the core's present behaviour as the known good, after a change that meant to move it
+## test/golden: Accept the core's present state hashes after an intended change
 golden: $(BUILD)/variants/gcc-O2/state_hash
 	$< > tests/replay/golden.txt
 	@git --no-pager diff --stat -- tests/replay/golden.txt 2>/dev/null || true

@@ -3,7 +3,7 @@
 SOAK_BIN := $(BUILD)/tests/soak/soak
 SOAK_OBJ := $(BUILD)/tests/soak/apart.o $(BUILD)/tests/soak/drag.o $(BUILD)/platform/cpu.o
 
-## soak: 10 simulated minutes of each full tank, calm and dragged through; SECONDS=n for fewer
+## test/soak: Simulate 10 minutes of each full tank; SECONDS=n for less
 soak: $(SOAK_BIN)
 	@$(SOAK_BIN) $(or $(SECONDS),600)
 
@@ -18,7 +18,7 @@ tests: $(SOAK_BIN)
 
 WEEK_BIN := $(BUILD)/tests/soak/week
 
-## soak-week: a week of a festival, simulated (about an hour; HOURS=n for less): nothing grows in memory, no coin is lost
+## test/soak-week: Simulate a festival week (an hour); HOURS=n for less
 soak-week:
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(WEEK_BIN)
 	@$(WEEK_BIN) $(or $(HOURS),168)

@@ -3,14 +3,14 @@
 THESIS := $(BUILD)/tests/thesis
 THESIS_BIN := $(THESIS)/pictures $(THESIS)/table $(THESIS)/curves $(THESIS)/gaps $(THESIS)/stages
 
-## thesis-figures: both theses' figures as pictures, CSV and a page, in build/thesis/ and -2005/
+## picture/thesis-figures: Repeat the figures of both theses in build/thesis/ and -2005/
 thesis-figures:
 	@board/setup.sh run dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyoctl $(THESIS_BIN)
 	@BUILD=$(BUILD) tests/thesis/figures_2005.sh
 	@BUILD=$(BUILD) tests/thesis/figures.sh
 
-## thesis-figures-2005: those of the 2005 thesis alone; seconds
+## picture/thesis-figures-2005: Repeat the figures of the 2005 thesis only
 thesis-figures-2005:
 	@board/setup.sh run dev
 	+@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/kingyoctl $(THESIS)/stages

@@ -15,7 +15,7 @@ USB_SAN_BIN := $(foreach t,$(USB_TESTS),$(USB_SAN)/address/test_$(t) $(USB_SAN)/
 USB_SAN_CFLAGS := -std=c17 -O1 -g $(WARN) -D_GNU_SOURCE -I. -fno-sanitize-recover=all
 USB_FLAGS = $(eval USB_FLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags libusb-1.0)))$(USB_FLAGS)
 
-## test-usb-sanitizers: unplugs, hot-plug storms and slow closes under address and thread sanitizers
+## test/test-usb-sanitizers: Test unplugging and hot-plug storms under the sanitizers
 test-usb-sanitizers: $(USB_SAN_BIN)
 	@tests/run.sh $(USB_SAN)/address $(filter $(USB_SAN)/address/%,$(USB_SAN_BIN))
 	@tests/run.sh $(USB_SAN)/thread $(filter $(USB_SAN)/thread/%,$(USB_SAN_BIN))
@@ -41,7 +41,7 @@ $(USB_SAN)/thread/%.o: %.c $(FOUND)
 .SECONDARY: $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o) $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o) \
     $(foreach t,$(USB_TESTS),$(USB_SAN)/address/tests/unit/test_$(t).o $(USB_SAN)/thread/tests/unit/test_$(t).o)
 
-## bench-usb: how long a USB poi's report waits for its stamp and for its frame; SECONDS=10
+## measure/bench-usb: Measure the delay of a USB report until its frame; SECONDS=10
 bench-usb: $(BUILD)/tests/bench/bench_usb
 	@$< $(or $(SECONDS),10)
 

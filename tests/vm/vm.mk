@@ -7,14 +7,14 @@ VM_STATIC := $(BUILD)/tests/vm/keeper $(BUILD)/tests/vm/as $(BUILD)/tests/vm/pan
 VM_GUEST := $(VM_STATIC) $(BUILD)/tests/vm/lag
 
 # The disk is Debian 12's: the other guests go without it.
-## test-vm: the kiosk on Debian's own kernel: USB poi, GPIO, screen, watchdog; then a round on the disk of make image; GUEST=bookworm, trixie or arm64
+## test/test-vm: Run the kiosk on a real kernel in QEMU; GUEST=bookworm|trixie|arm64
 test-vm:
 	@tests/vm/ready.sh $(GUEST); case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory -j$(JOBS) build $(BUILD)/kingyo-poi $(VM_BIN) && \
 	BUILD=$(BUILD) GUEST=$(GUEST) tests/vm/test-vm.sh && \
 	{ [ $(GUEST) != bookworm ] || $(MAKE) --no-print-directory PARTS=round test-image; }
 
-## test-image: the disk of make image BOARD=vm, as it ships: a round, a screen pulled, kill -9, a hang, strangers; PARTS='round screen strangers ends'
+## test/test-image: Boot the disk image: a round, faults, intruders; PARTS=...
 test-image:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && \
@@ -22,12 +22,12 @@ test-image:
 	BUILD=$(BUILD) GUEST=bookworm tests/vm/prepare.sh && \
 	BUILD=$(BUILD) tests/vm/image/test-image.sh
 
-## test-firmware: that disk under UEFI firmware alone: how long until the tank shows, also with its data wiped
+## test/test-firmware: Boot the disk image by UEFI firmware alone
 test-firmware:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
 	$(MAKE) --no-print-directory BOARD=vm image && BUILD=$(BUILD) tests/vm/image/test-firmware.sh
 
-## test-kills: pulls the plug of that machine KILLS=50 times while coins fall, and looks at what it still knows
+## test/test-kills: Cut the power of a virtual machine KILLS=50 times while coins fall
 test-kills: KILLS ?= 50
 test-kills:
 	@tests/vm/ready.sh bookworm; case $$? in 0) ;; 1) exit 0 ;; *) exit 2 ;; esac; \
