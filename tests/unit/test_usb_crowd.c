@@ -186,7 +186,7 @@ static void test_a_storm_of_hot_plugs_ends_with_everybody_in_a_seat(void **state
     struct hid_row rows[CONTROLLER_MAX];
     const struct hid_roster roster = usb_seats_roster(bench.seats);
     uint32_t order = 0, device[POI_MAX];
-    for (uint8_t i = 0; i < POI_MAX; i++) { /* Each seat is then kept for its poi, not for another. */
+    for (uint8_t i = 0; i < POI_MAX; i++) { /* Each slot is then kept for its poi. */
         device[i] = stand_plug(&kinds[i], (uint8_t)(i + 1u));
         assert_true(sits(i, serials[i]));
     }
