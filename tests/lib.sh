@@ -20,6 +20,12 @@ check() { # TITLE COMMAND...
     fi
 }
 
+# Prints the line of a check that has been made: STATUS is its exit status.
+ok() { # STATUS TITLE
+    count=$((count + 1))
+    if [ "$1" -eq 0 ]; then echo "ok $count - $2"; else echo "not ok $count - $2"; fi
+}
+
 skip() { # TITLE WHY
     count=$((count + 1))
     echo "ok $count - $1 # skip $2"

@@ -2,17 +2,9 @@
 # test_bake.sh -- the bake refuses bad words and fonts with one line that says where. Speaks TAP.
 #
 # Also: the same sources give the same bytes, and caustics have no seam in space or time.
-set -u
-BUILD=${BUILD:-build}
-bake=$BUILD/bake
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-count=0
-
-ok() { # STATUS TEXT
-    count=$((count + 1))
-    [ "$1" -eq 0 ] && echo "ok $count - $2" || echo "not ok $count - $2"
-}
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
+bake=$build/bake
 
 fresh() {
     rm -rf "$work/text"
@@ -70,7 +62,7 @@ refuses 'fonts.txt: [0-9]+ glyphs fill 3 pages of 2048x2048 texels, and FONT_PAG
     'more glyphs than fit a texture that every driver takes are refused'
 
 for asset in caustics patterns environment wood paper; do
-    "$bake" $asset "$work/$asset" >/dev/null && cmp -s "$work/$asset" "$BUILD/generated/$asset.bin"
+    "$bake" $asset "$work/$asset" >/dev/null && cmp -s "$work/$asset" "$build/generated/$asset.bin"
     ok $? "$asset comes out the same, byte for byte"
 done
 
@@ -85,7 +77,7 @@ ok $? 'an unknown asset is wrong usage'
 # The list of names that do not hang on the wall.
 refuses_words() { # LINE PATTERN TEXT
     printf '# a list\nfuck\n%s\n' "$1" >"$work/refused.txt"
-    "$BUILD/bake_words" "$work/refused.txt" "$work/words.c" >/dev/null 2>"$work/said"
+    "$build/bake_words" "$work/refused.txt" "$work/words.c" >/dev/null 2>"$work/said"
     [ $? -eq 65 ] && [ "$(wc -l <"$work/said")" -eq 1 ] && grep -qE -- "$2" "$work/said"
     ok $? "$3"
 }
@@ -94,10 +86,10 @@ refuses_words 'abcdefghijklmnopq' 'refused.txt:3: a word has 1 to 16' 'one that 
 refuses_words 'as' 'refused.txt:3: .*write =word' 'two letters are refused only as a whole name'
 refuses_words "$(printf 'x%.0s' {1..300})" 'refused.txt:3: this line is too long' 'a line that is too long is named'
 printf '# none\n' >"$work/refused.txt"
-"$BUILD/bake_words" "$work/refused.txt" "$work/words.c" >/dev/null 2>&1
+"$build/bake_words" "$work/refused.txt" "$work/words.c" >/dev/null 2>&1
 [ $? -eq 65 ]
 ok $? 'a list without a word is refused'
-"$BUILD/bake_words" assets/words/refused.txt "$work/words.c" && cmp -s "$work/words.c" "$BUILD/generated/refused_words.c"
+"$build/bake_words" assets/words/refused.txt "$work/words.c" && cmp -s "$work/words.c" "$build/generated/refused_words.c"
 ok $? 'the list of refused names comes out the same'
 
 # Steps over the seams (last to first column, row and frame) are no larger than steps elsewhere.

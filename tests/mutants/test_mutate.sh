@@ -1,18 +1,10 @@
 #!/bin/bash
 # test_mutate.sh -- the mutator changes code alone, one place at a time, and draws the same for the same seed.
 # Speaks TAP.
-set -u
-cd "$(dirname "$0")/../.." || exit 1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-count=0
+# shellcheck disable=SC2154,SC1091  # lib.sh sets them
+. "$(dirname "$0")/../lib.sh"
 
-check() { # STATUS TEXT
-    count=$((count + 1))
-    [ "$1" -eq 0 ] && echo "ok $count - $2" || echo "not ok $count - $2"
-}
-
-cat >"$folder/one.c" <<'END_C'
+cat >"$work/one.c" <<'END_C'
 #define LIMIT 4u /* A < B, 7 */
 static int spends(int *purse, int price)
 {
@@ -27,34 +19,34 @@ static int spends(int *purse, int price)
     return 1;
 }
 END_C
-${CC:-gcc} -std=c17 -O1 -D_GNU_SOURCE -o "$folder/mutate" tests/mutants/mutate.c || exit 1
-"$folder/mutate" draw 1000 1 "$folder/one.c" >"$folder/all"
-sites=$(wc -l <"$folder/all")
+${CC:-gcc} -std=c17 -O1 -D_GNU_SOURCE -o "$work/mutate" tests/mutants/mutate.c || exit 1
+"$work/mutate" draw 1000 1 "$work/one.c" >"$work/all"
+sites=$(wc -l <"$work/all")
 for ((site = 0; site < sites; site++)); do
-    "$folder/mutate" apply "$folder/one.c" "$site" >"$folder/text" 2>/dev/null
-    cksum <"$folder/text" >>"$folder/sums"
-    diff -U0 "$folder/one.c" "$folder/text" | grep '^+ \|^+#' >>"$folder/lines"
+    "$work/mutate" apply "$work/one.c" "$site" >"$work/text" 2>/dev/null
+    cksum <"$work/text" >>"$work/sums"
+    diff -U0 "$work/one.c" "$work/text" | grep '^+ \|^+#' >>"$work/lines"
 done
 
-[ "$(wc -l <"$folder/lines")" -eq "$sites" ] && [ "$(sort -u "$folder/sums" | wc -l)" -eq "$sites" ]
-check $? 'each site changes one line, and each in another way'
-has() { grep -qF -- "$1" "$folder/lines"; check $? "$2"; }
+[ "$(wc -l <"$work/lines")" -eq "$sites" ] && [ "$(sort -u "$work/sums" | wc -l)" -eq "$sites" ]
+ok $? 'each site changes one line, and each in another way'
+has() { grep -qF -- "$1" "$work/lines"; ok $? "$2"; }
 has 'if (!(*purse < price && LIMIT))' 'a condition is negated'
 has 'if (*purse <= price && LIMIT)' 'a comparison is swapped'
 has 'if (*purse < price || LIMIT)' 'a logical operator is swapped'
 has '#define LIMIT (4u' 'a constant of a definition is changed'
-grep -qE '^\+ +;$' "$folder/lines"
-check $? 'a statement is removed'
-! grep -qE 'CORE_ASSERT|refuse\("[^"]*[^ 1+<3"]|A <[^ ]|LIMIT .*7 \+|int i = 0; ;' "$folder/lines"
-check $? 'assertions, strings, comments and the heads of loops keep their text'
+grep -qE '^\+ +;$' "$work/lines"
+ok $? 'a statement is removed'
+! grep -qE 'CORE_ASSERT|refuse\("[^"]*[^ 1+<3"]|A <[^ ]|LIMIT .*7 \+|int i = 0; ;' "$work/lines"
+ok $? 'assertions, strings, comments and the heads of loops keep their text'
 
-"$folder/mutate" draw 5 7 core/game/*.c >"$folder/first"
-"$folder/mutate" draw 5 7 core/game/*.c >"$folder/second"
-"$folder/mutate" draw 5 8 core/game/*.c >"$folder/third"
-cmp -s "$folder/first" "$folder/second" && ! cmp -s "$folder/first" "$folder/third"
-check $? 'the same seed draws the same sites, and another seed draws others'
-[ "$(sort -u "$folder/all" | wc -l)" -eq "$sites" ]
-check $? 'no site is drawn twice'
-! "$folder/mutate" apply "$folder/one.c" "$sites" >/dev/null 2>&1
-check $? 'a site that the file does not have is refused'
+"$work/mutate" draw 5 7 core/game/*.c >"$work/first"
+"$work/mutate" draw 5 7 core/game/*.c >"$work/second"
+"$work/mutate" draw 5 8 core/game/*.c >"$work/third"
+cmp -s "$work/first" "$work/second" && ! cmp -s "$work/first" "$work/third"
+ok $? 'the same seed draws the same sites, and another seed draws others'
+[ "$(sort -u "$work/all" | wc -l)" -eq "$sites" ]
+ok $? 'no site is drawn twice'
+! "$work/mutate" apply "$work/one.c" "$sites" >/dev/null 2>&1
+ok $? 'a site that the file does not have is refused'
 echo "1..$count"

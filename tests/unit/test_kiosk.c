@@ -242,6 +242,18 @@ static void test_a_second_press_of_quit_ends_the_loop_after_its_frame(void **sta
     assert_in_range(count, 285, 300);
 }
 
+static void test_one_press_of_quit_never_ends_the_loop(void **state)
+{
+    static const struct button_event event = { .time_ns = 1020 * MS, .quit = 1 };
+    (void)state;
+    script(&event, 1);
+    frames(2);
+    assert_int_equal(rig.display.scene.asks_quit, 1);
+    frames(1200); /* 20 s. */
+    assert_int_equal(rig.kiosk.end, KIOSK_RUNS);
+    assert_int_equal(rig.display.scene.asks_quit, 0);
+}
+
 static void test_the_question_whether_to_quit_lapses_after_five_seconds(void **state)
 {
     static const struct button_event events[] = { { .time_ns = 1020 * MS, .quit = 1 },
@@ -698,6 +710,7 @@ int main(void)
         TEST(test_a_press_in_a_frame_without_ticks_waits_for_one),
         TEST(test_no_coin_is_lost_or_doubled_at_any_frame_load),
         TEST(test_a_second_press_of_quit_ends_the_loop_after_its_frame),
+        TEST(test_one_press_of_quit_never_ends_the_loop),
         TEST(test_the_question_whether_to_quit_lapses_after_five_seconds),
         TEST(test_any_other_button_withdraws_the_question_whether_to_quit),
         TEST(test_full_screen_is_the_displays_matter),

@@ -6,41 +6,13 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include <cmocka.h>
-#include <sqlite3.h>
 
 #include "platform/store/ledger_file.h"
-
-static char path[64];
-static struct ledger_file file;
-
-static int set_up(void **state)
-{
-    (void)state;
-    strcpy(path, "/tmp/kingyo-ledger-XXXXXX");
-    const int handle = mkstemp(path);
-    memset(&file, 0, sizeof file);
-    return handle < 0 ? -1 : close(handle);
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    ledger_file_close(&file);
-    return unlink(path);
-}
-
-static void do_sql(const char *sql)
-{
-    sqlite3 *db;
-    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
-    assert_int_equal(sqlite3_exec(db, sql, NULL, NULL, NULL), SQLITE_OK);
-    sqlite3_close(db);
-}
+#include "tests/unit/ledger_stand.h"
 
 /* The one number that a query yields, to another program. */
 static int ask(const char *query)
@@ -406,17 +378,10 @@ static void test_old_entries_go_and_the_newest_stay(void **state)
 
 /* ---- Old files ------------------------------------------------------------------------------ */
 
-static void take(const char *old)
-{
-    char command[192];
-    snprintf(command, sizeof command, "cp tests/unit/store/%s %s", old, path);
-    assert_int_equal(system(command), 0);
-}
-
 static void test_a_file_of_the_first_version_keeps_its_rounds(void **state)
 {
     (void)state;
-    take("version-1.db");
+    take_version(1);
     assert_int_equal(ask("PRAGMA user_version"), 0);
     open_file();
     assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
@@ -443,7 +408,7 @@ static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **st
 {
     (void)state;
     struct ledger_entry first;
-    take("version-2.db");
+    take_version(2);
     assert_int_equal(ask("PRAGMA user_version"), 2);
     open_file();
     assert_int_equal(ledger_file_entry(&file, 1, &first), SQLITE_OK);
@@ -494,7 +459,7 @@ static void test_a_file_of_the_third_version_keeps_all_and_goes_on(void **state)
 {
     (void)state;
     struct ledger_entry found, next = round_entry(10, MODE_FESTIVAL, 6, 0);
-    take("version-3.db");
+    take_version(3);
     assert_int_equal(ask("PRAGMA user_version"), 3);
     open_file();
     holds_nine_entries_and_a_replay();
@@ -512,7 +477,7 @@ static void test_a_file_of_the_third_version_keeps_all_and_goes_on(void **state)
 static void test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_today(void **state)
 {
     (void)state;
-    take("version-4.db");
+    take_version(4);
     assert_int_equal(ask("PRAGMA user_version"), 4);
     assert_int_equal(ledger_file_look(&file, path), SQLITE_SCHEMA);
     open_file();
@@ -525,7 +490,7 @@ static void test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_
 static void test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found(void **state)
 {
     (void)state;
-    take("version-4.db");
+    take_version(4);
     open_file();
     const struct ledger_entry next = round_entry(10, MODE_FESTIVAL, 6, 0);
     write_entry(&next); /* The file of the fourth version had no tallies yet. */
@@ -538,7 +503,7 @@ static void test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found(void **s
 static void test_a_file_of_this_version_is_read_as_it_is(void **state)
 {
     (void)state;
-    take("version-5.db");
+    take_version(5);
     assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
     open_file();
     holds_nine_entries_and_a_replay();
@@ -547,7 +512,7 @@ static void test_a_file_of_this_version_is_read_as_it_is(void **state)
 static void test_a_file_is_brought_up_to_date_once(void **state)
 {
     (void)state;
-    take("version-2.db");
+    take_version(2);
     open_file();
     reopen();
     assert_int_equal(ask("SELECT count(*) FROM entries"), 4);
@@ -556,7 +521,7 @@ static void test_a_file_is_brought_up_to_date_once(void **state)
 static void test_what_cannot_be_brought_up_to_date_stays_as_it_was(void **state)
 {
     (void)state;
-    take("version-1.db");
+    take_version(1);
     do_sql("CREATE TABLE ranking (of_somebody_else)"); /* A late step will fail. */
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     assert_null(file.db);
@@ -568,7 +533,7 @@ static void test_what_cannot_be_brought_up_to_date_stays_as_it_was(void **state)
 static void test_a_file_of_a_later_version_is_left_alone(void **state)
 {
     (void)state;
-    take("version-2.db");
+    take_version(2);
     do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL"); /* As that one likes it. */
     assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
     assert_null(file.db);
@@ -581,7 +546,7 @@ static void test_who_only_looks_changes_nothing(void **state)
 {
     (void)state;
     const struct ledger_entry round = round_entry(1, MODE_FESTIVAL, 5, 6);
-    take("version-2.db");
+    take_version(2);
     assert_int_equal(ledger_file_look(&file, path), SQLITE_SCHEMA);
     assert_int_equal(ask("PRAGMA user_version"), 2);
     unlink(path);

@@ -5,20 +5,16 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmocka.h>
 
-#include "platform/store/ledger_file.h"
 #include "platform/store/ledger_leave.h"
+#include "tests/unit/ledger_stand.h"
 
-static char dir[32];
-static char path[64];
 static char words[LEDGER_LEAVE_WORDS];
-static struct ledger_file file;
 
 static struct ledger_entry setting(uint32_t id, uint32_t which, int32_t value)
 {
@@ -42,23 +38,6 @@ static void fill(void)
     assert_int_equal(ledger_file_write(&file, entries, 5), 0);
     assert_int_equal(ledger_file_put_replay(&file, 4, "replay", 6), 0);
     ledger_file_close(&file);
-}
-
-static int set_up(void **state)
-{
-    (void)state;
-    strcpy(dir, "/tmp/kingyo-leave-XXXXXX");
-    assert_non_null(mkdtemp(dir));
-    snprintf(path, sizeof path, "%s/kingyo.db", dir);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    char command[64];
-    snprintf(command, sizeof command, "rm -rf %s", dir);
-    return system(command);
 }
 
 static void open_now(const char *suffix)
@@ -102,11 +81,11 @@ static void test_parts_leave_in_their_order_and_the_money_never(void **state)
     char copy[96];
     fill();
     assert_holds("", 1, 1, "AYA");
-    assert_int_equal(ledger_leave_out(dir, LEFT_SETTINGS, words), 0);
+    assert_int_equal(ledger_leave_out(folder, LEFT_SETTINGS, words), 0);
     assert_holds("", 0, 1, "AYA");
-    assert_int_equal(ledger_leave_out(dir, LEFT_REPLAYS, words), 0);
+    assert_int_equal(ledger_leave_out(folder, LEFT_REPLAYS, words), 0);
     assert_holds("", 0, 0, "AYA");
-    assert_int_equal(ledger_leave_out(dir, LEFT_NAMES, words), 0);
+    assert_int_equal(ledger_leave_out(folder, LEFT_NAMES, words), 0);
     assert_holds("", 0, 0, "");
     assert_holds(".left-out-1", 1, 1, "AYA");
     assert_holds(".left-out-2", 0, 1, "AYA");
@@ -120,7 +99,7 @@ static void test_parts_leave_in_their_order_and_the_money_never(void **state)
 static void test_without_a_database_nothing_is_made(void **state)
 {
     (void)state;
-    assert_int_equal(ledger_leave_out(dir, LEFT_NAMES, words), LEDGER_LEAVE_NONE);
+    assert_int_equal(ledger_leave_out(folder, LEFT_NAMES, words), LEDGER_LEAVE_NONE);
     assert_non_null(strstr(words, "there is no kingyo.db"));
     assert_int_not_equal(access(path, F_OK), 0);
 }
@@ -134,7 +113,7 @@ static void test_nothing_is_left_out_where_no_copy_can_be_made(void **state)
         snprintf(name, sizeof name, "%s.left-out-%u", path, i);
         assert_int_equal(symlink("nowhere", name), 0);
     }
-    assert_int_equal(ledger_leave_out(dir, LEFT_NAMES, words), -1);
+    assert_int_equal(ledger_leave_out(folder, LEFT_NAMES, words), -1);
     assert_non_null(strstr(words, "nothing was changed"));
     assert_holds("", 1, 1, "AYA");
 }

@@ -4,33 +4,21 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include <cmocka.h>
-#include <sqlite3.h>
 
 #include "platform/store/ledger_salvage.h"
+#include "tests/unit/ledger_stand.h"
 
-static char folder[64], from_path[96], to_path[96], tail_path[96];
+static char from_path[96], to_path[96], tail_path[96];
 
-static int setup(void **state)
+static int set_up_paths(void **state)
 {
-    (void)state;
-    strcpy(folder, "/tmp/kingyo-salvage-XXXXXX");
-    assert_non_null(mkdtemp(folder));
+    set_up(state);
     snprintf(from_path, sizeof from_path, "%s/from.db", folder);
     snprintf(to_path, sizeof to_path, "%s/to.db", folder);
     snprintf(tail_path, sizeof tail_path, "%s/from.db.tail", folder);
     return 0;
-}
-
-static int teardown(void **state)
-{
-    char command[128];
-    (void)state;
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
 }
 
 static struct ledger_entry coin(uint32_t id)
@@ -45,10 +33,9 @@ static struct ledger_entry coin(uint32_t id)
                                   .purse.paid = id };
 }
 
-static void put_file(const char *path, uint32_t count)
+static void put_file(const char *at, uint32_t count)
 {
-    struct ledger_file file;
-    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
+    assert_int_equal(ledger_file_open(&file, at, NULL), SQLITE_OK);
     for (uint32_t id = 1; id <= count; id++) {
         const struct ledger_entry entry = coin(id);
         assert_int_equal(ledger_file_write(&file, &entry, 1), SQLITE_OK);
@@ -68,14 +55,14 @@ static void put_tail(uint32_t first, uint32_t last)
 }
 
 /* Salvages into the new file and expects entries 1 to `last` in it. */
-static void expect_salvaged(const char *path, uint32_t last, uint32_t entries)
+static void expect_salvaged(const char *from, uint32_t last, uint32_t entries)
 {
     struct ledger_file to;
     struct ledger_salvaged salvaged;
     struct ledger_entry entry;
     struct ledger_tail tail = ledger_tail_look(tail_path);
     assert_int_equal(ledger_file_open(&to, to_path, NULL), SQLITE_OK);
-    assert_int_equal(ledger_salvage(path, &tail, &to, &salvaged), SQLITE_OK);
+    assert_int_equal(ledger_salvage(from, &tail, &to, &salvaged), SQLITE_OK);
     assert_int_equal(salvaged.entries, entries);
     assert_int_equal(salvaged.lost, 0);
     assert_int_equal(to.content.memory.ledger.last_id, last);
@@ -115,7 +102,7 @@ static void test_without_a_file_the_tail_alone_is_read(void **state)
 
 int main(void)
 {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up_paths, tear_down)
     const struct CMUnitTest tests[] = {
         TEST(test_entries_beyond_the_new_list_come_from_the_damaged_file),
         TEST(test_entries_beyond_the_damaged_file_come_from_the_tail),

@@ -5,52 +5,14 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmocka.h>
-#include <sqlite3.h>
 
 #include "platform/store/ledger_backup.h"
-#include "platform/store/ledger_file.h"
 #include "platform/store/sql.h"
-
-static char path[64];
-static struct ledger_file file;
-
-static int set_up(void **state)
-{
-    (void)state;
-    strcpy(path, "/tmp/kingyo-schema-XXXXXX");
-    const int handle = mkstemp(path);
-    memset(&file, 0, sizeof file);
-    return handle < 0 ? -1 : close(handle);
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    ledger_file_close(&file);
-    return unlink(path);
-}
-
-static void do_sql(const char *sql)
-{
-    sqlite3 *db;
-    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
-    sqlite3_db_config(db, SQLITE_DBCONFIG_DEFENSIVE, 0, NULL);
-    assert_int_equal(sqlite3_exec(db, sql, NULL, NULL, NULL), SQLITE_OK);
-    sqlite3_close(db);
-}
-
-static void take_version(int version)
-{
-    char command[120];
-    snprintf(command, sizeof command, "cp tests/unit/store/version-%d.db %s", version, path);
-    assert_int_equal(system(command), 0);
-}
+#include "tests/unit/ledger_stand.h"
 
 static const char *const additions[] = {
     "CREATE TRIGGER t BEFORE INSERT ON rounds BEGIN SELECT RAISE(IGNORE); END",

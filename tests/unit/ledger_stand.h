@@ -1,0 +1,56 @@
+/* ledger_stand.h -- a temporary folder with the file of a ledger, for each test anew.
+ *
+ * The test program keeps the folder in static storage, so that a test is free to open, close, damage
+ * and replace the file. */
+#ifndef KINGYO_TESTS_LEDGER_STAND_H
+#define KINGYO_TESTS_LEDGER_STAND_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sqlite3.h>
+
+#include "platform/store/ledger_file.h"
+
+static char folder[32];
+static char path[64]; /* Of the ledger in that folder; no file is there yet. */
+static struct ledger_file file;
+
+static inline int set_up(void **state)
+{
+    (void)state;
+    strcpy(folder, "/tmp/kingyo-ledger-XXXXXX");
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/kingyo.db", folder);
+    memset(&file, 0, sizeof file);
+    return 0;
+}
+
+static inline int tear_down(void **state)
+{
+    (void)state;
+    char command[64];
+    ledger_file_close(&file);
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command);
+}
+
+/* Runs `sql` as another program would, on tables of SQLite itself, too. */
+static inline void do_sql(const char *sql)
+{
+    sqlite3 *db;
+    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
+    sqlite3_db_config(db, SQLITE_DBCONFIG_DEFENSIVE, 0, NULL);
+    assert_int_equal(sqlite3_exec(db, sql, NULL, NULL, NULL), SQLITE_OK);
+    sqlite3_close(db);
+}
+
+/* Copies a file that an older Kingyo wrote, tests/unit/store/version-N.db, to `path`. */
+static inline void take_version(int version)
+{
+    char command[120];
+    snprintf(command, sizeof command, "cp tests/unit/store/version-%d.db %s", version, path);
+    assert_int_equal(system(command), 0);
+}
+
+#endif
