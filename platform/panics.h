@@ -59,8 +59,8 @@ const char *panics_left_name(uint32_t left);
 /* Reads the file in an open folder; follows no link and never blocks. Returns 0, also if there is
  * none, or a negative errno; -EBADMSG: its bytes are not a count. `panics` is zero then. If
  * something other than a regular file has that name, it is renamed to PANICS_FILE ".other-1", "-2"
- * and so on, one line is logged, and the result is 0 with a `panics` of zero; -ENOTSUP: it cannot be
- * renamed. */
+ * and so on, one line is logged, and the result is 0 with a `panics` of zero. -ENOTSUP: it cannot
+ * be renamed. */
 int panics_read(struct panics *panics, int folder);
 
 /* Writes and syncs it, mode 0600. Async-signal-safe. Returns 0 or a negative errno, -ENOTSUP if

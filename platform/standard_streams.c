@@ -20,6 +20,18 @@ int standard_streams_open(void)
     return 0;
 }
 
+static int flush_error; /* errno of the first standard_output_flush() that failed; else 0. */
+
+int standard_output_flush(FILE *out)
+{
+    errno = 0;
+    if (fflush(out) == 0 && !ferror(out)) {
+        return 0;
+    }
+    flush_error = flush_error ? flush_error : errno;
+    return -1;
+}
+
 int standard_output_finish(void)
 {
     const int has_failed = ferror(stdout) != 0;
@@ -29,5 +41,5 @@ int standard_output_finish(void)
     if (fflush(stdout) == 0 && !has_failed) {
         return 0;
     }
-    return errno != 0 ? -errno : -EIO;
+    return flush_error != 0 ? -flush_error : errno != 0 ? -errno : -EIO;
 }

@@ -77,8 +77,29 @@ int books_look_at_copy(const char *path, struct ledger_start *out)
     return code == SQLITE_SCHEMA ? look_at_old(path) : code;
 }
 
+int books_tell_foreign(const char *command, const char *path, const char *advice)
+{
+    struct ledger_foreign foreign;
+    sqlite3 *db = NULL;
+    const int has_foreign = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db) == SQLITE_OK &&
+                            ledger_schema_foreign(db, &foreign);
+    sqlite3_close(db);
+    if (has_foreign) {
+        print_error("kingyoctl %s: %s: holds the %s '%s', %s; %s", command, path, foreign.type,
+                    foreign.name,
+                    foreign.is_changed ? "whose definition is not Kingyo's"
+                                       : "which is not Kingyo's",
+                    advice);
+    }
+    return has_foreign;
+}
+
 static enum exit_code tell(const char *command, const char *path, int code)
 {
+    if (code == SQLITE_CORRUPT &&
+        books_tell_foreign(command, path, "the stall replaces the file when it starts")) {
+        return EXIT_BAD_DATA;
+    }
     const char *why = code == SQLITE_SCHEMA    ? "an earlier Kingyo wrote it: start the stall once"
                       : code == SQLITE_NOTADB  ? "is no database"
                       : code == SQLITE_CORRUPT ? "is damaged: the stall replaces it when it starts"

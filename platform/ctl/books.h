@@ -30,6 +30,10 @@ int books_is_same(const char *one, const char *other);
  * zero where that was an earlier version. SQLITE_NOTFOUND: a database, but none of ours. */
 int books_look_at_copy(const char *path, struct ledger_start *out);
 
+/* Prints one line that names the object because of which ledger_check() takes the database for
+ * damaged, with `advice` behind it. Returns whether there is such an object. */
+int books_tell_foreign(const char *command, const char *path, const char *advice);
+
 /* Opens the file for reading; it may be a stall's that runs. Tells, as `command`, what is wrong:
  * EXIT_IO where there is none, EXIT_BAD_DATA where it is none that we can read. */
 enum exit_code books_open(const char *command, const struct books_words *words,

@@ -4,6 +4,7 @@
 #include "core/base/printable.h"
 #include "drivers/gpio_wires.h"
 #include "platform/print.h"
+#include "platform/standard_streams.h"
 
 static const char *or_dash(const char *text)
 {
@@ -28,6 +29,9 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
 {
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, tell_line, out);
+    if (standard_output_flush(out) != 0) {
+        return EXIT_NOT_SO; /* main() reports the lost output. */
+    }
     if (count == HAL_ERR_NONE) {
         print_error("kingyoctl lines: no GPIO chip in /dev (%s)",
                     lines.ops->describe(lines.self));

@@ -99,26 +99,9 @@ static int give_to_its_user(const struct swap *swap)
     return chown(swap->fresh, about.st_uid, about.st_gid) == 0 ? chmod(swap->fresh, mode) : -1;
 }
 
-/* Names the object because of which ledger_check() takes a copy for damaged, if there is one. */
-static bool tell_foreign(const char *path)
-{
-    struct ledger_foreign foreign;
-    sqlite3 *db = NULL;
-    const bool has_foreign = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db) == SQLITE_OK &&
-                             ledger_schema_foreign(db, &foreign);
-    sqlite3_close(db);
-    if (has_foreign) {
-        print_error("kingyoctl %s: %s: holds the %s '%s', %s; use another copy", command, path,
-                    foreign.type, foreign.name,
-                    foreign.is_changed ? "whose definition is not Kingyo's"
-                                       : "which is not Kingyo's");
-    }
-    return has_foreign;
-}
-
 static enum exit_code refuse_copy(const char *from, int code)
 {
-    if (code != SQLITE_CORRUPT || !tell_foreign(from)) {
+    if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
         fails(from, code == SQLITE_NOTFOUND ? "is no copy of a stall's file"
                                             : ledger_file_error(code));
     }

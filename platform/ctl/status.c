@@ -10,6 +10,7 @@
 #include "platform/kiosk/status.h"
 #include "platform/plain_file.h"
 #include "platform/print.h"
+#include "platform/standard_streams.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE
 #define STALE_MS 10000 /* As long as its service lets a stall stand still. */
@@ -71,6 +72,8 @@ static const char sql_figures[] =
     " printf('%d paid, %d of service, %d units towards the next',"
     "  json_extract(?1, '$.credits.paid'), json_extract(?1, '$.credits.service'),"
     "  json_extract(?1, '$.credits.units')),"
+    " printf('%d owed, %d dispensed', json_extract(?1, '$.tickets.owed'),"
+    "  json_extract(?1, '$.tickets.dispensed')),"
     " printf('%s; %d entries, %d not on disk yet', iif(json_extract(?1, '$.store.well'), 'well',"
     "  'NOT WELL'), json_extract(?1, '$.store.entry_id'), json_extract(?1, '$.store.waiting')),"
     " printf('data %s; backup %s; %s MiB free; heat %s; watchdog %s%s',"
@@ -120,10 +123,10 @@ static void print_devices(sqlite3 *database, const char *text)
 
 static void print_text(sqlite3 *database, sqlite3_stmt *figures, const char *text)
 {
-    static const char *const parts[] = { "credits", "ledger", "machine", "files", "panics",
-                                         "frames" };
+    static const char *const parts[] = { "credits", "tickets", "ledger", "machine", "files",
+                                         "panics", "frames" };
     print_line(stdout, "%s", (const char *)sqlite3_column_text(figures, 2));
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < (int)(sizeof parts / sizeof parts[0]); i++) {
         print_line(stdout, "  %-9s %s", parts[i],
                    (const char *)sqlite3_column_text(figures, 3 + i));
     }
@@ -165,7 +168,8 @@ static enum exit_code tell(const struct request *request, sqlite3 *database, con
         } else {
             print_text(database, figures, text);
         }
-        code = judge(figures);
+        /* main() reports lost output. */
+        code = standard_output_flush(stdout) == 0 ? judge(figures) : EXIT_NOT_SO;
     }
     sqlite3_finalize(figures);
     return code;
@@ -193,7 +197,7 @@ static enum exit_code run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_status = {
     .name = name,
-    .summary = "the stall that runs: phase, credits, store, machine, devices, faults, frames",
+    .summary = "the stall that runs: phase, credits, tickets, store, machine, devices, faults",
     .usage = "  kingyoctl status [--json] [--file FILE]\n\n"
              "Reads what the service writes each second (" DEFAULT_FILE "). --json prints it\n"
              "as it is. 'machine' and 'files' are what the menu's page Ready? says.\n"

@@ -51,6 +51,7 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
     report->phase = core->game.phase;
     report->players = core->config.players;
     report->purse = core->game.ledger.purse;
+    report->tickets_out = core->game.audits.count[AUDIT_TICKETS_OUT];
     report->entry_id = kiosk->output.entry_id;
     report->saved_id = kiosk->input.record_saved_id;
     report->store_well = kiosk->input.store_well;

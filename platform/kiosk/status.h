@@ -31,6 +31,7 @@ struct status_report {
     uint8_t phase;         /* enum scene_phase */
     uint8_t players;
     struct purse purse;
+    uint32_t tickets_out;  /* Tickets passed to the dispenser, as the audits count them. */
     uint32_t entry_id, saved_id; /* Newest entry of the ledger, newest on disk. */
     uint8_t store_well;
     uint64_t frames, dropped_ticks;

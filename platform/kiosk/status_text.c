@@ -65,6 +65,8 @@ static void put_stall(struct text_out *text, const struct status_report *report)
               "\"round_open\": %s},\n",
         purse->paid, purse->service, purse->units, purse->untold,
         boolean(purse->open != OPEN_NONE));
+    put(text, "  \"tickets\": {\"owed\": %u, \"dispensed\": %u},\n", purse->tickets,
+        report->tickets_out);
     put(text, "  \"store\": {\"well\": %s, \"entry_id\": %u, \"saved_id\": %u, \"waiting\": %u},\n",
         boolean(report->store_well), report->entry_id, report->saved_id,
         report->entry_id - report->saved_id);

@@ -34,7 +34,8 @@ refuses_a_trigger() { # A copy with any object that is not ours is no copy of a 
     ends 65 "trap.db: holds the trigger 't', which is not Kingyo's; use another copy" \
         backup --restore "$work/trap.db" --data "$work/trapped" &&
         [ ! -e "$work/trapped/kingyo.db" ] && cp "$work/trap.db" "$work/trapped/kingyo.db" &&
-        ends 65 'damaged' audits --data "$work/trapped"
+        ends 65 "holds the trigger 't', which is not Kingyo's; the stall replaces" audits --data "$work/trapped" &&
+        ends 65 "holds the trigger 't', which is not Kingyo's; the stall replaces" scores --data "$work/trapped"
 }
 names_what_is_not_ours() { # Each kind of object by its type and name, an escape sequence made visible.
     local sql said
@@ -218,7 +219,7 @@ private() { # FILE, made under a umask that lets everybody read
 check 'a backup is its owner'\''s alone' private
 private_again() { chmod 644 "$work/private.db" && private; }
 check 'also where an older copy was everybody'\''s' private_again
-check 'a copy with a trigger is refused, and a file with one is called damaged' refuses_a_trigger
+check 'a copy with a trigger is refused, and a file with one names it' refuses_a_trigger
 check 'each kind of object that is not ours is named by its type and name' names_what_is_not_ours
 check 'a link that the user names is followed' follows_a_named_link
 echo "1..$count"

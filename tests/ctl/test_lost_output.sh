@@ -117,7 +117,7 @@ is_reason() { # WORDS FULL|CLOSED PROGRAM...
     is_told "$@" && [ "$(wc -l <"$work/err")" -eq 1 ] && grep -q "standard output: $wanted" "$work/err"
 }
 
-echo 1..14
+echo 1..15
 check 'the table of this test has every command and subcommand' covers
 check 'every command reports a full standard output' all_told full "$commands"
 check 'every command reports a closed standard output' all_told closed "$commands"
@@ -127,6 +127,7 @@ check 'every --help reports a closed standard output' all_told closed "$helps"
 check 'only five commands of the table print nothing' few_silent
 check 'a full disk is named' is_reason 'No space left' full "$ctl" audits --data "$data"
 check 'a closed descriptor is named' is_reason 'Bad file descriptor' closed "$ctl" audits --data "$data"
+check 'a command with a word of its own prints one line all the same' is_reason 'No space left' full "$ctl" lines list
 for how in full closed; do
     check "kingyo --help reports a $how standard output" is_reason '' $how "$build/kingyo" --help
     check "kingyo --version reports a $how standard output" is_reason '' $how "$build/kingyo" --version

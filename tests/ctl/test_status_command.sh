@@ -10,6 +10,7 @@ writes() { # AGE_S WELL: as the service does.
     cat >"$file" <<JSON
 { "version": "0.1.0", "pid": 7, "written_ms": $now, "up_s": 7384, "boot": 12, "phase": "attract", "players": 2,
   "credits": {"paid": 3, "service": 1, "units": 2, "untold": 0, "round_open": false},
+  "tickets": {"owed": 5, "dispensed": 37},
   "store": {"well": $2, "entry_id": 120, "saved_id": 118, "waiting": 2},
   "frames": {"count": 443040, "median_ms": 16.7, "p99_ms": 17.1}, "ticks": {"count": 886080, "dropped": 4},
   "faults": {"poi": 2, "fan": 0, "display": 0, "sound": 1, "store": 0, "buttons": 0, "switches": 0, "buttons_missing": 0},
@@ -31,6 +32,7 @@ ends() { # CODE PATTERN ARGUMENTS...
 writes 1 true
 check 'a stall that runs is told' ends 0 '^kingyo 0.1.0, start 12, open for 2 h 03 min: attract$'
 check 'with its credits' ends 0 '^  credits   3 paid, 1 of service, 2 units towards the next$'
+check 'its tickets' ends 0 '^  tickets   5 owed, 37 dispensed$'
 check 'its ledger' ends 0 '^  ledger    well; 120 entries, 2 not on disk yet$'
 check 'its frames' ends 0 '^  frames    443040, median 16.7 ms, p99 17.1 ms; 4 ticks dropped$'
 check 'the machine below it' ends 0 \

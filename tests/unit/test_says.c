@@ -12,6 +12,7 @@
 #include <sqlite3.h>
 
 #include "drivers/buttons_keyboard.h"
+#include "platform/plain_file.h"
 #include "platform/render/says.h"
 #include "platform/render/text.h"
 #include "platform/storage.h"
@@ -116,13 +117,25 @@ static void expect_japanese(const char *line)
     }
 }
 
+static void test_what_is_no_regular_file_is_known(void **state)
+{
+    static const int errors[] = { ELOOP, ENOTSUP, EFBIG };
+    (void)state;
+    for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
+        expect_japanese(plain_file_error(errors[i]));
+    }
+    assert_string_equal(in_japanese("/var/lib/kingyo/usb.txt: is not a regular file"),
+                        "/var/lib/kingyo/usb.txt：ふつうのファイルではありません");
+    expect_japanese("was not a regular file, and was set aside");
+}
+
 /* All that a store can be like, in the words that it has for it today. */
 static void test_whatever_the_store_says_is_known(void **state)
 {
     static const int errors[] = { SQLITE_BUSY,  SQLITE_LOCKED,  SQLITE_FULL,    SQLITE_READONLY,
                                   SQLITE_IOERR, SQLITE_CORRUPT, SQLITE_CANTOPEN, SQLITE_NOTADB,
                                   LEDGER_FILE_ANOTHERS, LEDGER_FILE_NEWER,
-                                  LEDGER_FILE_HELD };
+                                  LEDGER_FILE_HELD, LEDGER_FILE_LINK, LEDGER_FILE_MOVED };
     static struct storage storage;
     const struct hal_storage store = storage_device(&storage);
     (void)state;
@@ -138,6 +151,8 @@ static void test_whatever_the_store_says_is_known(void **state)
     atomic_store(&storage.edit_error, ENOSPC);
     expect_japanese(store.ops->describe(store.self));
     atomic_store(&storage.edit_error, 0);
+    atomic_store(&storage.strange, 1);
+    expect_japanese(store.ops->describe(store.self));
     atomic_store(&storage.aside, 2);
     expect_japanese(store.ops->describe(store.self));
     atomic_store(&storage.busy_since_ms, 1);
@@ -168,6 +183,7 @@ int main(void)
         cmocka_unit_test(test_every_pattern_is_its_own),
         cmocka_unit_test(test_lines_as_they_are_said),
         cmocka_unit_test(test_the_drivers_own_words_are_known),
+        cmocka_unit_test(test_what_is_no_regular_file_is_known),
         cmocka_unit_test(test_whatever_the_store_says_is_known),
         cmocka_unit_test(test_what_is_too_long_ends_after_a_whole_character),
     };
