@@ -188,7 +188,10 @@ static void test_a_replay_that_does_not_verify_stays_as_it_is(void **state)
     config = reader.header.config;
     replay_close(&reader);
     config.seed++;
-    replay_size = replay_replace_start(replay, replay_size, sizeof replay, &config);
+    struct replay_seal seal;
+    replay_size = replay_replace_start(replay, replay_size, sizeof replay, &config, &seal);
+    while (!replay_seal_next(&seal, sizeof replay)) {
+    }
     assert_int_equal(ledger_file_put_replay(&file, round_id, replay, replay_size), SQLITE_OK);
     assert_int_not_equal(judged(round_id), VERDICT_GENUINE);
     sweep_all();
