@@ -84,7 +84,9 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
         write_line(view, &line[i], words);
         menu_words_at(view, x, y, 0.62f * width, 0.0f, &name, menu_text(view, line[i].name));
         menu_words_at(view, x + width, y, 0.36f * width, 1.0f, &number, words);
-        rule(view, x, y + 0.5f * pitch, width);
+        if (i % rows + 1u < rows && i + 1u < count) { /* The border of the sheet ends a column. */
+            rule(view, x, y + 0.5f * pitch, width);
+        }
     }
 }
 
@@ -148,7 +150,7 @@ static void by_mode(const struct menu_view *view, struct ui_box box)
     const float first = box.x + 0.36f * box.width;
     const float column = (box.x + box.width - 24.0f * u - first) / (float)AUDIT_GRADES;
     const struct ui_text name = menu_style(view, 24.0f, UI_INK_SOFT);
-    const struct ui_text number = menu_style(view, 27.0f, UI_INK);
+    const struct ui_text number = menu_style(view, 22.0f, UI_INK); /* 4 digits fit in a column. */
     char words[TEXT_LINE_MAX];
     menu_words_at(view, box.x + 0.5f * box.width, box.y + 28.0f * u, box.width - 40.0f * u, 0.5f,
                   &name, menu_text(view, TEXT_AUD_BY_MODE));
@@ -165,7 +167,7 @@ static void by_mode(const struct menu_view *view, struct ui_box box)
                       menu_text(view, modes[mode]));
         for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
             write_count(words, view->menu->audit[AUDIT_PLAYS + mode * AUDIT_GRADES + grade]);
-            menu_words_at(view, first + ((float)grade + 1.0f) * column, y, 0.92f * column, 1.0f,
+            menu_words_at(view, first + ((float)grade + 1.0f) * column, y, 0.80f * column, 1.0f,
                           &number, words);
         }
     }
