@@ -17,6 +17,7 @@
         CALIBRATION(seat, "zx"), CALIBRATION(seat, "zz"), CALIBRATION(seat, "z0"),                 \
         CALIBRATION(seat, "y0"), CALIBRATION(seat, "pitch"), CALIBRATION(seat, "roll")
 
+/* clang-format off */
 static const struct setting table[SETTING_COUNT] = {
     [SET_PLAY] = { "play", GROUP_MONEY, KIND_CHOICE, 0, PLAY_KIND_COUNT - 1, 1, PLAY_FREE },
     [SET_PRICE] = { "price", GROUP_MONEY, KIND_NUMBER, 1, 20, 1, 1 },
@@ -52,6 +53,7 @@ static const struct setting table[SETTING_COUNT] = {
     [SET_CALIBRATION_CHECK] = CALIBRATION(1, "check"), CALIBRATION(2, "check"),
     CALIBRATION(3, "check"), CALIBRATION(4, "check"),
 };
+/* clang-format on */
 
 const struct setting *setting_of(uint32_t id)
 {

@@ -13,6 +13,7 @@ struct known {
     uint32_t count;
 };
 
+/* clang-format off */
 #define STICK(role_, bit)                                                                        \
     {                                                                                             \
         .role = role_, .manner = HID_MANNER_RATE, .report_id = 1, .bit_offset = bit,              \
@@ -54,6 +55,7 @@ static const struct hid_binding dualsense[] = {
     BUTTON(HID_ROLE_OK, 61),      BUTTON(HID_ROLE_LEVEL, 62), BUTTON(HID_ROLE_FAN, 63),
     BUTTON(HID_ROLE_DIP, 65),     TRIGGER(HID_ROLE_DIP, 40),  BUTTON(HID_ROLE_START, 69),
 };
+/* clang-format on */
 
 #define ROW(product, table) { SONY, product, table, sizeof table / sizeof table[0] }
 

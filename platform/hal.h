@@ -230,6 +230,7 @@ struct hal_watchdog_ops {
     const char *(*describe)(void *self);
 };
 
+/* clang-format off */
 struct hal_clock { const struct hal_clock_ops *ops; void *self; };
 struct hal_display { const struct hal_display_ops *ops; void *self; };
 struct hal_poi { const struct hal_poi_ops *ops; void *self; };
@@ -241,6 +242,7 @@ struct hal_controllers { const struct hal_controllers_ops *ops; void *self; };
 struct hal_audio { const struct hal_audio_ops *ops; void *self; };
 struct hal_storage { const struct hal_storage_ops *ops; void *self; };
 struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
+/* clang-format on */
 
 /* By that clock; 0 where there is none. */
 static inline uint64_t hal_now_ns(struct hal_clock clock)

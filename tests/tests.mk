@@ -120,10 +120,19 @@ sizes: $(BUILD)/tests/sizes $(BUILD)/core.o
 $(BUILD)/tests/sizes: $(BUILD)/tests/sizes.o
 	$(Q)$(CC) -o $@ $^
 
+# Debian 12 and Debian 13 both have this version, and versions differ in what they accept.
+FORMATTER := clang-format-19
+
 ## test/lint: Check format, line length and shell scripts
 lint:
 	@board/setup.sh dev
 	@shellcheck --severity=warning $$(git ls-files '*.sh') .ci/run && echo '  ok    shellcheck'
 	@tests/boundaries/columns.sh && echo '  ok    100 columns'
+	@tests/boundaries/format.sh $(FORMATTER)
 
-.PHONY: test run-tests tests check unit test-e2e test-fresh boundaries includes symbols sizes lint
+## test/format: Rewrite all C files in the form of .clang-format
+format:
+	@board/setup.sh dev
+	$(Q)git ls-files '*.[ch]' | xargs -P $(JOBS) -n 40 $(FORMATTER) -i
+
+.PHONY: test run-tests tests check unit test-e2e test-fresh boundaries includes symbols sizes lint format

@@ -26,6 +26,7 @@ struct design {
     struct patch patches[PATCHES_MAX];
 };
 
+/* clang-format off */
 static const struct design designs[PATTERN_LAYERS] = {
     /* All red, the common wakin. */
     { .base = 1.0f },
@@ -62,6 +63,7 @@ static const struct design designs[PATTERN_LAYERS] = {
     /* White. */
     { .base = 0.0f },
 };
+/* clang-format on */
 
 /* Distance round the girth, in body lengths. */
 static float round_distance(float v, float centre)

@@ -26,12 +26,14 @@ void screen_ignore(const uint32_t *types, size_t count)
  * comes next: the click that closes the window. */
 static void ignore_foreign_events(void)
 {
+    /* clang-format off */
     static const Uint32 foreign[] = {
         SDL_DOLLARGESTURE,    SDL_DOLLARRECORD,       SDL_MULTIGESTURE,   SDL_CLIPBOARDUPDATE,
         SDL_DROPFILE,         SDL_DROPTEXT,           SDL_DROPBEGIN,      SDL_DROPCOMPLETE,
         SDL_DISPLAYEVENT,     SDL_AUDIODEVICEADDED,   SDL_AUDIODEVICEREMOVED, SDL_SYSWMEVENT,
         SDL_LOCALECHANGED,    SDL_RENDER_TARGETS_RESET, SDL_RENDER_DEVICE_RESET,
     };
+    /* clang-format on */
     screen_ignore(foreign, sizeof foreign / sizeof foreign[0]);
 }
 

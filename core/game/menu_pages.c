@@ -21,6 +21,7 @@
       .offers = menu_settings_offers, .enter = menu_settings_enter,                                \
       .take = menu_settings_take }
 
+/* clang-format off */
 static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
     [MENU_TOP] = PAGES(MENU_PAGE_COUNT),
     [MENU_DEVICES] = PAGES(MENU_TOP),
@@ -72,6 +73,7 @@ static const struct menu_sheet sheets[MENU_PAGE_COUNT] = {
     [MENU_FACTORY] = SURE(MENU_UPKEEP, menu_factory_take),
     [MENU_PIN] = KEYS(MENU_PAGE_COUNT, menu_pin_take),
 };
+/* clang-format on */
 _Static_assert(ROWS_TAGS <= MENU_TAG_MAX && PIN_TAGS <= MENU_TAG_MAX, "each tag has its bit");
 _Static_assert(RANKING_TAGS <= MENU_TAG_MAX, "each tag has its bit");
 _Static_assert(MENU_PAGE_COUNT <= 32u, "tests keep a bit for each page that they have seen");

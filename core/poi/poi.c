@@ -165,12 +165,14 @@ uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
 
 uint64_t poi_hash(uint64_t hash, const struct poi *poi)
 {
+    /* clang-format off */
     const float values[] = { poi->splash_m_s,  poi->water_kg,  poi->tip,
                              poi->pressure_pa, poi->riders_kg, poi->before_angles.yaw_rad,
                              poi->before_angles.pitch_rad, poi->before_angles.roll_rad,
                              poi->pace_m_s, poi->drag_n_s_m, poi->slam_n, poi->added_kg,
                              poi->edge_n_s_m, poi->meniscus_n, poi->film_kg, poi->pool_kg,
                              poi->drip_kg };
+    /* clang-format on */
     hash = poi_hash_quick(hash, poi);
     hash = hash_u32(hash, poi->seed);
     hash = hash_u32(hash, poi->spared);

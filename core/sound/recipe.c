@@ -1,6 +1,7 @@
 /* recipe.c -- the score. Pitches are of the yo scale on D, as festival music has them. */
 #include "core/sound/recipe.h"
 
+/* clang-format off */
 #define TONE(g, delay, attack, decay, from, to, glide)                                             \
     { .kind = LAYER_TONE, .gain = (g), .delay_ms = (delay), .attack_ms = (attack),                 \
       .decay_ms = (decay), .hz_from = (from), .hz_to = (to), .glide_ms = (glide) }
@@ -136,3 +137,4 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .length_ms = 1200.0f,
     },
 };
+/* clang-format on */

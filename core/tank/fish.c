@@ -43,6 +43,7 @@ uint64_t fish_hash_quick(uint64_t hash, const struct fish *fish)
 
 uint64_t fish_hash(uint64_t hash, const struct fish *fish)
 {
+    /* clang-format off */
     const float values[] = {
         fish->speed_m_s,      fish->climb_m_s,  fish->yaw_rate_rad_s, fish->age_days,
         fish->length_m,       fish->stamina,    fish->tail_phase_rad, fish->tail_beat_hz,
@@ -56,6 +57,7 @@ uint64_t fish_hash(uint64_t hash, const struct fish *fish)
         fish->escape_s,       fish->escape_from_rad, fish->escape_turn_rad,
         fish->escape_course_rad, fish->bend_goal_rad,
     };
+    /* clang-format on */
     hash = fish_hash_quick(hash, fish);
     hash = hash_vec3(hash, fish->velocity_m_s);
     hash = hash_vec3(hash, fish->push_m_s);

@@ -18,6 +18,7 @@
  * Section 3.4: 1 cm of personal space.
  * Section 3.3 changes the heading with the gait and does not say by how much: any of 360 degrees
  * would be a spin at every change, so a swimming fish turns by a bell of 45 degrees. */
+/* clang-format off */
 #define THESIS_CORE                                                                                \
     .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
     .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
@@ -54,6 +55,7 @@
         .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1, .gulp_min_s = 2.0f,                  \
         .gulp_max_s = 5.0f, .gulp_gain_per_s = 0.02f, .stifle_per_s = 0.002f,                      \
     }
+/* clang-format on */
 
 static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     [TANK_PRESET_FESTIVAL] = {

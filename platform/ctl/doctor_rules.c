@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+/* clang-format off */
 static const struct {
     uint16_t vendor, product;
 } listed[] = {
@@ -16,6 +17,7 @@ static const struct {
     { 0x046d, 0xc626 }, { 0x046d, 0xc627 }, { 0x046d, 0xc628 }, { 0x046d, 0xc629 },
     { 0x046d, 0xc62b },
 };
+/* clang-format on */
 
 static bool is_listed(uint16_t vendor, uint16_t product)
 {

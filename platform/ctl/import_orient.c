@@ -15,6 +15,7 @@ const char *const import_axis_names[AXIS_NONE] = { "+x", "+y", "+z", "-x", "-y",
 
 enum species_part import_part(const char *group)
 {
+    /* clang-format off */
     static const struct {
         const char *word;
         enum species_part part;
@@ -27,6 +28,7 @@ enum species_part import_part(const char *group)
         { "ventral", PART_PELVIC },            { "tail", PART_TAIL },
         { "caudal", PART_TAIL },               { "eye", PART_EYE },
     };
+    /* clang-format on */
     char lower[IMPORT_NAME_SIZE] = "";
     for (size_t i = 0; i + 1 < sizeof lower && group[i]; i++) {
         lower[i] = (char)tolower((unsigned char)group[i]);

@@ -38,6 +38,7 @@ const char *lab_species_name(uint8_t language, const char *id)
 
 const char *lab_key_name(uint8_t language, const char *name)
 {
+    /* clang-format off */
     static const struct known known[] = {
         { "hatchling", TEXT_KEY_HATCHLING }, { "larva", TEXT_KEY_LARVA },
         { "juvenile", TEXT_KEY_JUVENILE },   { "juvenile_b", TEXT_KEY_JUVENILE_B },
@@ -49,6 +50,7 @@ const char *lab_key_name(uint8_t language, const char *name)
         { "leaf", TEXT_KEY_LEAF },           { "long_leaf", TEXT_KEY_LONG_LEAF },
         { "shrinking", TEXT_KEY_SHRINKING }, { "newborn", TEXT_KEY_NEWBORN },
     };
+    /* clang-format on */
     return look_up(language, known, sizeof known / sizeof *known, name);
 }
 

@@ -5,6 +5,7 @@
  * Of struct ui_vertex, `at` is `u, v`, `s` is `shape`, `inner` is `fill` and `outer` is `line`. */
 #include "platform/render/ui_shader.h"
 
+/* clang-format off */
 const char *const ui_vertex_source =
     "#version 300 es\n"
     "layout(location = 0) in vec2 position;\n"
@@ -233,6 +234,7 @@ const char *const ui_fragment_head =
     "    water += vec3(0.18, 0.21, 0.19) * spark;\n"                                               \
     "    colour = vec4(water, 1.0) * (inner.a * cover(box(at, s.xy, s.z)));\n"                     \
     "}\n"
+/* clang-format on */
 
 const char *const ui_fragment_sources[UI_KIND_COUNT] = {
     [UI_GLYPH] = GLYPH, [UI_PANEL] = PANEL,     [UI_WASHI] = WASHI, [UI_WAVES] = WAVES,

@@ -12,6 +12,7 @@
 #define CAP_AT 0.6    /* So far from the last ring to the closing point an end's own ring stands; */
 #define CAP_FACES 0.8 /* it faces backward so much for each part outward. */
 
+/* clang-format off */
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
     { .rings = 24, .spokes = 16, .round_end = true, .eye_rings = 5, .eye_spokes = 14,
       .fins = { [PART_TAIL] = { 11, 5 }, [PART_DORSAL] = { 13, 4 }, [PART_ANAL] = { 8, 4 },
@@ -22,6 +23,7 @@ const struct detail species_detail[SPECIES_LOD_COUNT] = {
                 [PART_PECTORAL] = { 3, 2 }, [PART_PELVIC] = { 3, 2 },
                 [PART_DORSAL_2] = { 3, 2 } } },
 };
+/* clang-format on */
 
 uint16_t next_vertex(struct lofting *l, struct species_vertex vertex)
 {

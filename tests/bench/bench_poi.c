@@ -215,6 +215,7 @@ static void measure_bowls(uint32_t fish_count, const char *what)
 
 int main(int argc, char **argv)
 {
+    /* clang-format off */
     static const struct state states[] = {
         { .what = "calm: a slow glide, soaked, no fish", .pressure_pa = 2.0f },
         { .what = "5 fish lie on it, soaked", .pressure_pa = -29.0f, .body_n = 0.014f },
@@ -227,6 +228,7 @@ int main(int argc, char **argv)
         { .what = "worst, half wet", .pressure_pa = -150.0f, .body_n = 0.028f, .slap_n = 0.15f,
           .half_wet = 1, .only_tearing = 1 },
     };
+    /* clang-format on */
     double worst_us = 0.0;
     tsv = argc == 2 ? fopen(argv[1], "w") : NULL;
     if (argc == 2 && !tsv) {

@@ -35,6 +35,8 @@ static char path[SCRATCH_PATH_SIZE], salvaged_path[SCRATCH_PATH_SIZE];
 /* Writes one cell of any type over what stands there. */
 static void put_cell(sqlite3 *db, const uint8_t *cell)
 {
+    /* clang-format off */
+    /* clang-format off */
     static const char *const places[] = {
         "entries SET kind = ?1 WHERE id = ?2",       "entries SET detail = ?1 WHERE id = ?2",
         "entries SET count = ?1 WHERE id = ?2",      "entries SET paid = ?1 WHERE id = ?2",
@@ -45,7 +47,9 @@ static void put_cell(sqlite3 *db, const uint8_t *cell)
         AUDIT_OF("count"),                           "ranking SET caught = ?1 WHERE place = ?2",
         "ranking SET seat = ?1 WHERE place = ?2",    "ranking SET name = ?1 WHERE place = ?2",
         STATE_OF("value"),
+    /* clang-format on */
     };
+    /* clang-format on */
     char text[128];
     sqlite3_stmt *put = NULL;
     int64_t value;

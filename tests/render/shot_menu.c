@@ -36,6 +36,7 @@ static const struct scene_file files[] = {
 };
 #define FILE_COUNT (sizeof files / sizeof files[0])
 
+/* clang-format off */
 static const char *const names[MENU_PAGE_COUNT] = {
     [MENU_TOP] = "top",         [MENU_DEVICES] = "devices",
     [MENU_CONTROLLERS] = "controllers", [MENU_CONTROLLER] = "controller",
@@ -53,6 +54,7 @@ static const char *const names[MENU_PAGE_COUNT] = {
     [MENU_PIN] = "pin",
     [MENU_RANKING] = "ranking", [MENU_SCORE] = "score",
 };
+/* clang-format on */
 
 int shot_menu_knows(const char *page, uint8_t step)
 {
@@ -174,6 +176,7 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     snprintf(devices->controllers, SCENE_LINE_SIZE, "libusb: 5 controllers, 1 of them play");
     snprintf(devices->lines, SCENE_LINE_SIZE,
              "libgpiod 1.6.3: 6 of 8 lines; no start, coin (BTN_START is held by 'another')");
+    /* clang-format off */
     static const char *const about[ABOUT_COUNT] = {
         [ABOUT_DISPLAY] = "OpenGL ES 3.1 V3D 7.1, 1920x1080, scene 1x, floor 0.6x, 4 samples",
         [ABOUT_SOUND] = "sound through SDL alsa",
@@ -185,6 +188,7 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
                            "'another')",
         [ABOUT_WATCHDOG] = "watchdog: service manager at /run/systemd/notify",
     };
+    /* clang-format on */
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         snprintf(devices->about[i], SCENE_LINE_SIZE, "%s", about[i]);
     }

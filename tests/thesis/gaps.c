@@ -24,12 +24,14 @@ static struct tank tank;
 static void stage(float aside_m, uint8_t balls, uint32_t seed)
 {
     struct tank_config config = tank_config_of(TANK_PRESET_THESIS);
+    /* clang-format off */
     const struct tank_stage stages[2] = {
         { .position_m = { -0.12f, -0.10f, 0.0f }, .angles = { -0.5f * F_PI, 0.0f, 0.0f },
           .speed_m_s = SPEED_M_S, .stamina = 1.0f, .gait = GAIT_SWIM },
         { .position_m = { 0.12f, -0.10f, aside_m }, .angles = { 0.5f * F_PI, 0.0f, 0.0f },
           .speed_m_s = SPEED_M_S, .stamina = 1.0f, .gait = GAIT_SWIM },
     };
+    /* clang-format on */
     config.fish_count = 2;
     config.ball_spaces = balls;
     config.seed = seed;

@@ -20,6 +20,7 @@ struct field {
 #define FIELD(type, member) FIELD_AS(type, member, 0)
 #define SKIP(type, member) FIELD_AS(type, member, 1)
 
+/* clang-format off */
 static const struct field core_fields[] = {
     FIELD(core, tick), SKIP(core, config), SKIP(core, game),
     SKIP(core, poi),   SKIP(core, bowl),   SKIP(core, tank),
@@ -405,5 +406,6 @@ static const struct field fish_fields[] = {
     FIELD(fish, escape_from_rad), FIELD(fish, escape_turn_rad),
     FIELD(fish, escape_course_rad),
 };
+/* clang-format on */
 
 #endif

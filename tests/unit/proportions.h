@@ -7,6 +7,7 @@
 #ifndef KINGYO_TESTS_UNIT_PROPORTIONS_H
 #define KINGYO_TESTS_UNIT_PROPORTIONS_H
 
+/* clang-format off */
 #define ADULT 0.15f
 #define YOUNG 0.25f
 
@@ -152,6 +153,7 @@ static const struct known table[] = {
         [F_pelvic_end] = .93f, [F_disc] = .85f, [F_whip] = 1.3f, [F_sting] = .35f,
         [F_snout_deg] = 125.f } },
 };
+/* clang-format on */
 
 #define ROW_COUNT (sizeof table / sizeof table[0])
 

@@ -34,10 +34,12 @@ static struct rig {
 #define OPEN(events) open_stall(events, sizeof(events) / sizeof((events)[0]))
 static void open_stall(const struct gpio_sim_event *events, uint32_t count)
 {
+    /* clang-format off */
     static const char *const cabinet[] = {
         "start=S", "coin=C", "service=V", "tilt=T", "start-lamp=L", "coin-lockout=K",
         "coin-counter=M,pulse=30ms/30ms",
     };
+    /* clang-format on */
     static const struct kiosk_config config = {
         .core = { .seed = 5, .fish_count = 8, .round_s = 10, .credit_coins = 2 },
     };

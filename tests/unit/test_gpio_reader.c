@@ -13,12 +13,14 @@
 
 #define MS 1000000ull
 
+/* clang-format off */
 static const char *const cabinet[] = {
     "start=START", "left=LEFT", "test=TEST", "tilt=TILT", "coin=COIN", "coin2=COIN2",
     "coin3=COIN3", "door=DOOR",
     "start-lamp=LAMP", "coin-lockout=LOCK", "ticket=TICKETS,pulse=50ms/30ms",
     "coin-counter=METER,pulse=40ms/60ms",
 };
+/* clang-format on */
 
 /* A cabinet, its lines, and what the frame loop has had of it. */
 struct stand {

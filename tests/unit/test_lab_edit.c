@@ -341,6 +341,7 @@ SPOIL(two_keys, c->key_count = 2)
 static void test_a_card_that_is_odd_in_one_number_is_refused(void **state)
 {
     (void)state;
+    /* clang-format off */
     static const struct spoil {
         const char *name;
         void (*spoil)(struct species_card *);
@@ -355,6 +356,7 @@ static void test_a_card_that_is_odd_in_one_number_is_refused(void **state)
         ROW(curve_without_name), ROW(key_with_space), ROW(id_with_slash), ROW(id_with_a_tail),
         ROW(two_keys),
     };
+    /* clang-format on */
     static struct lab_book book;
     for (uint32_t s = 0; s < species_table_count; s++) {
         book.card_count = 1;

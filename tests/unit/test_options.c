@@ -89,10 +89,12 @@ static void test_a_keyboard_counts_or_not_as_its_operator_says(void **state)
 
 static void test_controllers_and_lines_are_named_one_after_the_other(void **state)
 {
+    /* clang-format off */
     static const char *const argv[] = {
         "kingyo", "--usb", "057e:2009", "--usb=054c:09cc:A1:B2", "--line", "start=BTN_START",
         "--line=coin=pinctrl-bcm2711:17,low,up", "--line", "start=BTN_A",
     };
+    /* clang-format on */
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
     assert_int_equal(options.usb_count, 2);

@@ -45,6 +45,7 @@ static void test_a_line_says_place_turn_time_and_keys(void **state)
 static void test_what_is_no_pose_is_refused_with_its_reason(void **state)
 {
     (void)state;
+    /* clang-format off */
     static const struct bad {
         const char *text, *why;
     } bad[] = {
@@ -55,6 +56,7 @@ static void test_what_is_no_pose_is_refused_with_its_reason(void **state)
         { "+600001 1 2 3 4 5 6", "glide" },   { "1 2 3 4 5 6 JUMP", "key" },
         { "lost 1", "key" },                  { "1e99 2 3 4 5 6", "place" },
     };
+    /* clang-format on */
     char endless[300];
     memset(endless, '1', sizeof endless - 1);
     endless[sizeof endless - 1] = '\0';

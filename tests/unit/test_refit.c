@@ -16,6 +16,7 @@
 #include "platform/ctl/refit.h"
 #include "platform/species/reader.h"
 
+/* clang-format off */
 static const char *const mark_names[] = {
     "snout",        "tail_root",    "back",          "belly",          "eye_right",
     "eye_left",     "tail_top",     "tail_bottom",   "dorsal_start",   "dorsal_end",
@@ -23,6 +24,7 @@ static const char *const mark_names[] = {
     "pectoral_left_start", "pectoral_right_tip", "pectoral_left_tip", "pelvic_right_start",
     "pelvic_left_start",   "pelvic_right_tip",   "pelvic_left_tip",
 };
+/* clang-format on */
 #define MARK_COUNT_HERE (sizeof mark_names / sizeof mark_names[0])
 
 static struct species_text text;

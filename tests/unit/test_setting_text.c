@@ -43,6 +43,7 @@ static void check_refused(uint32_t id, const char *text)
 
 static void test_what_is_no_value_is_refused_and_leaves_no_trace(void **state)
 {
+    /* clang-format off */
     static const struct { uint32_t id; const char *text; } wrong[] = {
         { SET_PRICE, "" },           { SET_PRICE, "0" },          { SET_PRICE, "21" },
         { SET_PRICE, "-1" },         { SET_PRICE, "2x" },         { SET_PRICE, "4294967297" },
@@ -55,6 +56,7 @@ static void test_what_is_no_value_is_refused_and_leaves_no_trace(void **state)
         { SET_VOLUME, "33" },        { SET_VOLUME, "105" },       { SET_ROTATION, "1" },
         { SET_PIN, "10000" },        { SET_LANGUAGE, "fr" },      { SET_CREDIT_EXPIRY_MIN, "7" },
     };
+    /* clang-format on */
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         check_refused(wrong[i].id, wrong[i].text);

@@ -124,6 +124,7 @@ static void test_the_ends_of_each_range_and_what_lies_beyond(void **state)
 
 static void test_what_is_no_value_is_refused(void **state)
 {
+    /* clang-format off */
     static const char *const wrong[] = {
         "--fish", "--fish many", "--fish 1.5", "--seconds nan", "--seconds inf", "--stamina 0x10",
         "--preset pond", "--preset", "--pump maybe", "--pump", "--pairs some", "--pairs",
@@ -134,6 +135,7 @@ static void test_what_is_no_value_is_refused(void **state)
         "fish", "--seed 1e99", "--size-cm 60,20",
         "--size-cm", "--size-cm 60,20,30,1", "--temperature-c 2O",
     };
+    /* clang-format on */
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         assert_int_equal(read_plan(wrong[i]), EXIT_USAGE);

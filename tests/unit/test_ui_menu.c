@@ -487,6 +487,8 @@ static void test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too(voi
 /* Every row in every state that it can be in, with the longest figures, on every screen. */
 static void test_ready_for_opening_stays_on_its_page_whatever_it_says(void **state)
 {
+    /* clang-format off */
+    /* clang-format off */
     static const struct scene_machine machines[] = {
         { 0 },
         { .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
@@ -498,7 +500,9 @@ static void test_ready_for_opening_stays_on_its_page_whatever_it_says(void **sta
           .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
         { .has_looked = 1, .keeps = KEEPS_NOT }, { .has_looked = 1, .keeps = KEEPS_NOWHERE },
         { .has_looked = 255, .keeps = 255, .watch = 255 },
+    /* clang-format on */
     };
+    /* clang-format on */
     const uint32_t count = sizeof machines / sizeof machines[0];
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * count * 4u; k++) {

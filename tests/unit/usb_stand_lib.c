@@ -280,9 +280,11 @@ struct configuration {
 static void describe_interface(struct configuration *it, const struct stand_interface *from,
                                uint32_t i)
 {
+    /* clang-format off */
     const uint8_t extra[9] = { 9, 0x21, 0x11, 0x01, 0, 1, 0x22,
                                (uint8_t)from->descriptor_size,
                                (uint8_t)(from->descriptor_size >> 8) };
+    /* clang-format on */
     memcpy(it->extra[i], extra, sizeof extra);
     it->endpoint[i][0] = (struct libusb_endpoint_descriptor){
         .bEndpointAddress = IN_ENDPOINT, .bmAttributes = 3, .wMaxPacketSize = from->packet_size
