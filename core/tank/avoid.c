@@ -1,4 +1,4 @@
-/* avoid.c -- the three kinds of meeting and the ways out of them. */
+/* avoid.c -- the three classes of encounter between fish and how the fish avoid each other. */
 #include "core/tank/avoid.h"
 
 #include "core/base/rng.h"
@@ -6,17 +6,22 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-#define STRAIGHT_CHANCE 0.9f   /* Side meetings (section 3.4): behind the other. */
-#define YAW_TIME_S 0.5f        /* Then pitch (section 3.4). */
+#define STRAIGHT_CHANCE 0.9f   /* Chance that the fish that hits passes behind the other (section
+                                  3.4). */
+#define YAW_TIME_S 0.5f        /* Longest avoidance by yaw before pitch is used (section 3.4). */
 #define PITCH_TIME_S 0.5f
-#define HOLD_DEPTH_S 0.5f      /* Afterwards: the depth it wants would lead it straight back. */
-#define CLOSING_MIN_M_S 0.010f /* What two resting fish drift together at; repulsion's work. */
-#define BRAKE_MIN 0.4f         /* Less leaves a burst in a crowd less than half its pace. */
-#define LEAD_RAD (75.0f * F_DEG) /* The heading runs so far ahead of the nose meanwhile. */
-#define STRUCK_SHARE 0.15f     /* Of that, 67 degrees a second: the tail hardly swings out. */
-#define TURN_LAG_S 0.12f       /* A turn dies out so. */
-#define REPULSION_LENGTHS_PER_S 0.45f /* 7.5 - 5.25 cm/s (section 3.3) of 5 cm fish. */
-#define REPULSION_RANGE 0.2f   /* 1 cm of 5. */
+#define HOLD_DEPTH_S 0.5f      /* Time a fish keeps its depth after pitch; its own depth would lead
+                                  it back. */
+#define CLOSING_MIN_M_S 0.010f /* Two resting fish drift together at this speed; repulsion parts
+                                  them. */
+#define BRAKE_MIN 0.4f         /* Below 0.4 a burst in a crowd would lose more than half its
+                                  speed. */
+#define LEAD_RAD (75.0f * F_DEG) /* Lead of the heading over the nose while a fish avoids by yaw. */
+#define STRUCK_SHARE 0.15f     /* Share of LEAD_RAD for the struck fish: 67 deg/s, so its tail
+                                  hardly swings out. */
+#define TURN_LAG_S 0.12f       /* Time constant with which a turn decays. */
+#define REPULSION_LENGTHS_PER_S 0.45f /* Section 3.3: (7.5 - 5.25) cm/s for 5 cm fish. */
+#define REPULSION_RANGE 0.2f   /* Range in body lengths: 1 cm for a 5 cm fish. */
 
 static float flat_cos(vec3 a, vec3 b)
 {
@@ -24,7 +29,7 @@ static float flat_cos(vec3 a, vec3 b)
     return (a.x * b.x + a.z * b.z) / f_sqrt(f_max(aa * bb, 1e-12f));
 }
 
-/* > 0: `to` points to the left of `forward`, seen from above. */
+/* Returns a value > 0 if `to` points to the left of `forward`, seen from above. */
 static float leftness(vec3 forward, vec3 to)
 {
     return to.x * forward.z - to.z * forward.x;
@@ -35,14 +40,16 @@ static int gives_way_to(const struct avoid_party *a, const struct avoid_party *b
     return a->avoiding != AVOID_NONE && a->avoid_with == b->index;
 }
 
-/* A pair's meeting. `a` has the active part if it runs into the other: the lower index, if both. */
+/* An encounter of two fish. Fish `a` is active if it runs into fish b. If both run into each other,
+ * the fish with the lower index is active. */
 struct encounter {
-    uint8_t kind; /* Of the active part. */
+    uint8_t kind; /* enum meeting_kind of the active fish. */
     uint8_t a_is_active;
     uint32_t since;
 };
 
-/* As one of the two began it: who gives way in turning changes the angle, not the meeting. */
+/* Returns the encounter as `first` recorded it when it began to avoid. A turn during the avoidance
+ * changes the angle between the fish, but not the class of the encounter. */
 static struct encounter encounter_of(const struct avoid_party *first, int first_is_a)
 {
     const int is_active = first->avoid_kind != MEET_STRUCK;
@@ -84,20 +91,21 @@ static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party 
 static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
 {
     const float side =
-        draw & 1u ? 1.0f : -1.0f; /* Each to its own left, or each to its own right. */
+        draw & 1u ? 1.0f : -1.0f; /* Both fish turn to their own left, or both to their own
+                                     right. */
     pair->a.turn = side;
     pair->b.turn = side;
 }
 
-/* Only the one behind gives way. */
+/* In a rear-end encounter only the fish behind avoids. */
 static void meet_rear_end(struct avoid_advice *follower, struct avoid_advice *leader, uint32_t draw)
 {
     follower->turn = draw & 1u ? 1.0f : -1.0f;
     leader->kind = MEET_NONE;
 }
 
-/* The hitter passes behind the struck, which bears away a little; one time in ten it passes before
- * it. */
+/* The hitter passes behind the struck fish, which turns away a little. In one of ten encounters the
+ * hitter passes in front. */
 static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
                       vec3 struck_forward, vec3 to_struck, uint32_t draw)
 {
@@ -109,8 +117,9 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
-/* A living wakin's prudence, which the thesis does not know (struct law switches it): fish that
- * pass clear need not give way, nor those that are far off; and who runs up to a body slows. */
+/* Extensions for a living wakin that the thesis lacks (enabled in struct law). Fish whose courses
+ * do not cross need not avoid each other. Fish far apart do not avoid each other either. A fish
+ * that approaches a body slows down. */
 static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
                          const struct law *law)
 {
@@ -131,7 +140,8 @@ static int is_far_off(float gap_m, float closing_m_s, const struct law *law)
     return law->meet_within_s > 0.0f && gap_m > law->meet_within_s * closing_m_s;
 }
 
-/* A gap that closes sooner than `brake_s` takes speed from who swims into it. */
+/* Returns the share of its speed that a fish keeps. The share is below 1 if the gap would close
+ * within `brake_s` and the fish swims into that gap. */
 static float brake_for(float faces, float gap_m, float closing_m_s, float brake_s)
 {
     const float stop_m = brake_s * closing_m_s;
@@ -180,14 +190,15 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
         return pair;
     }
     if (flat_cos(a->forward, b->forward) > COS_20_DEG && f_max(a_faces, b_faces) < COS_45_DEG) {
-        return pair; /* Side by side. */
+        return pair; /* The fish swim side by side. */
     }
     const struct encounter now = encounter(a, b, a_faces, b_faces, tick);
     advise(&pair, a, b, &now, f_max(gap_m, 0.0f) / closing_m_s, seed);
     return pair;
 }
 
-/* Upper fish go up unless the surface is near, lower ones down unless the floor is. */
+/* Returns the vertical direction that is possible: a rise is reversed near the surface and a dive
+ * is reversed near the floor. */
 static float possible_rise(const struct fish *fish, float rise, float water_depth_m)
 {
     const float room_m = 1.0f * fish->height_m;
@@ -198,13 +209,14 @@ static float possible_rise(const struct fish *fish, float rise, float water_dept
     return above_floor_m < room_m ? 1.0f : -1.0f;
 }
 
-/* As hard as its gait lets it: the nose follows at 180 degrees a second while it swims. */
+/* Turns the fish as fast as its gait allows (180 deg/s while it swims). */
 static void yaw_away(struct fish *fish)
 {
     fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + fish->avoid_turn * LEAD_RAD);
 }
 
-/* Clear: it goes on along its nose, which the turn carries on a little further. */
+/* Ends the turn: the fish continues along its nose, plus the angle that the turn still carries
+ * it. */
 static void straighten(struct fish *fish)
 {
     const float carries_rad = TURN_LAG_S * fish->yaw_rate_rad_s;
@@ -246,9 +258,9 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
                 const struct surroundings *around)
 {
     const int meets = advice->kind != MEET_NONE;
-    /* Back in a third of a second. */
+    /* The brake is released within a third of a second. */
     fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
-    /* Once clear, giving way is soon forgotten. */
+    /* Avoidance ends sooner once the way is clear. */
     const float pace = fish->avoiding != AVOID_NONE && !meets ? 3.0f : 1.0f;
     fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {

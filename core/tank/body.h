@@ -1,6 +1,7 @@
-/* body.h -- a fish as geometry alone: one cache line that search, walls and parting share.
+/* body.h -- the geometry of a fish in one cache line. Broad phase, walls and contact solver share
+ * it.
  *
- * Four quads of four floats, so that lanes load them as they lie. */
+ * A body has four quads of four floats, so that SIMD code loads it without shuffling. */
 #ifndef KINGYO_CORE_TANK_BODY_H
 #define KINGYO_CORE_TANK_BODY_H
 
@@ -8,11 +9,11 @@
 
 struct body {
     vec3 centre_m;
-    float half_x_m; /* Half the width, along `right`. */
-    vec3 right;     /* Unit axes in the world, as struct basis. */
-    float half_y_m; /* Half the height, along `up`. */
+    float half_x_m; /* Half of the width, along `right`. */
+    vec3 right;     /* Unit axes in world space, as in struct basis. */
+    float half_y_m; /* Half of the height, along `up`. */
     vec3 up;
-    float half_z_m; /* Half the length, along `back`. */
+    float half_z_m; /* Half of the length, along `back`. */
     vec3 back;
     float margin_m; /* Personal space beyond the body, on every side. */
 };
@@ -33,7 +34,7 @@ static inline struct box body_box(const struct body *body)
     };
 }
 
-/* Half the size of the upright box that holds the body. */
+/* Returns half the size of the axis-aligned box that holds the body. */
 static inline vec3 body_extent_m(const struct body *body)
 {
     return box_upright_m(body->right, body->up, body->back,

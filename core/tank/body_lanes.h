@@ -1,16 +1,17 @@
-/* body_lanes.h -- LANES bodies as columns, for kernels (core/base/lanes.h). */
+/* body_lanes.h -- LANES bodies as columns, for SIMD kernels (core/base/lanes.h). */
 #ifndef KINGYO_CORE_TANK_BODY_LANES_H
 #define KINGYO_CORE_TANK_BODY_LANES_H
 
 #include "core/base/lanes.h"
 #include "core/tank/body.h"
 
-/* As struct body names its members. */
+/* The columns of LANES bodies; the names are those of struct body. */
 struct bodies {
-    flanes centre[4], right[4], up[4], back[4]; /* Vectors; [3] is a half size or the margin. */
+    flanes centre[4], right[4], up[4], back[4]; /* x, y, z of the vector; [3] is a half size or the
+                                                   margin. */
 };
 
-/* LANES bodies that lie side by side. */
+/* Loads LANES bodies that are consecutive in memory. */
 static inline void bodies_load_block(struct bodies *all, const struct body *first)
 {
     const char *from = (const char *)first;
@@ -20,7 +21,7 @@ static inline void bodies_load_block(struct bodies *all, const struct body *firs
     lanes_load_quads(all->back, from + 48u, sizeof *first);
 }
 
-/* Quad `quad` of a body, and in eight lanes that of the fourth in the list after it beside it. */
+/* Loads quad `quad` of fish[0]. With eight lanes the second half is the quad of fish[4]. */
 static inline flanes bodies_row(const struct body *body, const uint32_t *fish, uint32_t quad)
 {
     const size_t at = quad * sizeof(fquad);
@@ -35,7 +36,7 @@ static inline void bodies_quads(flanes column[4], const struct body *body, const
                bodies_row(body, fish + 2, quad), bodies_row(body, fish + 3, quad));
 }
 
-/* Those of the LANES fish in a list, wherever they lie. */
+/* Loads the bodies of LANES fish in a list, at any place in memory. */
 static inline void bodies_load(struct bodies *all, const struct body *body, const uint32_t *fish)
 {
     bodies_quads(all->centre, body, fish, 0);

@@ -1,10 +1,11 @@
-/* box.c -- separating axes, with the frames' cosines computed once for all of them. */
+/* box.c -- the separating-axis test; the cosines between both frames are computed once per test. */
 #include "core/tank/box.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define PARALLEL 1e-6f /* Square of a cross product's length: edges within a thousandth. */
+#define PARALLEL 1e-6f /* Squared length of a cross product below which two edges count as
+                          parallel. */
 
 struct frame {
     vec3 axis[3];
@@ -19,10 +20,10 @@ static struct frame frame_of(const struct box *box)
     };
 }
 
-/* What the axes tried so far say of two boxes. */
+/* The best axis of those tried so far. */
 struct verdict {
     float gap_m, space_m;
-    int axis; /* As box_axis() counts them. */
+    int axis; /* Axis index as in box_axis(). */
 };
 
 static inline void try_axis(struct verdict *verdict, float gap_m, float margins_m, int axis)
@@ -34,14 +35,14 @@ static inline void try_axis(struct verdict *verdict, float gap_m, float margins_
     }
 }
 
-/* Two boxes, one as the other sees it; rows are filled as they are asked for. */
+/* Box b relative to box a. The rows are computed when an axis first needs them. */
 struct view_of_b {
     const struct box *a, *b;
-    vec3 way; /* From a to b. */
+    vec3 way; /* Vector from the centre of a to the centre of b. */
     float margin_a_m, margin_b_m;
     float half_a[3], half_b[3];
-    float cosine[3][3], size[3][3]; /* Of a's axes against b's; and their magnitudes. */
-    float d[3];                     /* The way in a's frame. */
+    float cosine[3][3], size[3][3]; /* Cosines of a's axes against b's, and their magnitudes. */
+    float d[3];                     /* `way` in the frame of a. */
 };
 
 static inline vec3 axis_of(const struct basis *axes, int index)
@@ -84,8 +85,9 @@ static inline int try_face_of_b(struct verdict *verdict, const struct view_of_b 
     return verdict->space_m > 0.0f;
 }
 
-/* The cross product's length makes true distances of what it shows. Edges that are parallel to a
- * thousandth have none worth the name; face normals have said it all. */
+/* Tries the cross product of edge i of a and edge j of b. Dividing by the length of the cross
+ * product gives true distances. Nearly parallel edges have no usable cross product and are skipped,
+ * because the face normals already cover that case. */
 static inline int try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
 {
     static const int after[3] = { 1, 2, 0 }, before[3] = { 2, 0, 1 };
@@ -118,7 +120,8 @@ vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t wh
     return v3_dot(along, way) < 0.0f ? v3_scale(along, -1.0f) : along;
 }
 
-/* Sides first, then nose and tail: so are most fish apart that are near. */
+/* Tries the sides first, then nose and tail, because this order separates most nearby fish
+ * soonest. */
 static int are_apart(struct verdict *verdict, struct view_of_b *view)
 {
     static const int order[3] = { 0, 2, 1 };
@@ -174,8 +177,8 @@ vec3 box_extent_m(const struct box *box)
     return box_upright_m(box->axes.right, box->axes.up, box->axes.back, box->half_m);
 }
 
-/* Seen along the rod the box is a hexagon and the rod a disc: the sides' normals are the box's axes
- * crossed with the rod. */
+/* Seen along the rod the box is a hexagon and the rod is a disc. The normals of the hexagon's sides
+ * are the box axes crossed with the rod. */
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m)
 {
     const struct frame frame = frame_of(box);
@@ -186,7 +189,7 @@ vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius
     for (int i = 0; i < 3; i++) {
         const vec3 side = v3_cross(frame.axis[i], along);
         const float length = v3_length(side);
-        if (length < 1e-3f) { /* The rod runs along this axis: the other two say all. */
+        if (length < 1e-3f) { /* The rod is parallel to this axis; the other two axes suffice. */
             continue;
         }
         const vec3 normal = v3_scale(side, 1.0f / length);

@@ -1,4 +1,5 @@
-/* crowd.c -- bodies from fish, and how long what a look found of them holds. */
+/* crowd.c -- the bodies of all fish, and how long the pairs found by a broad-phase query stay
+ * valid. */
 #include "core/tank/crowd.h"
 
 #include "core/base/hash.h"
@@ -7,9 +8,10 @@
 #include "core/input.h"
 #include "core/tank/swim.h"
 
-#define REACH_SPARE_M 0.0035f /* Beyond 1.2 times what it does now: most starts and turns. */
+#define REACH_SPARE_M 0.0035f /* Margin beyond 1.2 times the present motion; covers most starts and
+                                 turns. */
 #define REACH_SPARE 1.2f
-#define AGAIN_MAX 8u /* Fish looked at alone; for more, a search of all is as cheap. */
+#define AGAIN_MAX 8u /* Fish queried one by one; for more fish a full query is as cheap. */
 #define RADIUS_PER_LENGTH 0.55f /* Half the diagonal of a body of 5 x 2 x 1. */
 
 float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
@@ -29,7 +31,8 @@ float crowd_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m
     return share * law->space_per_length;
 }
 
-/* Few bodies are so near the surface that their pose counts. */
+/* Returns 1 if the body stands out of the water. The cheap sphere test rejects most bodies
+ * first. */
 static int is_airborne(const struct body *body, float emerges_m)
 {
     const float y = body->centre_m.y;
@@ -45,7 +48,7 @@ void crowd_mark(struct crowd *crowd, const struct fish *fish, uint32_t fish_coun
         crowd->flags[i] = 0;
         crowd->play_m[i] = 0.5f * CROWD_TOUCH_M;
         if (!fish_swims(&fish[i])) {
-            crowd->way_m[i] = SWIM_FAR_M; /* Until a look has seen it swim. */
+            crowd->way_m[i] = SWIM_FAR_M; /* Invalid until a query has seen this fish swim. */
         } else {
             crowd->flags[i] = CROWD_SWIMS;
             crowd->flags[i] |=
@@ -114,8 +117,8 @@ static void forget(struct crowd *crowd, uint32_t fish)
     crowd->touch_count = kept;
 }
 
-/* Lists the pair if it could touch before either is looked at again. The gap is reckoned from where
- * the other was when it was looked at last. */
+/* Lists the pair if it could touch before the next query of either fish. The gap is computed from
+ * the position that the other fish had at its last query. */
 static void meet_again(struct crowd *crowd, uint32_t fish, uint32_t other)
 {
     const struct body *a = &crowd->body[fish], *b = &crowd->body[other];

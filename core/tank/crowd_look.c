@@ -1,13 +1,14 @@
-/* crowd_look.c -- one look at a tank: what each fish is told of those about it, and who could
- * touch. */
+/* crowd_look.c -- one broad-phase query: advice to each fish about its neighbours, and the contact
+ * list. */
 #include "core/tank/crowd.h"
 
 #include "core/base/rng.h"
 #include "core/tank/swim.h"
 
-#define ROOM_GAP_M 0.005f /* A tail sweeps so far in a few ticks of a hard turn. */
+#define ROOM_GAP_M 0.005f /* Gap that a tail sweeps in a few ticks of a hard turn. */
 #define ROOM_MIN 0.2f
-#define FETCH_AHEAD 8u /* Pairs: what a few of them take to judge is what memory takes to answer. */
+#define FETCH_AHEAD 8u /* Pairs to prefetch ahead: testing a few pairs takes as long as one memory
+                          access. */
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
 {
@@ -39,7 +40,8 @@ static struct avoid_party party_of(const struct body *body, const struct fish *f
     };
 }
 
-/* Full to the side, half along the body: a fish pushed from behind does not shoot ahead. */
+/* Applies the full push to the side and half of it along the body, so that a fish pushed from
+ * behind does not shoot ahead. */
 static void push_apart(struct company *company, vec3 forward, vec3 axis, float speed_m_s)
 {
     const float along = v3_dot(axis, forward);
@@ -53,8 +55,8 @@ static void leave_out(struct crowd *crowd, const struct contact *contact)
     crowd->flags[contact->b] |= CROWD_UNLISTED;
 }
 
-/* In a list that is full, each further pair takes a drawn place or none, so that every pair has the
- * same chance and none waits for long (a reservoir). */
+/* Adds a contact. If the list is full, each further pair takes a random slot or none (reservoir
+ * sampling), so that every pair has the same chance and none waits for long. */
 static void list_contact(struct crowd *crowd, struct contact contact, uint32_t seed, uint32_t tick)
 {
     const uint32_t most = crowd_contact_max(crowd);
@@ -69,7 +71,7 @@ static void list_contact(struct crowd *crowd, struct contact contact, uint32_t s
     }
 }
 
-/* One look at a tank. */
+/* Context of one query. */
 struct look {
     struct crowd *crowd;
     const struct fish *fish;
@@ -117,7 +119,7 @@ static void take_found(const struct look *look, const struct found *found)
     }
 }
 
-/* Fish that are near each other lie anywhere in memory: in a big tank, far from every cache. */
+/* Prefetches a fish: in a big tank, neighbours lie far apart in memory and outside every cache. */
 static void fetch_fish(const struct look *look, uint32_t index)
 {
     __builtin_prefetch(&look->fish[index].speed_m_s);
@@ -163,8 +165,9 @@ static float ball_m(const struct body *body)
     return v3_length(v3(body->half_x_m + m, body->half_y_m + m, body->half_z_m + m));
 }
 
-/* What the thesis decided against in section 3.4: balls that hold the boxes of the spaces. Each
- * against each, for it is there to be compared, not to run a stall. */
+/* Compares the personal spaces as balls, the alternative that the thesis rejected in section
+ * 3.4. Tests each fish against each other fish, because it serves comparison only, not a running
+ * stall. */
 static void meet_balls(const struct look *look)
 {
     const struct crowd *crowd = look->crowd;
@@ -206,7 +209,8 @@ void crowd_look(struct crowd *crowd, const struct fish *fish, struct crowd_searc
         .breadth_m = around->size_m.z,
     };
     seek(&look, &of, 1);
-    if (crowd->touch_count > crowd_contact_max(crowd)) { /* List the nearest; look again soon. */
+    if (crowd->touch_count > crowd_contact_max(crowd)) { /* Overfull: list the nearest contacts only
+                                                            and query again soon. */
         seek(&look, &of, 0);
     }
     if (around->ball_spaces && !how.contacts_only) {

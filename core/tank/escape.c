@@ -1,41 +1,42 @@
-/* escape.c -- the C-start as a profile over its time: turn, bend and thrust. */
+/* escape.c -- the C-start as a profile over time: turn, bend and thrust. */
 #include "core/tank/escape.h"
 
 #include "core/base/rng.h"
 #include "core/input.h"
 
-/* Stage 1 and 2: 20 ms each for a fish of 5 cm, as the root of the length; in whole ticks, so that
- * every C is seen at its deepest. */
+/* Duration of stage 1 and of stage 2: 20 ms for a 5 cm fish, in proportion to the square root of
+ * the length. Stages last whole ticks, so that every C-bend is drawn at its deepest. */
 #define STAGE_S 0.020f
 #define STAGE_LENGTH_M 0.05f
 
 #define TURN_MIN_RAD (60.0f * F_DEG)
 #define TURN_MAX_RAD (120.0f * F_DEG)
 #define STRAY_RAD (45.0f * F_DEG)
-#define PAST_RAD (100.0f * F_DEG) /* Those that err go past the danger rather than into it. */
-#define FLIP_BACK_RAD (45.0f * F_DEG) /* The return flip takes back so much of the turn ... */
-#define FLIP_BARRED_RAD (110.0f * F_DEG) /* Where a wall bars the way on. */
-#define FLIP_ON_RAD (90.0f * F_DEG)   /* ... or adds so much to it. */
+#define PAST_RAD (100.0f * F_DEG) /* A fish that errs swims past the danger, not into it. */
+#define FLIP_BACK_RAD (45.0f * F_DEG) /* The return flip takes back this angle of the turn. */
+#define FLIP_BARRED_RAD (110.0f * F_DEG) /* Return flip if a wall blocks the way ahead. */
+#define FLIP_ON_RAD (90.0f * F_DEG)   /* Or the return flip adds this angle to the turn. */
 
-#define AWAY_CHANCE 0.77f      /* Mirjany et al. 2011: 77 % of open-field starts. */
-#define AWAY_CHANCE_WALL 0.45f /* Toward more often than not with a wall behind it (design). */
-#define WALL_FELT_LENGTHS 2.0f /* A wall so near bars the way. */
+#define AWAY_CHANCE 0.77f      /* Mirjany et al. 2011: 77 % of open-field starts turn away. */
+#define AWAY_CHANCE_WALL 0.45f /* Design: with a wall behind the fish, most starts turn toward the
+                                  danger. */
+#define WALL_FELT_LENGTHS 2.0f /* A wall within this distance blocks the way. */
 
-/* The C: its whole curve is so much of the head's turn. The head's share of a curve is what lies
- * before the pivot of assets/shaders/fish.vert.glsl. */
+/* Curvature of the C-bend per angle of the head's turn. HEAD_SHARE is the part of a curve that lies
+ * in front of the pivot of assets/shaders/fish.vert.glsl. */
 #define BEND_PER_TURN 1.3f
 #define HEAD_SHARE 0.38f
-#define RECOIL 0.4f /* The flip bends it the other way by so much of the C ... */
-#define RECOIL_STAGES 2.0f /* ... which is gone so many stages later. */
+#define RECOIL 0.4f /* Opposite bend after the flip, as a share of the C-bend. */
+#define RECOIL_STAGES 2.0f /* Stages after the flip until the recoil has decayed. */
 
-#define PEAK_LENGTHS_MIN 8.0f /* A second. */
+#define PEAK_LENGTHS_MIN 8.0f /* Peak speed in body lengths per second. */
 #define PEAK_LENGTHS_MAX 10.0f
-#define PEAK_TIME_S 0.12f  /* Since it began; then it glides. */
-#define DASH_LENGTHS 2.0f  /* What the glide leads to. */
+#define PEAK_TIME_S 0.12f  /* From the start to the glide. */
+#define DASH_LENGTHS 2.0f  /* Body lengths per second at which the glide ends. */
 #define DASH_BEAT_MIN_S 0.70f
 #define DASH_SPREAD_S 0.08f
-#define COST 0.010f /* Of stamina for the start itself: as a burst of a second. */
-#define REFRACTORY_S 0.5f /* After it: nothing starts it again. */
+#define COST 0.010f /* Stamina for the start itself, as for one second of burst. */
+#define REFRACTORY_S 0.5f /* Time after a start in which the fish cannot start again. */
 
 static struct rng_key key(uint32_t index, const struct surroundings *around,
                           enum rng_purpose purpose)
@@ -59,7 +60,7 @@ float escape_stage_s(float length_m)
     return CORE_TICK_S * f_max(1.0f, f_floor(stage_s * (float)CORE_TICK_HZ + 0.5f));
 }
 
-/* Times are sums of ticks: half of one is slack enough. */
+/* Returns 1 before `end_s`. Times are sums of ticks, so half a tick of tolerance suffices. */
 static int before(const struct fish *fish, float end_s)
 {
     return fish->escape_s < end_s - 0.5f * CORE_TICK_S;
@@ -80,7 +81,7 @@ int escape_on_path(const struct fish *fish)
     return fish->gait == GAIT_ESCAPE && before(fish, end_s);
 }
 
-/* How much room a course leaves until a wall, m, along one axis. */
+/* Returns the distance to a wall along a course on one axis, m. */
 static float room_m(float at_m, float course, float half_m)
 {
     const float gap_m = course > 0.0f ? half_m - at_m : half_m + at_m;
@@ -93,7 +94,8 @@ static float open_m(const struct fish *fish, vec3 course, vec3 size_m)
                  room_m(fish->position_m.z, course.z, 0.5f * size_m.z));
 }
 
-/* A course that a wall bars is bent along it, and a little off it. */
+/* Returns the course, bent along a wall (and a little off the wall) if the wall blocks the
+ * course. */
 static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
 {
     const float felt_m = WALL_FELT_LENGTHS * fish->length_m;
@@ -113,7 +115,7 @@ static float nearer(float to_rad, float a_rad, float b_rad)
                                                                                      : b_rad;
 }
 
-/* Draws side, angle and course: what the whole of a start turns it by. */
+/* Draws the side, the angle and the final course of the whole start. */
 static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct surroundings *around)
 {
     const float yaw_rad = fish->angles.yaw_rad;
@@ -149,7 +151,7 @@ static void enter(struct fish *fish, uint32_t index, const struct surroundings *
     fish->avoid_left_s = 0.0f;
     fish->startle = 0;
     fish->startle_s = 0.0f;
-    fish->drawn_rad = 0.0f; /* No shade draws it now. */
+    fish->drawn_rad = 0.0f; /* Shade attraction ends. */
     fish->bend_goal_rad = 0.0f;
 }
 
@@ -158,7 +160,7 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index,
 {
     enter(fish, index, around);
     aim(fish, from_m, index, around);
-    fish->escape_s = -around->dt_s; /* Its first tick is still to come. */
+    fish->escape_s = -around->dt_s; /* The first tick of the start is the next one. */
     fish->stamina = f_max(0.0f, fish->stamina - COST);
 }
 
@@ -185,7 +187,8 @@ void escape_tick(struct fish *fish, const struct surroundings *around)
     const float bent = f_clamp(stages, 0.0f, 1.0f);
     const float flipped = f_clamp(stages - 1.0f, 0.0f, 1.0f);
     const float recoiled = f_clamp((stages - 2.0f) / RECOIL_STAGES, 0.0f, 1.0f);
-    if (!escape_on_path(fish)) { /* The course is its own again: walls may turn it. */
+    if (!escape_on_path(fish)) { /* The path of the start has ended: walls may turn the course
+                                    again. */
         fish->bend_goal_rad = 0.0f;
         return;
     }

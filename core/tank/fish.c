@@ -1,4 +1,4 @@
-/* fish.c -- a fish's box and its hash. */
+/* fish.c -- the box of a fish and the hash of its state. */
 #include "core/tank/fish.h"
 
 #include "core/base/hash.h"
@@ -8,7 +8,7 @@ void fish_grow(struct fish *fish, float length_m, const struct law *law)
     fish->length_m = length_m;
     fish->height_m = law->height_per_length * length_m;
     fish->width_m = law->width_per_length * length_m;
-    fish->speed_up_keep = 0.0f; /* Not known for this length. */
+    fish->speed_up_keep = 0.0f; /* Not yet computed for this length. */
 }
 
 struct box fish_box(const struct fish *fish)

@@ -1,13 +1,16 @@
-/* flow.c -- Lamb's disc in still water; the ring's edge beside it. */
+/* flow.c -- Lamb's flow around a disc in still water, and the flow at the edge of the ring. */
 #include "core/tank/flow.h"
 
-#define EDGE_SHARE 0.16f     /* Of the speed along the plane, in the ring's skin. */
-#define BODY_SHARE 0.3f      /* Of the radius: off the sharp edge, for a body is no point. */
-#define ENTRY_HALF_M 0.005f  /* A level disc goes under over twice that. */
+#define EDGE_SHARE 0.16f     /* Share of the speed along the plane that the water at the ring
+                                has. */
+#define BODY_SHARE 0.3f      /* Least distance from the sharp edge in radii, because a body is
+                                larger than a point. */
+#define ENTRY_HALF_M 0.005f  /* A level disc submerges over twice this distance. */
 #define STILL_M_S 1e-4f
-#define FAR 6.0f             /* In radii: a five-hundredth of the speed is left there. */
+#define FAR 6.0f             /* In radii: a five-hundredth of the speed remains at this distance. */
 
-/* [0, 1] of the disc that is under water, by the height of its lowest and its highest point. */
+/* Returns the share [0, 1] of the disc that is under water, from the heights of its lowest and
+ * highest points. */
 static float immersed(const struct obstacle *disc)
 {
     const float slope = f_sqrt(f_max(0.0f, 1.0f - disc->normal.y * disc->normal.y));
@@ -15,7 +18,7 @@ static float immersed(const struct obstacle *disc)
     return f_clamp(0.5f - 0.5f * disc->centre_m.y / half_m, 0.0f, 1.0f);
 }
 
-/* Where a point is, seen from a disc of radius 1: along the normal, and off the axis. */
+/* A point relative to a disc of radius 1: distance along the normal and distance from the axis. */
 struct place {
     float along, off;
 };
@@ -34,9 +37,9 @@ static struct spheroidal spheroidal(struct place at)
     return (struct spheroidal){ zeta, at.along < 0.0f ? -mu : mu };
 }
 
-/* Of a disc of radius 1 and speed 1: (2 / pi) (acot zeta - zeta / (zeta^2 + mu^2)) along, and
- * (2 / pi) mu sqrt(1 - mu^2) / ((zeta^2 + mu^2) sqrt(1 + zeta^2)) off the axis. At the sharp edge
- * both would be endless. */
+/* Returns the flow of a disc of radius 1 and speed 1 along its normal. Along the axis: (2 / pi)
+ * (acot zeta - zeta / (zeta^2 + mu^2)). Off the axis: (2 / pi) mu sqrt(1 - mu^2) / ((zeta^2 + mu^2)
+ * sqrt(1 + zeta^2)). Both are bounded near the sharp edge, where they would be infinite. */
 static struct place broadside(struct place at)
 {
     const struct spheroidal s = spheroidal(at);
@@ -49,7 +52,8 @@ static struct place broadside(struct place at)
     };
 }
 
-/* Along the plane, with the cube of nearness to the sheet. */
+/* Returns the flow for motion along the plane; it decays with the cube of the distance from the
+ * sheet. */
 static float edgewise(struct place at)
 {
     const float beyond = f_max(0.0f, at.off - 1.0f);
@@ -58,7 +62,7 @@ static float edgewise(struct place at)
     return EDGE_SHARE * near * near * near;
 }
 
-/* Cheap; where it says no there is no flow. */
+/* Cheap test: returns 0 only where there is no flow. */
 static int stirs(const struct obstacle *disc, vec3 point_m)
 {
     const vec3 off_m = v3_sub(point_m, disc->centre_m), goes_m_s = obstacle_goes_m_s(disc);

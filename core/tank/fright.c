@@ -1,4 +1,4 @@
-/* fright.c -- senses, alarm, habit and latency. */
+/* fright.c -- senses, alarm, habituation and latency of the startle response. */
 #include "core/tank/fright.h"
 
 #include "core/base/rng.h"
@@ -7,36 +7,37 @@
 #include "core/tank/surface.h"
 
 #define ALARM_FADE_PER_S 0.6f
-#define ALARM_AFTER 0.2f /* What a start leaves of it. */
-#define FRIGHT_S 0.12f   /* A stimulus of strength 1 gives an alarm of 1 in so long. */
+#define ALARM_AFTER 0.2f /* Alarm that remains after a start. */
+#define FRIGHT_S 0.12f   /* Time in which a stimulus of strength 1 raises the alarm by 1. */
 #define STRENGTH_MAX 12.0f
 
-/* Eyes: an image of 20 (timid) to 30 degrees (bold) that grows by 260 degrees a second. */
+/* Vision: an image of 20 (timid) to 30 degrees (bold) that grows by 260 degrees per second. */
 #define SEEN_RAD (20.0f * F_DEG)
 #define SEEN_SPREAD_RAD (10.0f * F_DEG)
 #define GROWTH_RAD_S 4.5f
 #define GROWTH_SPAN_RAD_S 6.5f
-#define IN_AIR_SHARE 0.25f /* Seen through a rippled surface. */
+#define IN_AIR_SHARE 0.25f /* Share of a stimulus seen through a rippled surface. */
 
-/* Ear and lateral line. Asa et al.: fish of 1.6 g hear sounds 15 dB fainter than those of
- * 23.6 g do: 5.6 times less pressure at 2.5 times less length. */
-#define PUSH_M2_S2 0.005f /* A paper that rises at 0.1 m/s under a fish is not felt; ... */
-#define PUSH_SPAN_M2_S2 0.016f /* ... at 0.15 m/s it is, and fast. */
+/* Ear and lateral line. Asa et al.: fish of 1.6 g hear sounds 15 dB fainter than fish of 23.6 g do.
+ * The pressure is 5.6 times lower at a length 2.5 times smaller. */
+#define PUSH_M2_S2 0.005f /* Threshold: a paper that rises under a fish at 0.1 m/s is not felt. */
+#define PUSH_SPAN_M2_S2 0.016f /* Range above the threshold: a rise at 0.15 m/s is felt at once. */
 #define WAKE_SHARE 0.5f
 #define LENGTH_M 0.05f
-#define LINE_THICKNESS 0.07f /* Of an edge-on disc's image, per diameter: its ring. */
+#define LINE_THICKNESS 0.07f /* Image height of an edge-on disc per diameter: its ring. */
 
-#define GULPING_LATE 1.5f /* Who gulps answers half again as late. */
+#define GULPING_LATE 1.5f /* A gulping fish responds half again as late. */
 
-#define THRESHOLD 0.45f /* The timid's; the bold's is twice that. */
+#define THRESHOLD 0.45f /* Threshold of the timidest fish; the boldest has twice this value. */
 #define THRESHOLD_MAX 0.95f
-#define HABIT_STEP 0.25f /* Of what is missing to full habit; full doubles the threshold. */
+#define HABIT_STEP 0.25f /* Share of the distance to full habituation per start. Full habituation
+                            doubles the threshold. */
 #define HABIT_FADE_S 60.0f
 #define HABIT_NONE 1e-3f
 
-/* A disc that moves within this reach of its rim makes a fish think in every tick: there it is
- * seen at 21 degrees. The water that it pushes is felt beyond only at more than 1 m/s, and no
- * farther than in proportion to that. */
+/* A disc that moves within this distance of its rim makes a fish decide in every tick. At this
+ * distance it is seen at 21 degrees. The pressure of its water is felt farther away only above 1
+ * m/s, and no farther than in proportion to that speed. */
 #define ALERT_M 0.20f
 #define ALERT_M_S 0.05f
 
@@ -57,7 +58,8 @@ struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m)
     const float distance_m = f_max(v3_length(to), 0.2f * disc->radius_m);
     const vec3 toward = v3_scale(to, 1.0f / distance_m);
     const float face = f_max(f_abs(v3_dot(toward, disc->normal)), LINE_THICKNESS);
-    const float half_m = disc->radius_m * f_sqrt(face); /* Of the circle of the same area. */
+    const float half_m = disc->radius_m * f_sqrt(face); /* Radius of the circle with the same
+                                                           area. */
     const float closing_m_s = v3_dot(obstacle_goes_m_s(disc), toward);
     return (struct fright_view){
         .size_rad = 2.0f * f_atan2(half_m, distance_m),
@@ -66,7 +68,8 @@ struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m)
     };
 }
 
-/* What a disc leaves behind comes after it in a wake, more slowly than it was pushed ahead. */
+/* Returns the pressure at a point, m^2/s^2. The water behind a disc follows as a wake, more slowly
+ * than the water pushed ahead. */
 static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
 {
     const float ahead = v3_dot(disc->velocity_m_s, v3_sub(point_m, disc->centre_m));
@@ -89,8 +92,9 @@ struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fis
     };
 }
 
-/* What nerves take over each cause. A shadow's alarm takes up to 4 ticks to grow (shade.c), and a
- * start begins with the nearest tick: from the shadow on it is 67 to 150 ms. */
+/* Returns the nerve latency of each cause, s. The alarm of a shadow takes up to 4 ticks to grow
+ * (shade.c), and a start begins at the nearest tick. The time from the shadow to the start is
+ * therefore 67 to 150 ms. */
 static float nerves_s(enum fright_cause cause, struct rng_key key)
 {
     switch (cause) {
@@ -111,7 +115,8 @@ static float latency_s(const struct fish *fish, enum fright_cause cause, uint32_
     return late * nerves_s(cause, key);
 }
 
-/* A blow to the water overtakes what the eye still works on. */
+/* Begins a latency, or shortens it: a pressure stimulus overtakes a visual stimulus whose latency
+ * still runs. */
 static void startle(struct fish *fish, enum fright_cause cause, vec3 from_m, uint32_t index,
                     const struct surroundings *around)
 {
@@ -140,7 +145,7 @@ static void wait(struct fish *fish, uint32_t index, const struct surroundings *a
     const vec3 from_m = fish->startle_from_m;
     fish->startle_s -= around->dt_s;
     if (fish->startle_s > 0.5f * around->dt_s || surface_ducks(fish)) {
-        return; /* The tick that is nearest to the moment; with its snout in the air, later. */
+        return; /* Waits for the tick nearest to the moment, or until the snout is under water. */
     }
     fish->alarm = ALARM_AFTER;
     fish->habit += HABIT_STEP * (1.0f - fish->habit);
@@ -157,7 +162,7 @@ static void sense_shades(struct fish *fish, uint32_t index, const struct surroun
     }
 }
 
-/* Cheap; 0 only where fright_of_disc() is nothing. */
+/* Cheap test: returns 0 only where fright_of_disc() is zero. */
 static int disturbs(const struct obstacle *disc, const struct fish *fish)
 {
     const vec3 off = v3_sub(disc->centre_m, fish->position_m);

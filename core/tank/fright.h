@@ -1,12 +1,12 @@
-/* fright.h -- what startles a fish, how much, and how long its nerves take to answer.
+/* fright.h -- the startle response: what startles a fish, how strongly, and the latency of the
+ * answer.
  *
- * Eyes see a disc loom: its image is large enough and grows fast. The ear and the lateral line feel
- * the pressure of the water that a disc pushes (flow.h), which grows as the square of its speed.
- * Shadows add what shade.h says. All add to one alarm; past what the individual bears, a start
- * waits for its latency and then begins, 8 to 15 ms after a blow to the water (Eaton et al. 1977),
- * 60 to 150 ms after a sight. The figures of stimuli are design, set by play, but for the angle
- * that must be seen.
- */
+ * The eyes see a disc loom: its image is large enough and grows fast. The ear and the lateral line
+ * feel the pressure of the water that a disc pushes (flow.h), which grows with the square of its
+ * speed. Shadows add the alarm of shade.h. All stimuli add to one alarm. If the alarm exceeds the
+ * threshold of the individual, a start begins after a latency: 8 to 15 ms after a blow to the water
+ * (Eaton et al. 1977), 60 to 150 ms after a sight. The stimulus constants are design values set by
+ * play, except the visual angle. */
 #ifndef KINGYO_CORE_TANK_FRIGHT_H
 #define KINGYO_CORE_TANK_FRIGHT_H
 
@@ -15,20 +15,22 @@
 
 enum fright_cause {
     FRIGHT_NONE = 0,
-    FRIGHT_LOOM,     /* Seen: something grows. */
-    FRIGHT_PRESSURE, /* Felt: water moves. */
-    FRIGHT_SHADOW,   /* Seen: the light goes. */
+    FRIGHT_LOOM,     /* Vision: an object grows. */
+    FRIGHT_PRESSURE, /* Lateral line: the water moves. */
+    FRIGHT_SHADOW,   /* Vision: the light fades. */
 };
 
-/* A disc as an eye sees it. */
+/* The image of a disc in an eye. */
 struct fright_view {
-    float size_rad;     /* Mean diameter of its image. An edge-on disc is little but a line. */
-    float growth_rad_s; /* How fast that grows; negative while it recedes. */
+    float size_rad;     /* Mean diameter of the image. An edge-on disc is little more than a
+                           line. */
+    float growth_rad_s; /* Growth of `size_rad`; negative while the disc recedes. */
 };
 
 struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m);
 
-/* Alarm a second that a disc gives a fish of middling temper, and by which sense more. */
+/* Alarm per second that a disc causes in a fish of medium boldness, and the sense that contributes
+ * more. */
 struct fright {
     uint8_t cause; /* enum fright_cause */
     float alarm_per_s;
@@ -36,19 +38,22 @@ struct fright {
 
 struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fish);
 
-/* The alarm at which it starts: the timid at 0.45, the bold at 0.9; more when used to frights. */
+/* Returns the alarm at which the fish starts: 0.45 for the timidest, 0.9 for the boldest, more
+ * after habituation. */
 float fright_threshold(const struct fish *fish);
 
-/* Adds `alarm` >= 0 of a stimulus at `from_m`. If that is more than the fish bears, and it is not
- * already starting or too soon after the last start, the latency of `cause` begins to run. */
+/* Adds `alarm` >= 0 from a stimulus at `from_m`. If the sum exceeds the fish's threshold, the
+ * latency of `cause` begins. A fish that is already starting, or started too recently, ignores
+ * it. */
 void fright_alarm(struct fish *fish, enum fright_cause cause, vec3 from_m, float alarm,
                   uint32_t index, const struct surroundings *around);
 
-/* `around->dt_s` later: alarm and habit fade, discs are sensed, a start that was waited for begins.
- * Nothing where the law knows no escapes. */
+/* Advances the startle response by `around->dt_s`: alarm and habituation decay, discs are sensed,
+ * and a due start begins. Does nothing if the behavior parameters disable escapes. */
 void fright_tick(struct fish *fish, uint32_t index, const struct surroundings *around);
 
-/* Whether it must think in every tick: it is startled or escapes, or a disc moves near it. */
+/* Returns 1 if the fish must decide in every tick: it is startled or escapes, or a disc moves near
+ * it. */
 int fright_alert(const struct fish *fish, const struct surroundings *around);
 
 #endif

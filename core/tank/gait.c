@@ -1,4 +1,4 @@
-/* gait.c -- the choice of gait by stamina, and the speeds that follow. */
+/* gait.c -- the choice of gait by stamina, and the resulting speeds. */
 #include "core/tank/gait.h"
 
 #include "core/base/rng.h"
@@ -7,13 +7,13 @@
 #include "core/tank/stroke.h"
 #include "core/tank/surface.h"
 
-/* Section 3.2: stamina per second; the thesis' -1, -0.2 and +0.1 of 100. */
+/* Section 3.2: stamina per second; -1, -0.2 and +0.1 of 100 in the thesis. */
 #define BURST_COST_PER_S 0.010f
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
 #define BURST_MIN_S 1.0f
 #define BURST_MAX_S 3.0f
-#define STEADY_MIN_S 5.0f /* A swim, a rest. */
+#define STEADY_MIN_S 5.0f /* Duration of a swim and of a rest. */
 #define STEADY_MAX_S 20.0f
 #define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
 
@@ -40,7 +40,7 @@ struct gait_chance gait_shares(float stamina)
     return (struct gait_chance){ burst_s / all_s, swim_s / all_s, rest_s / all_s };
 }
 
-/* A fish and the tick in which it decides: what its numbers are drawn by. */
+/* Key of a fish's random draws: the seed, the tick and the fish. */
 struct luck {
     uint32_t seed, tick, fish;
 };
@@ -65,8 +65,9 @@ float gait_depth_m(float stamina, float water_depth_m)
     return -share * water_depth_m;
 }
 
-/* The thesis changes the heading with the gait but not by how much; a snap to any of 360 degrees is
- * no fish, so: a bell of 45 degrees, and a sharp turn at a burst. */
+/* Returns the change of heading. The thesis changes the heading with the gait but gives no amount.
+ * A jump to any of 360 degrees is unlike a fish, so the change has a normal distribution of 45
+ * degrees, and a burst begins with a sharp turn. */
 static float turn_rad(enum fish_gait gait, struct luck luck, const struct law *law)
 {
     const float bell = rng_normal(key(luck, RNG_FISH_TURN));
@@ -77,7 +78,7 @@ static float turn_rad(enum fish_gait gait, struct luck luck, const struct law *l
     return bell * (gait == GAIT_SWIM ? law->turn_swim_rad : law->turn_rest_rad);
 }
 
-/* Section 3.6: whenever it is off the depth of its band, it goes back there. */
+/* Section 3.6: a fish that is off the depth of its band returns there. */
 static float depth_goal_m(const struct fish *fish, float water_depth_m)
 {
     const float margin_m = 0.6f * fish->height_m;
@@ -128,7 +129,7 @@ static float stamina_per_s(uint8_t gait)
     }
 }
 
-/* It does not stop dead where it got away to. */
+/* After an escape the fish swims on for a while instead of stopping at once. */
 static void calm_down(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     gait_enter(fish, GAIT_SWIM, index, around);
@@ -162,14 +163,15 @@ int gait_beats(const struct fish *fish, const struct surroundings *around)
     return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
 }
 
-/* Section 3.3: s = d (0.8 + H / 5), with H / 100 for H, else a rested fish would swim at 20.8 d; a
- * body length a second for d = 1. */
+/* Section 3.3: s = d (0.8 + H / 5), with H / 100 for H, because otherwise a rested fish would swim
+ * at 20.8 d. The result is one body length per second at d = 1. */
 static float able_m_s(const struct fish *fish)
 {
     return fish->length_m * (0.8f + 0.2f * fish->stamina);
 }
 
-/* Who beats and glides in turn must beat up to more than it means to keep; a glide asks nothing. */
+/* Returns the cruise speed. A fish that beats and glides in turn must beat up to more than the mean
+ * speed. A glide has no speed goal. */
 static float cruise_m_s(const struct fish *fish, const struct surroundings *around)
 {
     const float mean_m_s = able_m_s(fish) * around->law->swim_speed;
@@ -203,6 +205,6 @@ float gait_speed_max_m_s(const struct fish *fish, const struct law *law)
 float gait_run_up_s(float length_m)
 {
     const float log10_length_cm = f_ln(100.0f * length_m) * 0.434294482f;
-    /* 1 - exp(-3) is 0.95. A fry below 1 cm has no logarithm to speak of. */
+    /* 1 - exp(-3) is 0.95. The clamp covers fry below 1 cm, whose logarithm is negative. */
     return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
 }

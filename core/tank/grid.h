@@ -1,7 +1,7 @@
-/* grid.h -- the floor plan in square cells, and who is in which.
+/* grid.h -- the spatial grid: square cells over the floor plan and the fish in each cell.
  *
- * A counting sort. With a cell side of at least the reach asked for, the 3 x 3 cells around a fish
- * hold all its neighbours. */
+ * Uses a counting sort. If the cell side is at least the reach, the 3 x 3 cells around a fish hold
+ * all its neighbours. */
 #ifndef KINGYO_CORE_TANK_GRID_H
 #define KINGYO_CORE_TANK_GRID_H
 
@@ -13,38 +13,38 @@
 
 _Static_assert((fish_index)TANK_FISH_MAX == TANK_FISH_MAX, "all may be before a cell's start");
 
-#define GRID_CELL_MAX (TANK_FISH_MAX / 2u) /* Two fish a cell: sparser tanks have larger cells. */
+#define GRID_CELL_MAX (TANK_FISH_MAX / 2u) /* Two fish per cell; sparser tanks have larger cells. */
 
 struct grid {
     float cell_m;      /* Side of a cell. */
-    float cells_per_m; /* Its inverse. */
+    float cells_per_m; /* Inverse of `cell_m`. */
     float origin_x_m, origin_z_m;
     uint32_t columns, rows; /* columns * rows <= GRID_CELL_MAX */
-    uint32_t count;         /* Of items. */
+    uint32_t count;         /* Number of items. */
     fish_index
-        start[GRID_CELL_MAX + 1u]; /* Members of cell c: item[start[c]] .. item[start[c+1]-1]. */
+        start[GRID_CELL_MAX + 1u]; /* Items of cell c: item[start[c]] .. item[start[c+1]-1]. */
     fish_index item[TANK_FISH_MAX + LANES_MAX];
-    fish_index cell_of[TANK_FISH_MAX + LANES_MAX]; /* Of each that is to be sorted. */
+    fish_index cell_of[TANK_FISH_MAX + LANES_MAX]; /* Cell of each member to be sorted. */
 };
 
-/* Lays cells of side >= `reach_m` over a floor plan for `fish_count` fish. The cells are larger
- * where the plan would need more than half of fish_capacity() cells. */
+/* Lays cells of side >= `reach_m` over a floor plan for `fish_count` fish. The cells are larger if
+ * the plan would need more than half of fish_capacity() cells. */
 void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m,
                  uint32_t fish_count);
 
-/* The cell of a point, clamped to the plan. */
+/* Returns the cell of a point, clamped to the plan. */
 uint32_t grid_cell(const struct grid *grid, vec3 point_m);
 
-/* Sorts `count` <= TANK_FISH_MAX members by their cells: member m's is cell_of[m]. Those of a cell
- * keep their order. */
+/* Sorts `count` <= TANK_FISH_MAX members by their cells; cell_of[m] is the cell of member m. The
+ * sort is stable. */
 void grid_sort(struct grid *grid, const fish_index *member, uint32_t count);
 
-/* A range of items. A row's cells follow each other, so their items do. */
+/* A range of items. The cells of a row are consecutive, so their items are too. */
 struct grid_range {
     uint32_t from, to;
 };
 
-/* The cell that an item is in, at or after `cell`. */
+/* Returns the cell of an item, at or after `cell`. */
 static inline uint32_t grid_cell_of_item(const struct grid *grid, uint32_t item, uint32_t cell)
 {
     while (item >= grid->start[cell + 1u]) {
@@ -53,8 +53,8 @@ static inline uint32_t grid_cell_of_item(const struct grid *grid, uint32_t item,
     return cell;
 }
 
-/* What may be near the items of a cell, and lies after it: the cell itself with the one to its
- * right, and the three of the next row. */
+/* Returns the items of this cell and the next cell to the right. Together with grid_below() they
+ * are the later items that may be near. */
 static inline struct grid_range grid_beside(const struct grid *grid, uint32_t cell)
 {
     const uint32_t last = (cell + 1u) % grid->columns > 0 ? cell + 1u : cell;

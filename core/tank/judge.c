@@ -1,10 +1,11 @@
-/* judge.c -- what pushes could not part: who goes back or is carried, and when a poi gives way. */
+/* judge.c -- the penetration check: resolves the overlaps that the contact solver could not
+ * separate. */
 #include "core/base/panic.h"
 #include "core/tank/parting.h"
 
-#define PILE 2u /* Overlaps a fish: nobody free comes to that in a tick. */
-#define ROUNDS_SPARE 256u /* Rounds in which only pois give way: eight of eight at most, and the
-                             last look. */
+#define PILE 2u /* Overlaps per fish; fish that were free never reach this number in a tick. */
+#define ROUNDS_SPARE 256u /* Extra rounds in which only pois react: eight reactions of each of eight
+                             pois at most, and the last check. */
 
 static int is_same(vec3 a, vec3 b)
 {
@@ -28,7 +29,8 @@ static float pair_allowed_m(const struct parting *all, uint32_t a, uint32_t b)
     return f_max(PART_FREE_M, pair_depth_m(&was_a, &was_b));
 }
 
-/* Fish turn in the first step; later one only loses a shove. */
+/* Marks a fish that turns back. Only the first substep counts; in later substeps the fish loses
+ * just a push. */
 static void note_turned_back(const struct parting *all, uint32_t index)
 {
     if (all->part->station == 0) {
@@ -48,10 +50,10 @@ static void put_back(const struct parting *all, uint32_t index, uint32_t round)
     note_turned_back(all, index);
 }
 
-/* Where the list of contacts is full, nobody knows what the others could run into: whose contact
- * found no place keeps the pose in which the step began. That was free of all who keep theirs, and
- * of the rest the list tells. Places are drawn anew in each tick, so that some always move; and a
- * pile that was staged so has nothing to lose, it is only parted. Returns how many are held. */
+/* If the contact list is full, the unlisted contacts are unknown. Each fish with an unlisted
+ * contact keeps its pose from the start of the substep. That pose was free of all other kept poses,
+ * and the list covers the remaining fish. List slots are drawn in each tick, so some fish always
+ * move. A pile that was staged overlapping is only separated. Returns the number of fish held. */
 static uint32_t hold_unlisted(const struct parting *all)
 {
     const struct crowd *crowd = all->crowd;
@@ -66,15 +68,16 @@ static uint32_t hold_unlisted(const struct parting *all)
     return held;
 }
 
-/* Whether it was moved in this round or the last, so that its pairs must be judged again. */
+/* Returns 1 if the fish moved in this round or the previous one, so that its pairs must be checked
+ * again. */
 static int is_fresh(const struct part *part, uint32_t index, uint32_t round)
 {
     return round == 0 || part->fresh_round[index] >= round;
 }
 
-/* Lets a fish go along with an obstacle from where the step began: whoever goes along with the same
- * one cannot come nearer to it. Returns 0, and leaves it, where walls leave no room or the way is
- * farther than it may go in a step: the look knows only whom it could meet on that. */
+/* Moves a fish along with an obstacle from its pose at the start of the substep. Fish moved along
+ * with the same obstacle cannot come nearer to the obstacle. Returns 0 and leaves the fish if walls
+ * leave no room, or if the distance exceeds the limit of a substep that the query covers. */
 static int carry(const struct parting *all, uint32_t index, uint32_t o, uint32_t round)
 {
     struct part *part = all->part;
@@ -94,7 +97,8 @@ static int carry(const struct parting *all, uint32_t index, uint32_t o, uint32_t
     return 1;
 }
 
-/* Whom an obstacle presses into another would only be pressed again: it is carried. */
+/* Carries a fish that an obstacle presses into another fish, because it would only be pressed
+ * again. */
 static int carry_pressed(const struct parting *all, uint32_t index, uint32_t round)
 {
     const uint8_t fate = all->part->fate[index];
@@ -102,15 +106,15 @@ static int carry_pressed(const struct parting *all, uint32_t index, uint32_t rou
            carry(all, index, (uint32_t)fate - PART_PRESSED, round);
 }
 
-/* And who is in the way of one that is carried goes along, too. */
+/* Carries the other fish along if it is in the way of a carried fish. */
 static int carry_too(const struct parting *all, uint32_t carried, uint32_t other, uint32_t round)
 {
     const uint8_t fate = all->part->fate[carried];
     return fate >= PART_CARRIED && carry(all, other, (uint32_t)fate - PART_CARRIED, round);
 }
 
-/* Of two that are too deep in each other the one goes back whose going back is enough; when either
- * would do, the one that came farther. */
+/* Of two fish with too much penetration, reverts the one whose revert suffices. If either would
+ * suffice, reverts the one that moved farther. */
 static void choose(const struct parting *all, uint32_t a, uint32_t b, float allowed_m,
                    uint32_t round)
 {
@@ -162,9 +166,9 @@ static uint32_t judge_pairs(const struct parting *all, uint32_t round)
     return guilty;
 }
 
-/* A fish that ran into an obstacle goes back. One that the obstacle ran into would gain nothing by
- * that: it is carried along. Where there is no room for that either, the obstacle gives way, unless
- * it has nothing left to give. Returns whether anything changed. */
+/* Resolves penetration with an obstacle. A fish that ran into the obstacle reverts. A fish that the
+ * obstacle ran into is carried along, because a revert would not help. If there is no room either,
+ * the obstacle reacts, unless it has reacted as often as it may. Returns 1 if anything changed. */
 static int settle_with(const struct parting *all, uint32_t index, uint32_t o, vec3 out,
                        float excess_m, uint32_t round)
 {
@@ -211,8 +215,8 @@ static uint32_t judge_obstacles(const struct parting *all, uint32_t round)
     return changes;
 }
 
-/* Each round carries or puts back somebody or makes a poi give way; each fish can be carried once
- * and go back once, even after it was carried, and each poi can give way a few times. */
+/* Each round carries or reverts a fish, or makes a poi react. Each fish can be carried once and
+ * reverted once, even after it was carried. Each poi can react a few times. */
 void parting_judge(const struct parting *all, int is_parted)
 {
     const int is_known = hold_unlisted(all) == 0 && is_parted;

@@ -1,56 +1,63 @@
-/* law.h -- how the fish of a tank behave, as data.
+/* law.h -- the behavior parameters of the fish of a tank, as data.
  *
- * Every preset has one. No code asks which preset it runs; it reads the law. Lengths and speeds are
- * in body lengths, so that a law holds for fish of every size; stamina is in [0, 1] where the 2013
- * thesis counts 0 .. 100. A zero switches off what it speaks of. */
+ * Every preset has one set. No code tests which preset runs; the code reads these parameters.
+ * Lengths and speeds are in body lengths, so that one set holds for fish of every size. Stamina
+ * is in [0, 1], where the 2013 thesis counts 0 .. 100. A zero disables the feature of that
+ * parameter. */
 #ifndef KINGYO_CORE_TANK_LAW_H
 #define KINGYO_CORE_TANK_LAW_H
 
 #include <stdint.h>
 
 struct law {
-    /* The body's box (thesis, section 3.1: 5 x 2 x 1 cm). */
+    /* Size of the body's box (thesis, section 3.1: 5 x 2 x 1 cm). */
     float height_per_length, width_per_length;
 
-    /* Personal space (section 3.4): so far beyond the body on every side ... */
+    /* Personal space beyond the body on every side, in body lengths (section 3.4). */
     float space_per_length;
-    float space_fill_max; /* ... but shrunk where the spaces of all would fill more of the water. */
+    float space_fill_max; /* Share of the water that all spaces may fill; larger spaces shrink. */
 
-    /* Speeds at full stamina, body lengths a second (sections 2.1 and 3.3). At none they are 0.8 of
-     * it. `drift_speed` is the most that a resting fish drifts. */
+    /* Speeds at full stamina, body lengths per second (sections 2.1 and 3.3). At zero stamina they
+     * are 0.8 of these values. `drift_speed` is the limit of a resting fish. */
     float burst_speed, swim_speed, swim_speed_max, drift_speed;
 
-    /* With a new gait comes a new heading (section 3.3): a bell about the old one, so wide. */
+    /* Standard deviation of the new heading around the old one at a change of gait (section
+     * 3.3). */
     float turn_swim_rad, turn_rest_rad;
-    float depth_stray; /* Deviation about the depth of its stamina's band, of the water's depth. */
+    float depth_stray; /* Standard deviation of the depth around that of the stamina's band, as a
+                          share of the water depth. */
 
-    /* Giving way (section 3.4). */
-    float meet_within_s; /* Only to what it would touch sooner than that. */
-    float meet_miss;     /* Only to what would pass nearer than that share of their lengths. */
-    float brake_s;       /* Slows for a body that it would touch sooner than that. */
-    float swerve_haste;  /* >= 1: so many times as quick as usual it sets into a turn. */
+    /* Avoidance of other fish (section 3.4). */
+    float meet_within_s; /* Largest time to contact that the fish avoids. */
+    float meet_miss;     /* Largest miss distance that the fish avoids, as a share of the
+                            lengths. */
+    float brake_s;       /* Time to contact below which the fish slows down. */
+    float swerve_haste;  /* >= 1: factor on the speed at which an avoiding turn begins. */
 
-    /* Walls (section 3.1): it turns away from what is nearer than that before its nose ... */
-    float wall_per_length; /* ... body lengths, ... */
-    float wall_within_s;   /* ... and so long a way at its speed. */
+    /* Walls (section 3.1): the fish turns away from a wall nearer to its nose than these two
+     * distances. */
+    float wall_per_length; /* Distance in body lengths. */
+    float wall_within_s;   /* Distance as a time at the present speed. */
 
-    /* What a real fish does beyond the thesis' law. */
-    float kick_rad;       /* Deviation of its turns, one with each kick; where it glides. A fish
-                             that does not keeps its course until its gait changes. */
-    uint8_t glides;       /* Beats its tail and coasts in turn. */
-    uint8_t banks;        /* Rolls into its turns. */
-    float flow_share;     /* [0, 1] of the flow round a poi (flow.h) that carries it along. */
-    float wall_follow;    /* [0, 1] how much a wall draws a fish along itself. */
-    float shade_dwell_s;  /* A shadow gathers fish after it has been still so long ... */
-    uint8_t shade_draws_bursts; /* ... even those that burst: section 3.5 moves every fish ... */
-    uint8_t shade_frights; /* ... and a new or moving one frightens them. */
-    uint8_t escapes;      /* C-starts away from the poi and other frights. */
+    /* Behavior of living fish beyond the thesis. */
+    float kick_rad;       /* Standard deviation of the turn at each kick, for a fish that glides. A
+                             fish that does not glide keeps its course until its gait changes. */
+    uint8_t glides;       /* 1: beats its tail and coasts in turn. */
+    uint8_t banks;        /* 1: rolls into its turns. */
+    float flow_share;     /* [0, 1] share of the flow around a poi (flow.h) that carries the fish
+                             along. */
+    float wall_follow;    /* [0, 1] strength of a wall's attraction along itself. */
+    float shade_dwell_s;  /* A shade attracts fish after it has been still for this time. */
+    uint8_t shade_draws_bursts; /* 1: a shade also attracts fish that burst; section 3.5 moves every
+                                   fish. */
+    uint8_t shade_frights; /* 1: a new or moving shade startles fish. */
+    uint8_t escapes;      /* 1: C-starts away from the poi and other stimuli. */
 
-    /* Gulping at the surface (section 3.6). */
-    uint8_t air_by_oxygen;  /* When the water is out of oxygen; else when it is out of stamina. */
-    float gulp_min_s, gulp_max_s; /* A bout, uniform. */
-    float gulp_gain_per_s;  /* Stamina while its mouth is in the film. */
-    float stifle_per_s;     /* Stamina that water without any oxygen costs; from 4 mg/L on. */
+    /* Surface breathing (section 3.6). */
+    uint8_t air_by_oxygen;  /* 1: triggered by low oxygen of the water; 0: by low stamina. */
+    float gulp_min_s, gulp_max_s; /* Duration of a bout, uniform between both. */
+    float gulp_gain_per_s;  /* Stamina gained while the mouth is at the surface film. */
+    float stifle_per_s;     /* Stamina lost per second in water without oxygen; begins at 4 mg/L. */
 };
 
 #endif

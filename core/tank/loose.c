@@ -1,29 +1,30 @@
-/* loose.c -- drift, pushes, the nearest gap, and the moment in which it is clear. */
+/* loose.c -- reentry of fish into the water: drift, pushes, the search for a gap, and the end of
+ * reentry. */
 #include "core/tank/loose.h"
 
 #include "core/input.h"
 #include "core/tank/rim.h"
 
-#define SPEED_MAX_M_S 0.5f /* Water takes the rest at once. */
+#define SPEED_MAX_M_S 0.5f /* The water absorbs any higher speed at once. */
 #define DRAG_PER_S 6.0f
-#define SINK_M_S 0.03f       /* A stunned fish wants down. */
-#define PUSH_MAX_M 0.0025f   /* A tick: 0.3 m/s, as a fish that slips between others. */
-#define FALL_MAX_M 0.010f    /* A tick, for who slid off paper over the water. */
-#define SLIDE_M_S 0.3f       /* Off paper that would take it up. */
-#define ASIDE_M_S 0.06f      /* How fast those in its place make room. */
+#define SINK_M_S 0.03f       /* A stunned fish sinks. */
+#define PUSH_MAX_M 0.0025f   /* Per tick: 0.3 m/s, like a fish that slips between others. */
+#define FALL_MAX_M 0.010f    /* Per tick, for a fish that slides off paper over the water. */
+#define SLIDE_M_S 0.3f       /* Speed off a paper that would otherwise lift the fish. */
+#define ASIDE_M_S 0.06f      /* Speed at which the fish in its place move aside. */
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
-#define BURST_LENGTHS 4.0f   /* A second. */
-#define SWIM_S 0.5f          /* Then it decides anew. */
+#define BURST_LENGTHS 4.0f   /* Body lengths per second. */
+#define SWIM_S 0.5f          /* Time until the next choice of gait. */
 
-#define SEEK_TICKS 16u   /* Pushes have so long; then it goes for the nearest gap, ... */
-#define PUT_TICKS 48u    /* ... into which it is put when that was not enough. */
-#define AGAIN_TICKS 8u   /* From one look for a gap to the next. */
+#define SEEK_TICKS 16u   /* Ticks of pushes alone; afterwards the fish makes for the nearest gap. */
+#define PUT_TICKS 48u    /* Ticks after which the fish is placed into the nearest gap. */
+#define AGAIN_TICKS 8u   /* Ticks between two searches for a gap. */
 #define SEEK_M_S 0.3f
-#define SEEK_M 0.05f     /* A length; paper on the way is seen within 6 cm (rim.c). */
+#define SEEK_M 0.05f     /* About one length; rim.c detects paper on the way within 6 cm. */
 #define SEEK_SHELLS 14u
 
-/* Since it came back. */
+/* Returns the ticks since the fish came back. */
 static uint32_t loose_ticks(const struct fish *fish)
 {
     return (uint32_t)(fish->gait_left_s * (float)CORE_TICK_HZ + 0.5f);
@@ -39,7 +40,7 @@ static float reach_m(const struct fish *fish)
     return 0.5f * (fish->length_m + fish->height_m);
 }
 
-/* Within `high_m` too, but for a fish that lies level there. */
+/* Keeps the fish within the tank and below `high_m`, unless it lies level there. */
 static void stay_within(const struct tank *tank, struct fish *fish, float high_m)
 {
     const struct box box = fish_box(fish);
@@ -68,11 +69,11 @@ void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     fish->heading_rad = fish->angles.yaw_rad;
     fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
     fish->gait_left_s = 0.0f;
-    stay_within(tank, fish, fish->position_m.y); /* Nobody is pushed down through paper. */
+    stay_within(tank, fish, fish->position_m.y); /* No fish is pushed down through paper. */
     tank->loose_count++;
 }
 
-/* The same, but over the surface it only falls. */
+/* Keeps the fish within the tank; above the surface it only falls. */
 static void come_down(const struct tank *tank, struct fish *fish)
 {
     const float high_m = fish->position_m.y - FALL_MAX_M;
@@ -80,8 +81,8 @@ static void come_down(const struct tank *tank, struct fish *fish)
     fish->position_m.y = f_max(fish->position_m.y, high_m);
 }
 
-/* The sum of what pushes it out of all others; they get a push the other way. Returns whether it is
- * in none of them. */
+/* Sums the pushes that move the fish out of all others, and pushes those in the opposite direction.
+ * Returns 1 if the fish overlaps none of them. */
 static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
 {
     struct fish *fish = &tank->fish[index];
@@ -106,7 +107,7 @@ static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
     return clear;
 }
 
-/* The same of ring, paper and hull. */
+/* Sums the pushes of ring, paper and hull in the same way. */
 static int part_from_obstacles(const struct fish *fish, vec3 before_m,
                                const struct obstacle *obstacles, uint32_t obstacle_count,
                                vec3 *push_m)
@@ -125,8 +126,8 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
     return clear;
 }
 
-/* Paper that has no room for it takes it along, over the surface if need be, and it slides off over
- * the ring: nobody passes through. Returns whether it was taken along. */
+/* Paper without room for the fish takes it along, over the surface if necessary, and the fish
+ * slides off over the ring. No fish passes through paper. Returns 1 if the fish was taken along. */
 static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacle *obstacles,
                           uint32_t obstacle_count)
 {
@@ -166,7 +167,7 @@ static int meets_fish(const struct tank *tank, uint32_t index, const struct fish
     return 0;
 }
 
-/* One of the 26 ways out of the middle of a cube of 27. */
+/* Returns one of the 26 directions from the middle cell of a 3 x 3 x 3 cube. */
 static vec3 way_out(uint32_t which)
 {
     const uint32_t cell = which < 13u ? which : which + 1u;
@@ -175,9 +176,9 @@ static vec3 way_out(uint32_t which)
     return v3_normalize_or(way, way);
 }
 
-/* The nearest place within SEEK_M that is clear of all fish and obstacles, on its side of every
- * paper. A third of all places is free in a full tank, so the first shells have one. Returns 0 when
- * there is none. */
+/* Finds the nearest place within SEEK_M that is clear of all fish and obstacles, on the same side
+ * of every paper. A third of all places is free in a full tank, so the first shells usually have
+ * one. Returns 0 if there is none. */
 static int find_gap(const struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                     uint32_t obstacle_count, vec3 *gap_m)
 {
@@ -210,7 +211,7 @@ static void swim_off(const struct tank *tank, struct fish *fish)
     fish->falls = 0;
 }
 
-/* Whom pushes have not freed for long goes for a gap, or is put there. */
+/* Moves a fish that pushes have not freed for long toward a gap, or places it there. */
 static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                      uint32_t obstacle_count)
 {
@@ -240,7 +241,8 @@ static void sink(const struct tank *tank, struct fish *fish)
     come_down(tank, fish);
 }
 
-/* Who seeks a gap is no longer pushed by fish, which would only lead it astray. */
+/* Moves a fish in reentry. A fish that makes for a gap ignores pushes by fish, which would lead it
+ * away. */
 static void drift(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                   uint32_t obstacle_count)
 {
@@ -257,7 +259,7 @@ static void drift(struct tank *tank, uint32_t index, const struct obstacle *obst
     }
     const int seeks = loose_ticks(fish) >= SEEK_TICKS && swims;
     push_m = seeks ? push_m : v3_add(push_m, fish_push_m);
-    if (swims) { /* Over the water it slides over the ring, whatever is there. */
+    if (swims) { /* Over the water it slides over the ring, whatever the other pushes are. */
         fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
     }
     come_down(tank, fish);

@@ -1,11 +1,11 @@
-/* obstacle.c -- ring, hull and sidestep. */
+/* obstacle.c -- contact with rings and hulls, and the sidestep of fish. */
 #include "core/tank/obstacle.h"
 
 #include "core/input.h"
 
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
-#define STILL_M_S 0.01f /* A disc slower than this is a leaf. */
+#define STILL_M_S 0.01f /* A disc slower than this is like a drifting leaf. */
 
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box)
 {

@@ -1,4 +1,4 @@
-/* obstacle.h -- what the poi and the bowls are to a fish: hulls to keep out of. */
+/* obstacle.h -- pois and bowls as obstacles for fish: hulls that fish must stay outside. */
 #ifndef KINGYO_CORE_TANK_OBSTACLE_H
 #define KINGYO_CORE_TANK_OBSTACLE_H
 
@@ -8,73 +8,76 @@
 #include "core/tank/touch.h"
 
 enum obstacle_kind {
-    OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across. */
-    OBSTACLE_BOWL, /* A floating bowl's hull: half an ellipsoid hanging below the surface. */
+    OBSTACLE_DISC, /* A poi: a rigid ring with a sheet across it. */
+    OBSTACLE_BOWL, /* The hull of a floating bowl: half an ellipsoid hanging below the surface. */
 };
 
-#define OBSTACLE_PAPER_SIDE 32u /* As SHEET_SIDE. */
-#define OBSTACLE_PAPER_HOLDS 1u /* As CELL_PAPER. */
+#define OBSTACLE_PAPER_SIDE 32u /* Must equal SHEET_SIDE. */
+#define OBSTACLE_PAPER_HOLDS 1u /* Must equal CELL_PAPER. */
 
 enum obstacle_gave {
-    OBSTACLE_GAVE_PLACE = 1, /* It is not where it wanted to be ... */
-    OBSTACLE_GAVE_TURN = 2,  /* ... or not turned as it wanted. */
+    OBSTACLE_GAVE_PLACE = 1, /* The obstacle is not at its intended position. */
+    OBSTACLE_GAVE_TURN = 2,  /* The obstacle does not have its intended orientation. */
 };
 
-/* What fish must swim round this tick. The poi and the bowls describe themselves this way; a tick
- * of the tank may take back some of the step that led here, where a fish cannot give way. */
+/* An obstacle of this tick. Pois and bowls fill it in. A tick of the tank may revert a part of the
+ * step that led here if a fish cannot move out of the way. */
 struct obstacle {
     uint8_t kind; /* enum obstacle_kind */
     vec3 centre_m;
-    vec3 normal; /* Unit; a disc's up. */
-    vec3 velocity_m_s; /* As it wants to go; ... */
-    float stalled;     /* ... [0, 1] of it it could not when it last tried. */
-    float radius_m; /* Outer. */
-    float depth_m;  /* Of a bowl's hull below its mouth. */
+    vec3 normal; /* Unit vector; the up direction of a disc. */
+    vec3 velocity_m_s; /* Intended velocity. */
+    float stalled;     /* [0, 1] share of the intended motion that failed at the last attempt. */
+    float radius_m; /* Outer radius. */
+    float depth_m;  /* Depth of a bowl's hull below its mouth. */
 
-    /* How it came here in this tick; zero: it did not move. */
+    /* Motion in this tick; zero if the obstacle did not move. */
     vec3 step_m;
-    struct basis axes, axes_before; /* A disc's; `axes.up` is `normal`. */
-    uint8_t turned;                 /* `axes_before` is another way than `axes`. */
+    struct basis axes, axes_before; /* Axes of a disc now and before the step; `axes.up` is
+                                       `normal`. */
+    uint8_t turned;                 /* 1 if `axes_before` differs from `axes`. */
 
-    /* A disc's paper: OBSTACLE_PAPER_SIDE rows of as many cells from its left far corner, that
-     * hold a fish where they are OBSTACLE_PAPER_HOLDS; borrowed for the tick. Null: none. */
+    /* Paper of a disc: OBSTACLE_PAPER_SIDE rows of as many cells from its far left corner. A cell
+     * holds a fish if it is OBSTACLE_PAPER_HOLDS. The memory is borrowed for the tick. Null: no
+     * paper. */
     const uint8_t *paper;
     float paper_radius_m;
-    float open; /* [0, 1] of a disc that lets water through: its paper is torn. */
+    float open; /* [0, 1] share of a disc that lets water through because its paper is torn. */
 
-    /* Out: how it gave way. */
+    /* Output: the reaction of the obstacle. */
     uint8_t gave; /* Bits of enum obstacle_gave. */
     uint8_t give_count;
 };
 
-/* A disc's ring is a torus of this thickness. */
+/* The ring of a disc is a torus of this thickness. */
 #define RING_TUBE_PER_RADIUS 0.07f
 
-/* How fast it seems to go: what moves water, and looms. One that fish hold up does neither, however
- * hard a hand pulls at it. */
+/* Returns the apparent velocity, which moves water and looms. An obstacle stalled by fish does
+ * neither, however hard the hand pulls. */
 static inline vec3 obstacle_goes_m_s(const struct obstacle *obstacle)
 {
     return v3_scale(obstacle->velocity_m_s, 1.0f - obstacle->stalled);
 }
 
-/* The gap between the fish's box and the ring or the hull, and the fish's way out. */
+/* Returns the gap between the box of a fish and the ring or hull, and the direction out. */
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box);
 
-/* The least move that takes the fish's box off the ring or the hull; zero when it is clear. */
+/* Returns the shortest move that takes the box of a fish off the ring or hull; zero if it is
+ * clear. */
 vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box);
 
-/* What obstacle_in_reach() adds to both: a poi at 1.5 m/s, a fish in flight and what shoves it, in
- * a tick. */
+/* Margin of obstacle_in_reach(): the motion in one tick of a poi at 1.5 m/s, and of a flying fish
+ * with its pushes. */
 #define OBSTACLE_REACH_M 0.03f
 
-/* Whether a body so near could touch it before the tick is over. */
+/* Returns 1 if the body could touch the obstacle before the tick ends. */
 int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
 
-/* How near the fish is to the whole disc, sheet included. */
+/* Returns the distance of a point from the whole disc, sheet included. */
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
 
-/* Wanted sidestep, m/s, horizontal: fish beside a slowly moving disc drift out of its way, those
- * over or under its sheet do not. */
+/* Returns the wished sidestep, m/s, horizontal. Fish beside a slowly moving disc drift out of its
+ * way; those over or under its sheet do not. */
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m);
 
 #endif
