@@ -1,11 +1,11 @@
-/* air_pass.c -- see air_pass.h. */
+/* air_pass.c -- implementation of air_pass.h. */
 #include "platform/render/air_pass.h"
 
 #include "platform/render/gl_program.h"
 #include "shaders.h"
 
 #define STONE_COUNT 1
-#define BUBBLE_COUNT 72 /* About a third of them float where they came up. */
+#define BUBBLE_COUNT 72 /* About a third of the bubbles float on the surface after their ascent. */
 
 void air_pass_open(struct gl_status *status, struct air_pass *pass)
 {

@@ -1,4 +1,4 @@
-/* air_pass.h -- the air stone on the floor, and its bubbles while the pump runs. */
+/* air_pass.h -- the air stone on the tank's floor, and its bubbles while the air pump runs. */
 #ifndef KINGYO_PLATFORM_RENDER_AIR_PASS_H
 #define KINGYO_PLATFORM_RENDER_AIR_PASS_H
 
@@ -13,7 +13,8 @@ struct air_pass {
 void air_pass_open(struct gl_status *status, struct air_pass *pass);
 void air_pass_close(struct air_pass *pass);
 
-/* Into a target with depth, after all that is opaque. Nothing in a tank without a stone. */
+/* Draws the stone and its bubbles into a target with depth, after all opaque objects. Draws nothing
+ * in a tank without an air stone. */
 void air_pass_draw(const struct air_pass *pass, const struct scene *scene);
 
 #endif

@@ -1,4 +1,4 @@
-/* basin_pass.c -- see basin_pass.h. */
+/* basin_pass.c -- implementation of basin_pass.h. */
 #include "platform/render/basin_pass.h"
 
 #include <string.h>
@@ -7,14 +7,14 @@
 #include "platform/render/gl_program.h"
 #include "shaders.h"
 
-/* Corners are in steps that the vertex shaders stretch to the tank: see tank.vert.glsl and
- * deck.vert.glsl. */
+/* Vertex positions are integer steps, which the vertex shaders tank.vert.glsl and deck.vert.glsl
+ * scale to the tank's size. */
 struct corner {
     float position[3], normal[3];
 };
 
 struct face {
-    float a[3], b[3], c[3], d[3]; /* Around the face. */
+    float a[3], b[3], c[3], d[3]; /* Corners in order around the face. */
     float normal[3];
 };
 
@@ -22,8 +22,9 @@ enum part { PART_FLOOR, PART_WALLS, PART_SURFACE, PART_COUNTER, PART_SIDES, PART
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
-#define SLOPE_UNIT (1.0f / 508.0f) /* The scene's. */
-#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ) /* A small jump in ten minutes keeps sines exact. */
+#define SLOPE_UNIT (1.0f / 508.0f) /* Slope of one step in the scene's surface data. */
+#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ) /* The wind's time wraps every ten minutes, so that
+                                                 sines stay exact. Each wrap makes a small jump. */
 
 static const struct face faces[] = {
     /* Floor */
@@ -40,13 +41,14 @@ static const struct face faces[] = {
     { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
     { { -3, -1, -2 }, { -2, -1, -2 }, { -2, -1, 2 }, { -3, -1, 2 }, UP },
     { { 2, -1, -2 }, { 3, -1, -2 }, { 3, -1, 2 }, { 2, -1, 2 }, UP },
-    /* Rim, inside: far, left, right; the near one faces away from the player */
+    /* Inner side of the rim: far, left, right. The near inner side faces away from the player and
+     * is not drawn. */
     { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { 0, 0, 1 } },
     { { -1, 0, -1 }, { -1, 0, 1 }, { -1, 1, 1 }, { -1, 1, -1 }, { 1, 0, 0 } },
     { { 1, 0, -1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, -1 }, { -1, 0, 0 } },
-    /* Rim, outside: near */
+    /* Outer side of the rim: near */
     { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
-    /* Rim, top: far, near, left, right */
+    /* Top of the rim: far, near, left, right */
     { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
     { { -2, 1, 1 }, { 2, 1, 1 }, { 2, 1, 2 }, { -2, 1, 2 }, UP },
     { { -2, 1, -1 }, { -1, 1, -1 }, { -1, 1, 1 }, { -2, 1, 1 }, UP },
@@ -109,7 +111,8 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
     gl_ring_open(
         status, "slopes", &pass->slope_ring,
         &(struct gl_texture_desc){
-            /* Bytes would mirror the lanterns in tiles: a step of them is a step of the sky. */
+            /* The texels are 16-bit floats because 8-bit steps are visible as tiles in the mirrored
+             * lanterns. */
             .internal_format = GL_RGBA16F, .format = GL_RGBA, .width = RIPPLE_X,
             .height = RIPPLE_Z });
 }
@@ -127,8 +130,8 @@ void basin_pass_close(struct basin_pass *pass)
     gl_ring_close(&pass->slope_ring);
 }
 
-/* A breath of wind over the stall: a few long, low waves under what the core computes, so that the
- * mirrored lanterns never stand still. Slopes in the scene's units of 1/508. */
+/* A light wind adds a few long, low waves to the slopes that the core computes, so that the
+ * mirrored lanterns always move. Slopes are in the scene's units of 1/508. */
 struct wind_wave {
     float x_rad_m, z_rad_m, rad_s, slope;
 };
@@ -139,7 +142,8 @@ static const struct wind_wave wind[] = {
     { 58.0f, -13.0f, 5.3f, 4.5f },
 };
 
-/* One wave over the grid from two columns of sines: sin(a + b) = sin a cos b + cos a sin b. */
+/* Adds one wave to the whole grid from two columns of sines: sin(a + b) = sin a cos b + cos a sin
+ * b. */
 static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3 size_m,
                      float time_s)
 {
@@ -166,9 +170,10 @@ static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3
     }
 }
 
-/* What is seen through a surface whose slope turns within a cell from one way to the other must not
- * be folded or drawn out to streaks: at this bound neighbouring cells shift it by four fifths of
- * their distance at most (0.65 in the festival tank, 0.89 in the deep one of the thesis). */
+/* Bound of the slope that refracts the picture below the surface. The bound prevents folds and
+ * streaks where the slope changes sign within a cell: neighbouring cells shift the picture by at
+ * most four fifths of their distance (0.65 in the festival tank, 0.89 in the deep tank of the
+ * thesis). */
 #define SEEN_SLOPE_MAX 0.05f
 
 static void put_slope(float texel[4], float x, float z)
@@ -213,7 +218,8 @@ void basin_pass_deck(const struct basin_pass *pass, const struct textures *textu
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
     glDepthMask(GL_FALSE);
-    glUseProgram(pass->counter_program); /* Painted from the lowest up: it leaves no depth. */
+    glUseProgram(pass->counter_program); /* The faces are painted from the lowest up because the
+                                            counter writes no depth. */
     draw_part(pass, PART_COUNTER);
     glUseProgram(pass->side_program);
     draw_part(pass, PART_SIDES);

@@ -1,4 +1,5 @@
-/* basin_pass.h -- the tank itself: floor and walls below, rim and counter above, and the water. */
+/* basin_pass.h -- draws the tank: floor and walls below, rim and counter above, and the water
+ * surface. */
 #ifndef KINGYO_PLATFORM_RENDER_BASIN_PASS_H
 #define KINGYO_PLATFORM_RENDER_BASIN_PASS_H
 
@@ -11,21 +12,22 @@ struct basin_pass {
     GLuint vertex_array, vertex_buffer;
     struct gl_ring slope_ring;
     float waves[RIPPLE_Z][RIPPLE_X][2];
-    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* x, z for the mirror; x, z bounded for below. */
+    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* Slopes x, z for the mirror, then x, z bounded for
+                                            refraction. */
 };
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass);
 void basin_pass_close(struct basin_pass *pass);
 
-/* Uploads the surface's slopes. */
+/* Uploads the slopes of the water surface. */
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 
-/* Floor and walls; no depth needed. */
+/* Draws floor and walls. The target needs no depth buffer. */
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
-/* Rim and counter are hidden by what stands before them in the depth buffer but leave no depth: a
- * hand holds its poi over the rim, never through it. The surface, over `ground` and `life`, does.
- */
+/* Draws rim and counter. The depth buffer hides them behind nearer objects, but they write no
+ * depth, because a poi is always held over the rim. basin_pass_water() draws the surface with
+ * depth, from the pictures `ground` and `life` of what is below. */
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
                       GLuint life);

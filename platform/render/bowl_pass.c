@@ -1,4 +1,5 @@
-/* bowl_pass.c -- see bowl_pass.h. The shell is lathed in mouth radii and depths. */
+/* bowl_pass.c -- implementation of bowl_pass.h. The shell is a surface of revolution in units of
+ * mouth radius and bowl depth. */
 #include "platform/render/bowl_pass.h"
 
 #include "platform/render/gl_program.h"
@@ -8,16 +9,17 @@
 #define SHELL_COLUMNS 49u
 #define SHELL_ROWS 12u
 #define LIP_ROWS 4u
-#define WALL 0.030f  /* Thickness in mouth radii: 2 mm of enamelled steel. */
-#define BOTTOM 0.94f /* Depth of the inside's floor. */
+#define WALL 0.030f  /* Wall thickness in mouth radii: 2 mm of enamelled steel. */
+#define BOTTOM 0.94f /* Depth of the inner floor, in bowl depths. */
 #define DISC_ROWS 2u
 
 struct lathe {
-    float from, to; /* Part of the profile: 0 bottom .. 1 lip. */
+    float from, to; /* Range of the profile: 0 is the bottom, 1 is the lip. */
     bool outside;
 };
 
-/* A superellipse between a cup and a dish: radius and height for a point of the profile. */
+/* Writes the radius and height of one point of the profile, a superellipse between a cup and a
+ * dish. */
 static void profile(float t, bool outside, float *r, float *y)
 {
     const float angle = t * 0.5f * F_PI;
@@ -39,7 +41,7 @@ static struct shape_vertex shell_point(float u, float v, const void *context)
                                   .v = t };
 }
 
-/* From the inner edge over the round of the lip to the outer edge. */
+/* Returns a point of the rounded lip, from the inner edge (v = 0) to the outer edge. */
 static struct shape_vertex lip_point(float u, float v, const void *context)
 {
     (void)context;
@@ -60,7 +62,7 @@ static struct shape_vertex disc_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = v3(v * f_cos(around), 0.0f, v * f_sin(around)) };
 }
 
-/* The profile's inner radius at height `y` in depths, by halving. */
+/* Returns the profile's inner radius at height `y` (in bowl depths), found by bisection. */
 static float radius_at(float y)
 {
     float low = 0.0f;

@@ -1,4 +1,4 @@
-/* bowl_pass.h -- the floating bowls, with their own water and what swims in it. */
+/* bowl_pass.h -- draws the floating bowls and the water and fish in them. */
 #ifndef KINGYO_PLATFORM_RENDER_BOWL_PASS_H
 #define KINGYO_PLATFORM_RENDER_BOWL_PASS_H
 
@@ -13,15 +13,16 @@ struct bowl_part {
 struct bowl_pass {
     struct bowl_part shell_part, hole_part, water_part;
     struct shape_buffers shell, disc;
-    uint32_t hull_first, hull_count; /* Indices of the shell's outside and lip. */
+    uint32_t hull_first, hull_count; /* Index range of the shell's outside and lip. */
 };
 
 void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);
 void bowl_pass_close(struct bowl_pass *pass);
 
-/* Takes the tank's surface out of the depth buffer where the bowl holds it off. */
+/* Removes the tank's water surface from the depth buffer inside the bowl's mouth. */
 void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
-/* What of it is under water, without its inside, which is drawn with the shell, above. */
+/* Draws the bowl's submerged outside. bowl_pass_shell() draws the inside and the part above the
+ * water. */
 void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
 void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);

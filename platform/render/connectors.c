@@ -1,4 +1,4 @@
-/* connectors.c -- see connectors.h. */
+/* connectors.c -- implementation of connectors.h. */
 #include "platform/render/connectors.h"
 
 #include <dirent.h>
@@ -6,11 +6,11 @@
 #include <string.h>
 
 #define PATH_SIZE 512
-#define HASH_BASIS 0xcbf29ce484222325ull /* FNV-1a's. */
+#define HASH_BASIS 0xcbf29ce484222325ull /* FNV-1a constants. */
 #define HASH_PRIME 0x100000001b3ull
 
-/* "card1-HDMI-A-1", but neither "card1" nor "renderD128". What only writes into memory is named
- * as the kernel names it. */
+/* Returns 1 for a display connector such as "card1-HDMI-A-1", and 0 for "card1", "renderD128" and
+ * the kernel's writeback connectors, which only write into memory. */
 static int is_socket(const char *name)
 {
     return strncmp(name, "card", 4) == 0 && strchr(name, '-') && !strstr(name, "-Writeback-");
@@ -38,7 +38,7 @@ static uint64_t hash_of(const char *name)
     return hash;
 }
 
-/* A sum: folders are not listed in the same order each time. */
+/* The hashes are summed because a directory is not listed in the same order each time. */
 struct connectors connectors_read(const char *root)
 {
     struct connectors found = { 0 };

@@ -1,19 +1,22 @@
-/* connectors.h -- which of the graphics cards' sockets have a screen in them.
+/* connectors.h -- reads from the kernel which connectors of the graphics cards have a screen
+ * plugged in.
  *
- * SDL draws on bare DRM without noticing that a screen was pulled out, or that another came: the
- * kernel says so in /sys/class/drm. Reading it asks no screen, it is what the kernel knows. */
+ * SDL on bare DRM does not detect that a screen was unplugged or replaced, but the kernel lists it
+ * in /sys/class/drm. Reading that directory causes no traffic to the screen. */
 #ifndef KINGYO_PLATFORM_RENDER_CONNECTORS_H
 #define KINGYO_PLATFORM_RENDER_CONNECTORS_H
 
 #include <stdint.h>
 
 struct connectors {
-    uint32_t count;     /* Sockets; 0: no card, or nothing is told. */
-    uint32_t connected; /* Those with a screen. */
-    uint64_t which;     /* Tells two sets of sockets with screens apart; 0: none. */
+    uint32_t count;     /* Number of connectors; 0 if there is no card or the directory is
+                           unreadable. */
+    uint32_t connected; /* Number of connectors with a screen. */
+    uint64_t which;     /* Hash of the set of connectors with a screen; 0 for the empty set. */
 };
 
-/* `root`: a folder like /sys/class/drm. One that cannot be read has no sockets. */
+/* Returns the connectors below `root`, a directory like /sys/class/drm. Returns no connectors if
+ * the directory cannot be read. */
 struct connectors connectors_read(const char *root);
 
 #endif

@@ -1,4 +1,5 @@
-/* display_gl.c -- window, context and events; the picture itself is renderer.c's. */
+/* display_gl.c -- window, OpenGL context and window events. The picture itself is drawn by
+ * renderer.c. */
 #include "platform/render/display_gl.h"
 
 #include <stdio.h>
@@ -12,9 +13,11 @@
 
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
-#define LOOK_NS 1000000000ull /* Plugs are looked at once a second: 40 microseconds. */
+#define LOOK_NS 1000000000ull /* The connectors are read once a second, which takes 40
+                                 microseconds. */
 #define LOOKS 2u
-#define PAINT_DRAWS 20u /* Frames in which a fish of lab or album is painted finely. */
+#define PAINT_DRAWS 20u /* Number of frames in which a fish of lab or album is painted at full
+                           resolution. */
 
 static int fail(struct display_gl *display, const char *what, const char *why)
 {
@@ -34,7 +37,7 @@ static void on_broken(void *context)
     display->broken = true;
 }
 
-/* A second open(), after HAL_ERR_GONE, starts from nothing again. */
+/* Releases everything, so that a second open() after HAL_ERR_GONE starts from nothing. */
 static void release(struct display_gl *display)
 {
     if (display->context && !display->broken) {
@@ -50,8 +53,9 @@ static void release(struct display_gl *display)
     display->has_shown = false;
 }
 
-/* SDL takes what opens: where a window system dies between asking and opening, that may be a driver
- * that shows nothing. Who wants that says so, by off_screen or by SDL_VIDEODRIVER. */
+/* Returns true if SDL chose a driver that shows nothing ("offscreen" or "dummy") by itself, for
+ * example because the window system died meanwhile. Such a driver is accepted only if `off_screen`
+ * or SDL_VIDEODRIVER requests it. */
 static int shows_nothing(const struct display_gl *display)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
@@ -70,8 +74,8 @@ static uint64_t now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Bare of a window system a card without a screen need not be tried: it would take SDL a while to
- * find out. */
+/* Returns true if SDL runs without a window system and no connector has a screen. SDL need not be
+ * opened then, because its own detection takes long. */
 static int has_nothing_plugged(struct display_gl *display)
 {
     const char *driver = SDL_getenv("SDL_VIDEODRIVER");
@@ -115,7 +119,8 @@ static int create_window(struct display_gl *display)
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return error;
     }
-    if (!config->off_screen) { /* Off screen, pictures are as small as they are asked for. */
+    if (!config->off_screen) { /* Off-screen pictures have exactly the requested size, so they need
+                                  no minimum. */
         SDL_SetWindowMinimumSize(display->window, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_HEIGHT_MIN);
     }
     display->full_screen = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
@@ -129,7 +134,8 @@ static int create_context(struct display_gl *display)
         return fail(display, "no OpenGL ES 3.0 context", SDL_GetError());
     }
     if (SDL_GL_SetSwapInterval(display->config.off_screen ? 0 : 1) != 0) {
-        SDL_ClearError(); /* Some drivers have no say in it; the frame loop paces itself. */
+        SDL_ClearError(); /* Some drivers do not support a swap interval. The frame loop paces
+                             itself then. */
     }
     int width = 0;
     int height = 0;
@@ -150,7 +156,8 @@ static int create_context(struct display_gl *display)
     return HAL_OK;
 }
 
-/* Pictures for files are the same on every machine, and what was asked for is kept. */
+/* Starts the quality governor, except for off-screen pictures, which must be the same on every
+ * machine, and except if the configuration sets scale or samples. */
 static void begin_to_govern(struct display_gl *display)
 {
     const struct display_gl_config *const config = &display->config;
@@ -164,12 +171,13 @@ static void begin_to_govern(struct display_gl *display)
     }
 }
 
-/* After each frame: late ones, and a hot machine, are answered by a coarser picture. */
+/* Lowers the picture's quality after late frames or on a hot machine. Called after each frame. */
 static int govern(struct display_gl *display, const struct scene *scene)
 {
     const uint32_t looks = atomic_load(&display->thermal.looks);
     if (!display->is_governed || display->renderer.placing.light <= 0.0f) {
-        return HAL_OK; /* The night draws nothing, and says nothing of what drawing costs. */
+        return HAL_OK; /* A night picture draws nothing, so its frame time does not measure the cost
+                          of drawing. */
     }
     if (looks != display->heat_looks) {
         display->heat_looks = looks;
@@ -213,8 +221,9 @@ static int display_open(void *self)
     return HAL_OK;
 }
 
-/* A plug wobbles while it is pushed in: what is different must stay so for LOOKS seconds. Then the
- * picture is closed here, so that no frame waits for a screen that is not there. */
+/* Closes the display when the set of plugged screens changed, so that no frame blocks on an absent
+ * screen. The change must last for LOOKS seconds because a plug makes and breaks contact while it
+ * is pushed in. */
 static void watch_plugs(struct display_gl *display)
 {
     const uint64_t now = now_ns();
@@ -232,8 +241,8 @@ static void watch_plugs(struct display_gl *display)
     }
 }
 
-/* Takes SDL's window and quit events out of the queue; the rest is for the drivers of other
- * devices. */
+/* Takes SDL's window and quit events out of the queue. All other events stay there for the drivers
+ * of other devices. */
 static int display_poll(void *self, struct display_events *out)
 {
     struct display_gl *const display = self;
@@ -257,7 +266,7 @@ static int display_poll(void *self, struct display_events *out)
     }
     const struct placing *const drawn = &display->renderer.placing;
     out->upright = drawn->width < OVERLAY_UPRIGHT_ASPECT * drawn->height;
-    out->lost = display->broken; /* Pumping may have been what noticed. */
+    out->lost = display->broken; /* SDL_PumpEvents() may have detected the broken connection. */
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
 
@@ -267,7 +276,7 @@ static int follow_size(struct display_gl *display)
     int height = 0;
     SDL_GL_GetDrawableSize(display->window, &width, &height);
     if ((SDL_GetWindowFlags(display->window) & SDL_WINDOW_MINIMIZED) || width <= 0 || height <= 0) {
-        return HAL_ERR_BUSY; /* Nothing to draw on, and nothing wrong. */
+        return HAL_ERR_BUSY; /* There is no area to draw on, which is not an error. */
     }
     const struct renderer_config *const drawn = &display->renderer.config;
     if (drawn->width == (uint32_t)width && drawn->height == (uint32_t)height) {
@@ -332,7 +341,8 @@ static int display_toggle_full_screen(void *self)
     return HAL_OK;
 }
 
-/* Where no frame was drawn before, the fish of lab and album are still to be painted. */
+/* Draws the frame. Where no frame was drawn before, the fish of lab and album are first painted at
+ * full resolution. */
 static void draw_picture(struct display_gl *display)
 {
     const uint8_t phase = display->shown.phase;

@@ -1,14 +1,15 @@
-/* drip_pass.c -- see drip_pass.h. */
+/* drip_pass.c -- implementation of drip_pass.h. */
 #include "platform/render/drip_pass.h"
 
 #include "platform/render/gl_program.h"
 #include "shaders.h"
 
 #define DROPS_MAX 5
-#define DRIPS_FROM_M 0.0002f /* Mean depth of water: less clings. */
+#define DRIPS_FROM_M 0.0002f /* Minimum mean depth of water on the paper from which drops fall. Less
+                                water adheres. */
 #define DRIPS_FULL_M 0.0015f
-#define CLEAR_M 0.008f       /* Its low side is so far over the water. */
-#define RING_REACH 1.17f     /* In paper radii: drops let go of the outer edge. */
+#define CLEAR_M 0.008f       /* The poi's low side is raised this far above the water. */
+#define RING_REACH 1.17f     /* In paper radii: drops fall from the ring's outer edge. */
 
 void drip_pass_open(struct gl_status *status, struct drip_pass *pass)
 {
@@ -23,11 +24,13 @@ void drip_pass_close(struct drip_pass *pass)
     glDeleteVertexArrays(1, &pass->no_attributes);
 }
 
-/* The lowest point of the ring; of a level one, the middle of the belly. */
+/* Returns the lowest point of the ring; for a level ring, the centre of the sagging paper. */
 static vec3 low_side(const struct scene_poi *poi)
 {
     const vec3 up = basis_from_angles(poi->angles).up;
-    const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y); /* Along its plane. */
+    const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y); /* Direction of steepest
+                                                                           descent in the ring's
+                                                                           plane. */
     const float steep = v3_length(down);
     const float reach_m = RING_REACH * poi->ring_radius_m * f_smoothstep(0.03f, 0.20f, steep);
     return v3_mad(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)), reach_m);

@@ -1,4 +1,5 @@
-/* drm_card.c -- /sys/class/drm: cards and their sockets, "card1-HDMI-A-1". */
+/* drm_card.c -- reads the graphics cards and their connectors, such as "card1-HDMI-A-1", from
+ * /sys/class/drm. */
 #include "platform/render/drm_card.h"
 
 #include <SDL.h>
@@ -7,15 +8,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A card is as good as its best socket. */
+/* State of a connector. A card counts as its best connector. */
 enum socket_state {
     SOCKET_NONE = 0,
     SOCKET_FREE,
     SOCKET_CONNECTED,
 };
 
-/* N of "cardN-SOCKET"; -1 for a card itself, and for what only looks like a monitor's socket: a
- * writeback connector leads into memory. */
+/* Returns N of "cardN-CONNECTOR", or -1 for a card itself and for a writeback connector, which
+ * writes into memory and has no monitor. */
 static int card_of(const char *name)
 {
     int card = -1, length = 0;
@@ -72,6 +73,7 @@ void drm_card_prefer(void)
     const int card = drm_card_find("");
     if (card >= 0) {
         snprintf(index, sizeof index, "%d", card);
-        SDL_SetHint(SDL_HINT_KMSDRM_DEVICE_INDEX, index); /* The environment wins over it. */
+        SDL_SetHint(SDL_HINT_KMSDRM_DEVICE_INDEX, index); /* An SDL environment variable takes
+                                                             precedence over this hint. */
     }
 }

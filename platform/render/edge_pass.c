@@ -1,4 +1,4 @@
-/* edge_pass.c -- see edge_pass.h. */
+/* edge_pass.c -- implementation of edge_pass.h. */
 #include "platform/render/edge_pass.h"
 
 #include "platform/render/gl_program.h"
@@ -17,7 +17,8 @@ void edge_pass_close(struct edge_pass *pass)
     glDeleteVertexArrays(1, &pass->no_attributes);
 }
 
-/* From (left, bottom) up to (right, top), in OpenGL's own way: rows from below. */
+/* Fills the rectangle from (left, bottom) to (right, top) with black, in OpenGL's window
+ * coordinates with the origin at the lower left. */
 static void blacken(GLint left, GLint bottom, GLint right, GLint top)
 {
     if (right > left && top > bottom) {
@@ -26,7 +27,7 @@ static void blacken(GLint left, GLint bottom, GLint right, GLint top)
     }
 }
 
-/* Four strips; one that is empty costs nothing. */
+/* Draws the four black strips beside the picture. An empty strip costs nothing. */
 static void margins(const struct placing *placing)
 {
     const struct placing_part part = placing_part_of(placing);

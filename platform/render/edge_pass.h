@@ -1,5 +1,6 @@
-/* edge_pass.h -- the last of a frame: what lies beside the picture is black, and the picture as
- * dark as is asked. Costs nothing where it fills the screen in full light. */
+/* edge_pass.h -- the last pass of a frame: the area beside the picture becomes black, and the
+ * picture is dimmed as requested. Costs nothing where the picture fills the screen at full
+ * brightness. */
 #ifndef KINGYO_PLATFORM_RENDER_EDGE_PASS_H
 #define KINGYO_PLATFORM_RENDER_EDGE_PASS_H
 
@@ -13,11 +14,11 @@ struct edge_pass {
 void edge_pass_open(struct gl_status *status, struct edge_pass *pass);
 void edge_pass_close(struct edge_pass *pass);
 
-/* Over what is in the bound framebuffer, the screen of `placing`. Leaves blending on, scissor off.
- */
+/* Draws over the bound framebuffer, which is the screen of `placing`. Leaves blending on and the
+ * scissor test off. */
 void edge_pass_draw(const struct edge_pass *pass, const struct placing *placing);
 
-/* In its place where there is no light at all: a black screen. */
+/* Draws a black screen, in place of edge_pass_draw() while the brightness is 0. */
 void edge_pass_night(void);
 
 #endif

@@ -1,14 +1,17 @@
-/* fan_pass.c -- see fan_pass.h. */
+/* fan_pass.c -- implementation of fan_pass.h. */
 #include "platform/render/fan_pass.h"
 
 #include "platform/render/gl_program.h"
 #include "platform/render/poi_pass.h"
 #include "shaders.h"
 
-/* So high the leaf hides half of its shadow's water from the player, and little of the floor. */
+/* At this height the fan hides half of its shadow on the water from the player, and little of the
+ * floor. */
 #define FAN_HEIGHT_M 0.15f
-#define FAN_PITCH_RAD (-7.0f * F_DEG) /* The far edge lower: the player sees the picture. */
-#define SWAY_RAD (1.6f * F_DEG)       /* No hand is quite still. */
+#define FAN_PITCH_RAD (-7.0f * F_DEG) /* The far edge is lower, so that the player sees the picture
+                                         on the fan. */
+#define SWAY_RAD (1.6f * F_DEG)       /* Amplitude of the sway, because no human hand is quite
+                                         still. */
 #define SWAY_HZ 0.23f
 #define SEEN_THROUGH 0.34f
 #define SEEN_FROM_S 0.6f
@@ -38,7 +41,8 @@ static void draw_fan(const struct fan_pass *pass, const struct scene_fan *fan, u
                                    .roll_rad = SWAY_RAD * f_cos(sway) };
     frame_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
     glUniformMatrix4fv(pass->pose, 1, GL_FALSE, pose);
-    /* Who holds it still looks past it, at the fish. */
+    /* A fan that is held still becomes partly transparent, so that its player sees the fish behind
+     * it. */
     const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
     const float *const paint = poi_paint(fan->owner);
     glUniform4f(pass->trim, paint[0], paint[1], paint[2], 1.0f - through);

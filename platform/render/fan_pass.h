@@ -1,7 +1,7 @@
-/* fan_pass.h -- the fans that hands hold over the water.
+/* fan_pass.h -- draws the fans that the players hold over the water.
  *
- * The shadows that they cast are in the frame block (frame_block.h), for every shader that draws
- * what lies below. */
+ * The fans' shadows are in the frame block (frame_block.h), for every shader that draws objects
+ * below. */
 #ifndef KINGYO_PLATFORM_RENDER_FAN_PASS_H
 #define KINGYO_PLATFORM_RENDER_FAN_PASS_H
 
@@ -17,7 +17,8 @@ struct fan_pass {
 void fan_pass_open(struct gl_status *status, struct fan_pass *pass);
 void fan_pass_close(struct fan_pass *pass);
 
-/* Over everything else of the stall; blends, and wants no depth. */
+/* Draws the fans over all other objects of the stall, with blending. The target needs no depth
+ * buffer. */
 void fan_pass_draw(const struct fan_pass *pass, const struct scene *scene,
                    const struct textures *textures);
 

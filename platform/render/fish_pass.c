@@ -1,4 +1,4 @@
-/* fish_pass.c -- see fish_pass.h. */
+/* fish_pass.c -- implementation of fish_pass.h. */
 #include "platform/render/fish_pass.h"
 
 #include <stdio.h>
@@ -60,8 +60,8 @@ void fish_pass_close(struct fish_pass *pass)
     }
 }
 
-/* Lowest first, by 256 levels of height; fish of one level keep the scene's order, so that the same
- * scene is the same picture. */
+/* Sorts the fish by height into 256 levels, lowest first. Fish of one level keep the scene's order,
+ * so that the same scene always gives the same picture. */
 static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
 {
     uint16_t start[SORT_LEVELS + 1u] = { 0 };
@@ -81,7 +81,7 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
     }
 }
 
-/* Its snout, or a back that a wave has bared. */
+/* Returns true if the fish's snout, or its back in a wave trough, is above the surface. */
 static bool is_bare(const struct scene_fish *fish)
 {
     const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
@@ -122,7 +122,8 @@ static bool is_far(enum fish_group group)
     return group == FISH_FAR || group == FISH_GULPING_FAR;
 }
 
-/* Each fish's row is its place in the scene; only who has grown, or come near, is posed anew. */
+/* Updates the poses. Each fish's row is its index in the scene, and only a fish that has grown or
+ * changed its level of detail is written again. */
 static void pose(struct fish_pass *pass, const struct scene *scene)
 {
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
@@ -162,7 +163,7 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                      scene->fish_count * sizeof *pass->instances);
 }
 
-/* OpenGL ES 3.0 has no base instance: a group begins where the pointers say. */
+/* Points the instance attributes at group `first`, because OpenGL ES 3.0 has no base instance. */
 static void point_instances(uint32_t first)
 {
     static const struct instance_attribute {
@@ -185,7 +186,7 @@ static void point_instances(uint32_t first)
     }
 }
 
-/* With `program`, which is in use. */
+/* Draws one group with `program`, which must be current. */
 static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
                        enum fish_group group, bool fins)
 {

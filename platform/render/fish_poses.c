@@ -1,4 +1,4 @@
-/* fish_poses.c -- see fish_poses.h. */
+/* fish_poses.c -- implementation of fish_poses.h. */
 #include "platform/render/fish_poses.h"
 
 #include <stdio.h>
@@ -26,8 +26,8 @@ uint32_t pose_pack(float out[][4], const struct morph_pose *pose, uint32_t curve
     return at;
 }
 
-/* What morph.glsl wants to know as ANCHORS: 0 none, 1 some that keep the body's axes, 2 some that
- * turn. */
+/* Returns the value of morph.glsl's ANCHORS: 0 no anchors, 1 anchors that keep the body's axes, 2
+ * anchors that turn. */
 static uint32_t riding(const struct species_mesh *mesh, bool fins)
 {
     uint32_t most = 0;

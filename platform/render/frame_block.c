@@ -1,4 +1,4 @@
-/* frame_block.c -- camera, light and water in numbers. */
+/* frame_block.c -- computes the uniform block of a frame: camera, light and water. */
 #include "platform/render/frame_block.h"
 
 #include <string.h>
@@ -7,16 +7,19 @@
 
 #define NEAR_M 0.05f
 #define FAR_M 8.0f
-#define CAUSTIC_LAYERS_HZ 11.0f /* A loop of 32 layers in about three seconds. */
+#define CAUSTIC_LAYERS_HZ 11.0f /* A loop of 32 layers takes about three seconds. */
 #define SECONDS_WRAP_TICKS (3600u * CORE_TICK_HZ)
-#define SHADOW_MARGIN 1.06f  /* Shadows of fish at a wall end on the wall's side of the map. */
-#define SHADOW_DRIFT_X 0.26f /* The lamps hang to the right and behind the player: */
-#define SHADOW_DRIFT_Z 0.16f /* tangents of the light that reaches the floor. */
+#define SHADOW_MARGIN 1.06f  /* The shadow map is larger than the floor, so that a fish at a wall
+                                has its whole shadow in the map. */
+#define SHADOW_DRIFT_X 0.26f /* Tangents x, z of the light that reaches the floor. The lamps hang to
+                                the right of and behind the player. */
+#define SHADOW_DRIFT_Z 0.16f /* Tangent z of the light that reaches the floor. */
 
-/* The colour of the water is a look, not a depth gauge: a shallow tank is as blue as a deep one. */
+/* Absorption is divided by the depth, so that a shallow tank is as blue as a deep one. */
 #define ABSORPTION_OVER_DEPTH 0.55f
 
-/* Displacement of what is seen, in depths per slope: refraction's 0.25 and a little for the eye. */
+/* Displacement of the refracted picture, in depths per unit of slope: 0.25 from refraction plus an
+ * artistic addition. */
 #define REFRACTION 0.36f
 
 static void multiply(float out[16], const float a[16], const float b[16])
@@ -84,7 +87,8 @@ void frame_close(struct frame *frame)
     glDeleteBuffers(1, &frame->buffer);
 }
 
-/* From the picture's clip space to the screen's: every pass is drawn where it will be seen. */
+/* Transforms from the picture's clip space to the screen's, so that every pass draws at its final
+ * place. */
 static void turn(float out[16], const struct placing *placing)
 {
     float turned[4], move[2];
@@ -116,8 +120,8 @@ static void set_camera(struct frame *frame, const struct view *view, const struc
     frame->view.focal_px = 0.5f * placing->height / tan_y;
 }
 
-/* How far the picture below moves on the screen when the surface tilts: one metre at the target,
- * seen through the camera. Good to a few per cent over the whole tank. */
+/* Sets how far the refracted picture moves on the screen per unit of slope: one metre at the
+ * camera's target, projected. The error is a few per cent over the whole tank. */
 static void set_bend(struct frame *frame, const struct scene *scene, float aspect)
 {
     const struct view *const view = &scene->view;
@@ -129,7 +133,8 @@ static void set_bend(struct frame *frame, const struct scene *scene, float aspec
         0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f, 0.0f);
 }
 
-/* Fans first: floor and walls take the pois' shadows, holes and all, from the shadow map. */
+/* Adds the shadow ellipses, fans first. Floor and walls take the shadows of the pois, including
+ * their holes, from the shadow map. */
 static void set_shades(struct frame_block *block, const struct scene *scene)
 {
     uint32_t count = 0;

@@ -1,4 +1,5 @@
-/* frame_block.h -- the figures of one frame that every shader may read, as the block `Frame`.
+/* frame_block.h -- the values of one frame that every shader may read, as the uniform block
+ * `Frame`.
  *
  * The layout mirrors assets/shaders/common.glsl (std140). */
 #ifndef KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
@@ -22,10 +23,10 @@ struct frame_block {
 };
 _Static_assert(sizeof(struct frame_block) == 288, "the block has the layout of common.glsl");
 
-/* What C code needs of the camera besides the block. */
+/* Camera values that C code needs besides the block. */
 struct frame_view {
     vec3 eye_m;
-    float focal_px; /* Pixels that one metre spans at one metre's distance. */
+    float focal_px; /* Pixels that one metre spans at a distance of one metre. */
 };
 
 struct frame {
@@ -37,10 +38,11 @@ struct frame {
 void frame_open(struct frame *frame);
 void frame_close(struct frame *frame);
 
-/* Computes the block for `scene`, placed so on the screen, and uploads it. */
+/* Computes the block for `scene` with the display geometry `placing`, and uploads it. */
 void frame_begin(struct frame *frame, const struct scene *scene, const struct placing *placing);
 
-/* A body's pose as a column-major matrix: `scale` metres per unit along each of its axes. */
+/* Writes a body's pose as a column-major matrix, with `scale` metres per unit along each of its
+ * axes. */
 void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale);
 
 #endif

@@ -1,4 +1,4 @@
-/* gl_program.c -- see gl_program.h. */
+/* gl_program.c -- implementation of gl_program.h. */
 #include "platform/render/gl_program.h"
 
 #include <stdio.h>
@@ -31,7 +31,7 @@ GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
 GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment)
 {
     if (!vertex || !fragment) {
-        return 0; /* The status already says which. */
+        return 0; /* The status already names the failed shader. */
     }
     const GLuint program = glCreateProgram();
     glAttachShader(program, vertex);
@@ -89,7 +89,8 @@ static GLuint build(struct gl_status *status, const char *name, const char *defi
         gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 4),
     };
     const GLuint program = gl_link(status, name, stages[0], stages[1]);
-    glDeleteShader(stages[0]); /* Lives on as long as the program does; 0 is ignored. */
+    glDeleteShader(stages[0]); /* OpenGL keeps the shader until the program is deleted, and ignores
+                                  the name 0. */
     glDeleteShader(stages[1]);
     if (program) {
         gl_program_bind(program, samplers);

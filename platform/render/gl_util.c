@@ -1,4 +1,4 @@
-/* gl_util.c -- failures, textures, buffers and targets. */
+/* gl_util.c -- error status, textures, buffers and render targets. */
 #include "platform/render/gl_util.h"
 
 #include <stdarg.h>
@@ -15,7 +15,7 @@ void gl_fail(struct gl_status *status, const char *format, ...)
     va_end(arguments);
     for (char *c = status->text; *c; c++) {
         if (*c == '\n') {
-            *c = ' '; /* Drivers answer in paragraphs; we promise a line. */
+            *c = ' '; /* Drivers report several lines, but the status holds one line. */
         }
     }
 }
@@ -65,7 +65,7 @@ static bool fits(struct gl_status *status, const char *name, const struct gl_tex
     return true;
 }
 
-/* Of the texture that is bound. */
+/* Allocates the storage of the bound texture. */
 static void allocate(GLenum kind, const struct gl_texture_desc *desc)
 {
     const GLsizei width = (GLsizei)desc->width;
@@ -203,7 +203,7 @@ void gl_target_close(struct gl_target *target)
 {
     const GLuint framebuffers[2] = { target->framebuffer, target->resolve };
     const GLuint buffers[2] = { target->color, target->depth };
-    glDeleteFramebuffers(2, framebuffers); /* The name 0 is ignored, here and below. */
+    glDeleteFramebuffers(2, framebuffers); /* OpenGL ignores the name 0, here and below. */
     glDeleteRenderbuffers(2, buffers);
     glDeleteTextures(1, &target->texture);
     *target = (struct gl_target){ 0 };

@@ -1,7 +1,9 @@
-/* gl_util.h -- the few OpenGL ES 3 chores every pass shares, with one way to report failure.
+/* gl_util.h -- OpenGL ES 3 helper functions that every pass shares, with one way to report
+ * failures.
  *
- * Builders never stop half-way: they remember the first failure in `struct gl_status` and return
- * the name 0, which OpenGL ignores. Whoever builds a whole looks at the status once, at the end. */
+ * Functions that create objects never stop at an error: they store the first failure in `struct
+ * gl_status` and return the name 0, which OpenGL ignores. The caller checks the status once, at the
+ * end. */
 #ifndef KINGYO_PLATFORM_RENDER_GL_UTIL_H
 #define KINGYO_PLATFORM_RENDER_GL_UTIL_H
 
@@ -12,41 +14,44 @@
 
 #include "platform/hal.h"
 
-#define GL_RING 3u     /* Textures in turn, where each frame brings new texels. */
-#define GL_TEXTURE_SURE 2048u /* Texels a side, ... */
-#define GL_LAYERS_SURE 256u   /* ... and layers of an array: what OpenGL ES 3.0 promises. */
+#define GL_RING 3u     /* Number of textures used in turn for texels that change each frame. */
+#define GL_TEXTURE_SURE 2048u /* Texture size in texels a side that OpenGL ES 3.0 guarantees. */
+#define GL_LAYERS_SURE 256u   /* Number of layers of an array texture that OpenGL ES 3.0
+                                 guarantees. */
 
-/* The first failure, in one line that says what and where; empty while all is well. */
+/* The first failure as one line that names the object and the reason; empty while there is none. */
 struct gl_status {
     char text[HAL_TEXT_SIZE];
 };
 
-/* Keeps the first message only; later ones follow from it. */
+/* Stores the message if it is the first. Later failures are consequences and are ignored. */
 void gl_fail(struct gl_status *status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 bool gl_is_well(const struct gl_status *status);
 
 struct gl_texture_desc {
-    GLenum internal_format, format; /* Of 8-bit components where there are pixels. */
+    GLenum internal_format, format; /* Has 8-bit components if `pixels` is set. */
     uint32_t width, height;
-    uint32_t layers;       /* 0: a plain 2D texture; else an array. */
-    const uint8_t *pixels; /* Null: contents undefined. */
+    uint32_t layers;       /* 0: a plain 2D texture; otherwise the layers of an array. */
+    const uint8_t *pixels; /* Initial texels; null: contents undefined. */
     bool mipmaps;
-    bool nearest; /* Texels as they are: 32-bit floats have no other way. */
-    GLenum wrap; /* 0: GL_CLAMP_TO_EDGE. */
+    bool nearest; /* Nearest filtering, the only filter for 32-bit floats. */
+    GLenum wrap; /* Wrap mode; 0: GL_CLAMP_TO_EDGE. */
 };
 
-/* One that is larger than this driver takes is refused with both sizes. */
+/* Creates a texture. A size larger than the driver supports fails with both sizes in the
+ * message. */
 GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc);
 
-/* A buffer of `size` bytes; `data` may be null for one that is filled every frame. */
+/* Creates a buffer of `size` bytes. `data` may be null for a buffer that is filled every frame. */
 GLuint gl_buffer(GLenum target, const void *data, size_t size);
 
-/* Replaces the whole of the buffer bound to `target`, in a fresh store: the driver need not wait
- * for the frame that still reads the last one. */
+/* Replaces the whole content of the buffer bound to `target` in new storage, so that the driver
+ * need not wait for the frame that still reads the old content. */
 void gl_buffer_refill(GLenum target, const void *data, size_t size);
 
-/* GL_RING equal textures, without pixels: the one to fill is never the one last drawn from. */
+/* GL_RING equal textures without pixels. The texture being filled is never the one that was last
+ * drawn from. */
 struct gl_ring {
     GLuint textures[GL_RING];
     uint32_t now;
@@ -56,26 +61,26 @@ void gl_ring_open(struct gl_status *status, const char *name, struct gl_ring *ri
                   const struct gl_texture_desc *desc);
 void gl_ring_close(struct gl_ring *ring);
 
-/* Goes on to the texture that has rested longest, and returns it. */
+/* Advances to the texture that has been unused for the longest time, and returns it. */
 GLuint gl_ring_turn(struct gl_ring *ring);
 GLuint gl_ring_texture(const struct gl_ring *ring);
 
-/* Where a pass draws: a framebuffer and its size in pixels. */
+/* Render target of a pass: a framebuffer and its size in pixels. */
 struct gl_target {
     GLuint framebuffer;
     uint32_t width, height;
     GLuint color;   /* Texture, or renderbuffer when `samples` > 1. */
     GLuint depth;   /* Renderbuffer or 0. */
-    GLuint resolve; /* Texture's framebuffer that gl_target_resolve() fills, or 0. */
-    GLuint texture; /* What later passes sample. */
+    GLuint resolve; /* Framebuffer of `texture` that gl_target_resolve() fills, or 0. */
+    GLuint texture; /* Texture that later passes sample. */
 };
 
 struct gl_target_desc {
     GLenum internal_format; /* GL_RGBA8, GL_R8. */
     uint32_t width, height;
-    uint32_t samples; /* 0, 1: none. */
+    uint32_t samples; /* Samples a pixel; 0 and 1: no multisampling. */
     bool depth;
-    GLenum wrap; /* 0: GL_CLAMP_TO_EDGE. */
+    GLenum wrap; /* Wrap mode; 0: GL_CLAMP_TO_EDGE. */
 };
 
 void gl_target_open(struct gl_status *status, const char *name, struct gl_target *target,
@@ -83,13 +88,14 @@ void gl_target_open(struct gl_status *status, const char *name, struct gl_target
 void gl_target_close(struct gl_target *target);
 void gl_target_bind(const struct gl_target *target);
 
-/* Makes `texture` hold what was drawn. What the texture does not keep, samples and depth, is given
- * up: a tiled GPU then never writes it to memory. */
+/* Copies the drawn picture to `texture`. Samples and depth are invalidated, so that a tiled GPU
+ * never writes them to memory. */
 void gl_target_resolve(const struct gl_target *target);
 
 void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture);
 
-/* Describes the floats of an interleaved buffer, bound to GL_ARRAY_BUFFER now. */
+/* Describes the float attributes of an interleaved buffer, which must be bound to
+ * GL_ARRAY_BUFFER. */
 void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t offset);
 
 #endif

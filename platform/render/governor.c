@@ -1,14 +1,15 @@
-/* governor.c -- see governor.h. */
+/* governor.c -- implementation of governor.h. */
 #include "platform/render/governor.h"
 
 #include "platform/render/quality.h"
 
 #define NS_PER_S 1000000000ull
 #define STALL_NS (NS_PER_S / 4u)
-#define STALLS 3u /* In a row they are none: it is drawing that takes so long. */
+#define STALLS 3u /* After this many stalls in a row, drawing itself is assumed to be slow. */
 #define HZ 60u
-#define LATE_PERCENT 111u  /* Of a turn: one frame in nine comes a turn late. */
-#define HELD_S 60u         /* A finer step that was on time for so long is no try any more. */
+#define LATE_PERCENT 111u  /* Percent of a refresh period: on average one frame in nine is one
+                              period late. */
+#define HELD_S 60u         /* A finer step that was on time for this long is no longer a trial. */
 
 void governor_begin(struct governor *governor, uint32_t refresh_hz)
 {

@@ -1,4 +1,5 @@
-/* light_pass.h -- what falls on the floor: this moment's caustics, and everyone's shadow. */
+/* light_pass.h -- draws the light on the floor: the current caustics and the shadows of all
+ * objects. */
 #ifndef KINGYO_PLATFORM_RENDER_LIGHT_PASS_H
 #define KINGYO_PLATFORM_RENDER_LIGHT_PASS_H
 
@@ -11,8 +12,8 @@ struct light_pass {
     GLuint caustics_program, fish_program, disc_program;
     GLint disc_pose, disc_softness, disc_slant;
     GLuint no_attributes, casters; /* Vertex arrays. */
-    struct gl_target caustics;     /* A tile; repeats. */
-    struct gl_target shadows;      /* The floor from above; 0 is lit. */
+    struct gl_target caustics;     /* One tile of caustics, which repeats. */
+    struct gl_target shadows;      /* Map of the floor from above; 0 is lit. */
 };
 
 void light_pass_open(struct gl_status *status, struct light_pass *pass);
@@ -20,7 +21,7 @@ void light_pass_close(struct light_pass *pass);
 
 void light_pass_caustics(const struct light_pass *pass, const struct textures *textures);
 
-/* After fish_pass_prepare() and poi_pass_prepare(). */
+/* Draws the shadow map. Call after fish_pass_prepare() and poi_pass_prepare(). */
 void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
                         const struct fish_pass *fish, const struct poi_pass *poi);
 

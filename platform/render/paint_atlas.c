@@ -1,4 +1,4 @@
-/* paint_atlas.c -- see paint_atlas.h. */
+/* paint_atlas.c -- implementation of paint_atlas.h. */
 #include "platform/render/paint_atlas.h"
 
 #include "core/base/fmath.h"
@@ -29,8 +29,8 @@ static struct place place_of(uint32_t cell)
                            PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
 }
 
-/* A median fin has one cell, whatever its side says; one of a pair without a side has the right's.
- */
+/* Returns the cell of a vertex. A median fin has one cell, regardless of its side. A vertex of a
+ * paired fin without a side uses the right fin's cell. */
 static struct place find(const struct species_vertex *vertex)
 {
     uint32_t found = CELL_COUNT;
@@ -48,7 +48,8 @@ static struct place find(const struct species_vertex *vertex)
     return place_of(found);
 }
 
-/* The middle of a texel's row (or column) at `t` of `count`, as a fraction of the sheet. */
+/* Returns the centre of the texel row (or column) at fraction `t` of `count`, as a fraction of the
+ * atlas. */
 static float middle(uint32_t first, uint32_t count, float t)
 {
     const float at = (float)first + 0.5f + f_clamp(t, 0.0f, 1.0f) * (float)(count - 1u);

@@ -1,4 +1,4 @@
-/* poi_pass.c -- see poi_pass.h. Lengths of the solids are in inner ring radii. */
+/* poi_pass.c -- implementation of poi_pass.h. Lengths of the solids are in inner ring radii. */
 #include "platform/render/poi_pass.h"
 
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "platform/render/poi_pool.h"
 #include "shaders.h"
 
-#define RING_MIDDLE 1.08f /* Inner 40 mm, outer 46.5 mm. */
+#define RING_MIDDLE 1.08f /* The inner radius is 40 mm, the outer 46.5 mm. */
 #define RING_HALF_WIDTH 0.085f
 #define RING_HALF_HEIGHT 0.062f
 #define RING_COLUMNS 57u
@@ -19,13 +19,14 @@
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
-#define RESTS_MAX 2 /* As in poi_paper.frag.glsl: more fish hide each other's shade. */
+#define RESTS_MAX 2 /* Same as in poi_paper.frag.glsl. Further fish would be hidden by the shade of
+                       these. */
 #define REACH 3.8f /* Ring radii from the centre to the handle's end. */
 
 const float *poi_paint(uint8_t owner)
 {
     static const float paints[POI_MAX][4] = {
-        { 0.97f, 0.30f, 0.46f, 0.0f }, /* Peach pink, as stalls use most. */
+        { 0.97f, 0.30f, 0.46f, 0.0f }, /* Peach pink, the most common colour at stalls. */
         { 0.20f, 0.52f, 0.95f, 2.0f },
         { 0.25f, 0.76f, 0.36f, 3.0f },
         { 0.98f, 0.74f, 0.16f, 4.0f },
@@ -44,7 +45,8 @@ static struct shape_vertex ring_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = p, .u = u, .v = v };
 }
 
-/* A flat bar: a slim neck at the ring, a broader grip, a round end. */
+/* Returns a point of the handle, a flat bar with a slim neck at the ring, a broader grip and a
+ * round end. */
 static struct shape_vertex handle_point(float u, float v, const void *context)
 {
     (void)context;
@@ -64,7 +66,8 @@ static struct shape_vertex paper_point(float u, float v, const void *context)
 {
     (void)context;
     const float around = -u * F_TAU;
-    const float r = f_sqrt(v) * 1.01f; /* Rings of equal area, tucked under the plastic. */
+    const float r = f_sqrt(v) * 1.01f; /* The rings have equal area, and the outermost lies inside
+                                          the plastic. */
     return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
 }
 
@@ -154,7 +157,7 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
     glDisable(GL_BLEND);
 }
 
-/* Where fish lie on that paper: the first RESTS_MAX of them. A length of 0 shades nothing. */
+/* Sets where fish lie on the paper, for the first RESTS_MAX fish. A length of 0 casts no shade. */
 static void set_rests(const struct poi_pass *pass, const struct scene *scene,
                       const struct scene_poi *poi)
 {

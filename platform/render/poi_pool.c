@@ -1,10 +1,11 @@
-/* poi_pool.c -- see poi_pool.h. */
+/* poi_pool.c -- implementation of poi_pool.h. */
 #include "platform/render/poi_pool.h"
 
-#define LINES 12u   /* Samples along each side of the paper's square: 6.7 mm apart. */
-#define HALVINGS 12 /* Of a span of some centimetres: a hundredth of a millimetre. */
+#define LINES 12u   /* Samples along each side of the paper's square, 6.7 mm apart. */
+#define HALVINGS 12 /* Bisection steps: a span of some centimetres is reduced to a hundredth of a
+                       millimetre. */
 
-/* Heights of the paper at samples over the disc, over the ring's centre. */
+/* Heights of the paper above the ring's centre, at samples over the disc. */
 struct relief {
     uint32_t count;
     float height_m[LINES * LINES];
@@ -31,7 +32,7 @@ static void survey(struct relief *relief, const struct scene_poi *poi)
     }
 }
 
-/* Mean depth over the whole paper of water that stands at `level_m`. */
+/* Returns the mean depth, over the whole paper, of water whose surface is at `level_m`. */
 static float mean_depth(const struct relief *relief, float level_m)
 {
     float sum = 0.0f;

@@ -1,29 +1,32 @@
-/* quality.c -- see quality.h. Costs are of pixels, not of vertices: those of 300 fish are cheap. */
+/* quality.c -- implementation of quality.h. Costs are counted in pixels, because the vertices of
+ * 300 fish are cheap. */
 #include "platform/render/quality.h"
 
 #include <string.h>
 
 #include "core/base/fmath.h"
 
-/* A kind of drawing machine: what it draws in a frame, more or less. */
+/* Kind of graphics hardware, and the work that it can draw in a frame. */
 struct machine {
     bool software;
-    float pixels;      /* Of the scene; a larger screen gets no more than that. */
-    float floor_scale; /* Of the scene's: floor and walls are soft anyway. */
+    float pixels;      /* Maximum pixels of the scene, also on a larger screen. */
+    float floor_scale; /* Fraction of the scene's scale. Floor and walls have no fine detail. */
     uint32_t samples;
-    float lod_near_px; /* A near mesh pays off only where its triangles are several pixels each. */
+    float lod_near_px; /* A near mesh is useful only where its triangles are several pixels each. */
 };
 
 #define SCALE_MIN 0.4f
 
-/* Two cores of a small board in a fiftieth of a second. */
+/* Two CPU cores of a small board draw this in a fiftieth of a second. */
 static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 1, 130.0f };
-/* A board's GPU shares its memory with all else: 4 samples of a full screen, written and resolved,
- * are most of what a V3D moves in a frame. Outlines fade by themselves there, as on a CPU. */
+/* The GPU of a small board shares its memory with the CPU. Writing and resolving 4 samples of a
+ * full screen takes most of the memory bandwidth of a V3D in a frame. The shaders fade the outlines
+ * there, as on a CPU. */
 static const struct machine board = { false, 1600.0f * 900.0f, 0.75f, 1, 60.0f };
 static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 4, 24.0f };
 
-/* Parts of GL_RENDERER. The first that fits counts; who is not named is a desktop's. */
+/* Parts of GL_RENDERER. The first match counts; a renderer without a match counts as a desktop
+ * GPU. */
 static const struct {
     const char *name;
     const struct machine *machine;
@@ -43,15 +46,15 @@ static const struct machine *machine_of(const char *renderer)
     return &desktop;
 }
 
-/* The automatic scale for a screen of that many pixels. */
+/* Returns the automatic scale for a screen of this size in pixels. */
 static float scale_for(const struct machine *machine, uint32_t width, uint32_t height)
 {
     const float share = machine->pixels / ((float)width * (float)height);
     return f_clamp(f_sqrt(share), SCALE_MIN, 1.0f);
 }
 
-/* A screen may be larger than any texture of its driver: the scene is then drawn as large as fits,
- * and the screen straight, without samples. */
+/* Limits the sizes to the driver's largest texture, which a screen may exceed. The scene is then
+ * drawn as large as fits, and the screen directly, without multisampling. */
 static void fit_textures(struct quality *quality, const struct quality_wish *wish)
 {
     const uint32_t side = wish->width > wish->height ? wish->width : wish->height;
@@ -92,7 +95,8 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
     struct quality quality = *best;
     const float of_best = share[step < QUALITY_STEP_MAX ? step : QUALITY_STEP_MAX];
     if (step > 0) {
-        quality.samples = 1; /* The dearest first, and the least missed. */
+        quality.samples = 1; /* Multisampling is dropped first because it costs the most and is
+                                missed the least. */
         quality.scene_scale = f_max(of_best * best->scene_scale, 0.25f);
         quality.floor_scale = f_max(of_best * best->floor_scale, 0.2f);
         quality.lod_near_px = best->lod_near_px / of_best;

@@ -1,4 +1,4 @@
-/* renderer.c -- the order of a frame. */
+/* renderer.c -- defines the order of the passes in a frame. */
 #include "platform/render/renderer.h"
 
 static void step_done(const struct renderer *renderer, enum render_step step)
@@ -8,7 +8,7 @@ static void step_done(const struct renderer *renderer, enum render_step step)
     }
 }
 
-/* The interface leaves its own state behind, as do other drawers in the context. */
+/* Resets the OpenGL state, because the user interface and other users of the context change it. */
 static void reset_state(void)
 {
     glDisable(GL_BLEND);
@@ -39,15 +39,16 @@ static void draw_light(const struct renderer *renderer, const struct scene *scen
 static void draw_ground(const struct renderer *renderer)
 {
     gl_target_bind(&renderer->ground);
-    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* Refraction may look a little past the walls. */
+    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour shows where refraction samples
+                                                beyond the walls. */
     glClear(GL_COLOR_BUFFER_BIT);
     basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
                       renderer->light.shadows.texture);
     step_done(renderer, STEP_GROUND);
 }
 
-/* Everything below the surface but the tank: opaque bodies, then what lets light through, from the
- * bottom up. */
+/* Draws all objects below the surface except the tank: opaque bodies first, then translucent
+ * objects from the bottom up. */
 static void draw_life(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
@@ -90,8 +91,8 @@ static void bind_screen(const struct renderer *renderer)
     }
 }
 
-/* The water writes depth, so what is drawn after it shows only above it; each bowl's mouth is then
- * opened again. */
+/* Draws the water with depth, so that objects drawn later are visible only above the surface. Each
+ * bowl's mouth is then opened again. */
 static void draw_surface(const struct renderer *renderer, const struct scene *scene)
 {
     bind_screen(renderer);
@@ -131,20 +132,23 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
-            poi_pass_frame(&renderer->poi, &scene->poi[i]); /* Its outline fades over the paper. */
+            poi_pass_frame(&renderer->poi, &scene->poi[i]); /* The ring's outline fades over the
+                                                               paper. */
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
 }
 
-/* What stands out of the water, without its tint: the surface hides the rest by its depth. */
+/* Draws the fish parts above the surface without the water's tint. The depth of the surface hides
+ * the rest. */
 static void draw_snouts(const struct renderer *renderer)
 {
     fish_pass_rings(&renderer->fish);
     fish_pass_snouts(&renderer->fish, &renderer->textures, renderer->light.caustics.texture);
 }
 
-/* The rim may stand before a bowl and is always behind a poi; a fan is over all of them. */
+/* Draws the objects above the water. The rim may hide a bowl, but is always behind a poi, and a fan
+ * is over all of them. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
     draw_snouts(renderer);
@@ -157,13 +161,13 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     step_done(renderer, STEP_ABOVE);
 }
 
-/* Brings a multisampled picture to the default framebuffer. */
+/* Copies a multisampled picture to the default framebuffer. */
 static void finish_screen(const struct renderer *renderer)
 {
     static const GLenum spent = GL_DEPTH;
     const struct gl_target *const screen = &renderer->screen;
     if (!screen->framebuffer) {
-        glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &spent); /* Words need no depth. */
+        glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &spent); /* Text needs no depth. */
         return;
     }
     const GLint width = (GLint)renderer->config.width;
@@ -186,7 +190,7 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     draw_above(renderer, scene);
 }
 
-/* In a round the fish of lab and album can wait. */
+/* Draws the user interface. During a round the painting of lab and album fish is postponed. */
 static void draw_ui(struct renderer *renderer, const struct scene *scene)
 {
     if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {
@@ -195,7 +199,7 @@ static void draw_ui(struct renderer *renderer, const struct scene *scene)
     ui_draw(&renderer->ui, &renderer->specimens, scene, &renderer->placing);
 }
 
-/* Lab and album cover the tank. Their specimens get what samples there are. */
+/* Draws lab or album, which cover the tank. Their specimens use multisampling if there is any. */
 static void draw_page(struct renderer *renderer, const struct scene *scene)
 {
     bind_screen(renderer);

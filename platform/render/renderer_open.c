@@ -1,12 +1,13 @@
-/* renderer_open.c -- a renderer from its opening to its end: targets, passes, and what the context
- * says of itself. */
+/* renderer_open.c -- opens and closes a renderer: targets, passes, and the description of the
+ * context. */
 #include "platform/render/renderer.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #ifndef GL_CONTEXT_LOST_KHR
-#define GL_CONTEXT_LOST_KHR 0x0507 /* GL_KHR_robustness; drivers without it never say so. */
+#define GL_CONTEXT_LOST_KHR 0x0507 /* From GL_KHR_robustness. Drivers without the extension never
+                                      return it. */
 #endif
 
 static const char *gl_string(GLenum name)
@@ -15,7 +16,7 @@ static const char *gl_string(GLenum name)
     return text ? text : "unknown";
 }
 
-/* "OpenGL ES 3.2 Mesa 22.3.6" and "llvmpipe (LLVM 15.0.6, 256 bits)" become one short name. */
+/* Shortens "OpenGL ES 3.2 Mesa 22.3.6" and "llvmpipe (LLVM 15.0.6, 256 bits)" to one name. */
 static void name_context(struct renderer *renderer)
 {
     const char *const version = gl_string(GL_VERSION);
@@ -176,7 +177,8 @@ int renderer_read(struct renderer *renderer, struct hal_image *image)
     if (image->size < row * height || width > RENDERER_WIDTH_MAX) {
         return HAL_ERR_IO;
     }
-    /* OpenGL's first row is the lowest, and RGBA is the one layout that every ES 3 driver reads. */
+    /* OpenGL's first row is the lowest, and RGBA is the only layout that every ES 3 driver can read
+     * back. */
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     for (uint32_t y = 0; y < height; y++) {
         uint8_t *out = image->rgb + row * (height - 1u - y);

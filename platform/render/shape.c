@@ -1,4 +1,4 @@
-/* shape.c -- see shape.h. */
+/* shape.c -- implementation of shape.h. */
 #include "platform/render/shape.h"
 
 #include "core/base/panic.h"

@@ -1,4 +1,4 @@
-/* skin.c -- see skin.h. */
+/* skin.c -- implementation of skin.h. */
 #include "platform/render/skin.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* specimen.c -- see specimen.h. */
+/* specimen.c -- implementation of specimen.h. */
 #include "platform/render/specimen.h"
 
 #include <stddef.h>

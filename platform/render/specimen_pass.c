@@ -1,4 +1,4 @@
-/* specimen_pass.c -- see specimen_pass.h. */
+/* specimen_pass.c -- implementation of specimen_pass.h. */
 #include "platform/render/specimen_pass.h"
 
 #include <string.h>

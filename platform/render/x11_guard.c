@@ -1,4 +1,4 @@
-/* x11_guard.c -- see x11_guard.h. */
+/* x11_guard.c -- implementation of x11_guard.h. */
 #include "platform/render/x11_guard.h"
 
 #include <SDL_syswm.h>
