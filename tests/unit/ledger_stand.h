@@ -1,7 +1,6 @@
 /* ledger_stand.h -- a temporary folder with the file of a ledger, for each test anew.
  *
- * The test program keeps the folder in static storage, so that a test is free to open, close, damage
- * and replace the file. */
+ * A test may open, close, damage and replace the file. */
 #ifndef KINGYO_TESTS_LEDGER_STAND_H
 #define KINGYO_TESTS_LEDGER_STAND_H
 
