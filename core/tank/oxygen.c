@@ -1,4 +1,5 @@
-/* oxygen.c -- solubility, breath, exchange: the balance of one well mixed tank. */
+/* oxygen.c -- solubility, respiration and gas exchange: the oxygen balance of one well mixed
+ * tank. */
 #include "core/tank/oxygen.h"
 
 #include "core/base/hash.h"
@@ -8,29 +9,30 @@
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f
 #define HPA_PER_ATM 1013.25f
-#define STILL_M_H 0.03f     /* k_L of a still surface: 2 to 5 cm/h. */
-#define PUMP_PER_H 5.0f     /* kLa of an air stone: 2 to 10 / h. */
-#define COST_MG_KG_M 0.6f   /* Of transport, 5 cm goldfish (Li). */
-#define STEP_H 0.005f       /* The balance's figures are held for so long at most. */
+#define STILL_M_H 0.03f     /* k_L of a still surface is 2 to 5 cm/h. */
+#define PUMP_PER_H 5.0f     /* kLa of an air stone is 2 to 10 per hour. */
+#define COST_MG_KG_M 0.6f   /* Cost of transport, 5 cm goldfish (Li). */
+#define STEP_H 0.005f       /* Longest step of the balance; the rates are constant within a step. */
 #define LITRES_PER_M3 1000.0f
 
-/* 1000 K / T less its value at 25 C. Written so that nothing cancels: the terms of the published
- * polynomials in 1 / T are hundreds, their sum is 2, and single precision would lose a thousandth
- * of it. Both are therefore expanded about 25 C, where the water of a stall is. */
+/* Returns 1000 K / T minus its value at 25 C, in a form without cancellation. The terms of the
+ * published polynomials in 1 / T are in the hundreds and their sum is 2, so single precision would
+ * lose a thousandth. Both polynomials are therefore expanded around 25 C, the usual water
+ * temperature of a stall. */
 static float inverse_kelvin(float temperature_c)
 {
     const float reference_k = REFERENCE_C + KELVIN;
     return 1000.0f * (REFERENCE_C - temperature_c) / ((temperature_c + KELVIN) * reference_k);
 }
 
-/* Benson & Krause 1984 at one atmosphere, mg/L. */
+/* Returns the saturation at one atmosphere, mg/L (Benson & Krause 1984). */
 static float saturation_at_1_atm(float z)
 {
     return f_exp(2.11184299f +
                  z * (1.63790983f + z * (0.53350163f + z * (0.870736542f - z * 0.8621949f))));
 }
 
-/* Water's vapour, atm: exp(11.8571 - 3840.70 / T - 216961 / T^2). */
+/* Returns the water vapour pressure, atm: exp(11.8571 - 3840.70 / T - 216961 / T^2). */
 static float vapour_atm(float z)
 {
     return f_exp(-3.46535769f - z * (5.29608152f + z * 0.216961f));
@@ -56,7 +58,7 @@ float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
     return routine + COST_MG_KG_M * mass_kg * 3600.0f * speed_m_s;
 }
 
-/* The same author: 1.35 W^-0.107 mg/L, whatever the temperature. */
+/* Yamanaka: 1.35 W^-0.107 mg/L at any temperature. */
 float oxygen_critical_mg_l(float mass_kg)
 {
     return 1.35f * f_exp(-0.107f * f_ln(1000.0f * mass_kg));
@@ -67,8 +69,9 @@ float oxygen_exchange_per_h(float water_depth_m, int pump)
     return STILL_M_H / water_depth_m + (pump ? PUMP_PER_H : 0.0f);
 }
 
-/* What fish breathe is a share of what there is, constant through a step: so the step is that of a
- * linear law, exact and stable. 1 - exp(-x) without its cancellation: to 1e-6 for x below 0.2. */
+/* The oxygen that fish breathe is a constant share of the dissolved oxygen during a step, so the
+ * step is the exact and stable solution of a linear equation. The form of 1 - exp(-x) avoids
+ * cancellation; its error is 1e-6 for x below 0.2. */
 static float step(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
 {
     const float share_per_h =

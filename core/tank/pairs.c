@@ -1,11 +1,12 @@
-/* pairs.c -- the order of a search: sort, sieve, judge. */
+/* pairs.c -- the order of a pair search: sort, filter, narrow phase. */
 #include "core/tank/pairs.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/tank/pairs_lanes.h"
 
-/* The fish that are searched, in `member`; then some of them again, for lanes beyond the last. */
+/* Writes the fish to search into `member`, then repeats some of them to fill the last SIMD
+ * block. */
 static uint32_t gather(fish_index member[TANK_FISH_MAX + LANES_MAX], const struct pairs_of *of)
 {
     uint32_t count = 0;

@@ -1,13 +1,14 @@
-/* pairs.h -- which bodies are near each other: exactly, in time that grows as their number.
+/* pairs.h -- the search for near bodies: exact, in time proportional to their number.
  *
- * Bodies are sorted into square cells of the floor plan whose side is the largest sum of two
- * reaches, so that whoever is near lies in the same cell or in one of the eight about it: 8.602 cm
- * for fish of 5 cm with spaces of 7 x 4 x 3 cm that pitch (the 2013 thesis' 3.5 cm lose a quarter
- * of them). Half of the nine cells is enough, for every pair is then met from one of its ends.
+ * Bodies are sorted into square cells of the floor plan. The cell side is the largest sum of two
+ * reaches, so a near body lies in the same cell or in one of the eight cells around it. The side is
+ * 8.602 cm for pitching fish of 5 cm with spaces of 7 x 4 x 3 cm (the 2013 thesis' 3.5 cm lose a
+ * quarter of the pairs). Half of the nine cells suffice, because every pair is found from one of
+ * its ends.
  *
- * Two steps, several pairs at once: balls, heights and sides leave 2.9 pairs a fish of 22 at the
- * thesis' density; of those, fifteen axes (separating-axis theorem) find 1.5. What is found, and
- * in which order, does not depend on how many lanes the machine has. */
+ * The search has two steps, both with SIMD. At the thesis' density a fish has 22 candidates. Balls,
+ * heights and sides leave 2.9 pairs per fish. Of those, fifteen axes (separating-axis theorem)
+ * leave 1.5. The found pairs and their order do not depend on the number of SIMD lanes. */
 #ifndef KINGYO_CORE_TANK_PAIRS_H
 #define KINGYO_CORE_TANK_PAIRS_H
 
@@ -15,65 +16,70 @@
 #include "core/tank/body.h"
 #include "core/tank/grid.h"
 
-#define PAIRS_BATCH 256u /* As many near pairs at a time: they stay in the first cache. */
+#define PAIRS_BATCH 256u /* Near pairs per batch; a batch fits into the first-level cache. */
 
 enum pairs_search {
     PAIRS_GRID = 0,
-    PAIRS_ALL = 1, /* Each with each, for comparison (the thesis' table 4.2): the same pairs in the
-                      same order, in time that grows as the square. */
+    PAIRS_ALL = 1, /* Tests each body against each other body, for comparison (the thesis' table
+                      4.2). Finds the same pairs in the same order, in quadratic time. */
 };
 
-/* What is searched. Columns are indexed by fish. */
+/* Input of a search. Columns are indexed by fish. */
 struct pairs_of {
     const struct body *body;
-    const uint8_t *flags;    /* Fish with one of the bits `which` are searched. */
-    const float *reach_m;    /* How far from its skin a body is also felt, beside its margin. */
+    const uint8_t *flags;    /* Fish with one of the bits of `which` are searched. */
+    const float *reach_m;    /* Distance beyond its skin at which a body is also found, beside its
+                                margin. */
     uint32_t count;
     uint8_t which;
     uint8_t search;          /* enum pairs_search */
-    uint8_t lanes;           /* 0, 4 or 8, as lanes_built() */
-    uint8_t bodies_only;     /* Who is near by its personal space alone need not be found. */
-    float width_m, breadth_m; /* The floor plan; whoever is outside is searched all the same. */
+    uint8_t lanes;           /* 0, 4 or 8, as in lanes_built(). */
+    uint8_t bodies_only;     /* 1: pairs that are near only by their personal spaces may be left
+                                out. */
+    float width_m, breadth_m; /* Size of the floor plan; bodies outside it are searched too. */
 };
 
-/* A pair whose bodies are nearer than the sum of their reaches, or whose spaces overlap. */
+/* A pair whose bodies are nearer than the sum of their reaches, or whose personal spaces
+ * overlap. */
 struct found {
-    uint32_t a, b;  /* Fish. */
-    float gap_m;    /* Between the bodies: the largest separation over all axes. < 0: overlap. */
-    uint8_t axis;   /* Which axis shows it; pairs_axis() makes a vector of it. */
-    uint8_t spaces; /* Whether the personal spaces overlap. */
+    uint32_t a, b;  /* Indices of both fish. */
+    float gap_m;    /* Gap between the bodies: the largest separation over all axes. < 0:
+                       overlap. */
+    uint8_t axis;   /* Index of the axis of `gap_m`; pairs_axis() returns its vector. */
+    uint8_t spaces; /* 1 if the personal spaces overlap. */
 };
 
-/* Scratch of a search; nothing in it is remembered. */
+/* Scratch memory of a search; nothing in it is kept between searches. */
 struct pairs {
     struct grid grid;
-    fish_index member[TANK_FISH_MAX + LANES_MAX]; /* Who is searched. */
-    uint32_t cell, item, other; /* Where in the cells' order the search stands. */
+    fish_index member[TANK_FISH_MAX + LANES_MAX]; /* Fish to search. */
+    uint32_t cell, item, other; /* Position of the search in the order of the cells. */
     uint8_t search;
-    /* Columns in the order of the cells. A ball and half a height hold all by which a body is felt;
-     * lanes read a little beyond the last. */
+    /* Columns in the order of the cells. A ball and half a height enclose the volume in which a
+     * body is found. SIMD code reads a little beyond the last item. */
     float x_m[TANK_FISH_MAX + LANES_MAX], y_m[TANK_FISH_MAX + LANES_MAX],
         z_m[TANK_FISH_MAX + LANES_MAX], ball_m[TANK_FISH_MAX + LANES_MAX],
         slab_m[TANK_FISH_MAX + LANES_MAX];
     uint32_t near_count;
-    uint32_t near_a[PAIRS_BATCH + LANES_MAX], near_b[PAIRS_BATCH + LANES_MAX]; /* Items. */
+    uint32_t near_a[PAIRS_BATCH + LANES_MAX], near_b[PAIRS_BATCH + LANES_MAX]; /* Items of the near
+                                                                                  pairs. */
 };
 
-/* Sorts the bodies into cells and stands before the first pair. */
+/* Sorts the bodies into cells and sets the position before the first pair. */
 void pairs_begin(struct pairs *pairs, const struct pairs_of *of);
 
-/* The next pairs, in a fixed order: `*count` of them, 0 .. PAIRS_BATCH. Returns 0 after the last.
- * `found` has room for PAIRS_BATCH + LANES_MAX. */
+/* Writes the next pairs in a fixed order: `*count` of them, 0 .. PAIRS_BATCH. Returns 0 after the
+ * last pair. `found` must have room for PAIRS_BATCH + LANES_MAX pairs. */
 int pairs_next(struct pairs *pairs, const struct pairs_of *of, struct found *found,
                uint32_t *count);
 
-/* The gaps between the bodies of `count` pairs of fish, as struct found gives them, right to 1 um
- * where they are under half a metre; by as many `lanes` as lanes_built(). All three lists have room
- * for LANES_MAX more, and what stands there in `a` and `b` is some fish or other. */
+/* Writes the gaps between the bodies of `count` pairs of fish, as in struct found, within 1 um for
+ * gaps below half a metre. `lanes` is as in lanes_built(). All three lists must have room for
+ * LANES_MAX more entries; the extra entries of `a` and `b` must be valid fish. */
 void pairs_gaps(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,
                 uint8_t lanes, float *gap_m);
 
-/* Unit, from a toward b: the direction in which the gap of a found pair is measured. */
+/* Returns the unit vector from a toward b along which the gap of a found pair is measured. */
 vec3 pairs_axis(const struct body *a, const struct body *b, uint8_t axis);
 
 #endif

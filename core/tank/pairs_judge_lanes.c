@@ -1,18 +1,18 @@
-/* pairs_judge_lanes.c -- boxes against boxes, several pairs at a time; see box.c. */
+/* pairs_judge_lanes.c -- box-box narrow phase for several pairs at a time; see box.c. */
 #include "core/tank/pairs_lanes.h"
 
 #include "core/base/mem.h"
 #include "core/tank/body_lanes.h"
 
 #define APART_M 1e9f
-#define PARALLEL lanes_of(1e-6f) /* As in box.c. */
+#define PARALLEL lanes_of(1e-6f) /* The same value as in box.c. */
 
-/* What the axes tried so far say of LANES pairs. Gaps are squared, their signs kept, so that an
- * axis that is no unit vector costs a division and no root; and the last four bits of a square are
- * the axis it belongs to, so that the largest brings its axis with it. */
+/* Best axes so far of LANES pairs. Gaps are squared with their signs kept, so that an axis that is
+ * no unit vector costs a division but no root. The last four bits of a square hold the index of its
+ * axis, so that the maximum carries its axis along. */
 struct verdict {
-    flanes square; /* Of the gap between the bodies. */
-    flanes space;  /* > 0: the spaces are apart; else the value means nothing. */
+    flanes square; /* Signed square of the gap between the bodies. */
+    flanes space;  /* > 0: the personal spaces are apart; otherwise undefined. */
 };
 
 static inline flanes mark(flanes square, int32_t axis)
@@ -20,8 +20,8 @@ static inline flanes mark(flanes square, int32_t axis)
     return (flanes)(((ilanes)square & ~15) | axis);
 }
 
-/* One axis: how far apart the centres are along it, less what the bodies take of that, and less
- * what their margins take. */
+/* Tries one face axis. `offset` is the distance of the centres along the axis, `halves` is the
+ * projection of the bodies and `margins` that of their margins. */
 static inline void try_face(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                             int32_t axis)
 {
@@ -30,8 +30,9 @@ static inline void try_face(struct verdict *verdict, flanes offset, flanes halve
     verdict->square = lanes_max(verdict->square, mark(gap * lanes_abs(gap), axis));
 }
 
-/* The axis' length is the root of `length2`: edges that are parallel to a thousandth have none
- * worth the name, and face normals have said it all. */
+/* Tries one cross product of edges. The length of the axis is the root of `length2`. Nearly
+ * parallel edges have no usable cross product and are skipped, because the face axes already cover
+ * that case. */
 static inline void try_edges(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                              flanes length2, int32_t axis)
 {
@@ -47,8 +48,8 @@ static inline flanes dot(const flanes a[3], const flanes b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Cosines of a's axes against b's, with their magnitudes; and the way between the centres in a's
- * frame. */
+/* Cosines of a's axes against b's, their magnitudes, and the vector between the centres in the
+ * frame of a. */
 struct view {
     flanes c[3][3], m[3][3], d[3];
 };
@@ -75,7 +76,8 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
              hb[j] + (view.m[0][j] * ha[0] + view.m[1][j] * ha[1] + view.m[2][j] * ha[2]),         \
              mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + j)
 
-/* Edge i of a across edge j of b: p, q follow i and r, s follow j round the three axes. */
+/* Edge i of a across edge j of b. p and q follow i, and r and s follow j, in the cyclic order of
+ * the axes. */
 #define EDGES(i, p, q, j, r, s)                                                                    \
     try_edges(&verdict, view.d[q] * view.c[p][j] - view.d[p] * view.c[q][j],                       \
               ha[p] * view.m[q][j] + ha[q] * view.m[p][j] + hb[r] * view.m[i][s] +                 \
@@ -83,7 +85,7 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
               ma * (view.m[q][j] + view.m[p][j]) + mb * (view.m[i][s] + view.m[i][r]),             \
               view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * i + j)
 
-/* All fifteen axes, in the order in which pairs_axis() counts them. Never a call: that would pass a
+/* Tries all fifteen axes in the order of pairs_axis(). Always inlined, because a call would pass a
  * kilobyte through memory. */
 __attribute__((always_inline)) static inline struct verdict judge(const struct bodies *a,
                                                                   const struct bodies *b)

@@ -1,18 +1,18 @@
-/* pairs_lanes.c -- balls against balls: who could be near whom, several at a time. */
+/* pairs_lanes.c -- the ball test of the broad phase, several pairs at a time. */
 #include "core/tank/pairs_lanes.h"
 
 #include "core/base/mem.h"
 #include "core/tank/body_lanes.h"
 
-#define ROUNDING 1.00001f /* Of roots and products; no ball may be too small. */
+#define ROUNDING 1.00001f /* Tolerance for roots and products, so that no ball is too small. */
 
-/* What margins count for. */
+/* Factor on the margins: 0 if only the bodies count. */
 static inline float spaces_of(const struct pairs_of *of)
 {
     return of->bodies_only ? 0.0f : 1.0f;
 }
 
-/* Members of the crowd, and how far from their skins they are felt. */
+/* Loads the bodies of LANES members and their reaches. */
 static inline flanes load_members(struct bodies *all, const struct pairs_of *of,
                                   const fish_index *member)
 {
@@ -32,7 +32,7 @@ static inline flanes length_of(flanes x, flanes y, flanes z)
     return lanes_sqrt(x * x + y * y + z * z);
 }
 
-/* The ball that holds the personal space, and the body's surroundings out to its reach. */
+/* Returns the radius of the ball that encloses the personal space and the body with its reach. */
 static inline flanes ball_of(const struct bodies *all, flanes reach)
 {
     const flanes x = all->centre[3], y = all->right[3], z = all->up[3], margin = all->back[3];
@@ -40,7 +40,7 @@ static inline flanes ball_of(const struct bodies *all, flanes reach)
                                 length_of(x, y, z) + reach);
 }
 
-/* Half the height of the same. */
+/* Returns half the height of the personal space and of the body with its reach. */
 static inline flanes slab_of(const struct bodies *all, flanes reach)
 {
     const flanes x = lanes_abs(all->right[1]), y = lanes_abs(all->up[1]),
@@ -66,7 +66,7 @@ PAIRS_MEASURE(LANES_NAME(pairs_measure))
     return farthest_m;
 }
 
-/* As grid_cell(). */
+/* Computes cells as grid_cell() does. */
 PAIRS_CELLS(LANES_NAME(pairs_cells))
 {
     struct grid *grid = &pairs->grid;
@@ -86,7 +86,7 @@ PAIRS_CELLS(LANES_NAME(pairs_cells))
     }
 }
 
-/* Calls LANES bodies into the cache, from item `k` on: in a large tank they lie anywhere. */
+/* Prefetches LANES bodies from item `k` on. In a large tank they are scattered in memory. */
 static inline void call_bodies(const struct body *body, const fish_index *item, uint32_t k,
                                uint32_t count)
 {
@@ -112,7 +112,7 @@ PAIRS_COLUMNS(LANES_NAME(pairs_columns))
 
 typedef uint32_t uquad __attribute__((vector_size(16)));
 
-/* Writes the places of those bits of four that are set, and returns how many. */
+/* Writes the positions of the set bits of four and returns their number. */
 static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
 {
     static const uquad place[16] = {
@@ -126,8 +126,8 @@ static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
     return count[bits];
 }
 
-/* What the sieve knows of the one whose neighbours it seeks: its ball, its height, and how far it
- * is felt to its sides, where it is thinnest. */
+/* The item whose neighbours are searched: its ball, its height, and its reach to the sides, where
+ * the body is thinnest. */
 struct seeker {
     float x_m, y_m, z_m, ball_m, slab_m;
     vec3 right;
@@ -147,7 +147,7 @@ static inline struct seeker seeker_of(const struct pairs *pairs, const struct pa
     };
 }
 
-/* One bit for each of the next LANES items that is near. */
+/* Returns one bit for each of the next LANES items that is near. */
 static inline uint32_t sieve(const struct pairs *pairs, const struct seeker *me, uint32_t from,
                              uint32_t to)
 {
@@ -166,7 +166,7 @@ static inline uint32_t sieve(const struct pairs *pairs, const struct seeker *me,
                       (lanes_abs(beside) < ball + me->side_m) & (lane < (int32_t)(to - from)));
 }
 
-/* Notes the near ones of LANES items as pairs with `item`, and returns how many are noted then. */
+/* Appends the near ones of LANES items as pairs with `item`. Returns the new number of pairs. */
 static inline uint32_t note(struct pairs *pairs, uint32_t noted, uint32_t item, uint32_t from,
                             uint32_t bits)
 {
@@ -181,8 +181,8 @@ static inline uint32_t note(struct pairs *pairs, uint32_t noted, uint32_t item, 
     return noted;
 }
 
-/* Notes what is near `item` in a range, but for what lies before *other. Returns 0 when there is no
- * room for more: *other is then where to go on. */
+/* Appends the near items of a range as pairs with `item`, except those before *other. Returns 0 if
+ * the list is full; *other is then the item at which to continue. */
 static inline int note_range(struct pairs *pairs, const struct seeker *me, uint32_t item,
                              struct grid_range range, uint32_t *noted, uint32_t *other)
 {
@@ -200,7 +200,7 @@ PAIRS_NEAR(LANES_NAME(pairs_near))
     const struct grid *grid = &pairs->grid;
     const int by_cells = pairs->search == PAIRS_GRID;
     uint32_t item = pairs->item, other = pairs->other, noted = 0;
-    uint32_t end = by_cells ? item : grid->count; /* Of the cell. */
+    uint32_t end = by_cells ? item : grid->count; /* End of the items of the current cell. */
     struct grid_range range[2] = { { 0, grid->count }, { 0, 0 } };
     for (; item < grid->count; item++, other = 0) {
         if (item >= end) {

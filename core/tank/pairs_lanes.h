@@ -1,34 +1,35 @@
-/* pairs_lanes.h -- the search's inner loops, once for four lanes and once for eight.
+/* pairs_lanes.h -- the inner loops of the pair search, once for four lanes and once for eight.
  *
- * Called by pairs.c alone, which says what each needs. Lists that lanes run through have room for
- * LANES_MAX more than they hold, and what stands there is some valid entry. */
+ * Only pairs.c calls them. Lists that SIMD code reads have room for LANES_MAX extra entries, which
+ * hold some valid entry. */
 #ifndef KINGYO_CORE_TANK_PAIRS_LANES_H
 #define KINGYO_CORE_TANK_PAIRS_LANES_H
 
 #include "core/tank/pairs.h"
 
-#define PAIRS_AHEAD (2u * LANES) /* Items or pairs: as long as memory takes. */
+#define PAIRS_AHEAD (2u * LANES) /* Items or pairs to prefetch ahead; covers the latency of
+                                    memory. */
 
-/* Where the `count` > 0 members stand (pairs->x_m, z_m, in their order). Returns the radius of the
- * largest ball by which one of them is felt. */
+/* Writes the positions of the `count` > 0 members in their order (pairs->x_m, z_m). Returns the
+ * radius of the largest ball in which one of them is found. */
 #define PAIRS_MEASURE(name)                                                                        \
     float name(struct pairs *pairs, const struct pairs_of *of, const fish_index *member,           \
                uint32_t count)
 
-/* The cell of each of `count` places, by pairs->x_m and z_m. */
+/* Writes the cell of each of `count` positions, from pairs->x_m and z_m. */
 #define PAIRS_CELLS(name) void name(struct pairs *pairs, uint32_t count)
 
-/* All columns, in the order of the cells. */
+/* Writes all columns in the order of the cells. */
 #define PAIRS_COLUMNS(name) void name(struct pairs *pairs, const struct pairs_of *of)
 
-/* The next near pairs; pairs->near_count is 0 after the last. */
+/* Writes the next near pairs; pairs->near_count is 0 after the last pair. */
 #define PAIRS_NEAR(name) void name(struct pairs *pairs, const struct pairs_of *of)
 
-/* Keeps those near pairs that all fifteen axes leave. Returns how many. */
+/* Keeps the near pairs that all fifteen axes leave. Returns their number. */
 #define PAIRS_JUDGE(name)                                                                          \
     uint32_t name(struct pairs *pairs, const struct pairs_of *of, struct found *found)
 
-/* pairs_gaps(). */
+/* Inner loop of pairs_gaps(). */
 #define PAIRS_GAPS(name)                                                                           \
     void name(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,   \
               float *gap_m)

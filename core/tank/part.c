@@ -1,4 +1,4 @@
-/* part.c -- rounds of small pushes, then the judgement (judge.c). */
+/* part.c -- the contact solver: rounds of small pushes, then the penetration check (judge.c). */
 #include "core/tank/part.h"
 
 #include "core/base/mem.h"
@@ -7,14 +7,14 @@
 #include "core/tank/part_lanes.h"
 #include "core/tank/parting.h"
 
-#define SKIN_M 0.0001f          /* What parting leaves between two bodies. */
-#define PART_ROUNDS_MAX 12      /* Most ticks need two; a shoved crowd uses them all. */
-#define TOPPLE_ROUND 5          /* What four rounds could not part is jammed. */
-#define PART_STEP_MAX_M 0.002f  /* A round. */
+#define SKIN_M 0.0001f          /* Gap that the solver leaves between two bodies. */
+#define PART_ROUNDS_MAX 12      /* Most ticks need two rounds; a shoved crowd uses all of them. */
+#define TOPPLE_ROUND 5          /* Pairs that four rounds could not separate are jammed. */
+#define PART_STEP_MAX_M 0.002f  /* Largest push per round. */
 #define CLEAR_ROUNDS 4u
 #define CLOSE_MAX 64u           /* Contacts measured at a time. */
 
-/* Whether no pose of the body could reach out. */
+/* Returns 1 if no pose of the body could reach a wall, the floor or the surface. */
 static int is_far_inside(const struct tank_bounds *bounds, const struct body *body)
 {
     const float reach_m = body->half_x_m + body->half_y_m + body->half_z_m;
@@ -49,7 +49,7 @@ static void keep_inside(const struct parting *all, uint32_t index)
     body->centre_m = parting_kept_inside_m(all, index, body);
 }
 
-/* As crowd_follow() for one that was moved just now: parting_is_apart() must know of it. */
+/* Moves a fish to its body as crowd_follow() does, so that parting_is_apart() counts the push. */
 static void follow(const struct parting *all, uint32_t index)
 {
     CORE_ASSERT(all->crowd->flags[index] & CROWD_SWIMS);
@@ -59,8 +59,8 @@ static void follow(const struct parting *all, uint32_t index)
     fish->position_m = centre_m;
 }
 
-/* Moves it as far as its step allows, and returns what is left. Back to where it came from it may
- * go, however hard it ran into others. */
+/* Moves a body as far as its limit per substep allows and returns the rest of the move. A body may
+ * always move back toward its previous position. */
 static vec3 shove(const struct parting *all, uint32_t index, vec3 move)
 {
     struct body *body = &all->crowd->body[index];
@@ -74,8 +74,8 @@ static vec3 shove(const struct parting *all, uint32_t index, vec3 move)
     return left;
 }
 
-/* A stack of fish that fills the water from floor to surface cannot be parted upward: it topples.
- */
+/* Returns a tilted axis. A stack of fish that fills the water from floor to surface cannot be
+ * separated vertically, so it topples. */
 static vec3 topple(const struct body *a, const struct body *b, vec3 axis)
 {
     vec3 aside = v3_sub(b->centre_m, a->centre_m);
@@ -89,7 +89,8 @@ static float mass_of(const struct body *body)
     return body->half_z_m * body->half_z_m * body->half_z_m;
 }
 
-/* So far at least they are apart now: until they come nearer, nobody asks again. */
+/* Stores the measured distance, so that the pair is not measured again until the bodies come
+ * nearer. */
 static void know_apart(const struct parting *all, struct contact *contact, float apart_m)
 {
     const float *way_m = all->crowd->way_m;
@@ -97,7 +98,7 @@ static void know_apart(const struct parting *all, struct contact *contact, float
     contact->gap_m = f_max(contact->gap_m, gap_m);
 }
 
-/* Whether the pair had to be parted. */
+/* Separates a pair. Returns 1 if it had to be moved. */
 static int part_pair(const struct parting *all, struct contact *contact, int round)
 {
     const struct body *a = &all->crowd->body[contact->a], *b = &all->crowd->body[contact->b];
@@ -115,12 +116,12 @@ static int part_pair(const struct parting *all, struct contact *contact, int rou
     const vec3 part = v3_scale(gap.axis, depth_m);
     const vec3 left_a = shove(all, contact->a, v3_scale(part, -share_a));
     const vec3 left_b = shove(all, contact->b, v3_sub(v3_scale(part, 1.0f - share_a), left_a));
-    /* Who cannot give way leaves it to the other. */
+    /* The rest of a fish's move is passed to the other fish. */
     shove(all, contact->a, v3_scale(left_b, -1.0f));
     return 1;
 }
 
-/* What ring, hull and paper want of a body. */
+/* Returns the push that ring, hull and paper require of a body. */
 static vec3 push_off(const struct parting *all, uint32_t index, const struct obstacle *obstacle)
 {
     const struct body *body = &all->crowd->body[index];
@@ -129,8 +130,8 @@ static vec3 push_off(const struct parting *all, uint32_t index, const struct obs
     return v3_dot(hard, hard) > 0.0f ? hard : paper;
 }
 
-/* Pushes help nearly always. In the corner between paper and ring one undoes the other: there the
- * fish goes along with the poi. */
+/* Moves a body off an obstacle. Pushes nearly always suffice. In the corner between paper and ring
+ * one push undoes the other, so there the fish moves along with the poi. */
 static void clear_obstacle(const struct parting *all, uint32_t index, uint32_t o)
 {
     const struct obstacle *obstacle = &all->place->obstacles[o];
@@ -162,7 +163,7 @@ static void clear_obstacles(const struct parting *all, uint32_t index)
     }
 }
 
-/* A body beside an obstacle must not be shoved into it. */
+/* Moves a body off obstacles that it is beside, so that no push drives it into one. */
 static void clear_if_beside(const struct parting *all, uint32_t index)
 {
     if (all->crowd->flags[index] & CROWD_BESIDE) {
@@ -170,7 +171,8 @@ static void clear_if_beside(const struct parting *all, uint32_t index)
     }
 }
 
-/* Who could touch an obstacle in this step may be taken along by it so far. */
+/* Marks a fish that could touch an obstacle in this substep. Returns the distance by which the
+ * obstacle may carry it. */
 static float look_beside(const struct parting *all, uint32_t index)
 {
     const struct box box = body_box(&all->crowd->body[index]);
@@ -191,7 +193,7 @@ static float look_beside(const struct parting *all, uint32_t index)
     return rush_m;
 }
 
-/* One that parting has moved must not end in an obstacle. */
+/* Moves a pushed fish out of obstacles. */
 static void clear_shoved(const struct parting *all, uint32_t index)
 {
     clear_if_beside(all, index);
@@ -206,7 +208,7 @@ struct close {
     float gap_m[CLOSE_MAX + LANES_MAX];
 };
 
-/* Notes that contact `c` is to be measured. */
+/* Adds contact `c` to those to be measured. */
 static void note_close(struct close *close, const struct contact *contact, uint32_t c)
 {
     close->contact[close->count] = c;
@@ -214,7 +216,7 @@ static void note_close(struct close *close, const struct contact *contact, uint3
     close->b[close->count++] = contact->b;
 }
 
-/* Measures those noted, and notes none. */
+/* Measures the added contacts and clears the list. */
 static void measure(const struct parting *all, struct close *close)
 {
     const uint32_t count = close->count;
@@ -229,8 +231,8 @@ static void measure(const struct parting *all, struct close *close)
     close->count = 0;
 }
 
-/* Learns anew of all contacts how far they are apart, where what is known does not keep them so:
- * most were only seen to come near. */
+/* Measures all contacts whose stored gap no longer proves that they are apart. Most of them were
+ * only predicted to come near. */
 static void measure_close(const struct parting *all)
 {
     const struct crowd *crowd = all->crowd;
@@ -247,8 +249,8 @@ static void measure_close(const struct parting *all)
     measure(all, &close);
 }
 
-/* In turn, so that a shove goes on through all of a row that come later. Returns how many had to be
- * parted. */
+/* Runs one round over all contacts in order, so that a push propagates to the later ones of a row.
+ * Returns the number of contacts that had to be separated. */
 static uint32_t relax_once(const struct parting *all, int round)
 {
     struct crowd *crowd = all->crowd;
@@ -264,7 +266,8 @@ static uint32_t relax_once(const struct parting *all, int round)
     return parted;
 }
 
-/* Returns whether the last round found nobody to part: then the judgement knows all pairs. */
+/* Runs the rounds. Returns 1 if the last round separated no pair; only then does the penetration
+ * check cover all pairs. */
 static int relax(const struct parting *all)
 {
     uint32_t parted = 1;
@@ -275,7 +278,7 @@ static int relax(const struct parting *all)
     return parted == 0;
 }
 
-/* ---- Walls, and what is in the water -------------------------------------------------------- */
+/* ---- Walls and obstacles --------------------------------------------------------------------- */
 
 static void clear_one(const struct parting *all, uint32_t index)
 {
@@ -291,7 +294,8 @@ static void clear_one(const struct parting *all, uint32_t index)
     crowd->play_m[index] = part->step_max_m[index] + v3_length(led_m) + parting_sweep_m(all, index);
 }
 
-/* Whether part_clear_block() may have that many fish: all of them there, and plain swimmers. */
+/* Returns 1 if part_clear_block() may process the fish: `width` fish exist and all are plain
+ * swimmers. */
 static int is_plain(const struct crowd *crowd, uint32_t first, uint32_t width)
 {
     uint32_t all_same = crowd->count - first >= width;
@@ -313,7 +317,8 @@ void part_clear(struct part *part, struct crowd *crowd, const struct part_place 
     memset(part->fresh_round, 0, crowd->count * sizeof part->fresh_round[0]);
     for (uint32_t i = 0; i < crowd->count;) {
         const uint32_t count = crowd->count - i < width ? crowd->count - i : width;
-        uint32_t left = (1u << count) - 1u; /* Whom nobody has cleared, a bit each. */
+        uint32_t left = (1u << count) - 1u; /* One bit for each fish of the block that is not yet
+                                               processed. */
         if (part->station == 0 && is_plain(crowd, i, width)) {
             left = LANES_PICK(place->lanes, part_clear_block)(part, crowd, place, i);
         }

@@ -1,4 +1,5 @@
-/* part_lanes.c -- walls, floor and surface for a block of fish; what part.c does for one. */
+/* part_lanes.c -- walls, floor and surface for a block of fish; the SIMD form of a part of
+ * part.c. */
 #include "core/tank/part_lanes.h"
 
 #include "core/base/lanes_vec.h"
@@ -6,7 +7,7 @@
 
 _Static_assert(sizeof(struct angles) == 12u && sizeof(vec3) == 12u, "three floats, side by side");
 
-/* As body_extent_m(), along one axis of the world. */
+/* Returns the same value as body_extent_m(), along one world axis. */
 static inline flanes extent_m(const struct bodies *all, int axis)
 {
     return lanes_abs(all->right[axis]) * all->centre[3] + lanes_abs(all->up[axis]) * all->right[3] +
@@ -19,7 +20,7 @@ static inline flanes keep_between(const struct bodies *all, int axis, float low_
     return lanes_clamp(all->centre[axis], low_m + extent, high_m - extent);
 }
 
-/* As obstacle_in_reach(). */
+/* Returns the same as obstacle_in_reach(). */
 static inline ilanes in_reach(const struct obstacle *obstacle, const struct bodies *all)
 {
     const struct lanes_v3 half = { all->centre[3], all->right[3], all->up[3] };
@@ -39,7 +40,7 @@ static inline ilanes is_beside(const struct part_place *place, const struct bodi
     return beside;
 }
 
-/* How far any point of a body came by turning alone, at most. */
+/* Returns the largest distance that any point of a body moved by rotation alone. */
 static inline flanes sweep_m(const struct bodies *all, const struct fish *fish,
                              const struct angles *began)
 {

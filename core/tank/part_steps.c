@@ -1,11 +1,11 @@
-/* part_steps.c -- how a tick of parting is cut into steps, and what is left of it at its end. */
+/* part_steps.c -- the division of a tick into substeps, and the end of a tick. */
 #include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/part.h"
 
-#define STATION_M 0.003f        /* An obstacle's step; ring and fish together are four times so
-                                   thick. */
-#define STATIONS_MAX 6u         /* 2.1 m/s; a hand that is faster still takes longer steps. */
+#define STATION_M 0.003f        /* Largest motion of an obstacle per substep; ring and fish together
+                                   are four times as thick. */
+#define STATIONS_MAX 6u         /* Reached at 2.1 m/s; a faster hand makes longer substeps. */
 
 void part_begin(struct part *part, const struct fish *fish, uint32_t fish_count)
 {
@@ -30,7 +30,7 @@ uint32_t part_stations(struct part *part, const struct part_place *place)
     return part->station_count;
 }
 
-/* All of a turn belongs to the first step. */
+/* The first substep contains the whole rotation. */
 void part_advance(struct part *part, struct crowd *crowd, const struct part_place *place,
                   uint32_t station)
 {
@@ -63,7 +63,8 @@ void part_take(const struct crowd *crowd, struct fish *fish)
     }
 }
 
-/* Its step is that of the whole tick again, for who looks where it came from (loose.c). */
+/* Sets the step of the obstacle to that of the whole tick, for code that needs the obstacle's
+ * previous position (loose.c). */
 static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
 {
     obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);

@@ -1,27 +1,27 @@
-/* parting.h -- what part.c and judge.c share, and nobody else. */
+/* parting.h -- internals of the contact solver, shared by part.c and judge.c only. */
 #ifndef KINGYO_CORE_TANK_PARTING_H
 #define KINGYO_CORE_TANK_PARTING_H
 
 #include "core/tank/part.h"
 #include "core/tank/rim.h"
 
-#define PARTING_ROUNDING_M 1e-6f /* By which the same pose may seem deeper. */
+#define PARTING_ROUNDING_M 1e-6f /* Rounding error by which the same pose may seem deeper. */
 
-/* One step of a tick. */
+/* Context of one substep of a tick. */
 struct parting {
     struct part *part;
     struct crowd *crowd;
     const struct part_place *place;
 };
 
-/* Where it may go back to: where the step began. */
+/* Returns the position to which a fish may revert: that at the start of the substep. */
 static inline vec3 parting_before_m(const struct parting *all, uint32_t index)
 {
     const struct part *part = all->part;
     return part->station == 0 ? part->began_m[index] : part->step_began_m[index];
 }
 
-/* The body in the pose that it may go back to. Bodies turn in the first step only. */
+/* Returns the body in the pose to which it may revert. Bodies rotate in the first substep only. */
 static inline struct body parting_before(const struct parting *all, uint32_t index)
 {
     const struct part *part = all->part;
@@ -36,8 +36,8 @@ static inline struct body parting_before(const struct parting *all, uint32_t ind
     return body;
 }
 
-/* Whether what two bodies have come since the look leaves more than `apart_m` of their gap: then it
- * need not be measured. */
+/* Returns 1 if the motion of both bodies since the query leaves more than `apart_m` of their gap,
+ * so that the gap need not be measured. */
 static inline int parting_is_apart(const struct parting *all, const struct contact *contact,
                                    float apart_m)
 {
@@ -52,7 +52,7 @@ static inline int parting_is_clear(const struct obstacle *obstacle, const struct
     return rim_excess_m(obstacle, body, before, PART_FREE_M, &unused) <= PARTING_ROUNDING_M;
 }
 
-/* How far any point of a body goes by turning alone, at most. */
+/* Returns the largest distance that any point of a body moves by rotation alone. */
 static inline float parting_sweep_m(const struct parting *all, uint32_t index)
 {
     const struct angles now = all->place->fish[index].angles,
@@ -65,12 +65,13 @@ static inline float parting_sweep_m(const struct parting *all, uint32_t index)
     return all->part->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
 }
 
-/* Where a body of this fish would be within walls, floor and surface; in part.c. */
+/* Returns the centre that keeps the body of this fish within walls, floor and surface. Defined in
+ * part.c. */
 vec3 parting_kept_inside_m(const struct parting *all, uint32_t index, const struct body *body);
 
-/* After the pushes: who is too deep in another or in an obstacle goes back or along with it, or the
- * obstacle gives way, until nobody is. `is_parted`: the pushes left no two fish in each other. In
- * judge.c. */
+/* Runs the penetration check after the pushes. A fish too deep in another fish or in an obstacle
+ * reverts or moves along with the obstacle, or the obstacle reacts, until none is too deep.
+ * `is_parted`: 1 if the pushes left no two fish overlapping. Defined in judge.c. */
 void parting_judge(const struct parting *all, int is_parted);
 
 #endif

@@ -1,4 +1,4 @@
-/* preset.c -- the tanks that are offered. */
+/* preset.c -- the tanks on offer. */
 #include "core/tank/preset.h"
 
 #include "core/base/panic.h"
@@ -6,31 +6,35 @@
 #include "core/tank/fish.h"
 
 #define BODY_FILL_MAX                                                                              \
-    0.12f /* Of the water: 600 fish of the stall fill 0.11. A fuller one would lose                \
-             pace; part.h keeps bodies apart in any. */
+    0.12f /* Share of the water that bodies may fill: 600 fish of the stall fill 0.11. A fuller tank
+             would cost too much time; part.h keeps bodies apart in any tank. */
 #define AGE_SAMPLES 32
 
 #define UNBOUND 1e9f
 
-/* What all tanks share, in body lengths of the thesis' 5 cm fish.
- * Section 3.3: 15, 5.25 and 7.5 cm/s, half of what section 2.1 measures on a fish alone. A resting
- * fish "stands still" (3.2); no fish quite does, so it drifts, by 0 to 0.5 cm/s.
- * Section 3.4: 1 cm of personal space.
- * Section 3.3 changes the heading with the gait and does not say by how much: any of 360 degrees
- * would be a spin at every change, so a swimming fish turns by a bell of 45 degrees. */
-/* clang-format off */
+/* Values that all tanks share, in body lengths of the thesis' 5 cm fish. Section 3.3 gives 15, 5.25
+ * and 7.5 cm/s, half of the speeds that section 2.1 measures on a single fish. A resting fish
+ * "stands still" (3.2), but no fish does so completely; it drifts at 0 to 0.5 cm/s. Section 3.4
+ * gives 1 cm of personal space. Section 3.3 changes the heading with the gait but gives no amount.
+ * Any of 360 degrees would be a spin at every change, so a swimming fish turns by a normal
+ * distribution of 45 degrees. */
+/* The 2013 thesis to the letter. Section 3.1: a body of 5 x 2 x 1 cm. Section 3.4: a fish avoids
+ * whatever enters its personal space, at once and as hard as its gait turns. Nothing is predicted,
+ * and no fish slows down. Walls count the same as "anything" in the space. The spaces keep their
+ * size at every density: 600 of them fill 28 % of the water. Section 3.5: a shade attracts all
+ * fish, including those that burst, at their present speed. Section 3.6: the depths are those of
+ * the four bands, equal for all fish. Below 25 of 100 a fish gulps for 3 s and is full again.
+ * Stamina grows at a rate while the mouth is in the film, because otherwise all fish would dive in
+ * step. */
 #define THESIS_CORE                                                                                \
     .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
     .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
 
-/* The 2013 thesis to the letter.
- * Section 3.1: a body of 5 x 2 x 1 cm.
- * Section 3.4: who comes into its personal space is given way to, at once and as hard as its gait
- * turns; nothing is foreseen, nobody slows down. Walls count the same: "anything" in the space.
- * The spaces stay whole at every density: 600 of them fill 28 % of the water.
- * Section 3.5: a shadow moves all fish, the bursting too, at the speed that they have.
- * Section 3.6: the depths are the four of the bands, for all alike. Below 25 of 100 it gulps for
- * 3 s and is full again: at a rate, while its mouth is in the film, or all would dive in step. */
+/* A living wakin: the speeds and choices of the thesis, and what the thesis leaves out. A 5 cm fish
+ * weighs 2.3 to 2.9 g, but a box of 5 x 2 x 1 cm holds 10 g, so this body is slimmer. 1,000 spaces
+ * of the thesis would fill 95 % of the official water, those of 4 cm fish 46 %. Beyond 35 % spaces
+ * therefore shrink by the cube root of the excess. A fish that brakes 0.25 s ahead of a body
+ * instead of 0.15 s loses a tenth of its speed in that crowd and has as many contacts. */
 #define THESIS_LAW                                                                                 \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
@@ -39,11 +43,7 @@
         .gulp_gain_per_s = 1.0f / 3.0f, .shade_draws_bursts = 1,                                   \
     }
 
-/* What a living wakin does: the thesis' speeds and choices, and what it left out.
- * A 5 cm fish weighs 2.3 to 2.9 g, but a box of 5 x 2 x 1 cm holds 10: a truer body is slimmer.
- * 1,000 of the thesis' spaces would fill 95 % of the official water, those of 4 cm fish 46 %: so
- * beyond 35 % spaces shrink, by the cube root of the excess. Who brakes 0.25 s ahead of a body
- * instead of 0.15 loses a tenth of its pace in that crowd and touches no less. */
+/* The federation's type B tank, filled slightly deeper than its 10 cm. */
 #define LIVING_WAKIN                                                                               \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.36f, .width_per_length = 0.20f,                        \
@@ -55,7 +55,7 @@
         .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1, .gulp_min_s = 2.0f,                  \
         .gulp_max_s = 5.0f, .gulp_gain_per_s = 0.02f, .stifle_per_s = 0.002f,                      \
     }
-/* clang-format on */
+/* 3.3 cm to 8 cm by the growth curve of the wakin: ten weeks to seven months. */
 
 static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     [TANK_PRESET_FESTIVAL] = {
@@ -64,16 +64,16 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .size_m = { 0.85f, 0.12f, 0.55f },
         .wall_height_m = 0.15f,
         .fish_count = 300,
-        /* 3.3 cm to 8 cm by the wakin's growth curve: ten weeks to seven months. */
+        /* The federation allows a bowl of at most 160 mm diameter. */
         .age_days_min = 74.0f,
         .age_days_max = 222.0f,
-        .stamina_min = 0.30f, /* 2013 thesis, section 3.2. */
+        .stamina_min = 0.30f, /* A minute of play is an hour for the oxygen. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.335f, 0.012f, 0.185f },
                     { -0.335f, 0.012f, 0.185f },
                     { 0.335f, 0.012f, -0.035f },
                     { -0.335f, 0.012f, -0.035f } },
-        .bowl_radius_m = 0.080f, /* The federation allows a bowl of 160 mm at most. */
+        .bowl_radius_m = 0.080f, /* Section 3.1; water depth of section 3.6. */
         .temperature_c = 24.0f,
         .time_compression = 60.0f, /* A minute of play is an hour of its water. */
         .pump = 1,
@@ -87,13 +87,14 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_THESIS] = {
         .name = "thesis",
-        .size_m = { 1.36f, 0.20f, 0.65f }, /* Section 3.1; the water of section 3.6. */
+        .size_m = { 1.36f, 0.20f, 0.65f }, /* At this age the fish is red all over. */
         .wall_height_m = 0.23f,
         .fish_count = 600, /* Section 4.1. */
-        .age_days_min = 120.0f, /* Red all over. */
+        .age_days_min = 120.0f, /* Steeper than the stall's view, because the tank is twice as wide
+                                   as broad. */
         .age_days_max = 120.0f,
         .length_m = 0.05f,
-        .stamina_min = 0.30f, /* Section 3.2. */
+        .stamina_min = 0.30f, /* The federation's type A tank, with 10 cm of water. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.53f, 0.012f, 0.225f },
                     { -0.53f, 0.012f, 0.225f },
@@ -104,7 +105,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .time_compression = 1.0f,
         .law = THESIS_LAW,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.448f }, /* Steeper: the tank is twice as wide as broad. */
+            .eye_m = { 0.0f, 1.622f, 0.448f }, /* The rules allow 20 to 30 C; the pump is off. */
             .target_m = { 0.0f, -0.02f, 0.008f },
             .half_height_tan = 0.258f,
             .aspect_min = 16.0f / 9.0f,
@@ -112,7 +113,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_OFFICIAL] = {
         .name = "official",
-        .size_m = { 1.36f, 0.10f, 0.65f }, /* The federation's type A tank, with 10 cm of water. */
+        .size_m = { 1.36f, 0.10f, 0.65f }, /* View over a rim 13 cm above the water. */
         .wall_height_m = 0.23f,
         .fish_count = 1000,
         .age_days_min = 90.0f,

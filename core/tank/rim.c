@@ -1,15 +1,18 @@
-/* rim.c -- ring, hull and paper while bodies are parted. */
+/* rim.c -- contact of fish with ring, hull and paper in the contact solver. */
 #include "core/tank/rim.h"
 
 #include "core/input.h"
 
-#define GIVE_MAX 8u          /* Slides so often round fish in one tick; then it stands still. */
-#define GIVE_MIN_M 0.00002f  /* And a little more, so that rounding does not ask again. */
-#define SIDE_GAP_M 0.0005f   /* A fish's centre never gets nearer to the paper than this ... */
-#define PAPER_PUSH_M 0.0025f /* ... and a body that slid in over the ring is freed so fast. */
-#define PIN_M_S 0.12f        /* Paper that comes at a fish so fast takes it half along. */
-#define GLIDE 1.5f           /* Off a rim at half the body's height: at 37 degrees over it. */
-#define NEAR_PLANE_M 0.06f   /* Farther from the plane no fish meets paper in one tick. */
+#define GIVE_MAX 8u          /* Largest number of slides around fish in one tick; afterwards the poi
+                                stops. */
+#define GIVE_MIN_M 0.00002f  /* Extra distance, so that rounding does not cause another reaction. */
+#define SIDE_GAP_M 0.0005f   /* Least distance of a fish's centre from the paper. */
+#define PAPER_PUSH_M 0.0025f /* Speed per tick at which a body that slid in over the ring is pushed
+                                out. */
+#define PIN_M_S 0.12f        /* Speed of the paper at which it takes a fish halfway along. */
+#define GLIDE 1.5f           /* Slope at which a fish glides off a rim at half the body's height: 37
+                                degrees. */
+#define NEAR_PLANE_M 0.06f   /* Farther from the plane no fish touches the paper in one tick. */
 
 struct obstacle rim_before(const struct obstacle *obstacle)
 {
@@ -37,7 +40,7 @@ static int paper_holds(const struct obstacle *disc, float x_m, float z_m)
     return disc->paper[row * OBSTACLE_PAPER_SIDE + column] == OBSTACLE_PAPER_HOLDS;
 }
 
-/* Half the thickness of a fish's ellipsoid along a unit direction of the world. */
+/* Returns half the thickness of a fish's ellipsoid along a world unit vector. */
 static float half_thick_m(const struct body *body, vec3 direction)
 {
     const float x = body->half_x_m * v3_dot(body->right, direction);
@@ -46,12 +49,12 @@ static float half_thick_m(const struct body *body, vec3 direction)
     return f_sqrt(x * x + y * y + z * z);
 }
 
-/* A fish against the paper. */
+/* A fish relative to the paper. */
 struct side {
-    float side;         /* +1 it is above, -1 below; 0: no paper is near. */
-    float height_m;     /* Of its centre on that side; < 0 is through. */
-    float clear_m;      /* Where its body would not touch. */
-    float was_m;        /* The height a step before. */
+    float side;         /* +1 above, -1 below; 0: no paper is near. */
+    float height_m;     /* Height of the fish's centre on that side; < 0: it passed through. */
+    float clear_m;      /* Height at which its body would not touch the paper. */
+    float was_m;        /* The height at the start of the substep. */
 };
 
 static struct side side_of(const struct obstacle *disc, const struct body *now, vec3 before_m)
@@ -66,7 +69,7 @@ static struct side side_of(const struct obstacle *disc, const struct body *now, 
     const vec3 q1 = basis_to_body(&disc->axes, away);
     const vec3 q0 = basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
-    /* Where its way led through the plane, or where it is over it now. */
+    /* The point where the path crossed the plane, or the point below the fish now. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
     if (!paper_holds(disc, f_lerp(q0.x, q1.x, t), f_lerp(q0.z, q1.z, t)) ||
         f_abs(q1.y) > NEAR_PLANE_M) {
@@ -75,8 +78,9 @@ static struct side side_of(const struct obstacle *disc, const struct body *now, 
     return (struct side){ side, side * q1.y, half_thick_m(now, disc->axes.up), side * q0.y };
 }
 
-/* The stream through which the paper comes presses a fish flat on it: at 0.3 m/s with 0.04 N, more
- * than it weighs in air. Friction then takes it along with the paper, sideways too. */
+/* Returns how far a fish moves along the paper. The flow through which the paper moves presses the
+ * fish flat on it: at 0.3 m/s with 0.04 N, more than its weight in air. Friction then takes the
+ * fish along with the paper, also sideways. */
 static vec3 pinned_along(const struct obstacle *disc, float closing_m_s)
 {
     const vec3 v = disc->velocity_m_s, up = disc->axes.up;

@@ -1,43 +1,46 @@
-/* rim.h -- a poi and a fish in one tick: who is in the ring or in the paper, and which of the two
- * gives way.
+/* rim.h -- contact between a poi and a fish in one tick: penetration of ring and paper, and which
+ * of the two moves.
  *
- * A poi has moved before the fish do. Fish are pushed out of its way; where one cannot go (others,
- * a wall, the floor behind it), it wins, and the poi gives back as much of its step as it takes.
- * Both were clear of each other a tick before, so that never needs more than the whole step. */
+ * A poi moves before the fish do, and pushes fish out of its way. If a fish cannot move (other
+ * fish, a wall or the floor behind it), the poi gives back as much of its step as needed. Both were
+ * clear of each other in the previous tick, so the whole step always suffices. */
 #ifndef KINGYO_CORE_TANK_RIM_H
 #define KINGYO_CORE_TANK_RIM_H
 
 #include "core/tank/body.h"
 #include "core/tank/obstacle.h"
 
-/* Paper sags under a body by so much; deeper it does not go in. */
+/* Largest sag of the paper under a body. */
 #define RIM_SAG_M 0.004f
 
-/* The obstacle as it was when the tick began. */
+/* Returns the obstacle as it was at the start of the tick. */
 struct obstacle rim_before(const struct obstacle *obstacle);
 
-/* How deep the fish is in the ring, the hull or the paper, at most a little more than it may be:
- * > 0 is too deep; `out` becomes its way out. `before` is where fish and obstacle were: who was
- * deeper may stay so, and paper holds a fish on the side on which it was. */
+/* Returns the penetration of a fish into ring, hull or paper, minus the allowed depth; > 0 is too
+ * deep. `out` becomes the direction out. `before` is the pose of the previous tick: a deeper
+ * penetration there is allowed to stay, and paper holds a fish on its previous side. */
 float rim_excess_m(const struct obstacle *obstacle, const struct body *now,
                    const struct body *before, float free_m, vec3 *out);
 
-/* The least move that takes the body off the ring or the hull, and over or under a ring a little
- * more: bodies are round where their boxes have corners, and glide off a rim. Zero: it is clear. */
+/* Returns the shortest move that takes the body off the ring or hull, and a little more above or
+ * below a ring, because bodies are round where their boxes have corners. Zero: the body is
+ * clear. */
 vec3 rim_hard_push(const struct obstacle *obstacle, const struct body *now);
 
-/* Where paper wants the fish in this tick: off itself by its ellipsoid, a little more each tick,
- * and along with itself where the stream presses it on. Zero: it does not touch it. */
+/* Returns the move that the paper requires of the fish in this tick: off the paper by the fish's
+ * ellipsoid, a little more each tick, and along with the paper if the flow presses the fish on.
+ * Zero: no contact. */
 vec3 rim_paper_push(const struct obstacle *disc, const struct body *now, vec3 before_m);
 
-/* The least move that keeps the fish's middle on its side of the paper. Zero: it is there. */
+/* Returns the shortest move that keeps the fish's centre on its side of the paper. Zero: the centre
+ * is there. */
 vec3 rim_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m);
 
-/* Where a point that was at `before_m` is when it goes along with the obstacle. */
+/* Returns the position of a point at `before_m` after it moves along with the obstacle. */
 vec3 rim_carry_m(const struct obstacle *obstacle, vec3 before_m);
 
-/* Takes `excess_m` off the obstacle's step, against `out`, or what turned it into the fish, or in
- * the end the whole step. Returns 0 when it has nothing more to give. */
+/* Removes `excess_m` of the obstacle's step against `out`, or its rotation into the fish, or
+ * finally the whole step. Returns 0 if nothing is left to remove. */
 int rim_give_way(struct obstacle *obstacle, vec3 out, float excess_m);
 
 #endif

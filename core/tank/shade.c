@@ -1,4 +1,4 @@
-/* shade.c -- how a shadow ages, draws and frightens. */
+/* shade.c -- shades: their age, and how they attract and startle fish. */
 #include "core/tank/shade.h"
 
 #include "core/base/hash.h"
@@ -6,12 +6,13 @@
 #include "core/tank/gait.h"
 
 #define EDGE_TAU_S 0.10f
-#define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 a frame, 60 frames a second. */
-#define HARDLY_M_S 0.005f    /* A wish so weak has no direction. */
-#define FULL_LENGTHS_PER_S 0.1f /* Neighbours that push back so hard are as good as a wall. */
-#define FRIGHT_RIM_M 0.02f   /* So far before its edge a shadow is seen to come. */
-#define FRIGHT_TIME_S 0.04f /* To an alarm of 1 under a fan; the nerves take the rest (fright.h). */
-#define FRIGHT_PLAIN_DARK 0.60f /* From here on darker does not frighten more. */
+#define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 per frame at 60 frames per second. */
+#define HARDLY_M_S 0.005f    /* Slower resulting velocities have no direction. */
+#define FULL_LENGTHS_PER_S 0.1f /* Push of near fish that stops the attraction completely. */
+#define FRIGHT_RIM_M 0.02f   /* Distance before its edge at which a shade is seen to approach. */
+#define FRIGHT_TIME_S 0.04f /* Time to an alarm of 1 under a fan; the nerve latency follows
+                               (fright.h). */
+#define FRIGHT_PLAIN_DARK 0.60f /* A darker shade does not startle more than this one. */
 
 static int is_finite(const struct shade_cast *cast)
 {
@@ -19,7 +20,8 @@ static int is_finite(const struct shade_cast *cast)
            f_is_finite(cast->dark);
 }
 
-/* Of the edge that moves fastest: the middle's speed and the growth add up somewhere on it. */
+/* Returns the speed of the fastest point of the edge: the speed of the centre plus the growth of
+ * the radius. */
 static float edge_speed_m_s(const struct shade_cast *from, const struct shade_cast *to, float dt_s)
 {
     const float x_m = to->x_m - from->x_m, z_m = to->z_m - from->z_m;
@@ -78,7 +80,7 @@ float shade_pull_m_s(const struct shade *shade, const struct law *law, float dis
     return PULL_PER_S * reach_m * f_clamp(fade, 0.0f, 1.0f);
 }
 
-/* Of all that gather, as velocities; none is zero. */
+/* Returns the sum of the attraction of all shades, as a velocity; zero if none attracts. */
 static vec3 pull_of_all(const struct shade *shades, uint32_t count, const struct law *law,
                         vec3 position_m)
 {
@@ -90,7 +92,7 @@ static vec3 pull_of_all(const struct shade *shades, uint32_t count, const struct
         }
         const float distance_m = shade_distance_m(cast, position_m);
         const float pull_m_s = shade_pull_m_s(&shades[i], law, distance_m);
-        if (pull_m_s > 0.0f) { /* Then it is out of the calm, and has a direction. */
+        if (pull_m_s > 0.0f) { /* Here the distance is positive, so the direction is defined. */
             const vec3 to_m = v3(cast->x_m - position_m.x, 0.0f, cast->z_m - position_m.z);
             sum = v3_mad(sum, to_m, pull_m_s / distance_m);
         }
@@ -98,7 +100,8 @@ static vec3 pull_of_all(const struct shade *shades, uint32_t count, const struct
     return sum;
 }
 
-/* What those who are there already leave of it: nothing presses into a full shade. */
+/* Reduces the attraction by the push of the fish already in the shade, so that no fish presses into
+ * a full shade. */
 static vec3 less_crowd(vec3 pull_m_s, const struct fish *fish)
 {
     const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
@@ -125,8 +128,9 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct law *law
     return 1;
 }
 
-/* A weak contrast alarms little, whatever it does: the third of the light that a poi's paper takes
- * a twentieth of what a fan's two thirds do. */
+/* Returns the factor of a contrast on the alarm. A weak contrast alarms little in any motion. The
+ * paper of a poi takes a third of the light and alarms a twentieth as much as a fan, which takes
+ * two thirds. */
 static float contrast(float dark)
 {
     const float share =
@@ -142,7 +146,8 @@ float shade_alarm(const struct shade *shade, const struct law *law, vec3 positio
         shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
         return 0.0f;
     }
-    /* Who has not thought since before it fell did not see it all that time. */
+    /* A fish cannot see the shade before it fell on the water, even if its last decision is
+     * older. */
     return contrast(cast->dark) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;
 }
 

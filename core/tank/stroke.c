@@ -1,4 +1,4 @@
-/* stroke.c -- the rhythm of a cruising fish, and what its drag makes of it. */
+/* stroke.c -- the burst-and-coast rhythm of a cruising fish, and the effect of drag. */
 #include "core/tank/stroke.h"
 
 #include "core/base/physics.h"
@@ -7,21 +7,22 @@
 #include "core/tank/gait.h"
 #include "core/tank/think.h"
 
-/* Both parts of a cycle last whole thoughts, so that a fish that looks at its rhythm once a thought
- * keeps it exactly. */
-#define CYCLE_TICKS_MIN 84u /* 0.7 s, and up to 0.5 s more by individual. */
+/* Both parts of a cycle last a whole number of decision periods, so that a fish that checks its
+ * rhythm once per decision keeps it exactly. */
+#define CYCLE_TICKS_MIN 84u /* 0.7 s, plus up to 0.5 s by individual. */
 #define BEAT_SHARE 0.45f
 #define KICK_TICKS (5u * THINK_TICKS) /* 0.17 s. */
 #define KICK_MAX_RAD (80.0f * F_DEG)
 
-#define COAST_DRAG 0.060f /* Koi, wetted surface; 0.242 while it beats. */
-#define MASS_KG_PER_M3 23.1f      /* Per cube of its length: 2.9 g at 5 cm, as fish_mass_kg(). */
-#define ADDED_MASS 0.10f          /* Of its own: water that goes along with a slender body. */
-#define SURFACE_PER_LENGTH2 0.65f /* Wetted, fins and both their sides included. */
+#define COAST_DRAG 0.060f /* Koi, by wetted surface; 0.242 while the tail beats. */
+#define MASS_KG_PER_M3 23.1f      /* Mass per cubed length: 2.9 g at 5 cm, as in fish_mass_kg(). */
+#define ADDED_MASS 0.10f          /* Share of the fish's mass: water that moves along with a slender
+                                     body. */
+#define SURFACE_PER_LENGTH2 0.65f /* Wetted surface, including both sides of the fins. */
 #define GLIDE_LENGTHS                                                                              \
     (2.0f * (1.0f + ADDED_MASS) * MASS_KG_PER_M3 / (WATER_KG_M3 * SURFACE_PER_LENGTH2 * COAST_DRAG))
 
-/* Each fish has its own rhythm, and its own place in it. */
+/* Returns the cycle of a fish. Each fish has its own rhythm and its own phase. */
 static uint32_t cycle_ticks(const struct fish *fish)
 {
     return CYCLE_TICKS_MIN + THINK_TICKS * (fish->look >> 10 & 15u);
@@ -47,7 +48,7 @@ int stroke_kicks(const struct fish *fish, uint32_t tick)
     return ticks_into(fish, tick) < KICK_TICKS;
 }
 
-/* The first thought of a beat turns it, whichever tick that falls in. */
+/* The first decision in a beat turns the fish, whichever tick that is. */
 void stroke_turn(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     const uint32_t into = ticks_into(fish, around->tick);
@@ -66,7 +67,8 @@ float stroke_glide_m(float length_m)
     return GLIDE_LENGTHS * length_m;
 }
 
-/* ln(1 + x) / x to 1e-3 for x up to 1: the share of a way that drag leaves a glide. */
+/* Returns ln(1 + x) / x within 1e-3 for x up to 1: the share of a glide's distance that drag
+ * leaves. */
 static float glided(float x)
 {
     return (6.0f + x) / (6.0f + 4.0f * x);
@@ -80,9 +82,10 @@ float stroke_share(const struct fish *fish, float mean_m_s)
     const float beat_s = (float)beat * CORE_TICK_S;
     const float glide_s = (float)(cycle - beat) * CORE_TICK_S;
     float share = 1.25f;
-    for (int round = 0; round < 3; round++) { /* The share changes little with itself. */
+    for (int round = 0; round < 3; round++) { /* The share depends only weakly on itself, so three
+                                                 rounds suffice. */
         const float x = share * mean_m_s * glide_s / glide_m;
-        const float lost = x / (1.0f + x); /* Of its top speed, in the glide. */
+        const float lost = x / (1.0f + x); /* Share of the top speed lost in the glide. */
         share = (beat_s + glide_s) / (beat_s - lost * run_up_s + glide_s * glided(x));
     }
     return share;

@@ -1,36 +1,43 @@
-/* surface.c -- up, gulp, down: each ends when the body is where it must be, not after a time. */
+/* surface.c -- surface breathing: rise, gulp, dive. Each stage ends at a body position, not after a
+ * time. */
 #include "core/tank/surface.h"
 
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/gait.h"
 
-/* Facts of aquatic surface respiration: it begins between 0.8 and 5 kPa of oxygen and soon takes up
- * most of the time; for goldfish 3 to 5 kPa, 1.2 to 2 mg/L. */
+/* Aquatic surface respiration begins between 0.8 and 5 kPa of oxygen and soon takes most of the
+ * time. For goldfish the range is 3 to 5 kPa, 1.2 to 2 mg/L. */
 #define CHANCE_HALF_MG_L 1.8f
 #define CHANCE_WIDTH_MG_L 0.25f
-#define TIRED_MG_L 0.4f     /* From a fresh fish to an exhausted one. */
-#define STIFLE_MG_L 4.0f    /* Below, the water tires it; see law.stifle_per_s. */
-#define TIRED_BELOW 0.25f   /* Section 3.6: the band in which the thesis' fish gulp. */
+#define TIRED_MG_L 0.4f     /* Difference between a fresh and an exhausted fish. */
+#define STIFLE_MG_L 4.0f    /* Below this concentration the water costs stamina; see
+                               law.stifle_per_s. */
+#define TIRED_BELOW 0.25f   /* Section 3.6: the stamina band in which the thesis' fish gulp. */
 
 #define NOSE_OUT_M 0.002f
-#define FILM_M 0.003f       /* Its mouth is in the film down to here. */
-#define NEAR_LENGTHS 0.45f  /* It tips up when its nose is so near the surface. */
-#define SNOUT_M 0.003f      /* And is at the surface when its back would break it in a moment. */
+#define FILM_M 0.003f       /* Depth of the mouth down to which it is in the film. */
+#define NEAR_LENGTHS 0.45f  /* The fish pitches up if its nose is within this distance of the
+                               surface. */
+#define SNOUT_M 0.003f      /* The fish is at the surface once its back would break the surface in a
+                               moment. */
 #define PITCH_MIN (35.0f * F_DEG)
 #define PITCH_SPREAD (15.0f * F_DEG)
 #define NOD_RAD (5.0f * F_DEG)
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 3.0f
-#define BOB_M_S 0.012f      /* Half a millimetre, as slowly as a climb takes effect. */
+#define BOB_M_S 0.012f      /* Amplitude of half a millimetre, because a climb takes effect
+                               slowly. */
 #define DUCK_M_S 0.06f
 #define DUCK_HASTE 8.0f
 #define DIVE_PITCH (-14.0f * F_DEG)
-#define RISE_SHARE 0.6f     /* Of a swimming fish's speed; at the surface it hardly drifts. */
+#define RISE_SHARE 0.6f     /* Share of the speed of a swimming fish; at the surface the fish hardly
+                               drifts. */
 #define DRIFT_SHARE 0.16f
 #define NERVE 1.6f
-#define GULP_TICKS_MIN 76u  /* 0.63 s, up to 0.26 s more by individual: 67 to 95 a minute. */
-#define GAPE_SHARE 0.55f    /* Of a gulp that the mouth is open. */
+#define GULP_TICKS_MIN 76u  /* 0.63 s, plus up to 0.26 s by individual: 67 to 95 gulps per
+                               minute. */
+#define GAPE_SHARE 0.55f    /* Share of a gulp during which the mouth is open. */
 
 float surface_chance(float oxygen_mg_l, float stamina)
 {
@@ -99,7 +106,8 @@ int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s)
            (float)gulp_phase(fish, tick) < dt_s * (float)CORE_TICK_HZ - 0.5f;
 }
 
-/* While it gulps `gait_left_s` is what is left of its bout, and only breath in the film counts. */
+/* Begins a bout. While the fish gulps, `gait_left_s` is the rest of the bout, and only time with
+ * the mouth in the film counts. */
 static void begin_bout(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     const struct law *law = around->law;
@@ -140,7 +148,7 @@ float surface_nerve(const struct fish *fish)
     return fish->air == AIR_GULPS ? NERVE : 1.0f;
 }
 
-/* Stamina: what the film gives, what bad water takes. */
+/* Changes the stamina: gain at the film, loss in bad water. */
 static void breathe(struct fish *fish, const struct surroundings *around)
 {
     const struct law *law = around->law;
@@ -150,8 +158,8 @@ static void breathe(struct fish *fish, const struct surroundings *around)
     fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
 }
 
-/* In a living tank it goes on as long as the water calls; the thesis' fish is full after its 3 s
- * and dives. */
+/* In a living tank the bout repeats as long as the oxygen is low. The thesis' fish is full after
+ * its 3 s and dives. */
 static void gulp(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     if (surface_breathes(fish)) {
@@ -167,7 +175,7 @@ static void gulp(struct fish *fish, uint32_t index, const struct surroundings *a
     }
 }
 
-/* Under again, it swims off; its gait lasts as any. */
+/* Ends surface breathing: the fish is under water and swims off with a gait of normal duration. */
 static void leave(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     fish->air = AIR_ENOUGH;
@@ -177,7 +185,8 @@ static void leave(struct fish *fish, uint32_t index, const struct surroundings *
 int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
-    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi took it, and here it is again. */
+    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish meanwhile and it is back in
+                                                   the water. */
         fish->air = AIR_ENOUGH;
     }
     breathe(fish, around);
@@ -218,7 +227,7 @@ static void resolve_rise(struct fish *fish)
     fish->pitch_goal_rad = near ? pitch_rad : f_min(fish->pitch_goal_rad, pitch_rad);
 }
 
-/* It nods and bobs with every gulp. */
+/* Sets the pitch and climb goals so that the fish nods and bobs with every gulp. */
 static void resolve_gulp(struct fish *fish, uint32_t tick)
 {
     const float turn = F_TAU * (float)gulp_phase(fish, tick) / (float)gulp_ticks(fish);

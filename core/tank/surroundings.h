@@ -1,4 +1,4 @@
-/* surroundings.h -- what a fish knows of its tank while it thinks. */
+/* surroundings.h -- the perception of a fish: everything that its decision may use. */
 #ifndef KINGYO_CORE_TANK_SURROUNDINGS_H
 #define KINGYO_CORE_TANK_SURROUNDINGS_H
 
@@ -12,14 +12,14 @@
 struct surroundings {
     const struct law *law;
     vec3 size_m; /* Inner width, water depth, breadth. */
-    float wall_follow; /* [0, 1] how much walls draw it. */
+    float wall_follow; /* [0, 1] attraction of walls. */
     uint8_t ball_spaces; /* As in struct tank_config. */
     uint32_t seed, tick;
-    float dt_s; /* Since the same fish last thought. */
-    float oxygen_mg_l; /* Dissolved in the water. */
+    float dt_s; /* Time since the last decision of the same fish. */
+    float oxygen_mg_l; /* Oxygen dissolved in the water. */
     const struct obstacle *obstacles;
     uint32_t obstacle_count;
-    const struct shade *shades; /* Some of them none. */
+    const struct shade *shades; /* Shades; some entries may be absent. */
     uint32_t shade_count;
 };
 

@@ -1,4 +1,5 @@
-/* swim.c -- what a fish wants becomes orders: bounded rates, so that every path is a smooth arc. */
+/* swim.c -- converts the decisions of a fish into goals with bounded rates, so that every path is a
+ * smooth arc. */
 #include "core/tank/swim.h"
 
 #include "core/tank/avoid.h"
@@ -8,7 +9,7 @@
 #include "core/tank/surface.h"
 #include "core/tank/swim_rates.h"
 
-/* Yaw: bounds by gait (design; the thesis gives none). */
+/* Limits of the yaw rate by gait (design; the thesis gives none). */
 #define TURN_RATE_REST (45.0f * F_DEG)
 #define TURN_RATE_SWIM (180.0f * F_DEG)
 #define TURN_RATE_KICK (500.0f * F_DEG)
@@ -22,12 +23,12 @@
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-#define DASH_HASTE 8.0f   /* A dash turns at its fastest 15 ms after it wants to. */
-#define START_TAU_S 0.03f /* And is at full speed when a swimmer has hardly begun. */
+#define DASH_HASTE 8.0f   /* A dash reaches its full turning rate after 15 ms. */
+#define START_TAU_S 0.03f /* A start reaches full speed when a swimmer has hardly begun. */
 #define DASH_OUT_TAU_S 0.25f
-#define RUN_OUT_TAU_S 0.20f /* From a burst down to what a swimming fish may do. */
+#define RUN_OUT_TAU_S 0.20f /* Time constant from burst speed down to swimming speed. */
 
-/* exp(-dt / tau) to 1e-4 for a dt of up to a tau: what is left of a difference. */
+/* Returns exp(-dt / tau) within 1e-4 for dt up to tau: the share of a difference that remains. */
 static float kept(float dt_s, float tau_s)
 {
     const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
@@ -57,7 +58,7 @@ void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, const stru
     swim_shun_add(shun, fish, law, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
 }
 
-/* The part of the course that runs into the surface fades, then turns a little away from it. */
+/* Turns the heading: the component into the surface fades, then points slightly away from it. */
 void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
 {
     if (shun->weight <= 0.0f) {
@@ -70,7 +71,7 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
     if (into < -0.15f) {
         return;
     }
-    /* Head on, it must choose a side, and keeps it. */
+    /* For a head-on course the fish chooses a side and keeps it. */
     const float own_side = fish->look & 1u ? 1.0f : -1.0f;
     const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : own_side;
     const float new_into = into - (into + 0.15f) * shun->weight;
@@ -81,13 +82,14 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
     fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-/* Among others even a C-start turns slower. */
+/* Returns 1 if a C-start turns at its full rate. Beside other fish even a C-start turns slower. */
 static int starts_freely(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-/* Beside others it turns no faster than they leave it time for. */
+/* Returns 1 if the fish turns at the rate of a kick. Beside other fish it turns at a rate that lets
+ * them move away. */
 static int kicks(const struct fish *fish, const struct surroundings *around)
 {
     return around->law->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
@@ -120,7 +122,8 @@ static float climb_goal_m_s(const struct fish *fish)
                                    : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
 }
 
-/* The run-up depends on the length alone: once known, it is kept in all gaits but the escape. */
+/* Returns the share kept during acceleration. The run-up depends on the length alone, so its value
+ * is cached for all gaits except the escape. */
 static float speed_up_keep(const struct fish *fish)
 {
     const float start_keep = kept(DT, START_TAU_S);
@@ -131,7 +134,8 @@ static float speed_up_keep(const struct fish *fish)
     return known ? fish->speed_up_keep : kept(DT, gait_run_up_s(fish->length_m));
 }
 
-/* A slowing fish loses 63 % of the difference in each of these times. */
+/* Returns the share kept during deceleration. A slowing fish loses 63 % of the difference in each
+ * of these times. */
 static float slow_keep(const struct fish *fish, const struct law *law)
 {
     if (fish->gait == GAIT_ESCAPE) {
@@ -139,14 +143,15 @@ static float slow_keep(const struct fish *fish, const struct law *law)
     }
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, law);
-    if (law->glides && fish->gait == GAIT_SWIM && !runs_out) { /* Drag: dv/dt = -v^2 / way. */
+    if (law->glides && fish->gait == GAIT_SWIM && !runs_out) { /* Drag: dv/dt = -v^2 / distance. */
         return kept(DT, stroke_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
     return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);
 }
 
-/* What fades for ever ends in numbers so small that processors take ten times as long over them,
- * and some round them to nothing; here a nanometre a second is nothing everywhere. */
+/* Sets tiny pushes to zero. A value that decays forever ends in denormal numbers, over which
+ * processors take ten times as long and which some flush to zero. Here a nanometre per second is
+ * zero everywhere. */
 static void come_to_rest(struct fish *fish)
 {
     if (v3_dot(fish->push_m_s, fish->push_m_s) < NOTHING_M_S * NOTHING_M_S) {
@@ -178,9 +183,9 @@ void swim_resolve(struct fish *fish, const struct surroundings *around)
     /* The nose follows the course; a fish that hangs still hardly tilts. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
     fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
-    if (starts) { /* Nothing ahead holds it. */
+    if (starts) { /* Nothing ahead brakes a start. */
         fish->brake = 1.0f;
-    } else { /* Also of one that was scooped out of its start. */
+    } else { /* Also resets the bend of a fish that was scooped during its start. */
         fish->bend_goal_rad = 0.0f;
     }
     surface_resolve(fish, around);

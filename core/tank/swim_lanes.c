@@ -1,12 +1,12 @@
-/* swim_lanes.c -- a block of fish moves and settles; line by line what swim_move.c does for one.
+/* swim_lanes.c -- motion of a block of fish; the SIMD form of swim_move.c, line by line.
  *
- * The two forms agree to the last bit, which test_swim_lanes.c holds over random fish. */
+ * Both forms agree to the last bit, which test_swim_lanes.c checks over random fish. */
 #include "core/tank/swim_lanes.h"
 
 #include "core/base/lanes_vec.h"
 #include "core/tank/swim_rates.h"
 
-/* The quads that struct fish begins with; QUAD_HOLDS() proves which members lie in which. */
+/* The quads at the start of struct fish; QUAD_HOLDS() verifies the members of each. */
 enum quad {
     QUAD_PLACE,  /* position_m, speed_m_s */
     QUAD_ANGLES, /* angles, yaw_rate_rad_s */
@@ -102,7 +102,7 @@ static inline void make_body(struct body *body, struct lanes_v3 centre, struct l
     store_body(body, 3, axes.back, space * size[0]);
 }
 
-/* How far a corner came: with the centre, and by turning about it. */
+/* Returns the largest distance that a corner moved: with the centre and by rotation around it. */
 static inline flanes way_m(struct lanes_v3 velocity, const struct turned *t,
                            const flanes angles[4], const flanes size[4])
 {
@@ -165,7 +165,7 @@ static inline flanes stroke(flanes hz, flanes beats)
     return lanes_select(beats > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider);
 }
 
-/* The unit vector ahead in the plane, from a body's `back`. */
+/* Returns the horizontal unit vector ahead, from a body's `back`. */
 static inline struct lanes_v3 flat_ahead(const flanes back[4])
 {
     const struct lanes_v3 flat = { -back[0], lanes_of(0.0f), -back[2] };
@@ -180,7 +180,8 @@ static inline flanes lose_blocked_speed(flanes speed_m_s, struct lanes_v3 own_m_
                         lanes_lerp(speed_m_s, true_m_s, lanes_of(BLOCKED_SHARE)), speed_m_s);
 }
 
-/* To what it is ordered, and along the arc that it turns unless it is in a start. */
+/* Returns the bend: toward its goal, and along the arc of the turn unless the fish is in a
+ * C-start. */
 static inline flanes bend(flanes bend_rad, flanes goal_rad, flanes yaw_rate_rad_s, flanes haste)
 {
     const flanes arc_rad = within(BEND_PER_RAD_S * yaw_rate_rad_s, 1.0f);

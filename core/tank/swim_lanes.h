@@ -6,12 +6,12 @@
 #include "core/tank/swim.h"
 
 LANES_BEGIN
-/* Moves the block that begins at `first`, all of which swim and none of which falls, and makes
- * their bodies. */
+/* Moves the block that begins at `first` and updates its bodies. All fish of the block swim and
+ * none falls. */
 void swim_move_block_4(const struct shoal *shoal, uint32_t first);
 void swim_move_block_8(const struct shoal *shoal, uint32_t first);
 
-/* Takes each to where its body is now and settles it. */
+/* Moves each fish of the block to its body and settles it. */
 void swim_settle_block_4(const struct shoal *shoal, uint32_t first);
 void swim_settle_block_8(const struct shoal *shoal, uint32_t first);
 LANES_END

@@ -1,6 +1,7 @@
-/* swim_move.c -- orders carried out: one tick of one fish, and of all by lanes where these can.
+/* swim_move.c -- executes the goals of a fish: one tick of one fish, and of all fish by SIMD
+ * blocks.
  *
- * swim_lanes.c does the same to the bit for a block of fish. */
+ * swim_lanes.c gives the same bits for a block of fish. */
 #include "core/tank/swim.h"
 
 #include "core/base/physics.h"
@@ -13,7 +14,7 @@ static float ease(float from, float to, float tau_s)
     return from + (to - from) * f_min(1.0f, DT / tau_s);
 }
 
-/* The share of a difference that a fish makes up in a tick, more in haste. */
+/* Returns the share of a difference that a fish covers in a tick, higher with haste. */
 static float hasten(const struct fish *fish, float tau_s)
 {
     return f_min(1.0f, fish->haste * (DT / tau_s));
@@ -23,7 +24,8 @@ static void turn(struct fish *fish, const struct law *law)
 {
     const float error_rad =
         f_wrap_angle(fish->heading_rad + fish->drawn_rad - fish->angles.yaw_rad);
-    /* A start among others, too: a long tail that swings as if it were alone goes through them. */
+    /* The limit also holds for a C-start beside other fish, because the long tail would otherwise
+     * swing through them. */
     const float rate_max = fish->turn_rate_max_rad_s * fish->room;
     const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);
     fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
@@ -42,14 +44,14 @@ static void speed_up_or_glide(struct fish *fish)
     fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, keep);
 }
 
-/* Half the diagonal of its box: what a turn by one radian moves a corner by, at most. */
+/* Returns half the diagonal of the box: the largest motion of a corner per radian of rotation. */
 static float radius_m(const struct fish *fish)
 {
     return 0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m));
 }
 
-/* Section 3.3 has a top speed for all that moves a fish: neither a climb nor a push adds to it, nor
- * to what a burst leaves. Only who ducks may be faster down than it can swim. */
+/* Returns the speed limit of all motion (section 3.3): climb and push cannot add to it or to the
+ * rest of a burst. Only a startled fish that dives from the surface may be faster. */
 static float speed_max_m_s(const struct fish *fish, const struct law *law)
 {
     return f_max(gait_speed_max_m_s(fish, law), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));
@@ -76,19 +78,22 @@ float swim_move(struct fish *fish, const struct law *law)
 int swim_fall(struct fish *fish)
 {
     const float half_m = 0.5f * fish->height_m;
-    if (fish->position_m.y < -0.55f * fish->length_m) { /* No pose of it reaches the surface. */
+    if (fish->position_m.y < -0.55f * fish->length_m) { /* No pose of the fish reaches the
+                                                           surface. */
         return 0;
     }
     const struct box box = fish_box(fish);
     const float emerged_m = fish->position_m.y + box_extent_m(&box).y;
-    if (emerged_m <= (fish->falls ? 0.0f : fish_emerges_m(fish))) { /* Once it falls, all of it. */
+    if (emerged_m <= (fish->falls ? 0.0f : fish_emerges_m(fish))) { /* A falling fish must be
+                                                                       completely under water. */
         return 0;
     }
     const float wet = f_clamp((half_m - fish->position_m.y) / (2.0f * half_m), 0.0f, 1.0f);
     vec3 v = fish->velocity_m_s;
     v.y -= GRAVITY_M_S2 * (1.0f - wet) * DT;
-    v = v3_scale(v, 1.0f - f_min(0.9f, 12.0f * wet * DT)); /* Water stops it within a length. */
-    v.y = wet > 0.5f ? f_min(v.y, -0.12f) : v.y;           /* And it wants down. */
+    v = v3_scale(v, 1.0f - f_min(0.9f, 12.0f * wet * DT)); /* Water stops the fish within one
+                                                              length. */
+    v.y = wet > 0.5f ? f_min(v.y, -0.12f) : v.y;           /* The fish swims down. */
     fish->position_m = v3_mad(fish->position_m, v, DT);
     fish->velocity_m_s = v;
     fish->angles.roll_rad = ease(fish->angles.roll_rad, 0.0f, 0.15f);
@@ -105,7 +110,7 @@ static float beat_hz(float lengths_per_s)
                : 4.0f / 3.0f * (lengths_per_s + 1.0f);
 }
 
-/* A glide lets the tail trail. */
+/* Returns the stroke width. The tail trails in a glide. */
 static float stroke(float hz, float beats)
 {
     const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
@@ -113,11 +118,13 @@ static float stroke(float hz, float beats)
     return beats > 0.0f ? STROKE_SLOW + wider : STROKE_GLIDE + STROKE_TRAIL * wider;
 }
 
-/* A fish that runs into something does not go on swimming at it. */
+/* Reduces the speed of a fish that is blocked, so that it does not keep swimming against the
+ * obstacle. */
 static void lose_blocked_speed(struct fish *fish, vec3 forward)
 {
     const vec3 flat = v3(forward.x, 0.0f, forward.z);
-    const vec3 ahead = v3_scale(flat, 1.0f / v3_length(flat)); /* No fish stands on its nose. */
+    const vec3 ahead = v3_scale(flat, 1.0f / v3_length(flat)); /* The vector is never zero, because
+                                                                  no fish stands on its nose. */
     const float true_m_s = f_max(0.0f, v3_dot(v3_sub(fish->velocity_m_s, fish->push_m_s), ahead));
     if (true_m_s < fish->speed_m_s) {
         fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, BLOCKED_SHARE);
@@ -153,7 +160,8 @@ static uint32_t width_of(uint32_t lanes)
     return lanes == 8u ? 8u : 4u;
 }
 
-/* Whether `width` fish from here on all swim: such a block goes through the lanes. */
+/* Returns 1 if `width` fish from `first` on all swim, so that the SIMD code may process the
+ * block. */
 static int is_block(const struct shoal *shoal, uint32_t first, uint32_t width)
 {
     if (shoal->count - first < width) {

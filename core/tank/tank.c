@@ -1,4 +1,4 @@
-/* tank.c -- the order of a tick for all fish: think, move, look, part, settle. */
+/* tank.c -- the order of a tick for all fish: decide, move, broad phase, contact solver, settle. */
 #include "core/tank/tank.h"
 
 #include "core/base/hash.h"
@@ -9,17 +9,18 @@
 #include "core/tank/swim.h"
 #include "core/tank/think.h"
 
-#define STIRS_M 0.0001f /* A tick: what moves slower, 12 mm/s, is no poi at work. */
-#define BUBBLE_TICKS 6u /* 20 a second come up, ... */
-#define BUBBLES_M 0.014f /* ... so far about the stone, ... */
+#define STIRS_M 0.0001f /* Motion per tick; an obstacle slower than 12 mm/s is not a poi in use. */
+#define BUBBLE_TICKS 6u /* 20 bubbles per second rise. */
+#define BUBBLES_M 0.014f /* Radius of the bubbles around the stone. */
 #define STONE_INSET_M 0.045f
 #define BUBBLE_RADIUS_M 0.012f
-#define BUBBLE_M 0.0011f /* ... and lift the surface so high. */
+#define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-#define PUSH_SHARE 0.344f /* A look: pushes come and go within a twelfth of a second. */
+#define PUSH_SHARE 0.344f /* Share per query: pushes rise and decay within a twelfth of a second. */
 #define BORNE_M_S 0.05f
-#define ROOM_PER_S 2.0f  /* A fish that had no room takes half a second to trust that it has. */
+#define ROOM_PER_S 2.0f  /* A fish that had no room recovers its full turning rate in half a
+                            second. */
 
 struct tank_bounds tank_bounds(const struct tank *tank)
 {
@@ -32,7 +33,8 @@ const struct law *tank_law(const struct tank *tank)
     return &tank_preset(tank->preset)->law;
 }
 
-/* Up to the last that there is: mostly there is none, and fish need not look for any. */
+/* Returns the number of shades up to the last present one; usually 0, so that the fish need not
+ * test any. */
 static uint32_t shade_count(const struct tank *tank)
 {
     uint32_t count = TANK_SHADE_MAX;
@@ -66,7 +68,7 @@ struct crowd_search tank_search(const struct tank *tank)
     return (struct crowd_search){ .search = tank->search, .lanes = tank->lanes };
 }
 
-/* A mouth that opens in the surface rings it. */
+/* Makes a ring on the surface if a mouth opens there. */
 static void ring(struct tank *tank, const struct fish *fish, const struct surroundings *around)
 {
     if (surface_gulps(fish, around->tick, around->dt_s)) {
@@ -75,7 +77,8 @@ static void ring(struct tank *tank, const struct fish *fish, const struct surrou
     }
 }
 
-/* It has come down upon others, who bear it: water alone would draw it under at 12 cm/s. */
+/* Returns 1 if a fallen fish lies on other fish, because water alone would let it sink at 12
+ * cm/s. */
 static int is_borne(const struct fish *fish)
 {
     return fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S;
@@ -90,7 +93,7 @@ static void think_in_turn(struct tank *tank, struct surroundings around)
             around.dt_s = think_dt_s(fish, around.tick);
             think(fish, i, &around);
             ring(tank, fish, &around);
-            if (fell && fish->falls) { /* It gets in among them like all that come back. */
+            if (fell && fish->falls) { /* The fish enters the water among others by reentry. */
                 fish->alarm = 1.0f;
                 loose_begin(tank, fish, fish->velocity_m_s);
             }
@@ -111,7 +114,7 @@ static struct shoal shoal_of(struct tank *tank)
     };
 }
 
-/* Fish take what they saw to heart: whom they meet, who is near, how much room there is. */
+/* Applies the results of a full query to the fish: encounters, pushes and room. */
 static void heed(struct tank *tank, const struct surroundings *around)
 {
     for (uint32_t i = 0; i < tank->crowd.count; i++) {
@@ -129,7 +132,7 @@ static void heed(struct tank *tank, const struct surroundings *around)
     }
 }
 
-/* Who is where, and what follows from it. */
+/* Runs a broad-phase query if it is due or the last one is stale. */
 static void look(struct tank *tank, uint32_t station, const struct surroundings *around)
 {
     struct crowd *crowd = &tank->crowd;
@@ -143,7 +146,7 @@ static void look(struct tank *tank, uint32_t station, const struct surroundings 
         return;
     }
     struct crowd_search how = tank_search(tank);
-    how.contacts_only = !is_time; /* Who looks off its turn only asks whom it could touch. */
+    how.contacts_only = !is_time; /* A query off schedule only finds contacts. */
     crowd_look(crowd, tank->fish, how, around);
     if (is_time) {
         struct surroundings then = *around;
@@ -152,7 +155,7 @@ static void look(struct tank *tank, uint32_t station, const struct surroundings 
     }
 }
 
-/* Who must give way to whom. */
+/* Runs the substeps of the contact solver. */
 static void part_all(struct tank *tank, const struct part_place *place,
                      const struct surroundings *around)
 {
@@ -169,7 +172,7 @@ static void part_all(struct tank *tank, const struct part_place *place,
     part_end(&tank->part, &tank->crowd, place);
 }
 
-/* A surface that is never quite still. */
+/* Drops a random disturbance on the surface, which is never completely still. */
 static void drip(struct tank *tank, uint32_t tick)
 {
     if (tick % 24u != 0) {
@@ -188,7 +191,7 @@ vec3 tank_stone_m(vec3 size_m)
     return v3(STONE_INSET_M - 0.5f * size_m.x, -size_m.y, STONE_INSET_M - 0.5f * size_m.z);
 }
 
-/* Where its bubbles burst, the water boils. */
+/* Disturbs the surface above the air stone, where its bubbles burst. */
 static void bubble(struct tank *tank, uint32_t tick)
 {
     if (!tank->oxygen.pump || tick % BUBBLE_TICKS != 0) {
@@ -202,10 +205,11 @@ static void bubble(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
 }
 
-/* Fish make way for a poi in the water as fast as they must; left alone, they only ease apart. */
+/* Returns the largest push per tick. Fish make way for a moving poi as fast as necessary; otherwise
+ * they only ease apart. */
 static float shove_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
 {
-    int stirs = 0; /* A bowl that rocks on ripples does not. */
+    int stirs = 0; /* A bowl that rocks on ripples does not count. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 step_m = obstacles[o].step_m;
         stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m &&

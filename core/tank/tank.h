@@ -1,4 +1,4 @@
-/* tank.h -- the water, the shoal that swims in it, and what stands in their way.
+/* tank.h -- the water, the fish that swim in it, and the obstacles.
  *
  * Axes: origin at the centre of the still surface, +x right, +y up, +z toward the player. */
 #ifndef KINGYO_CORE_TANK_TANK_H
@@ -23,45 +23,48 @@ _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each play
 struct tank {
     uint32_t seed;
     uint8_t preset; /* enum tank_preset_id */
-    uint8_t lanes, search; /* As in struct tank_config; no hash covers them. */
+    uint8_t lanes, search; /* As in struct tank_config; no hash covers these two members. */
     vec3 size_m;
     float wall_height_m;
-    float wall_follow;   /* As in struct tank_config, ... */
-    uint8_t ball_spaces; /* ... as this. */
+    float wall_follow;   /* As in struct tank_config. */
+    uint8_t ball_spaces; /* As in struct tank_config. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
     float space; /* Personal space beyond the body, in body lengths; fixed at the start. */
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
-    uint32_t loose_count; /* Fish that loose.h moves, at most; its next tick counts them anew. */
-    struct crowd crowd; /* What its last look found is state, which crowd_hash() covers. */
-    struct part part; /* Scratch of one tick, which no hash covers; no board's stack holds it. */
+    uint32_t loose_count; /* Upper bound of the fish in reentry; loose_tick() recounts them. */
+    struct crowd crowd; /* The results of the last query are state; crowd_hash() covers them. */
+    struct part part; /* Scratch memory of one tick, which no hash covers. It stands here because a
+                         board's stack is too small. */
 };
 
-/* A tank to open. */
+/* Parameters of a tank to open. */
 struct tank_config {
     uint8_t preset;                 /* enum tank_preset_id */
     uint32_t fish_count;            /* 1 .. tank_fish_max() */
     uint32_t seed;                  /* Any value. */
-    float area_scale;               /* Of the floor, TANK_AREA_SCALE_MIN .. _MAX. */
-    vec3 size_m;                    /* Inner size; where 0 the preset's, else in TANK_SIDE_*_M and
-                                       TANK_DEPTH_*_M. */
-    float wall_follow;              /* [0, 1] how much walls draw its fish: 0 in every preset. */
-    uint8_t ball_spaces;            /* Personal spaces are the balls round their boxes, and each
-                                       fish is tried against each: to compare (section 3.4). */
+    float area_scale;               /* Factor on the floor area, TANK_AREA_SCALE_MIN .. _MAX. */
+    vec3 size_m;                    /* Inner size in TANK_SIDE_*_M and TANK_DEPTH_*_M; 0 selects the
+                                       preset's value. */
+    float wall_follow;              /* [0, 1] attraction of walls: 0 in every preset. */
+    uint8_t ball_spaces;            /* 1: personal spaces are balls around the boxes, and each fish
+                                       is tested against each other fish, for comparison (section
+                                       3.4). */
     float stamina_min, stamina_max; /* [0, 1] at the start, uniform. */
     float temperature_c;            /* OXYGEN_TEMPERATURE_MIN_C .. _MAX_C */
     float pressure_hpa;             /* OXYGEN_PRESSURE_MIN_HPA .. _MAX_HPA */
     float oxygen_mg_l;              /* TANK_OXYGEN_SATURATED, or 0 .. OXYGEN_MAX_MG_L. */
     float time_compression;         /* 0 .. OXYGEN_TIME_COMPRESSION_MAX */
-    uint8_t pump;                   /* Whether the air stone bubbles. */
-    uint8_t bowls;                  /* Of whose places fish start clear, 0 .. POI_MAX. */
-    uint8_t lanes;  /* 0 or 4, or 8 (core/base/lanes.h): a matter of speed alone. */
-    uint8_t search; /* enum pairs_search: the same. */
+    uint8_t pump;                   /* 1 if the air stone bubbles. */
+    uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX, whose places are kept clear of
+                                       fish at the start. */
+    uint8_t lanes;  /* 0, 4 or 8 (core/base/lanes.h): affects speed only. */
+    uint8_t search; /* enum pairs_search: affects speed only. */
 };
 
-#define TANK_OXYGEN_SATURATED (-1.0f) /* As much as the water holds, at the start. */
+#define TANK_OXYGEN_SATURATED (-1.0f) /* Starts with water saturated with oxygen. */
 
 #define TANK_SIDE_MIN_M 0.30f
 #define TANK_SIDE_MAX_M 2.00f
@@ -71,68 +74,73 @@ struct tank_config {
 #define TANK_AREA_SCALE_MIN 0.05f
 #define TANK_AREA_SCALE_MAX 250.0f
 
-/* The preset as it stands: its own values for all. */
+/* Returns the configuration of a preset with the preset's own values. */
 struct tank_config tank_config_of(uint8_t preset);
 
-/* How many fish such a tank holds; at most TANK_FISH_MAX. */
+/* Returns the largest number of fish of such a tank; at most TANK_FISH_MAX. */
 uint32_t tank_fish_max(uint8_t preset, float area_scale);
 
-/* The same for a tank to open; its count need not fit yet. 0 when its size is out of range. */
+/* Returns the largest number of fish of a tank to open, whatever its own fish count. Returns 0 if
+ * its size is out of range. */
 uint32_t tank_config_fish_max(const struct tank_config *config);
 
-/* Fills `tank` with still water and fish that do not overlap. Returns whether it could. 0: a value
- * lies outside its range, and `tank` is untouched; or so many fish found no room in so small a
- * tank, and `tank` must not be used. That is known only of tanks that are shorter than a fish. */
+/* Fills `tank` with still water and fish that do not overlap. Returns 1 on success. Returns 0 if a
+ * value lies outside its range; `tank` is then unchanged. Also returns 0 if the fish found no room,
+ * which happens only in tanks shorter than a fish; `tank` must then not be used. */
 int tank_open(struct tank *tank, const struct tank_config *config);
 
-/* The same for a preset with `fish_count` fish; what does not fit is a bug and asserts. */
+/* Opens a preset with `fish_count` fish. Asserts that the values are in range and that the fish
+ * find room. */
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
 
-/* A fish where somebody wants it, to stage an encounter. */
+/* A fish at a given place, to stage an encounter. */
 struct tank_stage {
     vec3 position_m;
     struct angles angles;
-    float length_m;   /* 0: as the tank gave it. */
+    float length_m;   /* 0: the length that the tank gave the fish. */
     float speed_m_s;  /* Along the nose, >= 0. */
     float stamina;    /* [0, 1] */
-    uint8_t gait;     /* GAIT_REST, GAIT_SWIM or GAIT_BURST, for its longest spell. */
+    uint8_t gait;     /* GAIT_REST, GAIT_SWIM, GAIT_BURST or GAIT_SURFACE, for its longest
+                         duration. */
 };
 
-/* Puts the first `count` <= fish_count fish of a tank that was just opened. Bodies must be in the
+/* Places the first `count` <= fish_count fish of a tank that was just opened. Bodies must be in the
  * water and apart. */
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count);
 
-/* How its fish behave. */
+/* Returns the behavior parameters of the tank's fish. */
 const struct law *tank_law(const struct tank *tank);
 
-/* What is over the water in this tick; before tank_tick. Never called, nothing ever is. What is not
- * finite is a bug and asserts. */
+/* Sets the objects over the water in this tick; called before tank_tick(). Without any call there
+ * are no shades. Asserts that all values are finite. */
 void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX]);
 
-/* How many fish that swim have their middle in such a shadow, whether it falls or not. */
+/* Returns the number of swimming fish whose centre lies in such a shade, whether or not it is
+ * present. */
 uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast);
 
-/* One tick of every fish that swims (held and bowl fish are moved by core/poi).
+/* Advances every swimming fish by one tick (core/poi moves fish that are carried or in a bowl).
  * `obstacle_count` <= TANK_OBSTACLE_MAX. */
 void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                uint32_t obstacle_count);
 
-/* Where the air stone of a pump lies: on the floor, in the far left corner. */
+/* Returns the position of the pump's air stone: on the floor in the far left corner. */
 vec3 tank_stone_m(vec3 size_m);
 
-/* Fish that gulp at the surface. */
+/* Returns the number of fish that gulp at the surface. */
 uint32_t tank_surfacing_count(const struct tank *tank);
 
-/* What its parts ask a tank for. */
+/* Return values that other modules of core/tank need. */
 struct tank_bounds tank_bounds(const struct tank *tank);
 struct crowd_search tank_search(const struct tank *tank);
 
-/* What a fish in it knows in tick `tick`; points into the tank and at `obstacles`, which may be
- * null when there are none. */
+/* Returns the perception of a fish in tick `tick`. The result points into the tank and at
+ * `obstacles`, which may be null if there are none. */
 struct surroundings tank_surroundings(const struct tank *tank, uint32_t tick,
                                       const struct obstacle *obstacles, uint32_t obstacle_count);
 
-uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Fish and water. */
-uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Fish poses and gaits alone. */
+uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Hashes fish and water. */
+uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Hashes poses and gaits of the
+                                                                     fish only. */
 
 #endif

@@ -1,4 +1,5 @@
-/* tank_open.c -- how a tank begins: which one there may be, who is hatched into it and where. */
+/* tank_open.c -- the start of a tank: validation of its parameters, creation and placement of the
+ * fish. */
 #include "core/tank/tank.h"
 
 #include "core/base/lanes.h"
@@ -10,12 +11,12 @@
 #include "core/tank/surface.h"
 #include "core/tank/swim.h"
 
-#define PLACE_TRIES 12u /* For a spot clear of the bowl; then any will do. */
-#define START_ROUNDS_MAX 100u /* Full tanks take 3 to 48, ... */
-#define START_DRAWS_MAX 8u    /* ... but 1 % of the smallest gets stuck: other places. */
-#define START_SHOVE_M 0.004f /* A round. */
+#define PLACE_TRIES 12u /* Tries to find a place clear of the bowl; afterwards any place is used. */
+#define START_ROUNDS_MAX 100u /* Full tanks take 3 to 48 rounds. */
+#define START_DRAWS_MAX 8u    /* 1 % of the smallest tanks get stuck and need other places. */
+#define START_SHOVE_M 0.004f /* Largest push per round. */
 
-/* ---- What is asked for ---------------------------------------------------------------------- */
+/* ---- Validation ------------------------------------------------------------------------------ */
 
 struct tank_config tank_config_of(uint8_t preset_id)
 {
@@ -44,7 +45,7 @@ uint32_t tank_fish_max(uint8_t preset, float area_scale)
 
 static int within(float value, float low, float high)
 {
-    return value >= low && value <= high; /* So that no NaN is. */
+    return value >= low && value <= high; /* Written so that NaN fails. */
 }
 
 static int water_fits(const struct tank_config *config)
@@ -109,7 +110,7 @@ static int config_fits(const struct tank_config *config)
            config->bowls <= POI_MAX && lanes_built(config->lanes) && config->search <= PAIRS_ALL;
 }
 
-/* ---- Who is hatched, and where -------------------------------------------------------------- */
+/* ---- Creation and placement ------------------------------------------------------------------ */
 
 static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, float clear_m)
 {
@@ -122,14 +123,14 @@ static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, fl
     return 0;
 }
 
-/* The part of the floor that a fish is put into, as shares of it. */
+/* The part of the floor in which a fish is placed, as shares of the floor. */
 struct plot {
     float x, z, width, breadth;
 };
 
-/* Each fish gets a plot of its own, about square and row by row: fish that are near each other at
- * the start are near each other in memory, too. A tank of 100,000 is a third faster by that as long
- * as the start's order lasts; it wears off as fish mix, over some ten minutes. */
+/* Returns the plot of a fish. Each fish has its own plot, about square and row by row, so that fish
+ * near each other at the start are also near each other in memory. A tank of 100,000 fish is a
+ * third faster while this order lasts; it decays as the fish mix, over about ten minutes. */
 static struct plot plot_of(const struct tank *tank, uint32_t index)
 {
     const float wide = f_sqrt((float)tank->fish_count * tank->size_m.x / tank->size_m.z);
@@ -141,7 +142,8 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
                           breadth };
 }
 
-/* In its plot; where a bowl has that, anywhere else. `draw` < START_DRAWS_MAX. */
+/* Returns a place in the plot, or anywhere else if a bowl covers the plot. `draw` <
+ * START_DRAWS_MAX. */
 static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t index,
                   const struct tank_config *config, uint32_t draw)
 {
@@ -178,7 +180,8 @@ static float hatch_length_m(const struct tank *tank, const struct tank_preset *p
                                    : growth_length_m(&species_wakin.card.growth, age_days);
 }
 
-/* As if it had long been in the water: each gait by the share of time that it takes. */
+/* Returns the initial gait with the chance of its share of time, as if the fish had long been in
+ * the water. */
 static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float stamina)
 {
     const struct gait_chance share = gait_shares(stamina);
@@ -207,15 +210,16 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish.tail_amplitude = 0.15f;
     fish.tail_phase_rad = (float)(fish.look & 1023u) * (F_TAU / 1024.0f);
     gait_enter(&fish, start_gait(tank, index, fish.stamina), index, &around);
-    fish.heading_rad = fish.angles.yaw_rad; /* No change of gait turned it yet. */
+    fish.heading_rad = fish.angles.yaw_rad; /* Keeps the heading, because no change of gait has
+                                               turned the fish yet. */
     swim_resolve(&fish, &around);
-    /* All are somewhere in the middle of what they do. */
+    /* Each fish is at a random point of its gait. */
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;
 }
 
-/* Random places overlap; parting them until none does is quicker than drawing until none would.
- * Returns whether none does. */
+/* Separates the random places until no fish overlap, which is faster than drawing until none
+ * overlap. Returns 1 on success. */
 static int spread_out(struct tank *tank)
 {
     const struct part_place place = { tank->fish, tank_bounds(tank), NULL, 0, START_SHOVE_M,
@@ -236,7 +240,7 @@ static int spread_out(struct tank *tank)
     return 0;
 }
 
-/* Where all have room, or 0 where none was found. */
+/* Finds places without overlap for all fish. Returns 0 if none were found. */
 static int find_room(struct tank *tank, const struct tank_config *config)
 {
     for (uint32_t draw = 1; !spread_out(tank); draw++) {
@@ -290,14 +294,16 @@ static void stage(struct fish *fish, const struct tank_stage *wanted,
     fish->depth_goal_m = wanted->position_m.y;
     fish->stamina = wanted->stamina;
     fish->gait = wanted->gait;
-    fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Thesis, section 3.2. */
+    fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Longest durations, thesis,
+                                                                      section 3.2. */
     fish->speed_m_s = wanted->speed_m_s;
     fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
     fish->air = AIR_ENOUGH;
     if (wanted->gait == GAIT_SURFACE) {
         surface_stage(fish, around->law);
     }
-    swim_resolve(fish, around); /* Until it thinks it does what it is staged to, not hatched to. */
+    swim_resolve(fish, around); /* Sets the staged goals, which hold until the first decision of the
+                                   fish. */
 }
 
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)

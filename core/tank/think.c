@@ -1,4 +1,4 @@
-/* think.c -- what a fish feels, shuns and wants, in the order of what presses most. */
+/* think.c -- fish behavior: senses, avoids and decides, in order of urgency. */
 #include "core/tank/think.h"
 
 #include "core/input.h"
@@ -11,8 +11,9 @@
 #include "core/tank/swim.h"
 #include "core/tank/wall.h"
 
-#define DRAWN_TAU_S 0.5f     /* A shadow draws softly: noses do not follow its every tug. */
-#define PUSH_PER_S 12.0f     /* Pushes fade as fast: what goes on is followed in full. */
+#define DRAWN_TAU_S 0.5f     /* Time constant of the attraction by a shade, so that noses do not
+                                follow every small change. */
+#define PUSH_PER_S 12.0f     /* Decay rate of pushes; a lasting push is followed in full. */
 #define HULL_SHUN_DEPTH_M                                                                          \
     0.01f /* A fish that passes deeper below a bowl than this need not turn. */
 
@@ -27,7 +28,8 @@ int think_due(const struct fish *fish, uint32_t index, const struct surroundings
 
 float think_dt_s(const struct fish *fish, uint32_t tick)
 {
-    /* The low bits tell how long ago it was, but for a fish that was held meanwhile. */
+    /* The low bits give the time since the last decision, except for a fish that was carried
+     * meanwhile. */
     const uint32_t ticks = (uint8_t)(tick - fish->thought_tick);
     return CORE_TICK_S * f_clamp((float)ticks, 1.0f, (float)THINK_TICKS);
 }
@@ -46,7 +48,7 @@ static void shun_bowl(struct swim_shun *shun, const struct fish *fish, const str
     swim_shun_add(shun, fish, law, normal, v3_length(to) - bowl->radius_m);
 }
 
-/* Turns away from walls and bowls. */
+/* Turns the fish away from walls and bowls. */
 static void shun(struct fish *fish, const struct surroundings *around)
 {
     struct swim_shun all = { 0 };
@@ -59,7 +61,8 @@ static void shun(struct fish *fish, const struct surroundings *around)
     swim_shun_turn(fish, &all, around->dt_s);
 }
 
-/* Drifts with the water that the poi moves, steps aside of it, or takes fright. */
+/* Applies the effects of pois: the flow carries the fish, the fish steps aside, or it is
+ * startled. */
 static void feel(struct fish *fish, uint32_t index, const struct surroundings *around)
 {
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
@@ -72,7 +75,8 @@ static void feel(struct fish *fish, uint32_t index, const struct surroundings *a
     fright_tick(fish, index, around);
 }
 
-/* Who flees or gulps has other things in mind than a shadow; so has who bursts, by most laws. */
+/* Returns 1 if the fish responds to shades: not while it escapes or breathes at the surface, and in
+ * a burst only with some behavior parameters. */
 static int heeds_shade(const struct fish *fish, const struct law *law)
 {
     return fish->air == AIR_ENOUGH &&
@@ -80,8 +84,8 @@ static int heeds_shade(const struct fish *fish, const struct law *law)
             (fish->gait == GAIT_BURST && law->shade_draws_bursts));
 }
 
-/* What a gait does while a shadow draws. Who gives way keeps the course that clears the other, at
- * the speed of one who is drawn. */
+/* Applies the attraction of shades to the goals of the gait. A fish that avoids another keeps its
+ * avoiding course at the speed of an attracted fish. */
 static void follow_shade(struct fish *fish, const struct surroundings *around)
 {
     const int glides = fish->gait == GAIT_SWIM && fish->beats <= 0.0f;

@@ -1,24 +1,25 @@
-/* think.h -- a fish makes up its mind: fright, gait, whims, walls, depth.
+/* think.h -- fish behavior: the decision of a fish from startle, gait, walls, shade and depth.
  *
- * A fish thinks about thirty times a second, the fish of a tank in turn, and every tick while
- * something presses. What it resolves on stands in struct fish as orders, which swim_move() carries
- * out in every tick. Everything that it knows is in its surroundings. */
+ * A fish decides about thirty times per second, the fish of a tank in turn, and in every tick if it
+ * is startled, falls or escapes. The results are goals in struct fish, which swim_move() executes
+ * in every tick. struct surroundings holds everything that a decision may use. */
 #ifndef KINGYO_CORE_TANK_THINK_H
 #define KINGYO_CORE_TANK_THINK_H
 
 #include "core/tank/fish.h"
 #include "core/tank/surroundings.h"
 
-#define THINK_TICKS 4u /* 33 ms: what a goldfish takes to see and act when nothing presses. */
+#define THINK_TICKS 4u /* 33 ms: the reaction time of an undisturbed goldfish. */
 
-/* Whether the fish is to think in this tick: it is its turn, or it flees, falls, or something that
- * may frighten it is near (a C-start comes 8 to 15 ms after its cause). */
+/* Returns 1 if the fish decides in this tick: in its turn, while it escapes or falls, or if a
+ * startling object is near (a C-start follows its cause after 8 to 15 ms). */
 int think_due(const struct fish *fish, uint32_t index, const struct surroundings *around);
 
-/* The time since it last thought: 1 to THINK_TICKS ticks. For `around->dt_s`. */
+/* Returns the time since the last decision, 1 to THINK_TICKS ticks, for `around->dt_s`. */
 float think_dt_s(const struct fish *fish, uint32_t tick);
 
-/* Ends in orders. A fish in the air falls instead (`falls`), and swim_move() leaves it alone. */
+/* Makes the decision of a fish and sets its goals. A fish in the air falls instead (`falls`), and
+ * swim_move() ignores it. */
 void think(struct fish *fish, uint32_t index, const struct surroundings *around);
 
 #endif

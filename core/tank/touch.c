@@ -1,17 +1,20 @@
-/* touch.c -- distances from boxes to curved things, by walking along what is curved, no farther
- * than the box reaches. */
+/* touch.c -- distances between a box and a ring or hull, by search along the curve within reach of
+ * the box. */
 #include "core/tank/touch.h"
 
-#define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish slips between two ... */
-#define RING_HALVINGS 7 /* ... and from there to a thirtieth of a millimetre along the ring. */
-#define HULL_SWEEPS 8   /* Coordinate descent over three coordinates; a fish's box needs five. */
+#define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish fits between two
+                           points. */
+#define RING_HALVINGS 7 /* Refines the point to a thirtieth of a millimetre along the ring. */
+#define HULL_SWEEPS 8   /* Coordinate descent over three coordinates; the box of a fish needs five
+                           sweeps. */
 
 static float sign_of(float value)
 {
     return value < 0.0f ? -1.0f : 1.0f;
 }
 
-/* Which face of a box is the nearest to a point inside it; `q` is how far inside each (<= 0). */
+/* Returns the normal of the face nearest to a point inside a box; `q` is the distance to each face
+ * (<= 0). */
 static vec3 nearest_face(vec3 p, vec3 q)
 {
     if (q.x >= q.y && q.x >= q.z) {
@@ -36,12 +39,14 @@ float touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
 
 /* ---- Ring ----------------------------------------------------------------------------------- */
 
-/* A direction in the plane of a ring, by the angle from its east: no angle is ever needed. */
+/* A direction in the plane of a ring, as cosine and sine of the angle from its east. The angle
+ * itself is never computed. */
 struct turn {
     float cos, sin;
 };
 
-/* k / RING_POINTS of a turn, to the half; sines are cosines of a quarter less. */
+/* Cosines of k / RING_POINTS of a turn, for half a turn. A sine is the cosine of a quarter turn
+ * less. */
 static const float ring_cos[RING_POINTS / 2 + 1] = {
     1.0f,           0.995184727f,  0.98078528f,   0.956940336f,  0.923879533f,  0.881921264f,
     0.831469612f,   0.773010453f,  0.707106781f,  0.634393284f,  0.555570233f,  0.471396737f,
@@ -51,7 +56,7 @@ static const float ring_cos[RING_POINTS / 2 + 1] = {
     -0.98078528f,   -0.995184727f, -1.0f,
 };
 
-/* Half of that, a quarter, ... */
+/* Successive halvings of the angle between two points. */
 static const struct turn ring_halving[RING_HALVINGS] = {
     { 0.998795456f, 0.0490676743f },  { 0.999698819f, 0.0245412285f },
     { 0.999924702f, 0.0122715383f },  { 0.999981175f, 0.00613588465f },
@@ -65,11 +70,13 @@ static struct turn turn_by(struct turn turn, struct turn more, float side)
                           turn.sin * more.cos + side * turn.cos * more.sin };
 }
 
-/* The circle as the box sees it. */
+/* The circle in the frame of the box. */
 struct circle {
-    vec3 centre_m;    /* From the box's, along its axes. */
-    vec3 east, north; /* The ring's middle that way from its centre, and square to it. */
-    vec3 half_m;      /* The box's. */
+    vec3 centre_m;    /* Centre of the circle relative to the centre of the box, along the axes of
+                         the box. */
+    vec3 east, north; /* Vectors of the circle's radius: toward the box, and perpendicular to
+                         that. */
+    vec3 half_m;      /* Half sizes of the box. */
 };
 
 static vec3 circle_point(const struct circle *circle, struct turn turn)
@@ -77,7 +84,7 @@ static vec3 circle_point(const struct circle *circle, struct turn turn)
     return v3_mad(v3_mad(circle->centre_m, circle->east, turn.cos), circle->north, turn.sin);
 }
 
-/* Signed, as touch_point_m(). */
+/* Returns the signed distance, as touch_point_m(). */
 static float circle_distance_m(const struct circle *circle, struct turn turn)
 {
     const vec3 p = circle_point(circle, turn), half = circle->half_m;
@@ -87,7 +94,7 @@ static float circle_distance_m(const struct circle *circle, struct turn turn)
     return square > 0.0f ? f_sqrt(square) : f_max(q.x, f_max(q.y, q.z));
 }
 
-/* Where on the ring it is nearest to the box, or deepest in it. */
+/* Point of the ring nearest to the box, or deepest in it. */
 struct nearest {
     struct turn turn;
     float distance_m;
@@ -101,8 +108,8 @@ static void try_turn(struct nearest *best, const struct circle *circle, struct t
     }
 }
 
-/* Closes in on the least distance by halving steps about the best place so far. From a convex box
- * the distance along a chord has one minimum, and so short an arc leaves its chord by 0.05 mm. */
+/* Refines the point of least distance by halving the step. From a convex box the distance along a
+ * chord has one minimum, and so short an arc deviates from its chord by 0.05 mm. */
 static struct nearest close_in(struct nearest best, const struct circle *circle)
 {
     for (int k = 0; k < RING_HALVINGS; k++) {
@@ -113,8 +120,9 @@ static struct nearest close_in(struct nearest best, const struct circle *circle)
     return best;
 }
 
-/* Steps either way from east that cover what may be within `reach_m` of the box's centre, which
- * lies `in_plane_m` to the east of the ring's and `away_m` in all. */
+/* Returns the number of steps from east, in both directions, that cover all points within `reach_m`
+ * of the box's centre. The centre lies `in_plane_m` to the east of the ring's centre and `away_m`
+ * from it in total. */
 static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
 {
     const float least =
@@ -134,8 +142,9 @@ static struct turn turn_of(int step)
     return (struct turn){ ring_cos[size], step < 0 ? -sine : sine };
 }
 
-/* A box can be near two parts of the ring at once; a second dip that is not much shallower than the
- * first at the coarse points may be the deeper one. So every coarse minimum is closed in on. */
+/* Finds the nearest point. A box can be near two parts of the ring at once, and a second minimum
+ * that is slightly worse at the coarse points may be the better one after refinement. Every coarse
+ * minimum is therefore refined. */
 static struct nearest nearest_on(const struct circle *circle, int window, float maybe_m)
 {
     struct nearest best = { { 1.0f, 0.0f }, TOUCH_FAR_M };
@@ -156,8 +165,8 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
     return best;
 }
 
-/* A ring that runs right through a box has no nearest face: only a move square to the ring clears
- * it, and there the ring is as good as a straight rod. */
+/* Handles a ring that passes right through a box. It has no nearest face: only a move perpendicular
+ * to the ring clears it, and there a straight rod approximates the ring. */
 static struct touch pierced(const struct ring *ring, const struct box *box, vec3 point_m, vec3 out)
 {
     const vec3 along = v3_cross(ring->normal, v3_scale(v3_sub(point_m, ring->centre_m),
@@ -212,8 +221,9 @@ static float part_of(vec3 v, int i)
     return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
 
-/* The box's point that lies deepest in an ellipsoid: there |S (c + R u)| is least, S the inverse
- * half axes, u within the half sizes. Three coordinates, each in turn set to its best. */
+/* Returns the point of the box that lies deepest in an ellipsoid. There |S (c + R u)| is least,
+ * with S the inverse half axes and u within the half sizes. Each of the three coordinates is
+ * optimised in turn. */
 static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
 {
     const vec3 axis[3] = { box->axes.right, box->axes.up, box->axes.back };
@@ -235,7 +245,7 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     return v3_mad(v3_mad(v3_mad(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
 }
 
-/* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is good near its skin. */
+/* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is accurate near its skin. */
 struct touch touch_hull(const struct hull *hull, const struct box *box)
 {
     const struct touch far = { TOUCH_FAR_M, { 0.0f, -1.0f, 0.0f } };
@@ -250,7 +260,7 @@ struct touch touch_hull(const struct hull *hull, const struct box *box)
     const vec3 gradient = v3(s.x * inverse.x, s.y * inverse.y, s.z * inverse.z);
     const float k = v3_length(s), steep = v3_length(gradient);
     const vec3 out = v3_normalize_or(gradient, far.out);
-    /* Down and aside, never up into the bowl. */
+    /* The direction is down and aside, never up into the bowl. */
     const vec3 away = v3_normalize_or(v3(out.x, f_min(out.y, 0.0f), out.z), far.out);
     return (struct touch){ steep > 0.0f ? (k - 1.0f) * k / steep : -hull->depth_m, away };
 }

@@ -1,9 +1,9 @@
-/* wall.h -- thigmotaxis: how a wall draws a fish that is alone to it.
+/* wall.h -- thigmotaxis: the attraction of a single fish to walls.
  *
- * The 2013 thesis, section 2.2 and figure 2.3, after Sato: in a tank of 60 x 30 cm a lone goldfish
- * keeps to the walls; its density falls off exponentially from them, their pull is felt to 20 cm. A
- * crowd masks that, so every preset has it off (`wall_follow` 0).
- */
+ * Implements section 2.2 and figure 2.3 of the 2013 thesis, after Sato: in a tank of 60 x 30 cm a
+ * single goldfish keeps to the walls. The density falls off exponentially from the walls, and the
+ * attraction reaches 20 cm. A crowd masks the effect, so every preset disables it (`wall_follow`
+ * 0). */
 #ifndef KINGYO_CORE_TANK_WALL_H
 #define KINGYO_CORE_TANK_WALL_H
 
@@ -12,11 +12,11 @@
 
 #define WALL_RANGE_M 0.20f
 
-/* How strongly a wall at `gap_m` >= 0 from the fish's middle draws it, [0, 1]: falls off
- * exponentially, and is 0 beyond the range and where the fish is beside the wall already. */
+/* Returns the attraction of a wall at `gap_m` >= 0 from the fish's centre, [0, 1]. The value falls
+ * off exponentially; it is 0 beyond the range and for a fish that is already beside the wall. */
 float wall_pull(float gap_m, float length_m);
 
-/* `around->dt_s` of it: turns the heading of a fish that swims or bursts. */
+/* Turns the heading of a swimming or bursting fish for `around->dt_s`. */
 void wall_follow(struct fish *fish, const struct surroundings *around);
 
 #endif

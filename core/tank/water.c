@@ -1,7 +1,7 @@
-/* water.c -- a damped wave equation on a grid of cells, with walls that send waves back.
+/* water.c -- a damped wave equation on a grid of cells, with walls that reflect waves.
  *
- * Steps of 1/60 s over cells of about 7 mm. Waves run at 0.23 m/s, the slowest that ripples on real
- * water have (capillary-gravity minimum), which also keeps the explicit scheme stable. */
+ * Steps of 1/60 s over cells of about 7 mm. Waves travel at 0.23 m/s, the slowest speed of ripples
+ * on real water (capillary-gravity minimum), which also keeps the explicit scheme stable. */
 #include "core/tank/water.h"
 
 #include "core/base/hash.h"
@@ -9,25 +9,27 @@
 
 #define WAVE_SPEED_M_S 0.23f
 #define STEP_S (1.0f / 60.0f)
-#define WAVE_KEEP 0.986f   /* Of the velocity a step: waves fade in about a second. */
-#define LEVEL_KEEP 0.9985f /* Of the height a step: the level comes back to 0. */
+#define WAVE_KEEP 0.986f   /* Share of the velocity kept per step: waves decay in about a second. */
+#define LEVEL_KEEP 0.9985f /* Share of the height kept per step: the level returns to 0. */
 #define COURANT_MAX 0.45f  /* (c dt / dx)^2 along each axis; the scheme diverges at 0.5 + 0.5. */
-#define HEIGHT_MAX_M 0.02f /* Higher waves would leave a tank that stands 6 cm above the water. */
-#define SLOPE_SCALE 508.0f /* scene.h: +-127 is +-0.25. */
+#define HEIGHT_MAX_M 0.02f /* Higher waves would leave a tank whose walls stand 6 cm above the
+                              water. */
+#define SLOPE_SCALE 508.0f /* scene.h: +-127 stands for a slope of +-0.25. */
 
 void water_init(struct water *water)
 {
     memset(water, 0, sizeof *water);
 }
 
-/* 1 at the centre, a raised rim, 0 from the radius on; its volume is zero, as water's must be. */
+/* Returns the profile of a push: 1 at the centre, a raised rim, and 0 from the radius on. Its
+ * volume is zero, because water is incompressible. */
 static float press_profile(float s)
 {
     return s < 1.0f ? (1.0f - s) * (1.0f - s) * (1.0f - 4.0f * s) : 0.0f;
 }
 
-/* First and last cell whose centre can lie within `radius` of `at`, both in cells; empty when first
- * is the greater. */
+/* First and last cell whose centre can lie within `radius` of `at`, both in cells. The span is
+ * empty if `first` is greater than `last`. */
 struct span {
     int32_t first, last;
 };
@@ -41,7 +43,7 @@ static struct span span_of(float at, float radius, int32_t count)
                           span.last >= count ? count - 1 : span.last };
 }
 
-/* Both layers move, so the push itself carries no velocity and waves start from rest. */
+/* Both layers move, so that the push itself adds no velocity and waves start from rest. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m)
 {
     if (f_abs(point_m.x) > 0.5f * size_m.x || f_abs(point_m.z) > 0.5f * size_m.z) {
@@ -49,7 +51,7 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
     }
     const float dx = size_m.x / (float)RIPPLE_X, dz = size_m.z / (float)RIPPLE_Z;
     const float reach_m =
-        f_max(radius_m, 1.5f * f_max(dx, dz)); /* No smaller than the grid shows. */
+        f_max(radius_m, 1.5f * f_max(dx, dz)); /* Not smaller than the grid resolves. */
     const float at_x = (point_m.x + 0.5f * size_m.x) / dx - 0.5f;
     const float at_z = (point_m.z + 0.5f * size_m.z) / dz - 0.5f;
     const struct span columns = span_of(at_x, reach_m / dx, (int32_t)RIPPLE_X);
@@ -94,7 +96,7 @@ static void step_row(float *restrict next, const float *restrict now, const floa
                             kz * (above[i] - 2.0f * now[i] + below[i]);
         next[i] = next_height(now[i], next[i], curve);
     }
-    /* A wall mirrors the water: the cell beyond it is the cell before it. */
+    /* A wall reflects: the cell beyond it equals the cell before it. */
     next[0] = next_height(now[0], next[0],
                           kx * (now[1] - now[0]) + kz * (above[0] - 2.0f * now[0] + below[0]));
     next[end] = next_height(now[end], next[end],
@@ -113,7 +115,8 @@ void water_step(struct water *water, vec3 size_m)
     const float kx = courant(size_m.x / (float)RIPPLE_X), kz = courant(size_m.z / (float)RIPPLE_Z);
     const uint32_t last = RIPPLE_Z - 1u;
     float(*now)[RIPPLE_X] = water->height_m[water->newest];
-    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Holds the step before. */
+    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Holds the heights of the
+                                                                     previous step. */
     for (uint32_t row = 0; row <= last; row++) {
         const float *above = now[row == 0 ? 0 : row - 1u];
         const float *below = now[row == last ? last : row + 1u];
