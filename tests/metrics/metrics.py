@@ -260,6 +260,10 @@ def compare_with_compiler(root, build, direct, sources):
             if path and os.path.getmtime(os.path.join(folder, name)) >= os.path.getmtime(os.path.join(root, path)):
                 count += 1
                 own = closure(direct, path)
+                for made in (w for w in wanted if w.startswith(build + '/') and w.endswith('.h')):
+                    with open(os.path.join(root, made), errors='replace') as file:  # A generated header.
+                        for name in INCLUDE_RE.findall(file.read()):
+                            own |= {name} | closure(direct, name)
                 other += [f'{path}: {w}' for w in wanted if w in sources and w != path and w not in own]
     return count, other
 
