@@ -1,4 +1,5 @@
-/* says.c -- finds the pattern that a line was made from, and fills another language's. */
+/* says.c -- finds the pattern that produced an English line, and fills the same pattern in another
+ * language. */
 #include "platform/render/says.h"
 
 #include <stdbool.h>
@@ -6,8 +7,9 @@
 
 #include "platform/render/text.h"
 
-#define GAPS_MAX 6u  /* As many names and figures as the longest line has. */
-#define DEPTH_MAX 3u /* A line in a line in a line: "no store: PATH: disk I/O error; ..." */
+#define GAPS_MAX 6u  /* Maximum number of names and figures in a line. */
+#define DEPTH_MAX 3u /* Nesting depth of a line within a line: "no store: PATH: disk I/O error;
+                        ..." */
 
 struct span {
     const char *at;
@@ -19,7 +21,8 @@ struct sink {
     size_t used, size;
 };
 
-/* A pattern has no character of several bytes that could be cut: what is too much is left out. */
+/* Appends bytes to the sink and drops what does not fit. Patterns contain no multi-byte character
+ * that could be cut. */
 static void put(struct sink *sink, const char *at, size_t size)
 {
     size_t room = sink->size - 1u - sink->used;
@@ -28,7 +31,7 @@ static void put(struct sink *sink, const char *at, size_t size)
         while (size > 0 && ((unsigned char)at[size] & 0xc0u) == 0x80u) {
             size--;
         }
-        sink->size = sink->used + size + 1u; /* Full. */
+        sink->size = sink->used + size + 1u; /* The sink is full. */
     }
     memcpy(sink->out + sink->used, at, size);
     sink->used += size;
@@ -40,7 +43,8 @@ static bool starts_with(struct span text, const char *literal, size_t size)
     return text.size >= size && memcmp(text.at, literal, size) == 0;
 }
 
-/* Where a literal is found first in `text`; past its end: nowhere. An empty one is at the end. */
+/* Returns the position of the first `literal` in `text`, or a position past the end if there is
+ * none. An empty literal matches at the end. */
 static size_t find(struct span text, const char *literal, size_t size)
 {
     size_t at = size == 0 ? text.size : 0;
@@ -51,8 +55,8 @@ static size_t find(struct span text, const char *literal, size_t size)
     return at;
 }
 
-/* Whether `line` was made from `pattern`; then what stood in each gap. A gap ends where the letters
- * behind it are found first, the last one where they end the line. */
+/* Returns true if `line` was made from `pattern`, and writes the text of each gap. A gap ends at
+ * the first occurrence of the literal behind it; the last literal must end the line. */
 static bool matches(struct span line, const char *pattern, struct span gap[GAPS_MAX])
 {
     const char *brace = strstr(pattern, "{}");
@@ -90,7 +94,8 @@ static enum text_key pattern_of(struct span line, struct span gap[GAPS_MAX])
 
 static void write(struct sink *sink, uint8_t language, struct span line, uint32_t depth);
 
-/* What stood in a gap may be a line itself: why something was refused. */
+/* Fills the pattern's gaps. The text of a gap may itself be a translatable line, such as the reason
+ * of a failure. */
 static void fill(struct sink *sink, uint8_t language, enum text_key key,
                  const struct span gap[GAPS_MAX], uint32_t depth)
 {
@@ -104,7 +109,8 @@ static void fill(struct sink *sink, uint8_t language, enum text_key key,
     put(sink, words, strlen(words));
 }
 
-/* All of it, if that is known; else remark by remark. No deeper than DEPTH_MAX. */
+/* Translates the whole line if its pattern is known, otherwise each part between "; ". Recurses at
+ * most DEPTH_MAX deep. */
 static void write(struct sink *sink, uint8_t language, struct span line, uint32_t depth)
 {
     struct span gap[GAPS_MAX] = { { NULL, 0 } };

@@ -1,9 +1,9 @@
-/* says.h -- what devices say of themselves, in the operator's language.
+/* says.h -- translates the status lines of devices into the operator's language.
  *
- * A driver says one line in English, for the log as well as for the screen, and knows no other
+ * A driver reports one line in English, for the log and for the screen, and supports no other
  * language. assets/text has a pattern for each such line, from TEXT_SAYS_NO_PICTURE to
- * TEXT_SAYS_NO_ROOM: in en.txt as the driver says it, with {} where a name or a figure stands; in
- * ja.txt what that is in Japanese. A line that is none of them is shown as it is. */
+ * TEXT_SAYS_NO_ROOM. The pattern in en.txt is the driver's line with {} in place of each name or
+ * figure; ja.txt has the Japanese line. A line without a pattern is shown unchanged. */
 #ifndef KINGYO_PLATFORM_RENDER_SAYS_H
 #define KINGYO_PLATFORM_RENDER_SAYS_H
 
@@ -12,11 +12,11 @@
 
 #include "core/scene.h"
 
-/* A line of three bytes a letter, which is as long as Japanese gets. */
+/* Size of a translated line: three bytes a letter, the maximum for Japanese. */
 #define SAYS_SIZE (3u * SCENE_LINE_SIZE)
 
-/* Writes `line` in that language (enum language); cut at a whole character when `out` is full. Of
- * several lines with "; " between them each is written on its own. */
+/* Writes `line` in that language (enum language), cut at a whole character when `out` is full.
+ * Parts separated by "; " are translated one by one. */
 void says(char *out, size_t out_size, uint8_t language, const char *line);
 
 #endif

@@ -5,9 +5,11 @@
 
 #include "core/base/panic.h"
 
-#define EDGE 20          /* Of 255: neighbours that differ more are painted at four points each. */
-#define SCALE_ROWS_MIN 6u /* So many rows of dots mean scales. */
-#define LINES_MIN 40u     /* So many bands round a body are lines too fine for a sheet. */
+#define EDGE 20          /* Of 255: texels whose coarse neighbours differ by more are painted from
+                            four points each. */
+#define SCALE_ROWS_MIN 6u /* At least this many rows of dots are taken for scales. */
+#define LINES_MIN 40u     /* At least this many bands round a body are too fine for a painted
+                             sheet. */
 
 static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
 {
@@ -33,7 +35,7 @@ void skin_close(struct skin *skin)
 
 float skin_scales(const struct skin *skin)
 {
-    /* About 30 on a carp, 50 on a bream. */
+    /* About 30 scales on a carp, 50 on a bream. */
     static const float along[] = { [FORM_FUSIFORM] = 31.0f, [FORM_COMPRESSED] = 50.0f,
                                    [FORM_DEPRESSED] = 80.0f, [FORM_EEL] = 0.0f,
                                    [FORM_PUFFER] = 0.0f };
@@ -42,8 +44,8 @@ float skin_scales(const struct skin *skin)
     return bare ? 0.0f : along[card->form];
 }
 
-/* Rows upon rows of dots are a maker's word for scales. Where the shader draws scales with rims,
- * the dots are left out; their lines stay, for marks are told by their lines. */
+/* Removes dot marks that stand for scales where the shader draws scales with rims. Only the dots
+ * are removed, because other marks are also needed for their lines. */
 static void leave_out_dots(struct skin *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -52,7 +54,8 @@ static void leave_out_dots(struct skin *skin)
             struct species_mark *const mark = &coat->marks[i];
             if (mark->kind == MARK_ROWS && mark->part == PART_BODY &&
                 mark->seed >= SCALE_ROWS_MIN) {
-                mark->part = PART_COUNT; /* On no part. */
+                mark->part = PART_COUNT; /* PART_COUNT matches no part, so the mark is not
+                                            painted. */
             }
         }
     }
@@ -63,7 +66,7 @@ static bool is_lines(const struct species_mark *mark)
     return mark->kind == MARK_BANDS && mark->part == PART_BODY && mark->count >= LINES_MIN;
 }
 
-/* What the shader draws is not painted; the marks stay in skin->lined. */
+/* Removes marks that the shader draws as lines from the painting. The marks stay in skin->lined. */
 static void leave_out_lines(struct skin *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -99,7 +102,7 @@ static uint8_t byte(float x)
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-/* A sheet being painted. */
+/* Input of the painting of one sheet. */
 struct painting {
     const struct species *species;
     float weights[MORPH_KEY_MAX];
@@ -137,7 +140,7 @@ static void put(const struct painting *painting, uint32_t index, const struct pa
     painting->brush->shine[index] = byte(paint->shine);
 }
 
-/* One point a texel of the band that begins at row `first`. */
+/* Paints the band that begins at row `first`, from one point a texel. */
 static void paint_plainly(const struct painting *painting, uint32_t first)
 {
     struct paint paint;
@@ -150,7 +153,7 @@ static void paint_plainly(const struct painting *painting, uint32_t first)
     }
 }
 
-/* ---- The first, coarse painting: one point for many texels, and smooth between them. --------- */
+/* ---- Coarse painting: one point for many texels, interpolated between points ---------------- */
 
 static void paint_coarse_points(const struct painting *painting)
 {
@@ -168,8 +171,8 @@ static void paint_coarse_points(const struct painting *painting)
     }
 }
 
-/* The two points beside texel `at`, not across the border of its cell of `size` texels, and how
- * much of the second. */
+/* Writes the two coarse points beside texel `at`, both within its cell of `size` texels. Returns
+ * the weight of the second. */
 static float beside(uint32_t at, uint32_t size, uint32_t points[2])
 {
     const float first = (float)(at - at % size) / (float)SKIN_COARSE;
@@ -210,7 +213,7 @@ static bool differ(const uint8_t a[4], const uint8_t b[4])
     return most > EDGE;
 }
 
-/* The mean of four points of texel (x, y). */
+/* Paints texel (x, y) as the mean of four points. */
 static void paint_finely(const struct painting *painting, uint32_t index, uint32_t x, uint32_t y)
 {
     struct paint mean = { .colour = { 0.0f, 0.0f, 0.0f } }, paint;
@@ -226,7 +229,8 @@ static void paint_finely(const struct painting *painting, uint32_t index, uint32
     put(painting, index, &mean);
 }
 
-/* A mark's rim may be narrower than a texel: a slit of one point a texel would be ragged. */
+/* Smooths the edges of marks. An edge may be narrower than a texel, and a slit painted from one
+ * point a texel would be ragged. */
 static void smooth_rims(const struct painting *painting, uint32_t first)
 {
     bool rim[SKIN_BAND * PAINT_SIZE] = { false };
@@ -278,7 +282,7 @@ void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[
 {
     float mean = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
-        const float weight = f_max(weights[key], 0.0f); /* As paint_at() takes them. */
+        const float weight = f_max(weights[key], 0.0f); /* Same clamping as in paint_at(). */
         mean += weight * (float)(key * skin->per_key);
         sum += weight;
     }
@@ -299,7 +303,7 @@ void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[
     out[2] = at - (float)first;
 }
 
-/* The unfinished sheet nearest to what is shown, or sheet_count. */
+/* Returns the unfinished sheet nearest to the one shown, or sheet_count. */
 static uint32_t next_sheet(const struct skin *skin)
 {
     uint32_t best = skin->sheet_count;
@@ -356,8 +360,9 @@ static struct skin_lines lines_of(const struct species_mark *mark, float share)
     };
 }
 
-/* Lines of the keys that weigh most, each faded by its weight, as paint_at() fades marks that keys
- * do not share: no two neighbouring keys' larvae have as many muscles. */
+/* Writes the lines of the keys with the largest weights, each faded by its weight, as paint_at()
+ * fades marks that keys do not share. Neighbouring keys of a larva differ in the number of muscles,
+ * so their lines cannot be blended. */
 void skin_lines(const struct skin *skin, const float weights[MORPH_KEY_MAX],
                 struct skin_lines lines[SKIN_LINES])
 {

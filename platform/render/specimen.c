@@ -3,9 +3,10 @@
 
 #include <stddef.h>
 
-#define THREE_QUARTER_RAD (14.0f * F_DEG) /* So much of its face gives it body. */
+#define THREE_QUARTER_RAD (14.0f * F_DEG) /* The fish turns this far toward the viewer, which gives
+                                             it depth. */
 
-/* (x, y) turned by an angle whose cosine and sine are `c` and `s`. */
+/* Rotates (x, y) by an angle whose cosine and sine are `c` and `s`. */
 static void turn(vec3 *x, vec3 *y, float c, float s)
 {
     const vec3 before = *x;

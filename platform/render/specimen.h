@@ -1,8 +1,9 @@
-/* specimen.h -- one fish of any species, of any age, seen from any side: what the growth lab and
- * the album put on the screen. Plain data and arithmetic; specimen_pass.h draws it.
+/* specimen.h -- one fish of any species and age, seen from any side, as the growth lab and the
+ * album show it. Plain data and arithmetic; specimen_pass.h draws it.
  *
- * A screen adds specimens to its batch (ui_batch.h) between its quads. Pixels, origin at the top
- * left, +y down. There is no perspective: `length_px` is the fish's length wherever it is. */
+ * A screen adds specimens to its batch (ui_batch.h) between its quads. Coordinates are pixels,
+ * origin at the top left, +y down. There is no perspective: `length_px` is the fish's length at
+ * every place. */
 #ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_H
 #define KINGYO_PLATFORM_RENDER_SPECIMEN_H
 
@@ -11,50 +12,56 @@
 
 #include "core/morph/morph.h"
 
-#define SPECIMEN_MAX 24u /* Of a screen: a lab's fish, its rival and eight keys; an album's page. */
+#define SPECIMEN_MAX 24u /* Maximum of a screen: the lab's fish, its comparison fish and eight keys,
+                            or one album page. */
 
 struct specimen {
-    const struct species *species; /* Stays as it is until the frame is drawn, ... */
-    uint32_t edition; /* ... and longer: another number says that it holds another fish now. */
-    const struct morph_rig *rig; /* Kept until the frame is drawn; null: the species' own curves. */
-    float progress;              /* [0, 1] */
-    float x_px, y_px;            /* Where the middle of the body (z = 0 of its frame) is seen. */
-    float length_px;             /* Of one measure of the species; > 0. */
-    /* 0: it shows its left side, nose to the left. Yaw turns the nose toward the viewer, pitch its
-     * back, roll tips the nose down on the screen. */
+    const struct species *species; /* Species data, which must not change until the frame is
+                                      drawn. */
+    uint32_t edition; /* Changes whenever `species` holds another fish. */
+    const struct morph_rig *rig; /* Rig, valid until the frame is drawn; null: the species' own
+                                    curves. */
+    float progress;              /* Progress through life, [0, 1]. */
+    float x_px, y_px;            /* Position of the body's centre (z = 0 of its frame). */
+    float length_px;             /* Pixels of one measure of the species; > 0. */
+    /* Rotation; 0 shows the left side with the nose to the left. Yaw turns the nose toward the
+     * viewer, pitch turns the back toward the viewer, roll lowers the nose on the screen. */
     float yaw_rad, pitch_rad, roll_rad;
-    float phase_rad; /* Of its swimming in place, ... */
-    float amplitude; /* ... and how strongly: 0 still, 1 cruising. */
-    float shadow;    /* [0, 1] how dark a shadow lies under it; 0: none. */
-    float fade;      /* [0, 1] 0: whole, 1: gone. */
-    uint32_t tint;   /* 0xRRGGBBAA, mixed over its own paint by its alpha; 0: its own alone. */
-    uint32_t look;   /* Of a goldfish: whose pattern it wears, as struct scene_fish has it, ... */
-    float ripe;      /* ... how far that has come through its youth's coat, [0, 1], ... */
-    float maturity;  /* ... and how far its grey has turned, as struct scene_fish has it. */
+    float phase_rad; /* Phase of swimming in place. */
+    float amplitude; /* Strength of swimming: 0 still, 1 cruising. */
+    float shadow;    /* Darkness of the shadow below the fish, [0, 1]; 0: none. */
+    float fade;      /* [0, 1]: 0 is opaque, 1 invisible. */
+    uint32_t tint;   /* 0xRRGGBBAA, mixed over the fish's paint by its alpha; 0: paint only. */
+    uint32_t look;   /* Goldfish only: pattern, as in struct scene_fish. */
+    float ripe;      /* Goldfish only: how far the pattern has replaced the juvenile coat, [0,
+                        1]. */
+    float maturity;  /* Goldfish only: how far the grey has turned, as in struct scene_fish. */
 };
 
-/* What becomes of the body's axes: screen right, screen up, and toward the viewer. */
+/* The body's axes in screen directions: right, up, and toward the viewer. */
 struct specimen_axes {
     vec3 right, up, toward;
 };
 struct specimen_axes specimen_axes(const struct specimen *specimen);
 
-/* Where a point of the body's frame is seen: lengths, as morph_shape() gives it, not swimming. */
+/* Projects a point of the body's frame to pixels. `point` is in lengths, as returned by
+ * morph_shape(), without the swimming motion. */
 void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px);
 
-/* How far it is seen to reach from its middle, in lengths, at whichever of its keys it reaches
- * most: a frame that holds it all its life. Swimming in place is not counted. */
+/* Largest extent from the body's centre over all keys, in lengths: a frame that contains the fish
+ * at every age. Excludes the swimming motion. */
 struct specimen_bounds {
     float left, right, up, down; /* >= 0 each. */
 };
 struct specimen_bounds specimen_bounds(const struct specimen *specimen);
 
-/* Sets place and length so that it fits the box all its life, in the middle of it. About 0.1 ms. */
+/* Sets position and length so that the fish fits centred in the box at every age. Takes about
+ * 0.1 ms. */
 void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width_px,
                   float height_px);
 
-/* The sides from which a species is drawn in books: most from the left, an eel a little from above
- * so that its wave is seen, a ray from high above. Fills yaw and pitch and leaves the rest. */
+/* Sets yaw and pitch to the usual view of an illustration: most species from the left, an eel from
+ * slightly above so that its wave is visible, a ray from high above. Other fields are unchanged. */
 void specimen_portrait(struct specimen *specimen);
 
 #endif

@@ -10,11 +10,13 @@
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
-#define NEAR_PX 150.0f   /* A fish of fewer pixels is drawn from the far mesh. */
-#define SWAY_LENGTHS 0.3f /* So far swimming brings it out of its mesh's reach, at most. */
-#define WORK_NS 10000000u /* Painting in a frame while what is seen is coarse. */
-#define REST_NS 3000000u /* And while something else is. */
-#define CLEAR_MIN 0.02f  /* Through less nothing is seen. */
+#define NEAR_PX 150.0f   /* A fish shorter than this is drawn from the far mesh. */
+#define SWAY_LENGTHS 0.3f /* Maximum distance in lengths by which swimming moves vertices beyond the
+                             mesh's reach. */
+#define WORK_NS 10000000u /* Painting time in a frame while a visible texture is coarse. */
+#define REST_NS 3000000u /* Painting time in a frame while only an invisible texture is
+                            unfinished. */
+#define CLEAR_MIN 0.02f  /* A body with less transparency counts as opaque. */
 
 static struct specimen_screen screen_of(GLuint program)
 {
@@ -86,8 +88,8 @@ void specimen_pass_close(struct specimen_pass *pass)
     }
 }
 
-/* The skin of a built-in species with the very same coats: the ordinary morph of one is painted as
- * the species itself is. Null: none is here. */
+/* Returns the fish texture of a built-in species with identical coats, or null. The ordinary morph
+ * of a species thus shares the texture of the species. */
 static struct skin *skin_like(struct specimen_pass *pass, const struct species *species)
 {
     const struct species_card *const card = &species->card;
@@ -120,8 +122,8 @@ static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
     }
 }
 
-/* Where a built-in species always is; null of any other. Its tables never change: all its editions
- * are one. */
+/* Returns the fixed slot of a built-in species, or null for any other species. Built-in tables
+ * never change, so all their editions are equal. */
 static struct specimen_slot *home_of(struct specimen_pass *pass, const struct species *species)
 {
     for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
@@ -132,7 +134,7 @@ static struct specimen_slot *home_of(struct specimen_pass *pass, const struct sp
     return NULL;
 }
 
-/* The slot of another, or which of theirs has rested longest. */
+/* Returns the slot that holds this other species, or the least recently used of those slots. */
 static struct specimen_slot *other_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
     struct specimen_slot *rested = &pass->slots[SPECIES_BUILT_IN];
@@ -157,8 +159,8 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
     return slot;
 }
 
-/* Whose skin to paint on: the largest fish's of those seen coarsely, else any other's; null when
- * all are done. */
+/* Returns the texture to paint next: the visible coarse texture with the largest fish, otherwise
+ * any unfinished texture, or null if all are finished. */
 static struct skin *unfinished(struct specimen_pass *pass, bool *is_seen)
 {
     struct skin *found = NULL;
@@ -179,7 +181,7 @@ static struct skin *unfinished(struct specimen_pass *pass, bool *is_seen)
     return found;
 }
 
-/* Fills the first built-in species' slot that is empty; about a millisecond. */
+/* Fills the first empty slot of a built-in species, which takes about a millisecond. */
 static void fill_ahead(struct specimen_pass *pass)
 {
     for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
@@ -225,7 +227,7 @@ static void colour_of(float out[4], uint32_t rgba)
     }
 }
 
-/* What a specimen's two programs are told alike. */
+/* Uniform values that a specimen's two programs share. */
 struct told {
     float sheets[3];
     float look[4];
@@ -280,7 +282,8 @@ static void draw_shadow(const struct specimen_pass *pass, const struct specimen 
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-/* The depth of what was drawn there before is of no use: each specimen is on a page of its own. */
+/* Clears the depth around the specimen. Earlier depth is not needed because every specimen has its
+ * own place on the page. */
 static void clear_depth(const struct specimen *specimen, float reach_lengths,
                         const struct placing *p)
 {
@@ -302,8 +305,8 @@ static void draw_part(const struct specimen_program *program, const struct fish_
     fish_mesh_draw(mesh, fins, 1);
 }
 
-/* What of the fins lies behind the skin comes first: the body's smooth outline ends on them, not on
- * the ground, and a clear body lets its far ones through. */
+/* Draws the fin parts behind the body first, so that the body's smooth outline blends with them and
+ * a transparent body shows its far fins. */
 static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
                         const float look[4])
 {

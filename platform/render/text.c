@@ -1,4 +1,4 @@
-/* text.c -- the stall's words: UTF-8, glyphs and their measures. */
+/* text.c -- the user interface's text: UTF-8 decoding, translations, glyphs and their widths. */
 #include "platform/render/text.h"
 
 _Static_assert(sizeof text_table / sizeof *text_table == LANGUAGE_COUNT,
@@ -9,7 +9,7 @@ const char *text_words(uint8_t language, enum text_key key)
     return text_table[language < LANGUAGE_COUNT ? language : LANGUAGE_JA][key];
 }
 
-/* How many bytes follow a lead byte; 4 marks one that cannot lead. */
+/* Returns how many bytes follow a lead byte; 4 marks an invalid lead byte. */
 static uint32_t tail_length(unsigned char lead)
 {
     if (lead < 0x80u) {

@@ -1,6 +1,7 @@
-/* text.h -- the stall's words: UTF-8, glyphs and their measures. Knows no OpenGL.
+/* text.h -- the user interface's text: UTF-8 decoding, translations, glyphs and their widths. Uses
+ * no OpenGL.
  *
- * Words come from assets/text by key and language; adding one there is all it takes. */
+ * Text comes from assets/text by key and language. Adding a text there needs no other change. */
 #ifndef KINGYO_PLATFORM_RENDER_TEXT_H
 #define KINGYO_PLATFORM_RENDER_TEXT_H
 
@@ -11,27 +12,30 @@
 #include "fonts.h"
 #include "text_keys.h"
 
-#define TEXT_MALFORMED 0xfffdu /* What text_next() says for bytes that are not UTF-8. */
-#define TEXT_LINE_MAX 256u     /* Bytes of a line with its number put in, and the zero. */
+#define TEXT_MALFORMED 0xfffdu /* Result of text_next() for bytes that are not UTF-8. */
+#define TEXT_LINE_MAX 256u     /* Bytes of a line with its number inserted and the terminating
+                                  zero. */
 
-/* The words of `key`; an unknown language speaks Japanese. Never null. */
+/* Returns the text of `key`, never null. An unknown language selects Japanese. */
 const char *text_words(uint8_t language, enum text_key key);
 
-/* Copies `words` with its first {} replaced by `number`; cut at a whole character
- * when `out` is full. */
+/* Copies `words` with the first {} replaced by `number`, cut at a whole character when `out` is
+ * full. */
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
 
-/* The code point at `*at`, which moves past it; 0 at the end. Malformed bytes are skipped
- * one by one. */
+/* Returns the code point at `*at` and advances `*at` past it; returns 0 at the end. Malformed bytes
+ * are consumed one by one. */
 uint32_t text_next(const char **at);
 
-/* Null when the font was baked without that character. */
+/* Returns null when the font was baked without that character. */
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code);
 
-/* What is drawn for a character: its glyph, else `?`, else null (nothing, and no room taken). */
+/* Returns the glyph drawn for a character: its own glyph, otherwise `?`, otherwise null (nothing is
+ * drawn, without width). */
 const struct font_glyph *text_glyph_or_mark(enum font_id font, uint32_t code);
 
-/* From the first pen position to the last, in ems; `spacing_em` is added between characters. */
+/* Returns the width from the first pen position to the last, in ems; `spacing_em` is added between
+ * characters. */
 float text_width_em(enum font_id font, const char *words, float spacing_em);
 
 #endif

@@ -1,4 +1,4 @@
-/* textures.c -- from build/generated/assets.h to OpenGL. */
+/* textures.c -- uploads the baked pictures of build/generated/assets.h to OpenGL. */
 #include "platform/render/textures.h"
 
 #include "assets.h"
@@ -44,8 +44,8 @@ void textures_open(struct gl_status *status, struct textures *textures)
     textures->paper = grey_tile(status, "paper", asset_paper, ASSET_PAPER_SIZE, false);
 }
 
-/* What breeders and fairs have: a third all red or with a pale belly, the rest in patches, few
- * white. Sixteen equal chances for the baked designs. */
+/* Returns the pattern layer of a look, as breeders and fairs have them: a third is all red or has a
+ * pale belly, the rest has patches, and few are white. The sixteen entries are equally likely. */
 float textures_pattern(uint32_t look)
 {
     static const uint8_t layers[16] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 9, 10, 8 };

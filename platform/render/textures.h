@@ -7,13 +7,14 @@
 struct textures {
     GLuint caustics;    /* Array: one loop of light on the floor. */
     GLuint patterns;    /* Array: red patches and scales. */
-    GLuint environment; /* What the water mirrors. */
+    GLuint environment; /* Environment map that the water mirrors. */
     GLuint wood;
     GLuint paper;
 };
 
 void textures_open(struct gl_status *status, struct textures *textures);
-/* Which layer of the patterns, and which hue [0, 1], a fish of this look wears. */
+/* Returns the pattern layer of a fish with this look. textures_hue() returns the fish's hue, [0,
+ * 1]. */
 float textures_pattern(uint32_t look);
 float textures_hue(uint32_t look);
 

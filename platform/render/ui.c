@@ -1,4 +1,5 @@
-/* ui.c -- puts the batch on the screen: one vertex buffer, one call for each run of a kind. */
+/* ui.c -- draws the batch: one vertex buffer, and one draw call for each run of quads of one
+ * kind. */
 #include "platform/render/ui.h"
 
 #include <GLES3/gl3.h>
@@ -24,7 +25,8 @@ static GLuint make_program(struct gl_status *status, GLuint vertex, const char *
     const char *const parts[3] = { numbers, ui_fragment_head, body };
     const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 3);
     const GLuint program = gl_link(status, "words", vertex, fragment);
-    glDeleteShader(fragment); /* Name 0 is ignored; the program keeps what it uses. */
+    glDeleteShader(fragment); /* OpenGL ignores the name 0 and keeps the shader as long as the
+                                 program uses it. */
     if (program != 0) {
         gl_program_bind(program, "font paper");
     }
@@ -70,7 +72,8 @@ static void add_attribute(GLuint location, GLint count, GLenum type, size_t offs
                           (const void *)offset);
 }
 
-/* Every quad's indices are known beforehand; only vertices change from frame to frame. */
+/* Creates the buffers. The indices of all quads are constant; only vertices change from frame to
+ * frame. */
 static void make_buffers(struct ui *ui)
 {
     static uint16_t indices[UI_QUADS_MAX * INDICES_PER_QUAD];
@@ -124,7 +127,8 @@ static void set_state(const struct ui *ui, const struct placing *placing)
     glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
 }
 
-/* The quads from `first` up to `limit` that share a kind, in one call. Returns the next quad. */
+/* Draws the quads from `first` up to `limit` that share a kind, in one call. Returns the index of
+ * the next quad. */
 static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
                          const struct placing *placing)
 {
@@ -158,7 +162,7 @@ static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
 void ui_show(struct ui *ui, struct specimen_pass *specimens, const struct placing *placing)
 {
     set_state(ui, placing);
-    /* A fresh store each frame, so that the driver need not wait for the last frame's drawing. */
+    /* New storage each frame, so that the driver need not wait for the previous frame's drawing. */
     glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0,
                     (GLsizeiptr)(ui->batch.quad_count * 4u * sizeof(struct ui_vertex)),

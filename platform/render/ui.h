@@ -1,13 +1,12 @@
-/* ui.h -- the words and signs over the tank: title, choice of mode, countdown, score,
- * calls and fouls, hints, results.
+/* ui.h -- the user interface over the tank: title, choice of mode, countdown, score, calls and
+ * fouls, hints, results.
  *
- * Drawn from the scene alone, in the scene's language, as one batch of quads: letters are
- * distance fields and shapes are formulas, so all is sharp at every size. The layout scales with
- * the screen, from 720p to 4K and upright, and keeps the tank's middle free
- * while a round is played.
+ * Drawn from the scene alone, in the scene's language, as one batch of quads. Letters are distance
+ * fields and shapes are formulas, so everything is sharp at every size. The layout scales with the
+ * screen, from 720p to 4K and upright, and keeps the tank's middle free during a round.
  *
- * The caller owns `struct ui` (about 85 KB, no pointers) and a current OpenGL ES 3.0 context.
- * After ui_init() nothing is allocated by us. */
+ * The caller owns `struct ui` (about 85 KB, no pointers) and a current OpenGL ES 3.0 context. After
+ * ui_init() our code allocates nothing. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_H
 #define KINGYO_PLATFORM_RENDER_UI_H
 
@@ -22,29 +21,31 @@
 struct ui {
     struct ui_batch batch;
     struct ui_memory memory;
-    uint32_t programs[UI_KIND_COUNT]; /* OpenGL names, from here on. */
-    int32_t to_clip[UI_KIND_COUNT];   /* Where each program takes the picture's size, ... */
-    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* ... and how it lies on the screen. */
+    uint32_t programs[UI_KIND_COUNT]; /* OpenGL names from here on. */
+    int32_t to_clip[UI_KIND_COUNT];   /* Uniform locations of the picture's size. */
+    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Uniform locations of the display
+                                                         geometry. */
     uint32_t vertex_array, vertex_buffer, index_buffer;
     uint32_t font_texture, paper_texture;
 };
 
-/* Compiles the shaders and uploads font and paper. Returns 1, or 0 with one line in `why`. */
+/* Compiles the shaders and uploads font and paper. Returns 1, or 0 with a one-line reason in
+ * `why`. */
 int ui_init(struct ui *ui, char *why, size_t why_size);
 
-/* Draws over what is in the bound framebuffer, which is the screen of `placing`.
- * `specimens` draws the batch's specimens, between its quads; null: they are left out, and the
- * framebuffer needs no depth. Needs no state but the bound framebuffer. Leaves behind: the viewport
- * on the screen, blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and face culling off,
- * depth writes on (as OpenGL starts), scissor off, one of its programs current, vertex array 0,
- * textures on units 0 and 1. */
+/* Draws the user interface over the bound framebuffer, which is the screen of `placing`.
+ * `specimens` draws the batch's specimens between its quads. If `specimens` is null, they are
+ * omitted and the framebuffer needs no depth. Needs no other state than the bound framebuffer.
+ * Leaves the viewport on the screen, blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and
+ * face culling off, depth writes on (OpenGL's initial state), scissor off, one of its programs
+ * current, vertex array 0, and textures on units 0 and 1. */
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
              const struct placing *placing);
 
-/* The same with what is in the batch already. */
+/* Draws the current content of the batch, with the same conditions as ui_draw(). */
 void ui_show(struct ui *ui, struct specimen_pass *specimens, const struct placing *placing);
 
-/* Frees the OpenGL objects; the same context must be current. */
+/* Frees the OpenGL objects. The same context must be current. */
 void ui_close(struct ui *ui);
 
 #endif

@@ -1,4 +1,5 @@
-/* ui_album.c -- what was caught grows up: a page of pictures, each a small aquarium. */
+/* ui_album.c -- the album of caught fish: a page of pictures, each a small aquarium in which a fish
+ * grows up. */
 #include <math.h>
 #include <stdio.h>
 
@@ -7,9 +8,9 @@
 
 #define TAU 6.28318531f
 #define SEAL_SIZE 19.0f
-#define YOUNG_SIZE 0.40f /* Of its picture that the hatchling takes. */
+#define YOUNG_SIZE 0.40f /* Fraction of its picture that the hatchling fills. */
 
-/* ---- Where pictures hang -------------------------------------------------------------------- */
+/* ---- Layout of the pictures ------------------------------------------------------------------ */
 
 struct grid {
     uint32_t columns, rows;
@@ -36,7 +37,7 @@ static struct grid grid_of(const struct ui_frame *frame, uint32_t count)
     return grid;
 }
 
-/* A last row that is not full hangs in the middle. */
+/* Returns the box of a picture. A last row that is not full is centred. */
 static struct ui_box place_of(const struct grid *grid, uint32_t index, uint32_t count)
 {
     const uint32_t row = index / grid->columns, column = index % grid->columns;
@@ -51,8 +52,9 @@ static struct ui_box place_of(const struct grid *grid, uint32_t index, uint32_t 
 
 /* ---- One fish ------------------------------------------------------------------------------- */
 
-/* The last two keys' coats are red: there its own pattern comes through; in one that was met
- * younger, by the day on which it was met with that pattern. */
+/* Returns how far the fish's own pattern is visible. The coats of the last two keys are red, and
+ * the pattern appears there. For a fish caught at a younger age, the pattern is complete on that
+ * day. */
 static float ripe(const struct scene_grown *fish)
 {
     const struct species_card *card = &species_wakin.card;
@@ -83,7 +85,7 @@ static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t ind
     ui_specimen(frame->batch, &specimen);
 }
 
-/* Its life as a line, with the day on which it was caught. */
+/* Draws the fish's lifeline with a mark for the day on which it was caught. */
 static void life(const struct ui_frame *frame, struct ui_box line, const struct scene_grown *fish)
 {
     const float u = frame->unit;
@@ -100,7 +102,7 @@ static void life(const struct ui_frame *frame, struct ui_box line, const struct 
                                  .line = 0xc92c1cffu, .shape = { 0, 0, r, 2.5f * u } });
 }
 
-/* Stamped when it comes to the day. */
+/* Draws the seal, which appears when the lifeline reaches the day of the catch. */
 static void met_seal(const struct ui_frame *frame, struct ui_box water,
                      const struct scene_grown *fish)
 {

@@ -1,4 +1,4 @@
-/* ui_attract.c -- before the round: the stall calls, then counts down. */
+/* ui_attract.c -- the screens before a round: attract mode, then the countdown. */
 #include <math.h>
 #include <stdio.h>
 
@@ -15,7 +15,7 @@ static void best_tag(const struct ui_frame *frame, const struct scene *scene, fl
     ui_ribbon(frame, &tag, words);
 }
 
-/* Where there is no poi, no mouse leads one. */
+/* Draws the key help. Without a poi, the line about the mouse is omitted. */
 static void key_lines(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
@@ -38,7 +38,8 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     if (risen < 1.0f) {
         ui_noren(frame, risen);
     }
-    if (board > 0.0f) { /* The curtain makes room for it, and what is paid moves aside. */
+    if (board > 0.0f) { /* The curtain leaves room for the leaderboard, and the credits move
+                           aside. */
         ui_board(frame, &scene->board, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     } else {
@@ -49,7 +50,7 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     key_lines(frame, scene);
 }
 
-/* What is about to be played, and with which paper. */
+/* Draws the mode about to be played and its paper. */
 static void mode_tag(const struct ui_frame *frame, const struct scene *scene, float y, float alpha)
 {
     char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
@@ -63,7 +64,7 @@ static void mode_tag(const struct ui_frame *frame, const struct scene *scene, fl
     frame->batch->opacity = 1.0f;
 }
 
-/* The curtain rises, then three seconds run down in a ring over the water. */
+/* Raises the curtain, then counts three seconds down in a ring over the water. */
 void ui_ready(const struct ui_frame *frame, const struct scene *scene,
               const struct ui_memory *memory)
 {

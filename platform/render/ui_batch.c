@@ -3,8 +3,8 @@
 
 #include "assets.h"
 
-/* Atlas pixels that an outline may reach: beyond it the distance field is flat. The bake leaves as
- * much around each letter. */
+/* Maximum reach of an outline in atlas pixels. The distance field is flat beyond it, and the bake
+ * leaves the same margin around each letter. */
 #define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
 
 void ui_batch_clear(struct ui_batch *batch)
@@ -24,7 +24,8 @@ static void unpack(uint8_t out[4], uint32_t colour, float opacity)
     out[3] = (uint8_t)((float)(colour & 0xffu) * opacity + 0.5f);
 }
 
-/* Four vertices that share everything but their corner; null when the batch is full. */
+/* Adds four vertices that share everything but their corner. Returns null when the batch is
+ * full. */
 static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
 {
     if (batch->opacity <= 0.0f) {
@@ -111,8 +112,9 @@ float ui_text_middle(const struct ui_text *style, float y)
     return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
 }
 
-/* The atlas leaves REACH_PX around each letter; a quad takes of that only what it will paint, and
- * never the outer half of a texel: filtering would mix in the letter beside it. */
+/* Returns how much of the margin REACH_PX a quad can omit. A quad includes only the margin that it
+ * paints, and never the outer half of a texel, because filtering would mix in the neighbouring
+ * letter. */
 static float trim_px(const float shape[4])
 {
     const float painted = shape[0] + shape[1] + shape[2] + 0.5f / shape[3] + 0.5f;
@@ -167,7 +169,7 @@ float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, floa
 {
     const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
     const float left = x - style->align * width_px;
-    /* All outlines first, so that none covers a letter. */
+    /* All outlines are added first, so that none covers a letter. */
     if (style->outline_em + style->soft_em > 0.0f) {
         struct ui_text outline = *style;
         outline.fill = 0;

@@ -1,13 +1,13 @@
-/* ui_bench.c -- rigs and ways of the species on the table. */
+/* ui_bench.c -- rigs and point trajectories of the species shown in the growth lab. */
 #include "platform/render/ui_bench.h"
 
 #include <string.h>
 
 #include "platform/species/part.h"
 
-/* ---- Ways ----------------------------------------------------------------------------------- */
+/* ---- Trajectories ---------------------------------------------------------------------------- */
 
-/* One vertex alone, as a mesh of its own that shares all tables. */
+/* Returns the position of one vertex, computed with a one-vertex mesh that shares all tables. */
 static vec3 point_at(struct ui_bench *bench, const struct species *species,
                      const struct morph_rig *rig, uint32_t vertex, float progress)
 {
@@ -39,7 +39,8 @@ static void walk(struct ui_bench *bench, uint32_t vertex, struct bench_way *way)
     }
 }
 
-/* The left eye is seen in a portrait; but where the right one travels, it is the one to follow. */
+/* Traces an eye. The left eye is visible in a side view, but where the right eye migrates, the
+ * right eye is traced. */
 static void walk_eye(struct ui_bench *bench)
 {
     const struct species_mesh *mesh = &bench->species->lod[0];
@@ -52,7 +53,7 @@ static void walk_eye(struct ui_bench *bench)
     }
 }
 
-/* ---- Setting -------------------------------------------------------------------------------- */
+/* ---- Selection of the species ---------------------------------------------------------------- */
 
 static void set_species(struct ui_bench *bench, const struct species *species)
 {

@@ -1,5 +1,5 @@
-/* ui_bench.h -- what the growth lab's screen keeps from frame to frame: the species on the table,
- * as the lab blends it and as the ordinary morph would, and the ways of two of its points. */
+/* ui_bench.h -- the growth lab's state between frames: the selected species, as the lab and as the
+ * ordinary morph blend it, and the trajectories of two of its points. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_BENCH_H
 #define KINGYO_PLATFORM_RENDER_UI_BENCH_H
 
@@ -9,33 +9,35 @@
 #include "core/scene.h"
 #include "platform/render/specimen.h"
 
-#define BENCH_STEPS 64u /* Of a way through life. */
+#define BENCH_STEPS 64u /* Steps of a trajectory from hatching on. */
 
 enum bench_point { BENCH_DORSAL = 0, BENCH_EYE, BENCH_POINT_COUNT };
 
 struct bench_way {
-    bool is_there; /* A ray has no dorsal root. */
-    vec3 at[BENCH_STEPS + 1u];       /* In lengths, in the body's frame, from hatching on. */
-    vec3 ordinary[BENCH_STEPS + 1u]; /* The same point of the ordinary morph. */
-    float bow; /* The farthest that it goes from the straight line, in lengths. */
+    bool is_there; /* False if the species lacks the point. A ray has no dorsal root. */
+    vec3 at[BENCH_STEPS + 1u];       /* Positions in lengths, in the body's frame, from hatching
+                                        on. */
+    vec3 ordinary[BENCH_STEPS + 1u]; /* Positions of the same point in the ordinary morph. */
+    float bow; /* Largest distance of the trajectory from the straight line, in lengths. */
 };
 
-/* About 180 KB: the ordinary morph's own tables are most of it. Zero knows nothing yet. */
+/* State of the growth lab's picture, about 180 KB, mostly the tables of the ordinary morph.
+ * Zero-initialized: no species yet. */
 struct ui_bench {
-    const struct species *species; /* On the table; null: none. */
-    uint32_t edition;              /* Counts the species that were on it. */
-    struct species_card card;      /* As it was when the rest was made. */
-    struct morph_rig rig;          /* As edited. */
+    const struct species *species; /* Selected species; null: none. */
+    uint32_t edition;              /* Counts the selected species. */
+    struct species_card card;      /* Copy of the card from which the other fields were computed. */
+    struct morph_rig rig;          /* Rig with the edited graphs. */
     struct morph_rig ordinary_rig;
     struct species ordinary;
     struct straight_memory memory;
     struct bench_way ways[BENCH_POINT_COUNT];
-    struct specimen_bounds bounds; /* How far it reaches in any age, in its portrait. */
+    struct specimen_bounds bounds; /* Extent of the fish over all ages, in its usual view. */
     struct morph_pose pose;        /* Scratch. */
 };
 
-/* Puts a species on the table with that card, or leaves it where it lies: only what changed is made
- * anew. `card` has as many keys as the species. */
+/* Selects a species with that card and recomputes only what changed. `card` has as many keys as the
+ * species. */
 void ui_bench_set(struct ui_bench *bench, const struct species *species,
                   const struct species_card *card);
 

@@ -1,14 +1,15 @@
-/* ui_board.c -- the ranking on a sheet of paper, as wrestlers are ranked: the best first. */
+/* ui_board.c -- draws the leaderboard on a sheet of paper, like a sumo ranking list with the best
+ * first. */
 #include "platform/render/ui_board.h"
 
 #include <math.h>
 
 #include "core/game/ranking.h"
 
-#define ROWS_MIN 5u      /* A sheet with one name on it looks lost. */
+#define ROWS_MIN 5u      /* Minimum rows, because a sheet with a single name looks empty. */
 #define COME_S 0.45f
 #define GO_S 0.35f
-#define ROW_COMES_S 0.07f /* Each row follows the one above so much later. */
+#define ROW_COMES_S 0.07f /* Delay between the appearance of one row and the next. */
 
 enum text_key ui_place_key(uint8_t period)
 {
@@ -40,7 +41,7 @@ float ui_board_in(const struct scene_board *board)
                         : 0.0f;
 }
 
-/* "Festival: today's best", white on a band of dyed cloth. */
+/* Draws a heading such as "Festival: today's best", white on a band of dyed cloth. */
 static void heading(const struct ui_frame *frame, const struct scene_board *board,
                     struct ui_box box)
 {
@@ -61,7 +62,7 @@ static void heading(const struct ui_frame *frame, const struct scene_board *boar
             text_words(frame->language, ui_board_key(board->period)));
 }
 
-/* Gold, silver, bronze; then plain. */
+/* Draws the place number in gold, silver or bronze, otherwise without a medal. */
 static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t place)
 {
     static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
@@ -82,7 +83,7 @@ static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t 
     ui_text(frame->batch, &style, x, ui_text_middle(&style, y), number);
 }
 
-/* A vermilion seal, as under a deed: whoever doubts it may see the round again. */
+/* Draws a vermilion seal, which shows that the round can be replayed and verified. */
 void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
 {
     const float u = frame->unit;
@@ -95,7 +96,7 @@ void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
     ui_words_in(frame, box, &word, text_words(frame->language, TEXT_BOARD_SEAL));
 }
 
-/* Who was just ranked stands on the colour of the ring that was held. */
+/* Draws the background of a new entry in the colour of the player's ring. */
 static void new_ground(const struct ui_frame *frame, const struct scene_row *row,
                        struct ui_box box)
 {

@@ -1,4 +1,4 @@
-/* ui_choose.c -- which mode? Wooden tags hang side by side from the stall's pole. */
+/* ui_choose.c -- the mode selection: wooden tags that hang side by side from a pole. */
 #include <math.h>
 
 #include "core/game/game.h"
@@ -23,7 +23,8 @@ const char *ui_mode_name(uint8_t language, uint8_t mode)
     return text_words(language, tags[mode < CHOICE_COUNT ? mode : MODE_FESTIVAL].name);
 }
 
-/* Minutes when they come out even: three minutes, but 90 seconds. */
+/* Writes a time in minutes if it is a whole number of minutes from 2 on, otherwise in seconds:
+ * three minutes, but 90 seconds. */
 static void time_words(uint8_t language, uint32_t seconds, char *out, size_t out_size)
 {
     const int even = seconds >= 120u && seconds % 60u == 0;
@@ -66,7 +67,7 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
             text_words(frame->language, tags[mode].ends));
 }
 
-/* [0, 1] how far a tag is drawn up: the one that is pointed at rises as the last one sinks. */
+/* Returns how far a tag is raised, [0, 1]. The selected tag rises while the previous one sinks. */
 static float raised(const struct scene *scene, const struct ui_memory *memory, uint8_t mode)
 {
     const float age_s = (float)(scene->tick - memory->pointed_tick) * CORE_TICK_S;
@@ -76,7 +77,7 @@ static float raised(const struct scene *scene, const struct ui_memory *memory, u
                                             : 0.0f;
 }
 
-/* The one that is pointed at hangs higher and in the light. */
+/* Draws a mode's tag. The selected tag hangs higher and is brighter. */
 static void wooden_tag(const struct ui_frame *frame, const struct scene *scene, uint8_t mode,
                        struct ui_box box, float pole_y)
 {
@@ -85,7 +86,7 @@ static void wooden_tag(const struct ui_frame *frame, const struct scene *scene, 
     tag_words(frame, scene, mode, box);
 }
 
-/* How long the keeper waits for somebody to point or to take a tag. */
+/* Draws the remaining time of the selection as a ring. */
 static void seconds_ring(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const float u = frame->unit, radius = 36.0f * u;
@@ -131,7 +132,7 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         count += scene->modes >> mode & 1u;
     }
-    const float tags_max = fmaxf((float)count, 3.0f); /* Two hang as wide as three. */
+    const float tags_max = fmaxf((float)count, 3.0f); /* Two tags are as wide as three. */
     const float gap = (count > 3u ? 14.0f : 24.0f) * u, height = 300.0f * u;
     const float room = frame->width - (count > 3u ? 36.0f : 60.0f) * u;
     const float width = fminf(316.0f * u, (room - (tags_max - 1.0f) * gap) / tags_max);

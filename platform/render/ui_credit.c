@@ -1,4 +1,4 @@
-/* ui_credit.c -- what was paid, what is still to pay, and what is wrong with the cabinet. */
+/* ui_credit.c -- the credits, the price still to pay, and the warnings about the cabinet. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,11 +6,14 @@
 #include "core/game/credit.h"
 #include "platform/render/ui_signs.h"
 
-#define CLINK_S 0.5f /* The plate swells so long when a coin falls, */
-#define COMING_WIDTH 84.0f /* In units: "+99" and a finger at each side. */
-#define ASK_S 1.2f   /* and the call for one when somebody wants to play in vain. */
+#define CLINK_S 0.5f /* Duration for which the plate grows when a coin is inserted. */
+#define COMING_WIDTH 84.0f /* Width of the pending coins' outline, in units: "+99" and a margin at
+                              each side. */
+#define ASK_S 1.2f   /* Duration of the emphasized call for coins after a player tried to start
+                        without credit. */
 
-/* What hangs at the sides of a round, in units: ui_round.c's legend is the widest and lowest. */
+/* Size of the plates at the sides of a round, in units. The legend of ui_round.c is the widest and
+ * lowest. */
 #define PLATES_WIDTH 284.0f
 #define PLATES_REACH 240.0f
 
@@ -18,13 +21,14 @@ static void credit_words(const struct ui_frame *frame, const struct scene_credit
                          char *out, size_t out_size)
 {
     text_number(out, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
-    if (credit->units > 0 && credit->units < credit->price) { /* Begun: whoever comes next sees. */
+    if (credit->units > 0 && credit->units < credit->price) { /* A partly paid credit is shown to
+                                                                 the next player. */
         const size_t length = strlen(out);
         snprintf(out + length, out_size - length, "  +  %u/%u", credit->units, credit->price);
     }
 }
 
-/* What may not be played yet is an outline beside the plate, from `left` on. */
+/* Draws coins that are not yet available as an outline beside the plate, from `left` on. */
 static void coming(const struct ui_frame *frame, const struct scene_credit *credit, float left,
                    float y)
 {
@@ -127,7 +131,7 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
                                           TEXT_WARN_STORE };
     const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
     uint32_t shown = scene->credit.warnings;
-    /* Below what hangs there: the curtain, or the plates of a round. */
+    /* Below the curtain, or below the plates of a round. */
     float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
     const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
     const float room_px = frame->width - 2.0f * beside * frame->unit;
@@ -140,7 +144,8 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
         y += 58.0f * frame->unit;
     }
     if (in_round) {
-        shown &= ~(uint32_t)WARN_NO_POI; /* It is said in larger letters: the round waits. */
+        shown &= ~(uint32_t)WARN_NO_POI; /* The pause sign already shows this warning in larger
+                                            letters. */
     }
     for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         if (shown >> i & 1u) {

@@ -1,4 +1,5 @@
-/* ui_encore.c -- a ribbon over the picture: what is shown, and whether it is true. */
+/* ui_encore.c -- a ribbon over a score playback: which round is shown, and whether its score is
+ * verified. */
 #include "platform/render/ui_encore.h"
 
 #include "platform/render/text.h"

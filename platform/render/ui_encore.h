@@ -1,14 +1,14 @@
-/* ui_encore.h -- the dark between two chapters, and what is said of a score that is shown again. */
+/* ui_encore.h -- the fade between two sessions, and the ribbon of a score playback. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_ENCORE_H
 #define KINGYO_PLATFORM_RENDER_UI_ENCORE_H
 
 #include "core/scene.h"
 #include "platform/render/ui_parts.h"
 
-/* Over the tank and under all words; nothing while the tank is in the light. */
+/* Darkens the tank below all text. Draws nothing while the tank is at full brightness. */
 void ui_chapter_veil(const struct ui_frame *frame, const struct scene *scene);
 
-/* Over everything; nothing while none is shown. */
+/* Draws the playback's ribbon over everything. Draws nothing without a playback. */
 void ui_encore(const struct ui_frame *frame, const struct scene *scene);
 
 #endif

@@ -1,4 +1,4 @@
-/* ui_lab.c -- the growth lab: an aquarium at night beside a naturalist's sheet of paper. */
+/* ui_lab.c -- the growth lab: an aquarium at night beside a sheet of paper with graphs. */
 #include "platform/render/ui_lab.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@
 #define BUTTON_ON 0xc8341fffu
 #define BUTTON_INK 0xfff4deffu
 #define REFUSED 0xf0c089ffu
-#define TURN_S 4.0f /* Each of the lines in turn is read in so long. */
+#define TURN_S 4.0f /* Display time of each line that alternates. */
 
 /* ---- Shared --------------------------------------------------------------------------------- */
 
@@ -65,7 +65,7 @@ void lab_words_in(const struct lab_page *page, struct ui_box box, const struct u
 struct button {
     enum lab_part part;
     const char *words;
-    int is_on, is_idle; /* Chosen; or of no use just now. */
+    int is_on, is_idle; /* Selected; or without effect at present. */
 };
 
 static uint32_t button_fill(const struct lab_page *page, const struct button *button)
@@ -74,7 +74,7 @@ static uint32_t button_fill(const struct lab_page *page, const struct button *bu
     return button->is_on ? BUTTON_ON : pointed && !button->is_idle ? BUTTON_LIT : BUTTON;
 }
 
-/* A dyed tag; it sinks a little under the hand that presses it. */
+/* Returns the box of a button, slightly lower while it is pressed. */
 static struct ui_box tag(const struct lab_page *page, const struct button *button)
 {
     const float u = page->frame.unit;
@@ -177,7 +177,7 @@ static void buttons(const struct lab_page *page)
     save_button(page);
 }
 
-/* ---- The head ------------------------------------------------------------------------------- */
+/* ---- The title ------------------------------------------------------------------------------- */
 
 static void name_plate(const struct lab_page *page)
 {
@@ -199,7 +199,7 @@ static void name_plate(const struct lab_page *page)
             ui_text_middle(&small, box.y + 0.5f * box.height), of);
 }
 
-/* Beside the name; on an upright screen over it, where the screen is tall enough for that. */
+/* Returns the box of the help line: beside the name, or on a tall upright screen above it. */
 static struct ui_box line_room(const struct lab_page *page)
 {
     const float u = page->frame.unit;
@@ -221,7 +221,7 @@ static void refused_words(const struct lab_page *page, struct ui_box room)
     lab_words_in(page, room, &style, words);
 }
 
-/* One file, over the reason. */
+/* Draws a rejected file's name above the reason. */
 static void fault_words(const struct lab_page *page, struct ui_box room,
                         const struct shelf_line *fault)
 {
@@ -234,8 +234,8 @@ static void fault_words(const struct lab_page *page, struct ui_box room,
     lab_words_in(page, lower, &style, fault->why);
 }
 
-/* How a hand works here; between, in turn, what the operator should know: how many of makers' files
- * are no species, then of each file that was refused, why. */
+/* Draws the help line. It alternates with the operator's messages: how many makers' files were
+ * rejected, then the reason for each rejected file. */
 static void help_line(const struct lab_page *page)
 {
     const struct ui_box room = line_room(page);
@@ -256,7 +256,7 @@ static void help_line(const struct lab_page *page)
     }
 }
 
-/* ---- The hand ------------------------------------------------------------------------------- */
+/* ---- The cursor ------------------------------------------------------------------------------ */
 
 static void hand(const struct lab_page *page)
 {
@@ -285,15 +285,15 @@ static struct lab_page open_page(const struct ui_frame *frame, const struct scen
     struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
     page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
     if (scene->lab.upright) {
-        page.frame.unit = frame->width / canvas.x; /* As the camera has it. */
+        page.frame.unit = frame->width / canvas.x; /* Same scale as the camera's. */
     }
     page.x = 0.5f * (frame->width - canvas.x * page.frame.unit);
     page.y = 0.5f * (frame->height - canvas.y * page.frame.unit);
     return page;
 }
 
-/* A recording may show makers' species that this kiosk has not got: then there is a graph, and no
- * fish. */
+/* Returns the shown species, or null. A recording may contain makers' species that this kiosk
+ * lacks; the graph is then shown without a fish. */
 static const struct species *species_of(const struct ui_memory *memory,
                                         const struct scene_lab *lab)
 {

@@ -1,6 +1,7 @@
-/* ui_lab.h -- the growth lab's screen, in parts: what its files share.
+/* ui_lab.h -- what the files of the growth lab's screen share.
  *
- * Everything lies on the core's canvas (core/game/lab_layout.h), where the hand finds it. */
+ * All coordinates are on the core's canvas (core/game/lab_layout.h), which the pointer uses as
+ * well. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_LAB_H
 #define KINGYO_PLATFORM_RENDER_UI_LAB_H
 
@@ -9,49 +10,50 @@
 #include "platform/render/ui_parts.h"
 #include "platform/species/shelf.h"
 
-#define LAB_PURPLE 0x8a3fb5ffu /* The scale's, as in the 2005 thesis. */
+#define LAB_PURPLE 0x8a3fb5ffu /* Purple of the scale curve, as in the 2005 thesis. */
 #define LAB_PAPER 0xfbf2ddffu
 #define LAB_PAPER_LINE 0xb5762fffu
 #define LAB_INK 0x2a2024ffu
 #define LAB_INK_SOFT 0x6b5a50ffu
-#define LAB_MIST 0xdff3f2ffu   /* Words on water. */
+#define LAB_MIST 0xdff3f2ffu   /* Colour of words on water. */
 
 struct lab_page {
-    struct ui_frame frame;       /* `unit` is one of the canvas. */
+    struct ui_frame frame;       /* Frame whose `unit` is one canvas unit. */
     const struct scene_lab *lab;
-    struct ui_bench *bench;      /* Null: this kiosk has not got that species. */
-    const struct shelf *shelf;   /* With what was refused of makers' files; null: nothing. */
-    float x, y;                  /* The canvas' corner on the screen. */
+    struct ui_bench *bench;      /* Null: this kiosk lacks the species. */
+    const struct shelf *shelf;   /* Species library with the rejected makers' files; null: none. */
+    float x, y;                  /* Position of the canvas' corner on the screen. */
 };
 
-/* A part's place on the screen, and a point's. */
+/* Return the position of a part, and of a coordinate, on the screen. */
 struct ui_box lab_place(const struct lab_page *page, enum lab_part part);
 float lab_px_x(const struct lab_page *page, float x);
 float lab_px_y(const struct lab_page *page, float y);
 
-/* key_colour(), opaque: 0xRRGGBBAA. */
+/* Returns key_colour() as opaque 0xRRGGBBAA. */
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key);
 
-/* Whether a hand is over a part, or has hold of it. */
+/* Returns 1 if the pointer is over a part or drags it. */
 int lab_is_pointed(const struct lab_page *page, enum lab_part part);
 
-/* Sizes for a place are in canvas units: `size` 22 is the smallest that is read standing. */
+/* Returns a text style. `size` is in canvas units; 22 is the smallest size that a standing player
+ * can read. */
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill);
 
-/* A line of words in the middle of a box, shrunk to its room. */
+/* Draws a line of text centred in a box, shrunk to its width. */
 void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
                   const char *words);
 
-/* "45 days", "3.2 years"; "23.4 mm", "12.3 cm". */
+/* Write an age such as "45 days" or "3.2 years", and a length such as "23.4 mm" or "12.3 cm". */
 void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size);
 void lab_length_words(float length_m, char *out, size_t out_size);
 
-/* The name of a species or of a key in the screen's language; the maker's own word where there is
- * none. */
+/* Return the name of a species or of a key in the screen's language, or the maker's identifier if
+ * there is no translation. */
 const char *lab_species_name(uint8_t language, const char *id);
 const char *lab_key_name(uint8_t language, const char *name);
 
-/* The parts, in painter's order. */
+/* Draw the screen's parts, in painter's order. */
 void lab_stage(const struct lab_page *page);
 void lab_keys(const struct lab_page *page);
 void lab_graph(const struct lab_page *page);

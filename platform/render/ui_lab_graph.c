@@ -1,5 +1,5 @@
-/* ui_lab_graph.c -- the deformation graph on paper, one curve a key and one for size, and under it
- * the growth curve. */
+/* ui_lab_graph.c -- the deformation graph on paper, with one curve for each key and one for size,
+ * and the growth curve below it. */
 #include <math.h>
 #include <stdio.h>
 
@@ -59,7 +59,8 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
     const float u = page->frame.unit;
     struct ui_text style = lab_text(page, 15.0f, LAB_INK_SOFT);
     style.align = 1.0f;
-    style.fit_px = 38.0f * u; /* Clear of the paper's frame, and of a knot in hand. */
+    style.fit_px = 38.0f * u; /* Keeps the label clear of the paper's frame and of a dragged
+                                 knot. */
     for (uint32_t i = 0; i <= 4u; i++) {
         const float share = 0.25f * (float)i;
         char words[8];
@@ -75,7 +76,7 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* The right-hand axis: 1, 10, 100 mm and 1 m, as far as they are on it. */
+/* Draws the right-hand axis: 1, 10, 100 mm and 1 m, as far as they are in range. */
 static void length_axis(const struct lab_page *page, struct ui_box field)
 {
     static const struct {
@@ -107,7 +108,7 @@ static void key_marks(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Straight lines need as many segments as there are knots. */
+/* Draws a weight curve. Straight lines need only one segment between two knots. */
 static void weight_curve(const struct lab_page *page, struct ui_box field, uint32_t key,
                          float width)
 {
@@ -170,7 +171,7 @@ static void size_knots(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* The curve in hand lies over the others. */
+/* Draws all curves, with the dragged one on top. */
 static void curves(const struct lab_page *page, struct ui_box field)
 {
     const struct scene_lab *lab = page->lab;
@@ -214,7 +215,7 @@ static void title(const struct lab_page *page)
     lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_TITLE));
 }
 
-/* A small tool on the paper: its own ink, pressed under the hand. */
+/* Draws a small tool button on the paper, lower while it is pressed. */
 static void tool(const struct lab_page *page, enum lab_part part, enum text_key key, int is_on,
                  uint32_t colour)
 {
@@ -269,7 +270,7 @@ static void chart_axes(const struct lab_page *page, struct ui_box field, float m
             text_words(page->frame.language, TEXT_LAB_CHART));
 }
 
-/* A moment of life as shares of the chart: by age and length. */
+/* A point of the growth curve: age and length as fractions of the chart. */
 struct moment {
     float x, y;
 };
@@ -290,7 +291,8 @@ static float longest_m(const struct species_card *card)
     return most_m;
 }
 
-/* Even steps of age, not of progress, which dwells on the first weeks. */
+/* Draws the curve in even steps of age, because steps of progress are concentrated in the first
+ * weeks. */
 static void chart_curve(const struct lab_page *page, struct ui_box field, float most_days,
                         float most_m)
 {

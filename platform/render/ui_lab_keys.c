@@ -1,4 +1,4 @@
-/* ui_lab_keys.c -- the key shapes as drawn, what each weighs now, and the line of life. */
+/* ui_lab_keys.c -- the key shapes as drawn, their current weights, and the lifeline. */
 #include <math.h>
 #include <stdio.h>
 
@@ -84,7 +84,7 @@ static void key_card(const struct lab_page *page, uint32_t key)
                key);
 }
 
-/* ---- The line of life ----------------------------------------------------------------------- */
+/* ---- The lifeline ---------------------------------------------------------------------------- */
 
 static void notch(const struct lab_page *page, uint32_t key, float y)
 {

@@ -1,4 +1,5 @@
-/* ui_lab_stage.c -- the aquarium: the fish at its age, its ruler, its rival, and points' ways. */
+/* ui_lab_stage.c -- the aquarium: the fish at its age, its ruler, its comparison fish, and the
+ * trajectories of points. */
 #include <math.h>
 #include <stdio.h>
 
@@ -6,19 +7,21 @@
 
 #define TAU 6.28318531f
 #define BEAT_HZ 1.1f
-#define RULE_MARKS_MAX 260u /* At 7 px and more each, a rule has 110. */
-#define YOUNG_SIZE 0.74f /* Of the stage's room that the hatchling takes: growth is felt. */
+#define RULE_MARKS_MAX 260u /* Upper bound of the ruler's marks. At 7 px and more each, a ruler has
+                               110. */
+#define YOUNG_SIZE 0.74f /* Fraction of the stage that the hatchling fills. The value below 1 makes
+                            growth visible. */
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
 #define CHORD 0xffffff90u
-#define TOP 40.0f         /* Over the fish; it turns a little as it swims, ... */
-#define TOP_CAPTION 62.0f /* ... and under a caption, ... */
-#define FOOT 12.0f        /* ... and over the ruler. */
-#define DOT_WAY 120.0f    /* A way so long has dots of full size. */
+#define TOP 40.0f         /* Margin above the fish, which turns a little as it swims. */
+#define TOP_CAPTION 62.0f /* Margin above the fish when there is a caption. */
+#define FOOT 12.0f        /* Margin above the ruler. */
+#define DOT_WAY 120.0f    /* A trajectory of this length in pixels has dots of full size. */
 
 /* ---- Room ----------------------------------------------------------------------------------- */
 
-/* Where one fish swims: all of the stage, or a half of it. */
+/* Area of one fish: the whole stage or half of it. */
 struct tank_room {
     struct ui_box box;
     float ruler_y;
@@ -38,7 +41,7 @@ static struct tank_room room_of(const struct lab_page *page, uint32_t half)
     return (struct tank_room){ .box = box, .ruler_y = box.y + box.height - 40.0f * u };
 }
 
-/* Where the fish may be, from top to bottom. */
+/* Vertical range for the fish. */
 struct span_px {
     float top, foot;
 };
@@ -50,7 +53,7 @@ static struct span_px free_span(const struct lab_page *page, const struct tank_r
                              room->ruler_y - FOOT * u };
 }
 
-/* As large as it may be at any age, and smaller while it is young. */
+/* Returns the largest length that fits at every age, reduced while the fish is young. */
 static float length_px(const struct lab_page *page, const struct tank_room *room)
 {
     const struct ui_bench *bench = page->bench;
@@ -77,7 +80,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
                 0.5f * (reach->left - reach->right) * fish.length_px;
     fish.y_px = 0.5f * (span.top + span.foot) +
                 0.5f * (reach->up - reach->down) * fish.length_px;
-    if (!page->lab->path) { /* Ways are drawn on a fish that holds still. */
+    if (!page->lab->path) { /* Trajectories are drawn on a fish that does not move. */
         fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
         fish.pitch_rad += 0.05f * sinf(0.37f * time_s + 1.0f);
         fish.phase_rad = fmodf(TAU * BEAT_HZ * time_s, TAU);
@@ -88,7 +91,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
 
 /* ---- Ruler ---------------------------------------------------------------------------------- */
 
-/* A step of 1, 2 or 5 times a power of ten, at least `least_px` wide. */
+/* Returns a step of 1, 2 or 5 times a power of ten, at least `least_px` wide. */
 static float step_m(float px_per_m, float least_px)
 {
     static const float steps[3] = { 1.0f, 2.0f, 5.0f };
@@ -103,7 +106,8 @@ static float step_m(float px_per_m, float least_px)
     return power;
 }
 
-/* The stretch that it covers; a disc is measured across, which a rule below it cannot show. */
+/* Draws a bracket over the measured length. A disc is measured across, which a ruler below it
+ * cannot show. */
 static void bracket(const struct lab_page *page, float x, float length_px, float y)
 {
     const float u = page->frame.unit;
@@ -127,7 +131,7 @@ static void mark(const struct lab_page *page, float x, float y, int is_coarse)
     ui_segment(page->frame.batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
 }
 
-/* The first says in what. */
+/* Draws a figure of the ruler. The first one includes the unit. */
 static void figure(const struct lab_page *page, float x, float y, float length_m, int in_cm)
 {
     const float u = page->frame.unit;
@@ -141,7 +145,8 @@ static void figure(const struct lab_page *page, float x, float y, float length_m
     ui_text(page->frame.batch, &style, x - (is_first ? 3.0f * u : 0.0f), y + 28.0f * u, number);
 }
 
-/* A bamboo rule from the snout's line to the right: so long is the fish, in its own measure. */
+/* Draws a bamboo ruler from the snout to the right, which shows the fish's length in its own
+ * measure. */
 static void ruler(const struct lab_page *page, const struct tank_room *room,
                   const struct specimen *fish)
 {
@@ -200,7 +205,7 @@ static void tell(const struct lab_page *page, const struct tank_room *room)
             room->box.y + 44.0f * u, line);
 }
 
-/* Both are of one age, and of one length: each says so. */
+/* Draws a caption. Both fish have the same age and length, so each caption names its morph. */
 static void caption(const struct lab_page *page, const struct tank_room *room, enum text_key key)
 {
     const float u = page->frame.unit;
@@ -217,7 +222,7 @@ static void caption(const struct lab_page *page, const struct tank_room *room, e
     ui_ribbon(&page->frame, &ribbon, words);
 }
 
-/* ---- Ways ----------------------------------------------------------------------------------- */
+/* ---- Trajectories ---------------------------------------------------------------------------- */
 
 static void put(const struct specimen *fish, vec3 point, float out[2])
 {
@@ -247,7 +252,7 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
                                  .shape = { 0, 0, r, fminf(2.0f * page->frame.unit, 0.35f * r) } });
 }
 
-/* Dots give way to a short way between them: an eye's is some 20 px long. */
+/* Returns the dot size, smaller for a short trajectory. An eye's trajectory is about 20 px long. */
 static float dot_size(const struct lab_page *page, const struct specimen *fish,
                       const struct bench_way *way)
 {
@@ -262,8 +267,8 @@ static float dot_size(const struct lab_page *page, const struct specimen *fish,
     return fminf(fmaxf(share, 0.4f), 1.0f);
 }
 
-/* The way that a point goes (figures 3.4 and 3.5), and the line that the ordinary morph draws for
- * it (figure 3.2); a dot where a key is, a ring round where it is now. */
+/* Draws the trajectory of a point (figures 3.4 and 3.5) and the line of the ordinary morph (figure
+ * 3.2), with a dot at each key and a ring at the current position. */
 static void one_way(const struct lab_page *page, const struct specimen *fish,
                     const struct bench_way *way, uint32_t colour)
 {
@@ -281,17 +286,19 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
         way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key),
                 0xffffffffu);
     }
-    way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour); /* The eye is seen in it. */
+    way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour); /* The ring leaves the eye
+                                                                      visible. */
 }
 
-/* What a ray has for a dorsal fin is its sting. */
+/* Returns the name of a traced point. A ray has a sting in place of a dorsal fin. */
 static enum text_key way_name(const struct lab_page *page, uint32_t point)
 {
     const int stings = page->lab->card.motion == MOTION_WING;
     return point == BENCH_EYE ? TEXT_LAB_EYE : stings ? TEXT_LAB_STING : TEXT_LAB_DORSAL;
 }
 
-/* Over the snout, where a stage has room; how far each bows from the straight line, in lengths. */
+/* Draws the legend above the snout, where the stage has room: each trajectory's distance from the
+ * straight line, in lengths. */
 static void way_legend(const struct lab_page *page, const struct tank_room *room)
 {
     static const uint32_t colours[BENCH_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
@@ -345,7 +352,7 @@ static void frame_line(const struct lab_page *page)
                                  .shape = { 0, 0, 16.0f * u, 2.0f * u } });
 }
 
-/* Side by side with what eq. 3.1 makes of the first and the last drawing. */
+/* Draws the comparison fish, the result of eq. 3.1 for the first and the last drawing. */
 static void rival(const struct lab_page *page)
 {
     const struct tank_room room = room_of(page, 1);

@@ -1,4 +1,4 @@
-/* ui_lab_words.c -- what the growth lab calls things, in both languages. */
+/* ui_lab_words.c -- the growth lab's names of species and keys, in both languages. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "platform/render/ui_lab.h"
 
 #define DAYS_PER_YEAR 365.25f
-#define DAYS_TO_TELL 700.0f /* Before that, life is told in days. */
+#define DAYS_TO_TELL 700.0f /* Ages below this are written in days. */
 
 struct known {
     const char *id;

@@ -1,4 +1,4 @@
-/* ui_menu.c -- the operator's menu: before the stall opens its keeper hangs up tags, too. */
+/* ui_menu.c -- the operator's menu, drawn as wooden tags over the darkened tank. */
 #include "platform/render/ui_menu.h"
 
 #include <math.h>
@@ -62,7 +62,7 @@ struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
     return box;
 }
 
-/* Of a page it is that page's. */
+/* Writes a tag's name and line. A tag that leads to a page has the page's title. */
 static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key *name,
                       enum text_key *line)
 {
@@ -72,7 +72,7 @@ static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key 
     *line = page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
 }
 
-/* What leads to something that the operator is to look at. */
+/* Returns 1 for a page that contains something to check by the operator. */
 static int calls_for_a_look(const struct menu_view *view, uint8_t page)
 {
     const struct scene_machine *machine = &view->devices->machine;
@@ -80,7 +80,8 @@ static int calls_for_a_look(const struct menu_view *view, uint8_t page)
            (machine->aside > 0 || machine->missed > 0 || view->devices->files_refused > 0);
 }
 
-/* In a tag's upper corner: an exclamation mark on red, or the seal of what is not as it came. */
+/* Draws the sign in a tag's upper corner: an exclamation mark on red, or the seal of a changed
+ * setting. */
 static void corner(const struct menu_view *view, struct ui_box box, uint8_t page)
 {
     const float u = view->frame.unit, r = 17.0f * u;
@@ -131,7 +132,8 @@ static void foot_tag(const struct menu_view *view, uint32_t tag, uint32_t foot)
                 &name, menu_text(view, foot_name(view, foot)));
 }
 
-/* A pole over each row of hung tags: those whose neighbour to the left is not in their row. */
+/* Draws a pole over each row of hanging tags. A row begins at a tag whose left neighbour is in
+ * another row. */
 static void poles(const struct menu_view *view, uint32_t body_count)
 {
     const float u = view->frame.unit;
@@ -173,7 +175,7 @@ static void tags(const struct menu_view *view)
 
 /* ---- The page ------------------------------------------------------------------------------- */
 
-/* Night over the tank, so dark that letters are read before its lights. */
+/* Darkens the tank, so that text is more visible than the tank's lights. */
 static void veil(const struct menu_view *view)
 {
     const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
@@ -219,7 +221,8 @@ static void hand(const struct menu_view *view)
     }
 }
 
-/* As large as fits; on an upright screen as the camera has it, which is where the hand points. */
+/* Returns the view with the largest scale that fits. On an upright screen the scale is the
+ * camera's, which the pointer uses. */
 static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct overlay_point canvas = overlay_size(scene->menu.upright);

@@ -1,4 +1,5 @@
-/* ui_menu_about.c -- what this machine is: its version, its books, and what each device says. */
+/* ui_menu_about.c -- the page about this machine: its version, its books, and the status line of
+ * each device. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,7 +9,7 @@
 
 struct places {
     struct overlay_box page;
-    float name_width; /* 0: the name is over what it says. */
+    float name_width; /* 0: the name is above its status line. */
     float head, pitch, line;
     uint32_t line_count;
 };
@@ -22,7 +23,8 @@ static const struct places upright_places = {
     .head = 108.0f, .pitch = 128.0f, .line = 29.0f, .line_count = 3,
 };
 
-/* "Kingyo 0.1.0    Start no. 12    Running for 340 min", and how far the books are on disk. */
+/* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and how much of the books
+ * is on disk. */
 static void heading(const struct menu_view *view, const struct places *places, struct ui_box box)
 {
     const struct scene_menu *menu = view->menu;

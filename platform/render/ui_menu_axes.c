@@ -1,5 +1,5 @@
-/* ui_menu_axes.c -- the six axes of each seat's controller, as it says them: where it is over the
- * tank, how it is turned, how often it reports and how long it was silent. */
+/* ui_menu_axes.c -- the six axes of each slot's controller as reported: position over the tank,
+ * rotation, report rate and longest silence. */
 #include <math.h>
 #include <stdio.h>
 
@@ -9,14 +9,15 @@
 #define AXIS_COUNT 6u
 #define NEGATIVE_PAINT 0x2b4c8cffu
 #define POSITIVE_PAINT 0x17754effu
-#define GAP_BAD_MS 100.0f /* A hand that was silent so long is doubted: core/game/trust.h. */
+#define GAP_BAD_MS 100.0f /* A controller silent for this long is treated as unreliable:
+                             core/game/trust.h. */
 
 struct axis {
     char name[4];
-    float full; /* What fills half a bar: metres, or radians. */
+    float full; /* Value of half a bar: metres or radians. */
 };
 
-/* A tank's half length, an arm's height, half a turn, a quarter. */
+/* The bars' full values: a tank's half length, an arm's height, half a turn, a quarter turn. */
 static const struct axis axes[AXIS_COUNT] = {
     { "x", 0.70f }, { "y", 0.30f }, { "z", 0.40f }, { "yaw", 3.1415927f }, { "pit", 1.5707964f },
     { "rol", 1.5707964f },
@@ -40,7 +41,8 @@ static struct ui_box cell(const struct menu_view *view, uint32_t seat)
                                                             590.0f, 228.0f });
 }
 
-/* From the middle to the right or to the left, and the number beside it: mm or degrees. */
+/* Draws a bar from the middle to the right or to the left, and the value beside it in mm or
+ * degrees. */
 static void bar(const struct menu_view *view, const struct scene_axes *seat, struct ui_box box,
                 uint32_t axis)
 {
@@ -53,7 +55,7 @@ static void bar(const struct menu_view *view, const struct scene_axes *seat, str
     char words[24];
     const int is_angle = axis >= 3u;
     const float shown = fmaxf(-9999.0f, fminf(is_angle ? value / F_DEG : value * 1000.0f, 9999.0f));
-    const int whole = (int)roundf(shown); /* A number that has no -0. */
+    const int whole = (int)roundf(shown); /* An integer has no -0. */
     snprintf(words, sizeof words, "%s%d %s", whole > 0 ? "+" : "", whole, is_angle ? "°" : "mm");
     menu_words_at(view, box.x, y, 40.0f * u, 0.0f, &name, axes[axis].name);
     ui_shape(view->frame.batch,
@@ -77,7 +79,7 @@ static enum text_key link_name(uint8_t link)
                                    : TEXT_AXIS_ABSENT;
 }
 
-/* Seat, state, rate and gap, over the bars. */
+/* Draws slot, state, rate and gap above the bars. */
 static void heading(const struct menu_view *view, const struct scene_axes *seat, uint32_t index,
                     struct ui_box box)
 {
@@ -113,7 +115,7 @@ static void seat_sheet(const struct menu_view *view, uint32_t index)
         return;
     }
     const float pitch = (box.height - 68.0f * u) / 3.0f, width = 0.5f * box.width - 34.0f * u;
-    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Places to the left, turns to the
+    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Positions to the left, rotations to the
                                                             right. */
         const float x = box.x + 22.0f * u + (axis >= 3u ? width + 24.0f * u : 0.0f);
         bar(view, seat,

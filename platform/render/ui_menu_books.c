@@ -1,4 +1,4 @@
-/* ui_menu_books.c -- the stall's account books, on paper: what was earned, played and broken. */
+/* ui_menu_books.c -- the account books on paper: earnings, plays and faults. */
 #include <math.h>
 #include <stdio.h>
 
@@ -9,11 +9,11 @@
 #define BAR_PAINT 0x2b4c8cffu
 #define NUMBER_SIZE 24u
 
-/* A line of a book: a name, and a number that is a counter, or one counter by another. */
+/* A line of a book: a name, and a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
-    uint8_t audit, by;  /* `by` 0: the counter itself; no counter that divides is the first. */
-    uint16_t over;      /* Divides, too, where it is not 0: seconds to hours. */
+    uint8_t audit, by;  /* Divisor counter; 0: none, because the first counter is no divisor. */
+    uint16_t over;      /* Additional constant divisor, unless 0: seconds to hours. */
 };
 
 /* ---- Paper and numbers ---------------------------------------------------------------------- */
@@ -36,7 +36,8 @@ static void rule(const struct menu_view *view, float x, float y, float width)
                                  .fill = RULE_PAINT });
 }
 
-/* "1,234,567", as a till prints it; a mean with one digit, and a dash where nothing was counted. */
+/* Writes a count with separators, such as "1,234,567"; a mean with one decimal, and a dash if
+ * nothing was counted. */
 static void write_count(char out[NUMBER_SIZE], uint32_t count)
 {
     char digits[12];
@@ -66,7 +67,7 @@ static void write_line(const struct menu_view *view, const struct book_line *lin
     }
 }
 
-/* In `columns` columns, read downward. */
+/* Draws lines in `columns` columns, read downward. */
 static void lines(const struct menu_view *view, struct ui_box box, uint32_t columns,
                   const struct book_line *line, uint32_t count)
 {
@@ -140,7 +141,7 @@ void menu_machine(const struct menu_view *view)
 
 /* ---- Plays ---------------------------------------------------------------------------------- */
 
-/* A row for each mode, a column for each paper. */
+/* Draws a table with a row for each mode and a column for each paper. */
 static void by_mode(const struct menu_view *view, struct ui_box box)
 {
     static const enum text_key modes[MODE_COUNT] = { TEXT_FESTIVAL, TEXT_CHAMPIONSHIP,
@@ -201,7 +202,7 @@ void menu_plays(const struct menu_view *view)
 
 /* ---- Hours ---------------------------------------------------------------------------------- */
 
-/* Upright bars over their names, the highest as high as there is room. */
+/* Draws a bar chart with names below the bars. The highest bar fills the height. */
 static void bars(const struct menu_view *view, struct ui_box box, enum text_key title,
                  uint32_t first, uint32_t count, void (*name)(const struct menu_view *view,
                                                              uint32_t index, char *out,
@@ -232,7 +233,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
                                          .kind = UI_PANEL, .fill = BAR_PAINT,
                                          .shape = { 0, 0, 3.0f * u } });
         }
-        if (plays == most) { /* The highest says how high. */
+        if (plays == most) { /* Only the highest bars show their value. */
             write_count(words, plays);
             menu_words_at(view, x, base - height - 18.0f * u, 3.0f * pitch, 0.5f, &top, words);
         }
@@ -242,7 +243,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
     rule(view, left, base, box.width - 48.0f * u);
 }
 
-/* Every third: all would not be read. */
+/* Writes every third hour, because all of them would be too small to read. */
 static void name_hour(const struct menu_view *view, uint32_t index, char *out, size_t out_size)
 {
     (void)view;

@@ -1,5 +1,5 @@
-/* ui_menu_calibrate.c -- the tank from above with its four marks, and what to do next; then the
- * water from the side, on which the poi is laid. */
+/* ui_menu_calibrate.c -- the calibration page: the tank from above with its four marks and the next
+ * instruction, then a side view of the water on which the poi is laid. */
 #include <math.h>
 #include <stdio.h>
 
@@ -71,7 +71,7 @@ static enum text_key words_of(const struct menu_view *view)
                                                      : TEXT_CALIBRATE_IDLE_WORDS;
 }
 
-/* As many rows as they need, begun at the top of the box. */
+/* Draws a paragraph in as many rows as needed, from the top of the box. */
 static void paragraph(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
                       const char *words)
 {
@@ -122,7 +122,7 @@ static void ring(const struct menu_view *view, float x, float y, float radius, f
                                  .shape = { radius, 7.0f * view->frame.unit, part } });
 }
 
-/* A place on the water, in the box that shows it from above. */
+/* Converts a place on the water to the box that shows the tank from above. */
 static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m, float *x,
                      float *y)
 {
@@ -133,7 +133,8 @@ static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m
     *y = pool.y + pool.height * (0.5f + fmaxf(-0.5f, fminf(near, 0.5f)));
 }
 
-/* Done: a fish; wanted: a great ring that fills while the poi is still; to come: a small one. */
+/* Draws the marks: a fish for a finished step, a large ring that fills while the poi is still for
+ * the current one, a small ring for later ones. */
 static void marks(const struct menu_view *view, struct ui_box pool)
 {
     const float u = view->frame.unit;
@@ -154,7 +155,7 @@ static void marks(const struct menu_view *view, struct ui_box pool)
     }
 }
 
-/* Where the poi is now, as it is set right. */
+/* Draws the poi's current position with the calibration applied. */
 static void live_poi(const struct menu_view *view, struct ui_box pool)
 {
     const struct scene_menu *menu = view->menu;
@@ -169,7 +170,7 @@ static void live_poi(const struct menu_view *view, struct ui_box pool)
     ui_poi_sign(&view->frame, x, y, 24.0f * view->frame.unit, 1.0f, ui_player_colours[menu->seat]);
 }
 
-/* From the side: it sinks on the water, and lies there. */
+/* Draws the side view: the poi sinks onto the water and lies there. */
 static void laid_flat(const struct menu_view *view, struct ui_box pool)
 {
     const float u = view->frame.unit, t = fmodf(view->frame.time_s, 2.4f);

@@ -1,10 +1,10 @@
-/* ui_menu_card.c -- the test card: what a screen shows wrongly is seen on it at a glance.
+/* ui_menu_card.c -- the test card, which makes a screen's faults visible.
  *
- * A white line along the picture's edge: an edge that is not seen is lost, which the overscan
- * mends. A grid of squares and a circle: round on a screen of square pixels. Eight colours, eleven
- * greys, and four that a screen which is set badly shows as black or as white. Letters in the
- * middle and in the corners, down to a size that is only sharp where each pixel is one. Amber
- * lines a twentieth in: what must be read is within. */
+ * A white line follows the picture's edge; if an edge is invisible, correct it with the overscan
+ * setting. A grid of squares and a circle are undistorted on a screen of square pixels. Eight
+ * colours, eleven greys, and four greys that a badly adjusted screen shows as black or as white.
+ * Letters stand in the middle and in the corners, down to a size that is sharp only if every pixel
+ * is shown separately. Amber lines a twentieth inside the edge enclose the area for text. */
 #include "platform/render/ui_menu.h"
 
 #include <math.h>
@@ -13,9 +13,10 @@
 #define CARD_GREY 0x404040ffu
 #define CARD_WHITE 0xffffffffu
 #define CARD_AMBER 0xffa800ffu
-#define GRID_ROWS 9.0f  /* Squares from the top to the bottom; upright, from side to side. */
-#define GRID_LINES_MAX 64u /* To each side of the middle: enough for a screen of 14 to 1. */
-#define SAFE 0.05f      /* Of each side. */
+#define GRID_ROWS 9.0f  /* Number of squares from top to bottom; upright, from side to side. */
+#define GRID_LINES_MAX 64u /* Maximum lines on each side of the middle, enough for a screen of 14 to
+                              1. */
+#define SAFE 0.05f      /* Fraction of each side. */
 #define COLOUR_COUNT 8u
 #define GREY_COUNT 11u
 #define SUBTLE_COUNT 4u
@@ -26,7 +27,8 @@ static void fill(const struct menu_view *view, struct ui_box box, uint32_t colou
              &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
 }
 
-/* Whole pixels: on half ones a line is two that are half as bright. */
+/* Draws a line on whole pixels. On half pixels a line would be two pixels wide and half as
+ * bright. */
 static void line_across(const struct menu_view *view, float y, float from, float to, float px,
                         uint32_t colour)
 {
@@ -39,7 +41,7 @@ static void line_down(const struct menu_view *view, float x, float from, float t
     fill(view, (struct ui_box){ floorf(x), floorf(from), px, floorf(to) - floorf(from) }, colour);
 }
 
-/* Its lines are inside of it. */
+/* Draws an outline whose lines are inside the box. */
 static void outline(const struct menu_view *view, struct ui_box box, float px, uint32_t colour)
 {
     const float right = box.x + box.width, bottom = box.y + box.height;
@@ -57,8 +59,8 @@ static uint32_t grid_lines(float length, float side)
     return lines < (float)GRID_LINES_MAX ? (uint32_t)lines : GRID_LINES_MAX;
 }
 
-/* Draws from the middle outward, so that the grid is the same on all sides. Counts its lines: a
- * side of less than a pixel must not keep the loop from its end. */
+/* Draws the grid from the middle outward, so that it is symmetric. The lines are counted, so that
+ * the loop ends even if a square is smaller than a pixel. */
 static void grid(const struct menu_view *view, float side)
 {
     const float width = view->frame.width, height = view->frame.height;
@@ -102,8 +104,8 @@ static uint32_t grey_of(uint32_t level)
     return level << 24 | level << 16 | level << 8 | 0xffu;
 }
 
-/* A step in ten from black to white. On the first, two that are hardly lighter; on the last, two
- * that are hardly darker. */
+/* Draws eleven greys from black to white. On the first are two patches that are slightly lighter,
+ * on the last two that are slightly darker. */
 static void greys(const struct menu_view *view, struct ui_box band)
 {
     static const uint32_t subtle[SUBTLE_COUNT] = { 5, 10, 245, 250 };
@@ -123,7 +125,7 @@ static void greys(const struct menu_view *view, struct ui_box band)
     }
 }
 
-/* Three sizes; the smallest is one of the screen's own pixels, not of the canvas. */
+/* Draws letters in three sizes. The smallest is in the screen's pixels, not in canvas units. */
 static void letters(const struct menu_view *view, float x, float y)
 {
     static const float sizes_px[] = { 28.0f, 18.0f, 11.0f };

@@ -1,4 +1,4 @@
-/* ui_menu_controllers.c -- the boards of all controllers, and what is to be said of one. */
+/* ui_menu_controllers.c -- the list of controllers, and the page of one controller. */
 #include <stdio.h>
 
 #include "platform/render/says.h"
@@ -18,7 +18,7 @@ static const struct state_words states[CONTROLLER_STATE_COUNT] = {
     [CONTROLLER_DENIED] = { TEXT_STATE_DENIED, TEXT_ROW_DENIED, 0xb3261effu },
 };
 
-/* "057e:2009 Pro Controller, port 3-1.2"; a recording knows no names. */
+/* Writes a name such as "057e:2009 Pro Controller, port 3-1.2". A recording contains no names. */
 static void name_of(const struct menu_view *view, uint32_t row, char *out, size_t out_size)
 {
     const char *name = view->devices->controller[row];
@@ -29,7 +29,7 @@ static void name_of(const struct menu_view *view, uint32_t row, char *out, size_
     }
 }
 
-/* A slip of dyed paper: what the controller is just now. */
+/* Draws a paper slip with the controller's state. */
 static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t state)
 {
     const float u = view->frame.unit;
@@ -43,7 +43,7 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
                 &style, menu_text(view, states[state].name));
 }
 
-/* A whole poi for what plays or could, a torn one for what does not. */
+/* Draws a whole poi for a controller that is in use or available, a torn one otherwise. */
 static void state_sign(const struct menu_view *view, float x, float y, float radius, uint8_t state)
 {
     const float paper = state == CONTROLLER_PLAYS || state == CONTROLLER_FREE ? 1.0f : 0.2f;
@@ -74,7 +74,7 @@ static void row(const struct menu_view *view, uint32_t index)
                state);
 }
 
-/* What looks for controllers says itself why there is none. */
+/* Draws the reason why there is no controller, as reported by the controller manager. */
 static void nothing_there(const struct menu_view *view)
 {
     char said[SAYS_SIZE];
@@ -104,7 +104,7 @@ void menu_rows(const struct menu_view *view)
     }
 }
 
-/* Over the tags its name and how it is; under them what that means. */
+/* Draws the controller's name and state above the tags, and the state's meaning below them. */
 void menu_one_controller(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

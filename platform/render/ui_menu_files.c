@@ -1,4 +1,4 @@
-/* ui_menu_files.c -- a slip of paper for each file: whether it is in use, and if not, why. */
+/* ui_menu_files.c -- a paper slip for each file: whether it is in use, and if not, why. */
 #include <stdio.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@
 struct places {
     float x, y, width, pitch, height;
     float name_height, line_height;
-    uint32_t line_count; /* Of a reason; SCENE_LINE_SIZE letters of the usual widths fit. */
+    uint32_t line_count; /* Lines of a reason. SCENE_LINE_SIZE letters of usual widths fit. */
     struct overlay_box count;
 };
 
@@ -54,7 +54,7 @@ size_t menu_fill_line(const struct ui_text *style, const char *words, float room
     return strlen(words);
 }
 
-/* The last line that there is room for shrinks to take what is left. */
+/* Draws a reason in several lines. The last line shrinks to hold the rest. */
 static void wrap(const struct menu_view *view, const struct ui_box *box, const char *words,
                  const struct places *places)
 {
@@ -87,7 +87,8 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
                 &style, menu_text(view, looks[state].name));
 }
 
-/* The store has no name among the files; of a recording's we know none. */
+/* Writes a file's name. The store has no entry in the list of names, and a recording contains no
+ * names. */
 static void name_of(const struct menu_view *view, uint32_t row, const struct scene_file *file,
                     char *out, size_t out_size)
 {
@@ -100,7 +101,7 @@ static void name_of(const struct menu_view *view, uint32_t row, const struct sce
     }
 }
 
-/* Beside how the store is: the scores that nobody will ever see again. */
+/* Returns the text beside the store's state: the scores that are lost. */
 static const char *words_of(const struct menu_view *view, uint32_t row,
                             const struct scene_file *file, char *out, size_t out_size)
 {

@@ -1,16 +1,17 @@
-/* ui_menu_learn.c -- a controller is taught: a basin in which a poi shows what to do. */
+/* ui_menu_learn.c -- the page that teaches a controller: a basin in which a poi shows the motion to
+ * make. */
 #include <math.h>
 
 #include "platform/render/ui_menu.h"
 
-#define LOOP_S 2.4f   /* The poi shows its way so often, */
-#define WAY_S 0.9f    /* goes it in so long, */
-#define BACK_S 2.1f   /* and is back before the next time. */
+#define LOOP_S 2.4f   /* Period of the demonstrated motion, */
+#define WAY_S 0.9f    /* duration of its outward part, */
+#define BACK_S 2.1f   /* and time at which the poi is back. */
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 
 struct step_words {
     enum text_key name, words;
-    float x, y; /* Whither the poi goes, of half the basin. */
+    float x, y; /* Direction of the poi's motion, in halves of the basin. */
 };
 
 static const struct step_words steps[LEARN_STEP_COUNT] = {
@@ -26,7 +27,7 @@ static const struct step_words steps[LEARN_STEP_COUNT] = {
     [LEARN_UNKEPT] = { TEXT_LEARN_UNKEPT, TEXT_LEARN_UNKEPT_WORDS, 0.0f, 0.0f },
 };
 
-/* Where the parts of the page are. */
+/* Positions of the page's parts. */
 struct places {
     struct overlay_box basin, name, words, dots;
 };
@@ -44,7 +45,7 @@ static const struct places upright_places = {
     .dots = { 27.0f, 1090.0f, 800.0f, 50.0f },
 };
 
-/* [0, 1]: out, held there, and back. */
+/* Returns the progress of the motion, [0, 1]: outward, hold, and back. */
 static float way(float time_s)
 {
     const float t = fmodf(time_s, LOOP_S);
@@ -66,7 +67,8 @@ static void arrow(const struct menu_view *view, const struct step_words *step, f
     }
 }
 
-/* From above; or, for the dip, from the side: then the water begins in the middle of the box. */
+/* Draws the water from above, or from the side for the dip; the surface is then in the middle of
+ * the box. */
 static void water(const struct menu_view *view, struct ui_box box, int from_the_side)
 {
     const float u = view->frame.unit;
@@ -88,7 +90,7 @@ static void water(const struct menu_view *view, struct ui_box box, int from_the_
                                                                view->frame.time_s } });
 }
 
-/* [0, 1] of the step, round the poi that shows it. */
+/* Draws the step's progress, [0, 1], as a ring round the demonstrating poi. */
 static void progress_ring(const struct menu_view *view, float x, float y, float part)
 {
     const float u = view->frame.unit, radius = 78.0f * u;
@@ -106,7 +108,7 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     float x = 0.5f, y = 0.5f;
     const int plays = step == LEARN_TRY || step == LEARN_UNKEPT;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
-    if (plays && menu->has_hand) { /* The poi that was taught leads this one. */
+    if (plays && menu->has_hand) { /* The taught controller moves this poi. */
         x = menu->x / canvas.x;
         y = menu->y / canvas.y;
         radius *= menu->presses ? 0.75f : 1.0f;
@@ -125,7 +127,7 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     ui_poi_sign(&view->frame, px, py, radius, paper, ui_player_colours[0]);
 }
 
-/* A fish for each step that is done, a ring for each to come. */
+/* Draws a fish for each finished step and a ring for each later one. */
 static void dots(const struct menu_view *view, struct ui_box box, uint8_t step)
 {
     const float u = view->frame.unit, pitch = 62.0f * u;

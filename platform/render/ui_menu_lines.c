@@ -1,5 +1,5 @@
-/* ui_menu_lines.c -- a lamp for each button, lit while it is held, and what fell; in the corner the
- * bare line: its level, its changes and its faults. */
+/* ui_menu_lines.c -- a lamp for each button, lit while it is pressed, and the coins inserted. In
+ * each cell's corner is the raw line: level, changes and faults. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,13 +8,14 @@
 
 #define CLINK_S 0.5f
 #define MISSING_PAINT 0xb3261effu
-#define STATE_ROWS 2u /* That the lines' state is broken over. */
+#define STATE_ROWS 2u /* Number of rows for the state of the lines. */
 
 static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
     TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
 };
-#define COIN INPUT_BUTTON_COUNT /* Behind the buttons, in the order of their bits. */
+#define COIN INPUT_BUTTON_COUNT /* Index of the coin cell, behind the buttons in the order of their
+                                   bits. */
 
 static struct ui_box cell(const struct menu_view *view, uint32_t index)
 {
@@ -49,7 +50,7 @@ static void lamp(const struct menu_view *view, float x, float y, float radius, f
                                  .shape = { 0, 0, radius, 3.0f * u } });
 }
 
-/* Where a lamp would be, a red slip: the line is wired, and not there. */
+/* Draws a red slip in place of a lamp: the line is configured but missing. */
 static void not_there(const struct menu_view *view, struct ui_box box)
 {
     const float u = view->frame.unit;
@@ -62,7 +63,7 @@ static void not_there(const struct menu_view *view, struct ui_box box)
                 &style, menu_text(view, TEXT_LINE_MISSING));
 }
 
-/* Of a coin's cell: all coin lines together. */
+/* Returns the line of a cell. The coin's cell combines all coin lines. */
 static struct scene_line line_of(const struct menu_view *view, uint32_t index, int *is_raw)
 {
     const struct scene_devices *devices = view->devices;
@@ -77,8 +78,8 @@ static struct scene_line line_of(const struct menu_view *view, uint32_t index, i
     return sum;
 }
 
-/* In the corner: the level before it counts, a square lamp, and how often it changed; in red how
- * often it could not be believed. */
+/* Draws the raw line in the corner: a square lamp for the level before debouncing, the number of
+ * changes, and in red the number of invalid changes. */
 static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
     const float u = view->frame.unit, size = 16.0f * u;
@@ -101,7 +102,7 @@ static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box
     }
 }
 
-/* Lamp, name and count, one under the other; on an upright screen the lamp is beside them. */
+/* Draws lamp, name and count, one below the other. On an upright screen the lamp is beside them. */
 static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
 {
     const struct ui_box box = cell(view, index);
@@ -134,8 +135,8 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     raw_line(view, index, box);
 }
 
-/* What holds the lines and what is missing, in rows that are read as well as the rest. The last
- * one shrinks to what there is room for. */
+/* Draws which program or device uses the lines and what is missing, in rows of normal size. The
+ * last row shrinks to fit. */
 static void state_of_lines(const struct menu_view *view, float x, float y, float width)
 {
     const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
@@ -155,7 +156,7 @@ static void state_of_lines(const struct menu_view *view, float x, float y, float
     }
 }
 
-/* The lines' state first; then that a coin in here is a test, and how often anything failed. */
+/* Draws the lines' state, then that a coin on this page is a test, and the number of failures. */
 static void notes(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

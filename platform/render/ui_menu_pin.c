@@ -1,4 +1,4 @@
-/* ui_menu_pin.c -- ten keys, and a slot for each digit. */
+/* ui_menu_pin.c -- the PIN page: ten keys, and a slot for each digit. */
 #include <math.h>
 
 #include "platform/render/ui_menu.h"
@@ -22,7 +22,7 @@ static char digit_at(const struct scene_menu *menu, uint32_t index)
     return (char)('0' + pin % 10u);
 }
 
-/* Where a new one is chosen its digits are read; else a fish stands for each. */
+/* Draws the slots. The digits of a new PIN are visible; otherwise each is shown as a fish. */
 static void slots(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;

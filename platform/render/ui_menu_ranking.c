@@ -1,9 +1,10 @@
-/* ui_menu_ranking.c -- the ranking for its keeper: a board for each score, and one score alone. */
+/* ui_menu_ranking.c -- the leaderboard page for the operator: a board for each score, and the page
+ * of one score. */
 #include "core/game/ranking.h"
 #include "platform/render/ui_board.h"
 #include "platform/render/ui_menu.h"
 
-/* Which board it is: beside the title, or under it on a screen that stands. */
+/* Draws which leaderboard is shown: beside the title, or under it on an upright screen. */
 static void board_words(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
@@ -22,7 +23,7 @@ static void board_words(const struct menu_view *view)
                 &period, menu_text(view, ui_board_key(board->period)));
 }
 
-/* "3.  きんぎょ  12 fish" on a board. */
+/* Draws a score such as "3.  きんぎょ  12 fish" on a board. */
 static void score_words(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
     const struct scene_row *row = &view->scene->board.row[index];
@@ -74,7 +75,7 @@ void menu_ranking(const struct menu_view *view)
     }
 }
 
-/* Over the tags that say what may be done with it. */
+/* Draws one score above the tags of its actions. */
 void menu_score(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

@@ -1,5 +1,5 @@
-/* ui_menu_self.c -- ready for opening: a row for each thing that is tried, what it says or what to
- * do about it, and one plain line at the end. */
+/* ui_menu_self.c -- the self-test page: a row for each check with its result or remedy, and a
+ * summary line. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 #define BAD_PAINT 0xb3261effu
 #define ASK_PAINT 0xa85a12ffu
 #define ROW_LINES 2u
-#define ROW_FILL 0.88f /* Of a line's height are letters. */
+#define ROW_FILL 0.88f /* Fraction of a line's height that letters fill. */
 
 struct places {
     uint32_t columns, rows; /* Filled from above, column by column. */
@@ -33,7 +33,7 @@ static const struct places upright_places = {
 };
 _Static_assert(SELF_CHECKS == 14u, "both sheets have a row for each check");
 
-/* A number goes where the words have room for one. */
+/* A text and the number that replaces its {}. */
 struct said {
     enum text_key key;
     uint32_t number;
@@ -51,7 +51,8 @@ static const enum text_key names[SELF_CHECKS] = {
     [SELF_COINS] = TEXT_CHECK_COINS,     [SELF_POIS] = TEXT_CHECK_POIS,
 };
 
-/* What a row says in each state, where that needs no figure; 0: it does, or it is never so. */
+/* Texts of a row in each state that needs no figure; 0: figures_say() supplies the text, or the
+ * state does not occur. */
 static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
     [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD, [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
                      [SELF_BAD] = TEXT_CHECK_STORE_BAD },
@@ -103,7 +104,7 @@ static struct said heat_says(const struct scene_machine *machine, uint8_t state)
                                 : (struct said){ TEXT_CHECK_HEAT_BAD, 0 };
 }
 
-/* Rows that have figures. */
+/* Returns the text of a row that has figures. */
 static struct said figures_say(const struct menu_view *view, uint32_t check, uint8_t state)
 {
     const struct scene_machine *machine = &view->devices->machine;
@@ -133,12 +134,13 @@ static struct said figures_say(const struct menu_view *view, uint32_t check, uin
     }
 }
 
-/* "2026-08-15 18:30": what the clock says is for the operator to judge. */
+/* Writes the clock's date and time, such as "2026-08-15 18:30", for the operator to check. */
 static void clock_words(const struct scene_self_test *self, char *out, size_t out_size)
 {
     static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
     uint32_t year = 2000, month = 0, day = self->day, length = 366;
-    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) { /* 2100 is far away. */
+    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) { /* The simple leap year rule
+                                                                      holds until 2099. */
         day -= length;
         year++;
     }
@@ -178,8 +180,8 @@ static uint32_t paint_of(uint8_t state)
     return state == SELF_GOOD ? GOOD_PAINT : state == SELF_BAD ? BAD_PAINT : ASK_PAINT;
 }
 
-/* A tick, a cross, an exclamation mark; what is still to be tried has a question mark, and what has
- * not answered yet three dots. */
+/* Draws a tick, a cross, an exclamation mark, a question mark for a check to be done by the
+ * operator, or three dots for a check without a result yet. */
 static void mark(const struct menu_view *view, float x, float y, uint8_t state)
 {
     const float u = view->frame.unit, r = 13.0f * u;
@@ -208,8 +210,8 @@ static void sheet(const struct menu_view *view, struct ui_box box, uint32_t edge
                                  .shape = { 0, 0, 8.0f * u, 2.0f * u } });
 }
 
-/* Where Japanese breaks best: behind the last comma or full stop that leaves no more than a line
- * behind it; 0: nowhere. */
+/* Returns the position after the last comma or full stop that leaves at most one line behind it,
+ * the best place to break Japanese; 0: none. */
 static size_t sentence_end(const struct ui_text *style, const char *words, float room_px)
 {
     const char *at = words;
@@ -223,8 +225,8 @@ static size_t sentence_end(const struct ui_text *style, const char *words, float
     return end;
 }
 
-/* In one line where it fits, else in two as small as their height asks, of which the last shrinks
- * to what is left. */
+/* Draws the text in one line where it fits, otherwise in two smaller lines, of which the last
+ * shrinks to fit. */
 static void wrap(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
                  const char *words)
 {
@@ -271,7 +273,7 @@ static void check(const struct menu_view *view, const struct places *places, uin
          &line, words);
 }
 
-/* ---- The verdict ----------------------------------------------------------------------------- */
+/* ---- The summary ----------------------------------------------------------------------------- */
 
 static void verdict_words(const struct menu_view *view, uint32_t next,
                           const uint8_t state[SELF_CHECKS], char *out, size_t out_size)
@@ -284,7 +286,7 @@ static void verdict_words(const struct menu_view *view, uint32_t next,
     text_number(out, out_size, menu_text(view, key), number);
 }
 
-/* What it comes to, and under that what to do next. */
+/* Draws the summary, and below it the next step. */
 static void verdict(const struct menu_view *view, const struct places *places, uint32_t next,
                     const uint8_t state[SELF_CHECKS])
 {

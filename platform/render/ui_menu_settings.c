@@ -1,17 +1,17 @@
-/* ui_menu_settings.c -- a board for each setting: its name, its range, its standard, its value. */
+/* ui_menu_settings.c -- a board for each setting: its name, range, default and value. */
 #include <stdio.h>
 #include <string.h>
 
 #include "platform/render/ui_menu.h"
 
-#define CHANGED_PAINT 0x94140cffu /* Dark enough to be read on the board's wood. */
+#define CHANGED_PAINT 0x94140cffu /* Dark enough to be readable on the board's wood. */
 
-/* Where the parts of a board are, in canvas units from its left and right edge. */
+/* Positions of a board's parts, in canvas units from its left and right edge. */
 struct places {
     float name_size, value_size, range_size;
     float inset, name_width, value_width;
     float range_x, range_width;
-    int two_lines; /* The range is under the name. */
+    int two_lines; /* The range is below the name. */
     struct overlay_box help, saved;
     uint32_t help_lines;
 };
@@ -62,7 +62,7 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
     default:
         break;
     }
-    if (words->unit == TEXT_VAL_PER_MILLE) { /* As people say it: per cent, with a decimal. */
+    if (words->unit == TEXT_VAL_PER_MILLE) { /* Shown as per cent with a decimal. */
         snprintf(out, out_size, "%d.%d %%", (int)value / 10, (int)value % 10);
         return;
     }
@@ -75,7 +75,7 @@ static int32_t max_of(const struct menu_view *view, uint32_t id)
     return id == SET_FISH ? (int32_t)view->menu->fish_max : setting_of(id)->max;
 }
 
-/* "free / paid / event". */
+/* Writes choices such as "free / paid / event". */
 static void choice_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     size_t used = 0;
@@ -87,8 +87,8 @@ static void choice_words(const struct menu_view *view, uint32_t id, char *out, s
     }
 }
 
-/* "5 - 240 min", "0.0 - 10.0 %"; a 0 that has a word of its own is told as such, where the standard
- * beside it does not tell it already: "silent / 1 - 10". */
+/* Writes a range such as "5 - 240 min" or "0.0 - 10.0 %". A 0 with a word of its own is listed
+ * separately ("silent / 1 - 10"), unless the default beside it already shows the word. */
 static void span_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     const struct setting_words *words = menu_setting_words_of(id);
@@ -174,7 +174,7 @@ static void setting_board(const struct menu_view *view, const struct places *pla
     }
 }
 
-/* A board that leads to a page without a value of its own. */
+/* Draws a board that leads to a page and has no value of its own. */
 static void page_board(const struct menu_view *view, const struct places *places,
                        struct ui_box box, uint8_t page)
 {
@@ -182,7 +182,7 @@ static void page_board(const struct menu_view *view, const struct places *places
     ui_words_in(&view->frame, box, &name, menu_text(view, menu_words_of(page)->title));
 }
 
-/* Over the foot: what the setting that is pointed at means. */
+/* Draws the description of the selected setting above the foot. */
 static void help(const struct menu_view *view, const struct places *places, const char *words)
 {
     const struct ui_text style = menu_style(view, 25.0f, MENU_CREAM);
@@ -200,7 +200,7 @@ static void help(const struct menu_view *view, const struct places *places, cons
     }
 }
 
-/* Of what was just turned, whether it is on disk; of what was not, nothing. */
+/* Draws whether the last change is on disk. Draws nothing for a setting that was not changed. */
 static void saved(const struct menu_view *view, const struct places *places)
 {
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
@@ -226,7 +226,7 @@ static void board(const struct menu_view *view, const struct places *places, uin
     }
 }
 
-/* What the row means that is pointed at; of the foot, which value goes back to which standard. */
+/* Draws the description of the selected row; for the foot, which value returns to which default. */
 static void tell_pointed(const struct menu_view *view, const struct places *places)
 {
     const struct scene_menu *menu = view->menu;
@@ -253,7 +253,7 @@ void menu_settings(const struct menu_view *view)
     const struct scene_menu *menu = view->menu;
     const struct places *places = menu->upright ? &upright_places : &wide;
     const uint32_t body_count = menu_body_count(menu->page);
-    if (menu->tag < body_count) { /* First, so that its light falls behind its neighbours. */
+    if (menu->tag < body_count) { /* Drawn first, so that its light falls behind its neighbours. */
         board(view, places, menu->tag);
     }
     for (uint32_t tag = 0; tag < body_count; tag++) {
@@ -265,7 +265,7 @@ void menu_settings(const struct menu_view *view)
     saved(view, places);
 }
 
-/* A bit has a range, a standard and a seal as any setting has. */
+/* Draws the board of a bit, which has a range, a default and a seal like any setting. */
 static void bit_board(const struct menu_view *view, const struct places *places, uint32_t id,
                       uint32_t bit)
 {

@@ -1,4 +1,4 @@
-/* ui_menu_sure.c -- what is asked twice: a question on paper, and what it would cost. */
+/* ui_menu_sure.c -- the confirmation page: a question on paper, and the consequences. */
 #include "platform/render/ui_menu.h"
 
 static enum text_key question(uint8_t page)
@@ -30,7 +30,7 @@ void menu_sure(const struct menu_view *view)
              &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
                                  .line = 0xb5762fffu, .shape = { 0, 0, 12.0f * u, 2.0f * u } });
     const float x = box.x + 24.0f * u, width = box.width - 48.0f * u;
-    if (menu->page == MENU_RESET) { /* Which of the books. */
+    if (menu->page == MENU_RESET) { /* Name of the book to be reset. */
         ui_words_in(&view->frame,
                     (struct ui_box){ x, box.y + 0.06f * box.height, width, 0.2f * box.height },
                     &about, menu_text(view, menu_words_of(menu->from)->title));

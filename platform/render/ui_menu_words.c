@@ -1,4 +1,4 @@
-/* ui_menu_words.c -- what pages and settings of the operator's menu are called: a row each. */
+/* ui_menu_words.c -- the texts of the operator's pages and settings, one row each. */
 #include "platform/render/ui_menu.h"
 
 #define BACK TEXT_MENU_BACK
@@ -132,7 +132,7 @@ const struct menu_words *menu_words_of(uint8_t page)
     return &pages[page < MENU_PAGE_COUNT ? page : (uint8_t)MENU_TOP];
 }
 
-/* Calibration is never shown as numbers. */
+/* Returns the texts of a setting. Calibration settings are never shown as numbers. */
 const struct setting_words *menu_setting_words_of(uint32_t id)
 {
     return &settings[id < SET_CALIBRATION ? id : 0u];

@@ -1,4 +1,4 @@
-/* ui_name.c -- a guest writes a name: the line, the letters and four keys, on the core's canvas. */
+/* ui_name.c -- the name entry: the line, the letters and four keys, on the core's canvas. */
 #include <math.h>
 
 #include "core/game/name_board.h"
@@ -11,11 +11,11 @@ _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be show
 #define KEY_PAPER_LIT 0xffd978ffu
 #define WARN_PAPER 0xb8301ee8u
 
-/* The canvas on the screen, and what is written on it. */
+/* The canvas on the screen, and the name being written. */
 struct slate {
-    struct ui_frame frame; /* `unit` is one of the canvas. */
+    struct ui_frame frame; /* Frame whose `unit` is one canvas unit. */
     const struct scene_name *name;
-    float x, y; /* Its corner. */
+    float x, y; /* Position of its corner. */
     uint32_t colour;
 };
 
@@ -39,7 +39,7 @@ static struct ui_box place(const struct slate *slate, struct overlay_box box)
                             box.height * u };
 }
 
-/* Night over the tank, so dark that letters are read before its lights. */
+/* Darkens the tank, so that letters are more visible than the tank's lights. */
 static void veil(const struct slate *slate)
 {
     const struct ui_box box = { 0.0f, 0.0f, slate->frame.width, slate->frame.height };
@@ -47,7 +47,7 @@ static void veil(const struct slate *slate)
              &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0x090d24b4u });
 }
 
-/* ---- Who, where, and how long --------------------------------------------------------------- */
+/* ---- Player, place and time ------------------------------------------------------------------ */
 
 static void place_words(const struct slate *slate, const struct scene *scene, char *out,
                         size_t out_size)
@@ -92,7 +92,8 @@ static void title(const struct slate *slate, const struct scene *scene)
     }
 }
 
-/* A whole minute would only make who writes nervous: it shows when it is short. */
+/* Draws the remaining seconds, only when they are few, because a longer countdown makes guests
+ * nervous. */
 static void seconds(const struct slate *slate, const struct scene *scene)
 {
     const float u = slate->frame.unit, radius = 34.0f * u;
@@ -127,7 +128,7 @@ static void one_letter(const struct slate *slate, struct ui_box box, uint16_t le
     ui_words_in(&slate->frame, box, &style, words);
 }
 
-/* Eight places; the next one waits in the player's colour. */
+/* Draws eight places. The next one to fill is in the player's colour. */
 static void line(const struct slate *slate)
 {
     const int upright = slate->name->upright;
@@ -152,9 +153,9 @@ static void line(const struct slate *slate)
     }
 }
 
-/* ---- The board ------------------------------------------------------------------------------ */
+/* ---- The keyboard ---------------------------------------------------------------------------- */
 
-/* It sinks a little under the hand that presses it. */
+/* Returns a key's box, slightly lower while the key is pressed. */
 static struct ui_box key_paper(const struct slate *slate, uint32_t key)
 {
     const struct scene_name *name = slate->name;

@@ -1,4 +1,4 @@
-/* ui_parts.c -- the stall's furniture: curtain, lanterns, ribbons. */
+/* ui_parts.c -- drawing primitives of the user interface: curtain, lanterns, ribbons. */
 #include "platform/render/ui_parts.h"
 
 #include <math.h>
@@ -60,7 +60,7 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
             ui_text_middle(&brush, top + 0.52f * size), text_words(frame->language, TEXT_LANTERN));
 }
 
-/* One width of cloth: two loops over the pole, the cloth, and a white hem. */
+/* Draws one strip of cloth: two loops over the pole, the cloth, and a white hem. */
 static void noren_strip(const struct ui_frame *frame, struct ui_box box, uint32_t index)
 {
     const float u = frame->unit;
@@ -96,7 +96,7 @@ static void noren_title(const struct ui_frame *frame, float left, float top, flo
                 ui_text_middle(&title, top + 0.50f * height), words);
         return;
     }
-    /* One character to a strip, as it is dyed. */
+    /* Each strip shows one character, as on a dyed curtain. */
     for (uint32_t i = 0; i < NOREN_STRIPS && *words != 0; i++) {
         char one[8] = "";
         const char *from = words;
@@ -146,7 +146,7 @@ void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct u
 void ui_card(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;
-    /* Its shadow only where it shows, for a card covers many pixels. */
+    /* The shadow is drawn only where it is visible, because a card covers many pixels. */
     const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
                                   box.width + 4.0f * u, 38.0f * u };
     ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c80u,

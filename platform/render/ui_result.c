@@ -1,4 +1,4 @@
-/* ui_result.c -- after the round: what was caught, and what the stallkeeper says to it. */
+/* ui_result.c -- the result screen: the catch and the stallkeeper's comment. */
 #include <math.h>
 #include <stdio.h>
 
@@ -7,12 +7,12 @@
 #include "platform/render/ui_signs.h"
 
 #define GRADES 6u
-#define COUNT_UP_S 1.0f /* The figure counts up to what was caught. */
+#define COUNT_UP_S 1.0f /* Time in which the figure counts up to the catch. */
 #define CALL_TIME_S 1.3f
 
 struct grade {
-    uint32_t at_least; /* Fish. A stall's guest takes three to five home; national titles were won
-                          with 35 to 87. */
+    uint32_t at_least; /* Number of fish. A stall's guest catches three to five; national titles
+                          were won with 35 to 87. */
     enum text_key praise, words;
 };
 
@@ -36,7 +36,7 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
     return &grades[grade];
 }
 
-/* The seal that a proud stallkeeper stamps on whoever is ranked. */
+/* Draws the seal for a player with a place on the leaderboard. */
 static void seal(const struct ui_frame *frame, float x, float y, float in, const char *words)
 {
     const float u = frame->unit;
@@ -79,7 +79,7 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, left + fish + number_width + 2.0f * gap, baseline, words);
 }
 
-/* "Championship: that's all!" */
+/* Draws a heading such as "Championship: that's all!" */
 static void heading(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit;
@@ -91,7 +91,7 @@ static void heading(const struct ui_frame *frame, const struct scene *scene, str
     ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
 }
 
-/* The day's best in this mode, or for who practised a word of the keeper's. */
+/* Draws the day's best in this mode, or after practice a comment of the stallkeeper. */
 static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit;
@@ -128,7 +128,7 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
     frame->batch->opacity = 1.0f;
 }
 
-/* Its credit came back, so nothing is counted: no figure, no place, no seal. */
+/* Draws the result of a refunded round, which does not count: no figure, place or seal. */
 static void given_back(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width;
@@ -161,7 +161,7 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
     }
 }
 
-/* How many caught more: equals share a place. */
+/* Returns how many players caught more. Players with equal catches share a place. */
 static uint32_t place_of(const struct scene *scene, uint32_t player)
 {
     uint32_t ahead = 0;
@@ -218,7 +218,7 @@ static void ranking(const struct ui_frame *frame, const struct scene *scene, str
     }
 }
 
-/* The one who stands highest; POI_MAX: nobody is ranked. */
+/* Returns the player with the best place; POI_MAX: no player has a place. */
 static uint32_t proudest(const struct scene *scene)
 {
     uint32_t best = POI_MAX;
@@ -231,7 +231,7 @@ static uint32_t proudest(const struct scene *scene)
     return best;
 }
 
-/* "Best of the day!", or "No. 3 this week". */
+/* Writes a place such as "Best of the day!" or "No. 3 this week". */
 static void place_words(const struct scene *scene, uint32_t player, char *out, size_t out_size)
 {
     const struct scene_player *of = &scene->player[player];
@@ -262,7 +262,7 @@ static void counted(const struct ui_frame *frame, const struct scene *scene, str
     seal_of(frame, scene, box);
 }
 
-/* The call "time!" is seen before the card covers it. */
+/* Returns the card's opacity. The call "time!" is visible before the card covers it. */
 static float after_call(const struct scene *scene)
 {
     return scene->call == CALL_TIME ? ui_smooth(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)

@@ -1,14 +1,14 @@
-/* ui_round.c -- while a round is played: the catch, the paper, the time, a hint. */
+/* ui_round.c -- the screen during a round: catch, paper, time and hint. */
 #include <math.h>
 #include <stdio.h>
 
 #include "platform/render/ui_signs.h"
 
-#define HURRY_S 10.0f /* The clock turns red. */
-#define POP_S 0.45f   /* The count jumps when a fish lands. */
+#define HURRY_S 10.0f /* Remaining time at which the clock turns red. */
+#define POP_S 0.45f   /* Duration for which the count grows when a fish is caught. */
 #define BOWL_MARKS_S 3.0f
 #define LONG_ROUND_S 99.5f
-#define TIME_WIDTH 136.0f /* Of "9:59", in units. */
+#define TIME_WIDTH 136.0f /* Width of "9:59", in units. */
 
 static void caught_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          float pop)
@@ -33,7 +33,7 @@ static void caught_plate(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, unit_x, baseline, words);
 }
 
-/* "Fouls", and three lamps for them. */
+/* Draws the word "Fouls" and three lamps. */
 static void foul_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player)
 {
     const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
@@ -69,7 +69,7 @@ static void time_ring(const struct ui_frame *frame, const struct scene *scene, f
     ui_text(frame->batch, &digits, x, ui_text_middle(&fitted, y), number);
 }
 
-/* A long round is read off as minutes and seconds. */
+/* Draws the time; of a long round as minutes and seconds. */
 static void time_digits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const float u = frame->unit;
@@ -90,8 +90,8 @@ static int is_long(const struct scene *scene)
     return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
 }
 
-/* Paper and time at the top right; of several papers only the number is said here. Returns the
- * plate's width. */
+/* Draws paper and time at the top right. If there are several papers, only their number is written.
+ * Returns the plate's width. */
 static float state_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          int alone)
 {
@@ -131,7 +131,7 @@ static float state_plate(const struct ui_frame *frame, const struct scene *scene
     return width;
 }
 
-/* What the colours on the paper mean. */
+/* Draws the legend of the paper's stress colours. */
 static void stress_legend(const struct ui_frame *frame, float top)
 {
     const float u = frame->unit, width = 256.0f * u, height = 92.0f * u;

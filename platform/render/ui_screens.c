@@ -1,4 +1,4 @@
-/* ui_screens.c -- which screen a phase shows, and what of it is remembered. */
+/* ui_screens.c -- selects the screen of each phase, and records what it shows. */
 #include "platform/render/ui_screens.h"
 
 #include <math.h>
@@ -58,7 +58,7 @@ static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
         break;
     case PHASE_MENU:
         ui_menu(frame, scene);
-        return; /* It says itself what is wrong. */
+        return; /* The menu shows warnings itself. */
     default: /* PHASE_WORDLESS */
         return;
     }

@@ -1,4 +1,4 @@
-/* ui_screens.h -- what stands where in each phase of the game. Knows no OpenGL. */
+/* ui_screens.h -- the screen layouts of each phase of the game. Uses no OpenGL. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_SCREENS_H
 #define KINGYO_PLATFORM_RENDER_UI_SCREENS_H
 
@@ -9,22 +9,22 @@
 #include "platform/render/ui_bench.h"
 #include "platform/species/shelf.h"
 
-/* What was shown last, so that a change can be eased in. Zero is a valid start. */
+/* What was shown last, so that a change can fade in. Zero is a valid initial value. */
 struct ui_memory {
-    uint32_t hint_tick;          /* When the hint last changed ... */
-    uint32_t caught_tick[POI_MAX]; /* ... and each player's catch. */
+    uint32_t hint_tick;          /* Tick of the last change of the hint. */
+    uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's catch. */
     uint32_t caught[POI_MAX];
-    uint32_t pointed_tick;       /* When another mode was last pointed at ... */
-    uint8_t pointed, pointed_before; /* ... and which two those were. */
+    uint32_t pointed_tick;       /* Tick of the last change of the selected mode. */
+    uint8_t pointed, pointed_before; /* Selected mode, and the mode selected before. */
     uint8_t hint;
     const struct shelf *shelf; /* Makers' species, behind the built-in ones; null: none. */
-    struct ui_bench bench;     /* The growth lab's. */
+    struct ui_bench bench;     /* State of the growth lab's picture. */
 };
 
-/* Notes what `scene` shows without drawing it, so that the next picture is eased in from there. */
+/* Records what `scene` shows without drawing it, so that the next picture fades in from there. */
 void ui_screens_notice(struct ui_memory *memory, const struct scene *scene);
 
-/* Fills `batch` (cleared first) with the whole screen of `scene`. Both sizes > 0. */
+/* Clears `batch` and fills it with the whole screen of `scene`. Both sizes must be > 0. */
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
                 float width_px, float height_px);
 

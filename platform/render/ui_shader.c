@@ -1,8 +1,8 @@
 /* ui_shader.c -- the user interface's shaders.
  *
  * Every shape is a signed distance in pixels, so each edge is smoothed over exactly one pixel. The
- * output is premultiplied: (colour * alpha, alpha), and light that only adds has alpha 0.
- * Of struct ui_vertex, `at` is `u, v`, `s` is `shape`, `inner` is `fill` and `outer` is `line`. */
+ * output is premultiplied: (colour * alpha, alpha), and additive light has alpha 0. In the sources,
+ * `at` is `u, v` of struct ui_vertex, `s` is `shape`, `inner` is `fill` and `outer` is `line`. */
 #include "platform/render/ui_shader.h"
 
 /* clang-format off */
@@ -13,8 +13,8 @@ const char *const ui_vertex_source =
     "layout(location = 2) in vec4 shape;\n"
     "layout(location = 3) in vec4 fill;\n"
     "layout(location = 4) in vec4 line;\n"
-    "uniform vec2 to_clip;\n" /* 2 / width, -2 / height */
-    "uniform mat2 turn;\n"    /* How the picture lies on the screen. */
+    "uniform vec2 to_clip;\n" /* Display geometry of the picture. */
+    "uniform mat2 turn;\n"    /* Paper cards have a second, finer line inside their border. */
     "uniform vec2 move;\n"
     "out highp vec2 at;\n"
     "flat out highp vec4 s;\n"
@@ -65,7 +65,7 @@ const char *const ui_fragment_head =
 
 #define PANEL "void main() { colour = framed(inner); }\n"
 
-/* Cards have a second, finer line inside their border. */
+/* Planed cedar: soft bands of grain along the tag, and a bevel that is bright at the top. */
 #define WASHI                                                                                      \
     "void main() {\n"                                                                              \
     "    float f = fibre(at * 0.0034) - 0.5;\n"                                                    \
@@ -76,7 +76,7 @@ const char *const ui_fragment_head =
     "    colour = framed(body);\n"                                                                 \
     "}\n"
 
-/* A tag of planed cedar: grain along it in soft bands, a bevel that the lamps catch at the top. */
+/* Same colour ramp as in assets/shaders/poi_paper.frag.glsl. */
 #define WOOD                                                                                       \
     "void main() {\n"                                                                              \
     "    vec2 p = at / s.y;\n"                                                                     \
@@ -91,7 +91,8 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(body, inner.a));\n"                                                  \
     "}\n"
 
-/* The same ramp as assets/shaders/poi_paper.frag.glsl. */
+/* Sea waves: rows of overlapping arcs of three lines each, with the lower row in front. The cloth
+ * has two soft folds. */
 #define HEAT                                                                                       \
     "void main() {\n"                                                                              \
     "    float t = clamp(at.x / s.x * 0.5 + 0.5, 0.0, 1.0);\n"                                     \
@@ -102,8 +103,7 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(c, inner.a));\n"                                                     \
     "}\n"
 
-/* Sea waves: rows of overlapping arcs, each of three lines, the lower row in front; the cloth falls
- * in two soft folds. */
+/* Lantern: bamboo ribs under paper, brightest at the candle. */
 #define WAVES                                                                                      \
     "float arcs(vec2 p) {\n"                                                                       \
     "    float row = floor(p.y * 2.0);\n"                                                          \
@@ -142,7 +142,7 @@ const char *const ui_fragment_head =
     "    colour = vec4(light.rgb, light.a * (1.0 - s.z));\n"                                       \
     "}\n"
 
-/* Ribs of bamboo under paper, brightest where the candle stands. */
+/* A goldfish from above, nose to the left: body, fan tail, two fins, white patches, eyes. */
 #define LANTERN                                                                                    \
     "void main() {\n"                                                                              \
     "    vec2 q = at / s.xy;\n"                                                                    \
@@ -157,7 +157,7 @@ const char *const ui_fragment_head =
     "    colour = vec4(lit, 1.0) * (edge * inner.a);\n"                                            \
     "}\n"
 
-/* A goldfish from above, its nose to the left: body, fan tail, two fins, white patches, eyes. */
+/* The scoop: ring, handle, and the remaining paper, torn from the middle. */
 #define FISH                                                                                       \
     "float fin(vec2 p, vec2 root, float lean, vec2 size) {\n"                                      \
     "    p = vec2(p.x, abs(p.y)) - root;\n"                                                        \
@@ -194,7 +194,8 @@ const char *const ui_fragment_head =
     "    colour = over(paint(vec4(0.07, 0.04, 0.05, inner.a), cover(eye * s.x)), colour);\n"       \
     "}\n"
 
-/* The scoop: ring, handle, and as much paper as is left, torn from the middle. */
+/* Aquarium: slow shafts of light from above, water that darkens downward, and drifting
+ * particles. */
 #define POI                                                                                        \
     "void main() {\n"                                                                              \
     "    float r = length(at), width = 0.15 * s.x;\n"                                              \

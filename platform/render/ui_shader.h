@@ -1,7 +1,7 @@
 /* ui_shader.h -- the user interface's shaders, one small program for each enum ui_kind.
  *
- * One program that branches would be simpler, but a software renderer runs every branch for every
- * pixel: split, the same screens cost a fraction. */
+ * A single program with branches would be simpler, but a software renderer executes every branch
+ * for every pixel. Separate programs draw the same screens at a fraction of the cost. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_SHADER_H
 #define KINGYO_PLATFORM_RENDER_UI_SHADER_H
 
@@ -9,8 +9,8 @@
 
 extern const char *const ui_vertex_source;
 
-/* In front of each ui_fragment_sources[]: inputs, and what shapes have in common. It wants
- * FONT_EDGE and FONT_STEP defined. */
+/* Common head of each ui_fragment_sources[]: inputs and shared functions. Needs FONT_EDGE and
+ * FONT_STEP defined. */
 extern const char *const ui_fragment_head;
 extern const char *const ui_fragment_sources[UI_KIND_COUNT];
 

@@ -1,11 +1,11 @@
-/* ui_signs.c -- the small signs that several screens share. */
+/* ui_signs.c -- small widgets that several screens share. */
 #include "platform/render/ui_signs.h"
 
 #include <math.h>
 
 #define HINT_FADE_S 0.35f
 
-/* As the poi in the tank are painted. */
+/* Same colours as the pois in the tank. */
 const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25cffu, 0xfabd29ffu };
 
 void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
@@ -20,7 +20,7 @@ void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
 void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
                      uint32_t ring)
 {
-    const float reach = 1.5f * radius; /* The handle goes down to the right. */
+    const float reach = 1.5f * radius; /* The handle points to the lower right. */
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
                                  .kind = UI_POI, .fill = ring,
@@ -58,7 +58,8 @@ struct hint_paint {
     uint32_t fill, line;
 };
 
-/* Bad news is red; the moment to do something is green, as go is; advice waits in the dark. */
+/* Returns the colours of a hint: red for a failure, green for the moment to act, dark for
+ * advice. */
 static struct hint_paint paint_of(uint8_t hint)
 {
     switch (hint) {

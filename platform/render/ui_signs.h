@@ -1,4 +1,4 @@
-/* ui_signs.h -- the small signs that several screens share. */
+/* ui_signs.h -- small widgets that several screens share. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_SIGNS_H
 #define KINGYO_PLATFORM_RENDER_UI_SIGNS_H
 
@@ -7,82 +7,87 @@
 #include "platform/render/ui_parts.h"
 #include "platform/render/ui_screens.h"
 
-extern const uint32_t ui_player_colours[POI_MAX]; /* Of each player's ring. */
+extern const uint32_t ui_player_colours[POI_MAX]; /* Colour of each player's ring. */
 
-/* A goldfish, its nose to the left, centred at (x, y). */
+/* Draws a goldfish, its nose to the left, centred at (x, y). */
 void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width);
 
-/* A scoop with that much paper, [0, 1], and its ring in `ring`, centred at (x, y). */
+/* Draws a scoop with the fraction `paper_left` [0, 1] of its paper and its ring in colour `ring`,
+ * centred at (x, y). */
 void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
                  uint32_t ring);
 
-/* Night-blue cloth that lets the tank through: what figures stand on. */
+/* Draws a translucent plate of night-blue cloth as a background for figures. */
 void ui_plate(const struct ui_frame *frame, struct ui_box box);
 
-/* What a mode is called; an unknown one is the festival. */
+/* Returns a mode's name. An unknown mode returns the festival. */
 const char *ui_mode_name(uint8_t language, uint8_t mode);
 
-/* The scene's hint at the bottom, if there is one; eases in while it is young. */
+/* Draws the scene's hint, if any, at the bottom. A new hint fades in. */
 void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory);
 
-/* The glowing call to play, centred at height `y`; or, where nobody has paid, for coins,
- * and where there is no poi, for one. */
+/* Draws the glowing call to play, centred at height `y`. Without credit it asks for coins, and
+ * without a poi for a controller. */
 void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
                      enum text_key key);
 
-/* How many rounds are paid for, centred at (x, y); nothing where the play is free. */
+/* Draws the number of paid rounds, centred at (x, y). Draws nothing in free play. */
 void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y);
 
-/* Nobody could play: no seat has a controller. */
+/* Returns 1 if no slot has a controller, so that nobody can play. */
 int ui_lacks_poi(const struct scene *scene);
 
-/* A coin would come back while nothing is paid: then nobody is asked for one, and the sign that
- * says why stands alone. */
+/* Returns 1 if a coin would be returned while nothing is paid. The screen then asks for no coin,
+ * and shows only the reason. */
 int ui_refuses_coins(const struct scene *scene);
 
-/* How many coins a round still costs. */
+/* Writes how many coins a round still costs. */
 void ui_coin_words(const struct scene *scene, char *out, size_t out_size);
 
-/* 1 .. 0: how lately somebody wanted to play who has not paid. */
+/* Returns 1 .. 0: how recently a player without credit tried to start. */
 float ui_asking(const struct scene *scene);
 
-/* Over everything: the cabinet is shaken or open, or has no poi. */
+/* Draws the warnings over everything: the cabinet is shaken or open, or has no poi. */
 void ui_warnings(const struct ui_frame *frame, const struct scene *scene);
 
-/* "Best today: 12 fish", or that there is none yet. */
+/* Writes a line such as "Best today: 12 fish", or that there is no score yet. */
 void ui_best_words(const struct scene *scene, char *out, size_t out_size);
 
-/* One word across the middle, centred at height `y`. */
+/* Draws one word across the middle, centred at height `y`. */
 void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
                  float alpha, const char *words);
 
-/* How many play, and the first of them; 0 when none does. */
+/* Return the number of players, and the index of the first player; 0 when there is none. */
 uint32_t ui_player_count(const struct scene *scene);
 uint32_t ui_first_player(const struct scene *scene);
 
-/* How many may play here: who plays shows only once a round has begun, and bowls before. */
+/* Returns how many can play here. Players are known only after a round has begun; before it, the
+ * bowls are counted. */
 uint32_t ui_seat_count(const struct scene *scene);
 
-/* A player's number on a round of their colour, centred at (x, y). */
+/* Draws a player's number on a disc of the player's colour, centred at (x, y). */
 void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player);
 
-/* Three lamps, lit for fouls, the first at (x, y) and each `step` further down or right. */
+/* Draws three lamps, lit for fouls, the first at (x, y) and each `step` further down or right. */
 void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius, float step,
                    uint32_t fouls);
 
-/* Several players' plates, each with number, catch, paper and fouls: in one row, beside what takes
- * `right_px` of it, or in a second row where they do not fit. Returns where they end, downward. */
+/* Draws a plate for each of several players, with number, catch, paper and fouls. The plates are in
+ * one row, left of the `right_px` used by other plates, or in a second row where they do not fit.
+ * Returns their lower edge in pixels. */
 float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
                       const struct ui_memory *memory, float right_px);
 
-/* Of several bowls: whose is whose, in numbers over them; once a round runs, of those who play. */
+/* Draws the players' numbers over their bowls if there are several; during a round only for those
+ * who play. */
 void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha);
 
-/* Over everything: the keeper's call, the umpire's foul, and the wait for a hand that is lost. */
+/* Draws over everything: the stallkeeper's call, the umpire's foul, and the pause for lost
+ * controller input. */
 void ui_umpire(const struct ui_frame *frame, const struct scene *scene);
 
-/* A whole screen each. */
+/* Each function draws a whole screen. */
 void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory);
 void ui_album(const struct ui_frame *frame, const struct scene *scene);
 void ui_menu(const struct ui_frame *frame, const struct scene *scene);

@@ -1,9 +1,9 @@
-/* ui_umpire.c -- what is called out over the tank: the time, a foul, and "hold on". */
+/* ui_umpire.c -- the announcements over the tank: the time, a foul, and "hold on". */
 #include <math.h>
 
 #include "platform/render/ui_signs.h"
 
-#define CALL_S 1.9f /* A call is read in less, and the water is free again. */
+#define CALL_S 1.9f /* Display time of a call, longer than reading takes. */
 #define FOUL_S 2.6f
 #define COUNTDOWN_S 5.0f
 
@@ -12,7 +12,7 @@ static float shown(float age_s, float length_s)
     return ui_smooth(0.0f, 0.12f, age_s) * (1.0f - ui_smooth(length_s - 0.5f, length_s, age_s));
 }
 
-/* One digit a second, which swells and goes. */
+/* Draws one digit a second, which grows and fades. */
 static void countdown(const struct ui_frame *frame, const struct scene *scene)
 {
     if (scene->phase != PHASE_ROUND || scene->seconds_left <= 0.0f ||
@@ -45,7 +45,8 @@ static void call(const struct ui_frame *frame, const struct scene *scene)
     }
 }
 
-/* A red flag with the foul's name; with several players, whose it is. Returns its height. */
+/* Draws a red flag with the foul's name and, if there are several players, the player. Returns its
+ * height. */
 static float foul_flag(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                        float y)
 {
@@ -87,7 +88,7 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
 
 static void fouls(const struct ui_frame *frame, const struct scene *scene)
 {
-    /* Below the digits that count down, the later ones over the first. */
+    /* Below the countdown's digits. Later flags overlap the first. */
     const int counts_down = scene->phase == PHASE_READY;
     float y = (counts_down ? 0.72f : 0.47f) * frame->height;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -96,7 +97,7 @@ static void fouls(const struct ui_frame *frame, const struct scene *scene)
     }
 }
 
-/* The sumo referee's word, over a band across the tank: nothing moves behind it. */
+/* Draws the sumo referee's word for a pause over a band across the tank, while nothing moves. */
 static void pause(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;

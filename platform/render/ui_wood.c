@@ -1,4 +1,4 @@
-/* ui_wood.c -- what hangs at a stall: a bamboo pole, red cords, and tags of cedar. */
+/* ui_wood.c -- the hanging wooden parts of a stall: a bamboo pole, red cords, and tags of cedar. */
 #include "platform/render/ui_parts.h"
 
 #define CEDAR 0xd9a667ffu

@@ -10,7 +10,7 @@ struct guard {
     void *context;
 };
 
-/* Xlib keeps a pointer to this for the life of the connection, and there is one connection. */
+/* Xlib keeps a pointer to this for the life of the connection, and there is only one connection. */
 static struct guard guard;
 
 #if defined(SDL_VIDEO_DRIVER_X11)
@@ -21,7 +21,7 @@ typedef void (*set_exit_handler)(Display *display, exit_handler handler, void *c
 
 static int keep_quiet(Display *display)
 {
-    (void)display; /* Returning leads on to the exit handler. */
+    (void)display; /* After this handler returns, Xlib calls the exit handler. */
     return 0;
 }
 
@@ -38,8 +38,10 @@ static void install(void *library, Display *display)
     set_exit_handler set_exit;
     void *const symbols[2] = { dlsym(library, "XSetIOErrorHandler"),
                                dlsym(library, "XSetIOErrorExitHandler") };
-    memcpy(&set_error, &symbols[0], sizeof set_error); /* ISO C has no cast from object to */
-    memcpy(&set_exit, &symbols[1], sizeof set_exit);   /* function pointer. */
+    memcpy(&set_error, &symbols[0], sizeof set_error); /* memcpy() is used because ISO C has no
+                                                          cast */
+    memcpy(&set_exit, &symbols[1], sizeof set_exit);   /* from an object pointer to a function
+                                                          pointer. */
     if (set_error && set_exit) {
         set_exit(display, connection_broken, &guard);
         set_error(keep_quiet);
@@ -57,7 +59,7 @@ void x11_guard(SDL_Window *window, void (*on_broken)(void *context), void *conte
     if (library) {
         guard = (struct guard){ .on_broken = on_broken, .context = context };
         install(library, info.info.x11.display);
-        dlclose(library); /* SDL holds it open. */
+        dlclose(library); /* SDL keeps the library open. */
     }
 }
 #else
