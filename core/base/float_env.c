@@ -1,4 +1,5 @@
-/* float_env.c -- eight sums of products, read through volatile so that no compiler folds them. */
+/* float_env.c -- the test of the float environment: eight sums of products, read through volatile
+ * so that no compiler folds them. */
 #include "core/base/float_env.h"
 
 #include <stdint.h>
@@ -7,13 +8,13 @@
 
 #define CASE_COUNT 8u
 
-/* Bits of floats: x * y + z must give `sum`. */
+/* Bit patterns of floats: x * y + z must give `sum`. */
 static const volatile struct {
     uint32_t x, y, z, sum;
 } cases[CASE_COUNT] = {
     { 0x00000001, 0x4b800000, 0x00000000, 0x01000000 }, /* A denormal operand is not zero. */
     { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* A denormal result is not zero. */
-    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* Likewise below zero. */
+    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* The same two cases below zero. */
     { 0x80800000, 0x3f000000, 0x80000000, 0x80400000 },
     { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 }, /* 1 + half a unit: the tie goes to even. */
     { 0x3f800000, 0x3f800000, 0x33c00000, 0x3f800001 }, /* 1 + three quarters of a unit: up. */
@@ -35,7 +36,7 @@ static uint32_t bits_of(float value)
     return bits;
 }
 
-/* Four cases at once. */
+/* Tests four cases at once. */
 static int quad_is_standard(uint32_t first)
 {
     fquad x, y, z;

@@ -5,7 +5,7 @@
 
 #include "core/base/mem.h"
 
-#define WHOLE_FROM 8388608.0f /* 2^23: from here on a float has no fraction. */
+#define WHOLE_FROM 8388608.0f /* 2^23: from this value on a float has no fraction. */
 
 static uint32_t bits_of(float x)
 {
@@ -31,13 +31,13 @@ float f_floor(float x)
     if (f_abs(x) >= WHOLE_FROM) {
         return x;
     }
-    const float whole = (float)(int32_t)x; /* rounds toward zero */
+    const float whole = (float)(int32_t)x; /* Rounds toward zero. */
     return whole > x ? whole - 1.0f : whole;
 }
 
 float f_wrap_angle(float x)
 {
-    if (f_abs(x) < 3.0f) { /* The same bits, sooner. */
+    if (f_abs(x) < 3.0f) { /* A shortcut with the same result. */
         return x;
     }
     return x - F_TAU * f_floor((x + F_PI) / F_TAU);
@@ -118,7 +118,7 @@ float f_exp(float x)
 {
     const float c = f_clamp(x, -87.0f, 88.0f);
     const float n = f_floor(c * 1.44269504f + 0.5f);
-    const float r = (c - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 in two parts */
+    const float r = (c - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 in two parts. */
     const float high = 1.0f / 6.0f + r * (1.0f / 24.0f + r * (1.0f / 120.0f + r * (1.0f / 720.0f)));
     const float p = 1.0f + r * (1.0f + r * (0.5f + r * high));
     return p * float_of((uint32_t)((int32_t)n + 127) << 23);

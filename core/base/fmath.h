@@ -41,7 +41,7 @@ static inline float f_lerp(float a, float b, float t)
     return a + (b - a) * t;
 }
 
-/* 0 below `low`, 1 above `high`, a cubic with flat ends between; low < high. */
+/* Returns 0 below `low`, 1 above `high`, and a cubic with flat ends between; low < high. */
 static inline float f_smoothstep(float low, float high, float x)
 {
     const float t = f_clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -50,12 +50,12 @@ static inline float f_smoothstep(float low, float high, float x)
 
 float f_floor(float x);
 float f_sin(float x);              /* |error| < 2e-6 for |x| < 1000. */
-float f_cos(float x);              /* As f_sin. */
+float f_cos(float x);              /* Same limits as f_sin(). */
 float f_atan2(float y, float x);   /* (-pi, pi], |error| < 3e-6; (0, 0) gives 0. */
 float f_acos(float x);             /* Clamps x to [-1, 1] first; |error| < 1e-4. */
 float f_exp(float x);              /* Relative error < 3e-6; saturates outside [-87, 88]. */
 float f_ln(float x);               /* x > 0, normal; absolute error < 3e-6 for x in [1e-6, 1e6]. */
-float f_wrap_angle(float x);       /* The same direction in [-pi, pi), for |x| < 1000. */
+float f_wrap_angle(float x);       /* Returns the same direction in [-pi, pi), for |x| < 1000. */
 int f_is_finite(float x);
 
 #endif

@@ -1,4 +1,4 @@
-/* hash.c -- FNV-1a, 64 bit. Words are folded whole: one multiplication a word, not one a byte. */
+/* hash.c -- 64-bit FNV-1a. A word costs one multiplication, not one per byte. */
 #include "core/base/hash.h"
 
 #include "core/base/mem.h"
@@ -14,7 +14,7 @@ uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
     return hash;
 }
 
-/* The rotation carries high input bits down, which a whole-word FNV step alone would not do. */
+/* The rotation moves high input bits down, which a whole-word FNV step alone would not do. */
 uint64_t hash_u32(uint64_t hash, uint32_t value)
 {
     hash = (hash ^ value) * FNV_PRIME;

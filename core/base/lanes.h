@@ -1,13 +1,13 @@
-/* lanes.h -- the arithmetic of fmath.h on several floats at once, each lane bit-equal to it.
+/* lanes.h -- SIMD form of fmath.h: several floats at once, each bit-equal to the scalar result.
  *
- * A kernel is a source named *_lanes.c that computes with these. It is compiled once plainly, for
- * four lanes (SSE2, NEON, or scalars where there is neither), and on x86-64 once more for eight
- * (-mavx2 -DLANES_WIDE); LANES_NAME() keeps the two apart, LANES_PICK() calls the one that the
- * platform found the machine to have. The state never depends on which: a lane's value is what the
- * scalar function gives, to the last bit, so four lanes, eight and none play the same game.
+ * A kernel is a source named *_lanes.c that uses these functions. It is compiled once for four
+ * lanes (SSE2, NEON, or scalars if the target has neither), and on x86-64 once more for eight lanes
+ * (-mavx2 -DLANES_WIDE). LANES_NAME() gives the two builds different names; LANES_PICK() calls the
+ * one that the platform detected. The state never depends on the choice: a lane's value equals that
+ * of the scalar function to the last bit, so four lanes, eight and none play the same game.
  *
- * The vectors are the compilers' own (gcc from 12, clang), so a kernel is plain C on every target.
- */
+ * The vectors are compiler extensions (gcc from 12, clang), so a kernel is plain C on every
+ * target. */
 #ifndef KINGYO_CORE_BASE_LANES_H
 #define KINGYO_CORE_BASE_LANES_H
 
@@ -25,12 +25,12 @@
 #define LANES_NAME(name) name##_4
 #endif
 
-/* Kernels declared between LANES_BEGIN and LANES_END are the core's own: a pointer to one needs no
- * table of the dynamic linker's. */
+/* Kernels declared between LANES_BEGIN and LANES_END have hidden visibility, so that a pointer to
+ * one needs no table of the dynamic linker. */
 #define LANES_BEGIN _Pragma("GCC visibility push(hidden)")
 #define LANES_END _Pragma("GCC visibility pop")
 
-/* What a state that holds 0, 4 or 8 calls: LANES_PICK(lanes, swim_move)(fish, count). */
+/* Calls the kernel for a lane count of 0, 4 or 8: LANES_PICK(lanes, swim_move)(fish, count). */
 #ifdef __x86_64__
 #define LANES_MAX 8u
 #define LANES_PICK(lanes, name) ((lanes) == 8u ? name##_8 : name##_4)
@@ -39,14 +39,14 @@
 #define LANES_PICK(lanes, name) ((void)(lanes), name##_4)
 #endif
 
-/* Whether kernels of so many lanes were built; 0 stands for 4. */
+/* Returns 1 if kernels with this number of lanes were built; 0 stands for 4. */
 static inline int lanes_built(uint32_t lanes)
 {
     return lanes == 0u || lanes == 4u || lanes == LANES_MAX;
 }
 
 typedef float flanes __attribute__((vector_size(4 * LANES)));
-typedef int32_t ilanes __attribute__((vector_size(4 * LANES))); /* A mask is 0 or -1 a lane. */
+typedef int32_t ilanes __attribute__((vector_size(4 * LANES))); /* A mask is 0 or -1 per lane. */
 typedef float fquad __attribute__((vector_size(16)));
 
 static inline flanes lanes_of(float x)
@@ -66,7 +66,7 @@ static inline void lanes_store(float *to, flanes a)
     MEM_COPY(to, &a, sizeof a);
 }
 
-/* A row of four floats from `low`, and in eight lanes four from `high` beside them. */
+/* Loads four floats from `low`; with eight lanes also four from `high`. */
 static inline flanes lanes_load_beside(const void *low, const void *high)
 {
     fquad first;
@@ -81,7 +81,7 @@ static inline flanes lanes_load_beside(const void *low, const void *high)
 #endif
 }
 
-/* A row of a record, and in eight lanes that of the fourth record on beside it. */
+/* Loads one row of a record; with eight lanes also that of the record four places later. */
 static inline flanes lanes_load_row(const void *first, size_t stride)
 {
     return lanes_load_beside(first, (const char *)first + (LANES - 4u) * stride);
@@ -100,7 +100,7 @@ static inline void lanes_store_row(void *first, size_t stride, flanes row)
 #endif
 }
 
-/* Of two rows: their first two members side by side, or their last two, in each quad. */
+/* Interleaves the first two members (LOW) or the last two (HIGH) of two rows within each quad. */
 #ifdef LANES_WIDE
 #define LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
@@ -109,7 +109,7 @@ static inline void lanes_store_row(void *first, size_t stride, flanes row)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
 #endif
 
-/* Rows of four turned into columns, column[m] member m of all; or columns into rows. */
+/* Transposes rows of four into columns (column[m] holds member m of all), or columns into rows. */
 static inline void lanes_turn(flanes column[4], flanes row0, flanes row1, flanes row2, flanes row3)
 {
     const flanes a = LOW(row0, row2), b = LOW(row1, row3);
@@ -122,7 +122,7 @@ static inline void lanes_turn(flanes column[4], flanes row0, flanes row1, flanes
 #undef LOW
 #undef HIGH
 
-/* Four members of LANES records, `stride` bytes apart, that lie side by side in each. */
+/* Loads four consecutive members of each of LANES records, `stride` bytes apart, as columns. */
 static inline void lanes_load_quads(flanes column[4], const void *first, size_t stride)
 {
     const char *from = first;
@@ -131,7 +131,7 @@ static inline void lanes_load_quads(flanes column[4], const void *first, size_t 
                lanes_load_row(from + 3u * stride, stride));
 }
 
-/* The way back. */
+/* Stores columns into the records; the inverse of lanes_load_quads(). */
 static inline void lanes_store_quads(void *first, size_t stride, const flanes column[4])
 {
     char *to = first;
@@ -143,7 +143,7 @@ static inline void lanes_store_quads(void *first, size_t stride, const flanes co
     lanes_store_row(to + 3u * stride, stride, row[3]);
 }
 
-/* `a` where the mask is set, else `b`; a lane's bits pass unchanged. */
+/* Returns `a` where the mask is set, otherwise `b`; the bits of a lane pass unchanged. */
 static inline flanes lanes_select(ilanes mask, flanes a, flanes b)
 {
     return (flanes)((mask & (ilanes)a) | (~mask & (ilanes)b));
@@ -154,8 +154,8 @@ static inline flanes lanes_abs(flanes a)
     return (flanes)((ilanes)a & 0x7fffffff);
 }
 
-/* As f_min() and f_max(): the second of two that do not compare, or are equal. The instructions are
- * made so; gcc does not see it (clang does). */
+/* As f_min() and f_max(): the second operand if both are equal or do not compare. The instructions
+ * behave this way, but gcc does not generate them from the plain form (clang does). */
 #if defined(__SSE2__) && defined(LANES_WIDE) && !defined(__clang__)
 #define LANES_LEAST(a, b) __builtin_ia32_minps256(a, b)
 #define LANES_MOST(a, b) __builtin_ia32_maxps256(a, b)
@@ -191,7 +191,7 @@ static inline flanes lanes_lerp(flanes a, flanes b, flanes t)
 
 static inline flanes lanes_sqrt(flanes a)
 {
-    for (int lane = 0; lane < LANES; lane++) { /* One instruction, when optimised. */
+    for (int lane = 0; lane < LANES; lane++) { /* One instruction when optimised. */
         a[lane] = f_sqrt(a[lane]);
     }
     return a;
@@ -199,7 +199,8 @@ static inline flanes lanes_sqrt(flanes a)
 
 static inline flanes lanes_floor(flanes x)
 {
-    const ilanes small = lanes_abs(x) < 8388608.0f; /* 2^23: from here on there is no fraction. */
+    const ilanes small = lanes_abs(x) < 8388608.0f; /* 2^23: from this value on a float has no
+                                                       fraction. */
     const ilanes toward_zero = __builtin_convertvector((flanes)(small & (ilanes)x), ilanes);
     const flanes whole = __builtin_convertvector(toward_zero, flanes);
     return lanes_select(small, lanes_select(whole > x, whole - 1.0f, whole), x);
@@ -210,7 +211,7 @@ static inline flanes lanes_wrap_angle(flanes x)
     return x - F_TAU * lanes_floor((x + F_PI) / F_TAU);
 }
 
-/* One bit a lane of a mask, lane 0 lowest. */
+/* Returns one bit per lane of a mask, lane 0 lowest. */
 static inline uint32_t lanes_bits(ilanes mask)
 {
 #if defined(__AVX2__) && defined(LANES_WIDE)
@@ -230,7 +231,7 @@ struct lanes_sin_cos {
     flanes sin, cos;
 };
 
-/* f_sin() and f_cos() of the same angle: one reduction serves both. */
+/* Returns f_sin() and f_cos() of the same angle; one reduction serves both. */
 static inline struct lanes_sin_cos lanes_sin_cos(flanes x)
 {
     const float half_pi_high = 1.5703125f, half_pi_low = 4.83826794897e-4f;
@@ -251,7 +252,7 @@ static inline struct lanes_sin_cos lanes_sin_cos(flanes x)
     };
 }
 
-/* f_atan2() of each lane. */
+/* Returns f_atan2() of each lane. */
 static inline flanes lanes_atan2(flanes y, flanes x)
 {
     const flanes ay = lanes_abs(y), ax = lanes_abs(x);

@@ -1,4 +1,4 @@
-/* lanes_vec.h -- vec.h in lanes: LANES vectors at once, each bit-equal to the scalar form. */
+/* lanes_vec.h -- SIMD form of vec.h: LANES vectors at once, each bit-equal to the scalar form. */
 #ifndef KINGYO_CORE_BASE_LANES_VEC_H
 #define KINGYO_CORE_BASE_LANES_VEC_H
 
@@ -27,7 +27,7 @@ static inline struct lanes_v3 lanes_v3_scale(struct lanes_v3 a, flanes s)
     return lanes_v3(a.x * s, a.y * s, a.z * s);
 }
 
-/* a + b * s */
+/* Returns a + b * s. */
 static inline struct lanes_v3 lanes_v3_mad(struct lanes_v3 a, struct lanes_v3 b, flanes s)
 {
     return lanes_v3(a.x + b.x * s, a.y + b.y * s, a.z + b.z * s);
@@ -48,7 +48,7 @@ static inline flanes lanes_v3_length(struct lanes_v3 a)
     return lanes_sqrt(lanes_v3_dot(a, a));
 }
 
-/* As v3_limit(). */
+/* SIMD form of v3_limit(). */
 static inline struct lanes_v3 lanes_v3_limit(struct lanes_v3 a, flanes length_max)
 {
     const flanes length = lanes_v3_length(a);
@@ -58,7 +58,7 @@ static inline struct lanes_v3 lanes_v3_limit(struct lanes_v3 a, flanes length_ma
                     lanes_select(longer, a.z * s, a.z));
 }
 
-/* As basis_from_angles(), from the angles' sines and cosines. */
+/* SIMD form of basis_from_angles(), from the sines and cosines of the angles. */
 static inline struct lanes_basis lanes_basis(struct lanes_sin_cos yaw, struct lanes_sin_cos pitch,
                                              struct lanes_sin_cos roll)
 {

@@ -1,6 +1,6 @@
-/* mem.h -- the four memory functions that a freestanding compiler may call anyway.
+/* mem.h -- the four memory functions that a freestanding compiler may call.
  *
- * <string.h> is not a freestanding header, so the core declares what it uses of it here. */
+ * <string.h> is not a freestanding header, so the core declares the functions that it uses. */
 #ifndef KINGYO_CORE_BASE_MEM_H
 #define KINGYO_CORE_BASE_MEM_H
 
@@ -11,8 +11,8 @@ void *memmove(void *to, const void *from, size_t size);
 void *memset(void *to, int byte, size_t size);
 int memcmp(const void *left, const void *right, size_t size);
 
-/* memcpy() of a size that the compiler knows: loads and stores, where a freestanding source's
- * memcpy() is a call. */
+/* Calls memcpy() with a size known at compile time: it becomes loads and stores, where memcpy() in
+ * a freestanding source would be a call. */
 #define MEM_COPY(to, from, size) ((void)__builtin_memcpy(to, from, size))
 
 #endif

@@ -1,4 +1,4 @@
-/* physics.h -- what the world outside a tank gives: constants that several parts share. */
+/* physics.h -- physical constants that several modules share. */
 #ifndef KINGYO_CORE_BASE_PHYSICS_H
 #define KINGYO_CORE_BASE_PHYSICS_H
 

@@ -1,11 +1,11 @@
-/* printable.c -- RFC 3629's characters, and which of them may be shown. */
+/* printable.c -- decoding of RFC 3629 characters, and which of them may be displayed. */
 #include "core/base/printable.h"
 
 struct span {
     uint32_t first, last;
 };
 
-/* The code points that are refused (printable.h), both ends included. */
+/* Rejected code points (printable.h), both ends included. */
 static const struct span refused[] = {
     { 0x0000, 0x001F }, { 0x007F, 0x009F }, { 0x061C, 0x061C }, { 0x200E, 0x200F },
     { 0x2028, 0x202E }, { 0x2066, 0x2069 },
@@ -14,7 +14,7 @@ static const struct span refused[] = {
 #define REFUSED_COUNT (sizeof refused / sizeof refused[0])
 
 /* RFC 3629: no overlong form, no surrogate, nothing above U+10FFFF. The zero byte at the end of the
- * text continues no character, so no byte behind it is read. */
+ * text is not a continuation byte, so no byte behind it is read. */
 uint32_t printable_utf8_size(const char *text)
 {
     const unsigned char *c = (const unsigned char *)text;

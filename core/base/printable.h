@@ -1,11 +1,11 @@
-/* printable.h -- text from outside the program, made harmless for a terminal, a log and a page.
+/* printable.h -- makes text from outside the program safe for a terminal, a log and a page.
  *
- * Names, USB strings, file contents, file names and arguments may hold any byte. A control
- * character moves a terminal's cursor or breaks a line of a log, and a bidirectional control
- * character shows text in another order than it has. Every text from outside passes printable()
- * before it is shown.
+ * Names, USB strings, file contents, file names and arguments may contain any byte. A control
+ * character moves the cursor of a terminal or breaks a line of a log, and a bidirectional control
+ * character changes the displayed order of a text. Every text from outside passes printable()
+ * before it is displayed.
  *
- * Refused: C0 controls and DEL (U+0000..U+001F, U+007F), C1 controls (U+0080..U+009F), line and
+ * Rejected: C0 controls and DEL (U+0000..U+001F, U+007F), C1 controls (U+0080..U+009F), line and
  * paragraph separators (U+2028, U+2029), bidirectional controls (U+061C, U+200E, U+200F,
  * U+202A..U+202E, U+2066..U+2069), and every byte that is not UTF-8 as RFC 3629 defines it. */
 #ifndef KINGYO_CORE_BASE_PRINTABLE_H
@@ -13,7 +13,7 @@
 
 #include <stdint.h>
 
-#define PRINTABLE_MARK '?' /* Takes the place of what is refused. */
+#define PRINTABLE_MARK '?' /* Replaces a rejected character. */
 
 /* Returns the size in bytes of the UTF-8 character at `text`, 1 to 4, or 0 if the bytes are not
  * UTF-8. `text` ends with a zero byte, which has the size 1. */
@@ -22,12 +22,12 @@ uint32_t printable_utf8_size(const char *text);
 /* Returns the code point of the character at `text`, whose printable_utf8_size() must not be 0. */
 uint32_t printable_code_point(const char *text);
 
-/* Returns the size in bytes of the character at `text` if it may be shown, otherwise 0. The zero
- * byte that ends `text` may not be shown. */
+/* Returns the size in bytes of the character at `text` if it may be displayed, otherwise 0. The
+ * zero byte that ends `text` may not be displayed. */
 uint32_t printable_size(const char *text);
 
-/* Replaces in place each refused character, and each byte that is not UTF-8, by PRINTABLE_MARK. The
- * text never becomes longer. Returns `text`. */
+/* Replaces each rejected character, and each byte that is not UTF-8, by PRINTABLE_MARK in place.
+ * The text never becomes longer. Returns `text`. */
 char *printable(char *text);
 
 #endif

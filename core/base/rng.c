@@ -1,7 +1,7 @@
-/* rng.c -- a counter-based generator: four words in, one well mixed word out. */
+/* rng.c -- a counter-based random generator: hashes four words into one. */
 #include "core/base/rng.h"
 
-/* The finaliser of a 32-bit integer hash with low bias; every input bit reaches every output
+/* The finaliser of a 32-bit integer hash with low bias; every input bit affects every output
  * bit. */
 static uint32_t mix(uint32_t x)
 {
@@ -31,7 +31,8 @@ float rng_range(struct rng_key key, float low, float high)
     return low + (high - low) * rng_unit(key);
 }
 
-/* The sum of twelve uniforms (Irwin-Hall): a bell without logarithms, cut at six deviations. */
+/* Returns the sum of twelve uniforms (Irwin-Hall): nearly normal, without logarithms, limited to
+ * six standard deviations. */
 float rng_normal(struct rng_key key)
 {
     float sum = -6.0f;

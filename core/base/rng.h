@@ -1,7 +1,7 @@
-/* rng.h -- random numbers that are looked up, not drawn.
+/* rng.h -- random numbers by key, without a generator state.
  *
- * A value depends only on (seed, tick, who, purpose), never on how many were asked for before, so
- * the order of work cannot change the game. Each use has its own enum rng_purpose. */
+ * A value depends only on (seed, tick, who, purpose), never on the number of earlier draws, so the
+ * order of work cannot change the game. Each use has its own enum rng_purpose. */
 #ifndef KINGYO_CORE_BASE_RNG_H
 #define KINGYO_CORE_BASE_RNG_H
 
@@ -14,9 +14,10 @@ struct rng_key {
 uint32_t rng_u32(struct rng_key key);
 float rng_unit(struct rng_key key);                          /* Uniform in [0, 1). */
 float rng_range(struct rng_key key, float low, float high);  /* Uniform in [low, high). */
-float rng_normal(struct rng_key key);                        /* Mean 0, deviation 1, within +-6. */
+float rng_normal(struct rng_key key);                        /* Mean 0, standard deviation 1, within
+                                                                +-6. */
 
-/* One list for the whole core, so that no two uses share a purpose by accident. */
+/* A single list for the whole core, so that no two uses share a purpose by accident. */
 enum rng_purpose {
     RNG_FISH_PLACE_X = 1,
     RNG_FISH_PLACE_Y,
@@ -31,7 +32,8 @@ enum rng_purpose {
     RNG_FISH_AVOID_SIDE,
     RNG_FISH_ESCAPE,
     RNG_FISH_DEPTH,
-    RNG_SHEET_STRENGTH = 15, /* 14 is free: each keeps its number, and with it its draws. */
+    RNG_SHEET_STRENGTH = 15, /* 14 is unused: each purpose keeps its number, and therefore its
+                                draws. */
     RNG_SHEET_SLAP,
     RNG_SHEET_SPOT,
     RNG_BOT_REACTION,
@@ -42,25 +44,25 @@ enum rng_purpose {
     RNG_SOUND,
     RNG_TEST,
     RNG_FISH_START_GAIT,
-    RNG_FISH_START_LEFT,  /* How much of its first gait is left. */
-    RNG_FISH_SHARP_TURN,  /* Of a burst. */
+    RNG_FISH_START_LEFT,  /* Share left of the first gait. */
+    RNG_FISH_SHARP_TURN,  /* Turn at the start of a burst. */
     RNG_ESCAPE_STRAY,
     RNG_ESCAPE_DURATION,
-    RNG_ESCAPE_CALM,      /* How long it swims on after one. */
-    RNG_RIDER_REST,       /* Before a newcomer's first slap. */
+    RNG_ESCAPE_CALM,      /* Duration of swimming after an escape. */
+    RNG_RIDER_REST,       /* Time before the first slap of a newly captured fish. */
     RNG_BOWL_ROUND,
     RNG_BOWL_POUR,
     RNG_FISH_LENGTH,
-    RNG_FISH_AIR,         /* Whether it goes up for air, ... */
-    RNG_FISH_GULP,        /* ... and how long a bout it gulps. */
-    RNG_ESCAPE_TURN,      /* Of a C-start's first stage. */
+    RNG_FISH_AIR,         /* Whether the fish rises for surface breathing. */
+    RNG_FISH_GULP,        /* Duration of a bout of gulps. */
+    RNG_ESCAPE_TURN,      /* Turn in the first stage of a C-start. */
     RNG_STARTLE_LATENCY,
-    RNG_WATER_BUBBLE,     /* Of the pump, where it bursts. */
-    RNG_FISH_KICK,        /* The turn of one. */
-    RNG_CONTACT_LOT,      /* Which pairs a full list keeps. */
-    RNG_TANK_SEED,        /* Of a tank that a mode opens. */
-    RNG_CHAPTER,          /* The seed of the next. */
-    RNG_PIN,              /* The salt of a new PIN. */
+    RNG_WATER_BUBBLE,     /* Position where a bubble of the pump bursts. */
+    RNG_FISH_KICK,        /* Turn at a kick of the tail. */
+    RNG_CONTACT_LOT,      /* Which contacts a full list keeps. */
+    RNG_TANK_SEED,        /* Seed of a tank that a mode opens. */
+    RNG_CHAPTER,          /* Seed of the next session. */
+    RNG_PIN,              /* Salt of a new PIN. */
 };
 
 #endif

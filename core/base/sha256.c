@@ -22,7 +22,7 @@ static uint32_t turn(uint32_t word, uint32_t bits)
     return word >> bits | word << (32u - bits);
 }
 
-/* The padded message as words, and the words that the schedule makes of them. */
+/* Writes the padded message as words, followed by the words of the message schedule. */
 static void make_schedule(const uint8_t *message, size_t size, uint32_t w[ROUNDS])
 {
     uint8_t block[BLOCK_SIZE] = { 0 };

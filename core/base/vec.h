@@ -1,9 +1,9 @@
 /* vec.h -- vectors and orientations of the world.
  *
  * World: right-handed, origin at the centre of the still water surface, +x to the player's right,
- * +y up, +z toward the player. A body (fish or poi) looks along its own -z, right is +x, up +y.
- * Orientation is yaw about +y (0 faces -z, positive turns left), then pitch (positive lifts the
- * nose), then roll (positive lowers the right side). */
+ * +y up, +z toward the player. A body (fish or poi) faces along its own -z; its right is +x and its
+ * up is +y. An orientation is a yaw about +y (0 faces -z, positive turns left), then a pitch
+ * (positive lifts the nose), then a roll (positive lowers the right side). */
 #ifndef KINGYO_CORE_BASE_VEC_H
 #define KINGYO_CORE_BASE_VEC_H
 
@@ -17,7 +17,8 @@ struct angles {
     float yaw_rad, pitch_rad, roll_rad;
 };
 
-/* Orthonormal axes of a body in the world; `back` is its own +z, so it looks along -back. */
+/* Orthonormal axes of a body in the world; `back` is the body's +z, so the body faces along
+ * -back. */
 struct basis {
     vec3 right, up, back;
 };
@@ -42,7 +43,7 @@ static inline vec3 v3_scale(vec3 a, float s)
     return v3(a.x * s, a.y * s, a.z * s);
 }
 
-/* a + b * s */
+/* Returns a + b * s. */
 static inline vec3 v3_mad(vec3 a, vec3 b, float s)
 {
     return v3(a.x + b.x * s, a.y + b.y * s, a.z + b.z * s);
@@ -63,8 +64,8 @@ static inline float v3_length(vec3 a)
     return f_sqrt(v3_dot(a, a));
 }
 
-/* How far `p` is from the endless line through `from` and `to`; from `from` where those are nearer
- * to each other than 1e-6 and no line goes through them. */
+/* Returns the distance of `p` from the infinite line through `from` and `to`. If these are nearer
+ * to each other than 1e-6, returns the distance from `from`. */
 static inline float v3_from_line(vec3 p, vec3 from, vec3 to)
 {
     const vec3 along = v3_sub(to, from), there = v3_sub(p, from);
@@ -73,7 +74,8 @@ static inline float v3_from_line(vec3 p, vec3 from, vec3 to)
                                      : v3_mad(there, along, -v3_dot(there, along) / square));
 }
 
-/* The unit vector along `a`; `otherwise` where `a` is shorter than 1 nm and has no direction. */
+/* Returns the unit vector along `a`, or `otherwise` if `a` is shorter than 1 nm and has no
+ * direction. */
 static inline vec3 v3_normalize_or(vec3 a, vec3 otherwise)
 {
     const float length = v3_length(a);
@@ -85,7 +87,7 @@ static inline vec3 v3_lerp(vec3 a, vec3 b, float t)
     return v3_mad(a, v3_sub(b, a), t);
 }
 
-/* `a` shortened to at most `length_max` >= 0, direction kept. */
+/* Returns `a` shortened to at most `length_max` >= 0; the direction is kept. */
 static inline vec3 v3_limit(vec3 a, float length_max)
 {
     const float length = v3_length(a);
@@ -99,7 +101,7 @@ static inline int v3_is_finite(vec3 a)
 
 struct basis basis_from_angles(struct angles angles);
 
-/* Body coordinates to world directions, and back. */
+/* Convert a vector from body to world coordinates, and from world to body coordinates. */
 vec3 basis_to_world(const struct basis *basis, vec3 body);
 vec3 basis_to_body(const struct basis *basis, vec3 world);
 

@@ -1,28 +1,30 @@
-/* afloat.c -- backward Euler on each axis: stable at any stiffness. */
+/* afloat.c -- buoyancy of the bowls by backward Euler on each axis, which is stable at any
+ * stiffness. */
 #include "core/poi/afloat.h"
 
 #include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/poi/pull.h"
 
-#define MOORING_N_M 2.0f /* A thread: home in some two seconds. */
-#define DRAG_N_S_M 1.6f  /* Of the hull, linear ... */
-#define DRAG_N_S2_M2 1.5f /* ... and square: 1/2 rho 0.6 on 50 cm2. */
-#define ALONG_SHARE 0.5f /* Water that goes along, of what the hull displaces. */
-#define SPEED_MAX_M_S 0.5f /* Less than a ring slips aside with. */
-#define HEAVE_DAMP_N_S_M 5.0f /* A quarter of the critical. */
-#define LOAD_KG_MAX 0.710f /* Then the mouth is 4 mm over the water; what is more spills. */
+#define MOORING_N_M 2.0f /* A thread that returns the bowl in about two seconds. */
+#define DRAG_N_S_M 1.6f  /* Linear drag of the hull. */
+#define DRAG_N_S2_M2 1.5f /* Quadratic drag of the hull: 1/2 rho 0.6 on 50 cm2. */
+#define ALONG_SHARE 0.5f /* Added mass of water, as a share of the displaced water. */
+#define SPEED_MAX_M_S 0.5f /* Lower than the speed with which a ring slides aside. */
+#define HEAVE_DAMP_N_S_M 5.0f /* A quarter of the critical damping. */
+#define LOAD_KG_MAX 0.710f /* At this load the mouth is 4 mm above the water; any more water
+                              spills. */
 #define MOUTH_MIN_M 0.002f
-#define RIPPLE_MAX_M 0.006f /* Steeper ones break at the hull. */
-#define HEEL_RAD_S 13.0f    /* Rocks at 2 Hz, ... */
-#define HEEL_DAMP 0.22f     /* ... and is still after some swings. */
-#define HEEL_MAX 0.14f      /* 8 degrees: then the mouth would ship water. */
-#define HEEL_SHARE 0.25f    /* Of the slope that a push makes of gravity. */
+#define RIPPLE_MAX_M 0.006f /* Steeper ripples break at the hull. */
+#define HEEL_RAD_S 13.0f    /* The bowl rocks at 2 Hz. */
+#define HEEL_DAMP 0.22f     /* Damping ratio: the bowl is still after a few swings. */
+#define HEEL_MAX 0.14f      /* 8 degrees; at a higher angle the mouth would take in water. */
+#define HEEL_SHARE 0.25f    /* Share of the apparent slope (push over gravity). */
 #define WALL_GAP_M 0.001f
-#define PART_ROUNDS 4u /* A row of four, pushed against a wall. */
+#define PART_ROUNDS 4u /* Enough for a row of four bowls pushed against a wall. */
 #define TOUCH_M 0.0015f
-#define PUSH_N_MAX 4.0f  /* More would throw it. */
-#define PRESS_N_MAX 0.8f /* Down on its mouth: 5 mm. */
+#define PUSH_N_MAX 4.0f  /* A higher force would throw the bowl. */
+#define PRESS_N_MAX 0.8f /* Force down on the mouth; sinks the bowl by 5 mm. */
 
 static float load_kg(const struct bowl *bowl)
 {
@@ -36,7 +38,7 @@ static void spill(struct bowl *bowl)
 
 /* ---- Pushed by a ring ----------------------------------------------------------------------- */
 
-/* What the hand presses the ring against the hull with, and at what side (unit, to the bowl). */
+/* Returns the force of the ring on the hull, from the hand's spring. */
 static vec3 push_of(const struct bowl *bowl, const struct poi *poi)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
@@ -59,7 +61,7 @@ static vec3 push_of(const struct bowl *bowl, const struct poi *poi)
         const int rests = poi->position_m.y - low <= mouth + TOUCH_M;
         return v3(0.0f, rests ? f_clamp(hand_n.y, -PRESS_N_MAX, 0.0f) : 0.0f, 0.0f);
     }
-    /* An edge that dips in from above slips along the rim. */
+    /* An edge that dips in from above slides along the rim. */
     const float most_n = poi->position_m.y < mouth ? PUSH_N_MAX : 0.0f;
     return v3_scale(out, f_clamp(v3_dot(hand_n, out), -most_n, 0.0f));
 }
@@ -78,7 +80,7 @@ static vec3 pushes_of(const struct bowl *bowl, const struct poi *pois, const uin
 
 /* ---- On the water --------------------------------------------------------------------------- */
 
-struct swell { /* Of the water under the hull. */
+struct swell { /* State of the water under the hull. */
     float height_m, slope_x, slope_z;
 };
 
@@ -143,7 +145,7 @@ static void heel(float *at, float *rate_rad_s, float goal)
     }
 }
 
-/* ---- Among walls and bowls ------------------------------------------------------------------ */
+/* ---- Walls and bowls ------------------------------------------------------------------------- */
 
 static void stop_at(float *place, float *speed, float room)
 {
@@ -164,7 +166,8 @@ static void stay_inside(struct bowl *bowl, const struct tank *tank)
     }
 }
 
-/* Two that meet go on together; each makes half of the room. */
+/* Separates two bowls that meet; each moves half of the overlap, and both continue at the same
+ * speed. */
 static void keep_apart(struct bowl *a, struct bowl *b)
 {
     const vec3 way = v3(b->position_m.x - a->position_m.x, 0.0f, b->position_m.z - a->position_m.z);

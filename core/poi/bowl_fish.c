@@ -1,20 +1,20 @@
-/* bowl_fish.c -- fish as upright oval capsules on rounds about the bowl's middle. */
+/* bowl_fish.c -- fish in a bowl as upright oval capsules that circle around the bowl's centre. */
 #include "core/poi/bowl_fish.h"
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
 #define ROUND_RAD_S 1.6f /* A lap in about four seconds. */
-#define SETTLE_PER_S 2.0f /* How soon a newcomer finds its depth and width; */
-#define SETTLE_CROWD 0.9f /* by so much less where there is no room to choose. */
+#define SETTLE_PER_S 2.0f /* Rate at which a new fish reaches its depth and radius. */
+#define SETTLE_CROWD 0.9f /* Reduction of that rate in a full bowl, which leaves no choice. */
 #define HULL_GAP_M 0.003f
-#define CROWD_KG 0.080f   /* From so many on they go round as one. */
-#define SPINE_HALF 0.32f  /* Of the length: half the capsule's axis; snout and fin are thin. */
-#define GIRTH 0.40f       /* Its radius, of the width. */
-#define PART_SHARE 0.6f   /* Of what two share, each tick, ... */
-#define PART_MAX_M 0.0012f /* ... at most: 14 cm/s. */
+#define CROWD_KG 0.080f   /* From this weight on all fish circle together. */
+#define SPINE_HALF 0.32f  /* Half the capsule's axis per body length; snout and fin are thin. */
+#define GIRTH 0.40f       /* Radius of the capsule per body width. */
+#define PART_SHARE 0.6f   /* Share of an overlap removed per tick. */
+#define PART_MAX_M 0.0012f /* Largest separation per tick: 14 cm/s. */
 #define CROSSED 0.3f
-#define ENDS 0.45f        /* Of the length from the middle: snout and tail. */
+#define ENDS 0.45f        /* Distance of snout and tail from the centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f
 
 static float draw(uint32_t seed, uint32_t fish, uint32_t which)
@@ -22,19 +22,21 @@ static float draw(uint32_t seed, uint32_t fish, uint32_t which)
     return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_ROUND });
 }
 
-/* ---- Rounds --------------------------------------------------------------------------------- */
+/* ---- Circling -------------------------------------------------------------------------------- */
 
-/* [0, 1]: how much they mill as one. In a full bowl who overtakes swims into others. */
+/* Returns [0, 1], the share of common motion. In a full bowl a fish that overtakes would swim into
+ * others. */
 static float crowd_of(const struct bowl *bowl)
 {
     return f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);
 }
 
-struct round { /* What a fish would do if it were alone. */
+struct round { /* The circle that a fish would swim alone. */
     float below_m, radius_m, rad_s;
 };
 
-/* So deep and wide that snout and tail clear the hull; bowls are wider at the top. */
+/* Returns a circle so deep and wide that snout and tail clear the hull; bowls are wider at the
+ * top. */
 static struct round round_of(const struct fish *fish, uint32_t index, const struct bowl *bowl,
                              float level_m, uint32_t seed)
 {
@@ -69,7 +71,7 @@ static void beat(struct fish *fish, float bend_rad)
     fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
 }
 
-/* Along its round, and toward its depth and width. */
+/* Moves the fish along its circle, and toward its depth and radius. */
 static void swim(struct fish *fish, const struct bowl *bowl, float way,
                  const struct round *round)
 {
@@ -89,16 +91,16 @@ static void swim(struct fish *fish, const struct bowl *bowl, float way,
     beat(fish, -0.25f * way);
 }
 
-/* ---- Room ----------------------------------------------------------------------------------- */
+/* ---- Separation ------------------------------------------------------------------------------ */
 
-/* Fish stand upright: their height counts as their width, and heights between them by as much less.
- */
+/* Returns the scale of vertical distances. Fish swim upright, so the scale makes their height count
+ * as their width. */
 static float flatten(const struct fish *fish)
 {
     return fish->width_m / fish->height_m;
 }
 
-struct spine { /* Which way a fish looks: level, unit. */
+struct spine { /* Heading of a fish: horizontal, unit. */
     float x, z;
 };
 
@@ -107,7 +109,7 @@ static struct spine spine_of(const struct fish *fish)
     return (struct spine){ -f_sin(fish->angles.yaw_rad), -f_cos(fish->angles.yaw_rad) };
 }
 
-/* The way from a's spine to b's: shortest, heights flattened. */
+/* Returns the shortest vector from the spine of a to that of b, with scaled heights. */
 static vec3 way_between(const struct fish *a, struct spine on_a, const struct fish *b,
                         struct spine on_b)
 {
@@ -146,7 +148,7 @@ static void part(struct fish *a, struct spine on_a, struct fish *b, struct spine
     if (square >= girths * girths) {
         return;
     }
-    /* Spines that cross have no way between them: their middles part them. */
+    /* The distance of crossing spines is zero, so their centres give the direction. */
     const float deep = 1.0f - f_sqrt(square) / girths;
     const vec3 out = v3_normalize_or(v3_mad(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
     const float step_m = f_min(PART_SHARE * deep * girths, PART_MAX_M);
@@ -166,7 +168,7 @@ static void part_all(struct fish *fish, const fish_index *mine, uint32_t count)
     }
 }
 
-/* Under the bowl's water, and snout and tail within its hull. */
+/* Keeps a fish under the bowl's water, with snout and tail within the hull. */
 static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level_m)
 {
     const float half = 0.5f * fish->height_m;
@@ -190,7 +192,7 @@ static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level
 
 /* ---- A tick --------------------------------------------------------------------------------- */
 
-/* Whose fish they are, in `mine`; returns how many, at most BOWL_FISH_MAX. */
+/* Writes the fish of this bowl into `mine`; returns their number, at most BOWL_FISH_MAX. */
 static uint32_t gather(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
                        fish_index mine[BOWL_FISH_MAX])
 {
@@ -206,7 +208,8 @@ static uint32_t gather(struct bowl *bowl, uint32_t bowl_index, const struct tank
     return count;
 }
 
-/* It was at `from_m` before it swam. A newcomer sinks in, it does not jump. */
+/* Ends the tick of a fish that was at `from_m` before. A new fish sinks in gradually instead of
+ * jumping. */
 static void end_tick(struct fish *fish, const struct bowl *bowl, float level_m, vec3 from_m,
                      vec3 moved_m)
 {
@@ -225,7 +228,8 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         return;
     }
     const uint32_t count = gather(bowl, bowl_index, tank, mine);
-    const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* All mill the same way. */
+    const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* All fish of a bowl circle in the same
+                                                              direction. */
     const float level_m = bowl_level_m(bowl);
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank->fish[mine[i]];

@@ -1,9 +1,9 @@
-/* burden.c -- a body and a slap of each: SHEET_LOAD_MAX has room for all. */
+/* burden.c -- carried load: the body and the slap of each fish; SHEET_LOAD_MAX has room for all. */
 #include "core/poi/burden.h"
 
 #include "core/base/panic.h"
 
-#define BODY_FOOT_M 0.020f /* Footprint of a body, against a tail's 2 to 5 mm. */
+#define BODY_FOOT_M 0.020f /* Footprint of a body; that of a tail is 2 to 5 mm. */
 
 float burden_dryness(const struct poi *poi, const struct basis *axes, const struct rider *rider,
                      const struct fish *fish)
@@ -21,7 +21,7 @@ static void add_load(struct poi *poi, struct sheet_load load)
     }
 }
 
-/* The last tick of a slap has what is left of its 20 ms. */
+/* The last tick of a slap has the rest of its 20 ms. */
 static void add_slap(struct poi *poi, const struct rider *rider, const struct fish *fish)
 {
     const float share = f_min(1.0f, rider->slap_s * (float)CORE_TICK_HZ);

@@ -1,17 +1,17 @@
-/* burden.h -- what the fish on a poi press on its paper with. */
+/* burden.h -- the load of the carried fish on the paper. */
 #ifndef KINGYO_CORE_POI_BURDEN_H
 #define KINGYO_CORE_POI_BURDEN_H
 
 #include "core/poi/poi.h"
 
-/* [0, 1]: how much of a rider's weight the water no longer bears. */
+/* Returns the share [0, 1] of a carried fish's weight that water does not support. */
 float burden_dryness(const struct poi *poi, const struct basis *axes, const struct rider *rider,
                      const struct fish *fish);
 
-/* Fills the poi's loads and its riders' weight for the next tick's paper. A body lies on a patch of
- * 20 mm; a slap falls where the tail is, on 2 to 5 mm, if there is paper: a tail that is off it
- * slaps the air, and the body takes the kick on 16 to 100 times the area. `pull_m_s2` is gravity
- * less the poi's own acceleration along its up; `fish` is the tank's. */
+/* Fills the poi's loads and its fish weight for the paper of the next tick. A body lies on a patch
+ * of 20 mm. A slap acts at the tail, on 2 to 5 mm, if there is paper. A tail beyond the paper slaps
+ * the air, and the body takes the reaction on 16 to 100 times the area. `pull_m_s2` is gravity
+ * minus the poi's own acceleration along its up; `fish` is the tank's. */
 void burden_gather(struct poi *poi, const struct basis *axes, float pull_m_s2,
                    const struct fish *fish);
 

@@ -1,23 +1,23 @@
-/* carry.c -- a film, and a pool in a tilted bowl: what room they have, and how the rest runs off.
- */
+/* carry.c -- carried water: a film and a pool in a tilted bowl, their capacity and their
+ * drainage. */
 #include "core/poi/carry.h"
 
 #include "core/base/physics.h"
 
-#define FILM_KG 0.003f       /* Both faces of wet paper: 0.3 mm on each. */
-#define FILM_KEEP_KG 0.0008f /* Fibres let go of no more than that. */
-#define FILM_SLOW 4.0f       /* Thin water runs so many times slower than a pool. */
+#define FILM_KG 0.003f       /* Both faces of wet paper: 0.3 mm each. */
+#define FILM_KEEP_KG 0.0008f /* The fibres retain this mass. */
+#define FILM_SLOW 4.0f       /* A thin film drains slower than a pool by this factor. */
 #define DRAIN_TAU_S 0.15f    /* Divided by the sine of the tilt. */
-#define RIM_PER_S 3.3f       /* Level, what stands above the rim runs off all round; ... */
-#define RIM_SINE 0.1f        /* ... so steep, it does at one place. */
-#define SEEP_TAU_S 15.0f     /* Level, it seeps through wet paper and drips. */
-#define HOLES_PER_S 8.0f     /* All of it a hole would empty it in an eighth of a second. */
+#define RIM_PER_S 3.3f       /* On a level ring, water above the rim drains all around. */
+#define RIM_SINE 0.1f        /* Sine of the tilt from which it drains at a single place. */
+#define SEEP_TAU_S 15.0f     /* On a level ring, water seeps through wet paper and drips. */
+#define HOLES_PER_S 8.0f     /* A hole of the whole area would drain it in an eighth of a second. */
 #define DROP_KG 0.00005f     /* A drop of 4.6 mm. */
-#define DROPS_MAX 4u         /* In a tick; more are a trickle, which rings no louder. */
-#define RING_KG 0.0151f      /* Upside down the 3 mm ring is a bowl: pi a^2 times that. */
+#define DROPS_MAX 4u         /* Per tick; more drops are a trickle, which is not louder. */
+#define RING_KG 0.0151f      /* Upside down the 3 mm ring is a bowl: pi a^2 times 3 mm. */
 
-/* A pool in a paraboloid of depth w0: tilted, its rim's lowest point cuts off a smaller one, of
- * (1 - a tan / 2 w0)^4 its volume. */
+/* Returns the capacity of a paraboloid of depth w0. When it is tilted, the lowest point of its rim
+ * cuts off a smaller pool of (1 - a tan / 2 w0)^4 times its volume. */
 static float belly_room_kg(float sag_m, float tangent)
 {
     const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
@@ -26,8 +26,9 @@ static float belly_room_kg(float sag_m, float tangent)
     return whole_kg * left * left;
 }
 
-/* In a tilted drum the water's surface reaches the wall's lowest point; when it meets the bottom it
- * is a wedge, whose volume goes as its length to 3/2. The film is part of what the ring holds. */
+/* Returns the capacity of a tilted drum, whose water surface reaches the lowest point of the wall.
+ * If the surface meets the bottom, the water is a wedge, whose volume is proportional to its length
+ * to the power 3/2. The film is part of the capacity. */
 static float ring_room_kg(float tangent)
 {
     const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
@@ -45,14 +46,14 @@ float carry_room_kg(const struct poi *poi, float up_y)
     return sheet_left(&poi->sheet) * room_kg;
 }
 
-/* What is left of `mass_kg` a tick later, of which all above `keep_kg` goes at `per_s`. */
+/* Returns the rest of `mass_kg` one tick later; all above `keep_kg` drains at `per_s`. */
 static float run_off(float mass_kg, float keep_kg, float per_s)
 {
     const float more_kg = f_max(0.0f, mass_kg - keep_kg);
     return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
 }
 
-/* Into the water itself nothing drops. */
+/* Lets drops fall; nothing drops while the poi is in the water. */
 static void let_drop(struct poi *poi, float lost_kg)
 {
     poi->drops = 0;
@@ -67,7 +68,7 @@ static void let_drop(struct poi *poi, float lost_kg)
     }
 }
 
-/* What of the paper is under water has its film and its pool at once; what is above drains. */
+/* The part of the paper under water has its film and its pool at once; the rest drains. */
 void carry_tick(struct poi *poi, float up_y)
 {
     const float left = sheet_left(&poi->sheet);

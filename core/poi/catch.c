@@ -1,4 +1,4 @@
-/* catch.c -- riders come, ride, fall and land. */
+/* catch.c -- the life of carried fish: capture, ride, fall and landing. */
 #include "core/poi/catch.h"
 
 #include "core/base/panic.h"
@@ -10,13 +10,13 @@
 #include "core/poi/huddle.h"
 #include "core/poi/take_up.h"
 
-#define SLACK_N_M 1.5f /* A fish alone stretches wet paper so much. */
-#define LIFT_OFF_M_S2 0.5f  /* Pulled from the paper by more than this, it flies. */
-#define LAND_M_S 0.2f        /* Wet paper takes most of what a fish comes down aslant with. */
-#define SLAP_EVERY_TICKS 8u /* Sounds of one kind, at most this often. */
+#define SLACK_N_M 1.5f /* Stiffness of wet paper under a single fish. */
+#define LIFT_OFF_M_S2 0.5f  /* A fish pulled from the paper by a higher acceleration flies. */
+#define LAND_M_S 0.2f        /* Wet paper absorbs most of the velocity of an oblique landing. */
+#define SLAP_EVERY_TICKS 8u /* Least interval between two sounds of one kind. */
 #define TEAR_EVERY_TICKS 14u
 
-struct scoop { /* What one tick's work shares. */
+struct scoop { /* Context of one tick. */
     struct poi *poi;
     uint32_t poi_index;
     const struct stall *stall;
@@ -26,7 +26,7 @@ struct scoop { /* What one tick's work shares. */
     struct basis axes;
     struct ride ride;
     float pan;
-    int clear; /* The whole ring is over the water. */
+    int clear; /* 1 if the whole ring is above the water. */
     struct catch_result *results;
 };
 
@@ -78,8 +78,9 @@ static void let_fall(const struct scoop *scoop, struct rider *rider)
     fall_begin(rider, v3_add(scoop->poi->velocity_m_s, basis_to_world(&scoop->axes, slide)));
 }
 
-/* A fish that was thrown up, or a poi that comes up under it: paper that it meets from above has it
- * again. `before_m` is where it was a tick ago. Unturned in the poi's axes, as both fly. */
+/* Returns 1 if a fish in flight meets the paper from above and lies on it again, because the fish
+ * was thrown up or the poi comes up under it. `before_m` is its position of the previous tick. The
+ * axes of the poi are used without rotation, because both fly. */
 static int lands(const struct scoop *scoop, const struct rider *rider, vec3 before_m,
                  struct rider *lying)
 {
@@ -103,7 +104,7 @@ static int lands(const struct scoop *scoop, const struct rider *rider, vec3 befo
     return footing_holds(&poi->sheet, lying, fish);
 }
 
-/* Returns whether the fall is over. */
+/* Advances a fall. Returns 1 if it has ended. */
 static int fall(const struct scoop *scoop, struct rider *rider)
 {
     const vec3 before_m = scoop->tank->fish[rider->fish].position_m;
@@ -127,9 +128,9 @@ static int fall(const struct scoop *scoop, struct rider *rider)
     }
 }
 
-/* ---- Riding --------------------------------------------------------------------------------- */
+/* ---- Lying on the paper ---------------------------------------------------------------------- */
 
-/* Height of the paper's plane under a point of it. */
+/* Returns the height of the paper's plane at a point of it. */
 static float paper_y(const struct scoop *scoop, float x_m, float z_m)
 {
     return scoop->poi->position_m.y + x_m * scoop->axes.right.y + z_m * scoop->axes.back.y;
@@ -141,7 +142,8 @@ static int floats_off(const struct scoop *scoop, const struct rider *rider, cons
     return depth > TAKE_UP_FLOAT_SHARE * fish->height_m;
 }
 
-/* As an umpire does who wants to see it clear of the water with the fish on it. */
+/* Counts the ticks in which the ring is clear of the water with the fish on it, as an umpire judges
+ * a catch. */
 static void see_ring(const struct scoop *scoop, struct rider *rider)
 {
     if (!scoop->clear) {
@@ -151,7 +153,7 @@ static void see_ring(const struct scoop *scoop, struct rider *rider)
     }
 }
 
-/* Returns whether the rider is gone. */
+/* Advances a lying fish. Returns 1 if it has left the poi. */
 static int ride(struct scoop *scoop, struct rider *rider)
 {
     struct fish *fish = &scoop->tank->fish[rider->fish];
@@ -164,7 +166,7 @@ static int ride(struct scoop *scoop, struct rider *rider)
     const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
     const int leaves = flies || !footing_holds(&scoop->poi->sheet, rider, fish);
     if (floats_off(scoop, rider, fish) || (leaves && dry <= 0.0f)) {
-        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* It swims. */
+        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish swims. */
         return 1;
     }
     if (leaves) {
@@ -189,9 +191,9 @@ static void ride_all(struct scoop *scoop)
     }
 }
 
-/* ---- Meeting the others ---------------------------------------------------------------------- */
+/* ---- Contact with other fish ----------------------------------------------------------------- */
 
-/* A rider whose fish someone else moved on (a new round) is no rider any more. */
+/* Removes carried fish that other code has moved, for example at a new round. */
 static void forget_strangers(struct scoop *scoop)
 {
     uint32_t i = 0;
@@ -215,8 +217,8 @@ static void meet(struct scoop *scoop, uint32_t index)
     }
 }
 
-/* Of those that hold a ring fast the ones farthest out wriggle out over its edge, until it moves:
- * those within may yet be lifted. */
+/* Frees a ring that fish hold fast: the outermost of them wriggle out over its edge until the ring
+ * moves. The inner fish may still be lifted. */
 static void free_jam(struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
@@ -272,7 +274,7 @@ void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
     }
 }
 
-/* By the tension that water and riders together put on the paper. */
+/* Returns the compliance of the paper at the tension due to water and carried fish. */
 static float give_per_n(const struct poi *poi)
 {
     const struct paper_grade *grade = sheet_grade(poi->sheet.grade);

@@ -1,7 +1,7 @@
-/* catch.h -- fish and paper: who is on the poi, who slips off, who falls through, who is caught.
+/* catch.h -- fish and paper: which fish lie on the poi, slip off, fall through or are caught.
  *
- * Under water paper is a wall that fish feel: it pushes them, and none passes through. Where a fish
- * above it no longer has water enough to stand in, it becomes a rider and the poi carries it. */
+ * Under water paper acts on fish as a wall: it pushes them, and none passes through. A fish above
+ * the paper without enough water to stand in becomes a carried fish. */
 #ifndef KINGYO_CORE_POI_CATCH_H
 #define KINGYO_CORE_POI_CATCH_H
 
@@ -10,27 +10,27 @@
 #include "core/poi/poi.h"
 #include "core/tank/tank.h"
 
-/* Fish that came into a bowl in this tick, and how: each is in exactly one of the three, of one
- * player. A fish belongs to the bowl that it lies in, whoever dropped it there: `landed` is the
- * bowl's. A foul is the hand's that did it: `poured` and `walled` are the poi's. */
+/* Fish that came into a bowl in this tick, by cause. Each fish is counted once, for one player.
+ * `landed` counts for the owner of the bowl, whoever dropped the fish. `poured` and `walled` are
+ * fouls and count for the poi that caused them. */
 struct catch_result {
-    uint32_t landed; /* From a poi whose rim was wholly above the water with the fish on it. */
+    uint32_t landed; /* From a poi whose rim was completely above the water with the fish on it. */
     uint32_t poured; /* From a ring that had not been clear of the water: washed in. */
-    uint32_t walled; /* As `landed`, but taken up where the ring pressed it against a wall. */
-    uint32_t bowled; /* Any of these, whoever's poi it was: it lies in this one's bowl. */
+    uint32_t walled; /* As `landed`, but captured where the ring pressed the fish against a wall. */
+    uint32_t bowled; /* Any of these fish, from any poi, that now lie in this player's bowl. */
 };
 
-/* Whether a fish is among those that lie on the poi or fall off it. */
+/* Returns 1 if a fish lies on the poi or falls off it. */
 int catch_has_rider(const struct poi *poi, uint32_t fish);
 
 /* Counts a fish that fell off poi `poi` into bowl `bowl`, both < POI_MAX. */
 void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
                  struct catch_result results[POI_MAX]);
 
-/* One tick of one poi against all fish, after they moved: carries, slides and drops the fish that
- * it holds, takes up new ones, and gathers their loads for the next tick's paper. A fish that is
- * held by this poi without being among its riders (its poi was renewed) goes back to the water.
- * What came into a bowl is added to `results`. `poi_index` < POI_MAX. */
+/* Advances one poi by one tick against all fish, after they moved. Carries, slides and drops the
+ * carried fish, captures new ones, and gathers their loads for the paper of the next tick. A fish
+ * held by this poi that is not among its carried fish (the poi was replaced) goes back to the
+ * water. Fish that came into a bowl are added to `results`. `poi_index` < POI_MAX. */
 void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, uint32_t tick,
                 struct output *output, struct catch_result results[POI_MAX]);
 

@@ -1,15 +1,16 @@
-/* contact.c -- paper against fish that lie in the water over it. */
+/* contact.c -- contact of the paper with fish in the water above it. */
 #include "core/poi/contact.h"
 
-#define ZONE_M 0.06f /* Farther from the plane none can touch. */
+#define ZONE_M 0.06f /* No fish farther from the plane can touch. */
 #define SQUEEZE_GAP_M 0.0005f
-#define JAM_PULL_M 0.03f /* A hand so far over a ring that stands still pulls at a jam: 6.5 N. */
-#define JAM_TICKS 12.0f /* In 0.1 s all who lie over it have left, from the edge inward. */
+#define JAM_PULL_M 0.03f /* Offset of the hand from a blocked ring that counts as a pull at a jam:
+                            6.5 N. */
+#define JAM_TICKS 12.0f /* Within 0.1 s all fish over the ring leave, from the edge inward. */
 #define JAM_M (0.02f * CORE_TICK_S)
-#define TOUCH_M 0.005f /* Who lies across the ring is held 3 mm over the paper by it. */
+#define TOUCH_M 0.005f /* The ring holds a fish that lies across it 3 mm above the paper. */
 
-/* Whether a point, seen from the ring's centre, is in the cylinder of ZONE_M over the paper; if so,
- * `place` is where in the poi's axes. Most fish are far and cost a dot product. */
+/* Returns 1 if a point relative to the ring's centre is in the cylinder of ZONE_M over the paper;
+ * `place` is then the point in the poi's axes. Most fish are far and cost a dot product. */
 static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
 {
     if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {
@@ -37,7 +38,7 @@ static int at_surface(const struct fish *fish)
     return fish->position_m.y + box_extent_m(&box).y > -SQUEEZE_GAP_M;
 }
 
-/* Whether the ring is at the fish, and from below or whichever way. */
+/* Returns 1 if the ring touches the fish, optionally only from below. */
 static int ring_touches(const struct poi *poi, const struct fish *fish, int from_below)
 {
     const struct box box = fish_box(fish);
@@ -66,7 +67,8 @@ int contact_squeezed(const struct poi *poi, const struct fish *fish)
            ring_touches(poi, fish, 1);
 }
 
-/* Between the disc and the surface, farther than `from_m` from its middle, however deep it is. */
+/* Returns 1 if the fish lies between disc and surface, farther than `from_m` from the centre, at
+ * any depth. */
 static int lies_over(const struct basis *axes, vec3 away, float from_m)
 {
     const float side_m2 = away.x * away.x + away.z * away.z;

@@ -1,14 +1,16 @@
-/* disc.c -- C_N of a low-aspect wing at small angles and of a bluff disc at large ones. */
+/* disc.c -- water forces on a disc: C_N of a low-aspect wing at small angles, of a bluff disc at
+ * large ones. */
 #include "core/poi/disc.h"
 
 #include "core/base/fmath.h"
 #include "core/base/physics.h"
 
 #define CN_BROADSIDE 1.17f  /* Bluff disc; 1.12 to 1.17 in the literature. */
-#define CN_PER_SINE 2.0f    /* Circular wing at small angles: 1.79 per radian, and rising. */
+#define CN_PER_SINE 2.0f    /* Circular wing at small angles: 1.79 per radian, increasing. */
 #define NU_M2_S 1.0e-6f     /* Water at 20 C. */
-#define ENTRY_HALF_M 0.005f /* Half the depth over which a level disc goes under. */
-#define OPEN_DEPTH_M 0.06f  /* 1.5 radii below the surface a disc no longer feels it. */
+#define ENTRY_HALF_M 0.005f /* Half the depth over which a level disc submerges. */
+#define OPEN_DEPTH_M 0.06f  /* 1.5 radii below the surface, the surface has no effect on the
+                               disc. */
 
 float disc_immersed(float radius_m, float centre_y_m, float up_y)
 {
@@ -31,7 +33,7 @@ float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s)
     const float half_rho_area = 0.5f * WATER_KG_M3 * F_PI * radius_m * radius_m;
     const float square = normal_m_s * normal_m_s + plane_m_s * plane_m_s;
     const float speed = f_sqrt(square);
-    /* F = rho/2 A min(1.17 V^2, 2 |v_n| V); divided by |v_n|, only where that is not small. */
+    /* F = rho/2 A min(1.17 V^2, 2 |v_n| V). Divided by |v_n| only if that is not small. */
     const float slender = CN_PER_SINE * speed;
     const float normal = f_abs(normal_m_s);
     if (CN_PER_SINE * normal <= CN_BROADSIDE * speed) {
@@ -51,7 +53,7 @@ float disc_edge_n_s_m(float radius_m, float plane_m_s)
     return friction * 0.5f * WATER_KG_M3 * 2.0f * F_PI * radius_m * radius_m * speed;
 }
 
-/* (16/45) a^5 of turning against (8/3) a^3 of moving. */
+/* Ratio of rotation, (16/45) a^5, to translation, (8/3) a^3. */
 float disc_turn_added_kg_m2(float radius_m, float added_kg)
 {
     return 2.0f / 15.0f * added_kg * radius_m * radius_m;

@@ -1,21 +1,21 @@
-/* fall.c -- a free fall of a few centimetres, and its two ends. */
+/* fall.c -- a free fall of a few centimetres, and its two possible ends. */
 #include "core/poi/fall.h"
 
 #include "core/base/physics.h"
 #include "core/input.h"
 #include "core/tank/loose.h"
 
-#define FALL_HOME_M_S 1.5f /* Sideways at most, when it fell beyond a wall. */
-#define PLOP_M 0.004f      /* It dents the surface so deep. */
+#define FALL_HOME_M_S 1.5f /* Largest sideways speed of a fish that fell beyond a wall. */
+#define PLOP_M 0.004f      /* Depth of the dent in the surface. */
 
-/* In a hurry, once it is clear of others. */
+/* The fish bursts away once it is clear of others. */
 void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
     fish->alarm = 1.0f;
     loose_begin(tank, fish, velocity_m_s);
 }
 
-/* Seen from a bowl that moves. */
+/* Returns 1 if the path passes through the mouth; positions are relative to the moving bowl. */
 static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
 {
     const vec3 from = v3_sub(before_m, bowl->before_m), to = v3_sub(now_m, bowl->position_m);
@@ -23,7 +23,7 @@ static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
            to.x * to.x + to.z * to.z < BOWL_RADIUS_M * BOWL_RADIUS_M;
 }
 
-/* Who misses the mouth hits the hull, or its rim, and slides down outside. */
+/* A fish that misses the mouth hits the hull or its rim and slides down outside. */
 static void off_hull(const struct bowl *bowl, struct fish *fish, struct rider *rider)
 {
     const vec3 away = v3(fish->position_m.x - bowl->position_m.x, 0.0f,
@@ -40,7 +40,8 @@ static void off_hull(const struct bowl *bowl, struct fish *fish, struct rider *r
     rider->fall_m_s = v3_mad(rider->fall_m_s, out, -inward);
 }
 
-/* Beyond a wall it is led back: fish that jump out of a stall's tank are put back, too. */
+/* Returns the speed back toward the tank for a fish beyond a wall; a stall also puts back fish that
+ * jump out. */
 static float homeward(float at_m, float room_m)
 {
     const float out = at_m - f_clamp(at_m, -room_m, room_m);

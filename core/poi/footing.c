@@ -1,10 +1,10 @@
-/* footing.c -- five points along the body by three across. */
+/* footing.c -- support test at five points along the body by three across. */
 #include "core/poi/footing.h"
 
 #include "core/poi/poi.h"
 
-#define ALONG_STEP 0.18f /* In body lengths: from 0.36 before the centre to 0.36 behind it. */
-#define ACROSS 0.30f     /* Of its girth to either side; a body tapers. */
+#define ALONG_STEP 0.18f /* In body lengths: from 0.36 in front of the centre to 0.36 behind it. */
+#define ACROSS 0.30f     /* Share of the girth to either side; a body tapers. */
 
 static int is_borne(const struct sheet *sheet, float x_m, float z_m)
 {
@@ -15,8 +15,8 @@ static int is_borne(const struct sheet *sheet, float x_m, float z_m)
     return sheet_holds(sheet, x_m, z_m);
 }
 
-/* Whether anything is under one of three points across the body, `along` lengths behind the centre.
- */
+/* Returns 1 if anything supports one of three points across the body, `along` lengths behind the
+ * centre. */
 static int slice_holds(const struct sheet *sheet, const struct rider *rider,
                        const struct fish *fish, float along)
 {
@@ -42,7 +42,7 @@ int footing_holds(const struct sheet *sheet, const struct rider *rider, const st
         return 0;
     }
     if (sheet->paper_cells == sheet->paper_cells_new) {
-        return 1; /* Whole: most ticks of a round. */
+        return 1; /* Intact paper, as in most ticks of a round. */
     }
     return slice_holds(sheet, rider, fish, 0.0f) &&
            (half_holds(sheet, rider, fish, -1.0f) || half_holds(sheet, rider, fish, 1.0f));

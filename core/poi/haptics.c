@@ -1,4 +1,4 @@
-/* haptics.c -- the sum of what pulls at the ring, and its moments about the grip. */
+/* haptics.c -- the sum of the forces on the ring, and their moments about the grip. */
 #include "core/poi/haptics.h"
 
 #include "core/poi/disc.h"
@@ -10,7 +10,7 @@ static vec3 within(vec3 v, float most)
     return v3(f_clamp(v.x, -most, most), f_clamp(v.y, -most, most), f_clamp(v.z, -most, most));
 }
 
-/* What acts on the ring beside the hand, fish as if they lay at its centre. */
+/* Returns the force on the ring besides the hand, with the fish at the centre of the ring. */
 static vec3 burden_n(const struct poi *poi, const struct basis *axes)
 {
     const vec3 down_n = v3(0.0f, -poi->meniscus_n, 0.0f);
@@ -23,7 +23,7 @@ static int is_held_up(const struct poi *poi)
     return poi->stopped || poi->gave;
 }
 
-/* What it took to give ring, burden and water the speed that they have. */
+/* Returns the force that gave ring, load and water their present speed. */
 static vec3 moved_n(const struct poi *poi, const struct basis *axes)
 {
     const vec3 mass_kg = pull_mass_kg(poi);
@@ -32,15 +32,15 @@ static vec3 moved_n(const struct poi *poi, const struct basis *axes)
     return v3_scale(basis_to_world(axes, took), (float)CORE_TICK_HZ);
 }
 
-/* A ring that moves freely tells by its motion what the hand gave it; one that is held up does not,
- * but then the spring is stretched by what the hand wants. */
+/* Returns the force of the hand. For a freely moving ring the force follows from its motion. For a
+ * blocked ring it is the force of the stretched hand spring. */
 static vec3 hand_n(const struct poi *poi, const struct basis *axes)
 {
     return is_held_up(poi) ? pull_hand_n(poi, axes)
                            : v3_sub(moved_n(poi, axes), burden_n(poi, axes));
 }
 
-/* A wall, the floor, a bowl or fish push at the point of the ring that is farthest their way. */
+/* A wall, the floor, a bowl or fish push at the nearest point of the ring. */
 static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec3 hand)
 {
     if (!is_held_up(poi)) {
@@ -53,7 +53,7 @@ static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec
     return v3_cross(v3_scale(toward, -POI_OUTER_RADIUS_M), push);
 }
 
-/* Fish that lie and slap off the centre turn the ring by that much more. */
+/* Fish that lie or slap off the centre add their moment. */
 static vec3 fish_torque_n_m(const struct poi *poi, const struct basis *axes)
 {
     vec3 torque = v3(0.0f, 0.0f, 0.0f);

@@ -1,20 +1,20 @@
-/* haptics.h -- what the hand that holds the poi feels, by the same physics that moves the ring.
+/* haptics.h -- the force on the hand that holds the poi, from the same physics that moves the ring.
  *
- * A ring that moves freely pulls at the hand with its drag, added mass, weight, meniscus and fish;
- * one that walls, floor, bowl or fish hold up pulls with the spring that the hand stretches. The
- * torque about the grip adds where each of them acts. A blow of a tail that catch_tick() gathers in
- * one tick loads the paper, moves the ring and is felt in the next. */
+ * A freely moving ring pulls at the hand with its drag, added mass, weight, meniscus and fish. A
+ * ring blocked by walls, floor, bowl or fish pulls with the stretched hand spring. The torque about
+ * the grip adds the point of action of each force. A slap gathered by catch_tick() in one tick
+ * loads the paper, moves the ring and acts on the hand in the next tick. */
 #ifndef KINGYO_CORE_POI_HAPTICS_H
 #define KINGYO_CORE_POI_HAPTICS_H
 
 #include "core/output.h"
 #include "core/poi/poi.h"
 
-#define POI_GRIP_M 0.130f /* Ring centre to the hand, along the handle. */
-#define POI_SLAP_N_FULL 0.15f /* The hardest blow of a 5 cm fish in air. */
+#define POI_GRIP_M 0.130f /* Distance from the ring's centre to the hand, along the handle. */
+#define POI_SLAP_N_FULL 0.15f /* The hardest slap of a 5 cm fish in air. */
 #define POI_TEAR_CELLS_FULL 10.0f
 
-/* After poi_give_way(): the reaction on the hand, within the bounds that output.h gives. */
+/* Writes the reaction on the hand, within the limits of output.h. Called after poi_give_way(). */
 void haptics_feel(const struct poi *poi, struct poi_force *force);
 
 #endif

@@ -1,18 +1,20 @@
-/* huddle.c -- riders as capsules in the paper's plane. */
+/* huddle.c -- separation of carried fish, as capsules in the plane of the paper. */
 #include "core/poi/huddle.h"
 
-#define SPINE_HALF 0.30f  /* Of the length: half the capsule's axis; snout and fin are thin. */
-#define GIRTH 0.36f       /* Its radius, of the body's extent in the plane: bodies taper, too. */
-#define PUSH_MAX_M 0.0015f /* A tick: 0.18 m/s. */
-#define WALL_M 0.004f     /* Centre to ring when the belly touches it. */
-#define SQUEEZE 0.5f      /* Of the way apart: deeper in one another, one climbs over the ring. */
+#define SPINE_HALF 0.30f  /* Half the capsule's axis per body length; snout and fin are thin. */
+#define GIRTH 0.36f       /* Radius of the capsule per extent of the body in the plane; bodies
+                             taper. */
+#define PUSH_MAX_M 0.0015f /* Per tick: 0.18 m/s. */
+#define WALL_M 0.004f     /* Distance from centre to ring when the belly touches the ring. */
+#define SQUEEZE 0.5f      /* Overlap, as a share of the clear distance, above which a fish climbs
+                             over the ring. */
 
-struct flat { /* A point or a way in the plane. */
+struct flat { /* A point or vector in the plane. */
     float x, z;
 };
 
 struct capsule {
-    struct flat centre, axis; /* Unit. */
+    struct flat centre, axis; /* `axis` is a unit vector. */
     float half_m, radius_m;
 };
 
@@ -32,7 +34,7 @@ static struct flat along(const struct capsule *capsule, float way_m)
                           capsule->centre.z + way_m * capsule->axis.z };
 }
 
-/* From a point to the nearest of a capsule's axis. */
+/* Returns the vector from a point to the nearest point of a capsule's axis. */
 static struct flat to_axis(struct flat from, const struct capsule *capsule)
 {
     const float x = from.x - capsule->centre.x, z = from.z - capsule->centre.z;
@@ -52,15 +54,15 @@ static int axes_cross(const struct capsule *a, const struct capsule *b)
     const float cross = a->axis.x * b->axis.z - a->axis.z * b->axis.x;
     const float x = b->centre.x - a->centre.x, z = b->centre.z - a->centre.z;
     if (f_abs(cross) < 1e-4f) {
-        return 0; /* Parallel: their ends tell. */
+        return 0; /* Parallel axes: their ends are tested instead. */
     }
     const float on_a = (x * b->axis.z - z * b->axis.x) / cross;
     const float on_b = (x * a->axis.z - z * a->axis.x) / cross;
     return f_abs(on_a) < a->half_m && f_abs(on_b) < b->half_m;
 }
 
-/* The shortest way from a's axis to b's. Of two that cross, what parts them: centre to centre, as
- * short as can be. */
+/* Returns the shortest vector from the axis of a to that of b. For crossing axes it is a minimal
+ * vector from centre to centre, which separates them. */
 static struct flat way_between(const struct capsule *a, const struct capsule *b)
 {
     struct flat best = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
@@ -99,7 +101,7 @@ float huddle_overlap_m(const struct rider *a, const struct fish *fish_a, const s
     return overlap_m(&one, &other, &unused);
 }
 
-/* Aside, but no farther than the ring, unless it is squeezed. */
+/* Pushes a fish aside, but not over the ring unless it is squeezed. */
 static void push(struct rider *rider, float x_m, float z_m, int is_squeezed)
 {
     const float wall_m = POI_RADIUS_M - WALL_M;
@@ -114,7 +116,7 @@ static void push(struct rider *rider, float x_m, float z_m, int is_squeezed)
     }
 }
 
-/* Two that meet go on together. */
+/* Gives two fish that meet a common speed. */
 static void meet(struct rider *a, struct rider *b, struct flat out, float share_a)
 {
     const float closing = (a->slide_x_m_s - b->slide_x_m_s) * out.x +

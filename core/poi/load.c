@@ -1,16 +1,18 @@
-/* load.c -- forces on ring and paper, each from what the tick's motion met. */
+/* load.c -- forces on ring and paper, each from the motion of the tick. */
 #include "core/poi/load.h"
 
 #include "core/base/physics.h"
 #include "core/poi/disc.h"
 
-/* What paper feels of acceleration is what lasts: a pointer's whole-pixel grain, half a pixel at 8
- * to 30 Hz, must not become blows of water. Two poles: one would need twice the delay for it. */
+/* The paper feels only lasting acceleration: the whole-pixel steps of a pointer, half a pixel at 8
+ * to 30 Hz, must not become blows of water. The filter has two poles, because a single pole would
+ * need twice the delay. */
 #define FEEL_TAU_S 0.050f
-#define FEEL_M_S2_MAX 6.0f /* A stop at a wall is the ring's, not the paper's. */
+#define FEEL_M_S2_MAX 6.0f /* A stop at a wall acts on the ring, not on the paper. */
 
 #define SIGMA_N_M 0.072f
-#define CLING_M 0.0054f /* A plate lifts water so high before it lets go: 2 sqrt(sigma / rho g). */
+#define CLING_M 0.0054f /* Height to which a plate lifts water before it separates: 2 sqrt(sigma /
+                           rho g). */
 
 vec3 load_weight_n(const struct poi *poi)
 {
@@ -26,7 +28,8 @@ vec3 load_water_n(const struct poi *poi, const struct basis *axes)
     return basis_to_world(axes, water_n);
 }
 
-/* [0, 1] of the ring's edge that is over the water by no more than a meniscus spans. */
+/* Returns the share [0, 1] of the ring's edge that is above the water by no more than a meniscus
+ * spans. */
 static float clinging_share(float centre_y_m, float up_y)
 {
     const float half_m = f_max(POI_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - up_y * up_y)), 1e-4f);
@@ -50,7 +53,8 @@ float load_kick_n(const struct poi *poi)
     return kick_n;
 }
 
-/* Of the ring's true way: a hand that pulls at a ring that cannot move does not jolt it. */
+/* Filters the acceleration of the ring's true motion, so that a hand that pulls at a blocked ring
+ * does not jolt it. */
 static void feel_jolt(struct poi *poi)
 {
     const vec3 gain_m_s = v3_sub(poi->velocity_m_s, poi->before_m_s);
@@ -61,15 +65,16 @@ static void feel_jolt(struct poi *poi)
     poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
 }
 
-/* What a disc that turns about its own diameter adds to the mean square of its normal speed. The
- * two halves are pressed opposite ways; the paper is strained by the size of it. */
+/* Returns the pressure due to rotation about the disc's own diameter, from the mean square of the
+ * normal speed. The two halves are pressed in opposite directions, but the strain depends on the
+ * magnitude. */
 static float turning_pa(const struct poi *poi)
 {
     const float rate_rad_s = v3_length(poi->spin_rad_s);
     return poi->immersed * disc_turn_pa(POI_RADIUS_M, rate_rad_s);
 }
 
-/* Of the whole ring's meniscus the lower face's half hangs at the paper. */
+/* Half of the meniscus, that of the lower face, acts on the paper. */
 static float burden_n(const struct poi *poi, float area_m2, float up_y, float lift_m_s2)
 {
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;

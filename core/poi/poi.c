@@ -1,4 +1,4 @@
-/* poi.c -- the ring: a tick of it, and what it is to others. */
+/* poi.c -- one tick of the ring, and the ring as an obstacle and a shade. */
 #include "core/poi/poi.h"
 
 #include "core/base/hash.h"
@@ -11,7 +11,7 @@
 #include "core/poi/wrist.h"
 #include "core/poi/yield.h"
 
-#define SCOOP_IMMERSED 0.2f /* Of the disc: a level one is 3 mm under by its middle. */
+#define SCOOP_IMMERSED 0.2f /* Share of the disc: a level disc is 3 mm under water at its centre. */
 
 _Static_assert(OBSTACLE_PAPER_SIDE == SHEET_SIDE && OBSTACLE_PAPER_HOLDS == CELL_PAPER,
                "fish read the sheet's own cells");
@@ -36,7 +36,8 @@ static void note_splash(struct poi *poi, float before)
     }
 }
 
-/* A scoop goes in by more than a ripple laps at it, and somebody leads it. */
+/* Counts scoops: a scoop submerges the disc by more than a ripple, and a player controls the
+ * poi. */
 static void count_dips(struct poi *poi)
 {
     if (poi->immersed <= 0.0f) {
@@ -82,7 +83,7 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     poi->stopped = v3_dot(off_m, off_m) > 0.0f;
 }
 
-/* [0, 1] of the speed it wants that fish did not let it have in the last tick. */
+/* Returns the share [0, 1] of the intended speed that fish blocked in the last tick. */
 static float stalled(const struct poi *poi)
 {
     const float wants_m_s = v3_length(poi->velocity_m_s), had_m_s = v3_length(poi->before_m_s);
@@ -136,8 +137,8 @@ void poi_give_way(struct poi *poi, const struct obstacle *ring)
     strain_paper(poi);
 }
 
-/* Thin paper takes a third of the light, holes take none. A tilted ring casts an ellipse; the round
- * shadow of the same area stands for it. */
+/* Thin paper takes a third of the light; holes take none. A tilted ring casts an ellipse, which is
+ * replaced by a round shade of the same area. */
 struct shade_cast poi_shade(const struct poi *poi)
 {
     const float flat = f_abs(basis_from_angles(poi->angles).up.y);

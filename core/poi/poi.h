@@ -1,5 +1,4 @@
-/* poi.h -- the paper scoop: a rigid ring on a spring from the hand, with a sheet of paper across.
- */
+/* poi.h -- the paper scoop: a rigid ring with a sheet of paper, drawn by the hand spring. */
 #ifndef KINGYO_CORE_POI_POI_H
 #define KINGYO_CORE_POI_POI_H
 
@@ -13,102 +12,109 @@
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
-#define POI_RADIUS_M 0.040f /* Inner: the federation's 80 mm. */
+#define POI_RADIUS_M 0.040f /* Inner radius: the federation's 80 mm. */
 #define POI_OUTER_RADIUS_M 0.0465f
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
-#define POI_PAPER_DARK 0.34f /* Of the light: what thin paper over the water takes. */
-#define POI_RIDER_MAX 16u /* 4 cm fish, side by side, cover it; more spill over the ring. */
+#define POI_PAPER_DARK 0.34f /* Share of the light that thin paper over the water takes. */
+#define POI_RIDER_MAX 16u /* This many 4 cm fish cover the paper side by side; more slip off over
+                             the ring. */
 _Static_assert(SHEET_LOAD_MAX == 2u * POI_RIDER_MAX, "a body and a slap of each");
 
-/* Half the ring's extent along a world axis on which its unit normal has the part `n`. */
+/* Returns half the extent of the ring along a world axis; `n` is the component of its unit normal
+ * along that axis. */
 static inline float poi_half_extent_m(float n)
 {
     return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) +
            0.5f * POI_THICKNESS_M * f_abs(n);
 }
 
-/* How a hand holds it. */
+/* The grip of the hand: its target, and whether it controls the angles. */
 struct poi_grip {
     struct poi_target target;
-    int has_wrist; /* 0: the poi empties itself over its bowl. */
+    int has_wrist; /* 0: no wrist input, so the poi tips over its bowl automatically. */
 };
 
 struct poi {
     uint8_t link;                  /* enum poi_link of the last input. */
-    uint8_t spared;                /* Nobody leads it: what happens to it tears no paper. */
-    uint32_t seed;                 /* Of this specimen; its fish slap by it. */
-    vec3 position_m, velocity_m_s; /* Ring centre. */
+    uint8_t spared;                /* 1 if no player controls the poi: damage of the paper is
+                                      disabled. */
+    uint32_t seed;                 /* Seed of this specimen, also for the slaps of its fish. */
+    vec3 position_m, velocity_m_s; /* Position and velocity of the ring's centre. */
     struct angles angles;
-    vec3 before_m, before_m_s;   /* Where, how fast and how turned it was when the tick began: */
-    struct angles before_angles; /* what it may give back. */
-    vec3 hand_m;                 /* Where the hand draws it in this tick, ... */
-    float pace_m_s;              /* ... and how fast that goes, or went of late. */
-    uint8_t gave;    /* Bits of enum obstacle_gave: how fish held it up in the last tick. */
-    uint8_t stopped; /* Walls, floor or bowl held it up in this one. */
-    uint8_t jam_ticks; /* So long fish have held it against a hand that pulls up; <= 255. */
-    uint8_t clings;  /* It was in the water, which has not let go of its edge yet. */
-    vec3 angular_velocity_rad_s; /* Of yaw, pitch, roll, in that order. */
-    vec3 spin_rad_s;             /* World; the part that turns its normal. */
-    vec3 acceleration_m_s2;      /* Over the last few ticks; what water and fish on it feel ... */
-    vec3 jolt_m_s2;              /* ... and the first of the two filters that make it. */
-    float drag_n_s_m, slam_n;    /* Of water on the paper in this tick: for each m/s, and once; */
-    float edge_n_s_m;            /* friction along its plane, for each m/s; */
-    float added_kg;              /* what of it moves along; */
-    float meniscus_n;            /* and what clings to the edge: pulls down. */
+    vec3 before_m, before_m_s;   /* Position and velocity at the start of the tick. */
+    struct angles before_angles; /* Angles at the start of the tick; the reaction may restore
+                                    them. */
+    vec3 hand_m;                 /* Target position of the hand in this tick. */
+    float pace_m_s;              /* Recent highest speed of the hand. */
+    uint8_t gave;    /* Bits of enum obstacle_gave: how fish blocked the ring in the last tick. */
+    uint8_t stopped; /* 1 if walls, floor or a bowl blocked the ring in this tick. */
+    uint8_t jam_ticks; /* Ticks since fish block the ring against a hand that pulls up; <= 255. */
+    uint8_t clings;  /* 1 if the ring was in the water and the meniscus still clings to its edge. */
+    vec3 angular_velocity_rad_s; /* Rates of yaw, pitch and roll, in that order. */
+    vec3 spin_rad_s;             /* World rotation; only the part that turns the normal. */
+    vec3 acceleration_m_s2;      /* Filtered acceleration of the last few ticks, which acts on water
+                                    and fish. */
+    vec3 jolt_m_s2;              /* State of the first of the two filters of `acceleration_m_s2`. */
+    float drag_n_s_m, slam_n;    /* Water forces on the paper in this tick: drag per m/s, and
+                                    slam. */
+    float edge_n_s_m;            /* Friction along the plane, per m/s. */
+    float added_kg;              /* Added mass of water along the normal. */
+    float meniscus_n;            /* Pull of the meniscus at the edge, downward. */
     float immersed;              /* [0, 1] fraction of the disc below the surface. */
-    float splash_m_s;            /* This tick the ring went in (> 0) or came out (< 0), so fast. */
-    float water_kg;              /* On the paper; a load only out of the tank: ... */
-    float film_kg, pool_kg;      /* ... what clings to it, and what lies in it; ... */
-    float drip_kg;               /* ... and what hangs below it until it is a drop. */
-    uint8_t drops;               /* Fell in the last tick. */
-    uint8_t laden_ticks;         /* Until it forgets that fish lay on it, and tips back. */
-    float tip;         /* [0, 1] how far the wrist has turned to empty into the bowl ... */
-    vec3 tip_toward;   /* ... and which way: horizontal, unit, chosen when it begins. */
-    float pressure_pa; /* On the paper in the last tick, positive toward +up. */
-    uint32_t dips;     /* Times a hand put it in: scoops. */
-    uint8_t is_in;     /* It is in for such a one. */
-    uint32_t slap_tick, tear_tick; /* When each was last heard. */
+    float splash_m_s;            /* Speed at which the ring entered (> 0) or left (< 0) the water in
+                                    this tick. */
+    float water_kg;              /* Water on the paper; a load only out of the tank. */
+    float film_kg, pool_kg;      /* Parts of the water: the clinging film and the pool. */
+    float drip_kg;               /* Water that hangs below the paper until it forms a drop. */
+    uint8_t drops;               /* Drops that fell in the last tick. */
+    uint8_t laden_ticks;         /* Ticks until the poi tips back after the last fish left it. */
+    float tip;         /* [0, 1] progress of the tip toward the bowl. */
+    vec3 tip_toward;   /* Direction of the tip: horizontal, unit, chosen at its start. */
+    float pressure_pa; /* Pressure on the paper in the last tick, positive toward +up. */
+    uint32_t dips;     /* Scoops: times a player put the poi into the water. */
+    uint8_t is_in;     /* 1 during such a scoop. */
+    uint32_t slap_tick, tear_tick; /* Ticks of the last slap sound and the last tear sound. */
     struct sheet sheet;
-    struct sheet_events strain; /* What the last tick did to the paper. */
+    struct sheet_events strain; /* Effect of the last tick on the paper. */
 
-    float riders_kg;      /* Weight of fish that the paper bears in air. */
+    float riders_kg;      /* Weight of the fish that the paper supports in air. */
     uint32_t rider_count; /* <= POI_RIDER_MAX */
     struct rider riders[POI_RIDER_MAX];
-    uint32_t load_count; /* <= SHEET_LOAD_MAX; gathered by the last catch_tick. */
-    uint32_t slap_count; /* The first so many of them are blows of tails, the others weights. */
+    uint32_t load_count; /* <= SHEET_LOAD_MAX; gathered by the last catch_tick(). */
+    uint32_t slap_count; /* The first `slap_count` loads are slaps, the others are weights. */
     struct sheet_load loads[SHEET_LOAD_MAX];
 };
 
-/* A fresh poi of `grade` 4 .. 7 at rest; `position_m` above the water keeps it dry. */
+/* Initialises a new poi of `grade` 4 .. 7 at rest; a `position_m` above the water keeps it dry. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
-/* One tick of the ring: pulled by the hand, held back by water, floor, walls and its own bowl.
- * Without a wrist it rises and turns toward the bowl when it is over its mouth with fish on it. A
- * ring that was held back does not shoot off when it comes free: it is never faster than the hand
- * goes, or went a moment ago, by more than 1 m/s. A target that is not finite is a bug and asserts.
- * What the hand feels of it: haptics.h; what the surface does: wake.h. */
+/* Advances the ring by one tick: the hand spring pulls it; water, floor, walls and its own bowl
+ * hold it back. Without wrist input it rises and turns toward the bowl when it is over the bowl's
+ * mouth with fish on it. A blocked ring does not shoot off when it comes free: its speed exceeds
+ * the recent speed of the hand by at most 1 m/s. Asserts that the target is finite. Force on the
+ * hand: haptics.h; effect on the surface: wake.h. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 
-/* How the fish see it, and how it came there in this tick. The paper is borrowed. */
+/* Returns the poi as an obstacle for fish, with its motion in this tick. The paper is borrowed. */
 struct obstacle poi_obstacle(const struct poi *poi);
 
-/* After the fish's tick: where one could not get out of its way, it gives way as `ring` tells. Then
- * the way that was truly made wets, strains and tears the paper, with the loads of the fish on it
- * that the last catch_tick gathered. */
+/* Applies the reaction in `ring` after the tick of the fish, where a fish could not move out of the
+ * way. The remaining true motion then wets, strains and tears the paper, with the fish loads that
+ * the last catch_tick() gathered. */
 void poi_give_way(struct poi *poi, const struct obstacle *ring);
 
-/* Of what the water pushes, so much is left: a torn poi is a ring. */
+/* Returns the share of the water force that remains: a torn poi is only a ring. */
 static inline float poi_whole(const struct poi *poi)
 {
     return 0.15f + 0.85f * sheet_left(&poi->sheet);
 }
 
-/* Mean depth over the whole paper of the water that it carries out of the tank. */
+/* Returns the mean depth over the whole paper of the water carried out of the tank. */
 float poi_water_m(const struct poi *poi);
 
-/* What it casts on the water below it: none once it dips. */
+/* Returns the shade on the water below the poi; none once it dips in. */
 struct shade_cast poi_shade(const struct poi *poi);
 
 uint64_t poi_hash(uint64_t hash, const struct poi *poi);

@@ -1,4 +1,4 @@
-/* pose.c -- see vec.h for the order of the turns. */
+/* pose.c -- rotations; vec.h gives the order of the angles. */
 #include "core/poi/pose.h"
 
 struct angles pose_angles(const struct basis *axes)
@@ -8,7 +8,8 @@ struct angles pose_angles(const struct basis *axes)
     struct angles angles = { .pitch_rad = f_atan2(forward.y, level) };
     if (level > 1e-4f) {
         angles.yaw_rad = f_atan2(-forward.x, -forward.z);
-    } else { /* Straight up or down: yaw and roll are one turn; give it all to yaw. */
+    } else { /* Facing straight up or down: yaw and roll are one rotation, which is stored as
+                yaw. */
         angles.yaw_rad = f_atan2(-axes->right.z, axes->right.x);
     }
     const struct basis flat =

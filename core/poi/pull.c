@@ -1,28 +1,30 @@
-/* pull.c -- one implicit step of a spring between hand and ring, against the water. */
+/* pull.c -- the hand spring: one implicit step of a spring between hand and ring, against the
+ * water. */
 #include "core/poi/pull.h"
 
 #include "core/base/physics.h"
 #include "core/poi/disc.h"
 #include "core/poi/load.h"
 
-/* The hand. One stiffness; damping grows with the water that has to move along, so that the spring
- * is critically damped along the normal under water and lags a moving hand by damping / stiffness:
- * 25 ms in air, 56 ms broadside under water. */
+/* The hand. The stiffness is constant. The damping grows with the added mass of water, so that the
+ * spring is critically damped along the normal under water. The ring lags a moving hand by damping
+ * / stiffness: 25 ms in air, 56 ms broadside under water. */
 #define HAND_N_M 215.0f
 #define HAND_LAG_AIR_S 0.0250f
-#define HAND_N_MAX 20.0f     /* What a wrist gives; the poi yields beyond it. */
+#define HAND_N_MAX 20.0f     /* Limit of a wrist; beyond it the poi gives way. */
 
-/* Who pushes against what yields slowly feels it and slows down with it. Free again, the poi goes
- * at the pace of the hand, now or a moment ago, and catches up at leisure: the spring alone would
- * shoot it off at 3.7 m/s. What moves freely is behind by its speed times the lag: it may go at
- * pace (1 + 4 lag), which is more than it ever goes: pace exp(lag / 0.3 s). */
-#define CATCH_UP_PER_S 4.0f /* Of the way that it is behind, ... */
-#define CATCH_UP_M_S 1.0f   /* ... at most. */
-#define PACE_TAU_S 0.30f    /* A hand's pace is forgotten in this time. */
-#define PACE_MAX_M_S 4.0f   /* No arm is faster; a report may be. */
-#define EDGE_ADDED_KG 0.010f /* Water that the ring drags along its plane. */
+/* A hand that pushes against a slow obstacle slows down with it. Once free, the poi moves at the
+ * recent speed of the hand and catches up slowly, because the spring alone would shoot it off at
+ * 3.7 m/s. A freely moving ring lags by its speed times the lag. Its limit is pace (1 + 4 lag),
+ * which it never reaches: pace exp(lag / 0.3 s). */
+#define CATCH_UP_PER_S 4.0f /* Rate at which the ring catches up with its lag. */
+#define CATCH_UP_M_S 1.0f   /* Highest additional speed while it catches up. */
+#define PACE_TAU_S 0.30f    /* Time constant with which the speed of the hand decays. */
+#define PACE_MAX_M_S 4.0f   /* No arm is faster, but an input report may be. */
+#define EDGE_ADDED_KG 0.010f /* Mass of water that the ring drags along its plane. */
 
-/* One axis of the ring: mass m, drag D v, spring k (bounded) and damper c, backward Euler. */
+/* Returns the speed of the ring on one axis: mass m, drag D v, spring k (bounded) and damper c,
+ * backward Euler. */
 static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float stiffness_n_m,
                         float damping_n_s_m, float other_n)
 {
@@ -31,7 +33,7 @@ static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float st
            (mass_kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
 }
 
-/* A spring stretched beyond HAND_N_MAX pulls with that and no more. */
+/* Returns the spring force; a spring stretched beyond HAND_N_MAX pulls with exactly that force. */
 static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
 {
     const vec3 full = v3_scale(stretch_m, HAND_N_M);
@@ -40,7 +42,8 @@ static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
     return v3_limit(full, HAND_N_MAX);
 }
 
-/* Water that starts to move with a disc that goes under: v dm/dt. Leaving, it is left behind. */
+/* Returns the slam: water that starts to move with a submerging disc, v dm/dt. A disc that leaves
+ * the water leaves that mass behind. */
 static float slam_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
 {
     if (immersed <= poi->immersed) {
@@ -50,7 +53,7 @@ static float slam_n(const struct poi *poi, float immersed, float added_kg, float
     return -normal_m_s * added_kg * share / CORE_TICK_S;
 }
 
-/* How fast the hand goes, or went of late. */
+/* Updates the recent speed of the hand. */
 static void feel_pace(struct poi *poi, vec3 hand_m)
 {
     const float now_m_s = v3_length(v3_sub(hand_m, poi->hand_m)) * (float)CORE_TICK_HZ;
@@ -83,7 +86,7 @@ vec3 pull_mass_kg(const struct poi *poi)
     return v3(plane_kg, load_kg + poi->added_kg, plane_kg);
 }
 
-/* What the water does to a ring that comes through it at `v`, in its own axes. A torn poi is a
+/* Computes the water forces on a ring at velocity `v` in its own axes. A torn poi is only a
  * ring. */
 static void meet_water(struct poi *poi, vec3 v, float immersed)
 {
@@ -95,7 +98,7 @@ static void meet_water(struct poi *poi, vec3 v, float immersed)
     poi->slam_n = slam_n(poi, immersed, poi->added_kg, v.y);
 }
 
-/* The speed of a ring that nothing but its burden, the water and the spring moves. */
+/* Returns the speed of a ring under its load, the water and the spring, without limit. */
 static vec3 free_m_s(const struct poi *poi, vec3 v, vec3 spring_n, float k, vec3 burden_n)
 {
     const vec3 mass_kg = pull_mass_kg(poi);

@@ -1,18 +1,19 @@
-/* pull.h -- the hand's pull at the ring, against water and weight. */
+/* pull.h -- the hand spring that pulls the ring against water and weight. */
 #ifndef KINGYO_CORE_POI_PULL_H
 #define KINGYO_CORE_POI_PULL_H
 
 #include "core/poi/poi.h"
 
-/* The ring's speed a tick later, drawn to `target_m` by a spring of at most 20 N, with as much of
- * it as `immersed` in the water. Notes what of water and weight it met; the place stays. */
+/* Updates the speed of the ring for one tick. A spring of at most 20 N pulls it toward `target_m`,
+ * with the share `immersed` of it in the water. Stores the water forces and loads; the position is
+ * unchanged. */
 void pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed);
 
-/* What the hand does to the ring, world: its spring and damper at the place and speed that the ring
- * has, so that it is right for a ring that something holds back. */
+/* Returns the world force of the hand on the ring: spring and damper at the present position and
+ * speed, so that it also holds for a blocked ring. */
 vec3 pull_hand_n(const struct poi *poi, const struct basis *axes);
 
-/* Along `axes`: what it takes to move the ring with its burden and the water that goes along. */
+/* Returns the effective mass along `axes`: ring, load and added mass of water. */
 vec3 pull_mass_kg(const struct poi *poi);
 
 #endif

@@ -1,4 +1,4 @@
-/* rider.c -- a wet fish on wet paper. */
+/* rider.c -- a carried fish: a wet fish on wet paper. */
 #include "core/poi/rider.h"
 
 #include "core/base/hash.h"
@@ -6,31 +6,33 @@
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-#define LIE_RAD (80.0f * F_DEG) /* Flat on its side, but for the fins under it. */
+#define LIE_RAD (80.0f * F_DEG) /* Flat on its side, except for the fins under it. */
 #define LIE_PER_S 8.0f
-#define STICK 0.36f          /* Static friction of skin on wet paper: slides from 20 degrees. */
-#define SLIP 0.30f           /* Once it slides. */
-#define WALL_STICK 0.84f     /* The ring is 3 mm high: a fish rolls over it from 40 degrees ... */
-#define WALL_JUMP_M_S 0.40f  /* ... or in a rush. */
-#define WALL_MARGIN_M 0.004f /* Centre to ring when the belly touches it. */
+#define STICK 0.36f          /* Static friction of skin on wet paper: a fish slides from 20 degrees
+                                on. */
+#define SLIP 0.30f           /* Sliding friction. */
+#define WALL_STICK 0.84f     /* The ring is 3 mm high: a fish rolls over it from 40 degrees on. */
+#define WALL_JUMP_M_S 0.40f  /* Speed at which a fish goes over the ring at any angle. */
+#define WALL_MARGIN_M 0.004f /* Distance from centre to ring when the belly touches the ring. */
 #define SLAP_S 0.020f
-#define SLAP_M_S2_MIN 10.0f /* Tail pulse: body mass times this ... */
+#define SLAP_M_S2_MIN 10.0f /* Force of a slap per body mass, lower limit. */
 #define SLAP_M_S2_MAX 30.0f
 #define SLAP_N_MAX 0.15f
-#define CALM_TAU_S 3.0f   /* Out of water it tires, */
-#define CALM_HEAD_UP 2.5f /* and sooner with its head up. */
-#define CALM_CRADLE 1.5f  /* Or in a belly of paper that lies round it on all sides ... */
-#define CRADLE_M 0.003f   /* ... when it is so deep. */
-#define FLOP_M_S 0.35f    /* A slap also throws the fish about; few throw it so fast. */
-#define HOP_S 0.060f      /* A slap of 20 m/s^2 for 20 ms throws a body up for 80 ms; a tail alone
-                             lifts it for less. */
-#define HOP_SLIP 0.05f    /* What then still brakes it. */
-#define AGROUND 0.3f      /* Drier than this it can slap, and the ring is in its way. */
-#define FOOT_M 0.010f     /* Half a body's footprint. */
-#define LEAN_MAX 0.25f    /* At the ring, which bears a part of what lies beside it. */
-#define SWIM_LENGTHS 4.0f /* A second: how fast it makes off while it is afloat ... */
-#define SWIM_PER_S 10.0f  /* ... and how soon it goes so fast. */
-#define VIGOUR_MIN 0.08f  /* It never quite gives up. */
+#define CALM_TAU_S 3.0f   /* Time constant with which a fish tires out of water. */
+#define CALM_HEAD_UP 2.5f /* Factor for a fish with its head up, which tires sooner. */
+#define CALM_CRADLE 1.5f  /* Factor for a fish in a sag of paper that surrounds it. */
+#define CRADLE_M 0.003f   /* Depth of such a sag. */
+#define FLOP_M_S 0.35f    /* Highest speed at which a slap throws the fish; few slaps reach it. */
+#define HOP_S 0.060f      /* A slap of 20 m/s^2 for 20 ms throws a whole body up for 80 ms; a tail
+                             alone lifts it for less. */
+#define HOP_SLIP 0.05f    /* Friction during a hop. */
+#define AGROUND 0.3f      /* Share of unsupported weight above which the fish can slap and the ring
+                             blocks it. */
+#define FOOT_M 0.010f     /* Half of a body's footprint. */
+#define LEAN_MAX 0.25f    /* Limit near the ring, which supports a part of the load beside it. */
+#define SWIM_LENGTHS 4.0f /* Body lengths per second of a fish that swims off while afloat. */
+#define SWIM_PER_S 10.0f  /* Rate at which it reaches that speed. */
+#define VIGOUR_MIN 0.08f  /* A fish never stops slapping completely. */
 
 enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
 
@@ -66,7 +68,7 @@ static void throw_about(struct rider *rider, float strength, uint32_t seed, uint
     rider->slide_z_m_s -= flop * f_cos(rider->heading_rad + turn);
 }
 
-/* Trains of slaps at 5 to 10 Hz with pauses that grow as it calms down. */
+/* Starts slaps in series at 5 to 10 Hz, with pauses that grow as the fish calms down. */
 static float begin_slap(struct rider *rider, const struct fish *fish, uint32_t seed, uint32_t tick)
 {
     const float push =
@@ -100,9 +102,10 @@ static float slap(struct rider *rider, const struct fish *fish, const struct rid
 
 /* ---- Sliding -------------------------------------------------------------------------------- */
 
-/* How the paper leans under a rider toward its middle, for each metre that it is off it. The belly
- * of what bears on all the paper is a paraboloid. One body of force F on a round membrane of
- * tension T is deepest in the middle, too: F / (2 pi T) ln((a^2 - r^2) / (a foot)). */
+/* Returns the slope of the paper under a carried fish toward the centre, per metre of distance.
+ * Under a load on all of the paper the sag is a paraboloid. A single body of force F on a round
+ * membrane of tension T is deepest in the centre as well: F / (2 pi T) ln((a^2 - r^2) / (a
+ * foot)). */
 static float lean_per_m(const struct rider *rider, const struct ride *ride, float press_n)
 {
     const float wide = ride->radius_m * ride->radius_m;
@@ -111,7 +114,7 @@ static float lean_per_m(const struct rider *rider, const struct ride *ride, floa
     return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
 }
 
-/* Afloat over the paper it is a fish in shallow water. */
+/* A fish afloat over the paper swims as in shallow water. */
 static void make_off(struct rider *rider, const struct fish *fish, float afloat)
 {
     const float goal_m_s = SWIM_LENGTHS * fish->length_m * rider->vigour;
@@ -121,7 +124,7 @@ static void make_off(struct rider *rider, const struct fish *fish, float afloat)
     rider->slide_z_m_s = rider->slide_z_m_s * keep - gain_m_s * f_cos(rider->heading_rad);
 }
 
-/* Friction as an implicit factor: it stops a fish, never turns it back. */
+/* Friction is an implicit factor: it stops a fish but never reverses it. */
 static void slide(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry)
 {
     const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;
@@ -145,7 +148,7 @@ static void slide(struct rider *rider, const struct fish *fish, const struct rid
     rider->z_m += rider->slide_z_m_s * CORE_TICK_S;
 }
 
-/* The ring's wall stops a body unless it is steep or in a rush. */
+/* The wall of the ring stops a body unless the poi is steep or the body is fast. */
 static void meet_wall(struct rider *rider, const struct ride *ride)
 {
     const float r = f_sqrt(rider->x_m * rider->x_m + rider->z_m * rider->z_m);
@@ -165,7 +168,7 @@ static void meet_wall(struct rider *rider, const struct ride *ride)
     rider->z_m = wall * out_z;
 }
 
-/* On its side it is half its width high, upright half its height. */
+/* On its side a fish is half its width high; upright, half its height. */
 static void settle(struct rider *rider, const struct fish *fish, float dry)
 {
     const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
@@ -188,7 +191,7 @@ float rider_tick(struct rider *rider, const struct fish *fish, const struct ride
     return force_n;
 }
 
-/* How deep the paper lies under a rider. */
+/* Returns the depth of the paper under a carried fish. */
 static float sunk_m(const struct rider *rider, const struct ride *ride)
 {
     const float square = rider->x_m * rider->x_m + rider->z_m * rider->z_m;

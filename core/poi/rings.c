@@ -1,14 +1,15 @@
-/* rings.c -- two flat discs: do they overlap, along which way least, and how they part. */
+/* rings.c -- contact of two flat discs: overlap, direction of least overlap, separation. */
 #include "core/poi/rings.h"
 
-#define ASIDE_M_S 0.6f       /* As a ring slides off a bowl's hull (yield.c). */
-#define PARALLEL 1e-4f       /* Square of the sine below which two normals tell the same. */
-#define GAP_M 0.0002f        /* Between two that were parted. */
+#define ASIDE_M_S 0.6f       /* Equal to the speed of a ring that slides off a bowl's hull
+                                (yield.c). */
+#define PARALLEL 1e-4f       /* Squared sine below which two normals count as parallel. */
+#define GAP_M 0.0002f        /* Gap left between two separated rings. */
 
 /* Two rings in one tick. */
 struct rings {
     vec3 up_a, up_b;         /* Unit normals. */
-    vec3 apart_m, before_m;  /* From the one's centre to the other's, now and before the tick. */
+    vec3 apart_m, before_m;  /* Vector between the centres, now and before the tick. */
 };
 
 static float extents_m(const struct rings *rings, vec3 axis)
@@ -17,14 +18,14 @@ static float extents_m(const struct rings *rings, vec3 axis)
            poi_half_extent_m(v3_dot(rings->up_b, axis));
 }
 
-/* How much they share along a unit axis; <= 0: they are apart. */
+/* Returns the overlap along a unit axis; <= 0: apart. */
 static float shared_m(const struct rings *rings, vec3 axis)
 {
     return extents_m(rings, axis) - f_abs(v3_dot(rings->apart_m, axis));
 }
 
-/* The same along a normal, the way it points from the first to the second as they were: who came
- * through in one tick shares more than their thickness. */
+/* Returns the overlap along a normal that points from the first ring to the second before the tick.
+ * Rings that passed through each other in one tick overlap by more than their thickness. */
 static float shared_through_m(const struct rings *rings, vec3 *normal)
 {
     const float side = v3_dot(rings->before_m, *normal) < 0.0f ? -1.0f : 1.0f;
@@ -32,14 +33,14 @@ static float shared_through_m(const struct rings *rings, vec3 *normal)
     return extents_m(rings, *normal) - v3_dot(rings->apart_m, *normal);
 }
 
-/* The way from the one to the other within the plane of a normal. */
+/* Returns the direction between the centres within the plane of a normal. */
 static vec3 along_plane(vec3 apart_m, vec3 normal)
 {
     const vec3 along = v3_mad(apart_m, normal, -v3_dot(apart_m, normal));
     return v3_normalize_or(along, normal);
 }
 
-/* Whether one of the ways in which two discs can be apart is one in which these are. */
+/* Returns 1 if one of the possible separating axes of two discs separates these. */
 static int are_apart(const struct rings *rings)
 {
     const vec3 edge = v3_cross(rings->up_a, rings->up_b);
@@ -50,7 +51,7 @@ static int are_apart(const struct rings *rings)
             shared_m(rings, v3_normalize_or(edge, rings->up_a)) <= 0.0f);
 }
 
-/* Moves a ring along unit `out`; what of its speed goes the other way is lost. */
+/* Moves a ring along unit `out` and removes its speed in the opposite direction. */
 static void move(struct poi *poi, vec3 out, float way_m)
 {
     const float inward_m_s = f_min(v3_dot(poi->velocity_m_s, out), 0.0f);
@@ -59,7 +60,8 @@ static void move(struct poi *poi, vec3 out, float way_m)
     poi->stopped = 1;
 }
 
-/* Sideways, never back, however its hand draws it: a hand over a hand would hold it for good. */
+/* Moves a ring sideways, never back, because a hand above another hand would otherwise hold it
+ * forever. */
 static void slide(struct poi *poi, vec3 out, float need_m)
 {
     const float came_m = f_max(0.0f, -v3_dot(v3_sub(poi->position_m, poi->before_m), out));

@@ -1,4 +1,4 @@
-/* sheet.c -- a sheet's tick: what pulls at it, where stress gathers, what tears. */
+/* sheet.c -- one tick of the paper: loads, stress concentration, tears. */
 #include "core/poi/sheet.h"
 
 #include "core/base/hash.h"
@@ -7,13 +7,15 @@
 #include "core/poi/soak.h"
 #include "core/poi/strain.h"
 
-#define LOAD_RATIO_MIN 0.25f /* Of its ultimate tension paper bears for half a day. */
-#define WET_LINE_FACTOR 2.5f /* Stress concentration between wet and dry: they swell differently. */
+#define LOAD_RATIO_MIN 0.25f /* Share of its ultimate tension that paper sustains for half a day. */
+#define WET_LINE_FACTOR 2.5f /* Stress concentration between wet and dry paper, which swell
+                                differently. */
 #define STANDING_FACTOR_WORST (STRAIN_EDGE * WET_LINE_FACTOR)
-#define FOOT_TENSION_MIN_N_M 0.3f /* A footprint is felt as far as this; less wears nothing. */
-#define SAG_TAU_S 0.03f /* The belly takes water along and cannot jump. */
+#define FOOT_TENSION_MIN_N_M 0.3f /* Tension down to which a footprint is computed; less causes no
+                                     wear. */
+#define SAG_TAU_S 0.03f /* The sag moves water along and cannot jump. */
 
-/* ---- Where stress gathers ------------------------------------------------------------------- */
+/* ---- Stress concentration -------------------------------------------------------------------- */
 
 static int has_line(const struct sheet *sheet)
 {
@@ -25,7 +27,8 @@ static float line_factor(const struct sheet *sheet, uint32_t row, uint32_t colum
     return 1.0f + (WET_LINE_FACTOR - 1.0f) * soak_line(sheet, row, column);
 }
 
-/* A tear raises what membrane, ring and wet line make of a cell, if it is the worst of them. */
+/* Raises the ratio of a cell to that beside a tear, if that is higher than the one from membrane,
+ * ring and wet line. */
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
                            uint32_t column)
 {
@@ -34,7 +37,7 @@ static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uin
     strain->ratio[cell] = f_max(strain->ratio[cell], tip);
 }
 
-/* Along the wet line, where it meets the ring each raises what the other did; then at tears. */
+/* Raises the ratio along the wet line, multiplied where it meets the ring, then at tears. */
 static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     const uint32_t front = tear_front(&strain->map, row);
@@ -48,7 +51,7 @@ static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_
     }
 }
 
-/* After a tear grew in the row: what is a hole bears nothing, ... */
+/* Removes the load of new holes after a tear grew in the row. */
 static void relieve_row(struct strain *strain, uint32_t row)
 {
     for (uint32_t column = 0; column < SHEET_SIDE; column++) {
@@ -59,8 +62,8 @@ static void relieve_row(struct strain *strain, uint32_t row)
     }
 }
 
-/* ... and what lies beside one, there or a tear's length off, bears more. Stress before a tear
- * never falls while it grows, so the worst so far is the worst. */
+/* Recomputes the cells beside a changed hole or within a tear's length, which bear more. Stress
+ * beside a growing tear never falls, so the maximum so far is correct. */
 static void regather(struct strain *strain, const struct sheet *sheet, uint32_t changed)
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -86,7 +89,7 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
 
 /* ---- Tears ---------------------------------------------------------------------------------- */
 
-/* What is worn through opens, all at once. Returns how many cells. */
+/* Opens all cells that are worn through at once. Returns their number. */
 static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t row, uint32_t torn)
 {
     uint32_t count = 0;
@@ -101,7 +104,7 @@ static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t ro
     return count;
 }
 
-/* A bit for each row in which a hole grew since `before`. */
+/* Returns one bit for each row in which a hole grew since `before`. */
 static uint32_t changed_rows(const struct strain *strain, const uint32_t before[SHEET_SIDE])
 {
     uint32_t changed = 0;
@@ -126,7 +129,7 @@ static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* What the last step made loose falls, and what that made loose, to an end. */
+/* Drops loose paper repeatedly until none is left. */
 static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
 {
     uint32_t gone = 0, dropped = 1;
@@ -140,7 +143,8 @@ static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* Damage grows evenly under an even load: only a tick in which something tears needs steps. */
+/* Advances the damage. Damage grows evenly under an even load, so only a tick in which paper tears
+ * needs substeps. */
 static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 {
     uint32_t torn = 0;
@@ -175,11 +179,12 @@ static struct footprint footprint(const struct sheet_load *load, float cell_size
 static void settle_sag(struct sheet *sheet, float pressure_pa)
 {
     const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
-    const float goal = pressure_pa > 0.0f ? -belly : belly; /* Pushed up, it bulges up. */
+    const float goal = pressure_pa > 0.0f ? -belly : belly; /* Pressed upward, the paper bulges
+                                                               up. */
     sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
 }
 
-/* Nothing on it but a pressure that would not even drive a tear on. */
+/* Returns 1 if only a pressure acts that would not even extend a tear. */
 static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
 {
     const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
@@ -214,7 +219,7 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     CORE_ASSERT(f_is_finite(pressure_pa));
     const struct paper_grade *grade = sheet_grade(sheet->grade);
     const float borne_pa = pressure_pa * sheet_left(sheet);
-    struct strain strain; /* 9 KiB, all of it written before it is read. */
+    struct strain strain; /* 9 KiB, fully written before it is read. */
     strain.grade = grade;
     strain.centre_n_m = sheet_tension_centre(grade, borne_pa, sheet->radius_m);
     strain.edge_n_m = sheet_tension_edge(grade, borne_pa, sheet->radius_m);
@@ -232,10 +237,10 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     return strain_cells(sheet, &strain);
 }
 
-/* ---- Questions ------------------------------------------------------------------------------ */
+/* ---- Queries --------------------------------------------------------------------------------- */
 
-/* The cell whose paper a point within the ring lies on. Where a cell's middle is beyond the ring
- * its sliver belongs to the neighbour toward the centre. */
+/* Returns the cell of a point within the ring. If the centre of a cell is beyond the ring, its
+ * sliver belongs to the neighbour toward the centre. */
 static uint32_t cell_at(const struct sheet *sheet, float x_m, float z_m)
 {
     const float last = (float)(SHEET_SIDE - 1u);

@@ -1,26 +1,27 @@
-/* soak.c -- water in the paper, cell by cell. */
+/* soak.c -- wetting of the paper, cell by cell. */
 #include "core/poi/soak.h"
 
-#define WET_TAU_S 1.0f    /* A cell under water loses its dry strength by this. */
-#define SOAKED 0.9999f    /* Driest cell of a sheet that need not be looked at any more. */
-#define WICK_M2_S 1.0e-6f /* In-plane wicking: a front of about 1.4 mm after a second, sqrt(t). */
-#define SOFTENS_FROM 0.5f /* Drier paper does not soften on. */
-#define LINE_STEP 0.5f    /* Difference of wetness over two cells that counts as a full line. */
+#define WET_TAU_S 1.0f    /* Time constant with which a cell under water loses its dry strength. */
+#define SOAKED 0.9999f    /* Wetness of the driest cell above which a sheet counts as soaked. */
+#define WICK_M2_S 1.0e-6f /* In-plane wicking: a front of about 1.4 mm after one second,
+                             proportional to sqrt(t). */
+#define SOFTENS_FROM 0.5f /* Drier paper does not soften further. */
+#define LINE_STEP 0.5f    /* Difference of wetness over two cells that counts as a full wet line. */
 
-/* Dry paper drinks from wet paper. */
+/* Returns the difference that lets dry paper absorb water from wet paper. */
 static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
 {
     return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
 }
 
-/* Row 0, column 0 and their opposites lie outside the ring at their corners only, so borders are
- * skipped: creep there is a cell's width. */
+/* Only the corners of row 0, column 0 and their opposites would lie in the ring, so borders are
+ * skipped; the wicking there is one cell wide. */
 static int is_border(uint32_t row, uint32_t column)
 {
     return row == 0 || column == 0 || row == SHEET_SIDE - 1u || column == SHEET_SIDE - 1u;
 }
 
-/* Wets what is under water; elsewhere lets water creep. */
+/* Wets the cells under water; wicks water elsewhere. */
 static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
 {
     const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
@@ -44,13 +45,14 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
     sheet->soaked = driest >= SOAKED;
 }
 
-/* Whether any of the ring may be under the line; cheap, and right but for the corners. */
+/* Returns 1 if any part of the ring may be under the line: cheap, and exact except at the
+ * corners. */
 static int reaches_water(const struct sheet *sheet, struct sheet_wetting wet)
 {
     return -sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m;
 }
 
-/* In air as under water: fibres go on swelling. */
+/* Softens wet cells in air as under water, because fibres keep swelling. */
 static void soften(struct sheet *sheet)
 {
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
@@ -71,7 +73,8 @@ void soak_tick(struct sheet *sheet, struct sheet_wetting wet)
     }
 }
 
-/* Of wetness, between two cells on both sides of one; 0 unless paper is there. */
+/* Returns the difference of wetness between the cells on both sides of a cell; 0 unless both are
+ * paper. */
 static float step_between(const struct sheet *sheet, uint32_t before, uint32_t after)
 {
     const int is_paper = sheet->state[before] == CELL_PAPER && sheet->state[after] == CELL_PAPER;

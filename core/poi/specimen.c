@@ -1,4 +1,4 @@
-/* specimen.c -- what a mill sells under a number, and what one sheet of it is like. */
+/* specimen.c -- paper grades, and the random variation of one sheet. */
 #include "core/poi/sheet.h"
 
 #include "core/base/mem.h"
@@ -6,9 +6,9 @@
 #include "core/base/rng.h"
 
 #define STRENGTH_SD 0.12f /* Between specimens of one grade. */
-#define PATCH_SD 0.05f    /* Within a specimen, from cloud to cloud of the pulp. */
-#define FLOC 0.05f        /* Either way, from cell to cell: tears wander. */
-#define SPOT_COUNT 3u     /* Thin places a specimen has. */
+#define PATCH_SD 0.05f    /* Within a specimen, between clouds of the pulp. */
+#define FLOC 0.05f        /* Amplitude from cell to cell, which makes tears wander. */
+#define SPOT_COUNT 3u     /* Thin spots of a specimen. */
 
 /* The weakest-sourced figures of the kiosk, all of them here. How well each is known:
  *
@@ -45,7 +45,7 @@ const struct paper_grade *sheet_grade(uint8_t grade)
     return &grades[grade - SHEET_GRADE_MIN];
 }
 
-/* (Y p^2 a^2)^(1/3), what both tensions share. */
+/* Returns (Y p^2 a^2)^(1/3), a common factor of both tensions. */
 static float hencky(const struct paper_grade *grade, float pressure_pa, float radius_m)
 {
     const float pa = pressure_pa * radius_m;
@@ -88,7 +88,8 @@ static struct spot weak_spot(float radius_m, uint32_t seed, uint32_t which)
     };
 }
 
-/* Clouds of pulp about four cells wide: noise on a coarse lattice, blended between its points. */
+/* Returns noise in clouds of pulp about four cells wide: values on a coarse lattice,
+ * interpolated. */
 static float cloud(uint32_t seed, uint32_t column, uint32_t row)
 {
     const uint32_t cx = column / 4u, cz = row / 4u;

@@ -6,7 +6,7 @@
 _Static_assert(SHEET_SIDE % LANES_MAX == 0, "a row is whole blocks");
 _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
-#define WEAR_MAX 1e6f /* Of ratio^10: what is torn a thousand times over stays a number. */
+#define WEAR_MAX 1e6f /* Limit of ratio^10, so that a greatly overloaded cell stays finite. */
 
 typedef uint8_t byte_lanes __attribute__((vector_size(LANES)));
 typedef uint16_t short_lanes __attribute__((vector_size(2 * LANES)));
@@ -18,7 +18,7 @@ static inline ilanes is_paper(const struct sheet *sheet, uint32_t cell)
     return __builtin_convertvector(state, ilanes) == (int32_t)CELL_PAPER;
 }
 
-/* As soak_keeps(). */
+/* SIMD form of soak_keeps(). */
 static inline flanes keeps(const struct sheet *sheet, uint32_t cell)
 {
     short_lanes ticks;
@@ -37,7 +37,7 @@ static inline flanes middle_m(const struct strain *strain, const struct sheet *s
     return x_m * strain->cell_m - sheet->radius_m;
 }
 
-/* N = F / (pi d) at a foot's own edge, falling as 1/r beyond it. */
+/* N = F / (pi d) at the edge of a footprint, falling as 1/r beyond it. */
 static inline flanes feet(const struct strain *strain, flanes x_m, float z_m, flanes tension)
 {
     for (uint32_t i = 0; i < strain->load_count; i++) {

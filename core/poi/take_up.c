@@ -1,24 +1,27 @@
-/* take_up.c -- who can stand, who is pressed against a wall, and how a rider begins. */
+/* take_up.c -- capture: which fish can stand, which are pressed against a wall, and the first state
+ * of a carried fish. */
 #include "core/poi/take_up.h"
 
 #include "core/base/rng.h"
 #include "core/poi/contact.h"
 #include "core/poi/fall.h"
 
-#define LEVEL_MIN 0.35f /* A steeper poi (70 degrees) takes nobody up. */
+#define LEVEL_MIN 0.35f /* A poi steeper than this (70 degrees) captures no fish. */
 #define STAND_SHARE                                                                                \
-    1.05f /* Water over the paper, in body heights, in which a fish still stands ... */
-#define STAND_SPARE_M 0.0045f /* and more, for one that lies across the ring, 3 mm higher. */
+    1.05f /* Water over the paper, in body heights, in which a fish still stands. */
+#define STAND_SPARE_M 0.0045f /* Additional water for a fish that lies across the ring, 3 mm
+                                 higher. */
 #define HELD_SHARE (TAKE_UP_FLOAT_SHARE - 0.05f)
-#define SPILL_M_S 0.4f  /* Fish beyond POI_RIDER_MAX leave over the ring so fast. */
+#define SPILL_M_S 0.4f  /* Speed at which fish beyond POI_RIDER_MAX leave over the ring. */
 #define WALL_GAP_M 0.015f
-#define WALL_M_S 0.02f     /* Toward a wall: more than a trembling hand. */
-#define WALL_PRESS_M 0.004f /* The hand is so far beyond a ring that a wall stops: 0.9 N. */
-#define CALM_VIGOUR 0.55f  /* A fish that rests or gulps is taken by surprise: it slaps by so much
-                              less than one in flight. */
+#define WALL_M_S 0.02f     /* Speed toward a wall: more than a trembling hand. */
+#define WALL_PRESS_M 0.004f /* Offset of the hand from a ring stopped by a wall: 0.9 N. */
+#define CALM_VIGOUR 0.55f  /* Slap strength of a fish that rests or gulps, relative to one in
+                              flight, because it is surprised. */
 
-/* On a ring that a hand pulls at in vain nobody stands: what is held between paper and surface lies
- * on the paper, but where water would float it off again. */
+/* Returns 1 if the fish has water enough to stand. On a blocked ring that the hand pulls up no fish
+ * stands: a fish held between paper and surface lies on the paper, unless water would float it off
+ * again. */
 static int can_stand(const struct poi *poi, const struct basis *axes, vec3 place,
                      const struct fish *fish)
 {
@@ -35,7 +38,7 @@ void take_up_slip_off(const struct poi *poi, struct tank *tank, struct fish *fis
     fall_set_free(tank, fish, v3_scale(out, SPILL_M_S));
 }
 
-/* Against the wall that lies `half_m` from the middle of the tank, the way that `out` looks. */
+/* Tests the wall at `half_m` from the centre of the tank, in the direction `out`. */
 static int is_pressed(const struct poi *poi, const struct basis *axes, const struct fish *fish,
                       vec3 out, float half_m)
 {
@@ -59,7 +62,7 @@ int take_up_is_walled(const struct poi *poi, const struct basis *axes, const str
            is_pressed(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
 }
 
-/* [0, 1]: how hard it will slap. Strong by its stamina, and by how much it was afraid. */
+/* Returns [0, 1], the strength of its slaps, from its stamina and its alarm. */
 static float vigour_of(const struct fish *fish)
 {
     const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;

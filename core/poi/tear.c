@@ -1,12 +1,12 @@
-/* tear.c -- holes as bits. */
+/* tear.c -- holes of a sheet as bit masks. */
 #include "core/poi/tear.h"
 
-#define WAYS 8u /* Round a cell, clockwise from the right as seen from above. */
+#define WAYS 8u /* Directions around a cell, clockwise from the right as seen from above. */
 #define CORNER_SHARE 0.966f /* 2^(-1/20): its tenth power is 1 / sqrt 2. */
 
 struct way {
     int32_t row, column;
-    float x, z; /* Unit. */
+    float x, z; /* Components of the unit vector. */
 };
 
 #define SLANT 0.70710678f
@@ -59,7 +59,7 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row)
     return map->paper[row] & (wider(above) | wider(map->hole[row]) | wider(below));
 }
 
-/* ---- Tips ----------------------------------------------------------------------------------- */
+/* ---- Tear tips ------------------------------------------------------------------------------- */
 
 static float factor_of(const struct tear_map *map, uint32_t row, uint32_t column)
 {
@@ -74,7 +74,8 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 {
     float worst = 0.0f;
     for (uint32_t way = 0; way < WAYS; way++) {
-        const uint32_t r = row + (uint32_t)ways[way].row; /* Below 0 it wraps: huge. */
+        const uint32_t r = row + (uint32_t)ways[way].row; /* Below 0 the value wraps to a huge
+                                                             number. */
         const uint32_t c = column + (uint32_t)ways[way].column;
         if (r < SHEET_SIDE && c < SHEET_SIDE && map->hole[r] >> c & 1u) {
             const float along = ways[way].x * sheet->fibre_x + ways[way].z * sheet->fibre_z;
@@ -88,13 +89,13 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 
 /* ---- Loose paper ---------------------------------------------------------------------------- */
 
-/* Of the next row's bits, for each column that which lies that way. */
+/* Returns the bits of the next row shifted by one column. */
 static uint32_t aside(uint32_t bits, int32_t column)
 {
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
 }
 
-/* Spreads along a row through paper, all the way: each step doubles the last. */
+/* Spreads `open` along a row through paper to its end; each step doubles the distance. */
 static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
 {
     for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
@@ -104,7 +105,8 @@ static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
     return open;
 }
 
-/* The paper from which the ring is reached over paper alone, straight on, one way. */
+/* Finds the paper from which the ring is reached in a straight line over paper, in one
+ * direction. */
 static void look(const struct tear_map *map, const struct way *way, uint32_t open[SHEET_SIDE])
 {
     for (uint32_t i = 0; i < SHEET_SIDE; i++) {

@@ -1,21 +1,24 @@
-/* wake.c -- presses on the height field of the surface.
+/* wake.c -- disturbances of the water surface by a poi.
  *
- * A ring that cuts the surface presses two points ahead of itself, each of which draws a V behind
- * it as soon as it outruns the ripples, at 0.23 m/s. */
+ * A ring that cuts the surface presses two points ahead of itself. Each draws a V behind it as soon
+ * as it outruns the ripples, at 0.23 m/s. */
 #include "core/poi/wake.h"
 
-#define HEAVE_SHARE 0.5f   /* Of the way up or down that the surface follows a disc below it; ... */
-#define HEAVE_DEPTH_M 0.03f /* ... less with its depth; ... */
-#define HEAVE_MAX_M 0.003f /* ... and in a tick at most. */
+#define HEAVE_SHARE 0.5f   /* Share of a disc's vertical motion that the surface above it
+                              follows. */
+#define HEAVE_DEPTH_M 0.03f /* Depth over which that share decays. */
+#define HEAVE_MAX_M 0.003f /* Limit per tick. */
 #define PLUNGE_MAX_M 0.004f
 #define BOW_RADIUS_M 0.012f
-#define BOW_SHARE 0.25f    /* Of the way along the surface that a cutting edge presses it by, ... */
-#define BOW_MAX_M 0.0012f  /* ... in a tick at most. */
-#define LEVEL_SLOPE 0.15f  /* Flatter than 9 degrees a ring has no two points: all of it enters. */
+#define BOW_SHARE 0.25f    /* Share of its motion along the surface by which a cutting edge presses
+                              the surface. */
+#define BOW_MAX_M 0.0012f  /* Limit per tick. */
+#define LEVEL_SLOPE 0.15f  /* A ring flatter than 9 degrees has no two cutting points: all of it
+                              enters. */
 #define DROP_RADIUS_M 0.008f
 #define DROP_M 0.0005f
 
-/* Up the paper's slope, unit, and how steep that is: the sine of its tilt. */
+/* Returns the unit vector up the slope of the paper, and the sine of its tilt. */
 static vec3 uphill(vec3 up, float *slope)
 {
     const vec3 rise = v3_mad(v3(0.0f, 1.0f, 0.0f), up, -up.y);
@@ -23,7 +26,7 @@ static vec3 uphill(vec3 up, float *slope)
     return v3_normalize_or(rise, v3(0.0f, 0.0f, 0.0f));
 }
 
-/* Where the ring's edge goes through the surface. */
+/* Presses the surface where the ring's edge passes through it. */
 static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
 {
     float slope;
@@ -44,7 +47,7 @@ static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, ve
     }
 }
 
-/* From the lowest point of the ring, or of the belly of a level one. */
+/* Drops fall from the lowest point of the ring, or from the sag of a level ring. */
 static void drip(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
 {
     float slope;

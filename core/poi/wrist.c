@@ -1,28 +1,31 @@
-/* wrist.c -- a wrist as a damped spring about three axes, and the turn over the bowl. */
+/* wrist.c -- the wrist as a damped spring about three axes, and the tip over the bowl. */
 #include "core/poi/wrist.h"
 
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-#define TURN_RAD_S 80.0f     /* In air: lags by 25 ms. */
-#define TURN_KG_M2 1.2e-4f   /* The poi's 7 g, 13 cm from the hand that turns it. */
-#define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S) /* For each radian. */
+#define TURN_RAD_S 80.0f     /* In air; lags by 25 ms. */
+#define TURN_KG_M2 1.2e-4f   /* Inertia of the poi's 7 g, 13 cm from the hand. */
+#define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S) /* Torque per radian. */
 
 #define TIP_RAD (55.0f * F_DEG) /* Steep enough for a fish to roll over the ring. */
 #define TIP_PER_S 3.0f
-#define TIP_NEAR 0.45f /* Ring to mouth, centre to centre, in sums of their radii: full turn, ... */
-#define TIP_FAR 0.95f  /* ... and none. */
-#define TIP_FALL_M 0.040f /* A fish leaves the ring so far from its centre; */
-#define TIP_HIT 0.65f     /* well within the mouth, in its radii, the turn is full. */
+#define TIP_NEAR 0.45f /* Distance of ring and mouth centres, in sums of their radii, for the full
+                          tip. */
+#define TIP_FAR 0.95f  /* The same distance for no tip. */
+#define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish leaves the ring. */
+#define TIP_HIT 0.65f     /* Distance from the mouth's centre, in its radii, below which the tip is
+                             full. */
 #define TIP_BACK_SHARE 0.4f
-#define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u) /* After the last fish it stays turned so long: what
-                                               still rolls over the ring falls in, too. */
-#define TIP_EDGE_M 0.010f /* The lower edge then keeps so far over the mouth. */
+#define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u) /* The poi stays tipped for this time after the last
+                                               fish, so that a fish still rolling over the ring
+                                               falls in. */
+#define TIP_EDGE_M 0.010f /* Height of the lower edge above the mouth while tipped. */
 
 /* ---- Over the bowl -------------------------------------------------------------------------- */
 
-/* [0, 1]: how far the ring is over the mouth of its bowl, clear of the water, and turned so that a
- * fish would fall into the mouth. */
+/* Returns [0, 1]: how far the ring is over the mouth of its bowl, clear of the water, and in a
+ * direction in which a fish would fall into the mouth. */
 static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
 {
     if (!bowl->present) {
@@ -36,8 +39,9 @@ static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
     return goal * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
 }
 
-/* A wrist rolls a handle more easily than it raises it, and never lowers it: the handle would go
- * through the bowl. Toward a bowl between ring and hand it only rolls. */
+/* Prefers roll to pitch, because a wrist rolls a handle more easily than it raises it. The handle
+ * is never lowered, because it would pass through the bowl. Toward a bowl between ring and hand the
+ * poi only rolls. */
 static vec3 rather_sideways(vec3 way, float yaw_rad)
 {
     const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
@@ -62,8 +66,8 @@ void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* The hand's target, tipped toward the bowl. The wrist that turns the ring also lifts it, or the
- * fish would slide out below the bowl's mouth. */
+/* The wrist that tips the ring also lifts it, because the fish would otherwise slide out below the
+ * bowl's mouth. */
 struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
                                 struct poi_target target)
 {
@@ -81,10 +85,10 @@ struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
     return target;
 }
 
-/* ---- Turning -------------------------------------------------------------------------------- */
+/* ---- Rotation -------------------------------------------------------------------------------- */
 
-/* Water's share in a turn about an axis that a disc has the part `along` of in its normal: none
- * about the normal itself. */
+/* Water inertia and drag of a rotation about an axis; `along` is the component of the axis along
+ * the disc's normal. A rotation about the normal itself has none. */
 struct turn_water {
     float kg_m2, n_m_s;
 };
@@ -98,7 +102,7 @@ static struct turn_water turn_water(const struct poi *poi, float along, float ra
     };
 }
 
-/* Critically damped, implicit: stable at any stiffness. */
+/* Critically damped and implicit: stable at any stiffness. */
 static void turn_angle(float *angle, float *speed, float goal, struct turn_water water)
 {
     const float error = f_wrap_angle(goal - *angle), dt = CORE_TICK_S;

@@ -1,12 +1,12 @@
-/* yield.c -- limits, one after the other; the walls have the last word. */
+/* yield.c -- constraints of the ring, applied in order; walls are applied last. */
 #include "core/poi/yield.h"
 
-#define REACH_SIDE_M 0.15f /* Beyond the walls, over the rim. */
+#define REACH_SIDE_M 0.15f /* Reach beyond the walls, over the rim. */
 #define REACH_HEIGHT_M 0.30f
-#define ASIDE_M_S 0.6f     /* Off a bowl's hull. */
-#define FLOOR_GAP_M 0.003f /* The ring is thick; its paper must not be pinched. */
+#define ASIDE_M_S 0.6f     /* Sliding speed off a bowl's hull. */
+#define FLOOR_GAP_M 0.003f /* The ring is thick, and its paper must not be pinched. */
 
-/* Keeps one coordinate within limits; what ran into them stops. */
+/* Clamps one coordinate to its limits and stops motion into them. */
 static void keep(float *place, float *speed, float low, float high)
 {
     if (*place < low) {
@@ -18,15 +18,15 @@ static void keep(float *place, float *speed, float low, float high)
     }
 }
 
-/* How far a point is beyond a room about the origin; <= 0 within it. */
+/* Returns the distance of a point beyond a room around the origin; <= 0 inside. */
 static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
 {
     return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);
 }
 
-/* Inside the walls it stays inside; only with its lowest edge over the rim may it pass. A ring that
- * is beyond them, or lies across the rim, rests on it. Which of the two it is says where it was,
- * not how it is turned: a turn alone must never throw it over a wall. */
+/* A ring inside the walls stays inside; it passes only with its lowest edge above the rim. A ring
+ * beyond the walls, or across the rim, rests on the rim. Its previous position decides which case
+ * applies, not its angles, because a rotation alone must never throw it over a wall. */
 static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);
@@ -48,7 +48,8 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
     }
 }
 
-/* From above the ring rests on the mouth, from below under the hull, from aside it slides round. */
+/* From above the ring rests on the mouth, from below under the hull, and from the side it slides
+ * around. */
 static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);
