@@ -1,4 +1,4 @@
-/* compile.c -- from a drawing and its lofts to what the core reads: card, coats, tables. */
+/* compile.c -- converts a drawing and its lofts to the core's data: card, coats, tables. */
 #include "platform/species/shape.h"
 
 #include <assert.h>
@@ -38,7 +38,8 @@ void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_table
     }
 }
 
-/* Makers give places along x; paint is asked by body coordinates. */
+/* Converts a coat from positions along x, as makers write it, to body coordinates, as the paint
+ * functions read it. */
 static struct species_coat coat_on_body(const struct key_text *key)
 {
     struct species_coat coat = key->coat;

@@ -1,7 +1,7 @@
-/* loft.c -- makes a key's smooth shape a mesh: rings along the body, fin sheets, eyes.
+/* loft.c -- converts a key's smooth shape to a mesh: rings along the body, fin sheets, eyes.
  *
- * Every key of a species walks the same rings, spokes and rays, so vertices correspond by
- * construction, as the 2005 thesis asks of its input shapes (section 3.1). */
+ * All keys of a species use the same rings, spokes and rays, so vertices correspond by
+ * construction, as the 2005 thesis requires of its input shapes (section 3.1). */
 #include "platform/species/loft_parts.h"
 
 #include <assert.h>
@@ -9,8 +9,9 @@
 #include <string.h>
 
 #define RINGS_MAX 64
-#define CAP_AT 0.6    /* So far from the last ring to the closing point an end's own ring stands; */
-#define CAP_FACES 0.8 /* it faces backward so much for each part outward. */
+#define CAP_AT 0.6    /* Position of the round end's ring, as a fraction of the way from the last
+                         ring to the closing point. */
+#define CAP_FACES 0.8 /* How much the end ring's normals face backward for each part outward. */
 
 /* clang-format off */
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
@@ -71,8 +72,9 @@ struct species_anchor *next_anchor(struct lofting *l, enum species_part part, ui
     return anchor;
 }
 
-/* The snout's or tail root's closing point, on its section's axis: once for each flank, so that a
- * pattern's v does not run through the belly's. `normal` and the answer are the right one's. */
+/* Adds the closing point of the snout or of the tail root, on its section's axis. The point is
+ * added once for each flank, so that a pattern's v does not run through the belly's. `normal` is
+ * the right flank's; returns the index of the right flank's point. */
 static uint32_t add_poles(struct lofting *l, double u, point3 normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
@@ -101,8 +103,8 @@ static void add_ring(struct lofting *l, double u)
     }
 }
 
-/* Between the last ring and the closing points: it rounds off the flesh of the tail root. It is no
- * part of the grid, for nothing rides there. */
+/* Adds a ring between the last ring and the closing points, which rounds off the tail root. The
+ * ring is not part of the grid, because no anchor is on it. */
 static void add_cap_ring(struct lofting *l)
 {
     for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
@@ -148,7 +150,7 @@ static void add_body(struct lofting *l)
     l->loft->grid_spokes = spokes;
 }
 
-/* The least of 1, 2 and 4 that holds every point. */
+/* Returns the least of 1, 2 and 4 that contains every point. */
 static float reach_of(const struct loft *loft, uint32_t key_count)
 {
     float farthest = 0.0f;

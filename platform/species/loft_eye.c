@@ -1,11 +1,11 @@
-/* loft_eye.c -- eyes: closed balls, half sunk, that ride on the skin and turn with it. */
+/* loft_eye.c -- lofts the eyes: closed balls, half sunk, that move and turn with the skin. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
 
-/* A ball's vertex at `polar` (0 the pupil's centre, PI within the head) in every key. */
+/* Adds a ball's vertex at `polar` (0 the pupil's centre, PI inside the head) to every key. */
 static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, double angle)
 {
     next_vertex(l, (struct species_vertex){ .u = (float)(polar / EYE_RIM_RAD),
@@ -24,7 +24,8 @@ static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, doub
     }
 }
 
-/* Of `count` rings from the pupil backward: the more than half of them up to the rim, one on it. */
+/* Returns the polar angle of one of `count` rings from the pupil backward. More than half of the
+ * rings lie up to the rim, with one on the rim. */
 static double ring_polar(uint32_t ring, uint32_t count)
 {
     const uint32_t shown = (count + 2) / 2;

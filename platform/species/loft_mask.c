@@ -1,14 +1,17 @@
-/* loft_mask.c -- how much each curve moves each vertex, soft where parts of one skin meet.
+/* loft_mask.c -- computes how much each curve moves each vertex, with smooth transitions on shared
+ * skin.
  *
- * Fins and eyes ride on anchors, so one curve may own the whole of them and nothing tears. Head,
- * trunk, painted areas and the tail share their skin with what is beside them. */
+ * Fins and eyes are attached to anchors, so a single curve can own them completely without a tear.
+ * Head, trunk, painted areas and the tail share their skin with neighbouring parts. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
-#define GILL_SOFT 0.07    /* Half as wide, in body coordinates, as head fades into trunk. */
-#define TAIL_SOFT 0.6     /* Of the tail fin's length: by there it is all the tail's. */
-#define TAIL_ROOT_U 0.965 /* Where the tail fin is rooted. */
+#define GILL_SOFT 0.07    /* Half width, in body coordinates, of the transition from head to
+                             trunk. */
+#define TAIL_SOFT 0.6     /* Fraction of the tail fin's length from which the tail's own curve moves
+                             it completely. */
+#define TAIL_ROOT_U 0.965 /* Body coordinate of the tail fin's root. */
 
 static double ramp(double from, double to, double x)
 {
@@ -26,7 +29,8 @@ uint8_t curve_of(const struct species_text *species, uint32_t part)
     return 0;
 }
 
-/* 1 inside, 0 beyond `soft` of the border. Areas are drawn on the first key. */
+/* Returns 1 inside the area and 0 beyond `soft` outside its border. Areas are drawn on the first
+ * key. */
 static double in_area(const struct species_text *species, const struct area *a, double u, double v)
 {
     const struct key_text *key = &species->keys[0];
@@ -38,7 +42,7 @@ static double in_area(const struct species_text *species, const struct area *a, 
            (1.0 - ramp((double)a->high, (double)a->high + soft, high));
 }
 
-/* How much each curve moves the body's skin; the whole fish's has the rest. */
+/* Computes how much each curve moves the body's skin. The whole fish's curve has the remainder. */
 static void skin_share(const struct species_text *species, double u, double v,
                        double share[MORPH_CURVE_MAX])
 {
@@ -66,7 +70,7 @@ static void vertex_share(const struct species_text *species, const struct specie
                          double share[MORPH_CURVE_MAX])
 {
     const uint8_t own = curve_of(species, vertex->part);
-    double rooted = 0.0; /* How far it is its part's own and not the skin's. */
+    double rooted = 0.0; /* How far the vertex belongs to its own part and not to the skin. */
     if (vertex->part == PART_TAIL) {
         skin_share(species, TAIL_ROOT_U, 0.25, share);
         rooted = ramp(0.0, TAIL_SOFT, (double)vertex->v);

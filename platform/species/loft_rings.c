@@ -1,17 +1,20 @@
-/* loft_rings.c -- where along the body its rings stand.
+/* loft_rings.c -- computes the positions of the rings along the body.
  *
- * The same body coordinates in every key, closer where some key's outline turns: a straight piece
- * between two rings misses a curve by its bend times the square of the gap, so rings as dense as
- * the root of the bend miss it alike everywhere. */
+ * The body coordinates are the same in every key, denser where some key's outline bends. A straight
+ * piece between two rings deviates from a curve by its bend times the square of the gap. A ring
+ * density proportional to the square root of the bend therefore gives the same deviation
+ * everywhere. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define SAMPLES 256
-#define EVEN_SHARE 0.30 /* Of the rings that stand evenly, for the body's wave bends it too. */
-#define HEAD_FAVOUR 1.9 /* Mouth, eyes and gill cover are what people look at. */
+#define EVEN_SHARE 0.30 /* Fraction of the rings with even spacing, because the swimming wave bends
+                           the whole body. */
+#define HEAD_FAVOUR 1.9 /* Mouth, eyes and gill cover attract the viewer's attention and get more
+                           rings. */
 
-/* Back, belly and flank of a key at `u`, as parts of its length. */
+/* Writes back, belly and flank of a key at `u`, as fractions of its length. */
 static void outline(const struct key_text *key, double u, double out[3])
 {
     const struct station s = section(key, body_x(key, u));
@@ -20,7 +23,7 @@ static void outline(const struct key_text *key, double u, double out[3])
     out[2] = 0.5 * (double)s.width;
 }
 
-/* How hard any outline of any key bends about `u`. */
+/* Returns the largest bend of any outline of any key at `u`. */
 static double bend(const struct species_text *species, double u)
 {
     const double d = 1.0 / SAMPLES;
@@ -37,7 +40,7 @@ static double bend(const struct species_text *species, double u)
     return most;
 }
 
-/* The nearest ring goes to the gill cover's edge, where head and trunk meet. */
+/* Moves the nearest ring to the gill cover's edge, where head and trunk meet. */
 static void ring_at_gill(double *u, uint32_t count)
 {
     uint32_t nearest = 0;

@@ -1,4 +1,4 @@
-/* pack.c -- one walk over a species' fields, forward for reading and for writing. */
+/* pack.c -- serializer of a species: one function visits the fields for reading and for writing. */
 #include "platform/species/pack.h"
 
 #include <assert.h>
@@ -10,17 +10,17 @@
 
 static const uint8_t magic[8] = { 'K', 'F', 'I', 'S', 'H', '\r', '\n', 0x1a };
 
-/* A field that is new to these is to be walked below, and the version to rise. */
+/* A new field in these structures must be visited below, and the version must increase. */
 _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat) == 280 &&
                sizeof(struct species_mark) == 32 && sizeof(struct species_vertex) == 16 &&
                sizeof(struct species_anchor) == 68, "all that a pack holds is walked");
 
-/* Where the walk is, and which way the bytes go. */
+/* Position in the bytes, and the direction of the copy. */
 struct tape {
     uint8_t *bytes;
-    size_t size, at; /* `at` beyond `size`: too short, and zeros were read. */
+    size_t size, at; /* `at` beyond `size`: the input was too short, and zeros were read. */
     bool writing;
-    const char *too_many; /* The first count that was over its maximum. */
+    const char *too_many; /* Name of the first count that exceeded its maximum. */
 };
 
 static void word8(struct tape *t, uint8_t *x)
@@ -78,7 +78,7 @@ static void name(struct tape *t, char x[SPECIES_NAME_SIZE])
     }
 }
 
-/* A count read is never more than its table holds, whatever the file says. */
+/* Limits a count from the file to its table's maximum. */
 static uint32_t hold(struct tape *t, uint32_t count, uint32_t count_max, const char *what)
 {
     if (count > count_max && !t->too_many) {
@@ -248,7 +248,7 @@ static void walk_species(struct tape *t, struct species_slot *slot)
     }
 }
 
-/* IEEE 802.3, four bits at a time: a file of 256 KiB takes a millisecond, once. */
+/* IEEE 802.3, four bits at a time. A file of 256 KiB takes a millisecond, once. */
 static uint32_t crc32(const uint8_t *bytes, size_t size)
 {
     static const uint32_t table[16] = {
@@ -321,7 +321,7 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
     if (check_head(bytes, size, why) != PACK_OK) {
         return PACK_BAD;
     }
-    /* The walk writes to no byte when it reads. */
+    /* Reading does not modify `bytes`, so the const can be cast away. */
     struct tape tape = { .bytes = (uint8_t *)(uintptr_t)bytes, .size = size, .at = HEAD_SIZE };
     memset(slot, 0, sizeof *slot);
     walk_species(&tape, slot);

@@ -1,4 +1,4 @@
-/* pack_file.c -- packed species from and to files. */
+/* pack_file.c -- reads and writes packed species files. */
 #include "platform/species/pack.h"
 
 #include <errno.h>
@@ -36,7 +36,8 @@ enum pack_result pack_read(const char *path, struct species_slot *slot, char why
 enum pack_result pack_read_data(const char *path, struct species_slot *slot,
                                 char why[VET_WHY_SIZE])
 {
-    static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* One more tells that the file is too large. */
+    static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* One byte more than the maximum, to detect a file
+                                                 that is too large. */
     const int handle = plain_file_handle(path, O_RDONLY, 0);
     size_t size = 0;
     ssize_t got = handle < 0 ? -1 : 1;
@@ -62,7 +63,7 @@ enum pack_result pack_write(const char *path, struct species_slot *slot, char wh
     const size_t size = pack_encode(slot, bytes);
     int error = out_open_lasting(&out, path);
     if (error == 0) {
-        fwrite(bytes, 1, size, out.file); /* What becomes of it, closing tells. */
+        fwrite(bytes, 1, size, out.file); /* Write errors are reported when the file is closed. */
         error = out_close(&out);
     }
     return error != 0 ? cannot(-error, why) : PACK_OK;

@@ -1,4 +1,5 @@
-/* part.c -- the vertex that stands for a part is the nearest to what its coordinates say. */
+/* part.c -- finds the vertex that represents a part: the nearest to the part's reference
+ * coordinates. */
 #include "platform/species/part.h"
 
 #include <math.h>
@@ -15,7 +16,8 @@ enum species_part morph_part_of(const char *name)
     return part;
 }
 
-/* How far a vertex is from what is looked for; the other one of a pair is farther than any. */
+/* Returns the distance of a vertex from the reference. A vertex of the wrong side of a pair is
+ * farther than any other. */
 static float unlikeness(const struct species_vertex *at, enum species_part part,
                         enum species_side side)
 {

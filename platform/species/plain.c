@@ -1,4 +1,4 @@
-/* plain.c -- opening and lines of files that somebody else wrote. */
+/* plain.c -- opens untrusted text files and reads their lines. */
 #include "platform/species/plain.h"
 
 #include <errno.h>

@@ -1,5 +1,4 @@
-/* plain.h -- opens and reads text files from outside the program: regular files alone, line by
- * line. */
+/* plain.h -- opens and reads untrusted text files: only regular files, line by line. */
 #ifndef KINGYO_PLATFORM_SPECIES_PLAIN_H
 #define KINGYO_PLATFORM_SPECIES_PLAIN_H
 
@@ -10,22 +9,23 @@
 
 enum plain_open {
     PLAIN_OPEN,
-    PLAIN_NONE,  /* It is not there, not readable, or no regular file. */
-    PLAIN_LARGE, /* It has more than `size_max` bytes. */
+    PLAIN_NONE,  /* The file does not exist, is not readable, or is not a regular file. */
+    PLAIN_LARGE, /* The file has more than `size_max` bytes. */
 };
 
-/* Opens a regular file of at most `size_max` bytes; pipes and devices are neither waited for nor
- * read. Where not, `*out` is null and `why` says so without the path. The caller closes it. */
+/* Opens a regular file of at most `size_max` bytes. Never blocks on pipes and devices, nor reads
+ * them. On failure, `*out` is null and `why` is the reason without the path. The caller closes the
+ * file. */
 enum plain_open plain_open(const char *path, uint32_t size_max, FILE **out,
                            char why[PLAIN_WHY_SIZE]);
 
 enum plain_line {
     PLAIN_LINE,
-    PLAIN_END,  /* No further line; ferror() tells whether the file ended. */
-    PLAIN_LONG, /* More than size - 2 characters. */
-    PLAIN_ZERO, /* There is a zero byte in it. */
+    PLAIN_END,  /* No further line. ferror() distinguishes a read error from the end of the file. */
+    PLAIN_LONG, /* The line has more than size - 2 characters. */
+    PLAIN_ZERO, /* The line contains a zero byte. */
 };
 
-/* The next line, without its line end. */
+/* Reads the next line, without its line end. */
 enum plain_line plain_line(FILE *file, char *text, size_t size);
 #endif

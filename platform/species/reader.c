@@ -1,4 +1,4 @@
-/* reader.c -- the words of one line as numbers, names, colours and choices. */
+/* reader.c -- parses the words of one line as numbers, names, colours and choices. */
 #include "platform/species/reader.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
-/* reader.h -- what the readers of a species' lines share: one line cut into words.
+/* reader.h -- functions that the parsers of a species' lines share; a line is split into words.
  *
- * Private to text*.c. Every function that answers bool has, when it answers false, already written
- * its one line of complaint. */
+ * Private to text*.c. Every function that returns bool has written its one line of error message
+ * when it returns false. */
 #ifndef KINGYO_PLATFORM_SPECIES_READER_H
 #define KINGYO_PLATFORM_SPECIES_READER_H
 
@@ -19,38 +19,41 @@ struct reader {
     const char *words[WORD_MAX];
     uint32_t word_count;
     struct species_text *species;
-    struct key_text *key; /* What a line of a key adds to; null before the first. */
-    struct fin *fin;      /* What a ray adds to; null outside a fin. */
-    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Where each started. */
+    struct key_text *key; /* Key to which a key's line adds; null before the first. */
+    struct fin *fin;      /* Fin to which a ray adds; null outside a fin. */
+    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Line number at which each
+                                                                      started. */
     bool has_growth, has_hatch, has_thesis;
 };
 
-/* Writes 'PATH:LINE: what' and answers false. */
+/* Writes 'PATH:LINE: what' and returns false. */
 __attribute__((format(printf, 2, 3))) bool refuse(const struct reader *r, const char *format, ...);
 
-/* Word `index` as a number in [low, high]. */
+/* Parses word `index` as a number in [low, high]. */
 bool number(const struct reader *r, uint32_t index, float low, float high, float *out);
 
-/* Word `index` as a whole number in [low, high]. */
+/* Parses word `index` as an integer in [low, high]. */
 bool whole(const struct reader *r, uint32_t index, uint32_t low, uint32_t high, uint32_t *out);
 
-/* Word `index` as a name: a-z, 0-9 and _. */
+/* Parses word `index` as a name of a-z, 0-9 and _. */
 bool name(const struct reader *r, uint32_t index, char out[SPECIES_NAME_SIZE]);
 
-/* Word `index` as a colour, rrggbb. */
+/* Parses word `index` as a colour, rrggbb. */
 bool colour(const struct reader *r, uint32_t index, uint32_t *out);
 
-/* Word `index` as one of `choices`, of which the null ones are none; else all are listed. */
+/* Parses word `index` as one of `choices`; null entries are skipped. The error message lists all
+ * choices. */
 bool choice(const struct reader *r, uint32_t index, const char *what, const char *const *choices,
             uint32_t count, uint32_t *out);
 
-/* True where `count` numbers follow the line's first word; else says how to write it. */
+/* Returns true if `count` numbers follow the line's first word. Otherwise the error message shows
+ * the syntax. */
 bool wants(const struct reader *r, uint32_t count, const char *names);
 
-/* Parts by the names that makers use; head and trunk behind them. */
+/* Makers' names of the parts, then of head and trunk. */
 extern const char *const part_names[OWNED_COUNT];
 
-/* text_life.c */
+/* Implemented in text_life.c. */
 bool read_species(struct reader *r);
 bool read_measure(struct reader *r);
 bool read_form(struct reader *r);
@@ -63,7 +66,7 @@ bool read_point(struct reader *r);
 bool read_scale(struct reader *r);
 bool read_thesis(struct reader *r);
 
-/* text_key.c */
+/* Implemented in text_key.c. */
 bool read_key(struct reader *r);
 bool read_gill(struct reader *r);
 bool read_station(struct reader *r);
@@ -72,18 +75,18 @@ bool read_fin(struct reader *r);
 bool read_ray(struct reader *r);
 bool read_finlets(struct reader *r);
 
-/* text_coat.c */
+/* Implemented in text_coat.c. */
 bool read_coat(struct reader *r);
 bool read_mark(struct reader *r);
 
-/* text_graph.c */
+/* Implemented in text_graph.c. */
 bool read_curve(struct reader *r);
 bool read_area(struct reader *r);
 bool read_knot(struct reader *r);
 bool read_line_kind(struct reader *r);
 bool read_template(struct reader *r);
 
-/* text_check.c: what a whole species must have before it can be lofted. */
+/* Checks in text_check.c that a species is complete and can be lofted. */
 bool check_species(struct reader *r);
 
 #endif

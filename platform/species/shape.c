@@ -1,4 +1,4 @@
-/* shape.c -- see shape.h: curves through what was drawn, the body. */
+/* shape.c -- implementation of shape.h: curves through drawn points, and the body. */
 #include "platform/species/shape.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 /* Curves through drawn points */
 
-/* Fritsch and Carlson's slope at `i`: no overshoot between the points a maker drew. */
+/* Returns Fritsch and Carlson's slope at `i`, which prevents overshoot between the drawn points. */
 static double slope(const double *x, const double *y, uint32_t count, uint32_t i)
 {
     if (i == 0 || i == count - 1) {
@@ -37,8 +37,8 @@ double curve_through(const double *x, const double *y, uint32_t count, double at
            (t3 - t2) * m1;
 }
 
-/* The cross section at `x`. Curves run over the square root of x, so that a section which starts
- * from nothing opens like a ball and not like a cone. */
+/* Returns the cross section at `x`. Curves run over the square root of x, so that a section which
+ * starts at size 0 opens like a ball and not like a cone. */
 struct station section(const struct key_text *key, double along)
 {
     double x[STATION_MAX], y[4][STATION_MAX];
@@ -59,7 +59,8 @@ struct station section(const struct key_text *key, double along)
                              .exponent = (float)curve_through(x, y[3], n, at) };
 }
 
-/* Body coordinates: u runs evenly but for the gill cover, which every key has at GILL_U. */
+/* Body coordinate u is linear in x on both sides of the gill cover, which every key has at
+ * GILL_U. */
 
 double body_x(const struct key_text *key, double u)
 {
@@ -112,7 +113,7 @@ point3 unit(point3 a)
                           : (point3){ 0.0, 1.0, 0.0 };
 }
 
-/* Surfaces: body by (u along, v round) */
+/* Surfaces: the body by (u along, v round) */
 
 static double superellipse(double sine, double exponent)
 {

@@ -1,8 +1,8 @@
-/* shape.h -- the smooth surfaces of one key, before any mesh: body, eyes, fins.
+/* shape.h -- the smooth surfaces of one key, before meshing: body, eyes, fins.
  *
  * In the drawing's units (snout to tail root 1): x right, y up from the axis, z back from the
- * snout. Paired fins are the right ones; the left are their mirror images. Normals point outward;
- * a fin's is on either side. */
+ * snout. Paired fins are the right ones; the left are their mirror images. Normals point outward; a
+ * fin's normal may be on either side. */
 #ifndef KINGYO_PLATFORM_SPECIES_SHAPE_H
 #define KINGYO_PLATFORM_SPECIES_SHAPE_H
 
@@ -17,53 +17,57 @@ point3 mad(point3 a, point3 b, double s); /* a + b s */
 point3 cross(point3 a, point3 b);
 double dot3(point3 a, point3 b);
 double length3(point3 a);
-/* Of length 1; upward where a maker's numbers fold a surface so that it has no normal. */
+/* Returns a vector of length 1. Returns up if a degenerate surface has no normal. */
 point3 unit(point3 a);
 
-/* A smooth curve through drawn points that never overshoots them (Fritsch and Carlson); beyond
- * their ends it stays at the last. */
+/* Returns the value at `at` of a smooth curve through drawn points that never overshoots them
+ * (Fritsch and Carlson). Beyond the ends the curve is constant. */
 double curve_through(const double *x, const double *y, uint32_t count, double at);
 
-/* From body coordinate u to the drawing's x, and back; both rise from 0 to 1. */
+/* Convert body coordinate u to the drawing's x, and back. Both rise from 0 to 1. */
 double body_x(const struct key_text *key, double u);
 double body_u(const struct key_text *key, double x);
 
-/* The cross section at `x` along the body, a smooth curve through the stations. */
+/* Returns the cross section at `x` along the body, a smooth curve through the stations. */
 struct station section(const struct key_text *key, double x);
 
-/* `u` in (0, 1] from snout to tail root, `v` in [0, 1] round the girth from back over right. */
+/* Return a point and the normal of the body: `u` in (0, 1] from snout to tail root, `v` in [0, 1]
+ * round the girth from the back over the right flank. */
 point3 body_point(const struct key_text *key, double u, double v);
 point3 body_normal(const struct key_text *key, double u, double v);
 
-#define EYE_RIM_RAD 1.4 /* From the pupil's centre to where a ball meets the skin: 80 degrees. */
+#define EYE_RIM_RAD 1.4 /* Angle from the pupil's centre to the rim where the ball meets the skin:
+                           80 degrees. */
 
-/* An eye: half an ellipsoid outward and half one inward, told from the skin at (u, v), its centre
- * `sunk` below it. v leaves [0, 1) for an eye that has wandered over the back. */
+/* An eye: half an ellipsoid outward and half an ellipsoid inward, relative to the skin at (u, v),
+ * its centre `sunk` below the skin. v leaves [0, 1) for an eye that has migrated over the back. */
 struct ball {
     double u, v;
     double radius, out, in, sunk;
 };
 struct ball eye_ball(const struct key_text *key, uint32_t side);
 
-/* The body's last point, a little behind its last ring. */
+/* Returns the z of the body's last point, slightly behind its last ring. */
 double body_end(const struct key_text *key);
-/* Of the round end: `t` 0 at the last ring .. 1 at that point. */
+/* Returns a point of the round end: `t` is 0 at the last ring and 1 at the body's last point. */
 point3 end_point(const struct key_text *key, double t, double v);
 
-/* `at` 0 .. 1 from the first ray to the last, `along` 0 .. 1 from root to tip. The root (0) lies in
- * the body, everything beyond it (down to the least above 0) outside. */
+/* Return a point and the normal of a fin: `at` 0 .. 1 from the first ray to the last, `along` 0
+ * .. 1 from root to tip. The root (along = 0) is inside the body, every point with along > 0
+ * outside. */
 point3 fin_point(const struct key_text *key, enum species_part part, double at, double along);
 point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along);
 
-#define FINLET_BASE 0.6 /* Of the step from one finlet to the next. */
+#define FINLET_BASE 0.6 /* Length of a finlet's base, as a fraction of the step between finlets. */
 
-/* Of the finlet that starts at `at` of its row: corner 0 fore root, 1 hind root, 2 tip. */
+/* Returns a corner of the finlet that starts at `at` of its row: 0 fore root, 1 hind root, 2
+ * tip. */
 point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);
 
-/* What becomes the mesh's unit: the species' measure in the drawing's units. */
+/* Returns the length that becomes the mesh's unit: the species' measure in the drawing's units. */
 double unit_length(const struct key_text *key, enum species_measure measure);
 
-/* How far the farthest point of all is from the body's origin, along any axis: an upper bound. */
+/* Returns an upper bound of the distance of any point from the body's origin, along any axis. */
 double farthest(const struct key_text *key);
 
 #endif

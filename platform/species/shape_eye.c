@@ -1,16 +1,21 @@
-/* shape_eye.c -- where an eye sits on the skin, and how much of its ball stands out. */
+/* shape_eye.c -- computes an eye's position on the skin, and how far its ball protrudes. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
-#define HIGHEST 0.97     /* Of the section's half height: as high as an eye's centre may reach. */
-#define DROP_MAX 0.35    /* Of the ball's radius: a sharper ridge is taken for this. */
-#define SUNK_MAX 0.6     /* Of the head's half thickness there ... */
-#define DEPTH_MAX 0.9    /* ... and how deep its back may reach: never out on the other side. */
-#define THINNEST 1e-3    /* A ball flatter than this would have no normals. */
+#define HIGHEST 0.97     /* Maximum height of an eye's centre, as a fraction of the section's half
+                            height. */
+#define DROP_MAX 0.35    /* Maximum skin drop, as a fraction of the ball's radius. A sharper ridge
+                            is treated as this. */
+#define SUNK_MAX 0.6     /* Maximum depth of the centre, as a fraction of the head's half thickness
+                            there. */
+#define DEPTH_MAX 0.9    /* Maximum depth of the ball's back, so that it never emerges on the other
+                            side. */
+#define THINNEST 1e-3    /* A ball flatter than this has no usable normals. */
 
-/* Round the girth from the back, in [0, 0.5], where the right flank is at height `y`. */
+/* Returns the girth coordinate from the back, in [0, 0.5], at which the right flank has height
+ * `y`. */
 static double girth_at(const struct station *s, double y)
 {
     const double up = (y - (double)s->offset) / (0.5 * (double)s->depth);
@@ -18,7 +23,7 @@ static double girth_at(const struct station *s, double y)
     return acos(copysign(share, up)) / (2.0 * PI);
 }
 
-/* How far the skin falls away under the tangent plane at the ball's rim, on the mean. */
+/* Returns the mean distance of the skin below the tangent plane at the ball's rim. */
 static double skin_drop(const struct key_text *key, const struct ball *ball, point3 skin, point3 n)
 {
     const double d = 1e-3;

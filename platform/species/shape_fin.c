@@ -4,21 +4,28 @@
 #include <math.h>
 
 #define PI 3.14159265358979323846
-#define FIN_SINK 0.014   /* How deep fin roots lie under the skin, so that no gap shows. */
-#define SHOWN_MIN 0.004  /* So much of a ray shows, however short: less has no side to face to. */
-#define SINK_SHARE 0.3   /* Of a thinner body's thickness: no deeper than this. */
-#define TAIL_SINK 0.035  /* So far before the last ring the tail's rays start, ... */
-#define STALK_SINK 1.2   /* ... or so much of the stalk's end depth where it is thin. */
-#define END_MAX 0.03     /* So far behind the last ring the body closes, ... */
-#define END_SHARE 0.25   /* ... or so much of that depth. */
-#define SIDE_AT_ROOT 0.4 /* Of a median ray's turn to the side; the rest comes along it. */
-#define THINNEST 0.2     /* Of half the stalk: a tail's base reaches so far up and down at least. */
+#define FIN_SINK 0.014   /* Depth of fin roots below the skin, so that no gap is visible. */
+#define SHOWN_MIN 0.004  /* Minimum visible length of a ray, because a shorter ray has no usable
+                            normal. */
+#define SINK_SHARE 0.3   /* Maximum depth of fin roots, as a fraction of a thin body's thickness. */
+#define TAIL_SINK 0.035  /* Distance of the start of the tail's rays before the last ring. */
+#define STALK_SINK 1.2   /* Maximum of that distance for a thin stalk, in end depths of the
+                            stalk. */
+#define END_MAX 0.03     /* Distance of the body's closing point behind the last ring. */
+#define END_SHARE 0.25   /* Maximum of that distance, in end depths of the stalk. */
+#define SIDE_AT_ROOT 0.4 /* Fraction of a median ray's sideways turn at its root. The remainder
+                            grows along the ray. */
+#define THINNEST 0.2     /* Minimum reach of a tail's base up and down, as a fraction of half the
+                            stalk. */
 #define RAY_STEPS 12
-#define EXIT_STEPS 24    /* A ray's way out of the body is told to so fine a part of it. */
-#define EXIT_MAX 0.85    /* A ray shows at least the rest. */
-#define CUP_OPENS 0.05   /* So far behind the stalk a tail is as wide as its rays say. */
-#define JOIN_FROM 0.8    /* Of an eel's dorsal and anal base: there they begin to join the tail. */
-#define CLEAR_OF 1.02    /* A fin that hugs the flank lies so much farther out. */
+#define EXIT_STEPS 24    /* Resolution with which the exit of a ray from the body is found. */
+#define EXIT_MAX 0.85    /* At least the remaining fraction of a ray is visible. */
+#define CUP_OPENS 0.05   /* Distance behind the stalk at which a tail has the full width of its
+                            rays. */
+#define JOIN_FROM 0.8    /* Position along an eel's dorsal and anal base from which the fin merges
+                            with the tail. */
+#define CLEAR_OF 1.02    /* A fin folded against the flank is this factor farther out than the
+                            skin. */
 
 static struct ray ray_at(const struct fin *fin, double at)
 {
@@ -46,7 +53,8 @@ double body_end(const struct key_text *key)
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
 
-/* How much of the tail root's girth is left at `t` of the way to that point: a round end. */
+/* Returns the fraction of the tail root's girth at `t` of the way to the closing point: a round
+ * end. */
 static double closing(double t)
 {
     return sqrt(fmax(1.0 - t * t, 0.0));
@@ -59,7 +67,7 @@ point3 end_point(const struct key_text *key, double t, double v)
     return (point3){ p.x * left, middle + (p.y - middle) * left, 1.0 + t * (body_end(key) - 1.0) };
 }
 
-/* From the base's top (0) to its bottom, within the stalk however tall a maker draws it. */
+/* Returns a point of the tail's base from top (0) to bottom, limited to the stalk's height. */
 static point3 tail_root(const struct key_text *key, double at)
 {
     const struct fin *fin = &key->fins[PART_TAIL];
@@ -71,7 +79,7 @@ static point3 tail_root(const struct key_text *key, double at)
     return (point3){ 0.0, top + (bottom - top) * at, x };
 }
 
-/* How deep a fin's root lies under the skin at `x`. */
+/* Returns the depth of a fin's root below the skin at `x`. */
 static double sink_at(const struct key_text *key, double x)
 {
     const struct station s = section(key, fmin(fmax(x, 0.0), 1.0));
@@ -83,8 +91,8 @@ static double base_x(const struct fin *fin, double at)
     return (double)fin->start + ((double)fin->end - (double)fin->start) * at;
 }
 
-/* Where a fin's ray leaves the skin, or its root so far `inside` it. The tail's base stands upright
- * in the stalk, top first; the others lie along x. */
+/* Returns the point at which a fin's ray leaves the skin, or its root `inside` below the skin. The
+ * tail's base is vertical in the stalk, top first; other bases run along x. */
 static point3 fin_base(const struct key_text *key, enum species_part part, double at, double inside)
 {
     const struct fin *fin = &key->fins[part];
@@ -106,9 +114,10 @@ static point3 fin_base(const struct key_text *key, enum species_part part, doubl
     }
 }
 
-/* Which way a ray points at `r` of its length. Dorsal and anal: sweep leans it backward from
- * upright. Tail: sweep lifts it from straight back. Both: side turns it to the right, growing
- * toward the tip. Paired (the right one): sweep leans it back from straight out, side lifts it. */
+/* Returns the direction of a ray at `r` of its length. Dorsal and anal: sweep leans the ray
+ * backward from upright. Tail: sweep raises it from straight back. Both: side turns it to the
+ * right, increasing toward the tip. Paired (right): sweep leans it back from straight out, side
+ * raises it. */
 static point3 fin_direction(const struct fin *fin, enum species_part part, struct ray ray, double r)
 {
     const double degrees = PI / 180.0;
@@ -132,7 +141,8 @@ static point3 fin_direction(const struct fin *fin, enum species_part part, struc
     }
 }
 
-/* Along a ray from where it leaves the skin: a drawn length starts at the sunken root. */
+/* Returns a point along a ray from where it leaves the skin. A drawn length begins at the sunken
+ * root. */
 static point3 ray_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     const struct fin *fin = &key->fins[part];
@@ -145,14 +155,16 @@ static point3 ray_point(const struct key_text *key, enum species_part part, doub
         const double r = along * (i + 0.5) / RAY_STEPS;
         p = mad(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
     }
-    if (part == PART_TAIL) { /* A cupped tail opens behind the stalk, not through its flanks. */
+    if (part == PART_TAIL) { /* A cupped tail widens only behind the stalk, so that it does not cut
+                                through the stalk's flanks. */
         const double start = body_end(key);
         p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }
     return p;
 }
 
-/* How far out of the body's axis `p` is, 1 at the skin; before and behind the body it is out. */
+/* Returns the radial position of `p` relative to the skin: 1 at the skin, larger outside. Before
+ * and behind the body every point is outside. */
 static double outness(const struct key_text *key, point3 p)
 {
     const double end = body_end(key);
@@ -167,7 +179,7 @@ static double outness(const struct key_text *key, point3 p)
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 
-/* How much of a ray runs within the body, from where it leaves the skin. */
+/* Returns the fraction of a ray that is inside the body, from where it leaves the skin. */
 static double fin_exit(const struct key_text *key, enum species_part part, double at)
 {
     double along = 0.0;
@@ -177,7 +189,7 @@ static double fin_exit(const struct key_text *key, enum species_part part, doubl
     return fmin(along, EXIT_MAX);
 }
 
-/* A paired fin that is folded back lies on the flank where its rays would run within. */
+/* Moves a point of a folded paired fin onto the flank if it is inside the body. */
 static point3 on_flank(const struct key_text *key, point3 p)
 {
     const double out = outness(key, p);
@@ -189,7 +201,7 @@ static point3 on_flank(const struct key_text *key, point3 p)
     return (point3){ p.x * k, middle + (p.y - middle) * k, p.z };
 }
 
-/* The root of a ray, or what is seen of it. */
+/* Returns the root of a ray, or a point of its visible part. */
 static point3 own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
@@ -202,7 +214,7 @@ static point3 own_point(const struct key_text *key, enum species_part part, doub
     return ray_point(key, part, at, exit + (1.0 - exit) * along);
 }
 
-/* How far an eel's dorsal or anal fin has become the edge of its tail fin. */
+/* Returns how far an eel's dorsal or anal fin has merged with its tail fin. */
 static double joined(const struct key_text *key, enum species_part part, double at)
 {
     if (!key->confluent || (part != PART_DORSAL && part != PART_ANAL)) {

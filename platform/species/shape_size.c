@@ -1,9 +1,9 @@
-/* shape_size.c -- how large a drawing is, before it is scaled to its measure. */
+/* shape_size.c -- computes a drawing's size, before it is scaled to its measure. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
-#define TIPS 64 /* Of a tail's outer edge, asked for its hindmost. */
+#define TIPS 64 /* Samples of a tail's outer edge in the search for its hindmost point. */
 
 static double widest(const struct key_text *key)
 {

@@ -1,4 +1,4 @@
-/* shelf.c -- lists, reads, and keeps the reason where it could not. */
+/* shelf.c -- lists and reads the species library, and stores the reason for each rejected file. */
 #include "platform/species/shelf.h"
 
 #include <assert.h>
@@ -22,7 +22,8 @@ static bool is_packed(const char *name)
     return length > suffix && name[0] != '.' && strcmp(name + length - suffix, PACK_SUFFIX) == 0;
 }
 
-/* Keeps the first SHELF_LINE_MAX by name, in order, whatever order the disk tells them in. */
+/* Inserts a name in order and keeps the first SHELF_LINE_MAX names, because a directory has no
+ * fixed order. */
 static void insert(struct listing *l, const char *name)
 {
     uint32_t at = l->count;
@@ -40,7 +41,7 @@ static void insert(struct listing *l, const char *name)
     memcpy(l->names[at], name, strlen(name) + 1);
 }
 
-/* 0, or the errno of a folder that is there and cannot be read. */
+/* Returns 0, or the errno of a directory that exists but cannot be read. */
 static int list(const char *folder, struct listing *l)
 {
     DIR *directory = opendir(folder);
@@ -66,7 +67,7 @@ static bool is_taken(const struct shelf *shelf, const char *id)
     return false;
 }
 
-/* Reads one file into the next slot; it counts only when the species is to be kept. */
+/* Reads one file into the next free slot. The slot stays free if the species is rejected. */
 static bool take(struct shelf *shelf, const char *path, char why[VET_WHY_SIZE])
 {
     if (shelf->species_count == SPECIES_EXTRA_MAX) {

@@ -1,4 +1,4 @@
-/* text.c -- reads a species' text: one fact a line, a word and its numbers. */
+/* text.c -- parses a species' text: one fact a line, a keyword and its numbers. */
 #include "platform/species/reader.h"
 
 #include <string.h>
@@ -50,7 +50,7 @@ static bool read_words(struct reader *r)
     return refuse(r, "'%.40s' is no word of a species", r->words[0]);
 }
 
-/* Cuts the line into words at blanks; '#' starts a comment. */
+/* Splits the line into words at blanks; '#' starts a comment. */
 static bool split(struct reader *r)
 {
     r->text[strcspn(r->text, "#")] = '\0';

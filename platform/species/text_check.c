@@ -1,13 +1,16 @@
-/* text_check.c -- what a species must have, as a whole, before it can be lofted. */
+/* text_check.c -- checks that a whole species can be lofted. */
 #include "platform/species/reader.h"
 
 #include "core/morph/morph.h"
 #include "platform/species/shape.h"
 
-#define REACH_MAX 3.9      /* Of the species' measure: what a mesh's counts can hold is 4. */
-#define UNIT_MIN 0.2       /* A measure shorter than this of the drawing measures something else. */
+#define REACH_MAX 3.9      /* Maximum reach in the species' measure; the quantized mesh can
+                              represent 4. */
+#define UNIT_MIN 0.2       /* Minimum length of the measure as a fraction of the drawing. A shorter
+                              measure indicates a wrong drawing. */
 #define EEL_SEAM (1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL)
-#define LENGTH_APART 0.02f /* A key's length and the growth curve's at its age: so alike. */
+#define LENGTH_APART 0.02f /* Maximum relative difference between a key's length and the growth
+                              curve's length at the key's age. */
 
 static bool check_eyes(const struct reader *r, const struct key_text *key)
 {
@@ -23,7 +26,8 @@ static bool check_eyes(const struct reader *r, const struct key_text *key)
     return true;
 }
 
-/* All keys have the same parts, so that every point of one finds itself in the next. */
+/* Checks that all keys have the same parts, so that every point has a counterpart in the next
+ * key. */
 static bool check_fins(const struct reader *r, const struct key_text *key)
 {
     const struct key_text *first = &r->species->keys[0];
@@ -79,7 +83,7 @@ static bool check_key(const struct reader *r, const struct key_text *key)
     return check_eyes(r, key) && check_fins(r, key) && check_size(r, key);
 }
 
-/* A key without an age has that at which the growth curve is as long. */
+/* Computes the age of a key without one: the age at which the growth curve has the key's length. */
 static bool find_age(const struct reader *r, struct key_text *key)
 {
     const struct growth *growth = &r->species->growth;
@@ -96,7 +100,8 @@ static bool find_age(const struct reader *r, struct key_text *key)
     return true;
 }
 
-/* Age, progress and length are told from one another, so the three are one story at each key. */
+/* Checks that age, progress and length agree at the key, because each is computed from the
+ * others. */
 static bool check_growth(const struct reader *r, const struct key_text *key)
 {
     const float length_m = growth_length_m(&r->species->growth, key->age_days);
@@ -108,8 +113,8 @@ static bool check_growth(const struct reader *r, const struct key_text *key)
     return true;
 }
 
-/* Ages follow from lengths where they are not written; either way they rise, and growth gives the
- * lengths. */
+/* Fills in missing ages from the lengths, and checks that ages rise and that the growth curve gives
+ * the lengths. */
 static bool check_ages(struct reader *r)
 {
     struct species_text *s = r->species;
@@ -130,7 +135,7 @@ static bool check_ages(struct reader *r)
     return true;
 }
 
-/* Whether shapes can be solved for, where they are asked for. */
+/* Checks that the weights of a solved graph can be solved, if the graph requests it. */
 static bool check_solved(const struct reader *r, const struct curve_text *curve)
 {
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
@@ -192,7 +197,7 @@ bool check_species(struct reader *r)
             return false;
         }
     }
-    if (!r->has_thesis) { /* The species that the thesis did not try. */
+    if (!r->has_thesis) { /* A species that is not in the thesis. */
         s->thesis_key[1] = (uint8_t)(s->key_count / 2u);
         s->thesis_key[2] = (uint8_t)(s->key_count - 1u);
         s->thesis_template = TEMPLATE_PAIRWISE;

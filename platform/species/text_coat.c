@@ -1,9 +1,9 @@
-/* text_coat.c -- the lines of a key's paint: its coat and the marks on it. */
+/* text_coat.c -- parses the lines of a key's paint: its coat and the marks on it. */
 #include "platform/species/reader.h"
 
 #include <string.h>
 
-/* `coat BACK FLANK BELLY FIN IRIS CLEAR SHINE` */
+/* Parses `coat BACK FLANK BELLY FIN IRIS CLEAR SHINE`. */
 bool read_coat(struct reader *r)
 {
     struct species_coat *coat = &r->key->coat;
@@ -25,7 +25,7 @@ static const char *const kinds[MARK_COUNT] = {
     [MARK_ROWS] = "rows",   [MARK_MOUTH] = "mouth", [MARK_GILL] = "gill",
 };
 
-/* What a kind is where the line says no more. */
+/* Returns the defaults of a kind of mark. */
 static struct species_mark usual(uint32_t kind, const struct key_text *key)
 {
     struct species_mark m = { .kind = (uint8_t)kind, .count = 1, .seed = 1, .to = 1, .high = 1 };
@@ -73,7 +73,7 @@ static struct species_mark usual(uint32_t kind, const struct key_text *key)
     return m;
 }
 
-/* The pair of words at `index`: what to set, and to what. */
+/* Parses the pair of words at `index`: a setting's name and its value. */
 static bool read_setting(const struct reader *r, uint32_t index, struct species_mark *m)
 {
     static const char *const names[] = { "from",  "to",    "low",   "high",
@@ -96,7 +96,7 @@ static bool read_setting(const struct reader *r, uint32_t index, struct species_
     return true;
 }
 
-/* Which part, or of a `side` mark which side (kept in `count`). */
+/* Parses the part of a mark, or the side of a `side` mark (stored in `count`). */
 static bool read_bearer(const struct reader *r, struct species_mark *m)
 {
     static const char *const sides[] = { [SIDE_RIGHT] = "right", [SIDE_LEFT] = "left" };
@@ -118,7 +118,7 @@ static bool read_bearer(const struct reader *r, struct species_mark *m)
     return true;
 }
 
-/* `mark KIND PART COLOUR [SETTING NUMBER] ..` */
+/* Parses `mark KIND PART COLOUR [SETTING NUMBER] ..`. */
 bool read_mark(struct reader *r)
 {
     struct species_coat *coat = &r->key->coat;

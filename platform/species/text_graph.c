@@ -1,4 +1,5 @@
-/* text_graph.c -- the lines of the deformation graphs: the whole fish's, then parts' own. */
+/* text_graph.c -- parses the lines of the deformation graphs: the whole fish's first, then those of
+ * parts. */
 #include "platform/species/reader.h"
 
 #include <math.h>
@@ -10,7 +11,7 @@ static struct curve_text *newest(const struct reader *r)
     return &r->species->curves[r->species->curve_count - 1];
 }
 
-/* `curve NAME PART ..`: a graph of these parts alone; its knots or template follow. */
+/* Parses `curve NAME PART ..`: a graph for these parts only. Its knots or template follow. */
 bool read_curve(struct reader *r)
 {
     struct species_text *s = r->species;
@@ -45,7 +46,7 @@ bool read_curve(struct reader *r)
     return true;
 }
 
-/* `area FROM TO LOW HIGH SOFT`: a painted piece of the body that moves by the curve above. */
+/* Parses `area FROM TO LOW HIGH SOFT`: a painted area of the body that the curve above moves. */
 bool read_area(struct reader *r)
 {
     struct curve_text *curve = newest(r);
@@ -62,7 +63,8 @@ bool read_area(struct reader *r)
            ((a->from < a->to && a->low < a->high) || refuse(r, "the area ends before it starts"));
 }
 
-/* Where the weights of a graph are read to: below the keys, so that their count is known. */
+/* Checks that a graph may receive weights. Graphs follow all keys, so that the number of keys is
+ * known. */
 static bool graph_open(const struct reader *r, bool from_knot)
 {
     const struct graph *graph = &newest(r)->graph;
@@ -75,7 +77,7 @@ static bool graph_open(const struct reader *r, bool from_knot)
     return true;
 }
 
-/* `knot PROGRESS W1 W2 ..` */
+/* Parses `knot PROGRESS W1 W2 ..`. */
 bool read_knot(struct reader *r)
 {
     struct graph *graph = &newest(r)->graph;
@@ -111,7 +113,7 @@ bool read_knot(struct reader *r)
     return true;
 }
 
-/* `line straight|smooth|solved`: how knots are joined. */
+/* Parses `line straight|smooth|solved`: the interpolation between knots. */
 bool read_line_kind(struct reader *r)
 {
     static const char *const kinds[] = { "straight", "smooth", "solved" };
@@ -125,7 +127,7 @@ bool read_line_kind(struct reader *r)
     return true;
 }
 
-/* `template NAME [PEAK]`: a whole graph in one line. */
+/* Parses `template NAME [PEAK]`: a whole graph in one line. */
 bool read_template(struct reader *r)
 {
     static const char *const names[] = { [TEMPLATE_ORDINARY] = "ordinary",

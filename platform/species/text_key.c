@@ -1,4 +1,4 @@
-/* text_key.c -- the lines of one key shape: stations, eyes, fins. */
+/* text_key.c -- parses the lines of one key shape: stations, eyes, fins. */
 #include "platform/species/reader.h"
 
 #include <string.h>
@@ -36,7 +36,7 @@ bool read_key(struct reader *r)
     return true;
 }
 
-/* `gill X`: where the gill cover ends, and with it the head. */
+/* Parses `gill X`: the end of the gill cover and of the head. */
 bool read_gill(struct reader *r)
 {
     return wants(r, 1, "X") && number(r, 1, 0.02f, 0.60f, &r->key->gill);
@@ -64,7 +64,7 @@ bool read_station(struct reader *r)
     return true;
 }
 
-/* `eye [right|left] X Y DIAMETER BULGE [TURN]`: both alike unless a side is named. */
+/* Parses `eye [right|left] X Y DIAMETER BULGE [TURN]`. Without a side, the line sets both eyes. */
 bool read_eye(struct reader *r)
 {
     static const char *const sides[] = { "right", "left" };
@@ -107,7 +107,8 @@ bool read_fin(struct reader *r)
     if (r->species->without >> part & 1u) {
         return refuse(r, "a %s in a species without", part_names[part]);
     }
-    const float low = part == PART_TAIL ? -0.5f : 0.0f; /* A height, not a place. */
+    const float low = part == PART_TAIL ? -0.5f : 0.0f; /* A tail's base is a range of heights,
+                                                           other bases are positions along x. */
     return number(r, 2, low, 1.0f, &r->fin->start) && number(r, 3, low, 1.0f, &r->fin->end) &&
            number(r, 4, 0.0f, 0.5f, &r->fin->girth) &&
            number(r, 5, -90.0f, 90.0f, &r->fin->curl_deg) &&
@@ -136,7 +137,8 @@ bool read_ray(struct reader *r)
     return true;
 }
 
-/* `finlets upper|lower COUNT START END LENGTH SWEEP`: a tuna's, behind dorsal2 and anal. */
+/* Parses `finlets upper|lower COUNT START END LENGTH SWEEP`: a tuna's finlets behind dorsal2 and
+ * anal. */
 bool read_finlets(struct reader *r)
 {
     static const char *const rows[] = { "upper", "lower" };

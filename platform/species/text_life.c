@@ -1,4 +1,4 @@
-/* text_life.c -- the lines of the whole species: its name, its kind, how it grows. */
+/* text_life.c -- parses the lines of the whole species: its name, its kind and its growth. */
 #include "platform/species/reader.h"
 
 #include <string.h>
@@ -50,7 +50,7 @@ bool read_motion(struct reader *r)
     return read_choice(r, "motion", choices, 5, &r->species->motion);
 }
 
-/* `without FIN ..`: what this fish has not, in any key. */
+/* Parses `without FIN ..`: fins that this species lacks in every key. */
 bool read_without(struct reader *r)
 {
     for (uint32_t i = 1; i < r->word_count; i++) {
@@ -92,7 +92,7 @@ bool read_hatch(struct reader *r)
            number(r, 2, 0.001f, 5.0f, &g->fade_year);
 }
 
-/* `point AGE_DAYS MM`: a length that someone measured, after hatching. */
+/* Parses `point AGE_DAYS MM`: a measured length at an age after hatching. */
 bool read_point(struct reader *r)
 {
     struct growth *g = &r->species->growth;
@@ -115,7 +115,7 @@ bool read_point(struct reader *r)
     return true;
 }
 
-/* `scale PROGRESS MM`: size by hand, in place of the growth curve. */
+/* Parses `scale PROGRESS MM`: an explicit size, in place of the growth curve. */
 bool read_scale(struct reader *r)
 {
     struct species_text *s = r->species;
@@ -146,7 +146,8 @@ static bool key_named(const struct reader *r, uint32_t index, uint8_t *out)
     return refuse(r, "no key above is called '%.40s'", r->words[index]);
 }
 
-/* `thesis KEY KEY KEY TEMPLATE`: what chapter 4 of the 2005 thesis blended. */
+/* Parses `thesis KEY KEY KEY TEMPLATE`: the keys and template blended in chapter 4 of the 2005
+ * thesis. */
 bool read_thesis(struct reader *r)
 {
     static const char *const templates[] = { [TEMPLATE_PAIRWISE] = "pairwise",

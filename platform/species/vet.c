@@ -1,4 +1,4 @@
-/* vet.c -- the card and the coats of a species that somebody else made. */
+/* vet.c -- validates the card and the coats of an untrusted species. */
 #include "platform/species/vet.h"
 
 #include <stdarg.h>
@@ -8,10 +8,12 @@
 #include "core/morph/morph.h"
 #include "platform/species/vet_parts.h"
 
-#define AGE_MAX_DAYS 14610.0f /* 40 years: as far as growth.c looks. */
-#define LENGTH_MIN_M 0.0005f  /* The smallest fish larvae are 1.5 mm; half of a half is a slip. */
-#define LENGTH_MAX_M 20.0f    /* A whale shark. */
-#define LENGTH_APART 0.02f    /* A key's length and the growth curve's at its age: so alike. */
+#define AGE_MAX_DAYS 14610.0f /* 40 years, the range of growth.c. */
+#define LENGTH_MIN_M 0.0005f  /* The smallest fish larvae are 1.5 mm; a third of that is certainly
+                                 an error. */
+#define LENGTH_MAX_M 20.0f    /* Length of a whale shark. */
+#define LENGTH_APART 0.02f    /* Maximum relative difference between a key's length and the growth
+                                 curve's length at the key's age. */
 
 bool vet_refuse(struct vetting *v, const char *format, ...)
 {
@@ -24,7 +26,7 @@ bool vet_refuse(struct vetting *v, const char *format, ...)
 
 bool vet_number(struct vetting *v, const char *what, float x, float low, float high)
 {
-    if (!(x >= low && x <= high)) { /* Not a number is in no range. */
+    if (!(x >= low && x <= high)) { /* NaN fails this comparison. */
         return vet_refuse(v, "%s: %g is outside %g .. %g", what, (double)x, (double)low,
                           (double)high);
     }
@@ -135,7 +137,8 @@ static bool vet_growth(struct vetting *v)
     return true;
 }
 
-/* Age, progress and length are told from one another: what a key says of all three is one story. */
+/* Checks that age, progress and length of each key agree, because each is computed from the
+ * others. */
 static bool vet_life(struct vetting *v)
 {
     const struct species_card *card = &v->species->card;

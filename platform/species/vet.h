@@ -1,7 +1,8 @@
-/* vet.h -- whether a species that somebody else made may be shown.
+/* vet.h -- validates an untrusted species before it is shown.
  *
- * The core asserts what a species promises (core/morph/species.h); files promise nothing. Whatever
- * passes here breaks no assertion of core/morph and reads no table beyond its end. */
+ * The core asserts the conditions of core/morph/species.h, but a file may violate them. A species
+ * that passes the validation triggers no assertion of core/morph and causes no read beyond the end
+ * of a table. */
 #ifndef KINGYO_PLATFORM_SPECIES_VET_H
 #define KINGYO_PLATFORM_SPECIES_VET_H
 
@@ -11,18 +12,21 @@
 
 #define VET_WHY_SIZE 128u
 
-/* True: every number of `species` is finite and in its range, its graphs hold their constraint, its
- * keys' lengths are the growth curve's at their ages (within 2 %), its indices and anchors name
- * what exists, its keys are one size. False: `why` is one line without a
- * line end, "field: reason" or "key/field: reason". The tables that `species` points to are as long
- * as its counts say, when those are within MESH_VERTEX_MAX, MESH_INDEX_MAX and ANCHOR_MAX. */
+/* Returns true if every number of `species` is finite and in its range, its graphs satisfy their
+ * constraint, its keys' lengths match the growth curve at their ages (within 2 %), its indices and
+ * anchors refer to existing elements, and its keys have the same size. Otherwise returns false, and
+ * `why` is one line without a line end, "field: reason" or "key/field: reason". The tables that
+ * `species` points to must be as long as its counts state, if those counts are within
+ * MESH_VERTEX_MAX, MESH_INDEX_MAX and ANCHOR_MAX. */
 bool species_vet(const struct species *species, char why[VET_WHY_SIZE]);
 
-/* The same of one curve's graph over `key_count` keys; `curve` is its name, for `why`. */
+/* Validates one curve's graph over `key_count` keys in the same way. `curve` is its name, for
+ * `why`. */
 bool species_vet_graph(const struct graph *graph, uint32_t key_count, const char *curve,
                        char why[VET_WHY_SIZE]);
 
-/* Is `name` of 1 .. SPECIES_NAME_SIZE - 1 characters a-z, 0-9 and _, with zeros behind them? */
+/* Returns true if `name` has 1 .. SPECIES_NAME_SIZE - 1 characters a-z, 0-9 and _, followed by
+ * zeros. */
 bool species_name_is_good(const char name[SPECIES_NAME_SIZE]);
 
 #endif

@@ -1,4 +1,4 @@
-/* vet_mesh.c -- the bodies of a species that somebody else made. */
+/* vet_mesh.c -- validates the meshes of an untrusted species. */
 #include "platform/species/vet_parts.h"
 
 #include <math.h>
@@ -7,8 +7,9 @@
 
 #include "core/morph/morph.h"
 
-#define SIZE_TOLERANCE 0.04f  /* The far tail has few rays, and one may miss the outermost tip. */
-#define U_MIN (-2.0f)         /* An eye's u goes on behind its rim; no surface goes beyond these. */
+#define SIZE_TOLERANCE 0.04f  /* The far tail has few rays, so the outermost tip may be missing. */
+#define U_MIN (-2.0f)         /* An eye's u continues behind its rim. No surface exceeds these
+                                 bounds. */
 #define U_MAX 4.0f
 #define FRONT_Z (-0.5f)
 
@@ -87,8 +88,8 @@ static bool vet_triangles(struct vetting *v, const char *lod, const struct speci
     return true;
 }
 
-/* The skin that anchors ask for their place: u rises ring by ring, v spoke by spoke from 0 to 1; it
- * rides on nothing itself. */
+/* Checks the grid that anchors refer to: u rises ring by ring, v spoke by spoke from 0 to 1, and no
+ * grid vertex has an anchor. */
 static bool vet_grid(struct vetting *v, const char *lod, const struct species_mesh *mesh)
 {
     const uint32_t rings = mesh->grid_rings, row = mesh->grid_spokes + 1u;
@@ -134,7 +135,8 @@ static bool vet_anchors(struct vetting *v, const char *lod, const struct species
     return true;
 }
 
-/* Every key is one measure long, its snout in front at z = -0.5: size is the scale curve's. */
+/* Checks that every key is one measure long with its snout at z = -0.5, because the scale curve
+ * alone sets the size. */
 static bool vet_size(struct vetting *v, const char *lod, const char *key,
                      const struct species_mesh *mesh, const vec3 *positions)
 {
@@ -158,7 +160,7 @@ static bool vet_size(struct vetting *v, const char *lod, const char *key,
         return vet_number(v, what, rear - FRONT_Z, 1.0f - SIZE_TOLERANCE, 1.0f + SIZE_TOLERANCE);
     case MEASURE_DISC:
         return vet_number(v, what, right - left, 1.0f - SIZE_TOLERANCE, 1.0f + SIZE_TOLERANCE);
-    default: /* The tail root, or the fork a little behind it. */
+    default: /* At the tail root, or at the fork slightly behind it. */
         return vet_number(v, what, end - FRONT_Z, 0.8f, 1.0f + SIZE_TOLERANCE);
     }
 }

@@ -1,4 +1,5 @@
-/* vet_parts.h -- what vet.c (the card) and vet_mesh.c (the bodies) share. Nobody else's. */
+/* vet_parts.h -- functions shared by vet.c (the card) and vet_mesh.c (the meshes). Private to
+ * them. */
 #ifndef KINGYO_PLATFORM_SPECIES_VET_PARTS_H
 #define KINGYO_PLATFORM_SPECIES_VET_PARTS_H
 
@@ -8,19 +9,19 @@
 
 struct vetting {
     const struct species *species;
-    char *why; /* VET_WHY_SIZE */
+    char *why; /* Buffer of VET_WHY_SIZE bytes. */
 };
 
-/* Writes the reason and answers false. */
+/* Writes the reason and returns false. */
 __attribute__((format(printf, 2, 3))) bool vet_refuse(struct vetting *v, const char *format, ...);
 
-/* `low` <= x <= `high`, which no not-a-number is. */
+/* Checks that `low` <= x <= `high`, which NaN fails. */
 bool vet_number(struct vetting *v, const char *what, float x, float low, float high);
 
-/* x < `count`. */
+/* Checks that x < `count`. */
 bool vet_choice(struct vetting *v, const char *what, uint32_t x, uint32_t count);
 
-/* Both levels of detail; the card has been found good. */
+/* Validates both levels of detail. The card must have passed its validation. */
 bool vet_meshes(struct vetting *v);
 
 #endif
