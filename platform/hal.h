@@ -1,9 +1,10 @@
-/* hal.h -- one small table of functions per device, written for whoever writes the next driver.
+/* hal.h -- the hardware abstraction layer: one small table of functions per device.
  *
- * The frame loop (platform/kiosk/kiosk.h) is the only caller, from one thread. No call ever waits.
- * A driver exports one constructor that pairs its ops with its state. 0 or a count is success; a
- * negative enum hal_error is an event to count and survive, never a bug. A device that is not there
- * has a null driver (drivers/null.c), so no pointer here is ever null. */
+ * The frame loop (platform/kiosk/kiosk.h) is the only caller, always from the same thread. No call
+ * blocks, except where its comment allows it. A driver exports one constructor that pairs its ops
+ * with its state. A return value of 0 or a count means success. A negative enum hal_error is a
+ * run-time event that the caller counts and survives. A device that is absent gets a null driver
+ * (drivers/null.c), so that no pointer here is null unless its comment allows it. */
 #ifndef KINGYO_PLATFORM_HAL_H
 #define KINGYO_PLATFORM_HAL_H
 
@@ -17,112 +18,123 @@
 
 enum hal_error {
     HAL_OK = 0,
-    HAL_ERR_IO = -1,   /* Failed this time; ask again next frame. */
-    HAL_ERR_GONE = -2, /* Unplugged or vanished; open() again to look for it. */
-    HAL_ERR_BUSY = -3, /* Not now; the same request next frame is right. */
-    HAL_ERR_NONE = -4, /* There is no such device in this kiosk (the null driver's answer). */
+    HAL_ERR_IO = -1,   /* The call failed this time; retry next frame. */
+    HAL_ERR_GONE = -2, /* The device was unplugged; retry with open(). */
+    HAL_ERR_BUSY = -3, /* The device is busy; repeat the call next frame. */
+    HAL_ERR_NONE = -4, /* This kiosk has no such device (null driver). */
 };
 
-/* Whether a device failed: HAL_ERR_NONE is the null driver's answer and HAL_ERR_BUSY a matter of
- * patience. */
+/* Returns 1 if `result` is a device fault. HAL_ERR_NONE (null driver) and HAL_ERR_BUSY (retry next
+ * frame) are no faults. */
 static inline int hal_is_fault(int result)
 {
     return result < 0 && result != HAL_ERR_NONE && result != HAL_ERR_BUSY;
 }
 
-/* Every device says in one line what it is, or what is missing and what to do about it:
- * "mouse (SDL x11)", "no sound: SDL found no audio device; plug one in or set SDL_AUDIODRIVER". */
+/* Size in bytes of a describe() text. Each device describes itself in one line, or states what is
+ * missing and how to fix it: "mouse (SDL x11)", "no sound: SDL found no audio device; plug one in
+ * or set SDL_AUDIODRIVER". */
 #define HAL_TEXT_SIZE 160u
 
 struct hal_clock_ops {
-    uint64_t (*now_ns)(void *self); /* Monotonic, any epoch. */
-    /* What the wall says, as input.day and input.minute: both 0 while it was plainly never set.
-     * Null in a clock that only measures. */
+    uint64_t (*now_ns)(void *self); /* Monotonic time in nanoseconds, with any epoch. */
+    /* Writes the local date and time of day in the units of input.day and input.minute. Both are 0
+     * if the system clock was evidently never set. Null in a clock that only measures. */
     void (*civil)(void *self, uint16_t *day, uint16_t *minute);
 };
 
-/* Pixels of the newest presented frame, top row first. */
+/* Pixels of the frame presented last, top row first. */
 struct hal_image {
     uint32_t width, height;
-    uint8_t *rgb;        /* Caller's buffer of `size` bytes. */
+    uint8_t *rgb;        /* Buffer of `size` bytes, owned by the caller. */
     size_t size;
 };
 
-/* What the windowing system said since the last poll. */
+/* Events of the windowing system since the last poll. */
 struct display_events {
-    uint8_t quit;        /* The window was closed, or the session ends. */
-    uint8_t lost;        /* Level: it went for good; nothing can be shown any more. */
-    uint8_t upright;     /* Level: it is narrower than OVERLAY_UPRIGHT_ASPECT of its height. */
+    uint8_t quit;        /* 1 if the user closed the window or the session ends. */
+    uint8_t lost;        /* Level: 1 if the display is lost for good and can show nothing more. */
+    uint8_t upright;     /* Level: 1 if width / height is below OVERLAY_UPRIGHT_ASPECT. */
 };
 
-/* The smallest window, in points: below it no word can be read. A window manager may ignore the
- * limit, so that a display draws into a window of any size. */
+/* Smallest window size in points; below this size the text is unreadable. A window manager may
+ * ignore the limit, therefore a display must draw into a window of any size. */
 #define HAL_WINDOW_WIDTH_MIN 320u
 #define HAL_WINDOW_HEIGHT_MIN 240u
 #define HAL_WINDOW_SIDE_MAX 8192u
 
 struct hal_display_ops {
-    /* Also reopens after HAL_ERR_GONE: the one call that may take long. */
+    /* Opens the display, and reopens it after HAL_ERR_GONE. May block for a long time. */
     int (*open)(void *self);
-    int (*poll)(void *self, struct display_events *out); /* When it fails, nothing is known. */
+    int (*poll)(void *self, struct display_events *out); /* On an error, `out` is invalid. */
     int (*present)(void *self, const struct scene *scene);
-    /* How the picture lies on the screen from the next one on. Copied. */
+    /* Sets how the picture is transformed to the screen from the next present() on. Copies
+     * `showing`. */
     void (*place)(void *self, const struct showing *showing);
     int (*toggle_full_screen)(void *self);
-    /* Copies the picture last presented. HAL_ERR_IO: there is none, or `image` is too small for it:
-     * its width and height then say what it needs. */
+    /* Copies the picture presented last. Returns HAL_ERR_IO if there is no picture, or if `image`
+     * is too small. In the second case the width and height of `image` are set to the required
+     * size. */
     int (*capture)(void *self, struct hal_image *image);
     void (*close)(void *self);
     const char *(*describe)(void *self);
 };
 
-/* One decoded reading of a hand: a pose and when it arrived. */
+/* One decoded controller report: a pose and its arrival time. */
 struct poi_sample {
-    uint64_t time_ns;         /* Arrival, on the clock of hal_clock_ops. */
-    uint8_t was_stamped;      /* 1: a report's own arrival; 0: made up, between two or at rest. */
+    uint64_t time_ns;         /* Arrival time on the clock of hal_clock_ops. */
+    uint8_t was_stamped;      /* 1: time of a real report; 0: time of a synthesized sample, between
+                                 two reports or at rest. */
     uint8_t has_wrist;
-    uint8_t trembles;         /* As struct poi_input's. */
-    struct poi_target target; /* Any bits that the device sent. */
+    uint8_t trembles;         /* As in struct poi_input. */
+    struct poi_target target; /* Unvalidated values from the device, with any bit pattern. */
 };
-#define HAL_POI_SAMPLES_MAX 64u /* 1,000 Hz reports over a 16 ms frame, with room for a slow one. */
+#define HAL_POI_SAMPLES_MAX 64u /* Enough for 1,000 Hz reports over a 16 ms frame, with reserve for
+                                   a slow frame. */
 
 struct hal_poi_ops {
-    int (*open)(void *self);  /* Also reopens after HAL_ERR_GONE. */
-    /* Copies at most `max` samples since the last poll, oldest first; returns how many. */
+    int (*open)(void *self);  /* Opens the device, and reopens it after HAL_ERR_GONE. */
+    /* Copies at most `max` samples that arrived since the last poll, oldest first. Returns their
+     * number. */
     int (*poll)(void *self, struct poi_sample *out, uint32_t max);
-    /* The reaction on the hand: once a frame, the hardest blow of its ticks; see output_feel(). */
+    /* Sets the force feedback. Called once a frame with the strongest force of its ticks; see
+     * output_feel(). */
     int (*feel)(void *self, const struct poi_force *force);
-    /* How the tank is looked at from now on, and how that lies on the screen: who points at a
-     * picture needs it. Copied. */
+    /* Sets the camera view and the display transform from now on. A pointer device needs both to
+     * map a screen position to the tank. Copies both. */
     void (*look)(void *self, const struct view *view, const struct showing *showing);
     const char *(*describe)(void *self);
 };
 
-/* What one hand holds over the water beside its poi, or in place of one. */
+/* A fan: a device that a player holds over the water beside the poi or in place of a poi. */
 struct hal_shade_ops {
-    int (*open)(void *self);  /* Also reopens after HAL_ERR_GONE. */
-    /* Where it is now; after every poi was polled, since a fan may share its device with one. */
+    int (*open)(void *self);  /* Opens the device, and reopens it after HAL_ERR_GONE. */
+    /* Writes the current position. Called after all pois were polled because a fan may share its
+     * device with a poi. */
     int (*poll)(void *self, struct shade_input *out);
     const char *(*describe)(void *self);
 };
 
-/* Levels now, and the edges since the last poll, debounced: a 20 ms coin pulse is not lost. */
-#define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT) /* The first coin line; the others follow. */
+/* Button levels now, and the debounced edges since the last poll. A coin pulse of 20 ms is not
+ * lost. */
+#define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT) /* The bit of the first coin line; the other
+                                                       coin lines follow. */
 #define HAL_LINE_COUNT (INPUT_BUTTON_COUNT + COIN_LINE_COUNT)
 struct button_sample {
-    uint32_t held, pressed;   /* enum input_button */
-    uint32_t raw;             /* Levels as they are before they count: the bits of `missing`. */
-    struct line_sample {      /* By those bits. Since the last poll: */
-        uint32_t edges;       /* every change of its level, bounces too, */
-        uint32_t faults;      /* and its part of `faults`. */
+    uint32_t held, pressed;   /* Bits of enum input_button. */
+    uint32_t raw;             /* Levels before debouncing; same bits as `missing`. */
+    struct line_sample {      /* Counts since the last poll, indexed by the bit numbers of
+                                 `missing`. */
+        uint32_t edges;       /* Level changes, including contact bounces. */
+        uint32_t faults;      /* Share of this line in `faults` below. */
     } line[HAL_LINE_COUNT];
     uint32_t coin_count[COIN_LINE_COUNT];
-    uint32_t faults;          /* Since the last poll: coins that stick, edges that were lost, lines
-                                 that went, or that were not there at the start. */
-    uint32_t missing;         /* Of what is wired, that whose line is not there: enum input_button,
+    uint32_t faults;          /* Line faults since the last poll: stuck coin inputs, lost edges,
+                                 lines that disappeared or were absent at the start. */
+    uint32_t missing;         /* Wired inputs whose GPIO line is absent: bits of enum input_button,
                                  and HAL_MISSING_COIN. */
-    uint8_t quit;             /* A desktop's quit key; a cabinet has none. */
-    uint8_t full_screen;      /* A desktop's full-screen key was pressed. */
+    uint8_t quit;             /* 1: the quit key of a desktop was pressed. Always 0 in a cabinet. */
+    uint8_t full_screen;      /* 1: the full-screen key of a desktop was pressed. */
 };
 
 struct hal_buttons_ops {
@@ -130,41 +142,47 @@ struct hal_buttons_ops {
     const char *(*describe)(void *self);
 };
 
-/* Who sits where, in a kiosk that has more controllers than seats, or better ones from now on. */
+/* Assigns controllers to player slots when the kiosk has more controllers than slots, or when a
+ * better controller is connected. */
 struct hal_seats_ops {
-    /* Once a frame, before the pois are asked. Only when `may_move`, between two games, may a seat
-     * go to another controller while its own is there. Returns the seats that did, or whose own
-     * came back, a bit (1 << seat) each: their poi and fan are to be opened again. */
+    /* Assigns controllers to slots. Called once a frame, before the pois are polled. A slot whose
+     * controller is still connected changes only if `may_move` is 1, which is so between two games.
+     * Returns a bit (1 << slot) for each slot that changed, or whose own controller was
+     * reconnected. The caller must reopen the poi and the fan of these slots. */
     uint32_t (*arrange)(void *self, int may_move);
 };
 
-/* What the kiosk switches. */
+/* Outputs that the kiosk switches. */
 enum hal_switch {
     HAL_START_LAMP = 0,
     HAL_COIN_LOCKOUT, /* Locked until it is first set. */
-    HAL_TICKET,       /* One pulse, one ticket. */
-    HAL_COIN_COUNTER, /* One pulse, one step of the meter. */
+    HAL_TICKET,       /* One pulse issues one ticket. */
+    HAL_COIN_COUNTER, /* One pulse advances the meter by one. */
     HAL_SWITCH_COUNT,
 };
 
-/* A call that fails has done nothing of it: it is made again next frame when the answer was BUSY,
- * in a second when it was a fault, and not at all when it was NONE. */
+/* Switched outputs. A call that fails has no effect. The caller repeats it next frame after
+ * HAL_ERR_BUSY, after one second on a fault, and never after HAL_ERR_NONE. */
 struct hal_switches_ops {
     int (*set)(void *self, enum hal_switch which, int active);
-    /* `count` more pulses, which the driver makes one after the other, in its own time. */
+    /* Queues `count` more pulses. The driver issues the pulses one after another at its own
+     * rate. */
     int (*pulse)(void *self, enum hal_switch which, uint32_t count);
     const char *(*describe)(void *self);
-    /* Returns how many of the pulses that pulse() took have not ended. One whose line is missing
-     * has not. */
+    /* Returns the number of pulses accepted by pulse() that have not ended. Pulses on a missing
+     * line remain pending. */
     uint32_t (*pending)(void *self, enum hal_switch which);
 };
 
-/* Controllers of which the operator may choose those that play: one row each. */
+/* Size in bytes of a controller's name. The operator chooses which controllers play; each
+ * controller has one row in the menu. */
 #define HAL_CONTROLLER_TEXT 48u
 struct hal_controllers_ops {
-    /* Level: what there is, and how learning goes. Once a frame. */
+    /* Writes the connected controllers and the state of mapping learning (levels). Called once a
+     * frame. */
     int (*poll)(void *self, struct desk_input *out);
-    /* "057e:2009 Pro Controller, port 3-1.2"; "" for a row without one. UTF-8. */
+    /* Returns a UTF-8 name, for example "057e:2009 Pro Controller, port 3-1.2", or "" for an empty
+     * row. */
     const char *(*name)(void *self, uint32_t row);
     int (*order)(void *self, const struct desk_order *order);
     const char *(*describe)(void *self);
@@ -177,56 +195,68 @@ struct hal_audio_ops {
     void (*close)(void *self);
 };
 
-struct memory; /* core/memory.h */
+struct memory; /* Defined in core/memory.h. */
 
-/* What became of a purse: units that were owed may be credits by now. */
+/* Change of the balance. Units that were due may have become credits in between. */
 struct purse_step {
     struct purse from, to;
 };
 
 struct hal_storage_ops {
     int (*open)(void *self);
-    /* At start: what earlier evenings left, with ledger.boots of this start. A setting that the
-     * menu never turned, and all else where there is no store, is left as `out` has it. */
+    /* Loads the persistent state at start, with ledger.boots of this start. A setting that was
+     * never changed in the menu keeps its value in `out`. Without a store, all of `out` is left
+     * unchanged. */
     int (*remember)(void *self, struct memory *out);
-    /* The next entry, by rising ids. Copies; BUSY: next frame. */
+    /* Queues the next ledger entry; ids must rise. Copies `entry`. Returns HAL_ERR_BUSY if the
+     * queue is full; the caller retries next frame. */
     int (*keep)(void *self, const struct ledger_entry *entry);
-    uint32_t (*saved_id)(void *self); /* Newest entry known to be on disk; never goes back. */
-    /* The replay of the round whose entry is `round_id`, known to be worth one. `bytes` are lent
-     * until replay_kept_id() is that id, or a later keep_replay() is taken. BUSY: one is being
-     * written. */
+    uint32_t (*saved_id)(void *self); /* Returns the id of the newest entry known to be on disk. The
+                                         value never decreases. */
+    /* Stores the replay of the round whose entry is `round_id`; only ranked rounds have a
+     * replay. The caller must keep `bytes` unchanged until replay_kept_id() returns this id, or
+     * until a later keep_replay() is accepted. Returns HAL_ERR_BUSY while another replay is
+     * being written. */
     int (*keep_replay)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
-    uint32_t (*replay_kept_id)(void *self); /* Newest that was written, or given up. */
-    /* Asks for the replay of a round, and for the ledger's entry of it; `bytes`, `size` of them,
-     * and `round` are lent until replay_fetched() is no longer BUSY: the replay's size, or
-     * HAL_ERR_NONE where there is none. The entry's id is 0 where the ledger has it no more. */
+    uint32_t (*replay_kept_id)(void *self); /* Returns the newest round id whose replay was written
+                                               or abandoned. */
+    /* Starts to load the replay of a round and its ledger entry. The buffers `bytes` (of `size`
+     * bytes) and `round` must stay valid until replay_fetched() no longer returns HAL_ERR_BUSY.
+     * replay_fetched() then returns the replay's size in bytes, or HAL_ERR_NONE if there is no
+     * replay. The entry's id is 0 if the ledger no longer has the entry. */
     int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
                         struct ledger_entry *round);
     int (*replay_fetched)(void *self);
-    int (*has_replay)(void *self, uint32_t round_id); /* 1: a ranked round's is on disk. */
+    int (*has_replay)(void *self, uint32_t round_id); /* Returns 1 if the replay of this ranked
+                                                         round is on disk. */
     int (*keep_edit)(void *self, const struct edit_record *edit); /* As keep(). */
     uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
-    int (*refuses_edits)(void *self); /* 1: no edit can be kept, or the last try failed. */
-    uint32_t (*refused_count)(void *self);      /* Writes that failed since open(). */
-    int (*is_well)(void *self); /* 1: entries are kept, and the last went well. */
-    /* 1: there was no store at the start, and there is one now that only another start can go on
-     * from. */
+    int (*refuses_edits)(void *self); /* Returns 1 if edits cannot be stored, or if the last attempt
+                                         failed. */
+    uint32_t (*refused_count)(void *self);      /* Returns the number of writes that failed since
+                                                   open(). */
+    int (*is_well)(void *self); /* Returns 1 if entries are stored and the last write succeeded. */
+    /* Returns 1 if there was no store at the start and a store has appeared since. Only a restart
+     * can use the new store. */
     int (*wants_restart)(void *self);
-    /* For that one: what people paid meanwhile, 1 .. 16 entries and what its purse changes by.
-     * Ids, boot and purse of the entries are filled in there. Copies; BUSY: others are on their
-     * way. */
+    /* Adds offline credits to the store of wants_restart(): 1 .. 16 entries for coins inserted
+     * without a store, and the change of the balance. The store fills in the ids, boot and balance
+     * of the entries. Copies all arguments. Returns HAL_ERR_BUSY while earlier entries are being
+     * written. */
     int (*hand_over)(void *self, const struct purse_step *step,
                      const struct ledger_entry *entries, uint32_t count);
-    int (*handed_over)(void *self); /* OK: all that hand_over() took is on disk; else BUSY. */
+    int (*handed_over)(void *self); /* Returns HAL_OK if all entries accepted by hand_over() are on
+                                       disk, else HAL_ERR_BUSY. */
     const char *(*describe)(void *self);
-    /* Writes what keep() and keep_edit() took, which may wait a few seconds; returns how many of
-     * them it could not. */
+    /* Writes the entries accepted by keep() and keep_edit(), and closes the store. May block for a
+     * few seconds. Returns the number of entries and edits that could not be written. */
     uint32_t (*close)(void *self);
 };
 
 struct hal_watchdog_ops {
     void (*kick)(void *self);
-    uint8_t (*watches)(void *self); /* enum scene_watch: whether anybody would miss a kick. */
+    uint8_t (*watches)(void *self); /* Returns an enum scene_watch: whether a missing kick resets
+                                       the machine. */
     const char *(*describe)(void *self);
 };
 
@@ -244,7 +274,7 @@ struct hal_storage { const struct hal_storage_ops *ops; void *self; };
 struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
 /* clang-format on */
 
-/* By that clock; 0 where there is none. */
+/* Returns the clock's time in nanoseconds, or 0 if there is no clock. */
 static inline uint64_t hal_now_ns(struct hal_clock clock)
 {
     return clock.ops ? clock.ops->now_ns(clock.self) : 0;

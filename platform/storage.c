@@ -1,4 +1,5 @@
-/* storage.c -- the store as the frame loop sees it: everything here comes back at once. */
+/* storage.c -- the frame loop's side of the store. No function here blocks, except open() and
+ * close(). */
 #include "platform/storage.h"
 
 #include <signal.h>
@@ -14,8 +15,8 @@
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
-/* One that is there and cannot be written is a matter for whoever opens the file: the card may be
- * mounted anew at any time. */
+/* Returns true if the data folder exists or was created. A folder that cannot be written is
+ * accepted here because the card may be remounted at any time. */
 static bool folder_is_there(struct storage *storage)
 {
     const int error = folder_make(storage->dir);
@@ -29,7 +30,7 @@ static bool folder_is_there(struct storage *storage)
     return is_there;
 }
 
-/* Whether the path of the file is known; when not, `text` says why. */
+/* Returns true and sets the path of the file, or writes the reason to `text`. */
 static bool find_file(struct storage *storage)
 {
     if (!storage->dir) {
@@ -46,7 +47,8 @@ static bool find_file(struct storage *storage)
     return storage->how.vfs || folder_is_there(storage);
 }
 
-/* The thread takes no signals: those that end the kiosk are the main thread's to see. */
+/* Starts the thread with all signals blocked, except those of a panic, because the main thread
+ * handles the signals that end the kiosk. */
 static bool start_thread(struct storage *storage)
 {
     sigset_t all, before;
@@ -58,7 +60,7 @@ static bool start_thread(struct storage *storage)
     return storage->has_thread;
 }
 
-/* What the core goes on from, before the thread has the file. */
+/* Copies the loaded state from which the core continues, before the thread owns the file. */
 static void note_start(struct storage *storage)
 {
     storage->start = storage->file.content;
@@ -74,7 +76,8 @@ static void note_start(struct storage *storage)
     atomic_store(&storage->has_file, true);
 }
 
-/* Graphs are texts in the same folder: the thread runs for them without a database, too. */
+/* Opens the store. Without a database the thread runs all the same because edits are text files in
+ * the same folder. */
 static int storage_open(void *self)
 {
     struct storage *storage = self;
@@ -116,7 +119,7 @@ static int storage_remember(void *self, struct memory *out)
         return HAL_ERR_NONE;
     }
     ledger_content_remember(&storage->start, out);
-    /* This start; it is on disk with the first entry that says so. */
+    /* Count this start; the first entry of this start stores the number. */
     out->ledger.boots += out->ledger.boots < LEDGER_BOOTS_MAX;
     return HAL_OK;
 }
@@ -175,16 +178,16 @@ static uint32_t storage_kept_edit_id(void *self)
     return atomic_load(&storage->kept_edit_id);
 }
 
-/* The last try failed, or there will be none. */
+/* Returns 1 if the last write of an edit failed, or if no more can be written. */
 static int storage_refuses_edits(void *self)
 {
     struct storage *storage = self;
     return !storage->running || atomic_load(&storage->edit_error) != 0;
 }
 
-/* ---- How it is ------------------------------------------------------------------------------ */
+/* ---- Status --------------------------------------------------------------------------------- */
 
-/* How long the card has not answered; 0 while that is nothing to tell. */
+/* Returns how long the card has not responded, or 0 below STORAGE_STUCK_MS. */
 int64_t storage_stuck_ms(const struct storage *storage)
 {
     const int64_t since_ms = atomic_load(&storage->busy_since_ms);
@@ -225,7 +228,8 @@ static void stop_thread(struct storage *storage)
     }
 }
 
-/* An entry that only waits for the second copy is in the database and not lost. */
+/* Counts the queued entries that are lost. An entry that is only missing in the mirror is in the
+ * database and not lost. */
 static uint32_t lost_entries(const struct storage *storage)
 {
     const unsigned pushed = atomic_load(&storage->pushed);
@@ -245,9 +249,9 @@ static uint32_t storage_close(void *self)
         return 0;
     }
     stop_thread(storage);
-    storage->closes = true; /* Whoever pulls the plug now has the last backup. */
+    storage->closes = true; /* A power cut from now on finds the previous backup. */
     ledger_backup_drop(&storage->backup);
-    storage_work(storage); /* What came while it was leaving, and one last try for the rest. */
+    storage_work(storage); /* Writes entries that arrived meanwhile, and retries the rest once. */
     storage_rescue(storage);
     const uint32_t lost = lost_entries(storage), lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {

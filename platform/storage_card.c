@@ -1,8 +1,8 @@
-/* storage_card.c -- a card that went, and the one that is there now.
+/* storage_card.c -- detects and reopens a card that was removed, replaced or full.
  *
- * A card that is away is asked for each second: that costs nothing. A file that is there and of no
- * use is looked through from end to end each time, so it is left alone for one second, then two, up
- * to a minute, unless something about it or its card is seen to change. */
+ * An absent card is checked once a second because the check is cheap. An unusable file is read
+ * completely at each attempt. The interval therefore grows from one second to one minute, unless an
+ * attribute of the file or its card changes. */
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -37,10 +37,10 @@ bool storage_needs_reopening(int code)
            code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
 }
 
-/* ---- Whether it is worth a look ------------------------------------------------------------- */
+/* ---- Retry schedule ------------------------------------------------------------------------- */
 
-/* Another file, a write to it, its rights, a card that may be written: any of them changes this.
- * Of a file system of the caller's own nothing is seen. */
+/* Returns a hash of the attributes of the file and its card: identity, size, change time, access
+ * rights, read-only mount. Returns 0 for a custom vfs, whose files are not visible here. */
 static uint64_t sight_of(const struct storage *storage)
 {
     struct stat file = { 0 };
@@ -71,7 +71,7 @@ static uint64_t room_of(const struct storage *storage)
                : 0u;
 }
 
-/* Of a card that is full. */
+/* Returns true if a full card has gained free space. */
 static bool has_more_room(const struct storage *storage)
 {
     return atomic_load(&storage->error) == SQLITE_FULL &&
@@ -85,7 +85,7 @@ static bool is_worth_a_look(const struct storage *storage)
            sight_of(storage) != storage->sight || has_more_room(storage);
 }
 
-/* Whether whoever says this has read the whole file to find out. */
+/* Returns true if this result required a read of the whole file. */
 static bool was_dear(int code)
 {
     return code == LEDGER_FILE_ANOTHERS || code == LEDGER_FILE_NEWER ||
@@ -109,11 +109,11 @@ static void note_look(struct storage *storage, int code)
     storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
 }
 
-/* ---- Whose it is ---------------------------------------------------------------------------- */
+/* ---- Identity of the ledger ----------------------------------------------------------------- */
 
-/* Whether the list in the file is not the one that was left there: somebody else's card, or the
- * kiosk began without this one. A fresh card has fewer entries, and so has a backup; and one more
- * batch may have come through than the kiosk was told. */
+/* Returns true if the file contains a foreign ledger: from another card, or from a card that was
+ * absent when the kiosk started. A fresh card or a backup has fewer entries and is accepted. The
+ * file may also contain one batch more than was acknowledged. */
 static bool is_anothers(struct storage *storage)
 {
     const unsigned pushed = atomic_load(&storage->pushed);
@@ -132,8 +132,8 @@ static bool is_anothers(struct storage *storage)
                              entry.tick != storage->saved_tick));
 }
 
-/* Two stalls at one list would give out each number twice. A folder that cannot be held at all, as
- * on some cards, is as good as alone. */
+/* Locks the folder, because two kiosk processes on one ledger would assign the same ids. Returns
+ * false only if another process holds the lock. A file system without locks counts as unlocked. */
 static bool is_alone(struct storage *storage)
 {
     if (storage->hold == 0 && !storage->how.vfs) {
@@ -161,7 +161,7 @@ void storage_leave(struct storage *storage)
     }
 }
 
-/* Whether a file that took the place of one that moved has less than was acknowledged. */
+/* Returns true if the replacement of a moved file lacks acknowledged entries. */
 static bool lacks_entries(const struct storage *storage)
 {
     return storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id);
@@ -193,9 +193,9 @@ static int look(struct storage *storage)
     return code;
 }
 
-/* Returns whether the file at the path, if any, is to be opened in place of the one that moved. The
- * first call only raises the alarm, so that the status shows even a loss that the next call
- * repairs. At the end there is no next call. */
+/* Returns true if the file at the path, if any, is to be opened in place of the file that moved.
+ * The first call only raises the alarm, so that the status shows even a loss that the next call
+ * repairs. During close() the first call already follows because there is no next call. */
 static bool leave_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
@@ -217,7 +217,7 @@ static bool leave_moved(struct storage *storage)
 bool storage_has_card(struct storage *storage)
 {
     if (storage->file.db && !storage->file.refusal && !storage_has_moved(storage)) {
-        if (storage->moved) { /* It was put back. */
+        if (storage->moved) { /* The file was put back. */
             storage->moved = false;
             storage_note_result(storage, SQLITE_OK);
             storage_log_back(storage);
@@ -235,7 +235,8 @@ bool storage_has_card(struct storage *storage)
     const int code = look(storage);
     note_look(storage, code);
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
-        storage_note_result(storage, code); /* Else the next write decides whether it is well. */
+        storage_note_result(storage, code); /* If entries wait, the next write sets the status
+                                               instead. */
     }
     return code == SQLITE_OK;
 }

@@ -1,7 +1,7 @@
-/* storage_late.c -- what fell while there was no store, told to the file that came late.
+/* storage_late.c -- writes offline credits to a database that appears after the start.
  *
- * That file has a list of its own: what is handed over goes behind its newest entry, in one
- * transaction, as a start of the kiosk between that entry's and the next. */
+ * Such a database has its own ledger. The entries are appended in one transaction with a boot
+ * number of their own, after the database's last boot. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -18,7 +18,7 @@ int storage_hand_over(void *self, const struct purse_step *step,
     }
     late->count = count < STORAGE_LATE_MAX ? count : STORAGE_LATE_MAX;
     memcpy(late->entries, entries, late->count * sizeof *entries);
-    late->entries[0].id = 0; /* It has no place yet. */
+    late->entries[0].id = 0; /* 0: no id in that database yet. */
     late->step = *step;
     atomic_store(&late->state, STORAGE_LATE_NEW);
     sem_post(&storage->wake);
@@ -37,7 +37,8 @@ static void change(uint32_t *count, uint32_t from, uint32_t to)
     *count = sum < 0 ? 0u : sum < PURSE_MAX ? (uint32_t)sum : PURSE_MAX;
 }
 
-/* `open` stays: a round that was open when that file was left is given back at the next start. */
+/* Applies the change to the balance of that database. `open` is unchanged: a round that was open in
+ * that database is refunded at the next start. */
 static struct purse after(struct purse purse, const struct purse_step *step)
 {
     change(&purse.units, step->from.units, step->to.units);
@@ -55,7 +56,7 @@ static void put_behind(struct storage_late *late, const struct ledger_start *lis
 {
     const struct purse purse = after(list->purse, &late->step);
     const uint32_t next = list->boots + (list->boots < LEDGER_BOOTS_MAX);
-    late->boot = late->boot > 0 ? late->boot : next; /* One start, told in parts. */
+    late->boot = late->boot > 0 ? late->boot : next; /* All parts share one boot number. */
     for (uint32_t i = 0; i < late->count; i++) {
         late->entries[i].id = list->last_id + 1u + i;
         late->entries[i].boot = late->boot;
@@ -63,8 +64,8 @@ static void put_behind(struct storage_late *late, const struct ledger_start *lis
     }
 }
 
-/* A commit that failed may have come through all the same; what the file was opened with is on
- * disk. */
+/* Returns true if the entries are already in the file, because a failed commit may have succeeded.
+ * The content read at open is known to be on disk. */
 static bool has_them(struct storage *storage)
 {
     const struct ledger_entry *first = &storage->late.entries[0];

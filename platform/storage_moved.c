@@ -1,9 +1,10 @@
 /* storage_moved.c -- detects that the open file no longer has the name under which the next start
- * would look for it: the file or its folder was removed, renamed, replaced or mounted over.
+ * looks for it: the file or its folder was removed, renamed, replaced or mounted over.
  *
- * Such a file can still be written and synced, but what it holds is lost or hidden. So nothing is
- * acknowledged any more, which closes the coin slot. A folder that is put back is used again. A
- * deleted file stays open, and close() copies it to where the next start looks for a backup. */
+ * Such a file can still be written and synced, but its content is lost or hidden. Therefore no
+ * entry is acknowledged, which locks the coin slot. A folder that is put back is used again. A
+ * deleted file stays open, and close() copies it to the path of the backup, where the next start
+ * finds it. */
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,7 +15,8 @@
 #include "platform/say.h"
 #include "platform/storage_parts.h"
 
-/* The log and its index have no handle of ours: they are known by their first sight. */
+/* Suffixes of the monitored files. SQLite owns the handles of the log and its index, therefore
+ * those files are identified by the inode seen first. */
 static const char *const suffixes[STORAGE_PLACES] = { "", "-wal", "-shm" };
 
 static bool is_same(const struct stat *about, const struct storage_place *place)
@@ -28,7 +30,8 @@ void storage_note_place(struct storage *storage)
     storage->moved = false;
 }
 
-/* A file that was not there yet is noted when it is first seen. */
+/* Returns true if the file is gone or replaced. A file that did not exist yet is recorded when it
+ * is first seen. */
 static bool has_left(struct storage *storage, size_t index)
 {
     struct storage_place *place = &storage->places[index];
@@ -64,8 +67,8 @@ bool storage_has_moved(struct storage *storage)
     return result;
 }
 
-/* Looked at before the entries are acknowledged: a file that went during the write holds them
- * where no start finds them. */
+/* Checks for a move before the entries are acknowledged, because no start would find entries in a
+ * file that moved during the write. */
 int storage_write_entries(struct storage *storage, const struct ledger_entry *entries,
                           uint32_t count)
 {
@@ -73,9 +76,9 @@ int storage_write_entries(struct storage *storage, const struct ledger_entry *en
     return code == SQLITE_OK && storage_has_moved(storage) ? LEDGER_FILE_MOVED : code;
 }
 
-/* ---- What is left to do ---------------------------------------------------------------------- */
+/* ---- Recovery ------------------------------------------------------------------------------- */
 
-/* Whether the open file has no name anywhere, so that it ends when it is closed. */
+/* Returns true if the open file has no name left, so that closing it deletes the data. */
 static bool is_deleted(const struct storage *storage)
 {
     struct stat held, about;
@@ -83,7 +86,7 @@ static bool is_deleted(const struct storage *storage)
     if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
         return true;
     }
-    /* In a folder that was renamed or mounted over the file still has its name. */
+    /* A file in a folder that was renamed or mounted over still has its name. */
     return !has_folder_left(storage) &&
            !(lstat(storage->path, &about) == 0 && is_same(&about, place));
 }
@@ -127,7 +130,7 @@ void storage_log_back(const struct storage *storage)
         storage->file.content.memory.ledger.last_id);
 }
 
-/* All that waits, at most two pieces of the ring. */
+/* Writes all queued entries, in at most two parts because the queue is a ring. */
 static int write_queue(struct storage *storage)
 {
     const unsigned pushed = atomic_load(&storage->pushed);

@@ -1,8 +1,8 @@
-/* storage_open.c -- from a path to a file that can be written, whatever has happened to it.
+/* storage_open.c -- opens the database for writing, after any damage was handled.
  *
- * A damaged file is never lost sight of and never repaired in place: storage_rebuild.c makes what
- * takes its place. Which of the files here are of one list their newest common entry says; one of
- * another list is set aside, and read by nobody. */
+ * A damaged file is kept and never repaired in place; storage_rebuild.c makes its replacement. Two
+ * files belong to the same ledger if their newest common entry is equal. A file of a foreign ledger
+ * is renamed and never read. */
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -38,7 +38,8 @@ struct ledger_tail storage_look_at_tail(const struct storage *storage)
     return ledger_tail_look(path);
 }
 
-/* A card that cannot say is no reason to put something in a file's place. */
+/* Returns true if the path exists. An I/O error counts as existing, so that no file is replaced by
+ * mistake. */
 bool storage_has_path(const char *path)
 {
     return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
@@ -69,12 +70,12 @@ static bool has_backup(const struct storage *storage)
     return storage_has_path(backup);
 }
 
-/* ---- Whether the others are of this list ---------------------------------------------------- */
+/* ---- Comparison with the backup and the mirror ---------------------------------------------- */
 
 enum others {
-    OTHERS_NOT = 0, /* There is nothing, or it has no more than the file. */
-    OTHERS_NEWER,   /* Of this list, and it has more: the file has lost what it had. */
-    OTHERS_STRANGE, /* Of another list. */
+    OTHERS_NOT = 0, /* Absent, or no newer entries than the file. */
+    OTHERS_NEWER,   /* Same ledger with newer entries: the file has lost entries. */
+    OTHERS_STRANGE, /* Foreign ledger. */
 };
 
 static enum others backup_is(struct storage *storage)
@@ -97,7 +98,8 @@ static enum others backup_is(struct storage *storage)
     return result;
 }
 
-/* One that begins behind the end of a file that is whole is of what was there before it. */
+/* Compares the mirror with the file. A mirror that begins after the end of an intact file belongs
+ * to an earlier ledger. */
 static enum others tail_is(struct storage *storage)
 {
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
@@ -117,11 +119,11 @@ bool storage_is_behind_backup(struct storage *storage)
     return backup_is(storage) == OTHERS_NEWER;
 }
 
-/* ---- A file that has lost what it had -------------------------------------------------------- */
+/* ---- Lost content ---------------------------------------------------------------------------- */
 
-/* A file without a byte is what a power cut or a repaired card often leaves. SQLite takes it for a
- * new one, and forgets its log; but where there are a log, a backup or a tail there was
- * something. */
+/* Returns true if the file is empty but a log, a backup or a mirror has content. A power cut or a
+ * file system repair often leaves an empty file. SQLite would treat an empty file as new and
+ * discard its log. */
 static bool is_emptied(const struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
@@ -132,8 +134,9 @@ static bool is_emptied(const struct storage *storage)
            (has_bytes(backup) || has_bytes(log) || has_tail(storage));
 }
 
-/* The operator put a copy there: that the backup has more is as he wants it. It is kept beside. The
- * tail is of what was there before. */
+/* Accepts a copy that the operator put in place of the database. Newer entries in the backup are
+ * intended to be dropped; the backup is renamed and kept. The mirror belongs to the replaced file
+ * and is deleted. */
 static int take_copy(struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE], tail[LEDGER_PATH_SIZE];
@@ -150,15 +153,16 @@ static int take_copy(struct storage *storage)
     return ledger_unmark(&storage->file);
 }
 
-/* A symbolic link may lead to a card that is not mounted yet: it stays, and is not followed. */
+/* Returns true for a symbolic link. The link may lead to a card that is not mounted yet, so that it
+ * is neither removed nor followed. */
 static bool is_link(const struct storage *storage)
 {
     struct stat about;
     return lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode);
 }
 
-/* A FIFO, a device, a link or a folder in place of what belongs to the file is set aside, so that
- * the start goes on without it. On a card that cannot be written it stays and is not opened. */
+/* Renames each FIFO, device, link or folder in place of a file that belongs to the database, so
+ * that the start continues without it. On a read-only card the object stays and is not opened. */
 static void set_strange_aside(struct storage *storage)
 {
     for (unsigned i = 0; i < STORAGE_BESIDE_COUNT; i++) {
@@ -171,7 +175,8 @@ static void set_strange_aside(struct storage *storage)
     }
 }
 
-/* Against what lies beside it. One that can only be read cannot be followed by anything either. */
+/* Compares the file with its backup and mirror, and renames those of a foreign ledger. A read-only
+ * file keeps them because no entries can be added to it. */
 static int compare(struct storage *storage)
 {
     const enum others backup = backup_is(storage), tail = tail_is(storage);
@@ -210,8 +215,8 @@ static int open_whole(struct storage *storage)
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
-/* Where there is no file and no word of one a new one is begun. A file system of the caller's own
- * has only the one file. */
+/* Opens the database. Starts a new database only if there is no file, backup or mirror. A custom
+ * vfs has only the one file. */
 int storage_open_file(struct storage *storage)
 {
     if (storage->how.vfs) {

@@ -1,13 +1,13 @@
-/* storage_rebuild.c -- what takes the place of a file that is damaged or gone.
+/* storage_rebuild.c -- makes the replacement of a database that is damaged or missing.
  *
- * The last good backup, and all that the damaged file and the tail still say beyond that, is made
- * under a name of its own, and gets the name STORAGE_NEW_SUFFIX only when it is whole and on disk.
- * Only then is the damaged one renamed, and then the new one. A power cut anywhere leaves files
- * from which the next start does the same again, or the rest of it; a card that has no room for it
- * is left as it was.
+ * The replacement contains the last valid backup and all newer entries of the damaged file and the
+ * mirror. A temporary file is written and synced completely, and then renamed to
+ * STORAGE_NEW_SUFFIX. Only then is the damaged file renamed, and after that the new file. After a
+ * power cut at any point, the next start repeats or completes the procedure. A card without enough
+ * space is left unchanged.
  *
- * Where the newest entry is not known its id may be given once more: ids rise by one
- * (core/ledger.h), and what is set aside is told apart by its boots. */
+ * If the newest entry is unknown, its id may be assigned again. Ids rise by one (core/ledger.h),
+ * and quarantined files differ in their boot numbers. */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -24,12 +24,12 @@
 #include "platform/store/ledger_backup.h"
 #include "platform/store/sql.h"
 
-#define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX /* Until it is whole. */
+#define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX /* Name of the incomplete replacement. */
 
 static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 #define SUFFIX_COUNT (sizeof suffixes / sizeof suffixes[0])
 
-/* ---- Setting aside -------------------------------------------------------------------------- */
+/* ---- Quarantine ----------------------------------------------------------------------------- */
 
 static unsigned number_in(const char *name, const char *suffix)
 {
@@ -39,8 +39,8 @@ static unsigned number_in(const char *name, const char *suffix)
     return at ? (unsigned)strtoul(at + strlen(suffix), NULL, 10) : 0u;
 }
 
-/* One more than any that was ever given, as far as it has left a word: one that was looked at and
- * removed has left a mark, which would hide the next of that number. */
+/* Returns one more than the highest number in use. A file that was acknowledged and removed has
+ * left a marker with its number, which would hide a new file of the same number. */
 static unsigned next_number(const struct storage *storage)
 {
     static const char *const kinds[] = { STORAGE_ASIDE_SUFFIX, STORAGE_MISSING_SUFFIX,
@@ -69,8 +69,8 @@ int storage_set_other_aside(struct storage *storage, const char *suffix)
     return rename(from, to) == 0 ? ledger_sync_folder(to) : -1;
 }
 
-/* Renames the file, and then what belongs to it: left behind, a journal would be played into the
- * fresh one. */
+/* Renames the file first and then its log and journal. A journal left behind would be applied to
+ * the new file. */
 static bool set_aside(struct storage *storage, unsigned number)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
@@ -89,8 +89,7 @@ static bool set_aside(struct storage *storage, unsigned number)
     return true;
 }
 
-/* A file that was not there leaves nothing to set aside; this says so in its stead, until somebody
- * has seen it. */
+/* Creates an empty marker for a missing file, which stays until the operator acknowledges it. */
 static bool leave_note(struct storage *storage, unsigned number)
 {
     char path[LEDGER_PATH_SIZE], suffix[40];
@@ -100,7 +99,7 @@ static bool leave_note(struct storage *storage, unsigned number)
     return handle >= 0 && close(handle) == 0 && ledger_sync_folder(path) == 0;
 }
 
-/* ---- What takes a file's place -------------------------------------------------------------- */
+/* ---- The replacement ------------------------------------------------------------------------- */
 
 static void remove_all(const struct storage *storage, const char *suffix)
 {
@@ -113,7 +112,7 @@ static void remove_all(const struct storage *storage, const char *suffix)
     }
 }
 
-/* Whether there is a backup that can be used; of an earlier version, too. */
+/* Opens the backup read-only. Returns true if the backup is valid, also with an older schema. */
 static bool open_backup(struct ledger_file *file, const char *backup)
 {
     *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
@@ -127,7 +126,7 @@ static bool open_backup(struct ledger_file *file, const char *backup)
     return is_good;
 }
 
-/* What the old file and the tail say beyond what `to` has. */
+/* Copies entries that `to` lacks from the old file and the mirror into `to`. */
 static int salvage_into(struct storage *storage, struct ledger_file *to)
 {
     struct stat about;
@@ -150,8 +149,8 @@ static int sync_file(const char *path)
     return result;
 }
 
-/* Nobody reads it before it is whole: it is synced once, at its end, so that a slow card is not
- * waited for a thousand times. */
+/* Makes the temporary file. Its writes are not synced one by one, because no process reads the file
+ * before it is complete. One sync at the end saves time on a slow card. */
 static int make_part(struct storage *storage, const char *part)
 {
     static const struct ledger_file_how unsynced = { .journal = "MEMORY OFF" };
@@ -164,7 +163,7 @@ static int make_part(struct storage *storage, const char *part)
         ledger_file_close(&file);
     }
     code = code == SQLITE_OK ? ledger_file_open(&file, part, &unsynced) : code;
-    if (code == SQLITE_CORRUPT) { /* The backup is whole, but its sums are out of range. */
+    if (code == SQLITE_CORRUPT) { /* The backup is intact, but its aggregates are out of range. */
         remove_all(storage, PART_SUFFIX);
         code = ledger_file_open(&file, part, &unsynced);
     }
@@ -176,7 +175,8 @@ static int make_part(struct storage *storage, const char *part)
     return code == SQLITE_OK && sync_file(part) != 0 ? SQLITE_IOERR : code;
 }
 
-/* It gets its name once the note is there, so that a cut in between is told all the same. */
+/* Makes the replacement. The final name is given after the marker exists, so that a power cut
+ * between the two steps still reports the loss. */
 static int make_new(struct storage *storage, bool is_missing, unsigned number)
 {
     char part[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
@@ -195,7 +195,8 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     return code;
 }
 
-/* The last step, and all that is left to do where the power went before it. */
+/* Renames the replacement to the database path: the last step, which the next start repeats after a
+ * power cut. */
 static bool put_new(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
@@ -223,8 +224,8 @@ int storage_rebuild(struct storage *storage, bool is_missing)
     return SQLITE_OK;
 }
 
-/* Where there is no file one may be half replaced. What was made for one that is there again is of
- * yesterday. */
+/* Completes an interrupted replacement if the database is absent. If the database exists, an old
+ * replacement is obsolete and is deleted. */
 int storage_end_rebuilding(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
@@ -233,12 +234,12 @@ int storage_end_rebuilding(struct storage *storage)
         remove_all(storage, STORAGE_NEW_SUFFIX);
     } else if (storage_has_path(fresh) &&
                !(set_aside(storage, next_number(storage)) && put_new(storage))) {
-        return SQLITE_IOERR; /* Without the new file nothing else may take the place. */
+        return SQLITE_IOERR; /* No other file may take the path without the replacement. */
     }
     return SQLITE_OK;
 }
 
-/* ---- Where none can be made ----------------------------------------------------------------- */
+/* ---- Read-only fallback ---------------------------------------------------------------------- */
 
 bool storage_read_remains(struct storage *storage, int refusal)
 {

@@ -1,9 +1,9 @@
-/* storage_replays.c -- replays of ranked rounds, to the card and back, one of each at a time. */
+/* storage_replays.c -- writes and reads replays of ranked rounds, one of each kind at a time. */
 #include <sqlite3.h>
 
 #include "platform/storage_parts.h"
 
-/* ---- The frame loop's side ------------------------------------------------------------------ */
+/* ---- Called by the frame loop --------------------------------------------------------------- */
 
 int storage_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
 {
@@ -65,9 +65,9 @@ int storage_has_replay(void *self, uint32_t round_id)
     return 0;
 }
 
-/* ---- The thread's --------------------------------------------------------------------------- */
+/* ---- Called by the thread ------------------------------------------------------------------- */
 
-/* Only of a round that is on disk and still among the best. */
+/* Returns true if the round is on disk and still ranked. */
 static bool is_ranked(const struct storage *storage, uint32_t round_id)
 {
     const struct ranking *ranking = &storage->file.content.memory.ranking;
@@ -89,7 +89,7 @@ static void end_put(struct storage *storage)
     atomic_store(&storage->put.state, STORAGE_REPLAY_IDLE);
 }
 
-/* Whether a refusal was the last straw. */
+/* Returns true if the card has rejected the replay for STORAGE_REPLAY_MS. */
 static bool gives_up(struct storage *storage)
 {
     const int64_t now_ms = storage_now_ms();
@@ -110,7 +110,8 @@ void storage_note_seals(struct storage *storage)
     }
 }
 
-/* Its round is written first; it is given up when the card goes on refusing. */
+/* Writes the requested replay after the entry of its round. The replay is given up if the card
+ * rejects it for too long. */
 void storage_put_replay(struct storage *storage)
 {
     const struct storage_replay *put = &storage->put;

@@ -1,4 +1,4 @@
-/* storage_say.c -- the store in a line of words, for the menu, the status and the log. */
+/* storage_say.c -- describes the store in one line for the menu, the status and the log. */
 #include <stdio.h>
 #include <string.h>
 

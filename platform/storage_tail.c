@@ -1,7 +1,7 @@
-/* storage_tail.c -- what was just written, written once more, before the kiosk is told of it.
+/* storage_tail.c -- writes each new entry to the ledger mirror before the entry is acknowledged.
  *
- * The tail has no hole: when it could not be written, nothing newer goes into it before what it
- * lacks has come from the database. Until then no entry is acknowledged. */
+ * The mirror has no gap. After a failed write, the missing entries are copied from the database
+ * before a newer entry is added. Until then no entry is acknowledged. */
 #include <errno.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,9 +10,10 @@
 
 #include "platform/storage_parts.h"
 
-#define BATCH 64u /* Entries from one sync to the next. */
+#define BATCH 64u /* Entries between two syncs. */
 
-/* One of another list, as after a card was copied by hand: it must not be read into this one. */
+/* Returns true if the mirror belongs to a foreign ledger, for example after a card was copied
+ * manually. Such a mirror must not be used. */
 static bool is_of_another_list(const struct storage *storage)
 {
     struct ledger_entry entry;
@@ -20,7 +21,7 @@ static bool is_of_another_list(const struct storage *storage)
            (entry.boot != storage->saved_boot || entry.tick != storage->saved_tick);
 }
 
-/* From where on it lacks what was saved; 0: nothing. */
+/* Sets `tail_from` to the first saved entry that the mirror lacks. */
 static void note_lack(struct storage *storage)
 {
     const uint32_t saved_id = atomic_load(&storage->saved_id);
@@ -46,7 +47,7 @@ static int open_tail(struct storage *storage)
     return result;
 }
 
-/* Whoever removes the file takes it from the folder, not from who has it open. */
+/* Returns true if the mirror file was deleted while it was open. */
 static bool is_removed(const struct storage *storage)
 {
     struct stat about;
@@ -54,7 +55,7 @@ static bool is_removed(const struct storage *storage)
            about.st_nlink == 0;
 }
 
-/* What it lacks of the entries up to `last_id`, from the database. */
+/* Copies the missing entries up to `last_id` from the database. */
 static int fill(struct storage *storage, uint32_t last_id)
 {
     struct ledger_entry entries[BATCH];
@@ -75,7 +76,7 @@ static int fill(struct storage *storage, uint32_t last_id)
     return result;
 }
 
-/* Opens it and brings it up to `last_id`. 0 or -1. */
+/* Opens the mirror and completes it up to `last_id`. Returns 0 or -1. */
 static int make_ready(struct storage *storage, uint32_t last_id)
 {
     if (is_removed(storage)) {
@@ -96,7 +97,7 @@ static void note_result(struct storage *storage, int result, uint32_t first_id)
     }
 }
 
-/* A name that was taken back is not left in it. */
+/* Erases revoked names from the mirror. Returns 0 or -1. */
 static int forget_names(struct storage *storage, const struct ledger_entry *entries, uint32_t count)
 {
     int result = 0;
@@ -120,7 +121,8 @@ int storage_write_tail(struct storage *storage, const struct ledger_entry *entri
     return result;
 }
 
-/* While entries wait, the next batch does it: until then the store must not look well. */
+/* Completes the mirror. While entries wait, the next batch does this; until then the store must
+ * stay unhealthy. */
 void storage_mend_tail(struct storage *storage)
 {
     if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&

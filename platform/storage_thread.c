@@ -1,4 +1,4 @@
-/* storage_thread.c -- what the store does while frames go on. */
+/* storage_thread.c -- the thread of the store, which writes while frames are drawn. */
 #include <semaphore.h>
 #include <time.h>
 
@@ -7,9 +7,9 @@
 #include "platform/edit_file.h"
 #include "platform/storage_parts.h"
 
-#define RETRY_MS 1000 /* Between two attempts to write to a card that refused. */
-/* Between two checks that the open file is still at its path. With the status file, which is
- * written at once after such a change, a loss is reported within a second. */
+#define RETRY_MS 1000 /* Interval between two attempts to write to a card that failed. */
+/* Interval between two checks that the open file is still at its path. The status file is written
+ * at once after such a change, so that a loss is reported within a second. */
 #define CHECK_MS 200
 
 uint32_t storage_unwritten(const struct storage *storage)
@@ -52,8 +52,8 @@ static void note_saved(struct storage *storage, const struct ledger_entry *newes
     atomic_store(&storage->saved_id, newest->id);
 }
 
-/* Writes the entries that lie side by side in the queue, in one transaction. Returns 0, and
- * acknowledges nothing, unless both the database and the tail have synced them. */
+/* Writes the contiguous entries of the queue in one transaction. Returns 0, and acknowledges
+ * nothing, unless both the database and the mirror have synced the entries. */
 static int write_batch(struct storage *storage, unsigned written, unsigned pushed)
 {
     const unsigned first = written % STORAGE_QUEUE_MAX;
@@ -77,7 +77,7 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     return 1;
 }
 
-/* Writes what is queued, oldest first, and stops at the first refusal. */
+/* Writes the queued entries, oldest first, and stops at the first failure. */
 static void drain(struct storage *storage)
 {
     unsigned written = atomic_load(&storage->written);
@@ -115,7 +115,8 @@ static bool is_backup_due(const struct storage *storage, uint32_t last_id)
            last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES;
 }
 
-/* A piece at a time, and only while no entry waits; one that fails is made again in an hour. */
+/* Advances the backup in steps, only while no entry waits. A backup that fails is retried after an
+ * hour. */
 static void back_up(struct storage *storage)
 {
     char path[LEDGER_PATH_SIZE];
@@ -130,7 +131,7 @@ static void back_up(struct storage *storage)
         storage->backup_id = last_id;
         storage_backup_path(storage, path);
         code = storage_is_behind_backup(storage)
-                   ? SQLITE_CORRUPT /* What has more is not written over with what has less. */
+                   ? SQLITE_CORRUPT /* A backup with more entries is not overwritten by fewer. */
                    : ledger_backup_begin(&storage->backup, &storage->file, path);
     }
     while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
@@ -142,7 +143,8 @@ static void back_up(struct storage *storage)
     }
 }
 
-/* ---- Graphs, which need no database --------------------------------------------------------- */
+/* ---- Edits
+ * ------------------------------------------------------------------------------------ */
 
 static void drain_edits(struct storage *storage)
 {
@@ -162,8 +164,8 @@ static void drain_edits(struct storage *storage)
 
 /* ---- The log -------------------------------------------------------------------------------- */
 
-/* Makes a log durable that another program's lock kept from being written again at the opening. A
- * lock that lasts is tried again at the next call. */
+/* Syncs a log that the opening could not rewrite because another program held a lock. If the lock
+ * persists, the next call retries. */
 static void prove_log(struct storage *storage)
 {
     if (!atomic_load(&storage->is_unproven) || !storage_has_card(storage)) {
@@ -176,7 +178,8 @@ static void prove_log(struct storage *storage)
     }
 }
 
-/* ---- The chore ------------------------------------------------------------------------------ */
+/* ---- Background work
+ * -------------------------------------------------------------------------- */
 
 static bool has_chore(const struct storage *storage)
 {
@@ -215,7 +218,7 @@ void storage_work(struct storage *storage)
     do_chore(storage);
 }
 
-/* Waits for new work, at most CHECK_MS. Returns whether there is some. */
+/* Blocks until new work arrives, at most CHECK_MS. Returns true if there is new work. */
 static bool wait_for_work(struct storage *storage)
 {
     struct timespec until;
@@ -226,7 +229,7 @@ static bool wait_for_work(struct storage *storage)
     return sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0;
 }
 
-/* Returns whether the open file went from its path or came back to it since the last call of
+/* Returns true if the open file left its path or returned to it since the last call of
  * storage_has_card(). */
 static bool has_place_changed(struct storage *storage)
 {
@@ -234,8 +237,8 @@ static bool has_place_changed(struct storage *storage)
            storage_has_moved(storage) != storage->moved;
 }
 
-/* Without new work, storage_work() is called once a second: a card that refused may be asked again,
- * and a backup may be due. */
+/* Thread function. Calls storage_work() at new work, and at least once a second because a failed
+ * card is retried and a backup may be due. */
 void *storage_thread(void *context)
 {
     struct storage *storage = context;
