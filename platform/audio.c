@@ -1,4 +1,4 @@
-/* audio.c -- SDL asks for sound, the synthesiser makes it. */
+/* audio.c -- SDL's audio callback, which renders the synthesizer's output. */
 #include "platform/audio.h"
 
 #include <dlfcn.h>
@@ -10,7 +10,7 @@
 
 #include "platform/clock.h"
 
-/* On SDL's audio thread. */
+/* Audio callback, called on SDL's audio thread. */
 static void render(void *context, Uint8 *bytes, int size)
 {
     struct audio *audio = context;
@@ -29,8 +29,8 @@ static void say_nothing(const char *file, int line, const char *function, int er
     (void)file, (void)line, (void)function, (void)error, (void)format;
 }
 
-/* SDL loads ALSA's library at run time, and that writes eight lines to standard error where
- * there is no card. describe() says it in one. */
+/* Installs an empty error handler in ALSA. SDL loads ALSA at run time, and without a sound card
+ * ALSA writes eight lines to standard error. describe() reports the fault in one line. */
 static void quiet_alsa(void)
 {
     typedef void handler(const char *, int, const char *, int, const char *, ...);
@@ -38,7 +38,9 @@ static void quiet_alsa(void)
     void *library = dlopen("libasound.so.2", RTLD_LAZY);
     void *symbol = library ? dlsym(library, "snd_lib_error_set_handler") : NULL;
     if (symbol) {
-        memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX allows it, C has no cast. */
+        memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX allows this conversion to a
+                                                              function pointer; C has no cast for
+                                                              it. */
         set_handler(say_nothing);
     }
 }
@@ -49,7 +51,7 @@ static uint64_t now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* When a card last came or went; 0: there never was one. */
+/* Returns when a sound card last appeared or disappeared; 0: there never was a card. */
 static uint64_t cards_changed_ns(const struct audio *audio)
 {
     struct stat folder;
@@ -59,7 +61,8 @@ static uint64_t cards_changed_ns(const struct audio *audio)
     return (uint64_t)folder.st_mtim.tv_sec * 1000000000u + (uint64_t)folder.st_mtim.tv_nsec;
 }
 
-/* Whether to look for a card, after it was looked for in vain: SDL takes 3 to 5 ms to find none. */
+/* Returns true if another search for a card is due. A search that finds no card takes SDL 3 to
+ * 5 ms. */
 static bool is_worth_a_look(struct audio *audio)
 {
     const uint64_t now = now_ns(), changed = cards_changed_ns(audio);
@@ -91,15 +94,16 @@ static int audio_open(void *self)
     };
     quiet_alsa();
     synth_init(&audio->synth);
-    atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* Sounds of a lost card. */
+    atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* Drop the sounds queued for a lost
+                                                                 card. */
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
-        /* No changes allowed: SDL converts to whatever the card wants. */
+        /* No format changes are allowed, so that SDL converts to the format of the card. */
         audio->device = SDL_OpenAudioDevice(NULL, 0, &wanted, NULL, 0);
         if (audio->device) {
             snprintf(audio->text, sizeof audio->text, "sound through SDL %s",
                      SDL_GetCurrentAudioDriver());
             SDL_PauseAudioDevice(audio->device, 0);
-            audio->tried_ns = 0; /* If it goes, it is looked for at once. */
+            audio->tried_ns = 0; /* If the card is lost, search again at once. */
             return HAL_OK;
         }
         SDL_QuitSubSystem(SDL_INIT_AUDIO);
@@ -126,12 +130,12 @@ static int audio_play(void *self, const struct sound_event *event)
         return HAL_ERR_NONE;
     }
     if (SDL_GetAudioDeviceStatus(audio->device) == SDL_AUDIO_STOPPED) {
-        audio_close(audio); /* So that open() looks for a card afresh. */
+        audio_close(audio); /* The next open() then searches for a card. */
         return HAL_ERR_GONE;
     }
     const unsigned pushed = atomic_load(&audio->pushed);
     if (pushed - atomic_load(&audio->taken) == AUDIO_QUEUE_MAX) {
-        return HAL_ERR_BUSY; /* The card asks for nothing: a sound this late is better lost. */
+        return HAL_ERR_BUSY; /* The card does not consume samples; a late sound is dropped. */
     }
     audio->queue[pushed % AUDIO_QUEUE_MAX] = *event;
     atomic_store(&audio->pushed, pushed + 1);

@@ -1,9 +1,9 @@
-/* audio.h -- the stall's voice: SDL's audio device plays the core's synthesiser.
+/* audio.h -- audio output: the core's synthesizer, played through SDL's audio device.
  *
- * play() puts an event into a ring and never waits; SDL's audio thread takes it out, starts the
- * voice and renders. No device is no error that anybody hears: describe() says so and the kiosk
- * is silent. open() may be called again and again: it asks SDL only when a card came or went since,
- * or after AUDIO_TRY_S. */
+ * play() puts an event into a ring buffer and never blocks. SDL's audio thread takes the event,
+ * starts the sound and renders it. A missing device is reported by describe() only, and the kiosk
+ * is silent. open() may be called repeatedly. It searches for a device only if a card appeared or
+ * disappeared since the last call, or after AUDIO_TRY_S. */
 #ifndef KINGYO_PLATFORM_AUDIO_H
 #define KINGYO_PLATFORM_AUDIO_H
 
@@ -14,20 +14,23 @@
 #include "core/sound/sound.h"
 #include "platform/hal.h"
 
-#define AUDIO_QUEUE_MAX 64u   /* Four frames' worth of OUTPUT_SOUND_MAX. */
-#define AUDIO_TRY_S 10u       /* Nothing says when a sound server starts; asking costs 5 ms. */
-#define AUDIO_FRAME_COUNT 512u /* Asked for at a time: 11 ms, less than one displayed frame. */
+#define AUDIO_QUEUE_MAX 64u   /* Four times OUTPUT_SOUND_MAX. */
+#define AUDIO_TRY_S 10u       /* Search interval; the start of a sound server causes no event, and a
+                                 search takes 5 ms. */
+#define AUDIO_FRAME_COUNT 512u /* Samples per callback: 11 ms, less than one displayed frame. */
 
-/* The caller owns it and leaves it zero. It stays at its address while open. */
+/* State of the audio output. The caller owns the structure and clears it. The address must not
+ * change while the device is open. */
 struct audio {
-    const char *cards;    /* The folder where the kernel shows cards; null: /dev/snd. */
-    uint32_t device;      /* SDL's id; 0: silent. */
-    struct synth synth;   /* The audio thread's alone once the device runs. */
+    const char *cards;    /* Folder of the kernel's sound devices; null: /dev/snd. */
+    uint32_t device;      /* SDL's device id; 0: no device. */
+    struct synth synth;   /* Used only by the audio thread while the device runs. */
     char text[HAL_TEXT_SIZE];
-    uint64_t tried_ns;    /* When a card was last looked for in vain, ... */
-    uint64_t cards_ns;    /* ... and when the folder of cards had last changed by then. */
+    uint64_t tried_ns;    /* Time of the last search that found no card. */
+    uint64_t cards_ns;    /* Last change of the folder of cards at that search. */
 
-    /* One writer (the frame loop) and one reader (the audio thread): indexes only grow. */
+    /* Queue with one producer (the frame loop) and one consumer (the audio thread). Both indexes
+     * only increase. */
     struct sound_event queue[AUDIO_QUEUE_MAX];
     atomic_uint pushed, taken;
 };

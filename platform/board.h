@@ -63,7 +63,7 @@ struct board_options {
     void *on_refused_self;
 };
 
-/* Returns 1 if every text is a valid GPIO line option and no two roles share a line. Otherwise
+/* Returns 0 if every text is a valid GPIO line option and no two roles share a line. Otherwise
  * returns -1 and writes the reason to `why`. */
 int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count,
                       char why[HAL_TEXT_SIZE]);

@@ -1,10 +1,9 @@
-/* clock.c -- CLOCK_MONOTONIC: never set back, not even by a festival's network time; and what the
- * wall says. */
+/* clock.c -- reads CLOCK_MONOTONIC, which is never set back, and the civil time. */
 #include "platform/clock.h"
 
 #include <time.h>
 
-#define DAYS_TO_MARCH_2000 60 /* January, and February of a leap year. */
+#define DAYS_TO_MARCH_2000 60 /* Days of January, and of February in a leap year. */
 
 static uint64_t clock_now_ns(void *self)
 {
@@ -14,13 +13,13 @@ static uint64_t clock_now_ns(void *self)
     return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-/* Of the civil calendar, whose years here begin in March: days before the month are then
- * (153 m + 2) / 5, and the leap day is the last. */
+/* Returns the days since 2000-01-01. The year is counted from March, so that the leap day is the
+ * last day, and the days before a month are (153 m + 2) / 5. */
 static int32_t days_since_2000(const struct tm *date)
 {
     const int32_t is_early = date->tm_mon < 2;
-    const int32_t year = date->tm_year - 100 - is_early;         /* Since March 2000. */
-    const int32_t month = date->tm_mon - 2 + 12 * is_early;      /* March: 0. */
+    const int32_t year = date->tm_year - 100 - is_early;         /* Years since March 2000. */
+    const int32_t month = date->tm_mon - 2 + 12 * is_early;      /* 0 is March. */
     const int32_t before = 365 * year + year / 4 - year / 100 + year / 400;
     return before + (153 * month + 2) / 5 + date->tm_mday - 1 + DAYS_TO_MARCH_2000;
 }

@@ -1,11 +1,12 @@
-/* cpu.c -- the machine's own instructions; the core itself never looks at the machine. This file
- * includes no header of a C library, so that a test can compile it for machines that it has not. */
+/* cpu.c -- processor features and the floating-point control word; the core itself uses neither.
+ *
+ * The file includes no C library header, so that a test can compile it for other architectures. */
 #include "platform/cpu.h"
 
 #if defined(__x86_64__)
 
-/* Intel SDM volume 1, 10.2.3: all exceptions masked, to nearest, neither FZ nor DAZ. The low six
- * bits are flags that only report. */
+/* Intel SDM volume 1, 10.2.3: all exceptions masked, round to nearest, neither FZ nor DAZ. The low
+ * six bits are status flags. */
 #define CONTROL_STANDARD 0x1f80u
 #define CONTROL_MASK 0xffc0u
 
@@ -21,8 +22,8 @@ static void control_set(uint32_t word)
 
 #elif defined(__aarch64__)
 
-/* Arm ARM, FPCR: zero is to nearest, no FZ (24), no FZ16 (19), no DN (25), no trap. FPCR has no
- * flags. */
+/* Arm ARM, FPCR: zero means round to nearest, no FZ (24), no FZ16 (19), no DN (25), no trap. FPCR
+ * has no status flags. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0xffffffffu
 
@@ -40,8 +41,8 @@ static void control_set(uint32_t word)
 
 #elif defined(__arm__) && defined(__ARM_FP)
 
-/* Arm ARM, FPSCR: modes and traps are bits 8 to 12, 15 and 16 to 26; the others are flags that only
- * report. */
+/* Arm ARM, FPSCR: modes and traps are bits 8 to 12, 15 and 16 to 26; the others are status
+ * flags. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0x07ff9f00u
 
@@ -59,8 +60,8 @@ static void control_set(uint32_t word)
 
 #elif defined(__riscv) && defined(__riscv_flen)
 
-/* RISC-V unprivileged ISA, fcsr: the rounding mode is bits 5 to 7, zero is to nearest; the low five
- * bits are flags that only report. There is no flush-to-zero. */
+/* RISC-V unprivileged ISA, fcsr: the rounding mode is bits 5 to 7, and zero means to nearest. The
+ * low five bits are status flags. There is no flush-to-zero. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0xe0u
 
@@ -78,7 +79,8 @@ static void control_set(uint32_t word)
 
 #else
 
-/* No word is known here: the core's check (core/base/float_env.h) is all there is. */
+/* No control word is known for this architecture; only the core's own check (core/base/float_env.h)
+ * applies. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0u
 

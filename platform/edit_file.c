@@ -1,4 +1,4 @@
-/* edit_file.c -- graphs on the disk: written whole or not at all, read with one line a fault. */
+/* edit_file.c -- saves edits of the growth lab atomically and loads them at start. */
 #include "platform/edit_file.h"
 
 #include <errno.h>
@@ -11,7 +11,7 @@
 
 #define PATH_SIZE 1200u
 
-/* Names that could lead elsewhere are no species'. */
+/* Returns 1 if the name contains no character that could form another path. */
 static int is_plain_name(const char id[SPECIES_NAME_SIZE])
 {
     size_t length = 0;
@@ -41,7 +41,7 @@ static int write_whole(int fd, const char *text, size_t size)
     return fsync(fd) != 0 ? -errno : 0;
 }
 
-/* A name in a folder lasts once the folder is on the disk. */
+/* Syncs the folder. A new name is durable only after this sync. */
 static int sync_folder(const char *folder)
 {
     const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -57,7 +57,7 @@ static int replace(const char *path, const char *text, size_t size)
 {
     char beside[PATH_SIZE + SPECIES_NAME_SIZE + 32u];
     snprintf(beside, sizeof beside, "%s.new", path);
-    unlink(beside); /* What an earlier loss of power, or somebody else, left there. */
+    unlink(beside); /* Remove the remains of an earlier power cut or a foreign file. */
     const int fd = plain_file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
     if (fd < 0) {
         return -errno;
@@ -104,7 +104,7 @@ static void tell(struct edit_warn warn, const char *path, const char *why)
     }
 }
 
-/* Only what a text of ours can be long is read; more is none. */
+/* Reads one edit. A file longer than EDIT_TEXT_MAX is rejected. */
 static void fill_one(const char *path, const struct species_card *card, uint8_t *has,
                      struct lab_edit *edit, struct edit_warn warn)
 {

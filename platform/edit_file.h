@@ -10,9 +10,10 @@
  *   scale 0 0.0095        progress and metres; none, or 2 to 12 of them
  *   end
  *
- * Lines in this order; '#' begins a comment. Numbers are written so that they come back to the last
- * bit. A file is written beside its place and then moved there: a power cut leaves the old one or
- * the new one. What does not fit its species is refused with one line that says where. */
+ * The lines must have this order; '#' begins a comment. Numbers are written with enough digits to be
+ * read back exactly. A file is written under a temporary name and then renamed, so that a power cut
+ * leaves the old file or the new one. A file that does not fit its species is rejected with one
+ * message that names the line. */
 #ifndef KINGYO_PLATFORM_EDIT_FILE_H
 #define KINGYO_PLATFORM_EDIT_FILE_H
 
@@ -26,27 +27,28 @@
 #define EDIT_FOLDER "graphs"
 #define EDIT_SUFFIX ".graph"
 #define EDIT_WHY_SIZE 160u
-#define EDIT_TEXT_MAX 4096u /* A graph with every knot has 2.2 KB. */
+#define EDIT_TEXT_MAX 4096u /* The longest graph takes 2.2 KB. */
 
-/* edit_text.c */
+/* ---- Implemented in edit_text.c ---- */
 
-/* Writes what is to be kept into `out`; returns its length, < EDIT_TEXT_MAX. */
+/* Formats `record` into `out`. Returns the length, which is < EDIT_TEXT_MAX. */
 size_t edit_file_format(const struct edit_record *record, char out[EDIT_TEXT_MAX]);
 
-/* Reads `size` bytes of any content as a graph of `card`. 1, or 0 and `why` says "LINE: what". */
+/* Parses `size` bytes of any content as a graph of `card`. Returns 1, or 0 with "LINE: reason" in
+ * `why`. */
 int edit_file_parse(const char *text, size_t size, const struct species_card *card,
                     struct lab_edit *edit, char why[EDIT_WHY_SIZE]);
 
-/* edit_file.c */
+/* ---- Implemented in edit_file.c ---- */
 
-/* Keeps it in `data`/graphs, or takes away what was kept when it is the species' own again. On the
- * disk when the call comes back. 0 or a negative errno. */
+/* Saves the edit in `data`/graphs, or deletes the saved file if the edit restores the species' own
+ * graph. The change is on disk when the call returns. Returns 0 or a negative errno. */
 int edit_file_keep(const char *data, const struct edit_record *record);
 
-/* Reads the graphs of all the book's species into it. A file that cannot be used is told through
- * `warn` as "PATH:LINE: what", and the species keeps its own. */
+/* Loads the saved graphs of all species into `book`. A file that cannot be used is reported through
+ * `warn` as "PATH:LINE: reason", and the species keeps its own graph. */
 struct edit_warn {
-    void (*tell)(void *context, const char *line); /* Null: nobody listens. */
+    void (*tell)(void *context, const char *line); /* Null: no report. */
     void *context;
 };
 void edit_file_fill(const char *data, struct lab_book *book, struct edit_warn warn);

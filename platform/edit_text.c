@@ -1,4 +1,4 @@
-/* edit_text.c -- graphs in words. */
+/* edit_text.c -- formats and parses the text of a saved graph. */
 #include "platform/edit_file.h"
 
 #include <ctype.h>
@@ -64,11 +64,12 @@ size_t edit_file_format(const struct edit_record *record, char out[EDIT_TEXT_MAX
 struct reading {
     const char *text;
     size_t size, at;
-    uint32_t line;         /* Of what was read last, from 1. */
-    char words[LINE_SIZE]; /* It, without comment and white space around. */
+    uint32_t line;         /* Number of the line read last, from 1. */
+    char words[LINE_SIZE]; /* That line, without comment and surrounding white space. */
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
-    int is_unreadable;     /* `why` says that there is no such line; nothing else matters. */
+    int is_unreadable;     /* 1: the file ended or a line is malformed, and `why` is set; other
+                              checks are skipped. */
 };
 
 __attribute__((format(printf, 2, 3)))
@@ -88,13 +89,13 @@ static int refuse(struct reading *reading, const char *format, ...)
 
 static int end_reading(struct reading *reading, const char *what)
 {
-    reading->line += reading->line == 0; /* Of an empty file. */
+    reading->line += reading->line == 0; /* An empty file reports line 1. */
     refuse(reading, "%s", what);
     reading->is_unreadable = 1;
     return 0;
 }
 
-/* The next line that says something; 0 at the end, or when it is none that was ever written. */
+/* Returns the next line with content, or 0 at the end or at a malformed line. */
 static int next_line(struct reading *reading)
 {
     while (reading->at < reading->size) {
@@ -124,7 +125,7 @@ static int next_line(struct reading *reading)
     return end_reading(reading, "the file ends without 'end'");
 }
 
-/* What follows `word` on the line, or null when the line begins otherwise. */
+/* Returns the text after `word` on the line, or null if the line starts differently. */
 static const char *after(const struct reading *reading, const char *word)
 {
     const size_t length = strlen(word);
@@ -133,7 +134,7 @@ static const char *after(const struct reading *reading, const char *word)
                                                                                       : NULL;
 }
 
-/* Reads a line "`word` VALUE" and finds the value among names; its place, or -1. */
+/* Reads a line "`word` VALUE" and returns the index of VALUE in `names`, or -1. */
 static int named(struct reading *reading, const char *word, const char *const *names, int count)
 {
     const char *rest = next_line(reading) ? after(reading, word) : NULL;
@@ -148,7 +149,7 @@ static int named(struct reading *reading, const char *word, const char *const *n
     return -1;
 }
 
-/* Exactly `count` numbers. */
+/* Parses exactly `count` numbers. */
 static int numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -226,7 +227,7 @@ static int read_scale(struct reading *reading, const char *rest, struct lab_edit
     return 1;
 }
 
-/* Of a graph that is none: which knot, and what is wrong with it. */
+/* Reports which knot of an invalid graph is wrong, and why. */
 static int judge_graph(struct reading *reading, const struct species_card *card,
                        const struct graph *graph)
 {

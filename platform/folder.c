@@ -1,4 +1,4 @@
-/* folder.c -- mkdir -p, and a look at the outcome: what is there already may be a file. */
+/* folder.c -- creates folders as mkdir -p does, and checks that the result is a writable folder. */
 #include "platform/folder.h"
 
 #include <errno.h>
@@ -15,7 +15,7 @@ static int make_one(const char *path)
     return mkdir(path, 0755) != 0 && errno != EEXIST ? -errno : 0;
 }
 
-/* `path` comes back as it was. */
+/* Creates all folders of `path`, which is restored before the return. */
 static int make_all(char *path)
 {
     int error = 0;

@@ -1,19 +1,20 @@
-/* folder.h -- folders for scores and pictures. */
+/* folder.h -- creates and locks the folders of scores and pictures. */
 #ifndef KINGYO_PLATFORM_FOLDER_H
 #define KINGYO_PLATFORM_FOLDER_H
 
 #define FOLDER_PATH_MAX 1024u
 
-/* Makes the folder `path` and those above it, readable for all, where they are not there yet,
- * and sees that files can be made in it. 0 or a negative errno; -ENAMETOOLONG from
- * FOLDER_PATH_MAX bytes on. */
+/* Creates the folder `path` and its parents, readable for all, and checks that files can be created
+ * in it. Returns 0 or a negative errno; -ENAMETOOLONG if the path has FOLDER_PATH_MAX bytes or
+ * more. */
 int folder_make(const char *path);
 
-/* Takes the folder for this process alone, for as long as the handle that it gives is open; whoever
- * ends, ends it. -EWOULDBLOCK: another process has it; else a negative errno. */
+/* Locks the folder for this process until the returned handle is closed or the process ends.
+ * Returns -EWOULDBLOCK if another process holds the lock, or another negative errno. */
 int folder_hold(const char *path);
 
-/* Where scores live when nobody says: the user's data folder. "" when there is none. */
+/* Writes the default folder of the scores, in the user's data folder. Writes "" if there is
+ * none. */
 void folder_default_data(char out[FOLDER_PATH_MAX]);
 
 #endif

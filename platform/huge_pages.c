@@ -1,4 +1,5 @@
-/* huge_pages.c -- an anonymous mapping, aligned by hand because mmap() aligns to ordinary pages. */
+/* huge_pages.c -- an anonymous mapping aligned to 2 MiB; mmap() itself aligns only to ordinary
+ * pages. */
 #include "platform/huge_pages.h"
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-/* json_char.c -- RFC 8259's escapes. */
+/* json_char.c -- the escape sequences of RFC 8259. */
 #include "platform/json_char.h"
 
 #include <stdint.h>

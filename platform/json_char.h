@@ -1,22 +1,22 @@
-/* json_char.h -- text from outside the program as JSON.
+/* json_char.h -- escapes text from outside the program for JSON.
  *
  * The name of a file or a device may hold any byte. Quotes, backslashes and every character that
  * core/base/printable.h refuses are escaped. U+FFFD takes the place of a byte that is not UTF-8. */
 #ifndef KINGYO_PLATFORM_JSON_CHAR_H
 #define KINGYO_PLATFORM_JSON_CHAR_H
 
-#define JSON_CHAR_SIZE 7u /* Six bytes at most, and a zero. */
+#define JSON_CHAR_SIZE 7u /* At most six bytes and a terminating zero. */
 
-/* Writes the first character of `words`, which must not be empty, as it stands in a JSON string.
+/* Writes the first character of `words`, which must not be empty, as it appears in a JSON string.
  * Returns the rest of `words`. */
 const char *json_char(const char *words, char out[JSON_CHAR_SIZE]);
 
 /* Writes `words` as a JSON string, with its quotes, to standard output. */
 void json_print(const char *words);
 
-/* Writes whole JSON text to standard output as it is, but for characters that printable.h refuses:
- * they are escaped, because such a character in JSON can only stand in a string. Line breaks and
- * tabs between tokens stay. */
+/* Writes complete JSON text to standard output unchanged, except for characters that printable.h
+ * rejects. Such characters are escaped because in JSON they can only appear in a string. Line
+ * breaks and tabs between tokens are kept. */
 void json_print_text(const char *json);
 
 #endif

@@ -1,4 +1,4 @@
-/* key_colour.c -- a walk along the rainbow, as many steps as there are keys. */
+/* key_colour.c -- picks evenly spaced colours of the spectrum. */
 #include "platform/key_colour.h"
 
 #include "core/morph/species.h"

@@ -4,9 +4,9 @@
 
 #include <stdint.h>
 
-/* 0xRRGGBB of key `key` of `key_count` (2 .. MORPH_KEY_MAX), from the youngest on: red, green and
- * blue of three, as in the 2005 thesis; more take the colours between, so that red is always the
- * youngest and blue or what lies beyond it the oldest. */
+/* Returns the colour 0xRRGGBB of key `key` out of `key_count` (2 .. MORPH_KEY_MAX), counted from
+ * the youngest. Three keys are red, green and blue, as in the 2005 thesis. More keys use the
+ * colours between, so that red is always the youngest. */
 uint32_t key_colour(uint32_t key_count, uint32_t key);
 
 #endif

@@ -1,4 +1,4 @@
-/* machine.c -- see machine.h. */
+/* machine.c -- collects the health of the system on a thread; see machine.h. */
 #include "platform/machine.h"
 
 #include <dirent.h>
@@ -36,7 +36,8 @@ static bool path_in(const struct machine *machine, const char *name, char out[PA
     return length > 0 && (unsigned)length < PATH_SIZE;
 }
 
-/* What check-data said of this start; KEEPS_UNKNOWN where nobody asked it. */
+/* Returns the result that check-data wrote at this start, or KEEPS_UNKNOWN if there is no
+ * result. */
 static uint8_t keeps_as_checked(const struct machine *machine)
 {
     char line[16] = "";
@@ -84,9 +85,9 @@ static int64_t seconds_on(clockid_t clock)
     return (int64_t)now.tv_sec;
 }
 
-/* The clock that may jump is asked of a file once, when it is first seen; from there on it ages by
- * the one that does not. A clock that was set in between says nothing of a backup that this very
- * start has made. */
+/* Updates the age of the backup. The civil clock is used once, when the file is first seen.
+ * Afterwards the age is measured by the monotonic clock, because the civil clock may jump. A clock
+ * that was set in between does not change the age of a backup made by this process. */
 static void look_at_backup(struct machine *machine, struct scene_machine *out)
 {
     char path[PATH_SIZE];
@@ -112,7 +113,8 @@ static void look_at_backup(struct machine *machine, struct scene_machine *out)
     out->backup_min = age_min < UINT32_MAX ? (uint32_t)age_min : UINT32_MAX;
 }
 
-/* What was written before this start was written in the past. */
+/* Returns the newest modification time of the store's files. A file written before this start must
+ * have a time in the past. */
 static int64_t newest_file_s(const struct machine *machine)
 {
     static const char *const names[] = { STORAGE_FILE, STORAGE_FILE STORAGE_BACKUP_SUFFIX };
@@ -128,7 +130,7 @@ static int64_t newest_file_s(const struct machine *machine)
     return newest_s;
 }
 
-/* ---- What was set aside ---------------------------------------------------------------------- */
+/* ---- Quarantined files ----------------------------------------------------------------------- */
 
 enum machine_aside machine_aside_of(const char *file)
 {
@@ -168,7 +170,7 @@ bool machine_is_seen(const char *folder, const char *file)
     return seen_path(folder, file, path) && access(path, F_OK) == 0;
 }
 
-/* An empty file; it may be lost with the power, and then is asked for once more. */
+/* Creates an empty marker file. If a power cut loses the marker, the operator is asked again. */
 static int mark(const char *folder, const char *file)
 {
     char path[PATH_SIZE];
@@ -178,7 +180,8 @@ static int mark(const char *folder, const char *file)
     return fd < 0 ? -errno : close(fd) != 0 ? -errno : 0;
 }
 
-/* Counts those that nobody has acknowledged, and with `marks` marks them. */
+/* Counts the quarantined files that are not acknowledged. With `marks`, marks them as
+ * acknowledged. */
 static uint32_t walk_aside(const struct machine *machine, bool marks, int *error)
 {
     DIR *const folder = has_folder(machine) ? opendir(machine->data) : NULL;
@@ -221,7 +224,8 @@ static void look_at_panics(const struct machine *machine, struct scene_machine *
     out->left_out = panics.left_boot == panics_boot() ? (uint8_t)panics.left : LEFT_NOTHING;
 }
 
-/* ---- A look ---------------------------------------------------------------------------------- */
+/* ---- One check
+ * -------------------------------------------------------------------------------- */
 
 void machine_look(struct machine *machine, struct scene_machine *out)
 {
@@ -246,7 +250,8 @@ void machine_look(struct machine *machine, struct scene_machine *out)
 
 /* ---- The thread ------------------------------------------------------------------------------ */
 
-/* By the clock that nobody sets: one that jumps back by years would let it wait for years. */
+/* Waits on the monotonic clock. A civil clock that is set back by years would block the thread for
+ * years. */
 static void wait_a_while(struct machine *machine)
 {
     struct timespec until;
@@ -278,7 +283,8 @@ static void *run(void *self)
     return NULL;
 }
 
-/* Signals that end the kiosk are the main thread's to see. */
+/* Starts the thread with all signals blocked, because the main thread handles the signals that end
+ * the kiosk. */
 static bool start_thread(struct machine *machine)
 {
     sigset_t all, before;
@@ -320,7 +326,8 @@ void machine_stop(struct machine *machine)
     machine->runs = false;
 }
 
-/* ---- The frame loop's side ------------------------------------------------------------------- */
+/* ---- Called by the frame loop
+ * ----------------------------------------------------------------- */
 
 void machine_read(struct machine *machine, struct scene_machine *out)
 {

@@ -1,8 +1,8 @@
-/* machine.h -- how the machine below the stall is: whether its card keeps what is written, how much
- * room there is, how old the backup is, how hot it runs, what was set aside.
+/* machine.h -- system health: whether the card stores data, its free space, the age of the backup,
+ * the temperature and the quarantined files.
  *
- * A thread of its own looks every few seconds, since a card or a sensor may take long to answer,
- * which no frame waits for. It writes nothing but the marks of what the operator acknowledged. */
+ * A separate thread checks every few seconds, because a card or a sensor may block for long and the
+ * frame loop must not. The thread writes only the markers of acknowledged files. */
 #ifndef KINGYO_PLATFORM_MACHINE_H
 #define KINGYO_PLATFORM_MACHINE_H
 
@@ -13,61 +13,64 @@
 #include "core/scene_machine.h"
 
 #define MACHINE_LOOK_S 5u
-#define MACHINE_CHECKED "/run/kingyo-data" /* Where board/kiosk/check-data says what it found. */
-#define MACHINE_CLOCK_SLACK_S 7200  /* A file of the future by less than this is summer time. */
-#define MACHINE_ASIDE_MAX 64u       /* Of a folder with more the rest is not counted. */
+#define MACHINE_CHECKED "/run/kingyo-data" /* File in which board/kiosk/check-data writes its
+                                              result. */
+#define MACHINE_CLOCK_SLACK_S 7200  /* A file time less than this in the future is explained by
+                                       daylight saving time. */
+#define MACHINE_ASIDE_MAX 64u       /* Files that are counted; further files are ignored. */
 
-/* The caller owns it, sets the first three, and leaves the rest zero. It stays at its address while
- * it runs. */
+/* State of the monitor. The caller owns the structure, sets the first three fields and clears the
+ * rest. The address must not change while the thread runs. */
 struct machine {
-    const char *data;    /* The store's folder; null or "": there is none. */
+    const char *data;    /* Folder of the store; null or "": none. */
     const char *checked; /* Null: MACHINE_CHECKED. */
     const char *heat;    /* Null: /sys/class/thermal. */
 
     pthread_t thread;
     bool runs;
-    pthread_mutex_t lock; /* Of what stands below. The frame loop only tries it. */
+    pthread_mutex_t lock; /* Protects the fields below it. The frame loop only tries to lock it. */
     pthread_cond_t bell;
     bool ends, acknowledges;
     struct scene_machine newest;
 
-    /* The looker's own. */
-    int64_t written_s;   /* When the newest file was written as it first looked; 0: none was. */
-    struct { uint64_t inode; int64_t mtime_s; long mtime_ns; } backup; /* That it saw last. */
-    int64_t backup_s;    /* When that was made, on the monotonic clock. */
+    /* Fields of the thread only. */
+    int64_t written_s;   /* Time of the newest file at the first check; 0: none. */
+    struct { uint64_t inode; int64_t mtime_s; long mtime_ns; } backup; /* Identity of the backup
+                                                                          seen last. */
+    int64_t backup_s;    /* Time when that backup was made, on the monotonic clock. */
     bool has_begun;
 };
 
-/* Looks once, on the caller's own thread: all but `watch` and `missed`, which it leaves alone. */
+/* Checks once on the caller's thread. Fills all of `out` except `watch` and `missed`. */
 void machine_look(struct machine *machine, struct scene_machine *out);
 
-/* Marks what was set aside so far as acknowledged; 0, or a negative errno of the last that could
- * not be. */
+/* Marks all quarantined files as acknowledged. Returns 0, or the negative errno of the last file
+ * that could not be marked. */
 int machine_mark_seen(const struct machine *machine);
 
-/* What the store has set aside, and an operator should know of. */
+/* Kinds of quarantined files of the store. */
 enum machine_aside {
-    MACHINE_ASIDE_NOT = 0, /* Something else: a journal of one, a mark, somebody's file. */
-    MACHINE_ASIDE_DAMAGED, /* "kingyo.db.damaged-3": a database, */
-    MACHINE_ASIDE_MISSING, /* "kingyo.db.missing-3": the note that there was none, */
-    MACHINE_ASIDE_LEFT,    /* "kingyo.db.left-out-3": a copy from before a part was left out, */
-    MACHINE_ASIDE_OTHER,   /* "kingyo.db.tail.other-3": what was of another list. */
+    MACHINE_ASIDE_NOT = 0, /* Another file: a journal, a marker, a foreign file. */
+    MACHINE_ASIDE_DAMAGED, /* "kingyo.db.damaged-3": a database. */
+    MACHINE_ASIDE_MISSING, /* "kingyo.db.missing-3": the marker for a missing database. */
+    MACHINE_ASIDE_LEFT,    /* "kingyo.db.left-out-3": the database before a part was deleted. */
+    MACHINE_ASIDE_OTHER,   /* "kingyo.db.tail.other-3": a file of a foreign ledger. */
 };
 enum machine_aside machine_aside_of(const char *file);
 
-/* Whether it was acknowledged. */
+/* Returns true if the file was acknowledged. */
 bool machine_is_seen(const char *folder, const char *file);
 
-/* Begins to look. Where no thread is to be had nothing is known. */
+/* Starts the thread. If no thread can be created, all values remain unknown. */
 void machine_start(struct machine *machine);
 void machine_stop(struct machine *machine);
 
-/* The newest look, in all but `watch` and `missed`. While one is being copied, `out` stays as it
- * is. Never waits. */
+/* Copies the newest result, except `watch` and `missed`. Leaves `out` unchanged while the thread
+ * holds the lock. Never blocks. */
 void machine_read(struct machine *machine, struct scene_machine *out);
 
-/* The operator has seen what was set aside: the thread marks it. Never waits; false: not taken,
- * ask again. */
+/* Requests that the thread marks the quarantined files as acknowledged. Never blocks. Returns false
+ * if the request was not accepted; the caller retries. */
 bool machine_acknowledge(struct machine *machine);
 
 #endif

@@ -1,4 +1,5 @@
-/* number.c -- one digit after the other, so that no locale and no octal zero has a say. */
+/* number.c -- parses numbers digit by digit, independent of the locale and without octal
+ * numbers. */
 #include "platform/number.h"
 
 #include <string.h>
@@ -44,7 +45,7 @@ static double power_of_ten(int exponent)
     return power;
 }
 
-/* Digits from `text` on into `mantissa`; what is behind them. */
+/* Reads the digits from `text` on into `mantissa`. Returns the text after the digits. */
 static const char *take_digits(const char *text, double *mantissa, int *count)
 {
     for (*count = 0; is_digit(*text); text++, ++*count) {
@@ -53,7 +54,7 @@ static const char *take_digits(const char *text, double *mantissa, int *count)
     return text;
 }
 
-/* "e-3" as -3; what is behind it, or null where it is no exponent. */
+/* Reads "e-3" as -3. Returns the text after the exponent, or null if the exponent is malformed. */
 static const char *take_exponent(const char *text, int *exponent)
 {
     const int negative = text[1] == '-';
@@ -102,7 +103,7 @@ uint32_t number_print_fixed(char out[NUMBER_FIXED_MAX], double value, uint32_t d
     const double scaled = (value < 0.0 ? -value : value) * power_of_ten((int)decimals) + 0.5;
     uint64_t rest = (uint64_t)scaled;
     uint32_t count = 0, length = 0;
-    if (value < 0.0 && rest > 0) { /* No "-0.000". */
+    if (value < 0.0 && rest > 0) { /* Never prints "-0.000". */
         out[length++] = '-';
     }
     do {

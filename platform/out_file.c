@@ -1,4 +1,5 @@
-/* out_file.c -- a disk may be full at any byte: all of them are asked for, and told once. */
+/* out_file.c -- writes an atomic file and reports the first error, because a disk may be full at
+ * any byte. */
 #include "platform/out_file.h"
 
 #include <errno.h>
@@ -10,7 +11,8 @@
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
-/* What `path` leads to, or where it is to be; 0 or a negative errno. `*mode` 0: not there yet. */
+/* Resolves `path` to `place`. Returns 0 or a negative errno. `*mode` is 0 if the file does not
+ * exist. */
 static int find_place(const char *path, char place[PATH_MAX], mode_t *mode)
 {
     struct stat status;
@@ -21,7 +23,7 @@ static int find_place(const char *path, char place[PATH_MAX], mode_t *mode)
         return error;
     }
     const int error = -errno;
-    if (error != -ENOENT || lstat(path, &status) == 0) { /* A link that leads nowhere. */
+    if (error != -ENOENT || lstat(path, &status) == 0) { /* A dangling link is an error. */
         return error;
     }
     return snprintf(place, PATH_MAX, "%s", path) < PATH_MAX ? 0 : -ENAMETOOLONG;
@@ -37,7 +39,7 @@ static int take(struct out_file *out, int fd)
     return error;
 }
 
-/* A pipe without a reader would make us wait for one who never comes: ENXIO. */
+/* Opens a device or a pipe. Without a reader the open fails with ENXIO instead of blocking. */
 static int open_stream(struct out_file *out)
 {
     const int fd = open(out->place, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
@@ -48,8 +50,8 @@ static int open_stream(struct out_file *out)
     return take(out, fd);
 }
 
-/* What an earlier loss of power left there goes; what somebody else put there, too, but never
- * through a link. */
+/* Opens the temporary file. An existing temporary file is deleted, whether it is left by a power
+ * cut or foreign. A link is never followed. */
 static int open_part(struct out_file *out, mode_t mode)
 {
     const int length = snprintf(out->part, sizeof out->part, "%s" OUT_FILE_PART, out->place);
@@ -57,7 +59,7 @@ static int open_part(struct out_file *out, mode_t mode)
         return -ENAMETOOLONG;
     }
     if (mode != 0 && access(out->place, W_OK) != 0) {
-        return -errno; /* Who may not write a file may not replace it. */
+        return -errno; /* A file without write permission must not be replaced. */
     }
     unlink(out->part);
     const int fd = open(out->part, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -98,12 +100,12 @@ int out_open_lasting(struct out_file *out, const char *path)
 
 /* ---- Closing -------------------------------------------------------------------------------- */
 
-/* A name in a folder lasts once the folder is on the disk. */
+/* Syncs the folder. A new name is durable only after this sync. */
 static int sync_folder(char place[PATH_MAX])
 {
     char *slash = strrchr(place, '/');
     if (slash) {
-        slash[slash == place] = '\0'; /* The root keeps its own. */
+        slash[slash == place] = '\0'; /* The root folder keeps its slash. */
     }
     const int fd = open(slash ? place : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0) {
@@ -114,10 +116,10 @@ static int sync_folder(char place[PATH_MAX])
     return error;
 }
 
-/* The first error of the stream since it was opened, which is closed. */
+/* Closes the stream. Returns its first error since it was opened. */
 static int finish(struct out_file *out)
 {
-    /* A write that failed left its errno, and what succeeded since has not touched it. */
+    /* errno is still that of the failed write because successful calls do not change it. */
     const bool failed = ferror(out->file) != 0;
     int why = failed ? (errno ? errno : EIO) : 0;
     if (fflush(out->file) != 0 && why == 0) {

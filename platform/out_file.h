@@ -1,10 +1,9 @@
-/* out_file.h -- a file that is whole, or as it was before.
+/* out_file.h -- an atomic file: a reader finds the old content or the complete new content.
  *
- * What is written goes into PATH.part beside it, which takes its place when it is closed: whoever
- * reads finds the old file or the new one, whenever the disk is full or the power gone. A link
- * stays one, and what it leads to is written; one that leads nowhere is refused. Folders and disks
- * are refused. A terminal, /dev/null or a pipe that somebody reads takes what is written as it
- * comes, and stays what it is. */
+ * The output goes to PATH.part in the same folder, which replaces PATH at the end. This holds even
+ * if the disk is full or the power fails. A symbolic link is kept and its target is replaced; a
+ * dangling link is rejected. Folders and disks are rejected. A terminal, /dev/null or a pipe with a
+ * reader is written directly. */
 #ifndef KINGYO_PLATFORM_OUT_FILE_H
 #define KINGYO_PLATFORM_OUT_FILE_H
 
@@ -16,21 +15,22 @@
 
 struct out_file {
     FILE *file;
-    bool is_stream;       /* What takes bytes as they come: there is no part. */
+    bool is_stream;       /* 1: a terminal, pipe or /dev/null that is written without a temporary
+                             file. */
     bool lasts;
-    char place[PATH_MAX]; /* What the path leads to. */
+    char place[PATH_MAX]; /* Resolved path of the target. */
     char part[PATH_MAX];
 };
 
-/* Opens `path` for writing, empty. 0 or a negative errno. */
+/* Opens `path` for writing, empty. Returns 0 or a negative errno. */
 int out_open(struct out_file *out, const char *path);
 
-/* The same for what must outlive a loss of power: closing waits until the disk has it. Nothing but
- * a plain file will do: -ENOTSUP otherwise. */
+/* Opens as out_open(), and out_close() then blocks until the content is on disk. Only a regular
+ * file is accepted: returns -ENOTSUP otherwise. */
 int out_open_lasting(struct out_file *out, const char *path);
 
-/* Closes it. 0, or the negative errno of the first thing that could not be written since it was
- * opened: then the part is removed and what was there stays. */
+/* Closes the file. Returns 0, or the negative errno of the first failed write since the opening. In
+ * that case the temporary file is removed and the old file is unchanged. */
 int out_close(struct out_file *out);
 
 #endif

@@ -10,9 +10,11 @@
 #include "platform/panic_text.h"
 #include "platform/say.h"
 
-/* core_hash() and the file's writer need less than 4 KiB; a library's handler may be below. */
+/* Size of the signal stack in bytes. core_hash() and the file's writer need less than 4 KiB, but a
+ * library's handler may also run on this stack. */
 #define STACK_SIZE (64u * 1024u)
-#define OTHER_WAIT_MS 5000 /* For the evidence of another thread's panic: a slow card's sync. */
+#define OTHER_WAIT_MS 5000 /* Time to wait until another thread has written its panic evidence; a
+                              slow card's sync. */
 
 typedef void (*wish_function)(void *self, const char *reason);
 
@@ -26,10 +28,10 @@ static const struct {
 static uint8_t stack[STACK_SIZE];
 static wish_function wish;
 static void *wish_self;
-static atomic_int panicking; /* The thread that panicked first; 0: none did. */
+static atomic_int panicking; /* Id of the thread that panicked first; 0: none. */
 
-/* Only the first panic is told. A second thread waits while the first writes its evidence; a panic
- * inside the last wish ends the process. */
+/* Handles the first panic only. A second thread waits while the first thread writes its evidence. A
+ * panic inside the handler ends the process. */
 void panic_tell(const char *reason)
 {
     int first = 0;
@@ -55,7 +57,7 @@ static void on_fatal(int number)
     }
     panic_tell(name);
     signal(number, SIG_DFL);
-    raise(number); /* Blocked until this handler returns. */
+    raise(number); /* Delivered when this handler returns. */
 }
 
 void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self)

@@ -1,23 +1,24 @@
-/* panic.h -- what the programs do at a broken invariant of the core and at a fatal signal.
+/* panic.h -- handles a broken invariant of the core and fatal signals.
  *
- * core_panic(), SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT call the function that panic_prepare()
- * was given, once, and then end the process by the signal. */
+ * core_panic(), SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT call the handler of panic_prepare()
+ * once, and then the signal ends the process. */
 #ifndef KINGYO_PLATFORM_PANIC_H
 #define KINGYO_PLATFORM_PANIC_H
 
 #include <signal.h>
 
-/* Handles the signals on a stack of their own for the calling thread, since its own may have
- * overflowed. `last_wish` gets "FILE:LINE: not so: CONDITION" or the signal's name, may use
- * async-signal-safe functions alone, and reports the reason. Without it one line is written. */
+/* Installs signal handlers on a separate stack for the calling thread, because its own stack may
+ * have overflowed. `last_wish` gets "FILE:LINE: not so: CONDITION" or the signal's name and must
+ * report the reason. Only async-signal-safe functions are allowed in `last_wish`. If it is null,
+ * one line is written. */
 void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self);
 
-/* Calls the last wish, or writes a line where there is none. Only the first panic of a process is
- * told. Async-signal-safe. */
+/* Calls the handler of panic_prepare(), or writes one line if there is none. Only the first panic
+ * of a process is reported. Async-signal-safe. */
 void panic_tell(const char *reason);
 
-/* Takes the signals of a panic out of a set that a thread will block: a blocked one would end the
- * process without evidence. */
+/* Removes the signals of a panic from a set that a thread will block. A blocked signal would end
+ * the process without evidence. */
 void panic_leave_open(sigset_t *set);
 
 #endif

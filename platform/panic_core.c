@@ -1,4 +1,5 @@
-/* panic_core.c -- the core's own panic, apart from the signals: unit tests bring another one. */
+/* panic_core.c -- defines core_panic() in a separate file because unit tests link their own
+ * version. */
 #include <stdlib.h>
 
 #include "core/base/panic.h"

@@ -1,4 +1,5 @@
-/* panic_text.c -- no stdio: a signal may have come while stdio's lock was held. */
+/* panic_text.c -- formats text without stdio, because a signal may arrive while the stdio lock is
+ * held. */
 #include "platform/panic_text.h"
 
 #include <errno.h>

@@ -1,4 +1,4 @@
-/* panics.c -- fixed fields, little-endian, with a checksum behind them. */
+/* panics.c -- stores the panic count in fixed little-endian fields, followed by a checksum. */
 #include "platform/panics.h"
 
 #include <errno.h>
@@ -20,7 +20,7 @@ enum { AT_TOTAL = 8, AT_LEFT = 12, AT_LEFT_BOOT = 16, AT_EARLY = 24, AT_COUNT = 
 _Static_assert(AT_ATTEMPT + 4 <= AT_SUM && AT_SUM + 8 == PANICS_SIZE,
                "all fields have their place");
 
-/* ---- When ----------------------------------------------------------------------------------- */
+/* ---- Time ------------------------------------------------------------------------------------ */
 
 uint64_t panics_boot(void)
 {
@@ -40,7 +40,7 @@ uint32_t panics_up_s(void)
     return (uint32_t)now.tv_sec;
 }
 
-/* ---- What follows --------------------------------------------------------------------------- */
+/* ---- Consequences ---------------------------------------------------------------------------- */
 
 void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, int had_frame)
 {
@@ -95,14 +95,14 @@ const char *panics_left_name(uint32_t left)
 
 /* ---- The file ------------------------------------------------------------------------------- */
 
-/* A descriptor of a regular file, or a negative errno. The type is read from the descriptor, so
- * that the file cannot be exchanged after the check. */
+/* Returns a descriptor of a regular file, or a negative errno. The type is read from the
+ * descriptor, so that the file cannot be exchanged after the check. */
 static int open_file(int folder, int flags)
 {
     struct stat about;
     const int file = openat(folder, PANICS_FILE,
                             flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600);
-    if (file < 0) { /* A link, a socket, and a FIFO or a folder that is opened for writing. */
+    if (file < 0) { /* A link, a socket, or a FIFO or folder opened for writing. */
         return errno == ELOOP || errno == ENXIO || errno == EISDIR ? -ENOTSUP : -errno;
     }
     const int error = fstat(file, &about) != 0 ? -errno : S_ISREG(about.st_mode) ? 0 : -ENOTSUP;
@@ -131,8 +131,8 @@ static int parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
            replay_get_u64(bytes + AT_SUM) == hash_bytes(HASH_START, bytes, AT_SUM);
 }
 
-/* Renames a link, a FIFO, a folder, a socket or a device in place of the file, so that panics can
- * be counted from then on. Returns whether that was done. */
+/* Renames a link, FIFO, folder, socket or device in place of the file, so that panics can be
+ * counted again. Returns 1 if the object was renamed. */
 static int set_strange_aside(int folder)
 {
     char name[40];

@@ -1,4 +1,4 @@
-/* plain_file.c -- see plain_file.h. */
+/* plain_file.c -- opens and checks regular files; see plain_file.h. */
 #include "platform/plain_file.h"
 
 #include <errno.h>
@@ -8,13 +8,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A file that is being read, and how many bytes may still come. */
+/* A file that is being read, and the bytes that may still be read. */
 struct bounded {
     int handle;
     uint32_t left;
 };
 
-/* Reads one byte beyond the limit, to tell a file that ends there from one that goes on. */
+/* Reads up to one byte beyond the limit, to detect a file that is longer. */
 static ssize_t bounded_read(void *cookie, char *out, size_t size)
 {
     struct bounded *bounded = cookie;
@@ -36,7 +36,7 @@ static int bounded_close(void *cookie)
     return result;
 }
 
-/* Takes `handle` over. Returns null, with errno set, when there is no memory. */
+/* Takes ownership of `handle`. Returns null with errno set if there is no memory. */
 static FILE *bounded_open(int handle, uint32_t size_max)
 {
     const cookie_io_functions_t functions = { .read = bounded_read, .close = bounded_close };
@@ -54,7 +54,7 @@ static FILE *bounded_open(int handle, uint32_t size_max)
     return file;
 }
 
-/* Opens without blocking first, and examines what is open. */
+/* Opens without blocking first, and then checks the type of the open file. */
 FILE *plain_file_open(const char *path, uint32_t size_max)
 {
     struct stat about = { 0 };

@@ -1,4 +1,5 @@
-/* png.c -- stb_image_write packs, we write, so that a full disk is told by its name. */
+/* png.c -- encodes with stb_image_write and writes the file here, so that a full disk is reported
+ * with its errno. */
 #include "platform/png.h"
 
 #include <errno.h>
@@ -24,7 +25,7 @@ static int write_all(const char *path, const uint8_t *bytes, size_t size)
     if (error) {
         return error;
     }
-    fwrite(bytes, 1, size, out.file); /* What becomes of it, closing tells. */
+    fwrite(bytes, 1, size, out.file); /* out_close() reports a failed write. */
     return out_close(&out);
 }
 

@@ -1,4 +1,5 @@
-/* print.c -- see print.h. One call to the system a line, so that lines of threads do not mix. */
+/* print.c -- writes each line with one system call, so that lines of several threads do not mix;
+ * see print.h. */
 #include "platform/print.h"
 
 #include <stdarg.h>
@@ -12,7 +13,7 @@ static void put(FILE *file, const char *end, const char *format, va_list argumen
     char line[PRINT_LINE_MAX];
     vsnprintf(line, sizeof line - 1u, format, arguments);
     printable(line);
-    strcat(line, end); /* One byte at most, for which there is room. */
+    strcat(line, end); /* At most one byte, for which space is reserved. */
     fputs(line, file);
 }
 

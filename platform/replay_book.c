@@ -1,4 +1,5 @@
-/* replay_book.c -- one walk over the book, for both ways. */
+/* replay_book.c -- serializes the species and graphs of the growth lab with one function for both
+ * directions. */
 #include "platform/replay_book.h"
 
 #include <string.h>
@@ -84,7 +85,7 @@ static void walk_book(struct replay_walk *walk, struct lab_book *book)
 
 size_t replay_book_encode(const struct lab_book *book, uint8_t out[REPLAY_BOOK_MAX])
 {
-    struct lab_book copy = *book; /* The walk may write; into this. */
+    struct lab_book copy = *book; /* Copy, because the serializer takes a non-const pointer. */
     struct replay_walk walk = { .out = out, .size = REPLAY_BOOK_MAX };
     uint32_t edits = 0;
     for (uint32_t i = 0; i < SPECIES_MAX; i++) {

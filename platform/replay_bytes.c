@@ -1,4 +1,4 @@
-/* replay_bytes.c -- see replay_bytes.h. */
+/* replay_bytes.c -- reads and writes little-endian numbers; see replay_bytes.h. */
 #include "platform/replay_bytes.h"
 
 uint32_t replay_get_u32(const uint8_t *bytes)

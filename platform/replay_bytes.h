@@ -1,4 +1,4 @@
-/* replay_bytes.h -- numbers of recordings as bytes, the lowest first. Pure. */
+/* replay_bytes.h -- little-endian numbers of recordings. Pure. */
 #ifndef KINGYO_PLATFORM_REPLAY_BYTES_H
 #define KINGYO_PLATFORM_REPLAY_BYTES_H
 
@@ -10,16 +10,17 @@ uint64_t replay_get_u64(const uint8_t *bytes);
 void replay_put_u32(uint8_t *bytes, uint32_t value);
 void replay_put_u64(uint8_t *bytes, uint64_t value);
 
-/* Each returns how many bytes it wrote; the first writes only what is wanted. */
+/* Return the number of bytes written. replay_put_if() writes nothing if `wanted` is 0. */
 size_t replay_put_if(int wanted, uint32_t value, uint8_t *out);
 size_t replay_put_u16(uint16_t value, uint8_t *out);
 
-/* What is still to be read. Whoever takes more than there is gets 0 and sets `bad`. */
+/* Bytes that are still to be read. Reading beyond the end returns 0 and sets `bad`. */
 struct replay_rest {
     const uint8_t *at;
     size_t size;
     int bad;
-    int as_is; /* Floats that the core's contract forbids are read: the evidence of a panic. */
+    int as_is; /* 1: accept floats that the core's contract forbids, to read the evidence of a
+                  panic. */
 };
 
 uint8_t replay_take_u8(struct replay_rest *rest);

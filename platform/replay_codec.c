@@ -1,12 +1,12 @@
-/* replay_codec.c -- one input as the bytes that differ from the input before.
+/* replay_codec.c -- encodes one input as the difference from the previous input.
  *
- * First a mask: which of held, pressed, coins, of what the machine says, of the operator's desk and
- * of what hands hold follow. Then those in this order: the numbers as u32; of the machine, a mask
- * of the saved ids (u32 each), levels (a byte: the screen stands, the store keeps no edits, the
- * store is well), day and minute (u16 each), dropped ticks, faults and ended tickets (u32 each),
- * and those of them that changed; of the desk, a u16 mask of its bytes (each controller's state,
- * then step, row and progress of learning, then how many files there are) and those that changed;
- * of what hands hold, what replay_hands.c says. */
+ * A mask comes first: it states which of held, pressed, coins, machine state, controllers and poses
+ * follow, in this order. Buttons and coins are u32. The machine state is a mask followed by the
+ * values that changed: the saved ids (u32 each), levels (one byte: upright screen, store rejects
+ * edits, store healthy), day and minute (u16 each), dropped ticks, faults and ended tickets (u32
+ * each). The controllers are a u16 mask and the bytes that changed: each controller's state, then
+ * step, row and progress of learning, then the number of files. The poses are encoded by
+ * replay_hands.c. */
 #include "platform/replay.h"
 
 #include <string.h>
@@ -15,7 +15,7 @@
 
 enum {
     HAS_HELD = 1u << 0,
-    HAS_PRESSED = 1u << 1, /* Edges and coins are not differences: absent means none. */
+    HAS_PRESSED = 1u << 1, /* Edges and coins are not differences; absent means none. */
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
@@ -42,7 +42,7 @@ enum {
 };
 
 enum {
-    DESK_STEP = CONTROLLER_MAX, /* Behind a byte for each controller. */
+    DESK_STEP = CONTROLLER_MAX, /* After one byte for each controller. */
     DESK_ROW,
     DESK_PROGRESS,
     DESK_FILES,
@@ -75,7 +75,7 @@ static uint32_t machine_mask(const struct input *before, const struct input *inp
            (input->tickets_done != before->tickets_done ? MACHINE_TICKETS : 0u);
 }
 
-/* 0 bytes when nothing changed. */
+/* Returns 0 if nothing changed. */
 static size_t encode_machine(const struct input *before, const struct input *input, uint8_t *out)
 {
     const uint32_t mask = machine_mask(before, input);
@@ -107,7 +107,7 @@ static void list_desk(const struct desk_input *desk, uint8_t out[DESK_BYTES])
     out[DESK_FILES] = desk->file_count;
 }
 
-/* 0 bytes when nothing changed. */
+/* Returns 0 if nothing changed. */
 static size_t encode_desk(const struct desk_input *before, const struct desk_input *desk,
                           uint8_t *out)
 {

@@ -2,7 +2,8 @@
 #ifndef KINGYO_PLATFORM_REPLAY_FORMAT_H
 #define KINGYO_PLATFORM_REPLAY_FORMAT_H
 
-/* Not text, and broken by anything that treats it as text. */
+/* Magic bytes with control and non-ASCII characters, so that any text conversion damages them
+ * detectably. */
 #define REPLAY_MAGIC "KGR\x1a\r\n\x89\n"
 #define REPLAY_CHUNK_TAG "SECS"
 #define REPLAY_END_TAG "ENDS"

@@ -1,20 +1,20 @@
-/* replay_hands.c -- see replay_hands.h. */
+/* replay_hands.c -- encodes the poses of pois and fans as differences; see replay_hands.h. */
 #include "platform/replay_hands.h"
 
 #include <string.h>
 
 enum {
-    HANDS_POI = 1u << 0,          /* Of poi 0; the others follow, */
-    HANDS_SHADE = 1u << POI_MAX,  /* and shade 0 after them. */
+    HANDS_POI = 1u << 0,          /* Poi 0; the other pois follow. */
+    HANDS_SHADE = 1u << POI_MAX,  /* Fan 0, after the pois. */
 };
 
 enum {
     HELD_HAS_BYTE = 1u << 0,
-    HELD_HAS_FLOAT = 1u << 1, /* Of the first. */
+    HELD_HAS_FLOAT = 1u << 1, /* First float; the others follow. */
     POI_FLOATS = 6,
     SHADE_FLOATS = 3,
-    POI_HAS_AGE = 1u << 7,    /* Beyond the byte's and the six floats' bits. */
-    LINK_WRIST = 1u << 2,     /* Bits 0 and 1 are the link. */
+    POI_HAS_AGE = 1u << 7,    /* Bit after those of the byte and the six floats. */
+    LINK_WRIST = 1u << 2,     /* Bits 0 and 1 hold the link. */
     LINK_TREMBLES = 1u << 3,
     LINK_ALL = 15u,
 };
@@ -22,10 +22,10 @@ enum {
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
 
-/* A poi or a shade in the form that both have on disk: a small number, some floats, an age. */
+/* A poi or a fan in their common form on disk: a small number, floats, an age. */
 struct held {
     uint8_t byte;
-    uint8_t has_age; /* It can have one. */
+    uint8_t has_age; /* 1 for a poi; a fan has no age. */
     uint16_t age;
     uint32_t float_count;
     uint32_t bits[POI_FLOATS];
@@ -53,7 +53,7 @@ static struct held shade_held(const struct shade_input *shade)
     return held;
 }
 
-/* 0 bytes when nothing changed. */
+/* Returns 0 if nothing changed. */
 static size_t encode_held(const struct held *before, const struct held *held, uint8_t *out)
 {
     uint8_t mask = 0;
@@ -97,7 +97,7 @@ size_t replay_encode_hands(const struct input *before, const struct input *input
 
 /* ---- Decoding ---- */
 
-/* Changes what the mask names; the rest stays. */
+/* Updates the fields in the mask; the others keep their values. */
 static void decode_held(struct held *held, uint8_t byte_max, struct replay_rest *rest)
 {
     const uint8_t mask = replay_take_u8(rest);

@@ -1,4 +1,4 @@
-/* replay_reader.c -- believes nothing: every byte of a recording is checked before it is used. */
+/* replay_reader.c -- reads recordings and validates every byte before it is used. */
 #include "platform/replay.h"
 
 #include <errno.h>
@@ -13,9 +13,9 @@
 #include "platform/replay_bytes.h"
 #include "platform/replay_format.h"
 
-#define TICK_SIZE_MIN 1u /* A mask that says 'as before'. */
+#define TICK_SIZE_MIN 1u /* A mask without any change. */
 
-/* Fills `problem`, closes the file, returns -1. */
+/* Fills `problem`, closes the file and returns -1. */
 __attribute__((format(printf, 4, 5)))
 static int refuse(struct replay_reader *reader, int is_io, uint64_t offset, const char *format, ...)
 {
@@ -28,7 +28,7 @@ static int refuse(struct replay_reader *reader, int is_io, uint64_t offset, cons
     return -1;
 }
 
-/* As pread() of what is open. */
+/* Reads as pread() from the file or the memory. */
 static ssize_t read_some(const struct replay_reader *reader, uint8_t *out, size_t size,
                          uint64_t offset)
 {
@@ -66,7 +66,8 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
     return 0;
 }
 
-/* Printable, zero-filled, and nothing that would end a string in a line of JSON. */
+/* Returns 1 if the name is printable, zero-filled, and contains no character that would end a JSON
+ * string. */
 static int is_program_name(const uint8_t *bytes)
 {
     size_t length = 0;
@@ -81,7 +82,7 @@ static int is_program_name(const uint8_t *bytes)
     return zeros > 0 && length + zeros == REPLAY_PROGRAM_SIZE;
 }
 
-/* A part with its sum behind it, into the reader's bytes. */
+/* Reads a part with its checksum into the reader's buffer. */
 static int read_part_of_header(struct replay_reader *reader, size_t size, const char *what)
 {
     if (read_bytes(reader, reader->bytes, size + REPLAY_SUM_SIZE, 0, what)) {
@@ -107,7 +108,7 @@ static int read_start(struct replay_reader *reader, size_t size)
     return 0;
 }
 
-/* The species that this program knows must be those that the book speaks of. */
+/* Reads the catalog, whose species must be known to this program. */
 static int read_book(struct replay_reader *reader, size_t size)
 {
     if (size == 0) {
@@ -123,7 +124,7 @@ static int read_book(struct replay_reader *reader, size_t size)
     return 0;
 }
 
-/* What every recorder of this version writes. */
+/* Returns 1 if the header has the values that every recorder of this version writes. */
 static int is_possible(const uint8_t *header)
 {
     const uint32_t digest_ticks = replay_get_u32(header + HEADER_DIGEST_TICKS);
@@ -172,7 +173,7 @@ int replay_open(struct replay_reader *reader, const char *path)
 {
     struct stat status;
     memset(reader, 0, sizeof *reader);
-    /* Non-blocking, so that a pipe with nobody behind it cannot hold us. */
+    /* Non-blocking, so that a pipe without a writer cannot block. */
     reader->fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (reader->fd < 0) {
         return refuse(reader, 1, 0, "cannot open: %s", strerror(errno));
@@ -276,7 +277,7 @@ static int read_chunk(struct replay_reader *reader)
     return 0;
 }
 
-/* A chunk or the end. */
+/* Reads a chunk or the end. */
 static int read_part(struct replay_reader *reader)
 {
     uint8_t tag[4];

@@ -1,6 +1,8 @@
-/* replay_start.c -- one walk over the fields, for both ways, and a packing of the zeros among them.
+/* replay_start.c -- serializes the initial state with one function for both directions, and
+ * compresses runs of zeros.
  *
- * Packed, a byte n < 128 stands before n + 1 bytes as they are, and n >= 128 for n - 126 zeros. */
+ * In the compressed form, a byte n < 128 precedes n + 1 literal bytes, and a byte n >= 128 stands
+ * for n - 126 zeros. */
 #include "platform/replay_start.h"
 
 #include <string.h>
@@ -14,7 +16,8 @@
 #define ZEROS_MIN 2u
 #define ZEROS_MAX 129u
 
-/* What the walk meets in all; packing adds a byte to each PLAIN_MAX at worst. */
+/* Largest size of all serialized fields. Compression adds at most one byte for each PLAIN_MAX
+ * bytes. */
 #define FIELDS_MAX (REPLAY_START_MAX / 2u)
 _Static_assert(sizeof(struct memory) + sizeof(struct chapter) + 256u <= FIELDS_MAX,
                "the fields are no more than they hold");
@@ -51,7 +54,7 @@ static void walk_ledger(struct replay_walk *walk, struct ledger_start *ledger)
 }
 _Static_assert(sizeof(struct ledger_start) == 44, "the walk knows all of it");
 
-/* As what is not the standard. */
+/* Stores each setting as the difference from its default. */
 static void walk_settings(struct replay_walk *walk, struct settings *settings)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
@@ -97,7 +100,7 @@ static void walk_memory(struct replay_walk *walk, struct memory *memory)
     walk_ranking(walk, &memory->ranking);
 }
 
-/* What is padding in the purses of format 7. */
+/* Clears the bytes that are padding in the balances of format 7. */
 static void clear_later_fields(struct ledger *ledger)
 {
     struct purse *const purses[] = { &ledger->purse, &ledger->kept };
@@ -108,8 +111,8 @@ static void clear_later_fields(struct ledger *ledger)
     }
 }
 
-/* Ledger, credit and knobs as they lie in memory: integers alone, which lie alike on every board
- * that this runs on. */
+/* Serializes the session. Ledger, credit and settings are copied as in memory: integers only, with
+ * the same layout on every supported board. */
 static void walk_chapter(struct replay_walk *walk, struct chapter *chapter)
 {
     walk_u32(walk, &chapter->tick);
@@ -135,7 +138,8 @@ static void walk_chapter(struct replay_walk *walk, struct chapter *chapter)
 }
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes of a board are those of a file");
 
-/* The rules of format 7 stay with whatever began under them. */
+/* Serializes the rule version. The rules of format 7 stay in force for games that began with
+ * them. */
 static void walk_rules(struct replay_walk *walk, uint8_t *rules_7)
 {
     if (walk->version == 7u) {
@@ -174,7 +178,7 @@ static size_t run_of_zeros(const uint8_t *bytes, size_t size)
     return count;
 }
 
-/* Up to where zeros are worth a byte of their own. */
+/* Returns the length up to the next run of zeros that is worth a byte of its own. */
 static size_t run_of_others(const uint8_t *bytes, size_t size)
 {
     size_t count = 0;
@@ -199,7 +203,8 @@ static size_t pack(const uint8_t *bytes, size_t size, uint8_t *out)
     return used;
 }
 
-/* Returns how many bytes it came to, or 0 when they are more than `max`, or end in a run. */
+/* Returns the decompressed size, or 0 if the size is more than `max` or the data ends inside a
+ * run. */
 static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max)
 {
     size_t at = 0, count = 0;
@@ -221,11 +226,11 @@ static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max
     return count;
 }
 
-/* ---- Both ways ------------------------------------------------------------------------------ */
+/* ---- Encode and decode ----------------------------------------------------------------------- */
 
 size_t replay_start_encode(const struct core_config *config, uint8_t out[REPLAY_START_MAX])
 {
-    struct core_config copy = *config; /* The walk may write; into this. */
+    struct core_config copy = *config; /* Copy, because the serializer takes a non-const pointer. */
     uint8_t fields[FIELDS_MAX];
     struct replay_walk walk = { .out = fields, .size = sizeof fields, .version = REPLAY_VERSION };
     walk_config(&walk, &copy);

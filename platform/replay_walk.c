@@ -1,4 +1,4 @@
-/* replay_walk.c -- a field at a time. */
+/* replay_walk.c -- serializes one field at a time. */
 #include "platform/replay_walk.h"
 
 #include <string.h>

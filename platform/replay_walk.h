@@ -1,5 +1,7 @@
-/* replay_walk.h -- fields as bytes, in one order for both ways: a walk writes each field that it
- * meets, or reads it. Little-endian; floats as their bits. Pure. */
+/* replay_walk.h -- serializer that writes or reads the same fields in the same order.
+ *
+ * Each call either writes the field or reads it, depending on `out`. Little-endian; floats as their
+ * bits. Pure. */
 #ifndef KINGYO_PLATFORM_REPLAY_WALK_H
 #define KINGYO_PLATFORM_REPLAY_WALK_H
 
@@ -7,11 +9,11 @@
 #include <stdint.h>
 
 struct replay_walk {
-    uint8_t *out;      /* Written to, or null: ... */
-    const uint8_t *in; /* ... read from. */
-    size_t size, at;   /* Of either. */
+    uint8_t *out;      /* Destination, or null to read. */
+    const uint8_t *in; /* Source if `out` is null. */
+    size_t size, at;   /* Size of the buffer in use, and the position in it. */
     uint32_t version;  /* REPLAY_VERSION_MIN .. REPLAY_VERSION of the bytes; 0 in a book. */
-    int bad;           /* There was no room, or no more; nothing was written or read since. */
+    int bad;           /* 1: the buffer ended. Later calls have no effect. */
 };
 
 void walk_bytes(struct replay_walk *walk, void *bytes, size_t count);

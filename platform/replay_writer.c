@@ -1,4 +1,4 @@
-/* replay_writer.c -- keeps a recording whole on disk at every moment. */
+/* replay_writer.c -- writes a recording that is complete on disk after each second. */
 #include "platform/replay.h"
 
 #include <errno.h>
@@ -70,8 +70,8 @@ static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
     return size + REPLAY_SUM_SIZE;
 }
 
-/* Header, start and book into the writer's bytes. Returns their size; the first chunk goes on from
- * the writer's sum. */
+/* Writes header, start and catalog into the writer's buffer. Returns their size. The first chunk
+ * continues the writer's checksum. */
 static size_t put_header(struct replay_writer *writer, const struct core_config *config)
 {
     uint8_t *out = writer->bytes;
@@ -107,9 +107,9 @@ static void give_up(struct replay_writer *writer, int error)
     writer->error = -error;
 }
 
-/* Returns a descriptor, or a negative errno. A recording begins with the stall's settings and
- * books, therefore only its owner may read it. What was played once cannot be played again: a file
- * that holds anything is left as it is. */
+/* Returns a descriptor, or a negative errno. Only the owner may read a recording, because its start
+ * contains the operator's settings and takings. A file with content is never overwritten, because a
+ * game cannot be played again. */
 static int open_empty(const char *path)
 {
     struct stat status;
@@ -133,7 +133,7 @@ int replay_is_open(const struct replay_writer *writer)
     return writer->fd >= 0 || writer->memory != NULL;
 }
 
-/* `writer` knows where to write and how often a digest is due. */
+/* Starts a recording. The destination and the digest interval of `writer` are set by the caller. */
 static int begin(struct replay_writer *writer, const struct core_config *config,
                  uint64_t first_hash)
 {
@@ -169,8 +169,8 @@ int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
     return begin(writer, config, first_hash);
 }
 
-/* The old end mark goes back to its old place, which costs no new space on a full disk. What does
- * not fit into memory was not begun. */
+/* Restores the old end mark at its old offset, which needs no new space on a full disk. Memory is
+ * not changed in this case because a chunk that does not fit is not begun. */
 static void restore(struct replay_writer *writer)
 {
     uint8_t end[REPLAY_END_SIZE];
@@ -180,11 +180,11 @@ static void restore(struct replay_writer *writer)
         ftruncate(writer->fd, (off_t)(writer->offset + sizeof end)) != 0) {
         error = -errno;
     }
-    (void)error; /* The recording has already failed; this was the best that could be done. */
+    (void)error; /* The recording has already failed, so that a second error is ignored. */
 }
 
-/* The begun chunk, in `chunk` with its payload already behind its head, and an end mark behind.
- * Returns the chunk's size; `*sum` becomes its sum. */
+/* Completes the current chunk: `chunk` already contains the payload after its head, and an end mark
+ * follows. Returns the chunk's size and sets `*sum` to its checksum. */
 static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
                           const struct replay_totals *totals, uint64_t *sum)
 {
@@ -316,7 +316,7 @@ size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
     const size_t old_size = replay_get_u32(recording + HEADER_START);
     const size_t book_size = replay_get_u32(recording + HEADER_BOOK);
     const size_t new_size = replay_start_encode(config, start);
-    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* The first byte behind the start. */
+    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* First byte after the start. */
     if (size - old_size + new_size > size_max) {
         return 0;
     }

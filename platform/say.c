@@ -1,4 +1,5 @@
-/* say.c -- priorities for a journal; one call to the system a line, so that threads do not mix. */
+/* say.c -- writes log lines with a journal priority, one system call a line, so that lines of
+ * several threads do not mix. */
 #include "platform/say.h"
 
 #include <stdarg.h>
@@ -11,7 +12,7 @@
 #include "core/base/printable.h"
 #include "platform/panic_text.h"
 
-static int has_journal; /* Set once, before there are threads. */
+static int has_journal; /* Set once, before threads start. */
 
 int say_is_journal(const char *journal, int fd)
 {

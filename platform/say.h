@@ -1,34 +1,35 @@
-/* say.h -- one line on standard error, "kingyo: ...", with its priority where a journal listens.
+/* say.h -- the log: one line on standard error, "kingyo: ...", with a priority if a journal reads
+ * it.
  *
- * Under systemd each line begins with "<4>" or so, as sd-daemon(3) has it; on a terminal and in a
- * file it does not. */
+ * Under systemd each line begins with a priority such as "<4>", see sd-daemon(3). On a terminal and
+ * in a file there is no priority. */
 #ifndef KINGYO_PLATFORM_SAY_H
 #define KINGYO_PLATFORM_SAY_H
 
 #include <stddef.h>
 
-/* Of a line: longer ones are cut. A path, a reason, and room. */
+/* Size of a line; longer lines are cut. Enough for a path and a reason. */
 #define SAY_LINE_MAX 1536u
 
-/* As syslog(3) numbers them. */
+/* Priorities, numbered as in syslog(3). */
 enum say_level {
-    SAY_CRITICAL = 2, /* The program ends here. */
-    SAY_ERROR = 3,    /* Something that was asked for did not come about. */
-    SAY_WARNING = 4,  /* Passed over, or went on without. */
+    SAY_CRITICAL = 2, /* The program ends. */
+    SAY_ERROR = 3,    /* A requested action failed. */
+    SAY_WARNING = 4,  /* An input was skipped, or the program continues without a part. */
 };
 
-/* Whether `journal`, as $JOURNAL_STREAM has it ("DEVICE:INODE"; may be null), is the file that `fd`
- * leads to: then lines get priorities. */
+/* Returns 1 if `journal`, the value of $JOURNAL_STREAM ("DEVICE:INODE"; may be null), is the file
+ * of `fd`. Log lines then get priorities. */
 int say_is_journal(const char *journal, int fd);
 
-/* At the start: finds out whether a journal listens to standard error. */
+/* Detects at program start whether standard error is a journal. */
 void say_prepare(void);
 
-/* One line without its end; "kingyo: " is put before it. Any thread. */
+/* Writes one line, given without its end, after "kingyo: ". May be called on any thread. */
 __attribute__((format(printf, 2, 3)))
 void say(enum say_level level, const char *format, ...);
 
-/* The same words without a format, by async-signal-safe calls alone. */
+/* Writes one line without formatting. Async-signal-safe. */
 void say_plain(enum say_level level, const char *words);
 
 #endif

@@ -1,4 +1,5 @@
-/* setting_text.c -- words for choices, modes and times of day; and what each setting is for. */
+/* setting_text.c -- the words for choices, modes and times of day, and the help text of each
+ * setting. */
 #include "platform/setting_text.h"
 
 #include <assert.h>
@@ -13,7 +14,7 @@
 
 /* ---- Words ---------------------------------------------------------------------------------- */
 
-/* Of KIND_CHOICE and KIND_BITS: a word for each value, or bit, from the least on. */
+/* Words of a KIND_CHOICE or KIND_BITS setting: one for each value or bit, from the lowest on. */
 struct words {
     uint32_t count;
     const char *word[8];
@@ -22,7 +23,7 @@ struct words {
 static const struct words play = { 3, { "free", "paid", "event" } };
 static const struct words language = { 2, { "ja", "en" } };
 static const struct words rotation = { 4, { "0", "90", "180", "270" } };
-/* What is between a mode's own paper and the strongest has no word, and so is no value. */
+/* Paper grades between the mode's own and 4 have no word and are no valid values. */
 static const struct words grade = { 8, { "own", "", "", "", "4", "5", "6", "7" } };
 static const struct words on = { 2, { "off", "on" } };
 
@@ -56,7 +57,7 @@ static struct words words_of(uint32_t id)
     }
 }
 
-/* The word's place, or -1. */
+/* Returns the index of the word, or -1. */
 static int32_t find_word(const struct words *words, const char *text, size_t length)
 {
     for (uint32_t i = 0; i < words->count; i++) {
@@ -138,7 +139,7 @@ static int parse_kind(uint32_t id, const char *text, int32_t *out)
 int setting_parse(uint32_t id, const char *text, int32_t *out)
 {
     int32_t value = 0;
-    assert(setting_section(setting_of(id)->group)); /* No signed number is for files. */
+    assert(setting_section(setting_of(id)->group)); /* No setting in a file is signed. */
     if (!parse_kind(id, text, &value) || !setting_allows(id, value)) {
         return 0;
     }
@@ -182,7 +183,7 @@ void setting_print(uint32_t id, int32_t value, char out[SETTING_TEXT_MAX])
     }
 }
 
-/* "free, paid or event"; of bits "some of ... and ...". */
+/* Writes "free, paid or event"; for bits "some of ... and ...". */
 static void list_words(const struct words *words, const char *last, char *out)
 {
     for (uint32_t i = 0; i < words->count; i++) {
@@ -217,7 +218,7 @@ void setting_range(uint32_t id, char out[SETTING_RANGE_MAX])
     }
 }
 
-/* ---- The table's other half ----------------------------------------------------------------- */
+/* ---- Sections and help ----------------------------------------------------------------------- */
 
 static const char *const sections[SETTING_GROUP_COUNT] = {
     [GROUP_MONEY] = "money",     [GROUP_GAME] = "game",         [GROUP_SOUND] = "sound",

@@ -1,4 +1,4 @@
-/* standard_streams.c -- see standard_streams.h. */
+/* standard_streams.c -- opens and flushes the standard streams; see standard_streams.h. */
 #include "platform/standard_streams.h"
 
 #include <errno.h>
@@ -12,7 +12,8 @@ int standard_streams_open(void)
         if (fcntl(fd, F_GETFD) >= 0) {
             continue;
         }
-        /* The wrong direction makes every use fail. open() returns the lowest free number: `fd`. */
+        /* The wrong direction makes every use fail. open() returns the lowest free number, which is
+         * `fd`. */
         if (open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
             return errno != 0 ? -errno : -EIO;
         }
@@ -36,8 +37,8 @@ int standard_output_finish(void)
 {
     const int has_failed = ferror(stdout) != 0;
     errno = 0;
-    /* After a failed write the C library keeps the bytes, so that this fails for the same reason.
-     */
+    /* After a failed write the C library keeps the bytes, so that fflush() fails for the same
+     * reason. */
     if (fflush(stdout) == 0 && !has_failed) {
         return 0;
     }

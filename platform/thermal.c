@@ -1,4 +1,4 @@
-/* thermal.c -- see thermal.h. */
+/* thermal.c -- reads the kernel's thermal zones on a thread; see thermal.h. */
 #include "platform/thermal.h"
 
 #include <dirent.h>
@@ -8,13 +8,13 @@
 #include <time.h>
 
 #define PATH_SIZE 512
-#define TRIP_MAX 12u         /* As many as the kernel's zones have at most. */
-#define SANE_MIN_MDEG 0      /* A sensor that says less, or more, is none. */
+#define TRIP_MAX 12u         /* The kernel's maximum for a zone. */
+#define SANE_MIN_MDEG 0      /* Sensor values outside this range are ignored. */
 #define SANE_MAX_MDEG 150000
 
 /* ---- The kernel's files --------------------------------------------------------------------- */
 
-/* The first line of a zone's file; "" when there is none. */
+/* Reads the first line of a zone's file, or "" if there is none. */
 static void read_line(char *line, int line_size, const char *root, const char *zone,
                       const char *name)
 {
@@ -31,7 +31,7 @@ static void read_line(char *line, int line_size, const char *root, const char *z
     line[strcspn(line, "\n")] = '\0';
 }
 
-/* 1 with a temperature that can be one. */
+/* Returns 1 and a plausible temperature. */
 static int read_mdeg(const char *root, const char *zone, const char *name, int32_t *out)
 {
     char line[32], *end;
@@ -41,7 +41,7 @@ static int read_mdeg(const char *root, const char *zone, const char *name, int32
     return end != line && *end == '\0' && value > SANE_MIN_MDEG && value < SANE_MAX_MDEG;
 }
 
-/* The lowest heat from which the kernel would slow the machine down. */
+/* Returns the lowest temperature at which the kernel slows the machine down. */
 static int32_t limit_of(const char *root, const char *zone)
 {
     int32_t limit = SANE_MAX_MDEG;
@@ -79,7 +79,8 @@ int32_t thermal_read(const char *root)
 
 /* ---- The thread ----------------------------------------------------------------------------- */
 
-/* By the clock that nobody sets: one that jumps back by years would let it wait for years. */
+/* Waits on the monotonic clock. A civil clock that is set back by years would block the thread for
+ * years. */
 static void wait_a_while(struct thermal *thermal)
 {
     struct timespec until;

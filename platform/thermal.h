@@ -1,7 +1,7 @@
-/* thermal.h -- how far the machine is from the heat at which it slows itself down.
+/* thermal.h -- measures the margin to the temperature at which the machine slows itself down.
  *
- * A thread of its own asks the kernel every few seconds: some of its sensors take milliseconds to
- * answer, which no frame waits for. */
+ * A separate thread reads the kernel's sensors every few seconds, because some sensors take
+ * milliseconds and the frame loop must not block. */
 #ifndef KINGYO_PLATFORM_THERMAL_H
 #define KINGYO_PLATFORM_THERMAL_H
 
@@ -11,25 +11,28 @@
 #include <stdint.h>
 
 #define THERMAL_LOOK_S 5u
-#define THERMAL_LIMIT_MDEG 80000    /* Where no zone says it: boards slow down from there on. */
-#define THERMAL_UNKNOWN_MDEG 999000 /* Nobody measures: as cool as can be. */
+#define THERMAL_LIMIT_MDEG 80000    /* Default limit if no zone states one; boards slow down from
+                                       this temperature on. */
+#define THERMAL_UNKNOWN_MDEG 999000 /* Margin if there is no sensor. */
 
-/* The margin of the hottest zone under `root`, a folder like /sys/class/thermal. */
+/* Returns the margin of the hottest zone under `root`, a folder like /sys/class/thermal, in
+ * thousandths of a degree. */
 int32_t thermal_read(const char *root);
 
-/* The caller owns it and leaves it zero. It stays at its address while it runs. */
+/* State of the monitor. The caller owns the structure and clears it. The address must not change
+ * while the thread runs. */
 struct thermal {
     const char *root;   /* Null: /sys/class/thermal. */
     pthread_t thread;
     bool runs;
     pthread_mutex_t lock;
     pthread_cond_t bell;
-    bool ends;          /* Under the lock. */
+    bool ends;          /* Protected by `lock`. */
     atomic_int margin_mdeg;
-    atomic_uint looks;  /* So many were made. */
+    atomic_uint looks;  /* Number of measurements so far. */
 };
 
-/* Begins to look. Where no thread is to be had nothing is known. */
+/* Starts the thread. If no thread can be created, the margin remains unknown. */
 void thermal_start(struct thermal *thermal);
 void thermal_stop(struct thermal *thermal);
 

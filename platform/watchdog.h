@@ -1,7 +1,7 @@
-/* watchdog.h -- tells the service manager that frames still flow.
+/* watchdog.h -- notifies the service manager that frames are still drawn.
  *
- * Speaks systemd's notification protocol: one datagram to the socket named by $NOTIFY_SOCKET. Where
- * there is no such manager, the board uses the null watchdog. */
+ * Implements systemd's notification protocol: one datagram to the socket in $NOTIFY_SOCKET. Without
+ * such a manager, the board uses the null watchdog. */
 #ifndef KINGYO_PLATFORM_WATCHDOG_H
 #define KINGYO_PLATFORM_WATCHDOG_H
 
@@ -10,16 +10,16 @@
 struct watchdog {
     struct hal_clock clock;
     int socket_fd;
-    uint64_t period_ns;    /* Between two kicks that are really sent. */
+    uint64_t period_ns;    /* Interval between two notifications that are actually sent. */
     uint64_t last_kick_ns;
     uint8_t told_ready;
-    uint8_t has_limit;     /* The manager restarts who is silent for too long. */
-    uint8_t is_deaf;       /* It did not take the last sign. */
+    uint8_t has_limit;     /* 1: the manager restarts a process that is silent for too long. */
+    uint8_t is_deaf;       /* 1: the manager did not accept the last notification. */
     char text[HAL_TEXT_SIZE];
 };
 
-/* Connects to `notify_socket` ("/path" or "@abstract"), which wants a sign of life each `usec`
- * microseconds (0: it does not say). 0, or HAL_ERR_NONE when there is nobody to tell. */
+/* Connects to `notify_socket` ("/path" or "@abstract"), which expects a notification each `usec`
+ * microseconds (0: no limit). Returns 0, or HAL_ERR_NONE if there is no manager. */
 int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,
                   uint64_t usec);
 
