@@ -1,7 +1,7 @@
-/* blend.c -- P = sum of V_i K_i: the 2005 thesis' eq. 3.2, for any number of key shapes.
+/* blend.c -- P = sum of V_i K_i: eq. 3.2 of the 2005 thesis, for any number of key shapes.
  *
- * The renderer blends in the vertex shader; this is the same sum from the same tables for whoever
- * has no GPU, a vertex at a time, and a block at a time in blend_lanes.c. */
+ * The renderer blends in the vertex shader. This file computes the same sum from the same tables on
+ * the CPU, one vertex at a time; blend_lanes.c does it for blocks. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -16,8 +16,9 @@ vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vert
     return v3((float)p->x * step, (float)p->y * step, (float)p->z * step);
 }
 
-/* Where a folded normal points: on the octahedron |x| + |y| + |z| = 127. Keys' normals are blended
- * there and made of length 1 once, after that: a root and a division a vertex, not a key. */
+/* Returns the vector of a folded normal on the octahedron |x| + |y| + |z| = 127. The normals of the
+ * keys are blended there and normalised once afterwards, which costs a root and a division per
+ * vertex instead of per key. */
 static vec3 unfold(int16_t folded)
 {
     const int32_t code = (int32_t)folded + 32767;
@@ -39,8 +40,8 @@ int16_t morph_count(float x, float reach)
     return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
 }
 
-/* A unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1, as one number that
- * survives being a 16-bit fraction: -32767 .. 32257. */
+/* Folds a unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1. The result is a
+ * single number that a 16-bit fraction represents exactly: -32767 .. 32257. */
 int16_t morph_fold_normal(vec3 n)
 {
     const float sum = f_max(f_abs(n.x) + f_abs(n.y) + f_abs(n.z), 1e-6f);
@@ -56,8 +57,9 @@ int16_t morph_fold_normal(vec3 n)
     return (int16_t)(high * 256 + low - 32767);
 }
 
-/* What a key counts for one vertex: the curves' weights, by its masks. Whole numbers are summed
- * before they are scaled, so that a key which all curves show alone counts exactly 1. */
+/* Returns the weight of a key for one vertex: the weights of the curves by the vertex masks. Whole
+ * numbers are summed before they are scaled, so that a key that all curves show alone has a weight
+ * of exactly 1. */
 static float vertex_weight(const struct species_vertex *vertex, const struct morph_pose *pose,
                            uint32_t key)
 {
@@ -68,7 +70,7 @@ static float vertex_weight(const struct species_vertex *vertex, const struct mor
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
         sum += pose->weight[curve][key] * (float)vertex->mask[curve];
     }
-    return sum * (1.0f / 255.0f); /* 255 times this is 1, to the bit. */
+    return sum * (1.0f / 255.0f); /* 255 times this factor is exactly 1. */
 }
 
 vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count,

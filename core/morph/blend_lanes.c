@@ -1,8 +1,8 @@
-/* blend_lanes.c -- a block of vertices is blended; line by line what blend.c does for one.
+/* blend_lanes.c -- blending of a block of vertices; the SIMD form of blend.c, line by line.
  *
- * The two forms agree to the last bit, which test_blend_lanes.c holds. What a block reads and
- * writes is 8 bytes a vertex and key, 16 of the vertex, and 24 of answer: it is meant to be held up
- * by memory more than by arithmetic (`make bench-morph`). */
+ * Both forms agree to the last bit, which test_blend_lanes.c checks. A block reads 8 bytes per
+ * vertex and key and 16 bytes per vertex, and writes 24 bytes per vertex. It is meant to be limited
+ * by memory rather than by arithmetic (`make bench-morph`). */
 #include "core/morph/blend_lanes.h"
 
 #include "core/base/lanes_vec.h"
@@ -17,17 +17,19 @@ _Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_ve
                "part to masks are two words");
 _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
 
-/* Vertices. Tables are many short streams, which processors' own foresight is slow to find. */
+/* Vertices to prefetch ahead. The tables are many short streams, which hardware prefetchers detect
+ * late. */
 #define AHEAD 96u
-#define LINE 64u /* Bytes that memory gives at once. */
+#define LINE 64u /* Bytes of a cache line. */
 
-/* What all of a shape's blocks share. */
+/* Data shared by all blocks of a shape. */
 struct blending {
     const struct species_mesh *mesh;
     const struct morph_pose *pose;
     uint32_t key_count;
-    uint8_t key[MORPH_KEY_MAX]; /* Those that any curve shows. */
-    flanes whole[MORPH_KEY_MAX]; /* What they count where the whole fish's curve moves all. */
+    uint8_t key[MORPH_KEY_MAX]; /* Keys with a weight in any curve. */
+    flanes whole[MORPH_KEY_MAX]; /* Weights of these keys for vertices that only the curve of the
+                                    whole fish moves. */
 };
 
 struct point_lanes {
@@ -41,8 +43,9 @@ static inline ilanes load_words(const void *from)
     return words;
 }
 
-/* First words and second words of a block's points. Wide, quads are kept apart, which is cheap and
- * leaves the lanes in the order of lane_vertex; only masks, anchors and answers need to know. */
+/* Separate the first and the second words of a block's points. With eight lanes the quads stay
+ * separate, which is cheap and leaves the lanes in the order of lane_vertex. Only masks, anchors
+ * and results depend on that order. */
 #ifdef LANES_WIDE
 #define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
 #define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
@@ -63,16 +66,16 @@ static inline flanes high_half(ilanes words)
     return __builtin_convertvector((ilanes)(words >> 16), flanes);
 }
 
-/* `t` >= 0 with the sign of x. */
+/* Returns `t` >= 0 with the sign of x. */
 static inline flanes signed_as(flanes t, flanes x)
 {
     return (flanes)((ilanes)t ^ ((ilanes)x & INT32_MIN));
 }
 
-/* As unfold() in blend.c, z below 0. */
+/* Computes unfold() of blend.c with negative z. */
 static inline struct lanes_v3 unfold_down(ilanes words)
 {
-    const ilanes code = (words >> 16) + 255; /* Of blend.c's code, 127 * 256 less. */
+    const ilanes code = (words >> 16) + 255; /* The code of blend.c minus 127 * 256. */
     const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
     const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
     const flanes down = lanes_abs(x) + lanes_abs(y) - 127.0f;
@@ -80,15 +83,16 @@ static inline struct lanes_v3 unfold_down(ilanes words)
     return lanes_v3(x - signed_as(t, x), y - signed_as(t, y), down);
 }
 
-/* Whether a block needs no more than the whole fish's curve, and none of it an anchor. */
+/* Tests whether a block needs only the curve of the whole fish, and whether none of its vertices
+ * has an anchor. */
 struct block {
     uint32_t plain_masks, plain_anchors;
-    flanes mask[MORPH_CURVE_MAX]; /* Nothing where masks are plain. */
+    flanes mask[MORPH_CURVE_MAX]; /* Unset if the masks are plain. */
 };
 
 static inline struct block load_block(const struct species_vertex *vertices)
 {
-    uint64_t all = ~(uint64_t)0; /* Of each vertex: part, side, flex, anchor, four masks. */
+    uint64_t all = ~(uint64_t)0; /* For each vertex: part, side, flex, anchor, four masks. */
     struct block block = { 0 };
     ilanes masks = { 0 };
     __builtin_prefetch(vertices + AHEAD);
@@ -116,7 +120,7 @@ static inline struct block load_block(const struct species_vertex *vertices)
     return block;
 }
 
-/* What the key counts in each lane: as vertex_weight(). */
+/* Returns the weight of a key in each lane, as vertex_weight(). */
 static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
 {
     flanes sum = lanes_of(0.0f);
@@ -159,7 +163,7 @@ static inline struct point_lanes blend(const struct blending *b, const struct bl
     return p;
 }
 
-/* As quat_turn(). */
+/* SIMD form of quat_turn(). */
 static inline struct lanes_v3 turn(struct lanes_v3 axis, flanes w, struct lanes_v3 a)
 {
     const struct lanes_v3 across = lanes_v3_scale(lanes_v3_cross(axis, a), lanes_of(2.0f));
@@ -179,8 +183,8 @@ static inline const struct anchor_pose *anchor_of(const struct blending *b, uint
     return &b->pose->anchor[anchor];
 }
 
-/* Turns and carries. What is at rest keeps its bits: nothing that was blended is -0, which alone
- * would not be itself after 0 is added. */
+/* Rotates and moves points by their anchors. Points without an anchor keep their bits: no blended
+ * value is -0, the only value that changes when 0 is added. */
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
                                        struct point_lanes p)
 {
@@ -216,14 +220,15 @@ static inline void store_quad(vec3 *to, const flanes *row, int high)
     MEM_COPY(to, &quad, sizeof quad);
 }
 
-/* LANES vectors side by side. Rows of four floats are stored three apart, each over the fourth of
- * the one before: one float behind the block is spoilt, which a later block or vertex mends. */
+/* Stores LANES consecutive vectors. Rows of four floats are stored three apart, each over the
+ * fourth float of the previous row. One float behind the block is overwritten; a later block or
+ * vertex restores it. */
 static inline void store(vec3 *to, struct lanes_v3 a)
 {
     flanes row[4];
     lanes_turn(row, a.x, a.y, a.z, a.z);
 #pragma GCC unroll 2
-    for (int pair = 0; pair < 2; pair++) { /* Vertices in their order: see lane_vertex. */
+    for (int pair = 0; pair < 2; pair++) { /* Vertices in memory order: see lane_vertex. */
 #pragma GCC unroll 2
         for (int high = 0; high < LANES / 4; high++) {
             vec3 *at = &to[LANES / 2 * pair + 2 * high];
@@ -250,7 +255,7 @@ static struct blending begin(const struct species_mesh *mesh, uint32_t key_count
     return b;
 }
 
-/* The first AHEAD vertices' worth of every stream at once, for nothing has asked for them yet. */
+/* Prefetches the first AHEAD vertices of every stream, which no earlier block has prefetched. */
 static void foresee(const struct blending *b)
 {
     const uint32_t count = b->mesh->vertex_count < AHEAD ? b->mesh->vertex_count : AHEAD;

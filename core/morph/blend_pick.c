@@ -1,4 +1,4 @@
-/* blend_pick.c -- the width at which vertices are blended, for whoever knows the processor. */
+/* blend_pick.c -- selection of the number of SIMD lanes by the caller, who knows the processor. */
 #include "core/base/panic.h"
 #include "core/morph/blend_lanes.h"
 

@@ -9,17 +9,18 @@ static float rise(const struct cubic_point *from)
     return (from[1].value - from->value) / (from[1].at - from->at);
 }
 
-/* Between spans h0 and h1 that rise by d0 and d1: a harmonic mean. */
+/* Returns the slope between spans h0 and h1 that rise by d0 and d1: a harmonic mean. */
 static float inner_slope(float h0, float d0, float h1, float d1)
 {
     if (!(d0 * d1 > 0.0f)) {
-        return 0.0f; /* A peak, a trough or a level stretch stays one. */
+        return 0.0f; /* A peak, a trough or a level stretch is preserved. */
     }
     const float near = 2.0f * h1 + h0, far = h1 + 2.0f * h0;
     return (near + far) / (near / d0 + far / d1);
 }
 
-/* At an end, beside a span h0 that rises by d0; h1 and d1 are the next span's. */
+/* Returns the slope at an end, beside a span h0 that rises by d0; h1 and d1 belong to the next
+ * span. */
 static float end_slope(float h0, float d0, float h1, float d1)
 {
     const float slope = ((2.0f * h0 + h1) * d0 - h0 * d1) / (h0 + h1);

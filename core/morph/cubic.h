@@ -1,25 +1,26 @@
-/* cubic.h -- the monotone cubic (PCHIP) that joins a graph's knots and a growth table's points.
+/* cubic.h -- the monotone cubic (PCHIP) through the knots of a graph and the points of a growth
+ * table.
  *
- * It runs through every point, has no corner, and between two points never leaves what lies between
- * them: no weight below 0, no fish that shrinks where the table grows (slopes: Fritsch and Butland,
- * 1984). */
+ * The curve passes through every point, has no corner, and stays between the values of adjacent
+ * points. No weight is therefore below 0, and no fish shrinks where the table grows (slopes:
+ * Fritsch and Butland, 1984). */
 #ifndef KINGYO_CORE_MORPH_CUBIC_H
 #define KINGYO_CORE_MORPH_CUBIC_H
 
 #include <stdint.h>
 
 struct cubic_point {
-    float at, value; /* `at` rises from point to point. */
+    float at, value; /* `at` increases from point to point. */
 };
 
-/* How steeply the curve through `count` >= 2 points passes number `index`. */
+/* Returns the slope of the curve through `count` >= 2 points at point `index`. */
 float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t index);
 
-/* Between two points `span` apart, at `t` in [0, 1] of the way; exact at both ends. */
+/* Returns the value between two points `span` apart, at `t` in [0, 1]; exact at both ends. */
 float cubic_between(const struct cubic_point *from, float slope_from, const struct cubic_point *to,
                     float slope_to, float t);
 
-/* The curve at `at`, clamped to its ends. */
+/* Returns the value of the curve at `at`, clamped to its ends. */
 float cubic_curve(const struct cubic_point *points, uint32_t count, float at);
 
 #endif

@@ -1,4 +1,4 @@
-/* graph.c -- the deformation graph: how much of each key shape a fish shows as it grows. */
+/* graph.c -- the deformation graph: the weight of each key shape as a fish grows. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -58,7 +58,8 @@ static float smooth_weight(const struct graph *graph, uint32_t key, float progre
     for (uint32_t i = 0; i < graph->knot_count; i++) {
         points[i] = (struct cubic_point){ graph->knots[i].progress, graph->knots[i].weight[key] };
     }
-    return f_max(cubic_curve(points, graph->knot_count, progress), 0.0f); /* But for rounding. */
+    return f_max(cubic_curve(points, graph->knot_count, progress), 0.0f); /* The clamp only removes
+                                                                             rounding errors. */
 }
 
 static void smooth_weights(const struct graph *graph, uint32_t key_count, float progress,
@@ -85,7 +86,7 @@ static void straight_weights(const struct graph *graph, uint32_t key_count, floa
     const float t =
         f_clamp((progress - from->progress) / (to->progress - from->progress), 0.0f, 1.0f);
     for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-        /* Both ends exact, and never below 0 where both ends are not. */
+        /* Exact at both ends, and never below 0 unless an end is. */
         weights[i] = i < key_count ? from->weight[i] * (1.0f - t) + to->weight[i] * t : 0.0f;
     }
 }

@@ -1,21 +1,22 @@
-/* growth.c -- how long a fish is at an age, and how old at a length.
+/* growth.c -- the length of a fish at an age, and its age at a length.
  *
- * Measured lengths first, then von Bertalanffy's curve (2005 thesis, eq. 3.3). That curve is fitted
- * to adults and gives 12 to 32 cm at hatching for most species; the thesis shifts its t0 until that
- * is mended, which spoils the adults (a bigeye of one year shrinks from 64 to 38 cm). So the last
- * measured length L0 fades into the curve instead: L = L0 + (VB - L0) (1 - e^(-since / fade)). */
+ * Measured lengths come first, then von Bertalanffy's curve (2005 thesis, eq. 3.3). That curve is
+ * fitted to adults and gives 12 to 32 cm at hatching for most species. The thesis shifts t0 to
+ * correct this, which makes the adults too small (a bigeye of one year shrinks from 64 to 38 cm).
+ * In this code the last measured length L0 fades into the curve instead: L = L0 + (VB - L0) (1 -
+ * e^(-since / fade)). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 #include "core/morph/cubic.h"
 
 #define DAYS_PER_YEAR 365.25f
-#define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR) /* The oldest goldfish on record lived 43 years. */
-#define FADE_NONE_YEAR 1e-6f /* Half a minute: the curve itself. */
-#define BISECTIONS 24                        /* 14,610 days halved so often are 0.001 days. */
+#define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR) /* The oldest goldfish on record lived for 43 years. */
+#define FADE_NONE_YEAR 1e-6f /* Half a minute: no fade. */
+#define BISECTIONS 24                        /* 14,610 days halved 24 times are 0.001 days. */
 
-/* How far the curve is ahead of the last measured length; 0 where it is behind: there the fish
- * waits for it rather than shrink. */
+/* Returns how far the curve exceeds the last measured length, or 0 if it does not. In that case the
+ * length stays constant instead of shrinking. */
 static float curve_lead_m(const struct growth *growth, float age_days)
 {
     const struct growth_point *last = &growth->points[growth->point_count - 1];
@@ -33,8 +34,8 @@ static float beyond_points_m(const struct growth *growth, float age_days)
     return last->length_m + curve_lead_m(growth, age_days) * (1.0f - young);
 }
 
-/* How fast it grows at a measured point, in metres a day. At the last one as fast as the curve then
- * goes on, as far as the table stays monotone with that. */
+/* Returns the growth rate at a measured point, in metres per day. At the last point it equals that
+ * of the following curve, as far as the table stays monotone. */
 static float point_slope(const struct growth *growth, const struct cubic_point *points,
                          uint32_t index)
 {
@@ -89,7 +90,7 @@ struct growth growth_shifted(const struct growth *growth)
     };
 }
 
-/* Between two ages with no measured point within, where length goes one way. */
+/* Finds the age between two ages without a measured point inside, where the length is monotone. */
 static float age_in_span(const struct growth *growth, float from_days, float to_days,
                          float length_m)
 {

@@ -1,10 +1,11 @@
-/* life.c -- where in its life a fish is: age, length, and progress between the drawn keys.
+/* life.c -- the stage of life of a fish: age, length, and progress between the drawn keys.
  *
- * The thesis writes t for all three. Here key i of n stands at progress i / (n - 1), at its own age
- * and at its own length. Between two keys progress goes by the logarithm of length, for fish grow
- * by factors; where length turns round between them (a conger is longest before it is an eel) by
- * age. A key may be a little longer or shorter than the growth curve at its age: ages go by the
- * curve's lengths at both keys, so that they rise from the one to the other whatever the keys'. */
+ * The thesis writes t for all three. In this code key i of n is at progress i / (n - 1), at its own
+ * age and at its own length. Between two keys progress follows the logarithm of length, because
+ * fish grow by factors. It follows age where length is not monotone between the keys (a conger is
+ * longest before it becomes an eel). A key may be slightly longer or shorter than the growth curve
+ * at its age. Ages follow the lengths of the curve at both keys, so that they increase from key to
+ * key in any case. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -15,7 +16,8 @@ static uint32_t last_key(const struct species_card *card)
     return card->key_count - 1u;
 }
 
-/* Where both the keys and the growth curve between them go one way, and the same. */
+/* Returns true if both the keys and the growth curve between them are monotone in the same
+ * direction. */
 static bool goes_by_length(const struct species_card *card, uint32_t key)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
@@ -25,7 +27,7 @@ static bool goes_by_length(const struct species_card *card, uint32_t key)
            growth_is_one_way(&card->growth, age[0], age[1]);
 }
 
-/* [0, 1] of the way from one length to another, by factors. */
+/* Returns [0, 1], the position between two lengths on a logarithmic scale. */
 static float part_between(float from_m, float to_m, float length_m)
 {
     return f_clamp(f_ln(length_m / from_m) / f_ln(to_m / from_m), 0.0f, 1.0f);
@@ -44,7 +46,7 @@ static float part_of_age(const struct species_card *card, uint32_t key, float ag
     return f_clamp((age_days - age[0]) / (age[1] - age[0]), 0.0f, 1.0f);
 }
 
-/* [0, 1] of the way that the growth curve goes from `key` to the next. */
+/* Returns [0, 1], the position between `key` and the next on the growth curve. */
 static float part_of_growth(const struct species_card *card, uint32_t key, float age_days)
 {
     const float *age = &card->key_age_days[key];
@@ -53,7 +55,7 @@ static float part_of_growth(const struct species_card *card, uint32_t key, float
                         growth_length_m(&card->growth, age_days));
 }
 
-/* And back. */
+/* Returns the age at such a position; the inverse of part_of_growth(). */
 static float age_of_growth(const struct species_card *card, uint32_t key, float part)
 {
     const float *age = &card->key_age_days[key];
@@ -78,7 +80,7 @@ float life_progress(const struct species_card *card, float age_days)
     }
     for (uint32_t key = 0; key < last; key++) {
         if (age_days == card->key_age_days[key]) {
-            return progress_of(card, key, 0.0f); /* Rounding of its length apart. */
+            return progress_of(card, key, 0.0f); /* Independent of rounding of its length. */
         }
         if (age_days < card->key_age_days[key + 1]) {
             if (!goes_by_length(card, key)) {
@@ -90,7 +92,8 @@ float life_progress(const struct species_card *card, float age_days)
     return 1.0f;
 }
 
-/* The key at or before `progress`, never the last, and how far on to the next. */
+/* Returns the key at or before `progress`, never the last, and the share of the way to the next
+ * key. */
 static uint32_t key_before(const struct species_card *card, float progress, float *part)
 {
     const float last = (float)last_key(card);
@@ -99,7 +102,8 @@ static uint32_t key_before(const struct species_card *card, float progress, floa
     while (key + 1u < last_key(card) && progress >= (float)(key + 1u) / last) {
         key++;
     }
-    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* Key / last * last is the key. */
+    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* Key / last * last is exactly the
+                                                                  key. */
     return key;
 }
 
@@ -126,8 +130,8 @@ float life_age_days(const struct species_card *card, float progress)
     return f_lerp(age[0], age[1], part);
 }
 
-/* The purple curve, drawn by hand: between two knots by factors, as between two keys, so that knots
- * laid on the keys change nothing. */
+/* Returns the size curve drawn by hand (purple in the thesis). Between two knots it is logarithmic,
+ * as between two keys, so that knots placed on the keys change nothing. */
 static float scale_by_hand_m(const struct species_card *card, float progress)
 {
     const struct scale_knot *to = &card->scale_knots[1];
@@ -156,7 +160,7 @@ float life_length_m(const struct species_card *card, float progress)
     return length_at(card, key, part);
 }
 
-/* The earliest progress at which the curve drawn by hand is so long; below 0 where it never is. */
+/* Returns the earliest progress at which the hand-drawn curve has this length; below 0 if never. */
 static float progress_by_hand(const struct species_card *card, float length_m)
 {
     for (uint32_t i = 0; i < card->scale_knot_count; i++) {
@@ -173,8 +177,8 @@ static float progress_by_hand(const struct species_card *card, float length_m)
     return -1.0f;
 }
 
-/* The earliest progress from `key` to the next at which it is so long; below 0 where it never is
- * there. */
+/* Returns the earliest progress from `key` to the next at which the fish has this length; below 0
+ * if never. */
 static float progress_from_key(const struct species_card *card, uint32_t key, float length_m)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];

@@ -1,23 +1,26 @@
 /* mark.c -- spots, rows, bars, lines, margins, patches and the slits of mouth and gill.
  *
- * Each is a function of body coordinates alone, with soft rims, so that it stays with the skin as
- * the fish grows and needs no picture. Lengths are the body's: `flank` turns girth into them. */
+ * Each mark is a function of body coordinates alone, with soft edges. It therefore stays with the
+ * skin as the fish grows and needs no texture. Lengths are body lengths: `flank` converts girth
+ * into them. */
 #include "core/morph/mark.h"
 
 #include "core/base/fmath.h"
 #include "core/morph/morph.h"
 
 #define PI 3.14159265f
-#define SOFT_U 0.006f      /* Half a rim's width along the body ... */
-#define SOFT_HEIGHT 0.03f  /* ... and up the flank. */
-#define UNEVEN 0.35f       /* A spot is so much larger or smaller than it is drawn. */
-#define CELL_RIM 0.2f      /* Of a spot's cell: so near its border no spot has its middle. */
-#define BOW_HEIGHT 0.35f   /* A flank's height in body lengths, for the gill cover's bow. */
-#define SIDE_RIM 0.25f     /* Sine round the girth: so far a flank begins from its edge. */
-#define SLIT_HEIGHT 7.0f   /* A head of 0.14 lengths: from a slit's width to a share of height. */
+#define SOFT_U 0.006f      /* Half the width of a soft edge along the body. */
+#define SOFT_HEIGHT 0.03f  /* Half the width of a soft edge across the flank. */
+#define UNEVEN 0.35f       /* Random variation of the size of a spot. */
+#define CELL_RIM 0.2f      /* Share of a spot's cell near its border that never holds the centre of
+                              a spot. */
+#define BOW_HEIGHT 0.35f   /* Height of a flank in body lengths, for the bow of the gill cover. */
+#define SIDE_RIM 0.25f     /* Sine around the girth: width of the soft edge of a flank. */
+#define SLIT_HEIGHT 7.0f   /* Head of 0.14 lengths: factor from the width of a slit to a share of
+                              the height. */
 
-/* From back to belly over one flank, in body lengths, and how much less it is at the tail root. A
- * paint brush does not ask the mesh: spots are round enough by the form of the body. */
+/* Distance from back to belly over one flank in body lengths, and its reduction at the tail root.
+ * Marks do not use the mesh; the body form makes spots round enough. */
 static const struct { float lengths, taper; } flanks[] = {
     [FORM_FUSIFORM] = { 0.36f, 0.60f }, [FORM_COMPRESSED] = { 0.42f, 0.70f },
     [FORM_DEPRESSED] = { 0.50f, 0.85f }, [FORM_EEL] = { 0.09f, 0.40f },
@@ -43,7 +46,7 @@ struct mark_point mark_point_of(const struct species_vertex *at, enum body_form 
     return point;
 }
 
-/* 1 in [from, to] and 0 beyond, soft; an end at 0 or 1 is no end. */
+/* Returns 1 in [from, to] and 0 outside, with soft edges; an end at 0 or 1 is unbounded. */
 static float within(float x, float from, float to, float soft)
 {
     const float above = from <= 0.0f ? 1.0f : f_smoothstep(from - soft, from + soft, x);
@@ -51,23 +54,23 @@ static float within(float x, float from, float to, float soft)
     return above * below;
 }
 
-/* 1 nearer than `radius`, 0 beyond, the rim as soft as it is fine. */
+/* Returns 1 within `radius` and 0 outside; the width of the soft edge scales with the radius. */
 static float disc(float distance, float radius)
 {
     const float soft = 0.2f * radius + 0.001f;
     return 1.0f - f_smoothstep(radius - soft, radius + soft, distance);
 }
 
-/* Of a height on the body, how far down the flank that is. */
+/* Returns the distance down the flank of a height on the body. */
 static float down_of(const struct mark_point *at, float height)
 {
     if (at->part >= PART_TAIL || height <= 0.0f || height >= 1.0f) {
-        return 1.0f - height; /* Most marks go all the way: no angle is asked for. */
+        return 1.0f - height; /* Most marks reach the full height, which needs no arc cosine. */
     }
     return f_acos(2.0f * height - 1.0f) / PI;
 }
 
-/* A number in [0, 1) of its own for each cell, mark and `purpose` (a 32-bit mixer). */
+/* Returns a random number in [0, 1) for each cell, mark and `purpose` (a 32-bit mixer). */
 static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
 {
     uint32_t h = cell * 0x9e3779b1u ^ seed * 0x85ebca77u ^ purpose * 0xc2b2ae3du;
@@ -76,14 +79,16 @@ static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
     return (float)((h ^ h >> 15) >> 8) / 16777216.0f;
 }
 
-/* From `x`, told from a cell's border, to where its spot can have its middle. */
+/* Returns the distance from `x`, relative to a cell's border, to the nearest possible centre of a
+ * spot. */
 static float to_middle(float x)
 {
     return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
 }
 
-/* `count` cells over one flank, a spot somewhere in each; a point looks at its nine cells. Toward
- * the tail cells are as many and lower, and their spots smaller, so that none is cut. */
+/* Returns the cover of `count` cells over one flank with a spot at a random place in each; a point
+ * tests its nine cells. Toward the tail the number of cells stays the same, but cells are lower and
+ * spots smaller, so that none is cut off. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);
@@ -96,7 +101,7 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     const float shrunk = m->width * f_sqrt(girth / broad);
     const float x = (at->u - m->from) / length * columns;
     const float y = (at->down - top) / f_max(bottom - top, 1e-3f) * rows;
-    const float reach = shrunk * (1.0f + UNEVEN) * 1.2f + 0.001f; /* With its soft rim. */
+    const float reach = shrunk * (1.0f + UNEVEN) * 1.2f + 0.001f; /* Includes the soft edge. */
     float cover = 0.0f;
     if (x < -1.0f || y < -1.0f || x > columns + 1.0f || y > rows + 1.0f) {
         return 0.0f;
@@ -118,8 +123,8 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     return cover;
 }
 
-/* `seed` rows of `count` dots, every other row set off by half a step. Toward the tail rows crowd
- * and dots are smaller and flatter with them, so that none is cut. */
+/* Returns the cover of `seed` rows of `count` dots, every other row offset by half a step. Toward
+ * the tail rows are closer and dots are smaller and flatter, so that none is cut off. */
 static float rows(const struct species_mark *m, const struct mark_point *at)
 {
     const float row_count = f_max((float)m->seed, 1.0f), count = f_max((float)m->count, 1.0f);
@@ -171,7 +176,8 @@ static float side(const struct species_mark *m, const struct mark_point *at)
            within(at->u, m->from, m->to, SOFT_HEIGHT);
 }
 
-/* From the snout (at height `high`) to the corner (`to`, `low`), finer toward the corner. */
+/* Returns the cover of the mouth from the snout (at height `high`) to the corner (`to`, `low`),
+ * thinner toward the corner. */
 static float mouth(const struct species_mark *m, const struct mark_point *at)
 {
     const float along = at->u / f_max(m->to, 1e-3f);
@@ -181,7 +187,7 @@ static float mouth(const struct species_mark *m, const struct mark_point *at)
            (1.0f - f_smoothstep(0.92f, 1.06f, along));
 }
 
-/* An arc that bows backward at its middle. */
+/* Returns the cover of an arc that bows backward at its middle. */
 static float gill(const struct species_mark *m, const struct mark_point *at)
 {
     const float half = f_max(0.5f * (m->high - m->low), 1e-3f);
@@ -193,7 +199,7 @@ static float gill(const struct species_mark *m, const struct mark_point *at)
 
 float mark_cover(const struct species_mark *m, const struct mark_point *at)
 {
-    if (m->kind == MARK_SIDE) { /* The paired fins of that side too. */
+    if (m->kind == MARK_SIDE) { /* Also covers the paired fins of that side. */
         const bool paired = at->part == PART_PECTORAL || at->part == PART_PELVIC;
         return at->part == PART_BODY || paired ? side(m, at) : 0.0f;
     }

@@ -1,18 +1,19 @@
-/* paint.c -- what a fish's skin looks like at a point: the coats of its keys, blended.
+/* paint.c -- the skin of a fish at a point: the blended coats of its keys.
  *
- * Colours blend in the keys' proportions. A mark that stands on the same line of two keys' coats
- * is one mark and moves; one that the next key has not fades as the fish grows. Nothing jumps. */
+ * Colours blend in proportion to the keys. A mark on the same line of two keys' coats is a single
+ * mark and moves. A mark that the next key lacks fades as the fish grows. Nothing jumps. */
 #include "core/morph/mark.h"
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 
-#define PUPIL 0.52f       /* Of the eye's visible radius. */
+#define PUPIL 0.52f       /* Share of the eye's visible radius. */
 #define IRIS_SHINE 0.6f
-#define BACK_SHINE 0.35f  /* Of the flank's: scales lie there under dark skin. */
-#define STALK_FROM 0.96f  /* From here to the tail root skin becomes the tail fin's, ... */
-#define STALK_FIN 0.9f    /* ... so far: the flesh of the stalk runs out into its rays. */
-#define MARK_OPAQUE 0.85f /* Pigment on a larva of glass is seen; a little shows through it. */
+#define BACK_SHINE 0.35f  /* Share of the flank's shine: scales on the back lie under dark skin. */
+#define STALK_FROM 0.96f  /* Position from which the skin blends into the tail fin, up to the tail
+                             root. */
+#define STALK_FIN 0.9f    /* Share of the fin's paint at the tail root. */
+#define MARK_OPAQUE 0.85f /* Pigment on a transparent larva is visible and slightly translucent. */
 
 static vec3 rgb(uint32_t colour)
 {
@@ -21,8 +22,8 @@ static vec3 rgb(uint32_t colour)
               (float)(colour & 255u) * scale);
 }
 
-/* Black pupil, iris, darker toward its rim; behind it the black lining of the ball, which shows
- * where a larva's eye stands out, and through its head of glass. */
+/* Returns black pupil and iris, darker toward its edge. Behind it is the black lining of the
+ * eyeball, visible where a larva's eye stands out and through its transparent head. */
 static struct paint eye_paint(const struct species_coat *coat, float u)
 {
     const vec3 black = v3(0.015f, 0.015f, 0.02f);
@@ -34,7 +35,7 @@ static struct paint eye_paint(const struct species_coat *coat, float u)
                            .shine = IRIS_SHINE * outside * (1.0f - rim) };
 }
 
-/* Back over flank to belly, by the way round the girth. */
+/* Returns the paint from back over flank to belly, by position around the girth. */
 static struct paint skin_paint(const struct species_coat *coat, float down)
 {
     const float flank = f_smoothstep(0.1f, 0.5f, down), belly = f_smoothstep(0.6f, 0.95f, down);
@@ -56,7 +57,7 @@ static struct paint bare_paint(const struct species_coat *coat, const struct mar
     return (struct paint){ .colour = rgb(coat->fin), .clear = (float)coat->clear / 255.0f };
 }
 
-/* The keys' paint without marks; `share` sums to 1. */
+/* Returns the mean paint of the keys without marks; `share` sums to 1. */
 static struct paint mean_paint(const struct species *species, const float *share,
                                const struct mark_point *at)
 {
@@ -72,8 +73,9 @@ static struct paint mean_paint(const struct species *species, const float *share
     return paint;
 }
 
-/* Marks on one line of two keys' coats that are the same mark, moved or tinted. Scattered spots are
- * so only where their field is the same, for another field scatters them anew. */
+/* Returns true if the marks on one line of two keys' coats are the same mark, moved or tinted.
+ * Scattered spots must also have the same field, because another field scatters them
+ * differently. */
 static bool same_mark(const struct species_mark *a, const struct species_mark *b)
 {
     const bool field = a->from == b->from && a->to == b->to && a->low == b->low &&
@@ -82,7 +84,7 @@ static bool same_mark(const struct species_mark *a, const struct species_mark *b
            (a->kind != MARK_SPOTS || field);
 }
 
-/* One mark as several keys have it: their mean. */
+/* The mean of a mark over several keys. */
 struct mark_mean {
     struct species_mark mark;
     vec3 colour;
@@ -102,12 +104,12 @@ static void mix_mark(struct mark_mean *mean, const struct species_mark *m, float
     mean->mark.high = f_lerp(mean->mark.high, m->high, t);
 }
 
-/* Lays line `slot` of the coats over `paint`: a mark that the keys share moves from one's place to
- * the next's, one that they do not share fades. */
+/* Paints line `slot` of the coats over `paint`. A mark that keys share moves between their places;
+ * a mark that they do not share fades. */
 static void lay_marks(const struct species *species, const float *share, uint32_t slot,
                       const struct mark_point *at, struct paint *paint)
 {
-    uint32_t laid = 0; /* A bit for each key. */
+    uint32_t laid = 0; /* One bit for each key. */
     for (uint32_t key = 0; key < species->card.key_count; key++) {
         const struct species_coat *coat = &species->coats[key];
         if (share[key] <= 0.0f || slot >= coat->mark_count || (laid >> key & 1u)) {
@@ -128,7 +130,7 @@ static void lay_marks(const struct species *species, const float *share, uint32_
     }
 }
 
-/* `slots`: the most marks of any key. */
+/* `slots`: the highest number of marks of any key. */
 static struct paint paint_of(const struct species *species, const float *share, uint32_t slots,
                              const struct species_vertex *at)
 {
@@ -140,7 +142,7 @@ static struct paint paint_of(const struct species *species, const float *share, 
     return paint;
 }
 
-/* Toward the tail root skin becomes the fin's: no edge of it lies over the fin. */
+/* Blends skin into fin toward the tail root, so that no edge of skin covers the fin. */
 static void run_out(struct paint *skin, const struct paint *fin, float u)
 {
     const float share = STALK_FIN * f_smoothstep(STALK_FROM, 1.0f, u);
@@ -156,7 +158,8 @@ struct paint paint_at(const struct species *species, const float weights[MORPH_K
     CORE_ASSERT(species->card.form <= FORM_PUFFER);
     CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
     for (uint32_t key = 0; key < species->card.key_count; key++) {
-        share[key] = f_max(weights[key], 0.0f); /* Solved shapes' may be negative; colours not. */
+        share[key] = f_max(weights[key], 0.0f); /* Weights of solved shapes may be negative; weights
+                                                   of colours may not. */
         sum += share[key];
     }
     for (uint32_t key = 0; key < species->card.key_count; key++) {

@@ -1,8 +1,9 @@
-/* pose.c -- where the anchors of a blended fish are: fins ride on its skin, eyes go round its head.
+/* pose.c -- the anchors of a blended fish: fins slide on its skin, eyes move around its head.
  *
- * An anchor's body coordinates are blended, and the blended skin is asked where they are. Blending
- * the points themselves would lead them along chords: a fin that slides forward would cut through
- * the back, an eye would go through the head (2005 thesis, sections 4.1.3 and 4.1.4). */
+ * The body coordinates of an anchor are blended, and its place is found on the blended skin.
+ * Blending the points themselves would move them along chords: a fin that slides forward would
+ * cut through the back, and an eye would pass through the head (2005 thesis, sections 4.1.3 and
+ * 4.1.4). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -19,10 +20,9 @@ vec3 quat_turn_back(struct quat q, vec3 a)
     return quat_turn((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
 }
 
-/* What turns the body's axes onto x, y, z (of length 1, square to each other, y = z cross x), where
- * z is the body's backward as far as x lets it be. Then z.z = s is not negative and y.y = x.x / s,
- * so of the four parts that one could begin with, w's or z's is the largest: nothing small is
- * divided by. */
+/* Returns the rotation from the body's axes to x, y, z (unit, orthogonal, y = z cross x), where z
+ * is as close to the body's backward as x allows. z.z = s is then not negative and y.y = x.x / s,
+ * so of the four possible first components w or z is the largest. No small number is divided by. */
 static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
 {
     const float w4 = 1.0f + x.x + y.y + z.z, z4 = 1.0f - x.x - y.y + z.z;
@@ -33,7 +33,7 @@ static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
     return (struct quat){ (z.x + x.z) * k, (y.z + z.y) * k, z4 * k, (x.y - y.x) * k };
 }
 
-/* x out of the skin, z backward along it, y = z cross x. */
+/* Returns the rotation with x out of the skin, z backward along it, and y = z cross x. */
 static struct quat skin_turn(vec3 normal)
 {
     const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
@@ -43,11 +43,13 @@ static struct quat skin_turn(vec3 normal)
 }
 
 struct cell {
-    uint32_t corner[4]; /* Ring and spoke, ring and next, next ring and spoke, both next. */
-    float along, round; /* [0, 1] within it. */
+    uint32_t corner[4]; /* Ring and spoke; ring and next spoke; next ring and spoke; next ring and
+                           next spoke. */
+    float along, round; /* [0, 1] within the cell. */
 };
 
-/* The last ring that does not lie behind `u`, but for the last of all. Rings' u rise. */
+/* Returns the last ring not behind `u`, but never the last ring of all. The u of rings
+ * increases. */
 static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
 {
     const uint32_t row = mesh->grid_spokes + 1u, first = mesh->grid_first;
@@ -70,8 +72,8 @@ static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
                           .round = turn - (float)spoke };
 }
 
-/* How much each corner counts on the cell's two triangles, which meet between corners 1 and 2: so
- * that a root lies in the very surface that is drawn. */
+/* Writes the weight of each corner on the cell's two triangles, which meet between corners 1 and 2,
+ * so that a root lies exactly on the drawn surface. */
 static void corner_shares(const struct cell *cell, float shares[4])
 {
     const float along = cell->along, round = cell->round;

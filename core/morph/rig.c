@@ -1,4 +1,4 @@
-/* rig.c -- the curves that blend one fish, and the shapes solved for them. */
+/* rig.c -- the curves that blend a fish, and the shapes solved for them. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -32,7 +32,7 @@ void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
     }
 }
 
-/* V M^-1; exactly the drawing at a key's own progress, where it is that but for rounding. */
+/* Writes V M^-1; at a key's own progress exactly the drawing, without rounding error. */
 static void solve_weights(const struct morph_rig *rig, uint32_t curve, float progress,
                           float weights[MORPH_KEY_MAX])
 {

@@ -1,16 +1,16 @@
-/* solve.c -- exaggerated keys without drawing them.
+/* solve.c -- exaggerated keys without drawings.
  *
- * Where a graph never shows key i alone (the simultaneous template stops at 70 %), the fish never
+ * If a graph never shows key i alone (the simultaneous template stops at 70 %), the fish never
  * looks like the drawing of key i. The 2005 thesis exaggerates that drawing by hand until the blend
- * looks right. Here makers draw the true stage K_i, and the shapes C_j to be blended are solved:
- * with M the graph's weights at the keys' own progress, K = M C, so C = M^-1 K. For three keys at
- * once that is T' = (T - 0.15 (S + U)) / 0.7. No table of C is needed: the weights V of C are the
- * weights V M^-1 of the drawn K. */
+ * looks right. In this code makers draw the true stage K_i, and the shapes C_j to be blended are
+ * solved. With M the graph's weights at the keys' own progress, K = M C, so C = M^-1 K. For three
+ * keys at once that is T' = (T - 0.15 (S + U)) / 0.7. No table of C is necessary: the weights V of
+ * C are the weights V M^-1 of the drawn K. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 
-/* An exaggeration of more than ten times is a mistake in the graph, not a drawing. */
+/* An exaggeration of more than ten times is an error in the graph. */
 #define PIVOT_MIN 0.1f
 
 struct system {
@@ -27,7 +27,7 @@ static void swap_rows(float *a, float *b, uint32_t count)
     }
 }
 
-/* row -= factor * from */
+/* Subtracts `factor` times `from` from `row`. */
 static void take_row(float *row, const float *from, float factor, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -35,7 +35,7 @@ static void take_row(float *row, const float *from, float factor, uint32_t count
     }
 }
 
-/* One step of Gauss and Jordan with the largest pivot; false where none is large enough. */
+/* Runs one Gauss-Jordan step with the largest pivot; returns false if no pivot is large enough. */
 static bool clear_column(struct system *s, uint32_t column, uint32_t count)
 {
     uint32_t pivot = column;

@@ -1,4 +1,4 @@
-/* straight.c -- the thesis' own method on the same drawings: straight paths, three keys. */
+/* straight.c -- the method of the thesis on the same drawings: straight paths, three keys. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -29,7 +29,7 @@ static float farthest(const vec3 *positions, uint32_t count)
     return most;
 }
 
-/* A key's whole shape, in the straight_memory's scratch. */
+/* Writes the whole shape of a key into the scratch memory of straight_memory. */
 static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
                       struct straight_memory *memory)
 {
@@ -37,7 +37,7 @@ static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint3
     morph_shape(mesh, key_count, &memory->pose, memory->positions, memory->normals);
 }
 
-/* How far the keys reach once what their anchors carry stands in the body frame. */
+/* Returns the reach of the keys after the vertices on anchors are moved to the body frame. */
 static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
                             struct straight_memory *memory)
 {
@@ -51,7 +51,8 @@ static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
     return reach;
 }
 
-/* What rides on anchors, baked into the body frame of key `key`; the rest to the bit. */
+/* Bakes the vertices on anchors into the body frame of key `key`; other vertices keep their
+ * bits. */
 static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
                      float reach, struct straight_memory *memory, struct species_point *out)
 {
@@ -121,7 +122,8 @@ void species_thesis(const struct species *from, struct straight_memory *memory,
         }
         card->thesis_key[i] = (uint8_t)i;
     }
-    card->scale_knot_count = 0; /* Drawn for all keys' progress; three keys have another. */
+    card->scale_knot_count = 0; /* The knots apply to the progress over all keys, which differs for
+                                   three keys. */
     graph_template(&card->curves[0], (enum graph_template)card->thesis_template, 3,
                    SIMULTANEOUS_PEAK);
 }

@@ -1,4 +1,4 @@
-/* template.c -- deformation graphs to start from (2005 thesis, figures 3.8 and 3.9). */
+/* template.c -- standard deformation graphs (2005 thesis, figures 3.8 and 3.9). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -11,7 +11,8 @@ static void ordinary(struct graph *graph, uint32_t key_count)
     graph->knots[1].weight[key_count - 1] = 1.0f;
 }
 
-/* A knot at every key: `peak` of the key itself, the rest its neighbours'. The ends are whole. */
+/* Writes a knot at every key: `peak` for the key itself, the rest for its neighbours. The end keys
+ * have weight 1. */
 static void hats(struct graph *graph, uint32_t key_count, float peak)
 {
     graph->knot_count = (uint8_t)key_count;
@@ -47,7 +48,7 @@ void graph_template(struct graph *graph, enum graph_template template, uint32_t 
         graph->solved = 1;
         break;
     default:
-        hats(graph, key_count, 2.0f / 3.0f); /* A cubic B-spline's 1/6, 4/6, 1/6. */
+        hats(graph, key_count, 2.0f / 3.0f); /* The 1/6, 4/6, 1/6 of a cubic B-spline. */
         graph->line = GRAPH_SMOOTH;
         graph->solved = 1;
         break;

@@ -1,7 +1,8 @@
-/* recipe.c -- the score. Pitches are of the yo scale on D, as festival music has them. */
+/* recipe.c -- the parameters of all sounds. Pitches are of the yo scale on D, as in festival
+ * music. */
 #include "core/sound/recipe.h"
 
-/* clang-format off */
+/* "Chapun": the sheet of water closes over a bubble, whose pitch rises as the bubble shrinks. */
 #define TONE(g, delay, attack, decay, from, to, glide)                                             \
     { .kind = LAYER_TONE, .gain = (g), .delay_ms = (delay), .attack_ms = (attack),                 \
       .decay_ms = (decay), .hz_from = (from), .hz_to = (to), .glide_ms = (glide) }
@@ -11,7 +12,7 @@
       .damping = (damp), .roughness = (rough) }
 
 const struct sound_recipe sound_recipes[SOUND_COUNT] = {
-    /* "Chapun": the sheet of water closes over a bubble, whose pitch rises as it shrinks. */
+    /* A short rush of water, then three drops. */
     [SOUND_DIP] = {
         .layer = {
             NOISE(0.50f, 0.0f, 4.0f, 45.0f, 1500.0f, 600.0f, 40.0f, 0.9f, 0.2f),
@@ -30,7 +31,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 800.0f,
     },
-    /* A koto string over a wooden knock: A5 after a grace note on D5. */
+    /* The last rip, and a low plucked string. */
     [SOUND_CATCH] = {
         .layer = {
             NOISE(0.30f, 0.0f, 0.5f, 9.0f, 1900.0f, 1900.0f, 0.0f, 0.6f, 0.0f),
@@ -82,7 +83,9 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 250.0f,
     },
-    /* Don, ka: the drum, its rim, and a string that rings out over both. */
+    /* Hyoshigi: bars of hard oak struck together, "chon, chon". Each has one bright mode, the
+     * second blow slightly lower, and the crack of the edges. It announces a call of the stall
+     * keeper. */
     [SOUND_RESULT] = {
         .layer = {
             TONE(0.70f, 0.0f, 2.0f, 190.0f, 150.0f, 78.0f, 50.0f),
@@ -93,8 +96,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 293.7f, .string_gain = 0.55f, .string_delay_ms = 520.0f,
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
-    /* Hyoshigi: bars of hard oak struck together, "chon, chon": one bright mode each, the second
-     * blow a little lower, and the crack of the edges. The keeper has something to call. */
+    /* The umpire's whistle: a pip, then a blast over breath. Two close tones beat 36 times per
+     * second, like the pea that rolls inside. */
     [SOUND_CALL] = {
         .layer = {
             TONE(0.34f, 0.0f, 0.3f, 34.0f, 2120.0f, 2090.0f, 12.0f),
@@ -104,8 +107,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 600.0f,
     },
-    /* The umpire's whistle: a pip, then a blast whose two near tones beat 36 times a second, as the
-     * pea does that rolls in it, over breath. */
+    /* A wooden tag swings around on its cord and knocks against the next tag: "ka-ta". */
     [SOUND_FOUL] = {
         .layer = {
             TONE(0.24f, 0.0f, 6.0f, 32.0f, 2780.0f, 2820.0f, 20.0f),
@@ -115,7 +117,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 1300.0f,
     },
-    /* A wooden tag swings round on its cord and knocks against its neighbour: "ka-ta". */
+    /* A coin on the rim of a brass bowl: "chirin". Two modes of a small bell, slightly more than a
+     * fourth apart as in bells, struck twice as the coin tips over. */
     [SOUND_CHOOSE] = {
         .layer = {
             TONE(0.26f, 0.0f, 0.4f, 17.0f, 930.0f, 905.0f, 14.0f),

@@ -1,7 +1,8 @@
-/* sound.c -- voices: a few gliding sines and filtered bursts each, and at most one plucked string.
+/* sound.c -- voices: each has a few gliding sines and filtered bursts, and at most one plucked
+ * string.
  *
- * Pitch, filter and roughness move on every CONTROL_FRAMES-th frame of a voice's own age, so that
- * the wave does not depend on how many frames are asked for at once. */
+ * Pitch, filter and roughness change on every CONTROL_FRAMES-th frame of a voice's own age, so that
+ * the wave does not depend on the number of frames per call. */
 #include "core/sound/sound.h"
 
 #include "core/base/fmath.h"
@@ -9,12 +10,12 @@
 #include "core/base/panic.h"
 #include "core/sound/recipe.h"
 
-#define CONTROL_FRAMES 32u /* 0.67 ms: faster than an ear hears steps. */
+#define CONTROL_FRAMES 32u /* 0.67 ms: steps this short are inaudible. */
 #define FRAMES_PER_MS ((float)SYNTH_RATE_HZ / 1000.0f)
 #define FULL_SCALE 32000.0f
-#define FADE_FRAMES 480.0f /* The last 10 ms of a voice, against a click. */
+#define FADE_FRAMES 480.0f /* The last 10 ms of a voice fade out to avoid a click. */
 
-/* A layer that sounds, with its score in frames. */
+/* An active layer, with its parameters in frames. */
 struct drive {
     const struct layer_recipe *recipe;
     struct synth_layer *state;
@@ -22,7 +23,8 @@ struct drive {
     float attack_per_frame;
 };
 
-/* White in [-1, 1): a linear congruence, whose high bits are good enough for water and paper. */
+/* Returns white noise in [-1, 1) from a linear congruential generator, whose high bits suffice for
+ * water and paper. */
 static float noise_next(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
@@ -78,7 +80,7 @@ static float layer_next(struct drive *drive, uint32_t age_frames, uint32_t *nois
 
 /* ---- String --------------------------------------------------------------------------------- */
 
-/* Karplus-Strong: a burst that runs round a delay line and loses its edges on each round. */
+/* Karplus-Strong: a burst circulates in a delay line and loses high frequencies on each round. */
 static float string_next(struct synth_voice *voice, const struct sound_recipe *recipe)
 {
     if (voice->string_count == 0 || voice->age_frames < frames_of(recipe->string_delay_ms)) {
@@ -92,12 +94,13 @@ static float string_next(struct synth_voice *voice, const struct sound_recipe *r
     return wave * recipe->string_gain;
 }
 
-/* The pluck: noise, smoothed as a fingertip does, without a mean, which would end as a thump. */
+/* Fills the delay line: noise, smoothed as by a fingertip, without a mean value, which would end as
+ * a thump. */
 static void string_pluck(struct synth_voice *voice, float hz)
 {
     float mean = 0.0f;
     float smooth = 0.0f;
-    /* Averaging two neighbours delays by half a frame: the line is that much shorter. */
+    /* Averaging two neighbours delays by half a frame, so the line is shorter by that amount. */
     voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz);
     CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
     for (uint32_t i = 0; i < voice->string_count; i++) {
@@ -130,7 +133,7 @@ static uint32_t gather_drives(struct synth_voice *voice, const struct sound_reci
     return count;
 }
 
-/* Adds up to one control step of a voice to `mix`; returns how many frames that were. */
+/* Adds up to one control step of a voice to `mix`; returns the number of frames. */
 static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame_count)
 {
     const struct sound_recipe *recipe = &sound_recipes[voice->sound];
@@ -174,7 +177,8 @@ static struct synth_voice *free_or_oldest(struct synth *synth)
     return oldest;
 }
 
-/* Rises straight and bends over near full scale: many sounds at once stay inside the format. */
+/* Soft clipping: linear at low levels and curved near full scale, so that many sounds at once fit
+ * the sample format. */
 static int16_t to_sample(float x)
 {
     const float c = f_clamp(x, -3.0f, 3.0f);
