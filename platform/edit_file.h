@@ -10,8 +10,8 @@
  *   scale 0 0.0095        progress and metres; none, or 2 to 12 of them
  *   end
  *
- * The lines must have this order; '#' begins a comment. Numbers are written with enough digits to be
- * read back exactly. A file is written under a temporary name and then renamed, so that a power cut
+ * The lines must have this order; '#' begins a comment. Numbers are written with enough digits to
+ * be read back exactly. A file is written under a temporary name and then renamed, so that a power cut
  * leaves the old file or the new one. A file that does not fit its species is rejected with one
  * message that names the line. */
 #ifndef KINGYO_PLATFORM_EDIT_FILE_H

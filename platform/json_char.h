@@ -1,7 +1,7 @@
 /* json_char.h -- escapes text from outside the program for JSON.
  *
  * The name of a file or a device may hold any byte. Quotes, backslashes and every character that
- * core/base/printable.h refuses are escaped. U+FFFD takes the place of a byte that is not UTF-8. */
+ * core/base/printable.h rejects are escaped. U+FFFD replaces a byte that is not UTF-8. */
 #ifndef KINGYO_PLATFORM_JSON_CHAR_H
 #define KINGYO_PLATFORM_JSON_CHAR_H
 

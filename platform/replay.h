@@ -1,4 +1,4 @@
-/* replay.h -- the file format of recordings: all inputs of a game and checksums of the core's state.
+/* replay.h -- the file format of recordings: the inputs of a game and checksums of states.
  *
  * All numbers are little-endian. A file consists of one header, the start, the growth lab's catalog
  * if there is one, chunks of at most one second each, and one end mark:
@@ -22,9 +22,9 @@
  *
  * The end mark is written together with each chunk, in one write that overwrites the previous end
  * mark. A recording in progress is therefore complete up to its last second, and a killed process
- * loses at most one second. The frame loop's thread writes without a sync. A power cut may lose data
- * that the system had not written yet, and a card that hangs blocks the frame loop. A truncated file
- * is rejected with a message that states how many of its seconds are valid. */
+ * loses at most one second. The frame loop's thread writes without a sync. A power cut may lose
+ * data that the system had not written yet, and a card that hangs blocks the frame loop. A
+ * truncated file is rejected with a message that states how many of its seconds are valid. */
 #ifndef KINGYO_PLATFORM_REPLAY_H
 #define KINGYO_PLATFORM_REPLAY_H
 

@@ -1,11 +1,11 @@
-/* day.c -- civil days by number: the days before each year and month of an era that begins in
- * March, so that the leap day is its last. */
+/* day.c -- converts day numbers to dates, in eras of years that begin in March, so that the leap
+ * day is the last day of a year. */
 #include "platform/store/day.h"
 
 #include <stdio.h>
 #include <time.h>
 
-#define DAYS_TO_2000 730425 /* From 0000-03-01, on today's calendar, to 2000-01-01. */
+#define DAYS_TO_2000 730425 /* Days from 0000-03-01 of the Gregorian calendar to 2000-01-01. */
 
 static int64_t day_number(int64_t year, int64_t month, int64_t day)
 {

@@ -1,4 +1,5 @@
-/* ledger_backup.c -- SQLite's own way to copy, with a check and a rename behind it. */
+/* ledger_backup.c -- copies the database with SQLite's backup API, validates the copy and renames
+ * it. */
 #include "platform/store/ledger_backup.h"
 
 #include <fcntl.h>
@@ -86,8 +87,8 @@ int ledger_unmark(struct ledger_file *file)
     return mark(file->db, false);
 }
 
-/* The copy stands alone: no other file beside it is needed to read it. It is looked through by the
- * same eyes as the file itself, for what is damaged is no backup. */
+/* Completes the copy as a file that needs no log to be read. The copy is validated like the
+ * database itself, because a damaged copy must not replace the last backup. */
 static int end_copy(struct ledger_backup *backup)
 {
     char part[LEDGER_PATH_SIZE];

@@ -1,47 +1,52 @@
-/* ledger_backup.h -- a copy of the ledger's file, made piece by piece while the file is written to.
+/* ledger_backup.h -- copies the database in steps while entries are still written.
  *
- * A copy grows under a name of its own, is checked, and takes the place of the one before by a
- * rename: there is always a whole one. */
+ * The copy is written under a temporary name, validated and then renamed over the previous copy, so
+ * that a complete copy exists at every moment. */
 #ifndef KINGYO_PLATFORM_STORE_LEDGER_BACKUP_H
 #define KINGYO_PLATFORM_STORE_LEDGER_BACKUP_H
 
 #include "platform/store/ledger_file.h"
 
 #define LEDGER_PATH_SIZE 600u
-#define LEDGER_PART_SUFFIX ".kingyo-part" /* What ends so is ours to remove. */
+#define LEDGER_PART_SUFFIX ".kingyo-part" /* Suffix of temporary files, which may be deleted at any
+                                             start. */
 
-/* A copy that is made to be put back says so (its `application_id`): it is meant to have less than
- * the stall's own backup, and is not taken for a file that lost something. */
+/* Mark in `application_id` of a copy that is intended to be restored. Such a copy may have fewer
+ * entries than the kiosk's backup without being treated as a damaged database. */
 #define LEDGER_COPY_MARK 0x6b6e6779
 
 struct sqlite3_backup;
 
-/* The caller owns it; zero is idle. */
+/* A backup in progress. The caller owns the structure; zero is idle. */
 struct ledger_backup {
     struct sqlite3 *to;
     struct sqlite3_backup *copy;
     char path[LEDGER_PATH_SIZE];
-    bool is_marked; /* To be set behind begin(): see LEDGER_COPY_MARK. */
+    bool is_marked; /* Set after begin() to mark the copy with LEDGER_COPY_MARK. */
 };
 
-/* Begins a copy of an open file to `path`. On an error it is idle. */
+/* Starts a copy of an open file to `path`. Returns an SQLite code; after an error the backup is
+ * idle. */
 int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path);
 
-/* Copies 256 KiB more. SQLITE_OK: there is more to do; SQLITE_DONE: `path` is the new copy, on
- * disk. Else it is given up, and what was at `path` is still there. BUSY: not now. */
+/* Copies 256 KiB more. Returns SQLITE_OK if more is left, SQLITE_BUSY to retry later, or
+ * SQLITE_DONE when `path` is the new copy, on disk. After any other code the copy is aborted and
+ * the file at `path` is unchanged. */
 int ledger_backup_step(struct ledger_backup *backup);
 
-/* Gives it up. */
+/* Aborts the copy and deletes its temporary file. */
 void ledger_backup_drop(struct ledger_backup *backup);
 
-/* All of it at once. */
+/* Makes a complete copy at once. Returns an SQLite code. */
 int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marked);
 
-/* Whether an open file is such a copy; and makes it the stall's own. */
+/* Returns true if an open file is a marked copy. ledger_unmark() removes the mark, so that the copy
+ * becomes the kiosk's database. */
 bool ledger_is_marked(struct ledger_file *file);
 int ledger_unmark(struct ledger_file *file);
 
-/* Makes a rename, a new name or a removed one in this file's folder durable. 0 or -1. */
+/* Syncs the folder of this file, which makes a rename, a new name or a deletion durable. Returns 0
+ * or -1. */
 int ledger_sync_folder(const char *path);
 
 #endif

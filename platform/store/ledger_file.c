@@ -1,4 +1,5 @@
-/* ledger_file.c -- entries into the open file, in transactions. ledger_open.c opens it. */
+/* ledger_file.c -- writes entries to the open database in transactions; ledger_open.c opens the
+ * file. */
 #include "platform/store/ledger_file.h"
 
 #include <sqlite3.h>
@@ -42,8 +43,9 @@ static int put_entries(struct ledger_file *file, const struct ledger_entry *entr
     return code == SQLITE_OK ? ledger_sums_put(file, &file->content, after) : code;
 }
 
-/* What could not be written may all the same be there, when another program wrote. In this
- * connection the content never includes a transaction whose sync failed. */
+/* Rolls back and reads the content again, because the entries may have been written in spite of the
+ * error or by another program. The content of this connection never includes a transaction whose
+ * sync failed. */
 static int undo(struct ledger_file *file, int code)
 {
     sql_run(file->db, "ROLLBACK");
@@ -71,7 +73,7 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
     return ledger_log_result(file, SQLITE_OK);
 }
 
-/* ---- The rest ------------------------------------------------------------------------------- */
+/* ---- Content and errors --------------------------------------------------------------------- */
 
 void ledger_content_remember(const struct ledger_content *content, struct memory *out)
 {

@@ -1,4 +1,4 @@
-/* ledger_leave.c -- a copy first, then one transaction. */
+/* ledger_leave.c -- makes a copy, and then deletes data in one transaction. */
 #include "platform/store/ledger_leave.h"
 
 #include <errno.h>
@@ -13,8 +13,8 @@
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
-/* The PIN and the money are no part of a round's play. Without them the menu would be open, or the
- * stall free. */
+/* Returns 1 if the setting may be deleted. The PIN and the money settings do not affect a round,
+ * and without them the menu would be open or the game free. */
 static int may_go(uint32_t id)
 {
     return setting_of(id)->group != GROUP_MONEY && id != SET_PIN;
@@ -58,7 +58,7 @@ static int forget(struct ledger_file *file, enum panics_left left)
     return ledger_log_result(file, code);
 }
 
-/* The first number that nothing has yet; 0: all are taken. */
+/* Returns the first unused number of a copy, or 0 if all numbers are used. */
 static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
 {
     struct stat about;
@@ -71,7 +71,7 @@ static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
     return 0;
 }
 
-/* SQLite's code, or LEDGER_FILE_ANOTHERS where no number is free. */
+/* Returns an SQLite code, or LEDGER_FILE_ANOTHERS if no number is free. */
 static int leave(struct ledger_file *file, const char *path, enum panics_left left,
                  uint32_t *number)
 {

@@ -1,16 +1,16 @@
-/* ledger_log.c -- makes the write-ahead log durable before its content is used, and copies it into
- * the database.
+/* ledger_log.c -- makes the write-ahead log durable before its content is used, and copies the log
+ * into the database.
  *
- * After a failed fsync() Linux marks the pages clean: a read returns the new bytes, the disk keeps
- * the old ones, and a later fsync() writes nothing and returns 0. A log that is opened may hold
- * such pages, from this process or from one that was killed. Therefore each byte of the log is
- * written again and synced before SQLite may copy it into the database, and before an entry that
- * reads back from it counts as stored. Writing equal bytes in place is safe at every moment: each
- * sector holds either what it held before or what a reader saw.
+ * After a failed fsync() Linux marks the pages clean. A read then returns the new bytes, the disk
+ * keeps the old bytes, and a later fsync() writes nothing and returns 0. A log that is opened may
+ * contain such pages, from this process or from a process that was killed. Therefore each byte of
+ * the log is written again and synced before SQLite may copy it into the database, and before an
+ * entry read from the log counts as stored. Writing equal bytes in place is safe at every moment,
+ * because each sector contains either its old bytes or the bytes that a reader saw.
  *
  * The database file needs no such treatment. SQLite restarts the log only after a checkpoint whose
- * sync succeeded; until then the log holds every page that the checkpoint copied. A checkpoint
- * that failed is not repeated in the same connection: `is_suspect` stays set until the file was
+ * sync succeeded; until then the log contains every page that the checkpoint copied. A checkpoint
+ * that failed is not repeated in the same connection. `is_suspect` stays set until the file was
  * closed, opened and made durable again. */
 #include <sqlite3.h>
 #include <stdint.h>
@@ -19,8 +19,8 @@
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
-/* Log pages after which the log is copied into the database: no transaction meets more than half
- * a MiB of that. */
+/* Log pages after which the log is copied into the database. With this limit a transaction copies
+ * at most half a MiB. */
 #define CHECKPOINT_PAGES 128
 #define CHUNK 4096
 
@@ -61,14 +61,15 @@ static int rewrite(sqlite3_file *log)
     return code == SQLITE_OK && size > 0 ? log->pMethods->xSync(log, SQLITE_SYNC_NORMAL) : code;
 }
 
-/* SQLite creates the log and ignores an error when it syncs the folder for the new name. */
+/* Syncs the folder. SQLite creates the log but ignores an error when it syncs the folder for the
+ * new name. */
 static int sync_names(struct ledger_file *file)
 {
     const char *path = sqlite3_db_filename(file->db, "main");
     return !path || !path[0] || ledger_sync_folder(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
 }
 
-/* The write lock keeps other programs from restarting the log meanwhile. */
+/* Rewrites the log under the write lock, so that no other program restarts the log meanwhile. */
 int ledger_log_secure(struct ledger_file *file)
 {
     sqlite3_file *log = NULL;
@@ -82,7 +83,7 @@ int ledger_log_secure(struct ledger_file *file)
     code = code == SQLITE_OK ? sync_names(file) : code;
     sql_run(file->db, "ROLLBACK");
     file->is_suspect = code != SQLITE_OK;
-    return code & 0xff; /* Without SQLite's extension of the code. */
+    return code & 0xff; /* Without SQLite's extended code. */
 }
 
 int ledger_log_result(const struct ledger_file *file, int code)

@@ -1,5 +1,4 @@
-/* ledger_open.c -- a path becomes a file that is whole, up to date and read, as far as its card
- * lets it. */
+/* ledger_open.c -- opens, validates, migrates and reads the database, with read-only fallbacks. */
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,11 +9,12 @@
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
-#define BUSY_MS 2000 /* Another program (kingyoctl, a backup) may hold the file this long. */
+#define BUSY_MS 2000 /* Time in ms for which another program (kingyoctl, a backup) may lock the
+                        file. */
 
-/* A write-ahead log: of the journals that lose nothing when the plug is pulled (`make
- * bench-journals`) it syncs least, a third as often as a rollback journal at EXTRA, and writes
- * least. ledger_log.c copies it into the file. The cache is what a transaction needs, in KiB. */
+/* A write-ahead log. Of all journals that lose nothing in a power cut (`make bench-journals`), it
+ * needs the fewest syncs, a third of a rollback journal at EXTRA, and the fewest writes.
+ * ledger_log.c copies the log into the file. The cache size is what a transaction needs, in KiB. */
 #define JOURNAL "WAL FULL"
 static const char settings[] = "PRAGMA cache_size = -1024";
 
@@ -30,8 +30,9 @@ static int set_up(sqlite3 *db, const struct ledger_file_how *how)
     return code == SQLITE_OK ? sql_run(db, settings) : code;
 }
 
-/* SQLite keeps another journal without an error when it cannot make a write-ahead log. A caller
- * that names a journal of its own gets no promise. */
+/* Checks the journal mode and makes the log durable. If SQLite cannot create a write-ahead log, it
+ * keeps another journal without an error. A caller that selects another journal gets no durability
+ * guarantee. */
 static int secure(struct ledger_file *file, const struct ledger_file_how *how)
 {
     sqlite3_stmt *ask = NULL;
@@ -50,10 +51,10 @@ static int secure(struct ledger_file *file, const struct ledger_file_how *how)
     return code == SQLITE_BUSY ? SQLITE_OK : code; /* `is_suspect` stays set for the caller. */
 }
 
-/* ---- Whether it is whole -------------------------------------------------------------------- */
+/* ---- Validation ----------------------------------------------------------------------------- */
 
-/* Of a file that has no such excuse as a full card, these say that its tables are not ours any
- * more: a flipped bit in their words is good SQL that fails. */
+/* Maps errors of a damaged schema to SQLITE_CORRUPT. A flipped bit in the schema may be valid SQL
+ * that fails later. The caller has excluded causes such as a full card. */
 static int as_damage(int code)
 {
     return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||
@@ -62,7 +63,7 @@ static int as_damage(int code)
                : code;
 }
 
-/* SQLite finds most damage only when asked to look. */
+/* Runs SQLite's integrity check, because SQLite finds most damage only in this check. */
 static int check_pages(sqlite3 *db)
 {
     sqlite3_stmt *check = NULL;
@@ -79,7 +80,7 @@ static int check_pages(sqlite3 *db)
     return code;
 }
 
-/* The schema comes first: the page check evaluates expressions in it. */
+/* Validates the schema first because the page check evaluates expressions of the schema. */
 int ledger_check(sqlite3 *db)
 {
     int64_t version = 0;
@@ -97,7 +98,8 @@ int ledger_check(sqlite3 *db)
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
-/* All at once, so that a file in which one of them would fail is found when it is opened. */
+/* Prepares all statements at once, so that a file in which a statement would fail is detected at
+ * the opening. */
 static int prepare_all(struct ledger_file *file)
 {
     sqlite3_stmt *statement;
@@ -114,7 +116,8 @@ static int read_version(struct ledger_file *file, int64_t *version)
     return sql_number(file->db, "PRAGMA user_version", version);
 }
 
-/* Within one transaction, so that of two programs that open an old file one finds it done. */
+/* Migrates the file in one transaction. If two programs open an old file, the second one finds the
+ * migration done. */
 static int bring_up_to_date(struct ledger_file *file)
 {
     int64_t version;
@@ -144,15 +147,15 @@ static int raise_version(struct ledger_file *file, int64_t version)
     return file->refusal ? file->refusal : bring_up_to_date(file);
 }
 
-/* A card that has no room for it now has room at another start. Until then the PIN opens the menu
- * all the same. */
+/* Hides the PIN. A card without enough space is retried at the next start; until then the PIN opens
+ * the menu as before. */
 static int hide_pin(struct ledger_file *file)
 {
     const int code = file->refusal ? SQLITE_OK : ledger_pin_hide(file);
     return code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
 }
 
-/* Whoever opened the connection; what is damaged or newer was not changed by then. */
+/* Validates and reads an open connection. A file that is damaged or newer is not changed. */
 static int begin(struct ledger_file *file, const struct ledger_file_how *how)
 {
     int64_t version = 0;
@@ -186,8 +189,9 @@ static bool has_log(const char *path)
     return strlen(path) >= PATH_MAX || (stat(log, &about) == 0 && about.st_size > 0);
 }
 
-/* A log can be read only where its index may be written. But the file of a kiosk that was closed
- * has no log, and where nobody can write it nobody does: such a file is read as it stands. */
+/* Opens a file that cannot be written. SQLite can read a log only if its index can be written. A
+ * file without a log, as a closed kiosk leaves it, is read without any lock because no process can
+ * write it. */
 static int open_unwritable(struct ledger_file *file, const char *path)
 {
     if (has_log(path)) {
@@ -196,22 +200,23 @@ static int open_unwritable(struct ledger_file *file, const char *path)
     return sql_open_unwritable(path, &file->db);
 }
 
-/* Whether it is the file's surroundings that do not let it be read as it is. */
+/* Returns true if the permissions of the file or folder are the cause. */
 static bool is_unwritable(int code)
 {
     return code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 }
 
-/* SQLite says no more than that something went wrong where it can make no index of the log. */
+/* Returns true if the card is full. SQLite reports only a general error when it cannot create the
+ * index of the log. */
 static bool is_full(struct ledger_file *file, int code)
 {
     return code == SQLITE_FULL ||
            (code == SQLITE_IOERR && sqlite3_extended_errcode(file->db) == SQLITE_IOERR_SHMSIZE);
 }
 
-/* The index is then kept in memory, which only one program at a time may do: who looks on has to
- * wait until this is closed. Entries of a log that was there stay suspect: it cannot be written
- * again. */
+/* Opens a file on a full card, with the index of the log in memory. Only one program at a time may
+ * do this, therefore readers must wait until the file is closed. Entries of an existing log stay
+ * suspect because the log cannot be rewritten. */
 static int open_full(struct ledger_file *file, const char *path, const struct ledger_file_how *how)
 {
     const bool had_log = has_log(path);

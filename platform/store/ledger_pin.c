@@ -1,10 +1,10 @@
-/* ledger_pin.c -- hides a PIN that an older Kingyo stored in plain digits.
+/* ledger_pin.c -- hides a PIN that an older version stored as plain digits.
  *
- * The digits stand in the setting and in each entry that tells of it. Both are rewritten with one
- * salt, so that settings made anew from the entries are the same. Old bytes of a database stay in
- * free pages and in gaps of pages: VACUUM writes the file anew, and the checkpoint that follows
- * empties the log. Either may fail after the rows were committed, so a row of `state` marks the
- * file until both have succeeded. */
+ * The digits are in the setting and in each entry that records its change. Both are rewritten with
+ * one salt, so that settings rebuilt from the entries are equal. Old bytes of a database stay in
+ * free pages and in gaps of pages. VACUUM rewrites the file, and the checkpoint that follows
+ * empties the log. Either step may fail after the rows were committed, so that a row of `state`
+ * marks the file until both have succeeded. */
 #include <sqlite3.h>
 #include <stdio.h>
 
@@ -12,10 +12,10 @@
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
-#define MARK "'pin-vacuum'" /* The row of `state` while old bytes may be left in the file. */
+#define MARK "'pin-vacuum'" /* Name of the `state` row while old bytes may be left in the file. */
 #define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
 
-/* Entries are few: one for each PIN that was ever chosen. */
+/* Hides the PIN in its entries. There are few: one for each PIN that was ever set. */
 static int hide_entries(struct ledger_file *file, uint32_t salt)
 {
     struct ledger_entry entry;
@@ -50,7 +50,7 @@ static int hide_setting(struct ledger_file *file, uint32_t salt)
     return code == SQLITE_OK ? ledger_tally_put(file->db) : code;
 }
 
-/* Counts the rows that say that the file has to be cleaned. */
+/* Counts the rows that require a rewrite of the file. */
 static int count_reasons(struct ledger_file *file, int64_t *count)
 {
     char text[320];
@@ -88,7 +88,8 @@ static int hide_all(struct ledger_file *file, uint32_t salt)
     return end_transaction(file, code);
 }
 
-/* VACUUM attaches its new file, which sql_open() forbids. */
+/* Runs VACUUM, which attaches its new file. sql_open() forbids this by a limit, which is raised
+ * here. */
 static int write_anew(struct ledger_file *file)
 {
     sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);

@@ -1,4 +1,4 @@
-/* ledger_replays.c -- the replays of ranked rounds, and what is not kept for ever. */
+/* ledger_replays.c -- stores replays of ranked rounds, and deletes old data. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 #include "platform/store/sql.h"
 
 
-/* Entries go many at a time, so that most of their transactions have nothing else to write. */
+/* Deletes old data. Entries are deleted in large groups, so that most calls write nothing. */
 static const char prune[] =
     "BEGIN IMMEDIATE;"
     "DELETE FROM replays WHERE round NOT IN (SELECT round FROM ranking WHERE caught > 0);"

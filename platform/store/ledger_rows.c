@@ -1,4 +1,4 @@
-/* ledger_rows.c -- one entry of the ledger, to rows and back. */
+/* ledger_rows.c -- writes one entry of the ledger to rows and reads it back. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -9,15 +9,20 @@
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
-/* Who adds a field adds its column (ledger_schema.c), here, and in entry_sum(). */
+/* A new field also needs a column (ledger_schema.c), code in this file, and a term in
+ * entry_sum(). */
 _Static_assert(sizeof(struct purse) == 24, "a field of the purse is not kept");
 _Static_assert(sizeof(struct health) == 12, "a field of the health is not kept");
 _Static_assert(sizeof(struct player_record) == 24, "a field of the player's record is not kept");
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))
 
-/* The column `open` holds three fields of the purse: open | returned << 8 | tickets << 16. Files of
- * before have 0 in the upper two, so that every row of theirs still reads and checks as it did. */
+/* The column `open` holds three fields of the balance: open
+ *
+ * returned << 8
+ *
+ * tickets << 16. Older files have 0 in the upper two fields, so that their rows and checksums
+ * remain valid. */
 #define RETURNED_SHIFT 8u
 #define TICKETS_SHIFT 16u
 
@@ -27,7 +32,7 @@ static uint32_t pack_open(const struct purse *purse)
            (uint32_t)purse->tickets << TICKETS_SHIFT;
 }
 
-/* ---- The sum -------------------------------------------------------------------------------- */
+/* ---- Checksum ------------------------------------------------------------------------------- */
 
 static uint64_t hash_words(uint64_t hash, const uint32_t *words, int count)
 {
@@ -54,7 +59,7 @@ static uint64_t round_sum(uint64_t sum, const struct round_record *round)
     return sum;
 }
 
-/* SQLite notices a torn page, not a flipped bit. */
+/* Returns the checksum of an entry. SQLite detects a torn page, but not a flipped bit. */
 static int64_t entry_sum(const struct ledger_entry *entry)
 {
     const struct purse *purse = &entry->purse;
@@ -70,7 +75,7 @@ static int64_t entry_sum(const struct ledger_entry *entry)
     return (int64_t)(entry->kind == LEDGER_ROUND ? round_sum(sum, &entry->round) : sum);
 }
 
-/* ---- Out ------------------------------------------------------------------------------------ */
+/* ---- Writing -------------------------------------------------------------------------------- */
 
 static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
 {
@@ -129,7 +134,8 @@ static int put_players(struct ledger_file *file, const struct ledger_entry *entr
     return code;
 }
 
-/* An empty name takes back those that were given before, in the list itself as well. */
+/* Stores a name. An empty name revokes earlier names of that player, which are also erased in the
+ * ledger's entries. */
 static int put_name(struct ledger_file *file, const struct ledger_entry *entry)
 {
     const int64_t whose[] = { entry->count, entry->detail, LEDGER_NAME };
@@ -170,7 +176,7 @@ int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry)
     return code;
 }
 
-/* ---- In ------------------------------------------------------------------------------------- */
+/* ---- Reading -------------------------------------------------------------------------------- */
 
 static uint32_t word(sqlite3_stmt *row, int column)
 {
@@ -228,7 +234,7 @@ static int read_players(struct ledger_file *file, uint32_t id, struct round_reco
     "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored, "
 #define ROUND_OF " FROM rounds WHERE entry = ?"
 
-/* What is salvaged may be of the third version, which did not know the last three. */
+/* Reads a round. A recovered file may be of version 3, which lacks the last three columns. */
 static int read_round(struct ledger_file *file, uint32_t id, struct round_record *round)
 {
     sqlite3_stmt *row = NULL;
@@ -299,7 +305,7 @@ int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out)
     return find_entry(file, ENTRY_COLUMNS "WHERE id >= ?1 ORDER BY id DESC LIMIT 1", 0, out);
 }
 
-/* The newest of an open round's beginning and its stands decides. */
+/* Reads the newest of an open round's beginning and its states. */
 int ledger_rows_stand(struct ledger_file *file, struct ledger_stand *out)
 {
     _Static_assert(LEDGER_BEGIN == 4 && LEDGER_STAND == 17, "the kinds of the statement");

@@ -1,5 +1,5 @@
-/* ledger_salvage.c -- each entry is asked for by its id, so that what is in the way of one is not
- * in the way of the next. */
+/* ledger_salvage.c -- recovers entries one by one, by id, so that damage at one entry does not
+ * affect the next. */
 #include "platform/store/ledger_salvage.h"
 
 #include <sqlite3.h>
@@ -9,7 +9,8 @@
 
 #define BATCH 64u /* Entries in one transaction. */
 
-/* An id more than a file has after any cleaning: what lies beyond is no id of this list. */
+/* One more than the largest number of entries in a file; ids beyond this range do not belong to the
+ * ledger. */
 #define SALVAGE_MAX (LEDGER_FILE_ENTRIES + 512u)
 
 struct salvage {
@@ -17,15 +18,15 @@ struct salvage {
     struct ledger_file *to;
     const struct ledger_tail *tail;
     struct ledger_entry entries[BATCH];
-    uint32_t count;       /* Of these, not yet written. */
-    uint32_t first, last; /* Ids to ask for. */
-    uint32_t newest_id;   /* The newest that is known to have been. */
-    bool has_from;        /* The damaged file has a list, ... */
-    bool knows_last;      /* ... and `last` is its end. */
+    uint32_t count;       /* Entries in `entries` that are not yet written. */
+    uint32_t first, last; /* Range of ids to read. */
+    uint32_t newest_id;   /* Newest id that is known to have existed. */
+    bool has_from;        /* 1: the damaged file has readable entries. */
+    bool knows_last;      /* 1: `last` is the true end of the ledger. */
     struct ledger_salvaged done;
 };
 
-/* ---- Kin ------------------------------------------------------------------------------------ */
+/* ---- Comparing two ledgers ------------------------------------------------------------------ */
 
 static enum ledger_kin kin_of(const struct ledger_entry *one, const struct ledger_entry *other)
 {
@@ -62,7 +63,8 @@ enum ledger_kin ledger_kin_of_file(struct ledger_file *file, uint32_t last_id,
     return find_kin(file, last_id, NULL, other);
 }
 
-/* Where they have no entry in common, it must at least come later. */
+/* Returns true if the mirror is newer. Two files without a common entry must at least be in
+ * order. */
 static bool comes_later(const struct ledger_content *content, const struct ledger_tail *tail)
 {
     struct ledger_entry newest;
@@ -87,7 +89,7 @@ static bool has_others_tail(struct salvage *salvage)
            (kin == LEDGER_KIN_UNKNOWN && !comes_later(content, salvage->tail));
 }
 
-/* ---- From where to where --------------------------------------------------------------------- */
+/* ---- Range of ids ---------------------------------------------------------------------------- */
 
 static bool reads_well(struct salvage *salvage, int64_t id)
 {
@@ -96,7 +98,7 @@ static bool reads_well(struct salvage *salvage, int64_t id)
            ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
 }
 
-/* What the damaged file says about its ends is believed as far as it can be true. */
+/* Reads the smallest and largest id of the damaged file, limited to plausible values. */
 static void find_ends(struct salvage *salvage)
 {
     int64_t min = 0, max = 0;
@@ -115,9 +117,9 @@ static void find_ends(struct salvage *salvage)
     salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
 }
 
-/* The tail goes on where the file ends, or is all that there is. It is written before the kiosk is
- * told, so that one that reaches as far as the backup names the newest entry that there was; one
- * that does not was not written to the end. */
+/* Extends the range to the end of the mirror. The mirror is written before an entry is
+ * acknowledged. A mirror that reaches the end of the backup therefore contains the newest id. A
+ * shorter mirror was not written completely. */
 static void reach_to_tail(struct salvage *salvage)
 {
     const uint32_t last_id = ledger_tail_last_id(salvage->tail);

@@ -1,5 +1,5 @@
-/* ledger_schema.c -- the statements, and how a file of an old version becomes one of this. Its
- * tables are in ledger_tables.c. */
+/* ledger_schema.c -- the SQL statements, and the migrations from older versions. The tables are in
+ * ledger_tables.c. */
 #include <stddef.h>
 #include <stdio.h>
 
@@ -16,7 +16,7 @@
 static const char to_2[] =
     "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* enum game_mode */
     "ALTER TABLE rounds ADD COLUMN grade INTEGER NOT NULL DEFAULT 6;"
-    "ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1;"; /* How many. */
+    "ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1;"; /* Number of players. */
 static const char fill_2[] = "INSERT INTO round_players (round, player, caught, fouls)"
                              " SELECT number, 0, caught, 0 FROM rounds;";
 
@@ -28,8 +28,8 @@ static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_roun
 static const char set_old_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;"
                                     "ALTER TABLE round_players RENAME TO old_round_players;";
 
-/* What an old file did not know is unknown in the new one, too. `entry` counts as the rounds were
- * read: by their numbers. */
+/* Sets values that the old file did not record to NULL. `entry` follows the order in which the
+ * rounds were read, which is by number. */
 static const char forget_unknown[] =
     "UPDATE round_players SET sheets = NULL;"
     "UPDATE round_players SET scoops = NULL, hole_area_mm2 = NULL, torn_tick = NULL"
@@ -68,7 +68,7 @@ const char *ledger_statement_text(enum ledger_statement which)
     return texts[which];
 }
 
-/* ---- From 1 and 2: rounds become entries ----------------------------------------------------- */
+/* ---- From 1 and 2: rounds become entries ---------------------------------------------------- */
 
 static const char select_old[] =
     "SELECT number, seed, start_tick, end_tick, caught, by_bot, ended_at, mode, grade"
@@ -98,7 +98,8 @@ static int read_old_players(sqlite3_stmt *players, int64_t number, struct round_
     return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
-/* A mode that is not known keeps no score that could be ranked. */
+/* Converts an old round to an entry. A round of an unknown mode gets no score that could be
+ * ranked. */
 static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
 {
     const struct day_minute ended = day_minute_of(sqlite3_column_int64(old, 6));
@@ -122,8 +123,8 @@ static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
     };
 }
 
-/* Each old round becomes an entry, as if this kiosk had written it: what all of them add up to
- * comes about by the same functions. */
+/* Writes an entry for each old round, as if this version had recorded it, so that the same
+ * functions compute the aggregates. */
 static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt *players)
 {
     struct ledger_content *content = &file->content;
@@ -184,7 +185,7 @@ static int raise_3_to_4(sqlite3 *db)
 
 int ledger_schema_raise(struct ledger_file *file, int version)
 {
-    if (version >= 3) { /* From 4 to 5 the tables stay as they are. */
+    if (version >= 3) { /* From 4 to 5 the tables do not change. */
         const int raised = version == 3 ? raise_3_to_4(file->db) : SQLITE_OK;
         return raised == SQLITE_OK ? put_version(file->db) : raised;
     }

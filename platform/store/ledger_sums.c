@@ -1,5 +1,7 @@
-/* ledger_sums.c -- settings, audits and ranking: what the entries add up to, in rows of their own,
- * so that the kiosk starts without reading years of entries. */
+/* ledger_sums.c -- the aggregates of the entries: settings, audits and ranking.
+ *
+ * The aggregates have rows of their own, so that the kiosk starts without reading years of
+ * entries. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -9,8 +11,7 @@
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
-/* Who adds a field adds its column (ledger_schema.c), its place in put_ranks() and in
- * read_ranks(). */
+/* A new field also needs a column (ledger_schema.c) and code in put_ranks() and read_ranks(). */
 _Static_assert(sizeof(struct rank_row) == 12 + LEDGER_NAME_SIZE, "a field of a rank is not kept");
 _Static_assert(sizeof(struct ranking) ==
                    12 + sizeof(struct rank_row) * MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS,
@@ -46,9 +47,9 @@ void ledger_sums_note(struct ledger_content *content, const struct ledger_entry 
     ranking_note(&memory->ranking, entry);
 }
 
-/* ---- Out ------------------------------------------------------------------------------------ */
+/* ---- Writing -------------------------------------------------------------------------------- */
 
-/* One number under a name. */
+/* Writes one number under a name. */
 static int put_named(struct ledger_file *file, enum ledger_statement which, const char *name,
                      int64_t value)
 {
@@ -61,7 +62,7 @@ static int put_named(struct ledger_file *file, enum ledger_statement which, cons
     return sql_put_one(put, &value, 1);
 }
 
-/* A setting is only ever forgotten with all others. */
+/* Writes the changed settings. A setting is deleted only together with all others. */
 static int put_settings(struct ledger_file *file, const struct ledger_content *before,
                         const struct ledger_content *after)
 {
@@ -162,7 +163,7 @@ int ledger_sums_put(struct ledger_file *file, const struct ledger_content *befor
     return code == SQLITE_OK ? ledger_tally_put(file->db) : code;
 }
 
-/* ---- In: what has no place in this version stays in the file, unread ------------------------- */
+/* ---- Reading: rows that are unknown to this version stay in the file and are ignored -------- */
 
 typedef void take_row(struct ledger_content *content, sqlite3_stmt *row);
 

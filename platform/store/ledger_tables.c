@@ -1,11 +1,11 @@
-/* ledger_tables.c -- the exact text of every table in every version of the file.
+/* ledger_tables.c -- the exact SQL text of every table in every version of the file.
  *
- * A new file is made of these texts, and each file that is opened is compared with them. A file
- * with any other schema object (a trigger, a view, an index, another table) or with another text is
- * damaged: a trigger could drop rows that were acknowledged.
+ * A new file is created from these texts, and each file that is opened is compared with them. A
+ * file with any other schema object (a trigger, a view, an index, another table) or with another
+ * text is treated as damaged, because a trigger could drop acknowledged rows.
  *
  * To add a version: raise LEDGER_FILE_VERSION, give each table that changes its last version here,
- * and add a row with the new text, exactly as SQLite keeps it after the migration. */
+ * and add a row with the new text, exactly as SQLite stores it after the migration. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -15,23 +15,23 @@
 
 #define NOW LEDGER_FILE_VERSION
 
-/* Columns are named as in core/ledger.h, and a zero takes no byte. A null of a player's columns
- * means that an earlier version did not record the number. */
+/* Columns have the names of core/ledger.h; a zero takes no byte. NULL in a player's column means
+ * that an earlier version did not record the number. */
 static const struct table {
-    uint8_t first, last; /* Versions of the file, `user_version`. */
+    uint8_t first, last; /* First and last `user_version` with this table. */
     const char *name, *text;
 } tables[] = {
     { 1, 1, "rounds",
       "CREATE TABLE rounds ("
-      " number INTEGER PRIMARY KEY," /* Over all runs of the kiosk. */
-      " id INTEGER NOT NULL,"        /* Within one run. */
+      " number INTEGER PRIMARY KEY," /* Counted over all runs of the kiosk. */
+      " id INTEGER NOT NULL,"        /* Counted within one run. */
       " seed INTEGER NOT NULL,"
       " start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL,"
-      " caught INTEGER NOT NULL," /* Of all players together. */
+      " caught INTEGER NOT NULL," /* Total of all players. */
       " by_bot INTEGER NOT NULL,"
       " ended_at INTEGER NOT NULL)" }, /* Unix time, seconds. */
-    { 2, 2, "rounds", /* Version 1's, with columns appended by ALTER TABLE. */
+    { 2, 2, "rounds", /* As version 1, with columns appended by ALTER TABLE. */
       "CREATE TABLE rounds ("
       " number INTEGER PRIMARY KEY, id INTEGER NOT NULL, seed INTEGER NOT NULL,"
       " start_tick INTEGER NOT NULL, end_tick INTEGER NOT NULL, caught INTEGER NOT NULL,"
@@ -41,7 +41,7 @@ static const struct table {
     { 2, 2, "round_players",
       "CREATE TABLE round_players ("
       " round INTEGER NOT NULL REFERENCES rounds (number) ON DELETE CASCADE,"
-      " player INTEGER NOT NULL," /* From 0. */
+      " player INTEGER NOT NULL," /* Counted from 0. */
       " caught INTEGER NOT NULL, scoops INTEGER, hole_area_mm2 INTEGER, torn_tick INTEGER,"
       " fouls INTEGER NOT NULL,"
       " PRIMARY KEY (round, player)) WITHOUT ROWID" },
@@ -54,14 +54,15 @@ static const struct table {
       " service INTEGER NOT NULL, untold INTEGER NOT NULL, open INTEGER NOT NULL,"
       " up_s INTEGER NOT NULL, dropped_ticks INTEGER NOT NULL, device_faults INTEGER NOT NULL,"
       " name TEXT NOT NULL,"
-      " sum INTEGER NOT NULL)" }, /* Of all but the name, which may be taken back. */
+      " sum INTEGER NOT NULL)" }, /* Checksum of all columns except the name, which may be
+                                     revoked. */
     { 3, 3, "rounds",
       "CREATE TABLE rounds ("
       " entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,"
       " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
       " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
-      " players INTEGER NOT NULL," /* A bit each. */
+      " players INTEGER NOT NULL," /* One bit for each player. */
       " unscored INTEGER NOT NULL)" },
     { 4, NOW, "rounds",
       "CREATE TABLE rounds ("
@@ -69,9 +70,9 @@ static const struct table {
       " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
       " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
-      " players INTEGER NOT NULL," /* A bit each. */
+      " players INTEGER NOT NULL," /* One bit for each player. */
       " unscored INTEGER NOT NULL,"
-      " fish_count INTEGER NOT NULL," /* 0: this and the next two columns are unknown. */
+      " fish_count INTEGER NOT NULL," /* 0: this column and the next two are unknown. */
       " round_s INTEGER NOT NULL, preset INTEGER NOT NULL)" },
     { 3, NOW, "round_players",
       "CREATE TABLE round_players ("
@@ -146,7 +147,8 @@ static uint32_t all_of(int version)
 }
 _Static_assert(TABLE_COUNT < 32u, "a bit for each table");
 
-/* Version 1 did not set `user_version`. A new file has no version either, and no tables. */
+/* Compares the schema. Version 1 did not set `user_version`; a new file has no version and no
+ * tables. */
 int ledger_schema_check(sqlite3 *db, int64_t user_version)
 {
     const int version = user_version == 0 ? 1 : (int)user_version;

@@ -1,4 +1,4 @@
-/* ledger_tail.c -- a ring of entries, a sector each. */
+/* ledger_tail.c -- the ledger mirror: a ring of entries in a file, one sector each. */
 #include "platform/store/ledger_tail.h"
 
 #include <fcntl.h>
@@ -16,17 +16,17 @@
 
 #define FILE_SIZE ((off_t)LEDGER_TAIL_SLOTS * LEDGER_TAIL_SLOT_SIZE)
 
-/* Written into each slot. Slots of version 4 have padding where the purse now has `returned` and
- * `tickets`: they are read with 0 there. The number leaves room for versions of the database. */
+/* Version of a slot. Slots of version 4 have padding in place of the balance's `returned` and
+ * `tickets`, and are read with 0 there. The number 100 leaves room for versions of the database. */
 #define SLOT_VERSION 100u
 #define SLOT_VERSION_4 4u
 
-/* An entry as it lies in memory: only this machine reads it again, and another program's is told by
- * its size and the version of the file beside it. */
+/* An entry with the memory layout of this machine, because only this machine reads it. An entry of
+ * another version is detected by its size and version. */
 struct slot {
     uint32_t version, size;
     struct ledger_entry entry;
-    uint64_t sum; /* Of all before it. */
+    uint64_t sum; /* Checksum of all fields before it. */
 };
 _Static_assert(sizeof(struct slot) <= LEDGER_TAIL_SLOT_SIZE, "an entry fits into a sector");
 
@@ -55,7 +55,7 @@ static bool read_slot_as_is(const struct ledger_tail *tail, uint32_t index, stru
     return ledger_entry_is_good(&slot->entry);
 }
 
-/* An older Kingyo wrote a PIN in plain digits. Whether it did. */
+/* Hides a PIN that an older version wrote as plain digits. Returns true if there was one. */
 static bool hide_pin(struct ledger_entry *entry)
 {
     const bool is_plain = entry->kind == LEDGER_SETTING && entry->detail == SET_PIN &&
@@ -75,8 +75,8 @@ static bool read_slot(const struct ledger_tail *tail, uint32_t index, struct slo
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
-/* Every block of it is there before the first entry: a write then changes nothing but its sector,
- * and cannot find the card full. */
+/* Writes the whole file before the first entry, so that all blocks are allocated. A later write
+ * changes only its sector and cannot fail because of a full card. */
 static int fill(int handle)
 {
     static const uint8_t nothing[64 * LEDGER_TAIL_SLOT_SIZE];
@@ -88,8 +88,8 @@ static int fill(int handle)
     return fsync(handle);
 }
 
-/* Writes each byte again: after a failed sync, also one of a process that was killed, a slot may
- * read back and not be on disk. */
+/* Writes each byte again. After a failed sync, possibly of a process that was killed, a slot may be
+ * readable without being on disk. */
 static int rewrite(int handle)
 {
     uint8_t bytes[64 * LEDGER_TAIL_SLOT_SIZE];
@@ -117,7 +117,7 @@ int ledger_tail_open(struct ledger_tail *tail, const char *path)
         return -1;
     }
     const bool is_whole = fstat(tail->handle, &about) == 0 && about.st_size == FILE_SIZE;
-    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* An older Kingyo let everybody read it. */
+    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions created the file readable for all. */
     int result = is_whole ? rewrite(tail->handle) : fill(tail->handle);
     result = result == 0 && is_whole ? hide_pins(tail) : result;
     if (result != 0 || ledger_sync_folder(path) != 0) {
@@ -156,7 +156,7 @@ static int write_slot(struct ledger_tail *tail, const struct ledger_entry *entry
     return done == (ssize_t)sizeof sector ? 0 : -1;
 }
 
-/* Rewrites the slots that hold a PIN in plain digits. */
+/* Rewrites the slots that contain a PIN as plain digits. */
 static int hide_pins(struct ledger_tail *tail)
 {
     struct slot slot;
@@ -186,7 +186,7 @@ int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_
     int result = 0;
     for (uint32_t i = 0; result == 0 && i < LEDGER_TAIL_SLOTS; i++) {
         struct ledger_entry *entry = &slot.entry;
-        /* A slot without a name is written, too: an earlier sync of it may have failed. */
+        /* A slot without a name is also written because its earlier sync may have failed. */
         if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
             entry->detail == seat) {
             memset(entry->name, 0, sizeof entry->name);

@@ -1,12 +1,14 @@
-/* ledger_tail.h -- the newest entries once more, in a file of their own beside the database.
+/* ledger_tail.h -- the ledger mirror: a second copy of the newest entries, in a file beside the
+ * database.
  *
- * Between two backups the database alone would have what was acknowledged since; a damaged first
- * page, or a file that somebody removed, would take an hour along. So each entry is written here as
- * well before the kiosk is told that it is safe: a slot of 512 bytes with a sum of its own, in a
- * ring that has its full size from the start, so that a sync writes blocks that are there and no
- * word of the file system's. A power cut that tears a block may take neighbours along: those the
- * database has, which is synced first. What it says is taken only where the database has lost
- * something. */
+ * Entries newer than the last backup would exist only in the database. A damaged first page or a
+ * deleted file would lose up to an hour of entries. Therefore each entry is also written here
+ * before it is acknowledged.
+ *
+ * The file is a ring of slots of 512 bytes, each with a checksum. It has its full size from the
+ * start, so that a sync writes only existing blocks and no file system metadata. A power cut that
+ * tears a block may damage neighbouring slots; the database has those entries because it is synced
+ * first. The mirror is read only if the database has lost entries. */
 #ifndef KINGYO_PLATFORM_STORE_LEDGER_TAIL_H
 #define KINGYO_PLATFORM_STORE_LEDGER_TAIL_H
 
@@ -15,32 +17,35 @@
 
 #include "core/ledger.h"
 
-#define LEDGER_TAIL_SLOTS 1024u /* 512 KiB: the next backup comes before half of them are taken. */
+#define LEDGER_TAIL_SLOTS 1024u /* 512 KiB; the next backup is made before half of the slots are
+                                   used. */
 #define LEDGER_TAIL_SLOT_SIZE 512u
 
-/* The caller owns it; zero is closed. */
+/* An open mirror. The caller owns the structure; zero is closed. */
 struct ledger_tail {
-    int handle; /* 0: none: the first three are the program's own streams. */
+    int handle; /* File descriptor; 0: closed, because 0 is standard input. */
 };
 
-/* Makes the file where there is none. 0 or -1: errno, and it is closed. */
+/* Opens the mirror and creates the file if necessary. Returns 0, or -1 with errno set and the
+ * mirror closed. */
 int ledger_tail_open(struct ledger_tail *tail, const char *path);
 void ledger_tail_close(struct ledger_tail *tail);
 
-/* For who only reads; closed where there is none. */
+/* Opens the mirror for reading. Returns a closed one if there is no file. */
 struct ledger_tail ledger_tail_look(const char *path);
 
-/* Entries by rising ids; on disk when it comes back with 0. -1: errno. */
+/* Writes entries with rising ids. Returns 0 when they are on disk, or -1 with errno set. */
 int ledger_tail_write(struct ledger_tail *tail, const struct ledger_entry *entries, uint32_t count);
 
-/* Takes the names back that were given to who played in `seat` of that round. 0 or -1: errno; the
- * next write makes it durable. */
+/* Erases the names of the player in `seat` of that round. Returns 0, or -1 with errno set. The next
+ * write makes the change durable. */
 int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_t seat);
 
-/* Whether entry `id` is there as it was written. False for a closed one. */
+/* Returns true if entry `id` is in the mirror with a valid checksum. Returns false if the mirror is
+ * closed. */
 bool ledger_tail_entry(const struct ledger_tail *tail, uint32_t id, struct ledger_entry *out);
 
-/* The newest id there; 0: none. Reads all of it. */
+/* Returns the newest id in the mirror, or 0 if it is empty. Reads the whole file. */
 uint32_t ledger_tail_last_id(const struct ledger_tail *tail);
 
 #endif

@@ -1,13 +1,15 @@
-/* ledger_tally.c -- a tally of each table that entries add up to. An entry carries a sum of its
- * own; of a setting, an audit or a score SQLite would not notice that a bit has flipped. */
+/* ledger_tally.c -- a checksum of each aggregate table.
+ *
+ * An entry has its own checksum. SQLite would not detect a flipped bit in a setting, an audit or a
+ * score. */
 #include <sqlite3.h>
 
 #include "core/base/hash.h"
 #include "platform/store/ledger_parts.h"
 #include "platform/store/sql.h"
 
-/* Where each is kept, and the rows that it tallies, as they are. That of the audits, which change
- * with nearly every entry, lies among them: a page less to write. */
+/* SQL of each checksum and of the rows it covers. The checksum of the audits is one of the audits'
+ * rows, because both change with nearly every entry; this saves one page per write. */
 #define STATE_TALLY "SELECT value FROM state WHERE name = "
 static const struct tally {
     const char *get, *put;
@@ -52,7 +54,7 @@ static int hash_rows(sqlite3 *db, const char *text, uint64_t *hash)
     return sql_end(row, code);
 }
 
-/* Never 0, which stands for none. */
+/* Computes the checksum, which is never 0, because 0 means that none is stored. */
 static int add_up(sqlite3 *db, const struct tally *tally, int64_t *out)
 {
     uint64_t hash = HASH_START;
@@ -87,7 +89,8 @@ int ledger_tally_put(sqlite3 *db)
     return code;
 }
 
-/* A file that was last written before there were tallies has none. */
+/* Verifies one checksum. A file last written by a version without checksums has none and is
+ * accepted. */
 static int check(sqlite3 *db, const struct tally *tally)
 {
     int64_t kept = 0, sum = 0;
@@ -98,7 +101,8 @@ static int check(sqlite3 *db, const struct tally *tally)
 
 int ledger_tally_check(sqlite3 *db)
 {
-    int code = sql_run(db, "BEGIN"); /* Nobody writes between a tally and its rows. */
+    int code = sql_run(db, "BEGIN"); /* No other program writes between reading a checksum and its
+                                        rows. */
     for (size_t i = 0; code == SQLITE_OK && i < TALLY_COUNT; i++) {
         code = check(db, &tallies[i]);
     }

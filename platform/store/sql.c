@@ -1,4 +1,4 @@
-/* sql.c -- a thin glove over SQLite. */
+/* sql.c -- small helpers around SQLite. */
 #include "platform/store/sql.h"
 
 #include <stdbool.h>

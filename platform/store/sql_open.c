@@ -1,5 +1,5 @@
-/* sql_open.c -- opens a database that anybody may have written, as https://sqlite.org/security.html
- * recommends. */
+/* sql_open.c -- opens a database that may have been written by an attacker, as
+ * https://sqlite.org/security.html recommends. */
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -15,7 +15,7 @@
 
 #include "platform/store/sql.h"
 
-/* Limits well above what our own statements need. */
+/* Limits well above the needs of Kingyo's own statements. */
 static const struct {
     int id, max;
 } limits[] = {
@@ -43,11 +43,12 @@ static const struct {
 
 /* ---- Files ---------------------------------------------------------------------------------- */
 
-/* SQLite's mode for a new database, which its other files copy. */
+/* Default mode of SQLite for a new database, which its other files copy. */
 #define SQLITE_NEW_FILE 0644
 
-/* Databases, logs and copies hold the hash of the operator's PIN and all takings: a new file is its
- * owner's alone. An older file that everybody may read is closed to others, not to its group. */
+/* Returns the mode for a new file. Databases, logs and copies contain the hash of the operator's
+ * PIN and all takings, therefore only the owner may read a new file. An older file that everybody
+ * may read is closed to others, but not to its group. */
 static mode_t private_mode(int mode)
 {
     return mode == SQLITE_NEW_FILE ? S_IRUSR | S_IWUSR : (mode_t)mode & 0770;
@@ -56,13 +57,14 @@ static mode_t private_mode(int mode)
 static void close_to_others(int handle, mode_t mode, int flags)
 {
     if ((mode & 0007) != 0 && (flags & O_ACCMODE) == O_RDWR) {
-        fchmod(handle, mode & 0770); /* Fails for who is not the owner, whose matter it is. */
+        fchmod(handle, mode & 0770); /* Fails for users other than the owner; the error is
+                                        ignored. */
     }
 }
 
-/* SQLite's open(2) for the database, its log, the log's index and the journal. Only regular files
- * are opened, except for the two others that SQLite needs: the folder, to sync it, and its source
- * of random numbers. */
+/* Replaces SQLite's open(2) for the database, its log, the log's index and the journal. Only
+ * regular files are opened. Exceptions are the folder, which SQLite syncs, and SQLite's source of
+ * random numbers. */
 static int open_regular(const char *path, int flags, int mode)
 {
     const int added = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
@@ -84,7 +86,8 @@ static int open_regular(const char *path, int flags, int mode)
     return is_good ? handle : -1;
 }
 
-/* Takes effect in every connection of the process that uses the default file system layer. */
+/* Installs the open function in the default file system layer. This affects every connection of the
+ * process. */
 static void take_over_open(void)
 {
     sqlite3_vfs *vfs = sqlite3_vfs_find(NULL);
@@ -93,7 +96,8 @@ static void take_over_open(void)
     }
 }
 
-/* Resolves the folder alone. SQLITE_OPEN_NOFOLLOW would refuse links among the folders as well. */
+/* Resolves links in the folder's path only. SQLITE_OPEN_NOFOLLOW would also reject links among the
+ * folders. */
 static bool resolve(const char *path, char out[PATH_MAX])
 {
     char folder[PATH_MAX], whole[PATH_MAX];
