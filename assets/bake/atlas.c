@@ -1,4 +1,4 @@
-/* atlas.c -- see atlas.h. */
+/* atlas.c -- implementation of atlas.h. */
 #include "assets/bake/atlas.h"
 
 #include <stdlib.h>
@@ -13,8 +13,8 @@ static int by_height(const void *a, const void *b)
     return left->code < right->code ? -1 : left->code > right->code;
 }
 
-/* Rows of falling height, filled left to right: the first glyph of each is its highest. Returns how
- * many pages of `page_rows` that takes. */
+/* Fills rows of falling height from left to right, so that the first glyph of each row is its
+ * highest. Returns the number of pages of `page_rows` needed. */
 static uint32_t lay_out(struct glyph **glyphs, uint32_t count, uint32_t page_rows)
 {
     uint32_t x = FONT_ATLAS_WIDTH, y = 0, next_y = 0, page = 0;

@@ -1,7 +1,8 @@
-/* atlas.h -- where each glyph's distance field lies: pages of equal size, one below the other.
+/* atlas.h -- the font atlas: positions of the glyphs' distance fields, on pages of equal size, one
+ * below the other.
  *
- * OpenGL ES 3.0 promises textures of 2,048 texels a side and no more, and arrays of them; so the
- * pages become the layers of one array. */
+ * OpenGL ES 3.0 guarantees only textures of 2,048 texels a side, and array textures. The pages
+ * therefore become the layers of one array. */
 #ifndef KINGYO_ASSETS_BAKE_ATLAS_H
 #define KINGYO_ASSETS_BAKE_ATLAS_H
 
@@ -14,15 +15,15 @@ struct atlas {
 
 struct glyph {
     uint32_t code;
-    int index;      /* In the font file. */
-    uint8_t *field; /* width x height distances; null where there is no ink. */
+    int index;      /* Index in the font file. */
+    uint8_t *field; /* width x height distances; null for a glyph without ink. */
     int width, height, left_px, top_px;
-    uint32_t x, y;  /* In the atlas: page n begins at row n * page_rows. */
+    uint32_t x, y;  /* Position in the atlas: page n begins at row n * page_rows. */
 };
 
-/* Orders the glyphs by height and gives each its place, on as few pages as hold them and those no
- * higher than it needs; no glyph lies on two. Fails when FONT_PAGES_MAX pages do not hold them;
- * `list` is the file to be told of. */
+/* Orders the glyphs by height and places each on one page. Uses as few pages as possible, and pages
+ * no higher than needed. Fails if FONT_PAGES_MAX pages do not hold them; the message names the file
+ * `list`. */
 struct atlas atlas_pack(struct glyph **glyphs, uint32_t count, const char *list);
 
 void atlas_write(const struct atlas *atlas, struct glyph *const *glyphs, uint32_t count,

@@ -1,4 +1,4 @@
-/* bake.c -- the bake's command line: one asset a run, so that make redoes only what changed. */
+/* bake.c -- the bake's command line: one asset a run, so that make rebuilds only what changed. */
 #include "assets/bake/bake.h"
 
 #include <errno.h>

@@ -1,8 +1,9 @@
-/* bake.h -- the bake: what is computed once, on the building machine, and linked as constants.
+/* bake.h -- the bake: assets that are computed once, on the building machine, and linked as
+ * constants.
  *
- * `build/bake ASSET ...` writes one asset and says one line about it. Everything is a function of
+ * `build/bake ASSET ...` writes one asset and prints one line about it. The output depends only on
  * the sources, the fonts and the numbers here, so the same sources give the same bytes. This tool
- * never runs on the kiosk, so it may allocate, use libm and give up at the first error. */
+ * never runs on the kiosk, so it may allocate memory, use libm and exit at the first error. */
 #ifndef KINGYO_ASSETS_BAKE_BAKE_H
 #define KINGYO_ASSETS_BAKE_BAKE_H
 
@@ -11,45 +12,47 @@
 #include <stdio.h>
 
 /* Sizes in texels; bake_header() repeats them for the renderer. */
-#define CAUSTICS_SIZE 256u        /* One tile's side. Mipmaps want a power of two. */
-#define CAUSTICS_FRAMES 32u       /* Of one loop; see choose_waves() for why so many. */
-#define PATTERN_WIDTH 128u        /* Snout to tail root. */
+#define CAUSTICS_SIZE 256u        /* Side of one tile, a power of two for mipmaps. */
+#define CAUSTICS_FRAMES 32u       /* Layers of one loop; choose_waves() explains the number. */
+#define PATTERN_WIDTH 128u        /* From snout to tail root. */
 #define PATTERN_HEIGHT 64u        /* Round the girth, from the back. */
 #define PATTERN_LAYERS 12u
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u
-#define FONT_ATLAS_WIDTH 2048u    /* As wide as OpenGL ES 3.0 promises a texture, ... */
-#define FONT_PAGE_ROWS_MAX 2048u  /* ... and as high; */
-#define FONT_PAGES_MAX 2u         /* 8 MiB of texture are enough for words. */
+#define FONT_ATLAS_WIDTH 2048u    /* Texture width that OpenGL ES 3.0 guarantees. */
+#define FONT_PAGE_ROWS_MAX 2048u  /* Texture height that OpenGL ES 3.0 guarantees. */
+#define FONT_PAGES_MAX 2u         /* 8 MiB of texture are enough for the text. */
 #define FONT_EDGE 160u            /* Distance value on the outline: most of the range is outside. */
 #define FONT_STEP 16u             /* Value per atlas pixel: reaches 10 px out and 6 px in. */
 #define FONT_MAX 8u
-#define TEXT_LANGUAGES 2u         /* As LANGUAGE_COUNT of core/scene.h, in its order. */
+#define TEXT_LANGUAGES 2u         /* Same as LANGUAGE_COUNT of core/scene.h, in its order. */
 #define TEXT_KEYS_MAX 1024u
 
 /* Ends the bake with one line on standard error and exit code 65 (bad input data). */
 _Noreturn void bake_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* The whole file, zero-terminated, to be freed by the caller; fails when it cannot be read. */
+/* Reads the whole file, zero-terminated. The caller frees it. Fails when the file cannot be
+ * read. */
 uint8_t *bake_read(const char *path, size_t *size);
 void bake_write(const char *path, const void *bytes, size_t size);
-/* Fails when the file cannot be opened; bake_close() also checks that every byte arrived. */
+/* Opens a file for writing and fails when it cannot be opened. bake_close() also fails when not
+ * every byte was written. */
 FILE *bake_open(const char *path);
 void bake_close(FILE *file, const char *path);
-void *bake_alloc(size_t size); /* Zeroed. */
+void *bake_alloc(size_t size); /* Allocates zeroed memory. */
 
-/* Each fills its texels, row 0 first, channels interleaved. */
+/* Each function fills its texels, row 0 first, channels interleaved. */
 void bake_caustics(uint8_t *r8);
 void bake_patterns(uint8_t *rg8);
 void bake_environment(uint8_t *rgb8);
 void bake_wood(uint8_t *r8);
 void bake_paper(uint8_t *r8);
 
-/* The words: assets/text/ja.txt and en.txt, read and compared. */
+/* The user interface's text: assets/text/ja.txt and en.txt, read and compared. */
 struct text_line {
     char *key, *words;
-    uint32_t line;          /* In its file, from 1. */
+    uint32_t line;          /* Line number in its file, from 1. */
 };
 
 struct text_file {
@@ -58,16 +61,17 @@ struct text_file {
     uint32_t count;
 };
 
-/* Reads `directory`/ja.txt and en.txt; fails with one line unless both have the same keys. */
+/* Reads `directory`/ja.txt and en.txt. Fails with one line unless both have the same keys. */
 void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory);
 void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *path);
 void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *path);
 
-/* Next code point of zero-terminated UTF-8, or 0 at its end. `*at` moves on; malformed bytes
- * are -1. */
+/* Returns the next code point of zero-terminated UTF-8 and advances `*at`. Returns 0 at the end and
+ * -1 for malformed bytes. */
 int32_t utf8_next(const char **at);
 
-/* Reads `directory`/fonts.txt and writes the atlas, its glyph tables and the ids of its fonts. */
+/* Output files of font_bake(), which reads `directory`/fonts.txt and writes the atlas, its glyph
+ * tables and the ids of its fonts. */
 struct font_output {
     const char *atlas_path, *table_path, *header_path;
 };

@@ -1,4 +1,5 @@
-/* blobs.S -- the baked bytes, linked as constants. The assembler finds them by its include path. */
+/* blobs.S -- the baked bytes, linked as constants. The assembler finds the files by its include
+ * path. */
     .macro blob name
     .global asset_\name
     .balign 16

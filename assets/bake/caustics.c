@@ -1,10 +1,10 @@
-/* caustics.c -- light that a moving water surface gathers into bright threads on the floor.
+/* caustics.c -- bakes caustics: light that a moving water surface focuses into bright lines on the
+ * floor.
  *
- * Sunlight is traced, not faked: a fine grid of rays goes through a surface made of whole-number
- * waves, each ray is bent along the slope and leaves its light where it lands. Whole waves per tile
- * and whole turns per loop make the result repeat in x, y and time without a seam. Phases are
- * counted in whole steps of one table, so nothing drifts and nothing is rounded differently on
- * another machine. */
+ * A fine grid of rays is traced through a surface of waves with whole wave numbers. Each ray is
+ * refracted by the slope and adds its light where it meets the floor. Whole waves per tile and
+ * whole periods per loop make the result repeat in x, y and time without a seam. Phases are counted
+ * in whole steps of one table, so nothing drifts, and rounding is the same on every machine. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -14,23 +14,25 @@
 #include "assets/bake/noise.h"
 
 #define WAVES 28
-#define RAYS_PER_TEXEL 4u               /* Each way: 16 rays a texel keep the cells smooth. */
+#define RAYS_PER_TEXEL 4u               /* In each direction: 16 rays a texel keep the picture
+                                           smooth. */
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
-#define WAVE_NUMBER_MIN 1.9f            /* Cycles per tile ... */
+#define WAVE_NUMBER_MIN 1.9f            /* Minimum wave number, in cycles per tile. */
 #define WAVE_NUMBER_MAX 6.6f
-#define FOCUS 0.033f                    /* Tiles a ray moves per unit of slope: the depth. */
+#define FOCUS 0.033f                    /* Tiles that a ray moves per unit of slope, which
+                                           corresponds to the depth. */
 #define EXPOSURE 0.30f                  /* Light 1 (flat water) becomes 1 - exp(-0.30). */
 
 struct wave {
     int32_t kx, ky;    /* Cycles per tile. */
-    int32_t turns;     /* Cycles per loop; its sign is the direction. */
+    int32_t turns;     /* Cycles per loop; the sign is the direction. */
     uint32_t phase;    /* Steps of 1 / RAYS of a turn. */
     float slope_x, slope_y;
 };
 
-/* Longer waves are higher and, with one turn a loop each, faster. Directions are random, and half
- * of the waves run backward. With one turn, threads move under five texels a frame, so that
- * blending two frames hides the step. */
+/* Chooses the waves. Longer waves are higher and, with one cycle a loop each, faster. Directions
+ * are random, and half of the waves run backward. With one cycle, bright lines move less than five
+ * texels a frame, so that blending two frames hides the step. */
 static void choose_waves(struct wave waves[WAVES])
 {
     uint32_t random = 4711;
@@ -56,7 +58,7 @@ static void fill_cosines(float cosine[RAYS])
     }
 }
 
-/* Leaves one ray's light on the four texels around where it lands. */
+/* Adds one ray's light to the four texels around its position. */
 static void leave_light(float *light, float x, float y)
 {
     const float fx = floorf(x), fy = floorf(y), tx = x - fx, ty = y - fy;

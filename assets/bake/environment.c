@@ -1,8 +1,9 @@
-/* environment.c -- what the water mirrors: a summer night over the stall, and its lanterns.
+/* environment.c -- bakes the environment that the water mirrors: a summer night over the stall, and
+ * its lanterns.
  *
- * A paraboloid map of the upper half space, so that a shader needs no trigonometry: a direction
- * (x, y, z) with y >= 0 is at uv = 0.5 + 0.5 * (x, z) / (1 + y). The middle is the zenith, row 0 is
- * the far side (-z), which is where a player sees the water reflect. */
+ * The picture is a paraboloid map of the upper half space, so that a shader needs no trigonometry:
+ * a direction (x, y, z) with y >= 0 is at uv = 0.5 + 0.5 * (x, z) / (1 + y). The middle is the
+ * zenith. Row 0 is the far side (-z), where a player sees the water reflect. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -20,12 +21,12 @@ static void glow(struct colour *at, struct colour light, float amount)
     at->b += light.b * amount;
 }
 
-/* Two strings of lanterns hang across the far side, one over the player's head. */
+/* Adds two strings of lanterns across the far side and one above the player's head. */
 static void add_lanterns(struct colour *at, float x, float y, float z)
 {
     static const struct colour paper = { 1.0f, 0.56f, 0.22f }, red = { 1.0f, 0.26f, 0.12f };
     static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f }, { -0.45f, 0.80f, 6.0f },
-                                      { 0.35f, 0.90f, 5.0f } }; /* z, height, how many */
+                                      { 0.35f, 0.90f, 5.0f } }; /* z, height, number of lanterns */
     for (uint32_t row = 0; row < 3; row++) {
         const int32_t count = (int32_t)rows[row][2];
         for (int32_t i = 0; i < count; i++) {
@@ -47,15 +48,15 @@ static struct colour sky(float x, float y, float z)
     const float low = expf(-3.2f * y);
     const float cloud = noise2_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
     struct colour at = { 0.018f, 0.030f, 0.085f };
-    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low);            /* The fair's own light. */
+    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low);            /* Light of the fair. */
     glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f }, ramp(0.45f, 0.75f, cloud) * (1.0f - low));
     return at;
 }
 
-/* The beam and the edge of the striped awning over the far side of the stall. */
+/* Adds the beam and the edge of the striped awning over the far side of the stall. */
 static void add_awning(struct colour *at, float x, float y, float z)
 {
-    const float up = y / fmaxf(-z, 0.02f); /* Tangent of the height angle, straight ahead. */
+    const float up = y / fmaxf(-z, 0.02f); /* Tangent of the elevation angle, straight ahead. */
     const float inside = z < 0.0f ? ramp(0.22f, 0.25f, up) * ramp(0.42f, 0.39f, up) : 0.0f;
     const float stripe = ramp(-0.12f, 0.12f, sinf(x / fmaxf(-z, 0.02f) * 14.0f));
     at->r = mix(at->r, mix(0.30f, 0.34f, stripe), inside);

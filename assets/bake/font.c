@@ -1,7 +1,7 @@
-/* font.c -- draws the glyphs that the stall's words need, each as a signed distance field.
+/* font.c -- draws the glyphs that the user interface needs, each as a signed distance field.
  *
- * assets/text/fonts.txt says which font draws which keys. A font gets its base set and every
- * character of those keys in every language, so a new word brings its own glyphs. */
+ * assets/text/fonts.txt assigns keys to fonts. A font gets its base set and every character of its
+ * keys in every language, so a new text adds its own glyphs. */
 #include "assets/bake/atlas.h"
 
 #include <errno.h>
@@ -10,7 +10,7 @@
 #include <stb/stb_truetype.h>
 
 #define GLYPHS_MAX 2048u
-#define FONT_PADDING 10 /* Atlas pixels around a glyph: as far as FONT_EDGE / FONT_STEP reaches. */
+#define FONT_PADDING 10 /* Atlas pixels around a glyph, the reach of FONT_EDGE / FONT_STEP. */
 #define KEY_PATTERNS_MAX 192u
 
 struct face {
@@ -97,7 +97,8 @@ static void open_face(struct face *face)
     }
     fclose(file);
     size_t size;
-    const uint8_t *bytes = bake_read(face->path, &size); /* stb_truetype reads it to the end. */
+    const uint8_t *bytes = bake_read(face->path, &size); /* Not freed, because stb_truetype reads it
+                                                            until the end. */
     const int offset = stbtt_GetFontOffsetForIndex(bytes, 0);
     if (size < 12 || offset < 0 || !stbtt_InitFont(&face->info, bytes, offset)) {
         bake_fail("font %s: %s is not a TrueType font", face->name, face->path);
@@ -106,7 +107,7 @@ static void open_face(struct face *face)
     face->glyphs = bake_alloc(GLYPHS_MAX * sizeof *face->glyphs);
 }
 
-/* False when the font has no such character. Adding one twice adds it once. */
+/* Adds a glyph once. Returns false when the font lacks the character. */
 static int add_glyph(struct face *face, uint32_t code)
 {
     for (uint32_t i = 0; i < face->glyph_count; i++) {
@@ -132,7 +133,8 @@ static void add_range(struct face *face, uint32_t first, uint32_t last)
     }
 }
 
-/* `names`: whatever a guest may be called (core/game/name_board.h). */
+/* Adds the base set. `names` contains every character that a guest's name may have
+ * (core/game/name_board.h). */
 static void add_base(struct face *face)
 {
     const int names = strcmp(face->base, "names") == 0;
@@ -174,8 +176,8 @@ static int by_code(const void *a, const void *b)
     return left->code < right->code ? -1 : left->code > right->code;
 }
 
-/* Orders the glyphs and finds the size of each, as draw_face() will draw it: what has too many is
- * refused before the slow part. */
+/* Orders the glyphs and computes the size of each as draw_face() will draw it, so that too many
+ * glyphs are detected before the slow part. */
 static void measure_face(struct face *face)
 {
     qsort(face->glyphs, face->glyph_count, sizeof *face->glyphs, by_code);

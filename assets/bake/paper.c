@@ -1,4 +1,5 @@
-/* paper.c -- washi: long mulberry fibres laid at random over a soft cloud of pulp. */
+/* paper.c -- bakes washi paper: long mulberry fibres in random positions over a soft cloud of
+ * pulp. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -23,7 +24,7 @@ static void add(float *sum, float x, float y, float amount)
     sum[bottom + right] += amount * tx * ty;
 }
 
-/* A fibre wanders: its direction drifts, it thins toward both ends, and it may be light or dark. */
+/* Draws one fibre. Its direction drifts, it thins toward both ends, and it may be light or dark. */
 static void lay_fibre(float *sum, uint32_t *random)
 {
     float x = random01(random) * (float)PAPER_SIZE, y = random01(random) * (float)PAPER_SIZE;

@@ -1,8 +1,9 @@
-/* patterns.c -- the red and white of each fish: patches as breeders name them, and rows of scales.
+/* patterns.c -- bakes the red and white patterns of goldfish: patches as breeders name them, and
+ * rows of scales.
  *
  * A texel is (u, v): u runs from the snout to the tail's root, v once round the girth, starting on
  * the back (0), over the right flank, the belly (0.5) and the left flank back to 1. Red channel:
- * how red the skin is, with a crisp edge. Green channel: the light that a scale gives back. */
+ * redness of the skin, with a crisp edge. Green channel: brightness of the scale's reflection. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -10,10 +11,10 @@
 #include "assets/bake/noise.h"
 
 #define PATCHES_MAX 6u
-#define GIRTH 0.85f          /* Round the body, in body lengths: makes round patches round. */
-#define SCALE_ROWS 22.0f     /* From gill to tail root. */
+#define GIRTH 0.85f          /* Girth in body lengths, which makes round patches round. */
+#define SCALE_ROWS 22.0f     /* Number of rows from gill to tail root. */
 #define SCALES_ROUND 12.0f
-#define GILL 0.23f           /* Head and trunk meet here; a head has no scales. */
+#define GILL 0.23f           /* Border of head and trunk. A head has no scales. */
 
 struct patch {
     float u, v, length, width; /* Centre, and half extents in body lengths. */
@@ -21,8 +22,8 @@ struct patch {
 
 struct design {
     float base;              /* Redness everywhere: 1 covers the fish, 0 leaves it white. */
-    float belly;             /* How far up the flanks the belly stays white. */
-    float ragged;            /* How much noise moves the edges. */
+    float belly;             /* Height on the flanks up to which the belly stays white. */
+    float ragged;            /* Strength of the noise that moves the edges. */
     struct patch patches[PATCHES_MAX];
 };
 
@@ -51,7 +52,7 @@ static const struct design designs[PATTERN_LAYERS] = {
     { 0.0f, 0.15f, 0.25f,
       { { 0.14f, 0.0f, 0.085f, 0.10f }, { 0.50f, 0.97f, 0.13f, 0.22f },
         { 0.81f, 0.05f, 0.11f, 0.18f } } },
-    /* The crane: white, with the head's spot alone. */
+    /* The crane: white, with only the spot on the head. */
     { 0.0f, 0.0f, 0.05f, { { 0.145f, 0.0f, 0.095f, 0.11f } } },
     /* Spots scattered over both flanks. */
     { 0.0f, 0.10f, 0.32f,
@@ -65,14 +66,14 @@ static const struct design designs[PATTERN_LAYERS] = {
 };
 /* clang-format on */
 
-/* Distance round the girth, in body lengths. */
+/* Returns the distance round the girth, in body lengths. */
 static float round_distance(float v, float centre)
 {
     const float d = v - centre;
     return (d - roundf(d)) * GIRTH;
 }
 
-/* Above 0 inside the union of the patches; patches that nearly touch flow together. */
+/* Returns a value above 0 inside the union of the patches. Patches that nearly touch merge. */
 static float patch_depth(const struct design *design, float u, float v)
 {
     float sum = 0.0f;
@@ -82,7 +83,7 @@ static float patch_depth(const struct design *design, float u, float v)
         const float dv = round_distance(v, patch->v) / patch->width;
         sum += expf(-1.6f * (du * du + dv * dv));
     }
-    return sum - 0.202f; /* exp(-1.6): a lone patch ends at its extents. */
+    return sum - 0.202f; /* exp(-1.6): a single patch ends at its extents. */
 }
 
 static float redness(uint32_t layer, float u, float v)
@@ -100,12 +101,13 @@ static float redness(uint32_t layer, float u, float v)
     return ramp(-0.030f, 0.035f, depth);
 }
 
-/* Scales overlap toward the tail: bright in the middle, dark under a neighbour's rim. */
+/* Returns the brightness of a scale. Scales overlap toward the tail: bright in the middle, dark
+ * below a neighbour's rim. */
 static float scale_light(float u, float v)
 {
     const float row = (u - GILL) / (1.0f - GILL) * SCALE_ROWS;
     float best = 0.0f;
-    /* Rims of three rows may cover a point; the front one wins. */
+    /* Rims of three rows may cover a point; the front one counts. */
     for (int32_t i = 0; i < 3; i++) {
         const float centre = floorf(row) - (float)i + 0.5f;
         const float odd = fmodf(centre - 0.5f + 64.0f, 2.0f) * 0.5f;
@@ -118,7 +120,7 @@ static float scale_light(float u, float v)
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
     const float fade = ramp(GILL - 0.01f, GILL + 0.06f, u) * ramp(0.05f, 0.35f, back);
-    const float flank = 0.25f - fabsf(v - 0.5f); /* 0 on the middle of either flank. */
+    const float flank = 0.25f - fabsf(v - 0.5f); /* 0 in the middle of either flank. */
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
     return mix(0.80f, 0.46f + 0.54f * best, fade) - 0.26f * gill * ramp(0.13f, 0.05f, fabsf(flank));
 }

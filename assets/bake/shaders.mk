@@ -1,4 +1,4 @@
-# shaders.mk -- turns assets/shaders/fish.vert.glsl into the C string shader_fish_vert, and so on.
+# shaders.mk -- converts assets/shaders/fish.vert.glsl to the C string shader_fish_vert, and so on.
 
 SHADERS := $(sort $(wildcard assets/shaders/*.glsl))
 SHADER_DIR := $(BUILD)/generated
@@ -12,7 +12,7 @@ $(SHADER_DIR)/shaders.h: $(SHADERS) assets/bake/shaders.mk
 	$(Q){ echo '/* Made from assets/shaders by assets/bake/shaders.mk. */'; \
 	  $(foreach s,$(SHADERS),echo 'extern const char $(call SHADER_NAME,$(s))[];';) } > $@
 
-# Comments stay: they cost nothing, and the line that a driver complains about is the file's own.
+# Comments are kept, so that the line number in a driver's error message is the file's own.
 $(SHADER_DIR)/shaders.c: $(SHADERS) assets/bake/shaders.mk
 	@mkdir -p $(@D)
 	$(Q){ echo '#include "shaders.h"'; \

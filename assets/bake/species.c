@@ -1,6 +1,6 @@
-/* species.c -- bake_species IN.txt OUT.c: turns a species' text into the core's constant tables.
+/* species.c -- bake_species IN.txt OUT.c: converts a species' text to the core's constant tables.
  *
- * Exit 0 for done, 2 for wrong usage, 65 for a text that is no species, 74 for files. */
+ * Exit status: 0 success, 2 wrong usage, 65 invalid species text, 74 file error. */
 #include "assets/bake/species_write.h"
 #include "core/base/panic.h"
 #include "platform/species/drawing.h"

@@ -1,4 +1,5 @@
-/* species_write.c -- a species as C: constant tables; floats in hexadecimal to lose no bit. */
+/* species_write.c -- writes a species as C source: constant tables, with floats in hexadecimal so
+ * that no bit is lost. */
 #include "assets/bake/species_write.h"
 
 static void write_points(FILE *file, const struct species_mesh *mesh, uint32_t lod, uint32_t key)

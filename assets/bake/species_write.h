@@ -1,4 +1,4 @@
-/* species_write.h -- a species as C source. */
+/* species_write.h -- writes a species as C source. */
 #ifndef KINGYO_ASSETS_BAKE_SPECIES_WRITE_H
 #define KINGYO_ASSETS_BAKE_SPECIES_WRITE_H
 
@@ -7,7 +7,8 @@
 
 #include "core/morph/species.h"
 
-/* Writes `const struct species species_ID`. False when the file did not take it all. */
+/* Writes `const struct species species_ID`. Returns false when the file could not be written
+ * completely. */
 bool species_write(FILE *file, const struct species *species);
 
 #endif

@@ -1,3 +1,3 @@
-/* stb.c -- the one object that holds stb_truetype's code (libstb-dev, public domain). */
+/* stb.c -- the only object that contains stb_truetype's code (libstb-dev, public domain). */
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>

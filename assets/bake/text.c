@@ -1,7 +1,7 @@
-/* text.c -- reads the stall's words and turns them into an enum and a table.
+/* text.c -- converts the user interface's text to an enum of keys and a table.
  *
- * A text file is `key = words` lines; `#` starts a comment line. The first language
- * gives the order. */
+ * A text file consists of `key = words` lines; `#` starts a comment line. The first language gives
+ * the order. */
 #include "assets/bake/bake.h"
 
 #include <ctype.h>
@@ -95,7 +95,7 @@ static void check_line(const struct text_file *file, const struct text_line *lin
     }
 }
 
-/* The lines point into the file's bytes, which live as long as the bake does. */
+/* Reads a file. The lines point into the file's bytes, which are never freed. */
 static void read_file(struct text_file *file, const char *directory, const char *language)
 {
     char path[1024];
@@ -171,7 +171,7 @@ static void write_quoted(FILE *file, const char *words)
         }
         fputc(*c, file);
         if (*c == '?') {
-            fputs("\"\"", file); /* No trigraphs. */
+            fputs("\"\"", file); /* Prevents trigraphs. */
         }
     }
     fputs("\",\n", file);

@@ -1,4 +1,5 @@
-/* wood.c -- planks of the tank's rim and the stall's deck: grain along x, knots, dark joints. */
+/* wood.c -- bakes the planks of the tank's rim and the stall's counter: grain along x, knots, dark
+ * joints. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -21,7 +22,8 @@ static struct knot knot_of(uint32_t plank, uint32_t i)
                           .radius = 2.5f + 3.5f * hash01(id, 2, 5) };
 }
 
-/* How far the grain bends around the knots, and how deep inside one a texel lies. */
+/* Returns how far the grain bends around the knots, and writes how deep inside a knot the texel
+ * lies. */
 static float bend(uint32_t plank, float x, float y, float *core)
 {
     float shift = 0.0f;
@@ -38,7 +40,8 @@ static float bend(uint32_t plank, float x, float y, float *core)
     return shift;
 }
 
-/* Growth rings cut lengthwise: a slow wandering height, cut into sharp-edged seasons. */
+/* Returns the pattern of growth rings cut lengthwise: a slowly varying height, cut into sharp-edged
+ * seasons. */
 static float grain(uint32_t plank, float x, float y, float *core)
 {
     const float shifted = y - bend(plank, x, y, core);

@@ -1,8 +1,8 @@
-/* words.c -- the list of refused names as a table of the core.
+/* words.c -- converts the list of rejected names to a table of the core.
  *
- *   bake_words assets/words/refused.txt OUT.c
+ * bake_words assets/words/refused.txt OUT.c
  *
- * A line is `word` or `=word`; `#` starts a comment line. Each word is folded as names are. */
+ * A line is `word` or `=word`; `#` starts a comment line. Each word is normalized as names are. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-// A bubble is a bright rim about a clear middle, with the lamp in it; the stone is a rough ball.
+// A bubble is a bright rim around a clear middle with the lamp's reflection. The stone is a rough
+// ball.
 in vec2 corner;
 in float grey;
 in float whole;

@@ -1,9 +1,9 @@
-// The stone, then its bubbles: squares that face the eye. A bubble rises for half a second and
-// spreads; every third one floats a while where it came up, and bursts.
+// The stone, then its bubbles: squares that face the viewer. A bubble rises for half a second and
+// spreads. Every third bubble then floats for a while and bursts.
 uniform vec3 stone;
 out vec2 corner;
-out float grey;     // The stone; else a bubble ...
-out float whole;    // ... and how much of it is still there.
+out float grey;     // 1 for the stone, 0 for a bubble.
+out float whole;    // Remaining visibility of a bubble.
 
 const float STONE_M = 0.009;
 const float RISES_M_S = 0.24;

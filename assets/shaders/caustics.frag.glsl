@@ -1,4 +1,4 @@
-// This frame's tile of light: two neighbours of the baked loop, crossfaded.
+// The caustics tile of this frame: two neighbouring layers of the baked loop, crossfaded.
 in vec2 at;
 uniform sampler2DArray loop_layers;
 out vec4 color;

@@ -1,4 +1,4 @@
-// Put in front of every shader: precisions, the figures that all passes share, and the water.
+// Prepended to every shader: precisions, the uniform values that all passes share, and the water.
 precision highp float;
 precision mediump int;
 precision highp sampler2D;
@@ -11,24 +11,27 @@ layout(std140) uniform Frame {
     vec4 screen;     // 1 / width, 1 / height of the screen; z: absorption, 1 / m; w: caustic layer.
     vec4 shadow;     // xy: world x, z to the shadow map's -1 .. 1; zw: drift, m per m of height.
     vec4 bend;       // xy: screen fraction per unit of surface slope, in x and in z;
-                     // zw: how many of the shades are fans', and how many there are.
-    vec4 placed;     // Columns of what turns the picture as it lies on the screen.
-    vec4 shades[8];  // Middle x, z, radius and darkness: fans first, then dry pois.
+                     // z: number of shades that are fans; w: number of all shades.
+    vec4 placed;     // Columns of the rotation of the picture on the screen.
+    vec4 shades[8];  // Centre x, z, radius and darkness of shadow ellipses: fans first, then dry
+                     // pois.
 };
 
 const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
-const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // From anything to the stall's lamps.
-const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Where a goldfish is not red.
-const float CAUSTIC_TILES = 3.6;                       // Per metre.
+const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the stall's
+                                                       // lamps.
+const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Colour where a goldfish is not red.
+const float CAUSTIC_TILES = 3.6;                       // Tiles per metre.
 
-// What is left of light that went `path_m` through water: red goes first, but never all of it.
+// Returns the fraction of light left after `path_m` of water. Red is absorbed most, but never
+// completely.
 vec3 water_passes(float path_m)
 {
     return exp(-max(path_m, 0.0) * screen.z * vec3(1.25, 0.55, 0.45));
 }
 
-// How much of the light shades 0 .. count take away at `at`. It falls from straight above, as the
-// fish feel it (core/tank/shade.h), and blurs with the depth.
+// Returns the fraction of light that shades 0 .. count absorb at `at`. The light falls from
+// straight above, where the fish detect shade (core/tank/shade.h). The edge blurs with the depth.
 float shade_at(vec3 at, float count)
 {
     float light = 1.0;
@@ -41,7 +44,7 @@ float shade_at(vec3 at, float count)
     return 1.0 - light;
 }
 
-// A goldfish's own red: from vermilion to, rarely, orange.
+// Returns the red of a goldfish: from vermilion to, rarely, orange.
 vec3 red_of(float hue)
 {
     return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
@@ -54,8 +57,8 @@ float turned(float maturity, float ahead)
     return smoothstep(0.10, 0.42, maturity + ahead);
 }
 
-// A goldfish's skin where its pattern is white, and where it is red; `under` is 0 at the back and 1
-// at the belly. In the tank and in the album, so that each is known again.
+// Writes a goldfish's skin colours where its pattern is white and where it is red; `under` is 0 at
+// the back and 1 at the belly. Used in the tank and in the album, so that a fish is recognizable.
 void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out vec3 stain)
 {
     float belly = smoothstep(0.52, 0.96, under);
@@ -66,7 +69,8 @@ void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out ve
     stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
 }
 
-// Its fins at (u, v) of species.h, to the `layer` of patterns that its skin has.
+// Returns the colour of a goldfish's fins at (u, v) of species.h, for the `layer` of patterns on
+// its skin.
 vec3 goldfish_fin(vec2 at, float maturity, float hue, float layer)
 {
     float seed = fract(hue * 17.31);

@@ -1,4 +1,4 @@
-// Less light over the whole picture.
+// Darkens the whole picture.
 uniform float dark;
 out vec4 color;
 

@@ -1,4 +1,5 @@
-// One of COUNTER, RIM (its top) and, with neither, the rim's sides: each pays for itself alone.
+// Compiled with COUNTER, with RIM (the rim's top) or with neither (the rim's sides), so that each
+// program has only its own cost.
 in vec3 world;
 in vec3 face;
 uniform sampler2D wood;
@@ -24,7 +25,7 @@ void main()
     float t = grain(world.xz * vec2(2.2, 6.2));
     vec3 tint = mix(vec3(0.075, 0.042, 0.030), vec3(0.33, 0.20, 0.12), t);
     float pool = lamp_pool(2.2);
-    // Two paper lanterns stand at the far corners; the stall's own lamps hang over the middle.
+    // Two paper lanterns stand at the far corners. The stall's own lamps hang over the middle.
     vec2 lantern = vec2(abs(world.x) - 0.66, world.z + 0.30);
     float glow = 1.0 / (1.0 + dot(lantern, lantern) * 26.0);
     vec3 light = vec3(0.16 + 1.15 * pool * pool) + vec3(1.25, 0.62, 0.26) * (glow * glow);
@@ -34,7 +35,7 @@ void main()
 #elif defined(RIM)
 void main()
 {
-    // The grain runs along each plank; at the corners two planks meet in a mitre.
+    // The grain runs along each plank. At the corners two planks meet in a mitre.
     vec2 past = max(abs(world.xz) - tank.xz, 0.0);
     bool across = past.x > past.y;
     vec2 along = across ? world.zx : world.xz;
@@ -45,8 +46,9 @@ void main()
     float mitre = 1.0 - 0.45 * (1.0 - smoothstep(0.0, 0.0012, abs(past.x - past.y)));
     float joined = min(past.x, past.y) > 0.0 ? mitre : 1.0;
     float lamp = 0.70 + 0.46 * lamp_pool(3.0);
-    // A plank's last pixel fades over what lies behind, which is water at the near one's inner edge
-    // and the counter at the others' outer ones. Their inner edges turn to their own dark sides.
+    // A plank's last pixel fades over its background: water at the near plank's inner edge, and the
+    // counter at the other planks' outer edges. The inner edges of the other planks fade to their
+    // own dark sides.
     float pixel = fwidth(width);
     float inner = clamp(width / pixel, 0.0, 1.0);
     bool near_plank = !across && world.z > 0.0;

@@ -1,6 +1,8 @@
-// The wooden rim and the stall's counter around it. Corners count in steps from the tank's walls.
-layout(location = 0) in vec3 corner;   // x, z: +-1 wall, +-2 rim's outer edge, +-3 far away.
-layout(location = 1) in vec3 normal;   // y of corner: 0 water, 1 rim, -1 counter.
+// The wooden rim and the stall's counter around it. Corners are in steps relative to the tank's
+// walls.
+layout(location = 0) in vec3 corner;   // x, z: +-1 wall, +-2 rim's outer edge, +-3 far away; y: 0
+                                       // water, 1 rim, -1 counter.
+layout(location = 1) in vec3 normal;
 out vec3 world;
 out vec3 face;
 

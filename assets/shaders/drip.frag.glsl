@@ -1,4 +1,4 @@
-// A drop: clear, with a bright rim below and the lamp above.
+// A drop: clear, with a bright rim below and the lamp's reflection above.
 in vec2 corner;
 in float shown;
 out vec4 color;

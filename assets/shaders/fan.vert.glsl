@@ -1,5 +1,5 @@
-// A fan: one flat piece, carried by its pose. The picture is all in the fragment.
-uniform mat4 pose;   // Unit: the leaf's radius. x right, z toward the hand.
+// A fan: one flat quad, transformed by its pose. The fragment shader draws the whole picture.
+uniform mat4 pose;   // Unit: the fan's radius. x right, z toward the hand.
 out vec2 at;
 
 const vec2 LOW = vec2(-1.15, -1.15);

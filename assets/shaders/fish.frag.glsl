@@ -1,4 +1,5 @@
-// A wakin's skin: the baked pattern chooses between the two colours that the vertex prepared.
+// A wakin's skin: the baked pattern selects between the two colours that the vertex shader
+// prepared.
 in vec4 skin;
 in vec3 pale;
 in vec3 stain;
@@ -16,14 +17,15 @@ void main()
     float rays = abs(fract(skin.x) * 2.0 - 1.0);
     float root = 1.0 - skin.y;
     float alpha = (0.42 + 0.51 * root * root) * (0.70 + 0.30 * rays);
-    alpha *= 1.0 - 0.75 * clamp((skin.y - 0.86 - 0.08 * rays) * 12.0, 0.0, 1.0); // A frayed edge.
+    // A frayed edge.
+    alpha *= 1.0 - 0.75 * clamp((skin.y - 0.86 - 0.08 * rays) * 12.0, 0.0, 1.0);
     color = vec4((stain * (0.90 + 0.22 * rays) + haze.rgb) * alpha, alpha);
 }
 #else
 void main()
 {
 #ifdef SUNK
-    if (out_m > 0.0) { // A snout in the air must not be seen through the water, too.
+    if (out_m > 0.0) { // A snout above the surface must not also be visible through the water.
         discard;
     }
 #endif
@@ -33,7 +35,8 @@ void main()
     float scales = mix(pattern.g, 0.70, skin.w);
     float gill = haze.w * max(1.0 - abs(skin.x - 0.252) * 45.0, 0.0);
     vec3 tint = mix(pale, stain, red) * ((0.74 + 0.38 * scales) * (1.0 - gill));
-    // A round body ends where it turns away: fading there, about a pixel wide, smooths its outline.
+    // The outline of a round body is where its surface turns away. Fading there, about a pixel
+    // wide, smooths the outline.
     float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);
     color = vec4(tint + haze.rgb * (0.45 + 0.75 * scales), 1.0) * cover;
 }

@@ -1,28 +1,33 @@
-// A fish of the tank: its key shapes blended (morph.glsl), then bent, then waved along the spine, then
-// placed. FIN chooses fins, else body and eyes.
+// A fish of the tank: its key shapes are blended (morph.glsl), then bent, then waved along the
+// spine, then placed. FIN selects fins, otherwise body and eyes.
 layout(location = 9) in vec4 place;        // World position; w: length, m.
-layout(location = 10) in vec4 right_phase; // Body axes in the world, with the wave's phase ...
-layout(location = 11) in vec4 up_amplitude; // ... and amplitude.
+layout(location = 10) in vec4 right_phase; // Body's right axis in the world; w: phase of the wave.
+layout(location = 11) in vec4 up_amplitude; // Body's up axis in the world; w: amplitude of the
+                                            // wave.
 layout(location = 14) in vec4 character;   // Bend (rad), maturity, pattern layer, hue.
-layout(location = 15) in vec3 gulp;        // How far the mouth is open; its phase; the pose's row.
+layout(location = 15) in vec3 gulp;        // Opening of the mouth; gulp phase; row of the pose.
 
 uniform sampler2D caustics;
 
-// Colours are mixed here, between a skin's two extremes; the fragment only chooses between them.
-out vec4 skin;         // u, v, pattern layer, and how much this is an eye.
-out vec3 pale;         // Where the pattern is white (an eye: its iris), lit and seen through water,
-out vec3 stain;        // and where it is red (an eye: its pupil).
-out float turned_to;   // Cosine between skin and eye; 0 along the outline. Bodies only.
+// Colours are computed here for both extremes of the skin. The fragment shader only selects between
+// them.
+out vec4 skin;         // u, v, pattern layer, and 1 for an eye.
+out vec3 pale;         // Colour where the pattern is white (for an eye, its iris), lit and seen
+                       // through water.
+out vec3 stain;        // Colour where the pattern is red (for an eye, its pupil).
+out float turned_to;   // Cosine between normal and view direction; 0 along the outline. Bodies
+                       // only.
 #ifdef SUNK
-out float out_m;       // How far above the surface.
+out float out_m;       // Height above the surface, m.
 #endif
-out vec4 haze;         // What water and gloss add; w: how much of the gill's edge shows.
+out vec4 haze;         // Colour added by water and gloss; w: visibility of the gill's edge.
 
 const float WAVE_NUMBER = 6.45;  // rad per body length: 0.97 lengths a wave (Videler & Hess).
-const float PIVOT = 0.38;        // Where along the body a turn pivots, from the snout.
-const float ARC_MIDDLE = 0.02;   // Body lengths that a bend of 1 rad moves the mean of its mass by.
-const float SEAM = 0.005;        // m.
-const float JAWS = 0.080;        // How far back the mouth's motion reaches, of the body's u.
+const float PIVOT = 0.38;        // Position along the body, from the snout, about which a turn
+                                 // pivots.
+const float ARC_MIDDLE = 0.02;   // Body lengths by which a bend of 1 rad moves the centre of mass.
+const float SEAM = 0.005;        // Overlap of the two sides of the surface, m.
+const float JAWS = 0.080;        // Reach of the mouth's motion, in the body's u.
 
 #ifdef FIN
 void colour()
@@ -42,14 +47,14 @@ void colour()
     pale = mix(pale, iris, eye_part);
     stain = mix(stain, vec3(0.015), eye_part);
     float ridge = (1.0 - smoothstep(0.0, 0.42, under)) * smoothstep(0.0, 0.12, surface.x);
-    haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back throw light up.
+    haze.rgb = vec3(0.20 * ridge * (1.0 - eye_part)); // Scales on the back reflect light upward.
     haze.w = smoothstep(0.15, 0.35, under) * (1.0 - belly * 0.6) * (1.0 - eye_part) * 0.30;
     skin = vec4(surface.xy, floor(character.z + 0.5), eye_part);
 }
 #endif
 
 #ifndef FIN
-// A carp's mouth shoots forward as it opens and the lower jaw drops. The pole that closes the snout
+// Opens the mouth: a carp's mouth protrudes and the lower jaw drops. The pole that closes the snout
 // sinks in and becomes a dark throat.
 float open_mouth(inout vec3 p, vec3 n)
 {
@@ -73,7 +78,7 @@ void main()
     float throat = open_mouth(p, n);
 #endif
 
-    // The travelling wave, with the envelope measured on cruising fish of a carp's build.
+    // The travelling wave, with the amplitude envelope measured on cruising fish of a carp's build.
     float t = p.z + 0.5;
     float flex = surface.w;
     float amplitude = up_amplitude.w;
@@ -84,8 +89,8 @@ void main()
     float side = envelope * wave;
     float side_slope = envelope_slope * wave - envelope * WAVE_NUMBER * cos(phase);
 
-    // The turn: the spine as an arc of constant curvature, up to the C of a start; its middle stays
-    // where it is, as a body's does that nothing pushes.
+    // The turn bends the spine to an arc of constant curvature, up to the C of a startle response.
+    // The centre of mass stays in place, because no outside force acts on the body.
     float s = t - PIVOT;
     float turn = character.x * s;
     float half_turn = 0.5 * turn;
@@ -96,7 +101,7 @@ void main()
     float c = cos(angle);
     float d = sin(angle);
 
-    // Fins trail behind the water that the body pushes, and never hold quite still.
+    // Fins lag behind the water that the body moves, and always flutter slightly.
     float idle = sin(eye.w * 5.0 + right_phase.w * 0.5 + place.x * 40.0 + p.x * 12.0);
     float trail = flex * (0.045 * amplitude * sin(phase - 1.3) + 0.010 * idle);
 #ifdef FIN
@@ -116,12 +121,13 @@ void main()
     out_m = world.y;
 #endif
 #ifdef SNOUT
-    // The waves shift what is below, so a little of that is drawn, too: it closes the seam.
+    // The waves displace the refracted picture, so a small part above the surface is drawn as well,
+    // which closes the seam.
     vec4 nearer = view_projection * vec4(world + SEAM * normalize(eye.xyz - world), 1.0);
     gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 #endif
 
-    // All light is per vertex: at these sizes a pixel would not tell.
+    // Lighting is per vertex, because at these sizes per-pixel lighting looks the same.
     vec3 view = normalize(eye.xyz - world);
 #ifdef FIN
     n = dot(n, view) < 0.0 ? -n : n;
@@ -133,7 +139,8 @@ void main()
     float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
-    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z); // Not by the poi it lies on.
+    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z); // Without the shade of the poi
+                                                                    // on which the fish lies.
     light *= 1.0 - 0.85 * shade;
     vec3 left = water_passes(depth * 1.2);
 #ifdef FIN
@@ -145,7 +152,7 @@ void main()
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    // Out of the water a wet skin mirrors the lamps: narrower, not whiter all over.
+    // Wet skin in air mirrors the lamps: the highlight is narrower, not brighter all over.
     float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
     light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
 #endif

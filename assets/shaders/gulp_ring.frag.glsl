@@ -1,9 +1,10 @@
-// Two crests run outward and fade; the film clings to the snout. What leans to the lamp shines.
+// Two crests run outward and fade, and the water film clings to the snout. Slopes toward the lamp
+// are bright.
 in vec2 from;
 in float phase;
 out vec4 color;
 
-// Near enough to -x exp(-x x), without its exponential.
+// Approximates -x exp(-x x) without an exponential.
 float crest(float x)
 {
     float k = max(1.0 - 0.25 * x * x, 0.0);

@@ -1,11 +1,14 @@
-// The morph (2005 thesis, eq. 3.2): from key shapes to the shape of one fish. In front of every
-// vertex shader that draws fish; core/morph/blend.c does the same on the CPU, to 1e-5 of a length.
+// The morph (2005 thesis, eq. 3.2): blends key shapes to the shape of one fish. Prepended to every
+// vertex shader that draws fish. core/morph/blend.c computes the same on the CPU; the two agree
+// within 1e-5 of a length.
 //
-// KEYS     key shapes, 3 .. 8: an attribute of 8 bytes each, xyz the position, w the normal.
-// CURVES   deformation graphs, 1 .. 4. With one, a vertex's masks are not looked at.
-// ANCHORS  2: vertices ride on points of the skin and may turn with it, as eyes do; 1: they ride and
-//          keep the body's axes, as fins do; 0: none rides, and none is asked.
-// POSE_ROWS: each fish's pose is a row of texels in `poses`; else the one fish's is the block Pose.
+// KEYS: number of key shapes, 3 .. 8, with an attribute of 8 bytes each: xyz the position, w the
+// normal.
+// CURVES: number of deformation graphs, 1 .. 4. With one graph, a vertex's masks are not read.
+// ANCHORS: 2 if vertices are attached to points of the skin and may turn with it, as eyes do; 1 if
+// attached vertices keep the body's axes, as fins do; 0 if no vertex is attached.
+// POSE_ROWS: each fish's pose is a row of texels in `poses`. Otherwise the pose of the only fish is
+// the block Pose.
 layout(location = 0) in vec4 key_0;
 layout(location = 1) in vec4 key_1;
 layout(location = 2) in vec4 key_2;
@@ -24,15 +27,16 @@ layout(location = 6) in vec4 key_6;
 #if KEYS > 7
 layout(location = 7) in vec4 key_7;
 #endif
-layout(location = 8) in vec4 surface; // u, v, part / 255, flex.
+layout(location = 8) in vec4 surface; // u, v, part / 255, flexibility.
 #if CURVES > 1
-layout(location = 12) in vec4 masks;  // How much each curve moves it; they sum to 1.
+layout(location = 12) in vec4 masks;  // Share of each curve in the vertex's motion; the sum is 1.
 #endif
-layout(location = 13) in vec2 rides;  // The anchor that it rides on, or 255; which of a pair it is.
+layout(location = 13) in vec2 rides;  // Index of the vertex's anchor, or 255; side of a pair.
 
-uniform float reach;                  // What 1 of a key's attribute is worth, in lengths.
+uniform float reach;                  // Length that the attribute value 1 stands for, in body
+                                      // lengths.
 
-// A pose: each curve's weights of keys 0 .. 3 and 4 .. 7, then each anchor's place and its turn.
+// A pose: each curve's weights of keys 0 .. 3 and 4 .. 7, then each anchor's position and rotation.
 #ifdef POSE_ROWS
 uniform sampler2D poses;
 #define POSE(index) texelFetch(poses, ivec2(index, row), 0)
@@ -43,7 +47,7 @@ layout(std140) uniform Pose {
 #define POSE(index) pose[index]
 #endif
 
-// On the octahedron |x| + |y| + |z| = 1, where normals are blended.
+// Unfolds a normal from the octahedron |x| + |y| + |z| = 1. Normals are blended in this form.
 vec3 unfold_normal(float folded)
 {
     float code = floor(folded * 32767.0 + 32767.5);
@@ -67,7 +71,7 @@ void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
 }
 
 #if ANCHORS
-// To where its anchor is, if it rides on one.
+// Moves the vertex to its anchor, if it has one.
 void carry(int row, inout vec3 p, inout vec3 n)
 {
     if (rides.x < 254.5) {
@@ -82,7 +86,7 @@ void carry(int row, inout vec3 p, inout vec3 n)
 }
 #endif
 
-// The vertex in the fish's own frame and unit. Its normal is not yet of length 1.
+// Computes the vertex in the fish's own frame and unit. The normal is not normalized yet.
 void morph(int row, out vec3 p, out vec3 n)
 {
 #if CURVES > 1

@@ -1,10 +1,10 @@
 in vec3 world;
 in vec3 face;
-in vec3 at;                     // In ring radii.
-uniform vec4 paint;             // w: how many white marks tell this player from the others.
+in vec3 at;                     // Position in ring radii.
+uniform vec4 paint;             // w: number of white marks that distinguish this player.
 out vec4 color;
 
-// So many bands about the handle and round the ring, for who cannot tell the colours.
+// Returns the white bands around handle and ring, which identify the player without colour.
 float marks()
 {
     float along = (at.z - 2.0) / 0.30;
@@ -25,8 +25,8 @@ void main()
     shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
     float facing = dot(n, view);
     float edge = 1.0 - max(facing, 0.0);
-    // The outline of a round solid is where it turns away: fading there, one pixel wide, is its
-    // anti-aliasing, with or without multisampling.
+    // The outline of a round solid is where its surface turns away. Fading there, one pixel wide,
+    // is the anti-aliasing, with or without multisampling.
     float cover = clamp(facing / fwidth(facing), 0.0, 1.0);
     vec3 plastic = mix(paint.rgb, vec3(1.0, 0.98, 0.94), marks());
     vec3 tint = plastic * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);

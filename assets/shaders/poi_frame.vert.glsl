@@ -1,4 +1,4 @@
-// Ring and handle: a solid of plastic, carried by its pose.
+// Ring and handle: a plastic solid, transformed by its pose.
 layout(location = 0) in vec3 position;  // In ring radii.
 layout(location = 1) in vec3 normal;
 uniform mat4 pose;

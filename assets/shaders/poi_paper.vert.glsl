@@ -1,4 +1,4 @@
-// The paper: a disc that bellies under its load.
+// The paper: a disc that sags under its load.
 layout(location = 0) in vec2 position;  // In ring radii; y runs toward the handle.
 uniform mat4 pose;
 uniform vec4 paper;                     // x: sag in radii; y: sheet layer.

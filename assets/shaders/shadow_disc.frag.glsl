@@ -1,5 +1,5 @@
 in vec2 disc;
-uniform vec4 softness;    // x: margin in radii; z: how dark the middle is; w: sheet layer or -1.
+uniform vec4 softness;    // x: margin in radii; z: darkness of the centre; w: sheet layer or -1.
 uniform sampler2DArray sheet;
 out vec4 color;
 

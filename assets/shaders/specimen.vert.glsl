@@ -1,21 +1,23 @@
-// A specimen: one fish of any species, blended (morph.glsl), swimming in place, seen without
-// perspective. FIN chooses fins, else body and eyes.
-layout(location = 9) in vec2 paint_at; // On the sheets of paint.
+// A specimen: one fish of any species, blended (morph.glsl), swimming in place, without
+// perspective. FIN selects fins, otherwise body and eyes.
+layout(location = 9) in vec2 paint_at; // Coordinates in the fish texture.
 
-uniform mat3 axes;      // The body's axes to screen right, screen up and toward the viewer.
-uniform vec3 place;     // The middle of the body, px from the top left; z: px a length.
+uniform mat3 axes;      // Transforms the body's axes to screen right, screen up and toward the
+                        // viewer.
+uniform vec3 place;     // Centre of the body, px from the top left; z: px a length.
 uniform vec2 screen_px;
-uniform mat2 turn;  // How the picture lies on the screen.
+uniform mat2 turn;  // Rotation of the picture on the screen.
 uniform vec2 move;
-uniform vec3 swim;      // Phase, amplitude, and how it swims (enum species_motion).
+uniform vec3 swim;      // Phase, amplitude, and kind of swimming (enum species_motion).
 
-out vec3 normal;        // To the viewer: right, up, toward.
+out vec3 normal;        // Normal in view axes: right, up, toward the viewer.
 out vec2 paint_uv;
-out vec4 skin;          // u, v, part, and how deep in the body's shade it lies.
+out vec4 skin;          // u, v, part, and depth in the body's shade.
 
-const float TAIL = 0.5, EEL = 1.5, FINS = 2.5, TUNA = 3.5; // Up to these is ...
+const float TAIL = 0.5, EEL = 1.5, FINS = 2.5, TUNA = 3.5; // Upper limits of enum species_motion.
 
-// Where the wave carries the spine sideways at t (0 snout .. 1 tail), and its slope along the body.
+// Returns the sideways displacement of the spine at t (0 snout .. 1 tail), and its slope along the
+// body.
 vec2 sway(float t)
 {
     vec3 envelope; // Value, slope, wave number.
@@ -24,7 +26,7 @@ vec2 sway(float t)
     } else if (swim.z < EEL) {
         envelope = vec3(0.018 + 0.060 * t * t, 0.120 * t, 10.2); // 1.6 waves along the body.
     } else if (swim.z < FINS) {
-        envelope = vec3(0.022 * t * t * t, 0.066 * t * t, 4.2);  // A stiff box; the tail steers.
+        envelope = vec3(0.022 * t * t * t, 0.066 * t * t, 4.2);  // A stiff body; the tail steers.
     } else if (swim.z < TUNA) {
         envelope = vec3(0.004 + 0.090 * pow(t, 5.0), 0.45 * pow(t, 4.0), 5.2);
     } else {
@@ -35,7 +37,7 @@ vec2 sway(float t)
     return swim.y * vec2(envelope.x * wave.x, envelope.y * wave.x + envelope.x * wave.y);
 }
 
-// A ray's wings: the wave runs back along the disc and grows toward its edges.
+// Moves a ray's wings: the wave runs back along the disc and grows toward its edges.
 void flap(inout vec3 p, inout vec3 n)
 {
     float out_ = smoothstep(0.06, 0.50, abs(p.x));
@@ -47,7 +49,8 @@ void flap(inout vec3 p, inout vec3 n)
     n = vec3(n.x - slope.x * n.y, n.y, n.z - slope.y * n.y);
 }
 
-// A puffer's dorsal and anal fin scull, its breast fins fan; other fishes' fins trail a little.
+// Moves the fins: a puffer sculls with its dorsal and anal fin and fans with its pectoral fins.
+// Other fishes' fins trail slightly.
 void scull(inout vec3 p, float part)
 {
     float flex = surface.w;

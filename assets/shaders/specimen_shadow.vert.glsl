@@ -1,9 +1,9 @@
-// The soft shadow under a specimen: a lens, lower than any belly.
-uniform vec3 place; // As the specimen's own.
+// The soft shadow under a specimen: an ellipse, lower than any belly.
+uniform vec3 place; // Same as in specimen.vert.glsl.
 uniform vec2 screen_px;
-uniform mat2 turn;  // How the picture lies on the screen.
+uniform mat2 turn;  // Rotation of the picture on the screen.
 uniform vec2 move;
-uniform vec3 look;  // How dark; how much of its length is seen.
+uniform vec3 look;  // Darkness; visible fraction of the fish's length.
 out vec2 lens;
 
 void main()

@@ -1,4 +1,4 @@
-// The still surface; its waves are all in the slopes.
+// The still surface. The slopes alone contain the waves.
 layout(location = 0) in vec3 corner;
 out vec3 world;
 

@@ -13,8 +13,8 @@ const char *const ui_vertex_source =
     "layout(location = 2) in vec4 shape;\n"
     "layout(location = 3) in vec4 fill;\n"
     "layout(location = 4) in vec4 line;\n"
-    "uniform vec2 to_clip;\n" /* Display geometry of the picture. */
-    "uniform mat2 turn;\n"    /* Paper cards have a second, finer line inside their border. */
+    "uniform vec2 to_clip;\n" /* 2 / width, -2 / height */
+    "uniform mat2 turn;\n"    /* Display geometry of the picture. */
     "uniform vec2 move;\n"
     "out highp vec2 at;\n"
     "flat out highp vec4 s;\n"
@@ -65,7 +65,7 @@ const char *const ui_fragment_head =
 
 #define PANEL "void main() { colour = framed(inner); }\n"
 
-/* Planed cedar: soft bands of grain along the tag, and a bevel that is bright at the top. */
+/* Paper cards have a second, finer line inside their border. */
 #define WASHI                                                                                      \
     "void main() {\n"                                                                              \
     "    float f = fibre(at * 0.0034) - 0.5;\n"                                                    \
@@ -76,7 +76,7 @@ const char *const ui_fragment_head =
     "    colour = framed(body);\n"                                                                 \
     "}\n"
 
-/* Same colour ramp as in assets/shaders/poi_paper.frag.glsl. */
+/* Planed cedar: soft bands of grain along the tag, and a bevel that is bright at the top. */
 #define WOOD                                                                                       \
     "void main() {\n"                                                                              \
     "    vec2 p = at / s.y;\n"                                                                     \
@@ -91,8 +91,7 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(body, inner.a));\n"                                                  \
     "}\n"
 
-/* Sea waves: rows of overlapping arcs of three lines each, with the lower row in front. The cloth
- * has two soft folds. */
+/* Same colour ramp as in assets/shaders/poi_paper.frag.glsl. */
 #define HEAT                                                                                       \
     "void main() {\n"                                                                              \
     "    float t = clamp(at.x / s.x * 0.5 + 0.5, 0.0, 1.0);\n"                                     \
@@ -103,7 +102,8 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(c, inner.a));\n"                                                     \
     "}\n"
 
-/* Lantern: bamboo ribs under paper, brightest at the candle. */
+/* Sea waves: rows of overlapping arcs of three lines each, with the lower row in front. The cloth
+ * has two soft folds. */
 #define WAVES                                                                                      \
     "float arcs(vec2 p) {\n"                                                                       \
     "    float row = floor(p.y * 2.0);\n"                                                          \
@@ -142,7 +142,7 @@ const char *const ui_fragment_head =
     "    colour = vec4(light.rgb, light.a * (1.0 - s.z));\n"                                       \
     "}\n"
 
-/* A goldfish from above, nose to the left: body, fan tail, two fins, white patches, eyes. */
+/* Lantern: bamboo ribs under paper, brightest at the candle. */
 #define LANTERN                                                                                    \
     "void main() {\n"                                                                              \
     "    vec2 q = at / s.xy;\n"                                                                    \
@@ -157,7 +157,7 @@ const char *const ui_fragment_head =
     "    colour = vec4(lit, 1.0) * (edge * inner.a);\n"                                            \
     "}\n"
 
-/* The scoop: ring, handle, and the remaining paper, torn from the middle. */
+/* A goldfish from above, nose to the left: body, fan tail, two fins, white patches, eyes. */
 #define FISH                                                                                       \
     "float fin(vec2 p, vec2 root, float lean, vec2 size) {\n"                                      \
     "    p = vec2(p.x, abs(p.y)) - root;\n"                                                        \
@@ -194,8 +194,7 @@ const char *const ui_fragment_head =
     "    colour = over(paint(vec4(0.07, 0.04, 0.05, inner.a), cover(eye * s.x)), colour);\n"       \
     "}\n"
 
-/* Aquarium: slow shafts of light from above, water that darkens downward, and drifting
- * particles. */
+/* The scoop: ring, handle, and the remaining paper, torn from the middle. */
 #define POI                                                                                        \
     "void main() {\n"                                                                              \
     "    float r = length(at), width = 0.15 * s.x;\n"                                              \
@@ -213,7 +212,8 @@ const char *const ui_fragment_head =
     "    colour = over(paint(inner, cover(body)), paint(vec4(washi, inner.a * 0.94), sheet));\n"   \
     "}\n"
 
-/* Light falls in slow shafts from above into water that darkens downward; motes drift in it. */
+/* Aquarium: slow shafts of light from above, water that darkens downward, and drifting
+ * particles. */
 #define WATER                                                                                      \
     "float shaft(float x, float t) {\n"                                                            \
     "    return 0.5 + 0.5 * sin(x * 5.0 + 0.9 * sin(x * 2.3 + t * 0.21) + t * 0.13);\n"            \
