@@ -1,10 +1,11 @@
 /* lanes.h -- SIMD form of fmath.h: several floats at once, each bit-equal to the scalar result.
  *
- * A kernel is a source named *_lanes.c that uses these functions. It is compiled once for four
- * lanes (SSE2, NEON, or scalars if the target has neither), and on x86-64 once more for eight lanes
- * (-mavx2 -DLANES_WIDE). LANES_NAME() gives the two builds different names; LANES_PICK() calls the
- * one that the platform detected. The state never depends on the choice: a lane's value equals that
- * of the scalar function to the last bit, so four lanes, eight and none play the same game.
+ * A kernel is a source named *_lanes.c that uses these functions. Each kernel is compiled once for
+ * four lanes (SSE2, NEON, or scalars if the target has neither). On x86-64 each is compiled once
+ * more for eight lanes (-mavx2 -DLANES_WIDE). LANES_NAME() gives the two builds different names,
+ * and LANES_PICK() calls the one that the platform detected. The state never depends on the choice:
+ * a lane's value equals that of the scalar function to the last bit, so four lanes, eight and none
+ * play the same game.
  *
  * The vectors are compiler extensions (gcc from 12, clang), so a kernel is plain C on every
  * target. */
@@ -154,8 +155,8 @@ static inline flanes lanes_abs(flanes a)
     return (flanes)((ilanes)a & 0x7fffffff);
 }
 
-/* As f_min() and f_max(): the second operand if both are equal or do not compare. The instructions
- * behave this way, but gcc does not generate them from the plain form (clang does). */
+/* Same results as f_min() and f_max(): the second operand if both are equal or do not compare. The
+ * instructions behave this way, but gcc does not generate them from the plain form (clang does). */
 #if defined(__SSE2__) && defined(LANES_WIDE) && !defined(__clang__)
 #define LANES_LEAST(a, b) __builtin_ia32_minps256(a, b)
 #define LANES_MOST(a, b) __builtin_ia32_maxps256(a, b)
@@ -191,7 +192,7 @@ static inline flanes lanes_lerp(flanes a, flanes b, flanes t)
 
 static inline flanes lanes_sqrt(flanes a)
 {
-    for (int lane = 0; lane < LANES; lane++) { /* One instruction when optimised. */
+    for (int lane = 0; lane < LANES; lane++) { /* A single instruction when optimised. */
         a[lane] = f_sqrt(a[lane]);
     }
     return a;
@@ -231,7 +232,7 @@ struct lanes_sin_cos {
     flanes sin, cos;
 };
 
-/* Returns f_sin() and f_cos() of the same angle; one reduction serves both. */
+/* Returns f_sin() and f_cos() of the same angle with one shared range reduction. */
 static inline struct lanes_sin_cos lanes_sin_cos(flanes x)
 {
     const float half_pi_high = 1.5703125f, half_pi_low = 4.83826794897e-4f;

@@ -11,8 +11,8 @@ void *memmove(void *to, const void *from, size_t size);
 void *memset(void *to, int byte, size_t size);
 int memcmp(const void *left, const void *right, size_t size);
 
-/* Calls memcpy() with a size known at compile time: it becomes loads and stores, where memcpy() in
- * a freestanding source would be a call. */
+/* Calls memcpy() with a size known at compile time, so that loads and stores replace the call,
+ * which a freestanding source's memcpy() would keep. */
 #define MEM_COPY(to, from, size) ((void)__builtin_memcpy(to, from, size))
 
 #endif

@@ -1,8 +1,8 @@
 /* vec.h -- vectors and orientations of the world.
  *
  * World: right-handed, origin at the centre of the still water surface, +x to the player's right,
- * +y up, +z toward the player. A body (fish or poi) faces along its own -z; its right is +x and its
- * up is +y. An orientation is a yaw about +y (0 faces -z, positive turns left), then a pitch
+ * +y up, +z toward the player. A body (fish or poi) faces along its own -z, with +x to its right
+ * and +y up. An orientation is a yaw about +y (0 faces -z, positive turns left), then a pitch
  * (positive lifts the nose), then a roll (positive lowers the right side). */
 #ifndef KINGYO_CORE_BASE_VEC_H
 #define KINGYO_CORE_BASE_VEC_H

@@ -44,23 +44,23 @@ enum species_part {
 
 enum species_side { SIDE_MIDDLE = 0, SIDE_RIGHT = 1, SIDE_LEFT = 2 };
 
-/* Body: u from the snout 0 to the tail root 1; v round the girth, 0 at the back, over the right
- * flank, 0.5 at the belly, over the left flank to 1 at the back again (its seam column is doubled).
- * Fins: u from the leading ray 0 to the last 1 (tail: top to bottom), v from root 0 to tip 1.
- * Eyes: u from the pupil's centre 0 over the visible rim 1 (and on, behind it); v is the body's on
- * that side, for the skin around. */
+/* Body coordinates of a vertex. Body: u from the snout 0 to the tail root 1; v around the girth, 0
+ * at the back, over the right flank, 0.5 at the belly, over the left flank to 1 at the back again
+ * (the seam column is doubled). Fins: u from the leading ray 0 to the last ray 1 (tail: top to
+ * bottom), v from root 0 to tip 1. Eyes: u from the pupil's centre 0 over the visible edge 1 and
+ * beyond behind it; v is the body's v on that side, for the skin around. */
 struct species_vertex {
     float u, v;
     uint8_t part;   /* enum species_part */
-    uint8_t side;   /* enum species_side: which of a pair. */
-    uint8_t flex;   /* 0 .. 255: how far a fin's point trails the water; 0 on body and eyes. */
-    uint8_t anchor; /* What it rides on, an index into the mesh's anchors, or ANCHOR_NONE. */
-    uint8_t mask[MORPH_CURVE_MAX]; /* How much each curve moves it; the four sum to 255. */
+    uint8_t side;   /* enum species_side, for a part of a pair. */
+    uint8_t flex;   /* 0 .. 255: how far a fin's point trails in the water; 0 on body and eyes. */
+    uint8_t anchor; /* Anchor of the vertex: an index into the mesh's anchors, or ANCHOR_NONE. */
+    uint8_t mask[MORPH_CURVE_MAX]; /* Share of each curve in the vertex; the four sum to 255. */
 };
 
-/* A vertex in one key. Position: counts of mesh->reach / 32767, from the body's origin, or from its
- * anchor where it has one. Normal: folded on an octahedron, see morph_normal(). The vertex shader
- * reads the very same table. */
+/* A vertex in one key. Position: counts of mesh->reach / 32767, from the body's origin, or from the
+ * vertex's anchor if it has one. Normal: folded on an octahedron, see morph_normal(). The vertex
+ * shader reads the same table. */
 struct species_point {
     int16_t x, y, z, normal;
 };

@@ -10,9 +10,9 @@
 #include "core/poi/bowl.h"
 #include "core/poi/poi.h"
 
-/* Advances every bowl of the stall by one tick, after the pois and before the fish. Of `poi_count`
- * pois, each with a set `live` entry pushes the bowls that it touches. Water above the capacity of
- * the hull spills into the tank. */
+/* Advances every bowl of the stall by one tick, after the pois and before the fish. Each of the
+ * `poi_count` pois with a set `live` entry pushes the bowls that it touches. Water above the
+ * capacity of the hull spills into the tank. */
 void afloat_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
                  uint32_t poi_count);
 

@@ -3,7 +3,7 @@
 
 #include "core/base/panic.h"
 
-#define BODY_FOOT_M 0.020f /* Footprint of a body; that of a tail is 2 to 5 mm. */
+#define BODY_FOOT_M 0.020f /* Footprint of a body; a tail has 2 to 5 mm. */
 
 float burden_dryness(const struct poi *poi, const struct basis *axes, const struct rider *rider,
                      const struct fish *fish)

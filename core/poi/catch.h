@@ -1,7 +1,7 @@
 /* catch.h -- fish and paper: which fish lie on the poi, slip off, fall through or are caught.
  *
- * Under water paper acts on fish as a wall: it pushes them, and none passes through. A fish above
- * the paper without enough water to stand in becomes a carried fish. */
+ * Under water paper acts on fish as a wall that pushes them and lets none pass. A fish above the
+ * paper without enough water to stand in becomes a carried fish. */
 #ifndef KINGYO_CORE_POI_CATCH_H
 #define KINGYO_CORE_POI_CATCH_H
 
@@ -11,12 +11,13 @@
 #include "core/tank/tank.h"
 
 /* Fish that came into a bowl in this tick, by cause. Each fish is counted once, for one player.
- * `landed` counts for the owner of the bowl, whoever dropped the fish. `poured` and `walled` are
- * fouls and count for the poi that caused them. */
+ * `landed` counts for the owner of the bowl, regardless of the poi that dropped the fish. `poured`
+ * and `walled` are fouls and count for the poi that caused them. */
 struct catch_result {
     uint32_t landed; /* From a poi whose rim was completely above the water with the fish on it. */
     uint32_t poured; /* From a ring that had not been clear of the water: washed in. */
-    uint32_t walled; /* As `landed`, but captured where the ring pressed the fish against a wall. */
+    uint32_t walled; /* Like `landed`, but captured where the ring pressed the fish against a
+                        wall. */
     uint32_t bowled; /* Any of these fish, from any poi, that now lie in this player's bowl. */
 };
 

@@ -5,9 +5,9 @@
 #include "core/poi/poi.h"
 #include "core/tank/tank.h"
 
-/* Returns 1 if a swimming fish is above intact paper and near enough for capture. Its position
- * gives the side of the paper, because the contact solver lets no fish through. `axes` are the
- * poi's. */
+/* Returns 1 if a swimming fish is above intact paper and near enough for capture. The fish's
+ * position gives the side of the paper, because the contact solver lets no fish through. `axes` are
+ * the poi's. */
 int contact_fish(const struct poi *poi, const struct basis *axes, const struct fish *fish);
 
 /* Returns 1 if a ring blocked by fish presses this fish against the surface. Such a fish must slip

@@ -1,4 +1,4 @@
-/* poi.h -- the paper scoop: a rigid ring with a sheet of paper, drawn by the hand spring. */
+/* poi.h -- the paper scoop: a rigid ring with a sheet of paper, pulled by the hand spring. */
 #ifndef KINGYO_CORE_POI_POI_H
 #define KINGYO_CORE_POI_POI_H
 
@@ -17,8 +17,8 @@
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
 #define POI_PAPER_DARK 0.34f /* Share of the light that thin paper over the water takes. */
-#define POI_RIDER_MAX 16u /* This many 4 cm fish cover the paper side by side; more slip off over
-                             the ring. */
+#define POI_RIDER_MAX 16u /* 16 fish of 4 cm cover the paper side by side; more slip off over the
+                             ring. */
 _Static_assert(SHEET_LOAD_MAX == 2u * POI_RIDER_MAX, "a body and a slap of each");
 
 /* Returns half the extent of the ring along a world axis; `n` is the component of its unit normal
@@ -29,7 +29,7 @@ static inline float poi_half_extent_m(float n)
            0.5f * POI_THICKNESS_M * f_abs(n);
 }
 
-/* The grip of the hand: its target, and whether it controls the angles. */
+/* The grip of the hand: the target, and whether the hand controls the angles. */
 struct poi_grip {
     struct poi_target target;
     int has_wrist; /* 0: no wrist input, so the poi tips over its bowl automatically. */
@@ -89,11 +89,11 @@ struct poi {
 /* Initialises a new poi of `grade` 4 .. 7 at rest; a `position_m` above the water keeps it dry. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
-/* Advances the ring by one tick: the hand spring pulls it; water, floor, walls and its own bowl
- * hold it back. Without wrist input it rises and turns toward the bowl when it is over the bowl's
- * mouth with fish on it. A blocked ring does not shoot off when it comes free: its speed exceeds
- * the recent speed of the hand by at most 1 m/s. Asserts that the target is finite. Force on the
- * hand: haptics.h; effect on the surface: wake.h. */
+/* Advances the ring by one tick: the hand spring pulls the ring; water, floor, walls and its own
+ * bowl hold it back. Without wrist input the ring rises and turns toward the bowl when it is over
+ * the bowl's mouth with fish on it. A blocked ring does not shoot off when it comes free: the ring
+ * exceeds the recent speed of the hand by at most 1 m/s. Asserts that the target is finite. Force
+ * on the hand: haptics.h; effect on the surface: wake.h. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 
@@ -114,7 +114,7 @@ static inline float poi_whole(const struct poi *poi)
 /* Returns the mean depth over the whole paper of the water carried out of the tank. */
 float poi_water_m(const struct poi *poi);
 
-/* Returns the shade on the water below the poi; none once it dips in. */
+/* Returns the shade on the water below the poi, or no shade once the poi dips in. */
 struct shade_cast poi_shade(const struct poi *poi);
 
 uint64_t poi_hash(uint64_t hash, const struct poi *poi);

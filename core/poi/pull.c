@@ -15,8 +15,8 @@
 
 /* A hand that pushes against a slow obstacle slows down with it. Once free, the poi moves at the
  * recent speed of the hand and catches up slowly, because the spring alone would shoot it off at
- * 3.7 m/s. A freely moving ring lags by its speed times the lag. Its limit is pace (1 + 4 lag),
- * which it never reaches: pace exp(lag / 0.3 s). */
+ * 3.7 m/s. A freely moving ring lags by its speed times the lag. The limit is pace (1 + 4 lag). A
+ * freely moving ring never reaches that limit: its speed stays at pace exp(lag / 0.3 s). */
 #define CATCH_UP_PER_S 4.0f /* Rate at which the ring catches up with its lag. */
 #define CATCH_UP_M_S 1.0f   /* Highest additional speed while it catches up. */
 #define PACE_TAU_S 0.30f    /* Time constant with which the speed of the hand decays. */

@@ -124,7 +124,7 @@ static void make_off(struct rider *rider, const struct fish *fish, float afloat)
     rider->slide_z_m_s = rider->slide_z_m_s * keep - gain_m_s * f_cos(rider->heading_rad);
 }
 
-/* Friction is an implicit factor: it stops a fish but never reverses it. */
+/* Friction is an implicit factor, so friction stops a fish but never reverses it. */
 static void slide(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry)
 {
     const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;

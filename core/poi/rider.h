@@ -1,6 +1,6 @@
-/* rider.h -- one carried fish: it lies on its side, slaps, slides and calms down.
+/* rider.h -- one carried fish, which lies on its side, slaps, slides and calms down.
  *
- * Its position is stored in the plane of the poi, so it moves with the poi. */
+ * The position is stored in the plane of the poi, so the fish moves with the poi. */
 #ifndef KINGYO_CORE_POI_RIDER_H
 #define KINGYO_CORE_POI_RIDER_H
 

@@ -10,22 +10,22 @@
 #define FLOC 0.05f        /* Amplitude from cell to cell, which makes tears wander. */
 #define SPOT_COUNT 3u     /* Thin spots of a specimen. */
 
-/* The weakest-sourced figures of the kiosk, all of them here. How well each is known:
+/* Properties of the paper grades: the least certain constants of the game. Source of each value:
  *
- *   areal mass   a guess. Poi paper feels like tissue, which is 14 to 25 g/m^2; nobody prints it.
- *                That a higher number is thinner paper is told by every seller but one.
+ *   areal mass   a guess. Poi paper is similar to tissue, which has 14 to 25 g/m^2; no maker
+ *                publishes a value. All sellers but one give thinner paper a higher number.
  *   dry          a guess: areal mass times 20 N m/g, the tensile index of a soft tissue (15 to 30;
  *                kozo 40 to 70).
- *   wet          the ratio is sourced: plain paper keeps less than a tenth of its strength when
- *                wet, wet-strength paper 15 % and more. Here 7 to 12.5 %, so that each grade can
- *                be told from the next; tuned by play.
- *   stiffness    a guess: wet, it strains by 1 to 2 % before it breaks.
- *   STRENGTH_SD  a guess; contestants choose among poi by eye, so they do differ.
- *   FLOC, spots  a guess. That pois have thin places and a fibre direction is what finalists look
- *                for (they choose by both).
+ *   wet          the ratio has a source: plain paper keeps less than a tenth of its strength when
+ *                wet, wet-strength paper 15 % and more. The table has 7 to 12.5 %, so that the
+ *                grades differ noticeably; tuned by play.
+ *   stiffness    a guess: wet paper strains by 1 to 2 % before it breaks.
+ *   STRENGTH_SD  a guess; contestants choose among pois by eye, so specimens do differ.
+ *   FLOC, spots  a guess. Finalists choose pois by thin places and by fibre direction, so both
+ *                exist.
  *
- * README.md, Calibrate, says how to measure the wet strength with weights; `kingyoctl paper
- * --calibrate` turns them into a line of this table. */
+ * The section Calibrate of README.md describes how to measure the wet strength with weights, and
+ * `kingyoctl paper --calibrate` converts the weights into a line of this table. */
 static const struct paper_grade grades[SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u] = {
     { .areal_kg_m2 = 0.024f, .dry_n_m = 480.0f, .wet_n_m = 60.0f, .stiffness_n_m = 2800.0f },
     { .areal_kg_m2 = 0.020f, .dry_n_m = 400.0f, .wet_n_m = 45.0f, .stiffness_n_m = 2300.0f },

@@ -13,8 +13,8 @@
 void take_up(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
              uint32_t index, uint32_t tick);
 
-/* Moves a fish out over the ring into the water: one for which the paper has no room, or one that a
- * ring rises under without lifting it. */
+/* Moves a fish out over the ring into the water, because the paper has no room for it, or because a
+ * ring rises under the fish without lifting it. */
 void take_up_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish);
 
 /* Returns 1 if the ring presses a fish against a wall of the tank. The ring is within 15 mm of the

@@ -2,7 +2,7 @@
 #include "core/poi/tear.h"
 
 #define WAYS 8u /* Directions around a cell, clockwise from the right as seen from above. */
-#define CORNER_SHARE 0.966f /* 2^(-1/20): its tenth power is 1 / sqrt 2. */
+#define CORNER_SHARE 0.966f /* 2^(-1/20), whose tenth power is 1 / sqrt 2. */
 
 struct way {
     int32_t row, column;

@@ -9,8 +9,8 @@
 
 _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 
-#define TEAR_FACTOR 2.5f       /* Stress factor beside a hole of one cell; it grows with the root of
-                                  the hole's length. */
+#define TEAR_FACTOR 2.5f       /* Stress factor beside a hole of one cell; the factor grows with the
+                                  root of the hole's length. */
 #define TEAR_FACTOR_MAX 4.0f   /* Limit of the factor, reached at 2.56 cells. */
 #define TEAR_FIBRE_SHARE 0.08f /* Increase of the factor along the fibres, and decrease across
                                   them. */
@@ -33,10 +33,10 @@ void tear_measure(struct tear_map *map);
 uint32_t tear_front(const struct tear_map *map, uint32_t row);
 
 /* Returns the stress factor of a cell due to the holes beside it, <= TEAR_FACTOR_WORST; 0 if there
- * is no hole beside it. The rim of a hole bears what the hole does not. As in fracture mechanics,
- * the factor grows with the root of the length, here the longest straight line through the hole at
- * its nearest cell. Growth along the fibres is easiest, and growth over a corner takes longer in
- * proportion to its length. */
+ * is no hole beside it. The rim of a hole bears what the hole does not. The factor grows with the
+ * root of the length, as in fracture mechanics. The length is the longest straight line through the
+ * hole at its nearest cell. Growth along the fibres is easiest, and growth over a corner takes
+ * longer in proportion to its length. */
 float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_t row,
                   uint32_t column);
 

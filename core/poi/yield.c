@@ -24,9 +24,9 @@ static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
     return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);
 }
 
-/* A ring inside the walls stays inside; it passes only with its lowest edge above the rim. A ring
- * beyond the walls, or across the rim, rests on the rim. Its previous position decides which case
- * applies, not its angles, because a rotation alone must never throw it over a wall. */
+/* A ring inside the walls stays inside and passes only with its lowest edge above the rim. A ring
+ * beyond the walls, or across the rim, rests on the rim. The previous position of the ring decides
+ * which case applies, not its angles, because a rotation alone must never throw it over a wall. */
 static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);

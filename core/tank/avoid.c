@@ -10,8 +10,8 @@
                                   3.4). */
 #define YAW_TIME_S 0.5f        /* Longest avoidance by yaw before pitch is used (section 3.4). */
 #define PITCH_TIME_S 0.5f
-#define HOLD_DEPTH_S 0.5f      /* Time a fish keeps its depth after pitch; its own depth would lead
-                                  it back. */
+#define HOLD_DEPTH_S 0.5f      /* Time a fish keeps its depth after pitch, because its own depth
+                                  would lead it back. */
 #define CLOSING_MIN_M_S 0.010f /* Two resting fish drift together at this speed; repulsion parts
                                   them. */
 #define BRAKE_MIN 0.4f         /* Below 0.4 a burst in a crowd would lose more than half its

@@ -50,11 +50,11 @@ enum meeting_kind {
     MEET_NONE = 0, /* The fish do not approach, or no faster than resting fish drift. */
     MEET_HEAD_ON,  /* Headings within 20 degrees of opposite. */
     MEET_REAR_END, /* Headings within 20 degrees of equal, the other fish ahead. */
-    MEET_SIDE,     /* This fish runs into the side of the other fish. */
-    MEET_STRUCK,   /* The other fish runs into the side of this fish. */
+    MEET_SIDE,     /* The fish runs into the side of the other fish. */
+    MEET_STRUCK,   /* The other fish runs into the side of the fish. */
 };
 
-/* One fish of a pair. */
+/* A fish of a pair. */
 struct avoid_party {
     vec3 position_m;
     vec3 forward; /* Unit vector along the nose. */
@@ -83,8 +83,8 @@ struct avoid_pair {
 };
 
 /* Returns the advice for both fish of a pair. `gap_m` is the gap between the bodies. The pair has
- * one random draw for the whole encounter. Its key is the tick in which the first fish began to
- * avoid, so the other fish gets the same draw later. */
+ * one random draw for the whole encounter. The key of the draw is the tick in which the first fish
+ * began to avoid, so the other fish gets the same draw later. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct law *law, uint32_t seed, uint32_t tick);
 

@@ -23,11 +23,11 @@ enum crowd_flag {
     CROWD_UNLISTED = 32, /* A contact of the fish found no slot in the full list. */
 };
 
-/* What a query returns to a fish about its neighbours; valid until the next query. */
+/* Results of a query for one fish about its neighbours; valid until the next query. */
 struct company {
     struct avoid_advice advice; /* Advice of the encounter that is soonest. */
     vec3 push_m_s;              /* Sum of the repulsion of near fish. */
-    float brake, room;          /* As in struct fish. */
+    float brake, room;          /* Same members as in struct fish. */
 };
 
 #define CROWD_LOOK_TICKS 4u /* Ticks between full queries (33 ms, the period of a fish's decisions),
@@ -47,8 +47,8 @@ struct crowd {
     struct body body[TANK_FISH_MAX];
     uint8_t flags[TANK_FISH_MAX]; /* enum crowd_flag */
     struct company company[TANK_FISH_MAX];
-    /* Results of a query stay valid until the next query. They are state: crowd_hash() covers
-     * them. */
+    /* Results of a query stay valid until the next query. The results are state, so crowd_hash()
+     * covers them. */
     uint32_t near_count;    /* Contacts in the list. */
     uint32_t contact_count; /* Leading contacts in the list that could touch in this tick. */
     struct contact contact[CROWD_CONTACT_MAX];

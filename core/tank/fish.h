@@ -1,4 +1,4 @@
-/* fish.h -- one goldfish: its identity, its pose and its current goals. */
+/* fish.h -- one goldfish: identity, pose and current goals. */
 #ifndef KINGYO_CORE_TANK_FISH_H
 #define KINGYO_CORE_TANK_FISH_H
 
@@ -134,7 +134,7 @@ static inline float fish_emerges_m(const struct fish *fish)
     return (fish->gait == GAIT_SURFACE ? fish->height_m : 0.0f) + FISH_AIRBORNE_M;
 }
 
-/* Returns 1 if this module moves the fish: it is neither carried by a poi nor in a bowl. */
+/* Returns 1 if this module moves the fish, which is neither carried by a poi nor in a bowl. */
 static inline int fish_swims(const struct fish *fish)
 {
     return fish->gait != GAIT_HELD && fish->gait != GAIT_BOWL;

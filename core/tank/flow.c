@@ -52,7 +52,7 @@ static struct place broadside(struct place at)
     };
 }
 
-/* Returns the flow for motion along the plane; it decays with the cube of the distance from the
+/* Returns the flow for motion along the plane, which decays with the cube of the distance from the
  * sheet. */
 static float edgewise(struct place at)
 {

@@ -1,4 +1,5 @@
-/* flow.h -- the water around a moving disc: it carries fish along, and their lateral line feels it.
+/* flow.h -- the water around a moving disc, which carries fish along and acts on their lateral
+ * line.
  *
  * Potential flow of a thin disc that moves along its normal, exact in oblate spheroidal
  * coordinates. On the axis the water has the speed of the disc at the disc and 0.18 of it one

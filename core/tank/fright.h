@@ -1,12 +1,11 @@
-/* fright.h -- the startle response: what startles a fish, how strongly, and the latency of the
- * answer.
+/* fright.h -- the startle response: stimuli, alarm, threshold and latency.
  *
- * The eyes see a disc loom: its image is large enough and grows fast. The ear and the lateral line
- * feel the pressure of the water that a disc pushes (flow.h), which grows with the square of its
- * speed. Shadows add the alarm of shade.h. All stimuli add to one alarm. If the alarm exceeds the
- * threshold of the individual, a start begins after a latency: 8 to 15 ms after a blow to the water
- * (Eaton et al. 1977), 60 to 150 ms after a sight. The stimulus constants are design values set by
- * play, except the visual angle. */
+ * The eyes see a disc loom if its image is large enough and grows fast. The ear and the lateral
+ * line feel the pressure of the water that a disc pushes (flow.h), which grows with the square of
+ * its speed. Shadows add the alarm of shade.h. All stimuli add to one alarm. If the alarm exceeds
+ * the threshold of the individual, a start begins after a latency: 8 to 15 ms after a blow to the
+ * water (Eaton et al. 1977), 60 to 150 ms after a sight. The stimulus constants are design values
+ * set by play, except the visual angle. */
 #ifndef KINGYO_CORE_TANK_FRIGHT_H
 #define KINGYO_CORE_TANK_FRIGHT_H
 
@@ -52,8 +51,8 @@ void fright_alarm(struct fish *fish, enum fright_cause cause, vec3 from_m, float
  * and a due start begins. Does nothing if the behavior parameters disable escapes. */
 void fright_tick(struct fish *fish, uint32_t index, const struct surroundings *around);
 
-/* Returns 1 if the fish must decide in every tick: it is startled or escapes, or a disc moves near
- * it. */
+/* Returns 1 if the fish must decide in every tick, because it is startled or escapes, or because a
+ * disc moves near it. */
 int fright_alert(const struct fish *fish, const struct surroundings *around);
 
 #endif

@@ -27,7 +27,7 @@
 #include "core/tank/fish.h"
 #include "core/tank/surroundings.h"
 
-/* Chances of the next gait at stamina h; they sum to 1. */
+/* Chances of the next gait at stamina h, with the sum 1. */
 struct gait_chance {
     float burst, swim, rest;
 };

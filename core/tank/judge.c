@@ -51,9 +51,9 @@ static void put_back(const struct parting *all, uint32_t index, uint32_t round)
 }
 
 /* If the contact list is full, the unlisted contacts are unknown. Each fish with an unlisted
- * contact keeps its pose from the start of the substep. That pose was free of all other kept poses,
- * and the list covers the remaining fish. List slots are drawn in each tick, so some fish always
- * move. A pile that was staged overlapping is only separated. Returns the number of fish held. */
+ * contact keeps its pose from the start of the substep. All kept poses are free of each other, and
+ * the list covers the remaining fish. List slots are drawn in each tick, so some fish always move.
+ * A pile that was staged overlapping is only separated. Returns the number of fish held. */
 static uint32_t hold_unlisted(const struct parting *all)
 {
     const struct crowd *crowd = all->crowd;
@@ -113,8 +113,8 @@ static int carry_too(const struct parting *all, uint32_t carried, uint32_t other
     return fate >= PART_CARRIED && carry(all, other, (uint32_t)fate - PART_CARRIED, round);
 }
 
-/* Of two fish with too much penetration, reverts the one whose revert suffices. If either would
- * suffice, reverts the one that moved farther. */
+/* Reverts one of two fish with too much penetration, namely the fish whose revert suffices. If
+ * either would suffice, reverts the fish that moved farther. */
 static void choose(const struct parting *all, uint32_t a, uint32_t b, float allowed_m,
                    uint32_t round)
 {

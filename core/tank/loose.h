@@ -1,10 +1,10 @@
 /* loose.h -- reentry: a fish that comes back into the water, until it is clear of all others.
  *
  * A fish dropped from a poi, floated off it or poured from a bowl may overlap other fish. Meanwhile
- * it is GAIT_HELD by FISH_HOLDER_WATER: it drifts, is pushed out of other fish, pushes them aside,
- * and swims as soon as it overlaps none. A fish that is not free after 0.13 s makes for the nearest
- * gap. After 0.4 s it is placed into that gap. Reentry therefore ends within half a second, unless
- * nothing within 5 cm is free. */
+ * the fish is GAIT_HELD by FISH_HOLDER_WATER. In this state the fish drifts, is pushed out of other
+ * fish, pushes them aside, and swims as soon as it overlaps none. A fish that is not free after
+ * 0.13 s makes for the nearest gap. After 0.4 s it is placed into that gap. Reentry therefore ends
+ * within half a second, unless nothing within 5 cm is free. */
 #ifndef KINGYO_CORE_TANK_LOOSE_H
 #define KINGYO_CORE_TANK_LOOSE_H
 

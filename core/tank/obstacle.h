@@ -77,7 +77,7 @@ int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
 
 /* Returns the wished sidestep, m/s, horizontal. Fish beside a slowly moving disc drift out of its
- * way; those over or under its sheet do not. */
+ * way; fish over or under its sheet do not. */
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m);
 
 #endif

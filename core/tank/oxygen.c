@@ -71,7 +71,7 @@ float oxygen_exchange_per_h(float water_depth_m, int pump)
 
 /* The oxygen that fish breathe is a constant share of the dissolved oxygen during a step, so the
  * step is the exact and stable solution of a linear equation. The form of 1 - exp(-x) avoids
- * cancellation; its error is 1e-6 for x below 0.2. */
+ * cancellation, with an error of 1e-6 for x below 0.2. */
 static float step(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
 {
     const float share_per_h =

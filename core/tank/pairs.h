@@ -7,8 +7,8 @@
  * its ends.
  *
  * The search has two steps, both with SIMD. At the thesis' density a fish has 22 candidates. Balls,
- * heights and sides leave 2.9 pairs per fish. Of those, fifteen axes (separating-axis theorem)
- * leave 1.5. The found pairs and their order do not depend on the number of SIMD lanes. */
+ * heights and sides leave 2.9 pairs per fish, and fifteen axes (separating-axis theorem) leave 1.5.
+ * The found pairs and their order do not depend on the number of SIMD lanes. */
 #ifndef KINGYO_CORE_TANK_PAIRS_H
 #define KINGYO_CORE_TANK_PAIRS_H
 

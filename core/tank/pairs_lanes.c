@@ -126,8 +126,8 @@ static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
     return count[bits];
 }
 
-/* The item whose neighbours are searched: its ball, its height, and its reach to the sides, where
- * the body is thinnest. */
+/* The item whose neighbours are searched: ball, height, and reach to the sides, where the body is
+ * thinnest. */
 struct seeker {
     float x_m, y_m, z_m, ball_m, slab_m;
     vec3 right;

@@ -171,8 +171,8 @@ static void clear_if_beside(const struct parting *all, uint32_t index)
     }
 }
 
-/* Marks a fish that could touch an obstacle in this substep. Returns the distance by which the
- * obstacle may carry it. */
+/* Sets CROWD_BESIDE of a fish that could touch an obstacle in this substep. Returns the largest
+ * distance by which an obstacle may carry it. */
 static float look_beside(const struct parting *all, uint32_t index)
 {
     const struct box box = body_box(&all->crowd->body[index]);
