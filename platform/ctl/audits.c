@@ -1,4 +1,6 @@
-/* audits.c -- `kingyoctl audits`: the operator's books, as a table or for programs. */
+/* audits.c -- the command `kingyoctl audits`.
+ *
+ * Prints the operator's audit counters as a table or as JSON. */
 #include <stdio.h>
 
 #include "core/game/rules.h"
@@ -8,7 +10,7 @@ static const char name[] = "audits";
 #define HOURS 24u
 #define DAYS 7u
 
-/* ---- As a table ----------------------------------------------------------------------------- */
+/* ---- Output as a table ----------------------------------------------------------------------- */
 
 static void print_named(const struct audits *audits, uint32_t begin, uint32_t end)
 {
@@ -19,7 +21,7 @@ static void print_named(const struct audits *audits, uint32_t begin, uint32_t en
     }
 }
 
-/* "-" where nothing was counted. */
+/* Prints the mean `sum` / `count`, or "-" if `count` is 0. */
 static void print_mean(const char *what, uint32_t sum, uint32_t count, const char *unit)
 {
     if (count == 0) {
@@ -92,7 +94,7 @@ static void print_text(const struct memory *memory)
     print_named(audits, AUDIT_BOOTS, AUDIT_TICKETS_OUT);
 }
 
-/* ---- For programs --------------------------------------------------------------------------- */
+/* ---- Output as JSON -------------------------------------------------------------------------- */
 
 static void print_json(const struct memory *memory)
 {

@@ -1,5 +1,6 @@
-/* backup.c -- `kingyoctl backup`: a copy of all that the stall keeps, while it runs; restore.c goes
- * back to one. */
+/* backup.c -- the command `kingyoctl backup`.
+ *
+ * Copies the kiosk's database while the kiosk runs. restore.c implements `--restore`. */
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,8 +16,10 @@
 
 static const char name[] = "backup";
 
-/* A copy onto the file itself would be one of nothing, onto its log the loss of that; all that
- * bears its name in its folder is the stall's. */
+/* Returns whether `path` names the kiosk's database or one of its companion files. Such a target is
+ * refused because a copy onto the database would empty the database, and a copy onto its
+ * write-ahead log would destroy that log. Every file in the data folder whose name begins with
+ * STORAGE_FILE counts as a file of the kiosk. */
 static int is_stalls_own(const struct books_words *words, const char *path)
 {
     char own[BOOKS_PATH_SIZE], folder[BOOKS_PATH_SIZE];
@@ -30,7 +33,8 @@ static int is_stalls_own(const struct books_words *words, const char *path)
     return strncmp(last, STORAGE_FILE, strlen(STORAGE_FILE)) == 0 && books_is_same(own, folder);
 }
 
-/* What is there already may only be an older copy, or nothing yet. Null: it may be written. */
+/* Returns the reason why `path` must not be overwritten, or null if the copy may be written. Only
+ * an older copy, an empty file or a missing file may be replaced. */
 static const char *why_not(const char *path)
 {
     struct ledger_start older;

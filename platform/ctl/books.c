@@ -1,4 +1,4 @@
-/* books.c -- finds and opens the ledger's file for who only reads. */
+/* books.c -- finds the ledger database and opens it for commands that only read. */
 #include "platform/ctl/books.h"
 
 #include <errno.h>
@@ -27,7 +27,8 @@ int books_take(struct books_words *words, int argc, const char *const *argv, int
     return 0;
 }
 
-/* 0, or errno: the service's folder is shut to most users. */
+/* Returns 0 if `path` exists, or errno. EACCES is common because most users may not enter the
+ * folder of the system service. */
 static int look_for(const char *path)
 {
     struct stat about;
@@ -52,7 +53,12 @@ int books_is_same(const char *one, const char *other)
            a.st_ino == b.st_ino;
 }
 
-/* Any program's database may bear a low number: the first Kingyo's has its own table. */
+/* Distinguishes a database of Kingyo's first version from the database of another program. A low
+ * version number is not enough because any program may write one. The first version is recognized
+ * by two columns of its table `rounds`.
+ *
+ * Returns SQLITE_OK for such a database, SQLITE_NOTFOUND for any other database, or an SQLite error
+ * code. */
 static int look_at_old(const char *path)
 {
     static const char ours[] =

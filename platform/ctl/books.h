@@ -1,4 +1,6 @@
-/* books.h -- what the commands that read the ledger's file share: where it lies, and why not. */
+/* books.h -- helpers for the commands that read the ledger database.
+ *
+ * The functions find the database file, open it and report errors. */
 #ifndef KINGYO_PLATFORM_CTL_BOOKS_H
 #define KINGYO_PLATFORM_CTL_BOOKS_H
 
@@ -9,7 +11,9 @@
 #define BOOKS_PATH_SIZE (FOLDER_PATH_MAX + 32u)
 
 struct books_words {
-    const char *data;    /* A folder; null: the service's, else the caller's own. */
+    const char *data;    /* Data folder given with --data. Null selects the folder of the system
+                            service, or the user's own data folder if the service has no
+                            database. */
     uint8_t as_json;
 };
 
@@ -17,25 +21,33 @@ struct books_words {
     "  --data DIR   where the stall keeps it: else /var/lib/kingyo, else your own data folder\n"   \
     "  --json       for programs\n"
 
-/* Takes the word at argv[*at], and its value, when it is one of BOOKS_USAGE; 0: it is not. */
+/* Parses argv[*at], and its value if it has one, if it is an option of BOOKS_USAGE.
+ *
+ * Returns 1 and advances *at past the value, or returns 0 if argv[*at] is not such an option. */
 int books_take(struct books_words *words, int argc, const char *const *argv, int *at);
 
-/* Where the stall's file lies, or would. */
+/* Writes the path of the kiosk's database to `out`. The file may not exist. */
 void books_path(const struct books_words *words, char out[BOOKS_PATH_SIZE]);
 
-/* Whether both names lead to the same file. */
+/* Returns whether both paths name the same file (same device and inode). */
 int books_is_same(const char *one, const char *other);
 
-/* Whether the file at `path` is one that a Kingyo wrote: SQLITE_OK, and `out` is how far it came,
- * zero where that was an earlier version. SQLITE_NOTFOUND: a database, but none of ours. */
+/* Checks whether the file at `path` was written by Kingyo.
+ *
+ * Returns SQLITE_OK and fills `out` with the ledger state of the file. The ledger state is all zero
+ * if an earlier version wrote the file. Returns SQLITE_NOTFOUND if the file is a database of
+ * another program, or another SQLite error code. */
 int books_look_at_copy(const char *path, struct ledger_start *out);
 
-/* Prints one line that names the object because of which ledger_check() takes the database for
- * damaged, with `advice` behind it. Returns whether there is such an object. */
+/* Prints one line that names the foreign object because of which ledger_check() reports the
+ * database as damaged. `advice` ends the line. Returns whether the database has such an object. */
 int books_tell_foreign(const char *command, const char *path, const char *advice);
 
-/* Opens the file for reading; it may be a stall's that runs. Tells, as `command`, what is wrong:
- * EXIT_IO where there is none, EXIT_BAD_DATA where it is none that we can read. */
+/* Opens the database for reading. A running kiosk may have the database open at the same time.
+ *
+ * Returns EXIT_OK, EXIT_IO if there is no database or an I/O error occurs, or EXIT_BAD_DATA if the
+ * database cannot be interpreted. Prints each error on standard error with the prefix `command`.
+ * The caller closes `out` with ledger_file_close(). */
 enum exit_code books_open(const char *command, const struct books_words *words,
                           struct ledger_file *out);
 

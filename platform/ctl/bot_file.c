@@ -1,4 +1,6 @@
-/* bot_file.c -- one line after the other, held against the table of keys. */
+/* bot_file.c -- the parser of bot files.
+ *
+ * Each line is checked against the table of keys in bot_keys.c. */
 #include "platform/ctl/bot_file.h"
 
 #include <errno.h>
@@ -13,15 +15,16 @@
 #include "platform/print.h"
 
 #define LINE_MAX_CHARS 200u
-#define SHOWN 40 /* Characters of a wrong word that are told again. */
+#define SHOWN 40 /* Characters of an invalid word that an error message quotes. */
 
-/* ---- Lines ---------------------------------------------------------------------------------- */
+/* ---- Lines ----------------------------------------------------------------------------------- */
 
 struct parser {
     struct technique technique;
     uint32_t line;
     uint32_t base_line;
-    uint32_t line_of[BOT_KEY_COUNT]; /* Where each key was set; 0: nowhere so far. */
+    uint32_t line_of[BOT_KEY_COUNT]; /* Line number at which each key was set, from 1. 0 means not
+                                        set yet. */
     struct bot_file_problem *problem;
 };
 
@@ -76,7 +79,7 @@ static int is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Without the white space around it. */
+/* Returns `text` without leading and trailing white space. Changes the text in place. */
 static char *trim(char *text)
 {
     size_t length = 0;
@@ -125,7 +128,10 @@ static int parse_line(struct parser *parser, char *text)
     return set_key(parser, key, value);
 }
 
-/* Copies the next line, without its end, into `out`; what of the text is behind it. */
+/* Copies the next line, without its newline, into `out`.
+ *
+ * Returns the rest of the text after that line. `*length` is the length of the line. A line that
+ * does not fit is not copied. */
 static const char *cut_line(const char *text, const char *end, char out[LINE_MAX_CHARS],
                             size_t *length)
 {
@@ -160,7 +166,8 @@ static int parse_lines(struct parser *parser, const char *text, size_t size)
     return 0;
 }
 
-/* What no single line says: the file as a whole, or the later of two lines. */
+/* Checks the rules that concern more than one line. A message names the later of the two lines, or
+ * the whole file. Returns 0, or -1 with the problem set. */
 static int check_whole(struct parser *parser)
 {
     const struct technique *technique = &parser->technique;
@@ -181,12 +188,13 @@ static int check_whole(struct parser *parser)
     return 0;
 }
 
-/* ---- Public --------------------------------------------------------------------------------- */
+/* ---- Public functions ------------------------------------------------------------------------ */
 
 int bot_file_parse(const char *text, size_t size, struct technique *out,
                    struct bot_file_problem *problem)
 {
-    static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Some editors begin a file with it. */
+    static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark that some editors write
+                                                             at the start of a file. */
     struct parser parser = { .technique = technique_expert, .problem = problem };
     if (size >= 3 && memcmp(text, byte_order_mark, 3) == 0) {
         text += 3;
@@ -204,7 +212,8 @@ enum exit_code bot_file_read(const char *speaker, const char *path, struct techn
     char text[BOT_FILE_SIZE_MAX];
     struct bot_file_problem problem = { 0 };
     FILE *file;
-    if (access(path, F_OK) != 0 && errno == ENOENT) { /* As likely a name misspelt. */
+    if (access(path, F_OK) != 0 && errno == ENOENT) { /* A missing file is most likely a misspelt
+                                                         bot name. */
         print_error("%s: %s: %s; novice, expert or a FILE is a bot", speaker, path,
                     strerror(errno));
         return EXIT_IO;

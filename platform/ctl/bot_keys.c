@@ -1,4 +1,4 @@
-/* bot_keys.c -- a table of keys, and a value read by what its key is. */
+/* bot_keys.c -- the table of bot-file keys and the conversion of their values. */
 #include "platform/ctl/bot_keys.h"
 
 #include <stddef.h>
@@ -12,11 +12,13 @@ enum kind { KIND_REAL, KIND_COUNT, KIND_WORD };
 
 struct key {
     const char *name;
-    uint8_t kind; /* enum kind */
-    uint8_t above; /* Its least value is itself not allowed. */
-    size_t offset; /* In struct technique. */
+    uint8_t kind; /* Type of the value (enum kind). */
+    uint8_t above; /* 1 if the value must be greater than `min`, and 0 if `min` itself is
+                      allowed. */
+    size_t offset; /* Offset of the field in struct technique, in bytes. */
     double min, max;
-    const char *const *words; /* The place of each is its value; ends in null. */
+    const char *const *words; /* Allowed words, terminated by null. The value is the index of the
+                                 word. Null for numbers. */
     const char *meaning;
 };
 
@@ -97,7 +99,8 @@ static const struct key *key_at(uint32_t key)
     return &keys[key];
 }
 
-/* Whether `text` is right for a key; then `*out` is its value. */
+/* Parses `text` as a value of `key`. Returns whether the text is valid, and then stores the value
+ * in `*out`. */
 static int read_value(const struct key *key, const char *text, double *out)
 {
     uint32_t count = 0;

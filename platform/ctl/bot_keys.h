@@ -1,5 +1,6 @@
-/* bot_keys.h -- the keys of a bot FILE: each a field of struct technique, what is right for it, and
- * what it means. */
+/* bot_keys.h -- the keys of a bot file.
+ *
+ * Each key names a field of struct technique and has an allowed range and a description. */
 #ifndef KINGYO_PLATFORM_CTL_BOT_KEYS_H
 #define KINGYO_PLATFORM_CTL_BOT_KEYS_H
 
@@ -10,20 +11,24 @@
 #define BOT_KEY_COUNT 20u
 #define BOT_KEY_RANGE_MAX 64u
 
-/* The name of a key < BOT_KEY_COUNT, else these assert; and the key of a name, or BOT_KEY_COUNT. */
+/* Translate between keys and names. bot_key_name() asserts that `key` is below BOT_KEY_COUNT.
+ * bot_key_named() returns the key called `name`, or BOT_KEY_COUNT if there is no such key. */
 const char *bot_key_name(uint32_t key);
 uint32_t bot_key_named(const char *name);
 
-/* Sets a key's field to what `text` says: 0; or -1 and nothing is changed. */
+/* Parses `text` and stores the value in the field of `key`. Returns 0, or -1 with `technique`
+ * unchanged if the text is invalid. */
 int bot_key_set(uint32_t key, const char *text, struct technique *technique);
 
-/* What is right for a key: "0 to 1", "over 0 to 2", "any|head|tail". */
+/* Writes the allowed values of a key to `out`, for example "0 to 1", "over 0 to 2" or
+ * "any|head|tail". */
 void bot_key_range(uint32_t key, char out[BOT_KEY_RANGE_MAX]);
 
-/* Whether two techniques are one: no key of theirs differs. */
+/* Returns whether two techniques have the same value for every key. */
 int bot_keys_same(const struct technique *a, const struct technique *b);
 
-/* Prints a table of all keys: what is right for each, what novice and expert do, what it means. */
+/* Prints a table of all keys with their allowed values, the values of novice and expert, and the
+ * descriptions. */
 void bot_keys_print(void);
 
 #endif

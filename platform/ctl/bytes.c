@@ -1,4 +1,6 @@
-/* bytes.c -- doubling, so that a byte is moved about once. */
+/* bytes.c -- the growth of a byte buffer.
+ *
+ * The capacity doubles, so that each byte is copied about once on average. */
 #include "platform/ctl/bytes.h"
 
 #include <stdarg.h>

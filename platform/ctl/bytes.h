@@ -1,4 +1,6 @@
-/* bytes.h -- bytes that grow at their end, for whoever writes a file whose head needs its size. */
+/* bytes.h -- a byte buffer that grows at its end.
+ *
+ * Writers use it for files whose header contains the file size. */
 #ifndef KINGYO_PLATFORM_CTL_BYTES_H
 #define KINGYO_PLATFORM_CTL_BYTES_H
 
@@ -6,16 +8,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* All zero is empty. */
+/* A byte buffer. All zero is a valid empty buffer. */
 struct bytes {
     uint8_t *data;
     size_t size, room;
-    bool failed; /* There was no memory; from then on nothing is added. */
+    bool failed; /* Whether an allocation has failed. All later additions are then ignored. */
 };
 
 void bytes_add(struct bytes *bytes, const void *data, size_t size);
 
-/* As printf, without the zero at the end; at most 1,000 characters. */
+/* Appends formatted text as printf() does, without a terminating zero. At most 1,000 characters are
+ * appended per call. */
 __attribute__((format(printf, 2, 3)))
 void bytes_print(struct bytes *bytes, const char *format, ...);
 

@@ -1,4 +1,6 @@
-/* canvas.c -- coverage times colour, added up in linear light. */
+/* canvas.c -- the rasterizer of a canvas.
+ *
+ * Adds coverage times colour in linear light. */
 #include "platform/ctl/canvas.h"
 
 #include <errno.h>
@@ -11,7 +13,7 @@
 #include "platform/png.h"
 #include "platform/render/text.h"
 
-#define FONT_PIXEL_MIN 0.6f /* A letter's edge is at least so many atlas pixels wide. */
+#define FONT_PIXEL_MIN 0.6f /* Minimum width of a letter's edge, in atlas pixels. */
 
 bool canvas_open(struct canvas *canvas, uint32_t width, uint32_t height)
 {
@@ -28,7 +30,7 @@ void canvas_close(struct canvas *canvas)
     canvas->pixels = NULL;
 }
 
-/* ---- Colour ---------------------------------------------------------------------------------- */
+/* ---- Colour conversion ----------------------------------------------------------------------- */
 
 static float to_linear(float c)
 {
@@ -59,7 +61,8 @@ vec3 canvas_colour(uint32_t rgb)
 /* ---- Shapes ---------------------------------------------------------------------------------- */
 
 struct span {
-    uint32_t first, end; /* Whole pixels that the range touches. */
+    uint32_t first, end; /* First pixel, and the pixel after the last one, that the range
+                            touches. */
 };
 
 static struct span touched(float from, float size, uint32_t limit)
@@ -69,7 +72,7 @@ static struct span touched(float from, float size, uint32_t limit)
     return (struct span){ (uint32_t)first, (uint32_t)end };
 }
 
-/* How much of pixel `index` lies in the range. */
+/* Returns the share [0, 1] of pixel `index` that lies in the range. */
 static float covered(float from, float size, uint32_t index)
 {
     const float low = f_max(from, (float)index);
@@ -109,7 +112,7 @@ void canvas_shade(struct canvas *canvas, struct canvas_box box, float strength)
     }
 }
 
-/* ---- Words ----------------------------------------------------------------------------------- */
+/* ---- Text ------------------------------------------------------------------------------------ */
 
 static float atlas(const struct font_glyph *glyph, int x, int y)
 {
@@ -119,7 +122,7 @@ static float atlas(const struct font_glyph *glyph, int x, int y)
     return asset_font[((size_t)glyph->y + (size_t)y) * ASSET_FONT_WIDTH + glyph->x + (size_t)x];
 }
 
-/* The distance field between atlas pixels. */
+/* Returns the distance field at an atlas position, by bilinear interpolation. */
 static float distance_at(const struct font_glyph *glyph, float x, float y)
 {
     const float left = floorf(x - 0.5f), top = floorf(y - 0.5f);
@@ -132,7 +135,7 @@ static float distance_at(const struct font_glyph *glyph, float x, float y)
 static void draw_glyph(struct canvas *canvas, const struct font_glyph *glyph, float pen_x,
                        float pen_y, float size_px, vec3 ink)
 {
-    const float fine = asset_fonts[FONT_BODY].em_px / size_px; /* Atlas pixels a pixel. */
+    const float fine = asset_fonts[FONT_BODY].em_px / size_px; /* Atlas pixels per canvas pixel. */
     const struct canvas_box box = { pen_x + glyph->left_em * size_px,
                                     pen_y + glyph->top_em * size_px, (float)glyph->width / fine,
                                     (float)glyph->height / fine };
@@ -166,7 +169,7 @@ void canvas_words(struct canvas *canvas, float x, float y, float size_px, enum c
     }
 }
 
-/* ---- Files ----------------------------------------------------------------------------------- */
+/* ---- PNG output ------------------------------------------------------------------------------ */
 
 static uint8_t byte_of(float linear)
 {

@@ -1,8 +1,8 @@
-/* canvas.h -- a picture in the making: linear light, rectangles, words, and a PNG at the end.
+/* canvas.h -- a software canvas for rectangles, shadows and text that is written as a PNG file.
  *
- * Pixels are linear RGB, so that what is half covered is half as bright; colours are given as
- * 0xRRGGBB in sRGB. x goes right and y down, in pixels, from the top left corner; drawing outside
- * is cut off. */
+ * Pixels are linear RGB, so that a half-covered pixel has half the light. Colours are given as
+ * 0xRRGGBB in sRGB. Positions are in pixels from the top left corner, with x to the right and y
+ * down. Drawing is clipped to the canvas. */
 #ifndef KINGYO_PLATFORM_CTL_CANVAS_H
 #define KINGYO_PLATFORM_CTL_CANVAS_H
 
@@ -11,11 +11,12 @@
 
 #include "core/base/vec.h"
 
-#define CANVAS_SIDE_MAX 16384u /* Pixels of a side: what viewers still open. */
+#define CANVAS_SIDE_MAX 16384u /* Longest side in pixels. Image viewers still open pictures of this
+                                  size. */
 
 struct canvas {
     uint32_t width, height;
-    vec3 *pixels; /* width x height, top row first; the canvas's own. */
+    vec3 *pixels; /* Pixels of the canvas, width x height, top row first. The canvas owns them. */
 };
 
 struct canvas_box {
@@ -24,26 +25,32 @@ struct canvas_box {
 
 enum canvas_align { ALIGN_LEFT, ALIGN_CENTRE, ALIGN_RIGHT };
 
-/* Allocates and clears to black. Sides 1 .. CANVAS_SIDE_MAX. False when there is no memory. */
+/* Allocates a canvas and clears it to black. Both sides are 1 .. CANVAS_SIDE_MAX pixels. Returns
+ * false if memory is exhausted. */
 bool canvas_open(struct canvas *canvas, uint32_t width, uint32_t height);
-void canvas_close(struct canvas *canvas); /* Also of a canvas that could not be opened. */
+void canvas_close(struct canvas *canvas); /* Frees the pixels. A canvas whose canvas_open() failed
+                                             is allowed. */
 
-vec3 canvas_linear(vec3 srgb); /* Each in [0, 1]; and back: */
+vec3 canvas_linear(vec3 srgb); /* Convert between sRGB and linear light. Each component is in [0,
+                                  1]. */
 vec3 canvas_srgb(vec3 linear);
-vec3 canvas_colour(uint32_t rgb); /* 0xRRGGBB, linear. */
+vec3 canvas_colour(uint32_t rgb); /* Returns the sRGB colour 0xRRGGBB in linear light. */
 
-/* Fills `box` from the colour `above` at its top to `below` at its bottom; edges that lie between
- * pixels cover them in part. */
+/* Fills `box` with a vertical gradient from `above` at the top to `below` at the bottom. A pixel on
+ * an edge is blended by its coverage. */
 void canvas_fill(struct canvas *canvas, struct canvas_box box, uint32_t above, uint32_t below);
 
-/* A soft-edged ellipse that darkens what is under it by up to `strength` [0, 1]: a shadow. */
+/* Draws a shadow: a soft-edged ellipse that darkens the pixels under it by up to `strength` [0,
+ * 1]. */
 void canvas_shade(struct canvas *canvas, struct canvas_box box, float strength);
 
-/* UTF-8 in the kiosk's own lettering, `size_px` an em, on the baseline `y`. */
+/* Draws UTF-8 text in the kiosk's font with its baseline at `y`. The size of the em is `size_px`
+ * pixels. */
 void canvas_words(struct canvas *canvas, float x, float y, float size_px, enum canvas_align align,
                   uint32_t rgb, const char *words);
 
-/* 0, or a negative errno; then the file is not there, or as it was before. */
+/* Writes the canvas as a PNG file. Returns 0, or a negative errno. After an error, an existing file
+ * at `path` is unchanged and no new file exists. */
 int canvas_write_png(const struct canvas *canvas, const char *path);
 
 #endif

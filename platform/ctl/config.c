@@ -1,4 +1,6 @@
-/* config.c -- `kingyoctl config`: reads kingyo.conf as the stall does, prints one to begin with. */
+/* config.c -- the command `kingyoctl config`.
+ *
+ * Validates kingyo.conf with the kiosk's parser, or prints a template of the file. */
 #include "platform/kiosk/config_file.h"
 
 #include <errno.h>
@@ -14,13 +16,15 @@ static uint32_t warning_count;
 
 static void warn(const char *line)
 {
-    print_error("%s", line); /* FILE:LINE: what, as editors and compilers know it. */
+    print_error("%s", line); /* The line has the form FILE:LINE: MESSAGE, which editors and
+                                compilers use. */
     warning_count++;
 }
 
 static enum exit_code check(const char *path)
 {
-    static struct options options; /* Paths and wires: not for the stack. */
+    static struct options options; /* Static because its paths and GPIO wiring are too large for the
+                                      stack. */
     options = (struct options){ 0 };
     warning_count = 0;
     const int failed = options_read_config(&options, path, warn);

@@ -1,4 +1,7 @@
-/* csv.c -- one line at a time: the head says where the columns are, each row gives their values. */
+/* csv.c -- the CSV reader.
+ *
+ * Reads one line at a time. The header line gives the order of the columns, and each row gives
+ * their values. */
 #include "platform/ctl/csv.h"
 
 #include <errno.h>
@@ -9,10 +12,11 @@
 #include "platform/number.h"
 #include "platform/print.h"
 
-#define FIELD_SHOWN 40 /* Characters of a wrong value that are told again. */
+#define FIELD_SHOWN 40 /* Characters of an invalid value that an error message quotes. */
 #define LIST_MAX 256u
 
-static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* U+FEFF in UTF-8. */
+static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF, encoded in
+                                                         UTF-8. */
 
 static enum exit_code refuse_line(const struct csv *csv, const char *what)
 {
@@ -37,7 +41,8 @@ static int is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/* Some editors begin a file with it; it is no part of the first name. */
+/* Removes the byte-order mark that some editors write. Otherwise the mark would become part of the
+ * first column name. */
 static void drop_byte_order_mark(char *text)
 {
     const size_t length = sizeof byte_order_mark - 1u;
@@ -46,7 +51,8 @@ static void drop_byte_order_mark(char *text)
     }
 }
 
-/* Reads the next line that is not empty into csv->text. `*is_end` when there is none. */
+/* Reads the next line that is not empty into csv->text. Sets `*is_end` to 1 if there is no such
+ * line. */
 static enum exit_code next_line(struct csv *csv, int *is_end)
 {
     *is_end = 0;
@@ -76,7 +82,8 @@ static enum exit_code next_line(struct csv *csv, int *is_end)
     }
 }
 
-/* Cuts the next field off `*rest`, without the white space around it; null behind the last. */
+/* Returns the next field of `*rest` without the white space around it, or null after the last
+ * field. Advances `*rest`. */
 static char *cut_field(char **rest)
 {
     char *field = *rest;
@@ -96,7 +103,7 @@ static char *cut_field(char **rest)
     return field;
 }
 
-/* Adds one to a list with commas. */
+/* Appends a word to a comma-separated list. */
 static void list_word(char list[LIST_MAX], const char *word)
 {
     const size_t used = strlen(list);
@@ -199,7 +206,8 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
     return EXIT_OK;
 }
 
-/* The column that the file has at `number`, which the head has. */
+/* Returns the index of the column at position `number` of the file. The header must have that
+ * position. */
 static uint32_t column_at(const struct csv *csv, uint32_t number)
 {
     uint32_t index = 0;

@@ -1,9 +1,9 @@
-/* csv.h -- tables of numbers that people write: columns by the names in the first line.
+/* csv.h -- a reader for CSV tables of numbers whose header line names the columns.
  *
- * Nothing is assumed of the order of the columns; but each must be a known one, and every row as
- * long as the head: a misspelt name that was passed over would be a default in disguise. Lines end
- * in LF or CRLF, empty ones are skipped, and so is the byte-order mark that some editors begin
- * with. What cannot be used is told in one line that names the file, the line and the column. */
+ * The columns may have any order. Each column name must be known, and every row must have as many
+ * fields as the header. Otherwise a misspelt name would silently select a default. Lines end in LF
+ * or CRLF. Empty lines and a byte-order mark are skipped. Each error is printed as one line that
+ * names the file, the line and the column. */
 #ifndef KINGYO_PLATFORM_CTL_CSV_H
 #define KINGYO_PLATFORM_CTL_CSV_H
 
@@ -14,42 +14,48 @@
 
 #define CSV_COLUMN_MAX 16u
 #define CSV_LINE_MAX 1024u
-#define CSV_SIZE_MAX (64u << 20) /* Bytes; 131,072 fish of --place are about 16 MiB. */
+#define CSV_SIZE_MAX (64u << 20) /* Largest file size in bytes. 131,072 fish of --place need about
+                                    16 MiB. */
 
-/* A column that is known. */
+/* Definition of a column that a file may have. */
 struct csv_column {
     const char *name;
-    double min, max;          /* Of its numbers. */
-    const char *const *words; /* Not null: the value is the place of one of these, ends in null. */
-    uint8_t may_miss;         /* Else a file without it is refused. */
-    uint8_t unread;           /* Its values are nobody's business: always `otherwise`. */
-    double otherwise;         /* Its value where the file has no such column. */
+    double min, max;          /* Allowed range of the numbers. Ignored for columns with `words`. */
+    const char *const *words; /* Allowed words, terminated by null. The value is the index of the
+                                 word. Null for a column of numbers. */
+    uint8_t may_miss;         /* 1 if a file without this column is accepted. Otherwise such a file
+                                 is refused. */
+    uint8_t unread;           /* 1 if the values are not parsed. The value is then always
+                                 `otherwise`. */
+    double otherwise;         /* Value of the column for a file that does not have the column. */
 };
 
 struct csv {
-    const char *speaker; /* "kingyoctl tank: --place" */
+    const char *speaker; /* Prefix of error messages, for example "kingyoctl tank: --place". */
     const char *path;
     FILE *file;
-    uint32_t line;        /* Number of the newest line, from 1. */
-    uint32_t field_count; /* Of the head, and so of every row. */
+    uint32_t line;        /* Number of the current line, from 1. */
+    uint32_t field_count; /* Fields of the header line, and therefore of each row. */
     const struct csv_column *columns;
-    uint32_t column_count;             /* <= CSV_COLUMN_MAX */
-    uint32_t field_of[CSV_COLUMN_MAX]; /* In the file, from 1; 0: the file has none. */
+    uint32_t column_count;             /* Number of known columns, at most CSV_COLUMN_MAX. */
+    uint32_t field_of[CSV_COLUMN_MAX]; /* Position of each known column in the file, from 1. 0 means
+                                          that the file does not have the column. */
     char text[CSV_LINE_MAX];
 };
 
-/* Opens `path` and reads its head. EXIT_OK, or EXIT_IO or EXIT_BAD_DATA, told. The strings must
- * outlive `csv`. */
+/* Opens the file at `path` and parses its header line. Returns EXIT_OK, or EXIT_IO or EXIT_BAD_DATA
+ * after printing the error. `speaker`, `path` and `columns` must outlive `csv`. */
 enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
                         const struct csv_column *columns, uint32_t column_count);
 
-/* The next row into values[column_count], EXIT_OK; at the end of the file `*is_end` is set. */
+/* Reads the next row into values[column_count]. Returns EXIT_OK, or EXIT_IO or EXIT_BAD_DATA after
+ * printing the error. Sets `*is_end` at the end of the file. */
 enum exit_code csv_row(struct csv *csv, double *values, int *is_end);
 
-/* Whether the file has the column `index`. */
+/* Returns whether the file has the known column `index`. */
 int csv_has(const struct csv *csv, uint32_t index);
 
-/* Tells what is wrong with the newest line's column `index`, and EXIT_BAD_DATA. */
+/* Prints what is wrong with column `index` of the current line. Returns EXIT_BAD_DATA. */
 __attribute__((format(printf, 3, 4)))
 enum exit_code csv_refuse(const struct csv *csv, uint32_t index, const char *format, ...);
 

@@ -1,5 +1,7 @@
-/* doctor.c -- `kingyoctl doctor`: finds devices, permissions, drivers in the way, display, sound
- * and store, and says in one line each what to do. */
+/* doctor.c -- the command `kingyoctl doctor`.
+ *
+ * Checks devices, permissions, interfering drivers, display, sound and database. Prints one line
+ * per finding with the action that solves the problem. */
 #include "platform/ctl/doctor.h"
 
 #include <errno.h>
@@ -16,7 +18,8 @@
 #include "platform/plain_file.h"
 #include "platform/print.h"
 
-#define WORDS_MAX 160 /* Every wire and controller that the kiosk takes, and more. */
+#define WORDS_MAX 160 /* Most words on the command line. The limit exceeds the number of GPIO lines
+                         and controllers that the kiosk accepts. */
 
 static const char name[] = "doctor";
 static struct doctor doctor;
@@ -26,9 +29,9 @@ struct doctor_words {
     int as_json;
 };
 
-/* ---- Who the kiosk is ----------------------------------------------------------------------- */
+/* ---- User of the kiosk ----------------------------------------------------------------------- */
 
-/* Where the kiosk keeps its things by default is a matter of whose it is. */
+/* Sets the kiosk's default data folder, which depends on the user's home folder. */
 static void take_home(struct doctor_user *user, const char *home)
 {
     if (home && home[0] == '/' && home[1]) {
@@ -54,13 +57,13 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     }
     snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
     if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
-        count = DOCTOR_GROUPS_MAX; /* Of more groups the first are looked at. */
+        count = DOCTOR_GROUPS_MAX; /* Only the first DOCTOR_GROUPS_MAX groups are checked. */
     }
     user->group_count = entry ? (uint32_t)count : 0;
     return EXIT_OK;
 }
 
-/* ---- What the kiosk would be asked ---------------------------------------------------------- */
+/* ---- Options of the kiosk -------------------------------------------------------------------- */
 
 static void warn(const char *line)
 {
@@ -71,7 +74,8 @@ static void warn(const char *line)
                          "lists the keys");
 }
 
-/* As main() does: the file first, and the words win over it. */
+/* Reads the options in the order of main(): first the configuration file, then the command line,
+ * which takes precedence. Returns EXIT_OK, or another exit code after printing the error. */
 static enum exit_code read_config(int argc, const char *const *argv)
 {
     char path[OPTIONS_PATH_MAX], error[OPTIONS_ERROR_MAX];
@@ -92,7 +96,7 @@ static enum exit_code read_config(int argc, const char *const *argv)
     return EXIT_OK;
 }
 
-/* The machine's own file counts when none is named, as for the kiosk. */
+/* Selects the default configuration file if none is named, as the kiosk does. */
 static void take_default_config(void)
 {
     char path[OPTIONS_PATH_MAX];
@@ -116,7 +120,8 @@ static enum exit_code read_options(int argc, const char *const *argv)
     return code;
 }
 
-/* Own words are taken out; the others are the kiosk's, with a word before them as main() has. */
+/* Separates doctor's own options from the options of the kiosk. `rest` gets the kiosk's options
+ * after a program name, as main() receives them. */
 static enum exit_code take_words(struct doctor_words *words, int argc, const char *const *argv,
                                  const char **rest, int *rest_count)
 {
@@ -141,9 +146,10 @@ static enum exit_code take_words(struct doctor_words *words, int argc, const cha
     return EXIT_OK;
 }
 
-/* ---- The round ------------------------------------------------------------------------------ */
+/* ---- Checks ---------------------------------------------------------------------------------- */
 
-/* A root that is mistyped must not look like a machine without anything. */
+/* Sets the root folder. A root that does not exist is an error. Otherwise a mistyped root would
+ * look like a machine without devices. Returns EXIT_OK, or EXIT_IO after printing the error. */
 static enum exit_code take_root(const char *root)
 {
     struct stat about;

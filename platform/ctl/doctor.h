@@ -1,5 +1,7 @@
-/* doctor.h -- what `kingyoctl doctor` finds: one line each of what a thing is, how it is, and what
- * to do about it. Looks and never touches: no device is claimed, no line taken, no file made. */
+/* doctor.h -- the findings of `kingyoctl doctor`.
+ *
+ * Each finding names a component, its state and the action to take. All checks are passive: they
+ * claim no device, request no GPIO line and create no file. */
 #ifndef KINGYO_PLATFORM_CTL_DOCTOR_H
 #define KINGYO_PLATFORM_CTL_DOCTOR_H
 
@@ -10,86 +12,101 @@
 #include "platform/folder.h"
 #include "platform/kiosk/options.h"
 
-#define DOCTOR_FINDINGS_MAX 256u /* A machine with more is told that there is more. */
+#define DOCTOR_FINDINGS_MAX 256u /* Most findings of one run. The report states how many further
+                                    findings were dropped. */
 #define DOCTOR_TEXT 256u
 #define DOCTOR_PATH 512u
 #define DOCTOR_GROUPS_MAX 64u
 
 enum doctor_level {
     DOCTOR_FINE = 0,
-    DOCTOR_LOOK,  /* It works, or need not; but look at it. */
-    DOCTOR_WRONG, /* Something that was asked for, or that no stall is without, will not work. */
+    DOCTOR_LOOK,  /* The component works or is optional, but the operator should check it. */
+    DOCTOR_WRONG, /* A requested or mandatory component will not work. */
 };
 
 struct doctor_finding {
-    const char *part;        /* "controller", "line", ...; static. */
-    uint8_t level;           /* enum doctor_level */
-    char what[DOCTOR_TEXT];  /* Which one. */
-    char state[DOCTOR_TEXT]; /* How it is. */
-    char todo[2u * DOCTOR_TEXT]; /* What to do; "": nothing. */
+    const char *part;        /* Kind of component ("controller", "line", ...), a static string. */
+    uint8_t level;           /* Severity of the finding (enum doctor_level). */
+    char what[DOCTOR_TEXT];  /* Name of the component. */
+    char state[DOCTOR_TEXT]; /* State of the component. */
+    char todo[2u * DOCTOR_TEXT]; /* Action that the operator should take. "" means no action. */
 };
 
-/* Whose kiosk it is. */
+/* User account that runs the kiosk. */
 struct doctor_user {
     char name[64];
     uid_t id;
-    char data[FOLDER_PATH_MAX]; /* Where his kiosk keeps its things unless told; "": nowhere. */
+    char data[FOLDER_PATH_MAX]; /* Default data folder of the user's kiosk. "" means that there is
+                                   none. */
     uint32_t group_count;
     gid_t groups[DOCTOR_GROUPS_MAX];
 };
 
 struct doctor {
-    const char *root; /* "": this machine; else a folder that looks like one. */
+    const char *root; /* Prefix of all paths. "" means this machine; tests use a folder with the
+                         same layout. */
     struct options options;
     struct doctor_user user;
-    uint32_t count, more; /* Findings, and those that there was no room for. */
+    uint32_t count, more; /* Number of stored findings (`count`) and of findings dropped because the
+                             list was full (`more`). */
     struct doctor_finding finding[DOCTOR_FINDINGS_MAX];
 };
 
-/* A new finding, to be filled in; never null. */
+/* Adds a finding and returns it, so that the caller fills in the texts. Never returns null. A
+ * finding beyond DOCTOR_FINDINGS_MAX is counted in `more` and dropped. */
 __attribute__((format(printf, 4, 5)))
 struct doctor_finding *doctor_find(struct doctor *doctor, const char *part,
                                    enum doctor_level level, const char *what, ...);
 
-/* As printf into its state, or into what to do. */
+/* Format the state or the action of a finding as printf() does. doctor_state() sets `state`, and
+ * doctor_todo() sets `todo`. */
 __attribute__((format(printf, 2, 3)))
 void doctor_state(struct doctor_finding *finding, const char *format, ...);
 __attribute__((format(printf, 2, 3)))
 void doctor_todo(struct doctor_finding *finding, const char *format, ...);
 
-/* ---- What it looks at; a file each ---------------------------------------------------------- */
+/* ---- Checks, one source file each ------------------------------------------------------------ */
 
-void doctor_usb(struct doctor *doctor);    /* Controllers on USB ... */
-void doctor_nodes(struct doctor *doctor);  /* ... and HID devices on anything else. */
-void doctor_input(struct doctor *doctor);  /* What SDL plays with: pads, mice, screens, keys. */
-void doctor_gpio(struct doctor *doctor);   /* Chips, and the lines that are wired. */
-/* Whether a desktop stands between the kiosk and the devices. */
+void doctor_usb(struct doctor *doctor);    /* Checks the controllers on USB. */
+void doctor_nodes(struct doctor *doctor);  /* Checks the HID devices on all other buses. */
+void doctor_input(struct doctor *doctor);  /* Checks the devices that SDL reads: gamepads, mice,
+                                              touch screens and keyboards. */
+void doctor_gpio(struct doctor *doctor);   /* Checks the GPIO chips and the configured GPIO
+                                              lines. */
+/* Returns whether a desktop session controls the input devices and the screen. */
 bool doctor_under_a_desktop(const struct doctor *doctor);
-void doctor_screen(struct doctor *doctor); /* Graphics cards, what is plugged into them. */
+void doctor_screen(struct doctor *doctor); /* Checks the graphics cards and the screens connected to
+                                              them. */
 void doctor_sound(struct doctor *doctor);
-void doctor_store(struct doctor *doctor);  /* Data folder, database, learned controllers. */
+void doctor_store(struct doctor *doctor);  /* Checks the data folder, the database and the stored
+                                              controller mappings. */
 
-/* ---- Permissions ---------------------------------------------------------------------------- */
+/* ---- Permissions ----------------------------------------------------------------------------- */
 
-/* Whether the user may read and write a path under the root: 0, or ENOENT, EACCES, ... */
+/* Returns 0 if the user may read and write a path under the root. Otherwise returns ENOENT, EACCES
+ * or another errno. */
 int doctor_may_use(const struct doctor *doctor, const char *path);
 
-/* What to do about a node that he may not use: its group, if that may. `otherwise` is for one that
- * is root's alone. */
+/* Sets the action for a device node that the user may not access. The action is to join the node's
+ * group if that group has access. Otherwise, for example if only root has access, the action is
+ * `otherwise`. */
 void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *finding,
                         const char *path, const char *otherwise);
 
-/* Whether a `kingyo` runs now: what is held may be held by it. */
+/* Returns whether a process named `kingyo` runs now. A device that is in use may then be in use by
+ * the kiosk. */
 bool doctor_kiosk_runs(const struct doctor *doctor);
 
-/* ---- Small files of /sys -------------------------------------------------------------------- */
+/* ---- Small files of /sys --------------------------------------------------------------------- */
 
-/* The first line of a file under the root, printable; "" where there is none. */
+/* Copies the first line of a file under the root to `out`, with unprintable characters replaced.
+ * Writes "" if there is no such file. */
 __attribute__((format(printf, 4, 5)))
 void doctor_line(const struct doctor *doctor, char *out, size_t size, const char *path, ...);
 
-/* Names in a folder under the root that begin so, in their order. */
-#define DOCTOR_NAMES_MAX 64u /* Of a kind: sockets, outputs, event nodes. More are left out. */
+/* Sorted list of names in a folder. */
+#define DOCTOR_NAMES_MAX 64u /* Most names of one kind (video connectors, sound outputs, event
+                                nodes). Further names are dropped. */
 struct doctor_names {
     uint32_t count;
     char name[DOCTOR_NAMES_MAX][64];
@@ -97,7 +114,7 @@ struct doctor_names {
 void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
                  struct doctor_names *out);
 
-/* ---- What is told --------------------------------------------------------------------------- */
+/* ---- Reports --------------------------------------------------------------------------------- */
 
 void doctor_report_text(const struct doctor *doctor);
 void doctor_report_json(const struct doctor *doctor);

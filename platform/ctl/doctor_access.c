@@ -1,4 +1,5 @@
-/* doctor_access.c -- may the kiosk's user use it, and who could say that he may. */
+/* doctor_access.c -- checks whether the kiosk's user may access a path, and which action would give
+ * access. */
 #include <dirent.h>
 #include <errno.h>
 #include <grp.h>
@@ -24,7 +25,8 @@ static bool is_in(const struct doctor_user *user, gid_t group)
     return false;
 }
 
-/* Of the mode's bits the kernel looks at those of the first who fits: owner, group, others. */
+/* Returns 0 or EACCES from the mode bits. The kernel uses only the bits of the first class that
+ * matches: owner, group, others. */
 static int by_mode(const struct doctor_user *user, const struct stat *about)
 {
     const mode_t both = S_IROTH | S_IWOTH;
@@ -43,7 +45,8 @@ int doctor_may_use(const struct doctor *doctor, const char *path)
         return errno;
     }
     if (doctor->user.id == geteuid() && access(whole, R_OK | W_OK) == 0) {
-        return 0; /* An access list may say more than the mode: seats' users have one. */
+        return 0; /* An access control list may allow more than the mode. The active user of a login
+                     seat has such a list. */
     }
     return by_mode(&doctor->user, &about);
 }

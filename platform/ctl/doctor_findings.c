@@ -1,4 +1,4 @@
-/* doctor_findings.c -- the list of what was found, as text for people and JSON for programs. */
+/* doctor_findings.c -- the list of findings, and its output as text or JSON. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +12,8 @@ static const char *const level_words[] = { "fine", "look", "WRONG" };
 struct doctor_finding *doctor_find(struct doctor *doctor, const char *part,
                                    enum doctor_level level, const char *what, ...)
 {
-    static struct doctor_finding spare; /* What there is no room for is filled in and forgotten. */
+    static struct doctor_finding spare; /* Finding that is returned when the list is full. Its
+                                           content is discarded. */
     const bool has_room = doctor->count < DOCTOR_FINDINGS_MAX;
     struct doctor_finding *finding = has_room ? &doctor->finding[doctor->count++] : &spare;
     doctor->more += !has_room;
@@ -49,7 +50,7 @@ uint32_t doctor_count(const struct doctor *doctor, enum doctor_level level)
     return count;
 }
 
-/* ---- Text ----------------------------------------------------------------------------------- */
+/* ---- Output as text -------------------------------------------------------------------------- */
 
 void doctor_report_text(const struct doctor *doctor)
 {
@@ -69,9 +70,10 @@ void doctor_report_text(const struct doctor *doctor)
            doctor_count(doctor, DOCTOR_LOOK), doctor_count(doctor, DOCTOR_WRONG));
 }
 
-/* ---- JSON ----------------------------------------------------------------------------------- */
+/* ---- Output as JSON -------------------------------------------------------------------------- */
 
-/* Texts of devices are printable already (doctor_line); paths of people may be anything. */
+/* Prints a key and a string value. Texts of devices are printable already (doctor_line()), but
+ * paths may contain any character. */
 static void put_string(const char *key, const char *text)
 {
     printf("\"%s\":", key);

@@ -1,5 +1,7 @@
-/* doctor_gpio.c -- GPIO chips, and whether each wired line is there, free and the only one called
- * so. Asked of the kernel itself (linux/gpio.h), which tells who holds a line untaken. */
+/* doctor_gpio.c -- the check of GPIO chips and configured lines.
+ *
+ * Checks whether each configured line exists, is free and has a unique name. Uses linux/gpio.h
+ * directly, because the kernel reports the consumer of a line without requesting that line. */
 #include "platform/ctl/doctor_gpio.h"
 
 #include <errno.h>
@@ -14,7 +16,7 @@
 #include "drivers/gpio_wires.h"
 #include "platform/ctl/doctor.h"
 
-/* ---- Reading -------------------------------------------------------------------------------- */
+/* ---- Reading the lines ----------------------------------------------------------------------- */
 
 static void read_lines(int file, const struct gpiochip_info *chip, struct gpio_census *census)
 {
@@ -84,7 +86,7 @@ static uint32_t look_at_chips(struct doctor *doctor, struct gpio_census *census)
     return walk.count;
 }
 
-/* ---- Wires ---------------------------------------------------------------------------------- */
+/* ---- Configured lines ------------------------------------------------------------------------ */
 
 static bool is_meant(const struct gpio_wire *wire, const struct gpio_seen *seen)
 {
@@ -92,7 +94,8 @@ static bool is_meant(const struct gpio_wire *wire, const struct gpio_seen *seen)
                          : strcmp(wire->chip, seen->chip) == 0 && wire->offset == seen->offset;
 }
 
-/* The line `seen`, one of `places`. Two chips of one label are told apart by nothing but names. */
+/* Fills a finding for the line `seen`, which is one of `places` matching lines. If two chips have
+ * the same label, only the names of their lines distinguish the chips. */
 static void look_at_found(struct doctor_finding *finding, const struct gpio_wire *wire,
                           const struct gpio_seen *seen, uint32_t places)
 {
@@ -155,7 +158,8 @@ void doctor_gpio(struct doctor *doctor)
         }
     }
     for (uint32_t i = 0; i < doctor->options.line_count; i++) {
-        (void)gpio_wire_read(doctor->options.line[i], wires, why); /* The options asked before. */
+        (void)gpio_wire_read(doctor->options.line[i], wires, why); /* The option parser has already
+                                                                      validated these texts. */
     }
     for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
         if (wires[role].wired) {

@@ -1,14 +1,17 @@
-/* doctor_gpio.h -- what was seen of GPIO lines, and what to say of a wire then. Pure. */
+/* doctor_gpio.h -- a census of GPIO lines, and the finding for each configured line.
+ *
+ * The functions are pure. */
 #ifndef KINGYO_PLATFORM_CTL_DOCTOR_GPIO_H
 #define KINGYO_PLATFORM_CTL_DOCTOR_GPIO_H
 
 #include "drivers/gpio_lines.h"
 #include "platform/ctl/doctor.h"
 
-#define GPIO_CENSUS_MAX 1024u /* A Raspberry Pi 5 has 130 lines on 14 chips. */
+#define GPIO_CENSUS_MAX 1024u /* Most lines in the census. A Raspberry Pi 5 has 130 lines on 14
+                                 chips. */
 
 struct gpio_seen {
-    char chip[GPIO_TEXT_SIZE]; /* Its label. */
+    char chip[GPIO_TEXT_SIZE]; /* Label of the chip. */
     char name[GPIO_TEXT_SIZE];
     char consumer[GPIO_TEXT_SIZE];
     uint32_t offset;

@@ -1,5 +1,6 @@
-/* doctor_input.c -- pads, mice, touch screens and keys, which SDL reads from the kernel's event
- * nodes where no desktop does it for the kiosk. */
+/* doctor_input.c -- the check of gamepads, mice, touch screens and keyboards.
+ *
+ * Without a desktop session, SDL reads these devices directly from the kernel's event nodes. */
 #include <stdio.h>
 #include <string.h>
 

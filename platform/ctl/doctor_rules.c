@@ -1,5 +1,6 @@
-/* doctor_rules.c -- the rules' ids once more, so that doctor needs no file of ours to be there;
- * tests/ctl holds both together. */
+/* doctor_rules.c -- the USB ids of the udev rules, copied from board/udev/70-kingyo.rules.
+ *
+ * The copy lets doctor run without the rules file. A test in tests/ctl compares both lists. */
 #include "platform/ctl/doctor_rules.h"
 
 #include <stdio.h>
@@ -8,10 +9,10 @@
 static const struct {
     uint16_t vendor, product;
 } listed[] = {
-    { 0x1209, 0x0001 }, /* Our poi on its bench. */
+    { 0x1209, 0x0001 }, /* Our own poi controller with its development id. */
     { 0x054c, 0x05c4 }, { 0x054c, 0x09cc }, { 0x054c, 0x0ba0 }, { 0x054c, 0x0ce6 },
     { 0x054c, 0x0df2 },
-    /* 3Dconnexion, and under Logitech's id. */
+    /* 3Dconnexion controllers, with their own vendor id and with Logitech's. */
     { 0x256f, 0xc62e }, { 0x256f, 0xc62f }, { 0x256f, 0xc631 }, { 0x256f, 0xc632 },
     { 0x256f, 0xc633 }, { 0x256f, 0xc635 }, { 0x256f, 0xc636 }, { 0x256f, 0xc652 },
     { 0x046d, 0xc626 }, { 0x046d, 0xc627 }, { 0x046d, 0xc628 }, { 0x046d, 0xc629 },

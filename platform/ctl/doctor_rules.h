@@ -1,10 +1,12 @@
-/* doctor_rules.h -- which controllers board/udev/70-kingyo.rules lists, and what to tell of any. */
+/* doctor_rules.h -- the controllers that board/udev/70-kingyo.rules lists, and the udev advice for
+ * each controller. */
 #ifndef KINGYO_PLATFORM_CTL_DOCTOR_RULES_H
 #define KINGYO_PLATFORM_CTL_DOCTOR_RULES_H
 
 #include "platform/ctl/doctor.h"
 
-/* How our rules are put to work for one that they list; else the rule of its own that it needs. */
+/* Writes the udev advice for a controller to `out`. For a listed controller the advice is to
+ * install our rules. For any other controller the advice contains the rule that it needs. */
 void doctor_rules_todo(char *out, size_t size, uint16_t vendor, uint16_t product);
 
 #endif

@@ -1,4 +1,5 @@
-/* doctor_screen.c -- graphics cards and their sockets, sound cards and their outputs. */
+/* doctor_screen.c -- the check of graphics cards, video connectors, sound cards and sound
+ * outputs. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +9,8 @@
 #include "platform/ctl/doctor.h"
 #include "platform/plain_file.h"
 
-/* A node that the kiosk opens itself: who may not is told how he may. */
+/* Adds a finding for a node that the kiosk opens itself. If the user has no access, the finding
+ * contains the command that gives access. */
 static void look_at_node(struct doctor *doctor, const char *part, const char *path,
                          const char *group)
 {
@@ -38,9 +40,10 @@ static void look_at_nodes(struct doctor *doctor, const char *part, const char *f
     }
 }
 
-/* ---- Screens -------------------------------------------------------------------------------- */
+/* ---- Screens --------------------------------------------------------------------------------- */
 
-/* "card1-HDMI-A-1": how many sockets have a screen in them. */
+/* Adds a finding for each video connector, for example "card1-HDMI-A-1". Returns the number of
+ * connectors with a screen. */
 static uint32_t look_at_sockets(struct doctor *doctor)
 {
     struct doctor_names sockets;
@@ -64,7 +67,8 @@ bool doctor_under_a_desktop(const struct doctor *doctor)
     return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
 }
 
-/* Whether a window opens at all is asked only of this machine, by this user. */
+/* Checks whether a window can be opened. The check is made only for this machine and the current
+ * user. */
 static void try_screen(struct doctor *doctor)
 {
     char why[HAL_TEXT_SIZE] = "";
@@ -97,9 +101,10 @@ void doctor_screen(struct doctor *doctor)
     }
 }
 
-/* ---- Sound ---------------------------------------------------------------------------------- */
+/* ---- Sound ----------------------------------------------------------------------------------- */
 
-/* " 0 [PCH            ]: HDA-Intel - HDA Intel PCH", then a line of where it is. */
+/* Adds a finding for each sound card. A card has a line such as " 0 [PCH ]: HDA-Intel - HDA Intel
+ * PCH", followed by a line with its location. */
 static uint32_t look_at_cards(struct doctor *doctor)
 {
     char path[OPTIONS_PATH_MAX + 64u], line[DOCTOR_TEXT];

@@ -1,4 +1,5 @@
-/* doctor_store.c -- the data folder, the rounds in it, and the controllers that were learned. */
+/* doctor_store.c -- the check of the data folder, the database and the stored controller
+ * mappings. */
 #include <dirent.h>
 #include <errno.h>
 #include <inttypes.h>
@@ -17,10 +18,11 @@
 #include "platform/storage.h"
 #include "platform/store/sql.h"
 
-#define ROOM_MIB 64u /* The database, twice, with a replay of each ranked round. */
+#define ROOM_MIB 64u /* Free space in MiB below which doctor warns. It holds the database twice,
+                        with a replay of each ranked round. */
 #define PATH_ROOM (OPTIONS_PATH_MAX + 400u)
 
-/* ---- The folder ----------------------------------------------------------------------------- */
+/* ---- Data folder ----------------------------------------------------------------------------- */
 
 static void look_at_room(struct doctor *doctor, const char *path)
 {
@@ -37,14 +39,16 @@ static void look_at_room(struct doctor *doctor, const char *path)
     }
 }
 
-/* Its mode says nothing of that. */
+/* Returns whether the file system of `path` is mounted read-only. The mode of a folder does not
+ * show this. */
 static int is_read_only(const char *path)
 {
     struct statvfs about;
     return statvfs(path, &about) == 0 && (about.f_flag & ST_RDONLY) != 0;
 }
 
-/* 0: it is there, and the kiosk's own. */
+/* Adds a finding for the data folder. Returns 0 if the kiosk's user may use the folder, or an
+ * errno. */
 static int look_at_folder(struct doctor *doctor, const char *path)
 {
     const int error = is_read_only(path) ? EROFS : doctor_may_use(doctor, doctor->options.data);
@@ -66,9 +70,10 @@ static int look_at_folder(struct doctor *doctor, const char *path)
     return error;
 }
 
-/* ---- The database --------------------------------------------------------------------------- */
+/* ---- Database -------------------------------------------------------------------------------- */
 
-#define BACKUP_OLD_H 48 /* The stall makes one at its start and each hour. */
+#define BACKUP_OLD_H 48 /* Hours after which a backup is reported as old. The kiosk makes a backup
+                           at each program start and every hour. */
 
 static int64_t count_of(struct ledger_file *file, const char *sql)
 {
@@ -137,7 +142,7 @@ static void look_at_backup(struct doctor *doctor, const char *folder)
     struct stat about;
     snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE STORAGE_BACKUP_SUFFIX);
     if (stat(path, &about)) {
-        return; /* A stall that never ran has none. */
+        return; /* A kiosk that has never run has no backup. */
     }
     const int64_t hours = ((int64_t)time(NULL) - about.st_mtime) / 3600;
     struct doctor_finding *finding = doctor_find(
@@ -167,7 +172,8 @@ static const struct {
                               "remove it, or put it back beside the kingyo.db it belongs to" },
 };
 
-/* What the stall could not read once lies there until somebody has looked at it. */
+/* Adds a finding for each quarantined file. Such a file stays in the data folder until the operator
+ * removes it. */
 static void look_at_damaged(struct doctor *doctor, const char *folder)
 {
     DIR *list = opendir(folder);
@@ -188,7 +194,7 @@ static void look_at_damaged(struct doctor *doctor, const char *folder)
     }
 }
 
-/* ---- Learned controllers -------------------------------------------------------------------- */
+/* ---- Stored controller mappings -------------------------------------------------------------- */
 
 static void look_at_poi(struct doctor *doctor, const char *path)
 {

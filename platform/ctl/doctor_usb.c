@@ -1,5 +1,7 @@
-/* doctor_usb.c -- every device on USB: may it play, may it be opened, does somebody hold it, will
- * it stay awake. Hubs are left out. */
+/* doctor_usb.c -- the check of every USB device except hubs.
+ *
+ * Checks whether the kiosk accepts and can open the device, whether another program has claimed it,
+ * and whether it stays awake. */
 #include "platform/ctl/doctor_usb.h"
 
 #include <dirent.h>
@@ -53,7 +55,8 @@ static void say_denied(struct doctor *doctor, const struct usb_device *device, b
     doctor_todo_access(doctor, finding, node, both);
 }
 
-/* A kernel driver gives way by itself (libusb's auto-detach); another program does not. */
+/* Adds a finding for a device that is in use. libusb detaches a kernel driver automatically, but it
+ * cannot detach another program. */
 static void say_held(struct doctor *doctor, const struct usb_device *device)
 {
     const bool by_kiosk = doctor_kiosk_runs(doctor);
@@ -124,7 +127,8 @@ static bool is_asked_for(const struct doctor *doctor, const struct hid_identity 
     return false;
 }
 
-/* Who asked for what never plays should hear it. */
+/* Adds a finding for a device that is not a controller. A device that was requested by an option
+ * gets a higher severity, so that the operator notices it. */
 static void say_no_hand(struct doctor *doctor, const struct usb_device *device, const char *why)
 {
     const bool is_asked = is_asked_for(doctor, &device->identity);
@@ -156,7 +160,8 @@ static void say_device(struct doctor *doctor, const struct usb_device *device,
     }
 }
 
-/* What was named is asked for: that it is not there is told like a line that is not. */
+/* Adds a finding for each device that is named in the options but not connected, as for a missing
+ * GPIO line. */
 static void say_missing(struct doctor *doctor, const struct hid_identity *there, uint32_t count)
 {
     for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
@@ -174,7 +179,7 @@ static void say_missing(struct doctor *doctor, const struct hid_identity *there,
     }
 }
 
-/* What is wished: by name on the command line or in the file, by choice in the menu. */
+/* Reads which devices are selected by the options and by the menu. */
 static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
 {
     char path[2u * OPTIONS_PATH_MAX], why[HAL_TEXT_SIZE];
@@ -189,7 +194,8 @@ static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
     }
 }
 
-/* "3-1.4": a bus, a port, and ports of hubs; "usb3" is a bus, "3-1.4:1.0" an interface. */
+/* Returns whether `name` is a USB port: a bus, a port, and ports of hubs ("3-1.4"). "usb3" is a
+ * bus, and "3-1.4:1.0" is an interface. */
 static bool is_port(const char *name)
 {
     return name[0] >= '0' && name[0] <= '9' && strchr(name, '-') && !strchr(name, ':') &&

@@ -1,4 +1,5 @@
-/* doctor_usb.h -- what /sys says of one device on USB, and of its interface that plays best. */
+/* doctor_usb.h -- the state of one USB device in /sys, and of the interface that suits the kiosk
+ * best. */
 #ifndef KINGYO_PLATFORM_CTL_DOCTOR_USB_H
 #define KINGYO_PLATFORM_CTL_DOCTOR_USB_H
 
@@ -12,23 +13,24 @@
 #define USB_PORT_SIZE 32u
 
 struct usb_device {
-    char port[USB_PORT_SIZE]; /* "3-1.4" */
+    char port[USB_PORT_SIZE]; /* Port of the device, for example "3-1.4". */
     struct hid_identity identity;
     char maker[HID_TEXT_SIZE];
     uint32_t bus, number, class, configuration;
-    uint8_t sleeps; /* Autosuspend is on. */
+    uint8_t sleeps; /* 1 if autosuspend is enabled. */
 };
 
 struct usb_interface {
     uint32_t number, class, subclass, protocol;
-    char driver[48]; /* "": none. */
+    char driver[48]; /* Name of the kernel driver. "" means no driver. */
     struct usb_subject subject;
     enum usb_verdict verdict;
     struct hid_map map;
 };
 
-/* Fills what lies behind `device->port`, and the best of its interfaces: the one that plays, else
- * one that may, else any. `device->identity` stays `best->subject`'s. */
+/* Reads the device at `device->port` and selects the best of its interfaces. An accepted interface
+ * is best, then one that may be accepted, then any other. For a HID interface, `best->subject`
+ * points to `device->identity`, so `device` must outlive `best`. */
 void doctor_read_usb(const struct doctor *doctor, const struct usb_choice *choice,
                      struct usb_device *device, struct usb_interface *best);
 

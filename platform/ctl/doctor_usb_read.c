@@ -1,4 +1,4 @@
-/* doctor_usb_read.c -- small files of /sys/bus/usb/devices. */
+/* doctor_usb_read.c -- the reader of small files below /sys/bus/usb/devices. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,8 @@
 
 #define BOOT 1u
 #define BOOT_KEYBOARD 1u
-#define INTERFACES_MAX 32u /* Of one device; USB 2.0 has no limit, real ones have 8. */
+#define INTERFACES_MAX 32u /* Most interfaces of one device that are read. USB 2.0 sets no limit,
+                              but real devices have up to 8. */
 
 static uint32_t number_at(const struct doctor *doctor, const char *folder, const char *name,
                           int base)
@@ -78,12 +79,14 @@ static void read_interface(const struct doctor *doctor, const struct usb_choice 
     }
 }
 
-/* Whose interface the kiosk would claim: what is told of a device is told of that. */
+/* Returns whether the kiosk would claim interface `a` rather than `b`. The finding for a device
+ * describes the best interface. */
 static int is_better(const struct usb_choice *choice, const struct usb_interface *a,
                      const struct usb_interface *b)
 {
     struct usb_subject first = a->subject, second = b->subject;
-    if (!first.identity || !second.identity) { /* Other classes than HID. */
+    if (!first.identity || !second.identity) { /* An interface without an identity is not a HID
+                                                  interface. */
         return !first.identity == !second.identity ? a->number < b->number : !second.identity;
     }
     struct hid_identity one = *first.identity, other = *second.identity;
