@@ -11,8 +11,8 @@
  *   end
  *
  * The lines must have this order; '#' begins a comment. Numbers are written with enough digits to
- * be read back exactly. A file is written under a temporary name and then renamed, so that a power cut
- * leaves the old file or the new one. A file that does not fit its species is rejected with one
+ * be read back exactly. A file is written under a temporary name and then renamed, so that a power
+ * cut leaves the old file or the new one. A file that does not fit its species is rejected with one
  * message that names the line. */
 #ifndef KINGYO_PLATFORM_EDIT_FILE_H
 #define KINGYO_PLATFORM_EDIT_FILE_H

@@ -1,14 +1,15 @@
-/* demo.h -- the bot plays a round off screen, on a clock that only the program moves, and
- * pictures of it are written. It begins when the hands are over the water: what comes before, from
- * START on, is played unseen. Equal options give equal plays, to the last bit. */
+/* demo.h -- plays a round by the bot off screen, on a simulated clock, and writes pictures of it.
+ *
+ * The pictures begin when the pois are over the water; the time from START to there is played
+ * without pictures. Equal options give equal games, to the last bit. */
 #ifndef KINGYO_PLATFORM_KIOSK_DEMO_H
 #define KINGYO_PLATFORM_KIOSK_DEMO_H
 
 #include "platform/kiosk/session.h"
 
-#define DEMO_SEED 2013u /* Where none is given, so that two people see the same demonstration. */
+#define DEMO_SEED 2013u /* Default seed, so that two users see the same demonstration. */
 
-/* Returns an exit code; what failed was told. */
+/* Runs the demonstration. Returns an exit code; errors were reported. */
 enum exit_code demo_run(struct session *session);
 
 #endif

@@ -1,4 +1,5 @@
-/* dressing.h -- what the core knows by rows and bits has names on the operator's screen. */
+/* dressing.h -- fills the operator's view with device names and texts that the core does not
+ * have. */
 #ifndef KINGYO_PLATFORM_KIOSK_DRESSING_H
 #define KINGYO_PLATFORM_KIOSK_DRESSING_H
 
@@ -6,32 +7,33 @@
 #include "platform/kiosk/file_notes.h"
 #include "platform/kiosk/hands.h"
 
-/* Rows of the files' page: the store's, then the notes'. `notes` may be null. */
+/* Returns the number of rows on the page of files: the store's row, then the notes. `notes` may be
+ * null. */
 uint8_t dressing_file_count(const struct file_notes *notes);
 
-/* Every line of the buttons, and what came of it since the start. */
+/* Every button and coin line, with its counts since the start. */
 struct line_book {
-    uint32_t raw, missing; /* As the last button_sample said. */
+    uint32_t raw, missing; /* As in the last button_sample. */
     struct line_sample line[HAL_LINE_COUNT];
     uint32_t coins[COIN_LINE_COUNT];
 };
 
-/* Adds what one sample says. */
+/* Adds the counts of one sample. */
 void line_book_note(struct line_book *book, const struct button_sample *sample);
 
-/* What the frame loop knows of devices beside what they say themselves. */
+/* Sources of the operator's view in the frame loop. */
 struct dressing {
     const struct file_notes *notes; /* May be null. */
-    const struct input *input;      /* The last tick's. */
-    const struct poi_hand *hands;   /* POI_MAX of them. */
+    const struct input *input;      /* Input of the last tick. */
+    const struct poi_hand *hands;   /* Array of POI_MAX controllers. */
     const struct line_book *lines;
     uint32_t button_faults;
     const struct scene_machine *machine;
-    uint64_t frame_ns; /* The median frame's; 0: none yet. */
+    uint64_t frame_ns; /* Median frame time; 0: unknown. */
 };
 
-/* Seals the scores whose replay is kept. Fills scene->devices while the operator's menu is shown;
- * else leaves them as they are. */
+/* Marks the scores whose replay is stored. Fills scene->devices while the operator's menu is shown,
+ * and otherwise leaves it unchanged. */
 void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing);
 
 #endif

@@ -1,8 +1,8 @@
-/* encore.h -- a score is shown again: its replay comes from the store, is played fast up to its
- * round and then as it was, and in the end the judge says whether it is genuine.
+/* encore.h -- plays back a score: loads its replay from the store, seeks to its round, shows the
+ * round, and finally reports whether the replay verifier accepts the score.
  *
- * The stall itself goes on behind it. Any button, and a dip, ends it. The caller owns `struct
- * encore` (4.5 MB: static storage) and leaves it zero. */
+ * The kiosk itself continues in the background. Any button or a dip ends the playback. The caller
+ * owns `struct encore` (4.5 MB: static storage) and clears it. */
 #ifndef KINGYO_PLATFORM_KIOSK_ENCORE_H
 #define KINGYO_PLATFORM_KIOSK_ENCORE_H
 
@@ -11,31 +11,35 @@
 #include "platform/kiosk/chapters.h"
 #include "platform/kiosk/judge.h"
 
-#define ENCORE_END_TICKS (10u * CORE_TICK_HZ) /* The verdict stands so long. */
-#define ENCORE_SEEK_NS 10000000ull /* Of a frame, while it seeks: 40 ticks and more of a desktop. */
-#define ENCORE_SEEK_TICKS 240u     /* And at most so many, or seconds read: a clock may stop. */
+#define ENCORE_END_TICKS (10u * CORE_TICK_HZ) /* Time for which the result is shown. */
+#define ENCORE_SEEK_NS 10000000ull /* Time of a frame spent on seeking: at least 40 ticks on a
+                                      desktop computer. */
+#define ENCORE_SEEK_TICKS 240u     /* Limit of ticks or seconds read per frame, for the case that
+                                      the clock stops. */
 
 struct encore {
     uint8_t state;       /* enum scene_encore */
-    uint8_t is_asked;    /* The store is looking for it. */
-    uint8_t is_open;     /* The judge reads it, ... */
-    uint8_t has_play;    /* ... and has read it: there is something to see. */
+    uint8_t is_asked;    /* 1: the store is loading the replay. */
+    uint8_t is_open;     /* 1: the verifier has opened the replay. */
+    uint8_t has_play;    /* 1: the verifier has parsed the replay, and there is a picture to
+                            show. */
     uint32_t round_id;
-    uint32_t end_ticks;  /* Since the verdict. */
-    float hand_y_m[POI_MAX]; /* To see a dip. */
-    struct ledger_entry kept; /* The round's, as it is on disk. */
+    uint32_t end_ticks;  /* Ticks since the result. */
+    float hand_y_m[POI_MAX]; /* Previous height of each poi, to detect a dip. */
+    struct ledger_entry kept; /* The round's entry on disk. */
     struct judge judge;
     uint8_t bytes[CHAPTERS_SIZE];
 };
 
-/* Begins, in place of what is shown. The store may be writing yet: it is asked until it answers. */
+/* Starts a playback in place of the current one. If the store is busy, the request is repeated each
+ * frame. */
 void encore_ask(struct encore *encore, uint32_t round_id);
 
-/* What hands do while it is on: 1 when that ends it. `pressed`: buttons. */
+/* Handles input during a playback. `pressed`: buttons. Returns 1 if the input ends the playback. */
 int encore_heeds(struct encore *encore, uint32_t pressed, const struct poi_input poi[POI_MAX]);
 
-/* Once a frame: what `tick_count` ticks do to it. Its sounds take the place of those in `output`;
- * once its round runs, its picture that of `scene`. */
+/* Advances the playback by `tick_count` ticks. Call once a frame. encore_show() replaces the sounds
+ * of `output`, and once the round runs also the picture of `scene`. */
 void encore_frame(struct encore *encore, const struct hal *hal, const struct hal_clock *stopwatch,
                   const struct ranking *ranking, uint32_t tick_count);
 void encore_show(const struct encore *encore, struct scene *scene, struct output *output);

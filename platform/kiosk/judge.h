@@ -1,14 +1,16 @@
-/* judge.h -- plays a score's replay again and says whether the score is genuine.
+/* judge.h -- replays a score and verifies that it is genuine.
  *
- * It is when every digest and every second's state agree with what was recorded, and the entry
- * that this play ends with says what the ranking says of that round and what the ledger has on
- * disk of it: boot, ticks, the tank's seed, mode, grade, who played, and each player's catch,
- * papers and fouls. So it proves that these inputs make that very score in this program, in a tank
- * of that seed, for so many ticks. It does not prove whose hand it was, nor how many fish the
- * stall had (no entry says it: `kingyoctl scores verify` tells the replay's), nor that nobody
- * who can write the disk changed entry, ranking and replay together: there is no secret in it. An
- * entry that is so old that the ledger dropped it is not asked; one that is not as it was written
- * disproves. The caller owns it (1.3 MB: static storage). */
+ * A score is genuine if every digest and every second's state equal the recorded ones, and if the
+ * final entry equals both the ranking's rows and the ledger's entry of the round: boot, ticks, the
+ * tank's seed, mode, grade, players, and each player's catch, papers and fouls. This proves that
+ * these inputs make exactly this score in this program, in a tank of that seed, for that many
+ * ticks.
+ *
+ * The result does not prove who played, nor how many fish the tank had (no entry contains it:
+ * `kingyoctl scores verify` prints the replay's number). An attacker who can write the disk can
+ * change entry, ranking and replay together, because no secret is involved. An entry that the
+ * ledger has dropped is not compared; an entry with a wrong checksum disproves the score. The
+ * caller owns the verifier (1.3 MB: static storage). */
 #ifndef KINGYO_PLATFORM_KIOSK_JUDGE_H
 #define KINGYO_PLATFORM_KIOSK_JUDGE_H
 
@@ -19,10 +21,10 @@
 
 enum verdict {
     VERDICT_GENUINE = 0,
-    VERDICT_OTHER,   /* This program makes another play of it: replayer.difference, or the play
-                        gives another score than the ranking's. */
-    VERDICT_DAMAGED, /* Its bytes are no recording: replayer.reader.problem. */
-    VERDICT_UNCHECKED, /* The core refused to run here with CORE_ERR_FLOAT. */
+    VERDICT_OTHER,   /* The game differs from the recording (replayer.difference), or gives a score
+                        other than the ranking's. */
+    VERDICT_DAMAGED, /* The bytes are no valid recording: replayer.reader.problem. */
+    VERDICT_UNCHECKED, /* Not verified, because the core returned CORE_ERR_FLOAT. */
     VERDICT_COUNT,
 };
 
@@ -31,38 +33,39 @@ struct judge {
     struct core core;
     struct input input;
     struct output output;
-    struct replay_totals said;  /* Of the whole replay, by itself. */
-    uint32_t round_tick;        /* Its last round begins in the second from here. */
-    struct ledger_entry round;  /* The newest that this play wrote; id 0: none yet. */
+    struct replay_totals said;  /* Totals that the replay itself states. */
+    uint32_t round_tick;        /* Tick at which the second of the last round's beginning starts. */
+    struct ledger_entry round;  /* Newest round entry of this game; id 0: none yet. */
     uint32_t seen_id;
     uint8_t is_damaged;
-    uint8_t is_refused;         /* The core returned CORE_ERR_FLOAT. */
-    uint8_t is_read;            /* All of it was, and nothing is damaged. */
+    uint8_t is_refused;         /* 1: the core returned CORE_ERR_FLOAT. */
+    uint8_t is_read;            /* 1: the whole replay was parsed and is valid. */
     const uint8_t *bytes;
     size_t size;
 };
 
-/* Sets the calling thread's floating-point control and opens a replay; its bytes must outlive the
- * judge's work. 0, or -1 when nothing can be played: the verdict is VERDICT_DAMAGED. */
+/* Sets the calling thread's floating-point control and opens a replay. The bytes must outlive the
+ * verification. Returns 0, or -1 if nothing can be played; the result is then VERDICT_DAMAGED. */
 int judge_open(struct judge *judge, const uint8_t *bytes, size_t size);
 
-/* Reads on in what is open, a second of play at most: what is decoded in one go is a frame's. 1:
- * there is more; 0: it is wholly read, and the stall that it begins with is made; -1 as above. */
+/* Parses at most one second of the open replay, so that the work fits into a frame. Returns 1 if
+ * more is left, 0 if the replay is parsed and its initial state was created, or -1 as
+ * judge_open(). */
 int judge_read(struct judge *judge);
 
-/* All of that at once, for who has no frames to keep. 0 or -1. */
+/* Opens and parses a replay completely. Returns 0 or -1. */
 int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size);
 
-/* One tick. 1, or 0 at the end: of the replay, of its agreement with this play, or because the core
- * refused the tick. */
+/* Runs one tick. Returns 1, or 0 at the end: of the replay, at the first difference, or because the
+ * core rejected the tick. */
 int judge_tick(struct judge *judge);
 
-/* Whether the last round, the score's own, has begun. */
+/* Returns 1 if the last round, which is the score's, has begun. */
 int judge_is_at_round(const struct judge *judge);
 
-/* After the end. Every row that `ranking` has of the round `round_id` must be this play's, there
- * must be one, and the ledger's entry of the round must be the play's, where the ledger still has
- * it: `kept`, with id 0 where it has not. */
+/* Returns the result. Call after the end. Every row of `ranking` with the round `round_id` must
+ * equal this game, and there must be at least one. If the ledger still has the round, its entry
+ * `kept` must equal the game's entry; otherwise the id of `kept` is 0. */
 enum verdict judge_say(const struct judge *judge, const struct ranking *ranking, uint32_t round_id,
                        const struct ledger_entry *kept);
 

@@ -1,7 +1,7 @@
-/* kiosk.h -- the frame loop: sample the devices, run the owed ticks, present. One direction.
+/* kiosk.h -- the frame loop: sample the devices, run the due ticks, present the result.
  *
- * The caller owns `struct kiosk` (about 1.5 MB: put it in static storage). After kiosk_init nothing
- * here allocates, and no call waits but the display's, for the screen. */
+ * The caller owns `struct kiosk` (about 1.5 MB: static storage). After kiosk_init() nothing here
+ * allocates memory. No call blocks, except the display's, which waits for the screen. */
 #ifndef KINGYO_PLATFORM_KIOSK_KIOSK_H
 #define KINGYO_PLATFORM_KIOSK_KIOSK_H
 
@@ -25,105 +25,111 @@ struct chapters;
 struct encore;
 struct machine;
 
-/* Sees each tick's input before the tick, and with it the state after the tick: the recorder.
- * Must not change either. */
+/* Callbacks with each tick's input before the tick, and with the state after the tick; used by the
+ * recorder. They must not change either. */
 struct kiosk_tap {
     void (*before)(void *self, const struct input *input); /* May be null. */
     void (*tick)(void *self, const struct input *input, const struct core *core);
     void *self;
 };
 
-/* Gives each tick's input in place of the devices: the replayer. */
+/* Source of each tick's input in place of the devices; used by the replayer. */
 struct kiosk_source {
-    int (*next)(void *self, struct input *out); /* 1, or 0 when there is no more. */
+    int (*next)(void *self, struct input *out); /* Returns 1, or 0 at the end. */
     void *self;
 };
 
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];       /* These are the core's bot's, whatever device there is. */
-    struct hal_clock stopwatch; /* Real time, for the figures only; never reaches the core. */
-    const struct file_notes *notes; /* For the operator's menu; outlives the kiosk. Null: none. */
-    struct machine *machine;    /* That is looked after; outlives the kiosk. Null: nobody does. */
-    struct chapters *chapters;  /* For the replays of scores; outlives the kiosk. Null: none. */
-    struct encore *encore;      /* To show scores again; outlives the kiosk. Null: none can be. */
-    struct kiosk_tap tap;       /* Null function: none. */
-    struct kiosk_source source; /* Null function: the devices play. */
+    uint8_t bot[POI_MAX];       /* 1: the core's bot plays this poi, whatever devices exist. */
+    struct hal_clock stopwatch; /* Real time for statistics only; never reaches the core. */
+    const struct file_notes *notes; /* Notes for the operator's menu; must outlive the kiosk. Null:
+                                       none. */
+    struct machine *machine;    /* System health monitor; must outlive the kiosk. Null: none. */
+    struct chapters *chapters;  /* Session recorder; must outlive the kiosk. Null: none. */
+    struct encore *encore;      /* Score playback; must outlive the kiosk. Null: none. */
+    struct kiosk_tap tap;       /* Null functions: no callbacks. */
+    struct kiosk_source source; /* Null function: the devices are the source. */
 };
 
 enum kiosk_end {
     KIOSK_RUNS = 0,
-    KIOSK_QUIT,         /* A quit key pressed twice, a closed window, the session's end. */
-    KIOSK_DISPLAY_LOST, /* Nothing can be shown any more. */
+    KIOSK_QUIT,         /* The quit key pressed twice, a closed window, or the end of the desktop
+                           session. */
+    KIOSK_DISPLAY_LOST, /* The display is lost for good. */
     KIOSK_SOURCE_END,   /* The replay is over. */
-    KIOSK_FLOAT,        /* The core refused a tick with CORE_ERR_FLOAT. */
-    KIOSK_RESTART,      /* It is to begin anew: the operator wants it, or a store that came late. */
+    KIOSK_FLOAT,        /* The core rejected a tick with CORE_ERR_FLOAT. */
+    KIOSK_RESTART,      /* The kiosk must restart: by the operator, or because a store appeared
+                           after the start. */
 };
 
-/* What went wrong and was survived, since the start. */
+/* Faults since the start that the kiosk has survived. */
 struct kiosk_faults {
     uint32_t poi, shade, display, audio, storage, buttons, switches;
 };
 
-/* Of all devices together. */
+/* Returns the sum over all devices. */
 uint32_t kiosk_fault_count(const struct kiosk_faults *faults);
 
 struct kiosk {
     struct kiosk_config config;
     struct core core;
-    struct input input;    /* Of the next tick; edges wait in it until one tick has seen them. */
+    struct input input;    /* Input of the next tick; edges stay in it until one tick has used
+                              them. */
     struct output output;
-    struct poi_force felt[POI_MAX]; /* By all ticks of the frame; see output_feel(). */
+    struct poi_force felt[POI_MAX]; /* Forces of all ticks of the frame; see output_feel(). */
     struct scene scene;
     struct pace pace;
     struct poi_hand hands[POI_MAX];
     struct shade_hand shades[SHADE_MAX];
-    uint64_t sampled_ns;   /* When the devices were last asked. */
-    uint64_t display_retry_ns; /* When a display that went is looked for again; 0: none did. */
+    uint64_t sampled_ns;   /* Time of the last device poll. */
+    uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display; 0: not lost. */
     struct lighting lighting;
-    struct view view;      /* Of the tank, ... */
-    struct showing showing; /* ... and on the screen, as display and pois were told last. */
+    struct view view;      /* Camera view that display and pois were given last. */
+    struct showing showing; /* Display transform that display and pois were given last. */
     struct saving saving;
     struct late late;
     struct voice voice;
     struct switches switches;
-    uint64_t restart_ns;       /* When a restart waits no longer for the store; 0: none is asked
-                                  for. */
-    uint64_t quit_until_ns;    /* Until then the quit key is asked for once more; 0: it is not. */
-    uint32_t told_orders;      /* Of output.order_count, those that were told. */
-    uint32_t wanted_replay_id; /* The operator wants to see this round; 0: none. */
-    uint8_t has_acknowledged;  /* He has seen what was set aside, and the machine is to be told. */
-    struct scene_machine machine; /* As it was looked at last. */
+    uint64_t restart_ns;       /* Time at which a restart no longer waits for the store; 0: no
+                                  restart is requested. */
+    uint64_t quit_until_ns;    /* Time until which a second press of the quit key ends the kiosk; 0:
+                                  no first press. */
+    uint32_t told_orders;      /* Value of output.order_count up to which commands were executed. */
+    uint32_t wanted_replay_id; /* Round that the operator wants to see; 0: none. */
+    uint8_t has_acknowledged;  /* 1: the operator has acknowledged quarantined files, and the
+                                  monitor must mark them. */
+    struct scene_machine machine; /* Newest system health. */
     uint8_t end;           /* enum kiosk_end */
 
     uint64_t frames;
     struct kiosk_faults faults;
-    uint32_t float_resets;    /* Frames before which the floating-point control had to be set back,
+    uint32_t float_resets;    /* Frames before which the floating-point control had to be restored,
                                  because a library had changed it. */
-    struct line_book lines;   /* Of the buttons and coins. */
-    struct timing frame_time; /* Begin to begin, on the stopwatch. */
-    struct timing work_time;  /* Begin to end of kiosk_frame. */
-    struct timing report_wait; /* From a poi's report to the tick that uses it. */
-    uint64_t core_ns;         /* Spent in ticks and scene. */
+    struct line_book lines;   /* Statistics of button and coin lines. */
+    struct timing frame_time; /* Time between the starts of two frames, on the stopwatch. */
+    struct timing work_time;  /* Time from the start to the end of kiosk_frame(). */
+    struct timing report_wait; /* Time from a poi's report to the tick that uses it. */
+    uint64_t core_ns;         /* Time spent in ticks and scene. */
     uint64_t frame_begin_ns;
 };
 
-/* A fresh stall. Opens the poi; the board has opened the rest. Sets the calling thread's
- * floating-point control. Returns CORE_OK or core_init()'s error: then `kiosk` is not to be used.
- */
+/* Initializes the kiosk and opens the pois; the board has opened the other devices. Sets the
+ * calling thread's floating-point control. Returns CORE_OK or core_init()'s error; after an error
+ * `kiosk` must not be used. */
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config);
 
-/* Whether the quit key was pressed, so that a second press ends the kiosk. */
+/* Returns 1 if the quit key was pressed, so that a second press ends the kiosk. */
 int kiosk_asks_to_quit(const struct kiosk *kiosk);
 
-/* One displayed frame. Sets the calling thread's floating-point control before the ticks. Returns
- * enum kiosk_end; after anything but KIOSK_RUNS call it no more. */
+/* Runs one displayed frame. Sets the calling thread's floating-point control before the ticks.
+ * Returns enum kiosk_end; after any value except KIOSK_RUNS it must not be called again. */
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
 
-/* After the last frame: closes the store, which may wait for it, and counts its last faults.
- * Returns how many finished rounds are lost: not written, or never taken by a store that was
- * there. */
+/* Closes the store and counts its last faults. Call after the last frame. May block on the store.
+ * Returns the number of finished rounds that are lost: not written, or never accepted by an
+ * existing store. */
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
 
 #endif

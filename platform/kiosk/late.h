@@ -1,26 +1,27 @@
-/* late.h -- what people paid while the stall had no store, told to the one that came late.
+/* late.h -- offline credits: gives a store that appears after the start the coins and credits of
+ * the time without a store.
  *
- * A stall that began without its store goes on from it by beginning anew, and what lies only in its
- * memory would be gone with it: coins, the credits they bought, those that SERVICE gave. So the
- * store is told all of it first, and what it was told is subtracted: a coin that falls while the
- * card is busy is told next, and nothing twice. */
+ * A kiosk that started without its store must restart to use it, which would lose data that is only
+ * in memory: coins, the credits they bought and service credits. Therefore the store first gets all
+ * of them, and amounts already transferred are subtracted. Coins inserted during a write are queued
+ * for the next transaction, so that each coin is stored exactly once. */
 #ifndef KINGYO_PLATFORM_KIOSK_LATE_H
 #define KINGYO_PLATFORM_KIOSK_LATE_H
 
 #include "core/core.h"
 #include "platform/hal.h"
 
-/* Zero: nothing was told yet. */
+/* State of the transfer. Zero: nothing was transferred yet. */
 struct late {
-    struct audits told;       /* On disk, of what this stall's own books say, ... */
-    struct purse told_purse;  /* ... and of its purse. */
-    struct audits asked;      /* What that will be when the store has written what it was given. */
+    struct audits told;       /* Audits of this kiosk that are on disk in the store. */
+    struct purse told_purse;  /* Balance of this kiosk that is on disk in the store. */
+    struct audits asked;      /* Audits that will be on disk when the current write succeeds. */
     struct purse asked_purse;
     uint8_t is_asked;
 };
 
-/* Once a frame, while such a store is there and nobody plays: tells it what is left to tell. 1 when
- * it has everything on disk, and the stall may begin anew in this very frame. */
+/* Transfers the remaining amounts. Call once a frame, while such a store exists and no game runs.
+ * Returns 1 if everything is on disk, so that the kiosk may restart in this frame. */
 int late_is_told(struct late *late, const struct hal_storage *storage, const struct core *core);
 
 #endif

@@ -1,6 +1,7 @@
-/* lighting.h -- how light the picture is, and where on the screen: as bright as the operator wants
- * it while somebody is there, dimmer when nobody was for a while, dark at night; and never long in
- * the same place, since what stands still for weeks burns into a screen. */
+/* lighting.h -- dims the picture and moves it slowly to prevent burn-in.
+ *
+ * The brightness is the operator's while a player is present, lower after a time without input, and
+ * dark at night. */
 #ifndef KINGYO_PLATFORM_KIOSK_LIGHTING_H
 #define KINGYO_PLATFORM_KIOSK_LIGHTING_H
 
@@ -10,25 +11,28 @@
 #include "core/placing.h"
 #include "core/settings.h"
 
-#define LIGHTING_NIGHT_IDLE_S 60u   /* At night whoever wakes the stall has so long to begin. */
-#define LIGHTING_STIR_M 0.03f       /* A hand that moved so far is somebody's; noise is less. */
-#define LIGHTING_SHIFT (1.0f / 180.0f) /* Of the height, each way: 4 pixels of 720, 6 of 1080. */
+#define LIGHTING_NIGHT_IDLE_S 60u   /* Time in which a player who wakes the kiosk at night can start
+                                       a game. */
+#define LIGHTING_STIR_M 0.03f       /* Movement of a poi in metres that counts as input; smaller
+                                       movements are noise. */
+#define LIGHTING_SHIFT (1.0f / 180.0f) /* Shift in each direction as a share of the height: 4 pixels
+                                          of 720, 6 of 1080. */
 
 struct lighting {
-    uint64_t seen_ns;          /* The frame before; 0: there was none. */
-    uint64_t touched_ns;       /* When somebody was there last. */
-    float light;               /* [0, 1] of what the operator set; it fades. */
-    uint32_t wander_ms;        /* How long the picture has wandered; wraps with the way. */
-    uint8_t was_stirred;       /* A press, a coin, a hand or a game, since the last step. */
-    vec3 hand_m[POI_MAX];      /* Where each hand's last stir ended. */
+    uint64_t seen_ns;          /* Time of the previous frame; 0: none. */
+    uint64_t touched_ns;       /* Time of the last input. */
+    float light;               /* Share [0, 1] of the operator's brightness; changes gradually. */
+    uint32_t wander_ms;        /* Phase of the movement; wraps at its period. */
+    uint8_t was_stirred;       /* 1: a press, a coin, a movement or a game since the last step. */
+    vec3 hand_m[POI_MAX];      /* Position of each poi at its last detected movement. */
 };
 
-/* Before the frame's ticks: a press, a coin, or a game that runs is somebody. */
+/* Detects input: a press, a coin, or a running game. Call before the frame's ticks. */
 void lighting_notice(struct lighting *lighting, const struct input *input, int is_attract);
 
-/* After them: so are hands that moved. Then the picture for this frame. `now_ns` is monotonic;
- * `settings` are in range. The night is told by input->minute and there is none while input->day
- * is 0. */
+/* Detects movements of the pois and returns the display transform of this frame. Call after the
+ * frame's ticks. `now_ns` is monotonic; `settings` are in range. Night is decided by input->minute,
+ * and is disabled while input->day is 0. */
 struct showing lighting_step(struct lighting *lighting, const struct settings *settings,
                              const struct input *input, int is_attract, uint64_t now_ns);
 

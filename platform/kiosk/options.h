@@ -1,5 +1,5 @@
-/* options.h -- what the command line asks of `kingyo`; config_file.h reads the same from a file.
- * Pure. */
+/* options.h -- parses the command line of `kingyo`; config_file.h reads the same options from a
+ * file. Pure. */
 #ifndef KINGYO_PLATFORM_KIOSK_OPTIONS_H
 #define KINGYO_PLATFORM_KIOSK_OPTIONS_H
 
@@ -17,16 +17,16 @@
 #define OPTIONS_DEMO_S_MAX 600u
 #define OPTIONS_MODES_ALL ((1 << CHOICE_COUNT) - 1)
 
-/* The exit codes of both programs. */
+/* Exit codes of `kingyo` and `kingyoctl`. */
 enum exit_code {
     EXIT_OK = 0,
-    EXIT_NOT_SO = 1,    /* Checked, and not so; or the display was lost. */
+    EXIT_NOT_SO = 1,    /* The check failed, or the display was lost. */
     EXIT_USAGE = 2,
-    EXIT_BAD_DATA = 65, /* As sysexits.h: EX_DATAERR ... */
-    EXIT_IO = 74,       /* ... and EX_IOERR. */
+    EXIT_BAD_DATA = 65, /* EX_DATAERR of sysexits.h. */
+    EXIT_IO = 74,       /* EX_IOERR of sysexits.h. */
 };
 
-/* Settings that somebody asked for. */
+/* Settings that one source sets explicitly. */
 struct asked {
     int32_t value[SETTING_COUNT];
     uint8_t is_set[SETTING_COUNT];
@@ -34,44 +34,44 @@ struct asked {
 
 struct options {
     uint8_t help, version;
-    uint8_t demo;                  /* Play to files, off screen ... */
-    uint32_t demo_s;               /* ... for so long. */
-    uint32_t width, height;        /* Of the window; 0: full screen. */
+    uint8_t demo;                  /* 1: play off screen and write pictures. */
+    uint32_t demo_s;               /* Length of the demonstration in seconds. */
+    uint32_t width, height;        /* Window size in pixels; 0: full screen. */
     uint8_t poi;                   /* enum board_poi */
     uint8_t has_seed;
     uint32_t seed;
     uint8_t tank;                  /* enum tank_preset_id */
-    uint8_t is_file;               /* What is set now comes from the file. */
-    struct asked machine;          /* What the machine's locale asks for, ... */
-    struct asked file;             /* ... the configuration file, */
-    struct asked words;            /* ... and the command line. */
+    uint8_t is_file;               /* 1: the current values come from the file. */
+    struct asked machine;          /* Settings from the machine's locale. */
+    struct asked file;             /* Settings from the configuration file. */
+    struct asked words;            /* Settings from the command line. */
     uint8_t keyboard;              /* enum board_keyboard */
     uint8_t usb_count, line_count;
     char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
     char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* "ROLE=LINE[,WORD...]" */
-    char record[OPTIONS_PATH_MAX]; /* Each "" when not asked for. */
+    char record[OPTIONS_PATH_MAX]; /* File to record; "" if not set, as in the fields below. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
     char data[OPTIONS_PATH_MAX];
     char config[OPTIONS_PATH_MAX];
 };
 
-/* Sets what `argv` says on top of what `options` holds. 0, or -1 and one line in `error`: also when
- * the tank cannot hold the fish, in whatever order they were named. */
+/* Parses `argv` into `options`, whose other values stay. Returns 0, or -1 with one line in `error`;
+ * also if the tank cannot hold the fish, independent of the order of the options. */
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* What a stall begins with before the operator's menu has its say: each setting at its standard, by
- * the machine's locale, or by the configuration file. */
+/* Sets the initial settings before the operator's menu changes them: each one is the default, or
+ * comes from the machine's locale or the configuration file. */
 void options_first(const struct options *options, struct settings *settings);
 
-/* What the command line asks for, over all that `settings` holds. */
+/* Sets the settings of the command line, which override all others. */
 void options_last(const struct options *options, struct settings *settings);
 
-/* Whether the file or the command line asks for this setting. */
+/* Returns 1 if the file or the command line sets this setting. */
 int options_ask(const struct options *options, uint32_t id);
 
-/* What --help prints. */
+/* Prints the text of --help. */
 void options_print_help(void);
 
 #endif

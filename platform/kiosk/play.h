@@ -1,17 +1,17 @@
-/* play.h -- the stall on a screen, open until someone closes it. */
+/* play.h -- runs the kiosk on a screen until it is closed. */
 #ifndef KINGYO_PLATFORM_KIOSK_PLAY_H
 #define KINGYO_PLATFORM_KIOSK_PLAY_H
 
 #include "platform/kiosk/session.h"
 
-/* Whether the stall opens without a screen, and shows itself when there is one: where a service
- * manager started it ($NOTIFY_SOCKET), nobody stands there to read that there is none. */
+/* Returns 1 if the kiosk starts without a screen and uses one that appears later. This applies to a
+ * start by a service manager ($NOTIFY_SOCKET), where no user could read an error message. */
 int play_waits_for_screen(void);
 
-/* Opens the board. Whether session->hal has a display at all, or waits for one. */
+/* Opens the board. Returns 1 if session->hal has a display or waits for one. */
 int play_open(struct session *session);
 
-/* Runs frames until the end. Returns an exit code; what failed was told. */
+/* Runs frames until the end. Returns an exit code; errors were reported. */
 enum exit_code play_run(struct session *session);
 
 #endif

@@ -1,14 +1,14 @@
-/* present.h -- the frame's last part: the only writes to devices. */
+/* present.h -- the last part of a frame: all writes to devices. */
 #ifndef KINGYO_PLATFORM_KIOSK_PRESENT_H
 #define KINGYO_PLATFORM_KIOSK_PRESENT_H
 
 #include "platform/kiosk/kiosk.h"
 
-/* The display, and whoever points at the picture, are told when it is another one. */
+/* Sends a changed view or transform to the display and to the pointer devices. */
 void present_view(struct kiosk *kiosk, const struct hal *hal);
 
-/* Sounds, lamps, orders, forces and what is to be kept, when the frame had ticks; the picture
- * always. Counts the faults that it meets, and sets kiosk->end when the kiosk is to begin anew. */
+/* Writes sounds, outputs, commands, forces and data to store if the frame had ticks, and always the
+ * picture. Counts faults, and sets kiosk->end if the kiosk must restart. */
 void present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count);
 
 #endif

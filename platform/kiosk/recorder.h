@@ -1,7 +1,8 @@
-/* recorder.h -- writes what the core is told and what it makes of it, as the game is played.
+/* recorder.h -- writes the inputs of the core and checksums of its states to a file while the game
+ * runs.
  *
- * It is handed each input before the tick: when that tick panics, the recording ends with the very
- * input, and showing it again panics again at the same place. */
+ * The recorder gets each input before the tick. If the tick panics, the recording ends with that
+ * input, and replaying it panics at the same tick. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_H
 
@@ -10,7 +11,7 @@
 #include "platform/kiosk/kiosk.h"
 #include "platform/replay.h"
 
-/* Rounds, catches and fouls after the last tick, to see them rise. */
+/* Rounds, catches and fouls after the last tick, to detect increases. */
 struct recorder_tally {
     uint32_t rounds, caught[POI_MAX], fouls[POI_MAX];
 };
@@ -19,30 +20,32 @@ struct recorder {
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    const struct core *core;  /* Hashed once more for the last, begun second. */
+    const struct core *core;  /* Core to hash for the last, incomplete second. */
     struct input begun;       /* Input of the running tick; valid while is_in_tick is 1. */
     atomic_uchar is_in_tick;  /* 1 while core_tick() runs. */
     atomic_uchar is_adding;   /* 1 while the tap changes `totals` and `writer`. */
 };
 
-/* Counts rounds begun, fish caught and fouls up to and with this tick, and who played what. A count
- * that fell began anew. */
+/* Counts rounds, caught fish, fouls, modes and players up to and including this tick. A count that
+ * decreased has restarted at 0. */
 void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
                     const struct core *core);
 
-/* Begins a recording of `core`, which is fresh and outlives it. 0 or a negative errno. */
+/* Starts a recording of `core`, which must be new and outlive the recording. Returns 0 or a
+ * negative errno. */
 int recorder_begin(struct recorder *recorder, const char *path, const struct core *core);
 
-/* What the frame loop calls with each tick. */
+/* Returns the callbacks for the frame loop. */
 struct kiosk_tap recorder_tap(struct recorder *recorder);
 
-/* Writes the begun second. 0 or the negative errno that the recording ended with, now or before. */
+/* Writes the incomplete second. Returns 0, or the negative errno that ended the recording now or
+ * earlier. */
 int recorder_end(struct recorder *recorder);
 
-/* Ends the recording in a panic, on the thread that ticks the core or while that thread stands
- * still. A tick that was interrupted is written with its input and REPLAY_HASH_NONE, because its
- * state is incomplete. Returns as recorder_end() does, or -EINTR if the panic interrupted a write:
- * the file then ends with its last whole second. */
+/* Ends the recording in a panic, on the thread that runs the ticks or while that thread is stopped.
+ * A tick that was interrupted is written with its input and REPLAY_HASH_NONE, because its state is
+ * incomplete. Returns as recorder_end() does, or -EINTR if the panic interrupted a write; the file
+ * then ends with its last complete second. */
 int recorder_end_in_panic(struct recorder *recorder);
 
 #endif

@@ -1,10 +1,10 @@
-/* resample.h -- from time-stamped readings of a hand to exactly one pose a tick. Pure.
+/* resample.h -- computes exactly one pose a tick from time-stamped reports. Pure.
  *
- * A tick that reused a pose would see a hand that stops and starts: speed 2v, 0, 2v, and drag,
- * which grows with its square, four-fold. So the readings of a frame are spread over the frame's
- * ticks: the newest tick gets the newest reading (no latency is added), the ones before it get
- * the path between that and the last frame's end, linear between readings. A way that no hand goes
- * is not walked: numbers that are none, and leaps, stand in the tick that they belong to. */
+ * A tick that reused a pose would see a poi that stops and starts: speed 2v, 0, 2v, with four times
+ * the drag, which grows with the square of the speed. Therefore the reports of a frame are spread
+ * over the frame's ticks. The newest tick gets the newest report, so that no latency is added. The
+ * earlier ticks get points on the path from the last frame's end, linear between reports. Invalid
+ * numbers and jumps are not interpolated: they appear in the tick that they belong to. */
 #ifndef KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 
@@ -12,27 +12,28 @@
 
 #include "platform/hal.h"
 
-/* A frame's worth of readings, those of a few tickless frames, and the last one used. */
+/* Reports of one frame and of a few frames without ticks, and the last report that was used. */
 #define RESAMPLE_MAX (2u * HAL_POI_SAMPLES_MAX)
 
 struct resampler {
-    struct poi_sample path[RESAMPLE_MAX]; /* [0] is where the last tick left the hand. */
-    uint32_t count;                       /* 0: nothing was ever read. */
+    struct poi_sample path[RESAMPLE_MAX]; /* Reports in order; [0] is the pose of the last tick. */
+    uint32_t count;                       /* 0: no report yet. */
 };
 
-/* Forgets the path: after a link was lost, the way in between was not travelled. */
+/* Forgets the path. Used after a controller was lost, because the motion in between is unknown. */
 void resample_reset(struct resampler *resampler);
 
-/* Adds a reading. One of the same or an earlier time replaces the newest; when full, the oldest but
- * one goes. Any bits are taken, for the core to judge; 0: some number is none, or beyond what
- * core/game/trust.h reads. */
+/* Adds a report. A report with the same or an earlier time replaces the newest one. When full, the
+ * second oldest is dropped. Any bit pattern is accepted because the core validates it. Returns 0 if
+ * a number is invalid or beyond the range of core/game/trust.h. */
 int resample_push(struct resampler *resampler, const struct poi_sample *sample);
 
-/* The pose for tick `index` of the `tick_count` >= 1 ticks of this frame; needs count > 0. */
+/* Returns the pose for tick `index` of the `tick_count` >= 1 ticks of this frame. `count` must be >
+ * 0. */
 struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
                               uint32_t tick_count);
 
-/* After the frame's last tick: the newest reading becomes the start of the next path. */
+/* Makes the newest report the start of the next path. Call after the frame's last tick. */
 void resample_end(struct resampler *resampler);
 
 #endif

@@ -1,7 +1,7 @@
-/* shades.h -- the fans and hands over the water, as the frame loop sees them.
+/* shades.h -- samples the fans for the frame loop.
  *
- * A device says once a frame where its fan is; each tick of the frame gets its own place on the way
- * there, since a shadow that stood still for a tick and leapt in the next would be a fast one. */
+ * A device reports its fan's position once a frame. Each tick of the frame gets its own position on
+ * the path, because a shadow that stops for a tick and jumps in the next would count as fast. */
 #ifndef KINGYO_PLATFORM_KIOSK_SHADES_H
 #define KINGYO_PLATFORM_KIOSK_SHADES_H
 
@@ -11,26 +11,26 @@
 #include "platform/hal.h"
 
 struct shade_hand {
-    struct shade_input from, to; /* Where the last tick left it; where the device says it is. */
-    uint64_t retry_ns;           /* When a lost one is looked for again. */
+    struct shade_input from, to; /* Position at the last tick, and newest position of the device. */
+    uint64_t retry_ns;           /* Time of the next attempt to open a lost device. */
     uint8_t link;                /* enum poi_link, but never BOT. */
 };
 
-/* Looks for the device. Returns whether that was a fault. */
+/* Opens the device. Returns 1 if that failed with a fault, else 0. */
 uint32_t shade_hand_open(struct shade_hand *hand, const struct hal_shade *device, uint64_t now_ns);
 
-/* Takes the newest reading; a lost device is looked for once a second, and holds nothing meanwhile.
- * A reading with a number that is none, or beyond 1,000 m, is refused. Returns how many faults it
- * met. */
+/* Reads the newest report. A lost device is retried once a second and counts as absent meanwhile.
+ * Rejects a report with a number that is not finite or beyond 1,000 m. Returns the number of
+ * faults. */
 uint32_t shade_hand_sample(struct shade_hand *hand, const struct hal_shade *device,
                            uint64_t now_ns);
 
-/* For tick `index` of the `tick_count` >= 1 ticks of this frame. One that was not there before
- * comes where it is. */
+/* Returns the position for tick `index` of the `tick_count` >= 1 ticks of this frame. A fan that
+ * was absent appears at its position without a path. */
 struct shade_input shade_hand_at(const struct shade_hand *hand, uint32_t index,
                                  uint32_t tick_count);
 
-/* After the frame's last tick: the way is done. */
+/* Starts the next path. Call after the frame's last tick. */
 void shade_hand_end(struct shade_hand *hand);
 
 #endif

@@ -1,9 +1,9 @@
-/* status.h -- how the stall is, as one JSON file for whoever watches over it.
+/* status.h -- writes the kiosk's state to a JSON file for monitoring tools.
  *
- * The frame loop gives a report once a second, and at once when the store fails or is well again.
- * The frame loop never waits: it is copied, and a thread of its
- * own writes the file, whole or not at all (a part beside it is renamed). Where nobody names a
- * folder for it there is no file and no thread. */
+ * The frame loop makes a report once a second, and at once when the store fails or recovers. The
+ * report is copied, so that the frame loop never blocks. A separate thread writes the file
+ * atomically, by renaming a temporary file. Without a configured folder there is neither a file nor
+ * a thread. */
 #ifndef KINGYO_PLATFORM_KIOSK_STATUS_H
 #define KINGYO_PLATFORM_KIOSK_STATUS_H
 
@@ -18,30 +18,31 @@
 
 #define STATUS_FILE "status.json"
 #define STATUS_PERIOD_NS 1000000000ull
-/* Every device's line with each character escaped (6 bytes), and the figures. */
+/* Enough for every device's text with each character escaped (6 bytes), and the numbers. */
 #define STATUS_TEXT_MAX 24576u
 #define STATUS_DEVICES_MAX (10u + POI_MAX + SHADE_MAX)
 
-/* What is told. Zero is a stall that just began. */
+/* One report. Zero is a kiosk that has just started. */
 struct status_report {
-    uint64_t written_ms;   /* On the clock since power on, sleep included: whether it is fresh. */
+    uint64_t written_ms;   /* Time since power-on in ms, including sleep, to detect an outdated
+                              file. */
     uint32_t pid;
     uint32_t up_s;
-    uint32_t boot;         /* Starts so far, as the store counts; 0: there is none. */
+    uint32_t boot;         /* Starts counted by the store; 0: no store. */
     uint8_t phase;         /* enum scene_phase */
     uint8_t players;
     struct purse purse;
-    uint32_t tickets_out;  /* Tickets passed to the dispenser, as the audits count them. */
-    uint32_t entry_id, saved_id; /* Newest entry of the ledger, newest on disk. */
+    uint32_t tickets_out;  /* Tickets passed to the dispenser, as counted in the audits. */
+    uint32_t entry_id, saved_id; /* Newest entry of the ledger, and newest entry on disk. */
     uint8_t store_well;
     uint64_t frames, dropped_ticks;
     uint32_t ticks;
     uint64_t frame_median_ns, frame_p99_ns;
     struct kiosk_faults faults;
-    uint32_t float_resets; /* As struct kiosk's. */
+    uint32_t float_resets; /* As in struct kiosk. */
     uint32_t buttons_missing;
-    uint16_t day, minute;  /* What the clock says, as struct input's; day 0: it was never set. */
-    uint32_t files_refused; /* As struct scene_devices has it. */
+    uint16_t day, minute;  /* Date and time as in struct input; day 0: the clock was never set. */
+    uint32_t files_refused; /* As in struct scene_devices. */
     struct scene_machine machine;
     uint32_t device_count;
     struct {
@@ -50,39 +51,40 @@ struct status_report {
     } device[STATUS_DEVICES_MAX];
 };
 
-/* The file's text, a zero behind it; its length. It always fits. */
+/* Writes the file's text with a terminating zero. Returns its length, which always fits. */
 size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX]);
 
-/* What there is to say of a kiosk now, but for written_ms and pid. */
+/* Fills the report from a kiosk, except written_ms and pid. */
 void status_take(struct status_report *report, const struct kiosk *kiosk, const struct hal *hal);
 
 struct status {
     pthread_t thread;
-    pthread_mutex_t mutex; /* Of what stands below; the frame loop only tries it. */
+    pthread_mutex_t mutex; /* Protects the fields below it; the frame loop only tries to lock it. */
     pthread_cond_t changed;
     struct status_report report;
-    uint8_t is_fresh;      /* `report` waits to be written. */
+    uint8_t is_fresh;      /* 1: `report` is not written yet. */
     uint8_t stop;
-    atomic_uint failed;    /* Writes that failed; the first one is told. */
+    atomic_uint failed;    /* Writes that failed; the first one is reported. */
 
     uint8_t runs;
-    uint64_t next_ns;      /* When the frame loop reports again. */
-    uint8_t told_well;     /* `store_well` of the last report that the thread was given. */
+    uint64_t next_ns;      /* Time of the next report. */
+    uint8_t told_well;     /* `store_well` in the last report that the thread got. */
     struct status_report draft;
     char text[STATUS_TEXT_MAX];
     char path[PATH_MAX], part[PATH_MAX];
 };
 
-/* Begins to keep `folder`/status.json; a null or empty folder, or a thread that the machine does
- * not give: there is no file, and what follows does nothing. */
+/* Starts to maintain `folder`/status.json. With a null or empty folder, or if no thread can be
+ * created, there is no file and the other functions have no effect. */
 void status_begin(struct status *status, const char *folder);
 
-/* Called once a frame; `now_ns` is on the frame loop's own clock. Never waits: while the thread
- * writes, this second's report is left out. A change of `store_well` is reported at once. */
+/* Makes a report if one is due. Call once a frame; `now_ns` is on the frame loop's clock. Never
+ * blocks: while the thread holds the lock, this second's report is skipped. A change of
+ * `store_well` is reported at once. */
 void status_tell(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
                  uint64_t now_ns);
 
-/* Ends the thread and takes the file away: a stall that is closed says nothing. */
+/* Stops the thread and deletes the file, because a closed kiosk has no status. */
 void status_end(struct status *status);
 
 #endif

@@ -1,5 +1,7 @@
-/* voice.h -- what the stall calls out, brought to a sound card that may come and go: as loud as the
- * operator set it, and while nobody plays only now and then. */
+/* voice.h -- audio output: plays the core's sounds at the operator's volume on a sound card that
+ * may appear and disappear.
+ *
+ * In attract mode sounds are played only at intervals. */
 #ifndef KINGYO_PLATFORM_KIOSK_VOICE_H
 #define KINGYO_PLATFORM_KIOSK_VOICE_H
 
@@ -9,24 +11,25 @@
 #include "core/settings.h"
 #include "platform/hal.h"
 
-#define VOICE_SHOW_S 60u /* Attract is shown in parts of so long; each n-th is heard. */
+#define VOICE_SHOW_S 60u /* Seconds in one part of attract mode; sounds are played in each n-th
+                            part. */
 
 struct voice {
-    uint64_t retry_ns;   /* When a card that is not there is looked for again; 0: it is there. */
-    uint64_t attract_ns; /* When attract began; 0: somebody plays. */
+    uint64_t retry_ns;   /* Time of the next search for a missing card; 0: the card is present. */
+    uint64_t attract_ns; /* Start of attract mode; 0: a game runs. */
 };
 
-/* Who found no card at the start looks for one from now on. */
+/* Opens the card. If there is none, later calls retry. */
 void voice_open(struct voice *voice, const struct hal_audio *audio, uint64_t now_ns);
 
-/* [0, 1], how loud a sound of full gain is. Half the slider sounds half as loud: an ear hears
- * powers. */
+/* Returns the gain [0, 1] of a sound of full volume. Half of the volume setting is perceived as
+ * half as loud, because hearing follows a power law. */
 float voice_gain(const struct settings *settings);
 
-/* Whether attract is heard so long after it began. */
+/* Returns 1 if sounds are played at this time after the start of attract mode. */
 int voice_is_heard(const struct settings *settings, uint64_t attract_s);
 
-/* The sounds of a frame. Returns how many faults it met; a card that goes is one. */
+/* Plays the sounds of a frame. Returns the number of faults; the loss of a card is one. */
 uint32_t voice_put(struct voice *voice, const struct hal_audio *audio,
                    const struct output *output, const struct settings *settings, int is_attract,
                    uint64_t now_ns);
