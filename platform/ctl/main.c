@@ -1,4 +1,4 @@
-/* main.c -- `kingyoctl`: the command line for operators, fish makers and researchers. */
+/* main.c -- `kingyoctl`, the command line for operators, fish makers and researchers. */
 #include <stdio.h>
 #include <string.h>
 
@@ -72,8 +72,8 @@ static enum exit_code run_words(int argc, char **argv)
     return EXIT_USAGE;
 }
 
-/* Commands print and do not look whether it arrived: lost output is found here, for all of them. A
- * command that failed has already printed its one line. */
+/* A command prints without checking for write errors. main() detects lost output here for all
+ * commands. A command that failed has already printed its one error line. */
 int main(int argc, char **argv)
 {
     const int closed = standard_streams_open();

@@ -1,4 +1,4 @@
-/* morph.c -- `kingyoctl morph`: fish of any age, for makers and researchers. */
+/* morph.c -- `kingyoctl morph`, which shows fish of any age to makers and researchers. */
 #include "platform/ctl/morph.h"
 
 #include <errno.h>

@@ -1,9 +1,10 @@
-/* morph_ages.c -- whether age, progress and length lead to each other all through a fish's life. */
+/* morph_ages.c -- checks that age, progress and length convert into each other during a fish's
+ * whole life. */
 #include <math.h>
 
 #include "platform/ctl/morph_walk.h"
 
-/* Counts the moments at which it is no older than at the one before. */
+/* Counts the moments at which the fish is not older than at the previous moment. */
 static void measure_age(struct walk *w, float before_days, float age_days)
 {
     if (!(age_days > before_days)) {
@@ -13,7 +14,8 @@ static void measure_age(struct walk *w, float before_days, float age_days)
     }
 }
 
-/* Length as it is shown against the growth curve at that age; a size drawn by hand is its own. */
+/* Compares the displayed length with the growth curve at that age. The comparison is skipped for a
+ * key whose size the maker drew. */
 static void measure_length(struct walk *w, float age_days)
 {
     const struct species_card *card = &w->species->card;

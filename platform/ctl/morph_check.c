@@ -1,4 +1,5 @@
-/* morph_check.c -- `kingyoctl morph check`: whether a species grows without a flaw, in figures. */
+/* morph_check.c -- `kingyoctl morph check`, which measures whether a species grows without
+ * errors. */
 #include <stdio.h>
 
 #include "platform/ctl/morph_pick.h"
@@ -19,14 +20,17 @@ struct check_plan {
     struct survey survey[COLUMNS];
 };
 
-/* One figure of a survey, and what it must be. */
+/* One value of a survey and its limit. */
 struct row {
     const char *title, *key;
     float (*value)(const struct survey *survey);
-    const struct finding *(*where)(const struct survey *survey); /* Null: nowhere to be told. */
+    const struct finding *(*where)(const struct survey *survey); /* Returns the place of the worst
+                                                                    value. A null pointer means that
+                                                                    the value has no place. */
     const char *format;
-    double scale;     /* 100: a share, told in percent. */
-    double limit;     /* In what is told. */
+    double scale;     /* Factor from the measured to the printed value. A value of 100 prints a
+                         share in percent. */
+    double limit;     /* Limit in the printed unit. */
     enum { AT_MOST, AT_LEAST, TOLD_ONLY } rule;
 };
 
@@ -126,7 +130,7 @@ static const struct species_mesh *mesh_of(const struct check_plan *plan, enum co
     return column == ORDINARY ? &plan->ordinary->lod[0] : &plan->pick.fish->lod[column];
 }
 
-/* "at progress 0.431, vertex 312 (eye)" */
+/* Prints a place, for example "at progress 0.431, vertex 312 (eye)". */
 static void print_where(const struct check_plan *plan, enum column column,
                         const struct finding *at)
 {

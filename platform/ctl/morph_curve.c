@@ -1,4 +1,4 @@
-/* morph_curve.c -- a name among a few. */
+/* morph_curve.c -- finds a curve by its name. */
 #include "platform/ctl/morph_curve.h"
 
 #include <stdio.h>

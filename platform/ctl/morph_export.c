@@ -1,4 +1,4 @@
-/* morph_export.c -- `kingyoctl morph export`: a fish as pictures and as meshes. */
+/* morph_export.c -- `kingyoctl morph export`, which writes a fish as pictures and as meshes. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 
 static const char name[] = "export";
 
-/* What is asked for beside the fish. */
+/* The options of `morph export` besides the fish. */
 struct wishes {
     const char *sheet, *obj, *glb, *folder, *view;
     uint32_t frame_count;

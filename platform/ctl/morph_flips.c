@@ -1,15 +1,17 @@
-/* morph_flips.c -- triangles that are turned over: of the skin those that face inward, of fins
- * those that face back from one moment to the next.
+/* morph_flips.c -- counts flipped triangles. A skin triangle is flipped if it faces inward. A fin
+ * triangle is flipped if it faces the opposite way from one moment to the next.
  *
- * A fin may turn far between two moments without a flaw, as it unfolds from a hatchling's. So where
- * one has turned by more than a right angle, the time between is looked at closely: a fin that
- * turns does so step by step, one that is turned over goes through nothing and faces back at once.
- * The figure is thus the same for many moments and for few. */
+ * A fin may turn by a large angle between two moments without an error, because a hatchling's fin
+ * unfolds. Where a fin triangle has turned by more than a right angle, the interval is therefore
+ * sampled finely. A correct fin turns in small steps, but a flipped triangle reverses in a single
+ * step. The count is thus the same for many moments and for few. */
 #include "platform/ctl/morph_walk.h"
 
-#define AREA_MIN 1e-9f        /* Twice the area of what is too small to face anywhere. */
-#define THIN_COUNTS 4.0f      /* What is not as high as this, by rounding faces anywhere. */
-#define CLOSELY 4e-5f         /* Of a life: so far apart are moments when looked at closely. */
+#define AREA_MIN 1e-9f        /* Twice the area below which a triangle has no defined direction. */
+#define THIN_COUNTS 4.0f      /* Height, in quantization steps of the mesh tables, below which
+                                 rounding decides where a triangle faces. */
+#define CLOSELY 4e-5f         /* Distance between two moments of the fine sampling, as a share of a
+                                 life. */
 
 static vec3 face_of(const struct walk *w, uint32_t triangle)
 {
@@ -59,7 +61,7 @@ static void shape_at(struct walk *w, float progress)
     morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
 }
 
-/* One step of the doubtful fins. */
+/* Examines one step of the fin triangles that may be flipped. */
 static void look(struct walk *w)
 {
     for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {

@@ -1,4 +1,5 @@
-/* morph_frames.c -- one picture a moment, all at one size and place. */
+/* morph_frames.c -- draws one picture for each moment, with the fish at the same scale and
+ * place. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +10,8 @@
 
 #define FRAME_MARGIN 48.0f
 
-static struct portrait portrait; /* One at a time, too large for a stack. */
+static struct portrait portrait; /* Static because the object is too large for a stack. Only one
+                                    portrait exists at a time. */
 
 static bool draw_frame(const struct morph_pick *pick, struct canvas *canvas,
                        struct raster *raster, enum portrait_view view,

@@ -1,14 +1,16 @@
-/* morph_glb.c -- a whole life as one glTF 2.0 file: nodes, skin and animation.
+/* morph_glb.c -- writes a whole life as one glTF 2.0 file with nodes, a skin and an animation.
  *
- * The scene: a node for the fish (its size is that node's animated scale; it faces +z as glTF's
- * things do) with the body under it, and a mesh for every other part. What rides on the skin is
- * skinned in glTF's sense: a joint an anchor, under the fish, each vertex on one joint alone. glTF
- * blends first and moves by joints then, as morph_shape() does, so the file is our formula and no
- * approximation; nodes instead of joints would not do, since a fin's rays have an anchor each and
- * share triangles.
+ * The scene has one node for the fish. The scale of that node is animated and gives the fish's
+ * size. The fish faces +z, as glTF requires. The body lies under this node, and each other part has
+ * a mesh. A part that follows the skin is skinned in the sense of glTF: each anchor is a joint
+ * under the fish, and each vertex depends on one joint only. glTF first blends the targets and then
+ * applies the joints, as morph_shape() does, so the file is exact and not an approximation. Nodes
+ * instead of joints would not work, because the rays of a fin have one anchor each and share
+ * triangles.
  *
- * The animation "growth" runs GLB_SECONDS from progress 0 to 1: the graph's own weights (of solved
- * shapes where the graph is solved, so they stay in [0, 1]), size, and joints. */
+ * The animation "growth" runs for GLB_SECONDS from progress 0 to 1. It holds the graph's weights,
+ * the size and the joints. The weights are those of solved shapes where the graph is solved, so
+ * that they stay in [0, 1]. */
 #include "platform/ctl/morph_glb.h"
 
 #include <errno.h>
@@ -17,15 +19,16 @@
 
 #include "platform/ctl/plate.h"
 
-#define NAME_SIZE 2048u /* A list of PIECE_MAX node numbers, and to spare. */
+#define NAME_SIZE 2048u /* Bytes of a list of PIECE_MAX node numbers, with a margin. */
 
 static const char command[] = "export";
 
-static struct fish_glb fish; /* Too large for a stack; one export at a time. */
+static struct fish_glb fish; /* Static because the object is too large for a stack. Only one export
+                                runs at a time. */
 
 /* ---- Nodes ----------------------------------------------------------------------------------- */
 
-/* How a key is painted, but for its marks; 0xRRGGBB as numbers. */
+/* Prints the colours of a key without its marks. Colours are 0xRRGGBB numbers. */
 static void print_coat(struct bytes *out, const struct species_coat *coat)
 {
     bytes_print(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,", coat->back,
@@ -33,7 +36,7 @@ static void print_coat(struct bytes *out, const struct species_coat *coat)
     bytes_print(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
 }
 
-/* What the numbers of the file mean in life. */
+/* Prints what the numbers of the file mean in real life. */
 static void print_life(struct bytes *out)
 {
     const struct species_card *card = &fish.pick->fish->card;
@@ -94,7 +97,8 @@ static void add_joint(uint32_t anchor)
                 (double)at->turn.y, (double)at->turn.z, (double)at->turn.w);
 }
 
-/* The way back from where an anchor is at progress 1, as glTF writes matrices: column by column. */
+/* Computes the inverse of an anchor's pose at progress 1, as a column-major matrix in the order of
+ * glTF. */
 static void inverse_bind(const struct anchor_pose *at, float out[16])
 {
     const vec3 axes[3] = { v3(1.0f, 0.0f, 0.0f), v3(0.0f, 1.0f, 0.0f), v3(0.0f, 0.0f, 1.0f) };
@@ -140,7 +144,8 @@ static void add_nodes(char scene[NAME_SIZE])
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
         add_piece(i, meshes[i]);
         if (fish.skinned[i]) {
-            /* Only joints move a skinned mesh: glTF wants it beside the fish, not under it. */
+            /* Only joints move a skinned mesh, so glTF requires the mesh node beside the fish node
+             * and not under it. */
             used += (size_t)snprintf(scene + used, NAME_SIZE - used, ",%u", GLB_PIECE_NODE + i);
             skinned = true;
         }

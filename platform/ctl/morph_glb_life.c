@@ -1,16 +1,21 @@
-/* morph_glb_life.c -- the animation of a fish in glTF: its size, its weights, what rides on it.
+/* morph_glb_life.c -- writes the glTF animation of a fish: the size, the weights, and the joints of
+ * parts that follow the skin.
  *
- * Samples are dense where something bends and straight between, within TOLERANCE everywhere. */
+ * Samples are dense where a value bends. The values are linear between samples, and the error is at
+ * most TOLERANCE everywhere. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "platform/ctl/morph_glb.h"
 #include "platform/ctl/track.h"
 
-#define TOLERANCE 1e-5f /* Of a weight, of size as a ratio, of an anchor's place in lengths. */
-#define EVEN_MARKS 32u  /* So that no bend is passed over between two of them. */
+#define TOLERANCE 1e-5f /* Maximum error of a weight, of the size (as a ratio), and of an anchor's
+                           position (in body lengths). */
+#define EVEN_MARKS 32u  /* Number of evenly spaced samples, so that no bend between two marks is
+                           missed. */
 #define MARK_ROOM (EVEN_MARKS + 1u + MORPH_CURVE_MAX * GRAPH_KNOT_MAX)
-#define ANCHOR_WIDTH 7u /* Place and turn. */
+#define ANCHOR_WIDTH 7u /* Floats of an anchor: three for the position and four for the rotation
+                           quaternion. */
 
 static void ask_size(const void *self, float progress, float *values)
 {
@@ -63,14 +68,16 @@ static void ask_anchors(const void *self, float progress, float *values)
     }
 }
 
-/* q and -q are the same turn: `b` so that it lies on the side of `a`. */
+/* Returns the sign that puts the quaternion `b` in the same hemisphere as `a`, because q and -q are
+ * the same rotation. */
 static float side_of(const float *a, const float *b)
 {
     const float dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
     return dot < 0.0f ? -1.0f : 1.0f;
 }
 
-/* A turn's middle is not that of its numbers, but of their direction: the mean is made unit. */
+/* Returns the error of an interpolated rotation. The mean of two quaternions is normalized, because
+ * only its direction is the middle rotation. */
 static float turn_error(const float *from, const float *to, const float *exact)
 {
     const float side = side_of(from, to), exact_side = side_of(from, exact);
@@ -103,7 +110,7 @@ static float anchor_error(const void *self, const float *from, const float *to,
     return error;
 }
 
-/* Steps that are fine enough to see every bend, and every knot exactly. */
+/* Computes sample positions that are dense enough for every bend and include every knot exactly. */
 static uint32_t make_marks(const struct morph_rig *rig, float marks[MARK_ROOM])
 {
     uint32_t count = 0;
@@ -135,7 +142,7 @@ static bool fit(const struct fish_glb *fish, struct track *track, struct track_f
     return track_fit(track, &function, marks, count, TOLERANCE);
 }
 
-/* ---- Into the file --------------------------------------------------------------------------- */
+/* ---- Writing to the file -------------------------------------------------------------------- */
 
 static uint32_t add_times(struct fish_glb *fish, const struct track *track)
 {
@@ -178,7 +185,8 @@ static bool animate_size(struct fish_glb *fish)
 
 static bool animate_weights(struct fish_glb *fish)
 {
-    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 }; /* By the curves they tell; from 1. */
+    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 }; /* Sampler numbers, counted from 1, by the bit
+                                                         mask of the curves that they represent. */
     for (uint32_t piece = 0; piece < fish->cut.piece_count; piece++) {
         const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
         uint32_t *sampler = &samplers[list.targets->curves];
@@ -198,7 +206,8 @@ static bool animate_weights(struct fish_glb *fish)
     return true;
 }
 
-/* `column` to `column + width` of the track, a turn never jumping to its other sign. */
+/* Copies `width` columns of the track from `column` on. The sign of a quaternion never changes from
+ * one sample to the next. */
 static void pick_column(const struct track *track, uint32_t column, uint32_t width, float *out)
 {
     for (uint32_t i = 0; i < track->count; i++) {

@@ -1,13 +1,16 @@
-/* morph_glb_look.c -- how a vertex looks in each shape of a glTF mesh: the base and its targets.
+/* morph_glb_look.c -- computes the attributes of a vertex in each shape of a glTF mesh, that is in
+ * the base and in the targets.
  *
- * Ours: p = sum over curves c of m_c sum over keys k of V_ck C_ck, with the masks m_c (sum 1), the
- * graph's weights V_c (sum 1, each >= 0) and the solved shapes C_c (the drawings where nothing is
- * solved). glTF: p = B + sum of w_t D_t. So B = sum m_c C_c,last and, for each curve and each key
- * but the last, D = m_c (C_ck - C_c,last) with w = V_ck: the same sum, every weight in [0, 1].
+ * In Kingyo, p = sum over curves c of m_c sum over keys k of V_ck C_ck. The masks m_c have the sum
+ * 1, the graph's weights V_c have the sum 1 and are >= 0, and C_c are the solved shapes (the drawn
+ * shapes where nothing is solved). In glTF, p = B + sum of w_t D_t. Therefore B = sum m_c C_c,last,
+ * and each curve and each key except the last has D = m_c (C_ck - C_c,last) with w = V_ck. This is
+ * the same sum, and every weight is in [0, 1].
  *
- * Colours are targets too (COLOR_0, linear): who does not morph them shows the last key's,
- * which is also how the file stands when nothing moves it. A glass body's alpha is there, but its
- * material is opaque: unsorted clear bodies look worse in viewers than whole ones. Fins blend. */
+ * Colours are targets too (COLOR_0, linear). A viewer that does not morph colours shows those of
+ * the last key, which are also the colours without the animation. The alpha of a glass body is
+ * written, but the material of the body is opaque: unsorted transparent bodies look worse in
+ * viewers than opaque ones. Fins use alpha blending. */
 #include "platform/ctl/morph_glb.h"
 #include "platform/ctl/portrait.h"
 
@@ -22,7 +25,7 @@ float glb_share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t curve)
     return (float)share / 255.0f;
 }
 
-/* Linear, for that is what glTF's vertex colours are. */
+/* Writes linear colours, because glTF vertex colours are linear. */
 static void take_paint(const struct fish_glb *fish, uint32_t vertex, uint32_t key,
                        struct aspect *out)
 {
@@ -39,13 +42,14 @@ static void add_look(struct aspect *sum, const struct aspect *look, float weight
     sum->hides += look->hides * weight;
 }
 
-/* Keys' normals are blended on the octahedron |x| + |y| + |z| = 1: see struct morph_pose. */
+/* Projects a normal to the octahedron |x| + |y| + |z| = 1, on which the normals of keys are blended
+ * (see struct morph_pose). */
 static vec3 on_octahedron(vec3 n)
 {
     return v3_scale(n, 1.0f / (f_abs(n.x) + f_abs(n.y) + f_abs(n.z)));
 }
 
-/* C_ck of one vertex. */
+/* Returns C_ck of one vertex. */
 static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
                           uint32_t key)
 {
@@ -61,8 +65,9 @@ static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32
     return sum;
 }
 
-/* What rides on the skin stands in the file where it is at progress 1, so that a reader that knows
- * no skins still sees a whole fish; its joint takes that back first (its inverse bind matrix). */
+/* Moves a vertex that follows the skin to its place at progress 1, so that a viewer without
+ * skinning still shows a whole fish. The inverse bind matrix of the vertex's joint undoes this move
+ * first. */
 static void carry(const struct fish_glb *fish, uint32_t vertex, bool is_place, struct aspect *look)
 {
     const uint8_t anchor = fish->mesh->vertices[vertex].anchor;
@@ -79,7 +84,8 @@ static void carry(const struct fish_glb *fish, uint32_t vertex, bool is_place, s
 struct aspect glb_base_look(const struct fish_glb *fish, uint32_t vertex)
 {
     const uint32_t last = fish->pick->rig.key_count - 1u;
-    const struct aspect painted = solved(fish, vertex, 0, last); /* By the whole fish's curve. */
+    const struct aspect painted = solved(fish, vertex, 0, last); /* Colours are those of the whole
+                                                                    fish's curve. */
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
         const struct aspect one = solved(fish, vertex, curve, last);

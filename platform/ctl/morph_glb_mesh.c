@@ -1,20 +1,23 @@
-/* morph_glb_mesh.c -- a piece of the fish as a glTF mesh: the last key, and the ways to the others
- * (morph_glb_look.c says which those are). */
+/* morph_glb_mesh.c -- writes a piece of the fish as a glTF mesh. The base is the last key, and the
+ * targets are the displacements to the other keys (see morph_glb_look.c). */
 #include <string.h>
 
 #include "platform/ctl/morph_glb.h"
 #include "platform/species/reader.h"
 
-/* The columns of a mesh before they go to the file. Too large for a stack. */
+/* The columns of a mesh before they are written to the file. The object is static because it is too
+ * large for a stack. */
 static struct {
     uint32_t count;
-    uint16_t vertices[MESH_VERTEX_MAX]; /* Of species_mesh's, rising. */
-    uint16_t place[MESH_VERTEX_MAX];    /* And back; only where it was taken. */
+    uint16_t vertices[MESH_VERTEX_MAX]; /* Vertex numbers of species_mesh, in rising order. */
+    uint16_t place[MESH_VERTEX_MAX];    /* Inverse of `vertices`. Valid only for vertices that the
+                                           piece uses. */
     float position[MESH_VERTEX_MAX][3], normal[MESH_VERTEX_MAX][3], colour[MESH_VERTEX_MAX][4];
     float coordinates[MESH_VERTEX_MAX][2], source[MESH_VERTEX_MAX];
-    float facing[MESH_VERTEX_MAX]; /* How long the base's normal was before it was made unit. */
+    float facing[MESH_VERTEX_MAX]; /* Length of the base's normal before the normal was
+                                      normalized. */
     uint8_t joints[MESH_VERTEX_MAX][4];
-    float shares[MESH_VERTEX_MAX][4]; /* Floats: importers misread fractions of 255. */
+    float shares[MESH_VERTEX_MAX][4]; /* Floats, because importers misread fractions of 255. */
     uint16_t indices[MESH_INDEX_MAX];
 } columns;
 
@@ -26,7 +29,7 @@ static void put_look(uint32_t place, const struct aspect *look)
     columns.colour[place][3] = look->hides;
 }
 
-/* ---- What a piece has ------------------------------------------------------------------------ */
+/* ---- Contents of a piece -------------------------------------------------------------------- */
 
 static void gather_vertices(const struct fish_glb *fish, const struct morph_piece *piece)
 {
@@ -66,7 +69,8 @@ static struct target_list list_targets(const struct fish_glb *fish)
     return list;
 }
 
-/* Joint 0 is the fish itself, joint i + 1 anchor i. Answers whether any vertex has an anchor. */
+/* Fills the joint and weight columns. Joint 0 is the fish itself, and joint i + 1 is anchor i.
+ * Returns whether any vertex has an anchor. */
 static bool fill_rest(const struct fish_glb *fish)
 {
     bool rides = false;
@@ -85,7 +89,7 @@ static bool fill_rest(const struct fish_glb *fish)
     return rides;
 }
 
-/* ---- Into the file --------------------------------------------------------------------------- */
+/* ---- Writing to the file -------------------------------------------------------------------- */
 
 static uint32_t material_of(struct fish_glb *fish, uint8_t part)
 {
@@ -103,7 +107,7 @@ static uint32_t material_of(struct fish_glb *fish, uint8_t part)
     return fish->materials[part] - 1u;
 }
 
-/* The three columns that a shape has; the caller has filled them. */
+/* Prints the three accessors of a shape, whose columns the caller has filled. */
 static void print_shape(struct fish_glb *fish, struct bytes *out)
 {
     const uint32_t position = glb_floats(&fish->file, GLB_FOR_PLACES, GLB_VEC3,
@@ -145,7 +149,8 @@ static void print_targets(struct fish_glb *fish, const struct target_list *list,
         for (uint32_t i = 0; i < columns.count; i++) {
             struct aspect look =
                 glb_target_look(fish, columns.vertices[i], list->curve[t], list->key[t]);
-            /* Only directions count: all of a vertex's normals are scaled as its base is. */
+            /* Only directions matter, so all normals of a vertex are scaled by the same factor as
+             * its base normal. */
             look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
             put_look(i, &look);
         }
@@ -155,7 +160,7 @@ static void print_targets(struct fish_glb *fish, const struct target_list *list,
     }
 }
 
-/* A key's name; by a part's own curve, CURVE.KEY. */
+/* Prints the name of each target's key. A target of a part's own curve is named CURVE.KEY. */
 static void print_names(const struct fish_glb *fish, const struct target_list *list,
                         struct bytes *out)
 {

@@ -1,5 +1,6 @@
-/* morph_graph.c -- `kingyoctl morph graph`: the deformation graph as a picture (2005 thesis,
- * figures 3.7 to 3.9): a curve for each key, purple the size, the key shapes above, ages below. */
+/* morph_graph.c -- `kingyoctl morph graph`, which draws the deformation graph (2005 thesis, figures
+ * 3.7 to 3.9). Each key has a curve, the size is purple, the key shapes are above, and the ages are
+ * below. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,16 +14,18 @@
 static const char name[] = "graph";
 
 #define SAMPLES 400u
-#define KEY_WIDTH 190.0 /* How large a key's outline may be. */
+#define KEY_WIDTH 190.0 /* Maximum width of a key's outline, pixels. */
 #define KEY_HEIGHT 124.0
-#define TURN_SAMPLES 20000u /* Of a curve that changes by 20 % in a 20th of life: 0.01 % apart. */
-#define TURN_LEAST 0.01     /* How far back it comes, for a turn to be told. */
+#define TURN_SAMPLES 20000u /* Samples of the size curve. Samples of a curve that changes by 20 %
+                               within a 20th of a life differ by 0.01 %. */
+#define TURN_LEAST 0.01     /* Least relative change of the length after a peak or a trough for
+                               which the graph prints the length there. */
 
 struct graph_plan {
     struct morph_pick pick;
     const char *path, *curve_name;
     uint32_t curve;
-    struct morph_rig keys; /* That reaches every key whole. */
+    struct morph_rig keys; /* Rig that reaches every key completely. */
     struct graph_lengths lengths;
     struct svg svg;
 };
@@ -48,7 +51,7 @@ static void draw_title(struct graph_plan *plan)
 
 /* ---- Keys and curves ------------------------------------------------------------------------ */
 
-/* The key's own shape, as large as fits, its middle above its progress. */
+/* Draws the key's own shape as large as possible, with its middle above its progress. */
 static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double width_max)
 {
     const struct species_card *card = &plan->pick.fish->card;
@@ -65,7 +68,7 @@ static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double w
     outline_draw(&plan->svg, &outline);
 }
 
-/* Its shape, its name, age and length, and a line down to its progress. */
+/* Draws the key's shape, name, age and length, and a line down to its progress. */
 static void draw_key(struct graph_plan *plan, uint32_t key)
 {
     const struct species_card *card = &plan->pick.fish->card;
@@ -113,7 +116,7 @@ static void draw_scale(struct graph_plan *plan)
     svg_end_line(&plan->svg, MORPH_SCALE_COLOUR, 2.5, "9 5");
 }
 
-/* A peak's or a trough's length, beyond the curve. */
+/* Draws the length of a peak or a trough beside the curve, on its outer side. */
 static void draw_turn(struct graph_plan *plan, double progress, double mm, bool is_peak)
 {
     const double x = graph_x(progress), y = graph_length_y(&plan->lengths, mm);
@@ -122,16 +125,18 @@ static void draw_turn(struct graph_plan *plan, double progress, double mm, bool 
              "%.1f mm", mm);
 }
 
-/* Where a length turns round: a conger is longest before it is an eel. */
+/* Labels each peak and trough of the length. For example, a conger is longest before it becomes an
+ * eel. */
 static void draw_turns(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;
     double last = 1e3 * (double)life_length_m(card, 0.0f), turned = last, at = 0.0;
-    int way = 0; /* 1 as it grows, -1 as it shrinks. */
+    int way = 0; /* Direction of the change: 1 while the fish grows, -1 while it shrinks, 0 at
+                    first. */
     for (uint32_t i = 1; i <= TURN_SAMPLES; i++) {
         const double progress = (double)i / (double)TURN_SAMPLES;
         const double mm = 1e3 * (double)life_length_m(card, (float)progress);
-        if (way == 0 || (mm - turned) * way >= 0.0) { /* Farther than ever on this way. */
+        if (way == 0 || (mm - turned) * way >= 0.0) { /* New extreme in the present direction. */
             way = way != 0 ? way : mm > last ? 1 : mm < last ? -1 : 0;
             turned = mm;
             at = progress;
@@ -145,7 +150,7 @@ static void draw_turns(struct graph_plan *plan)
     }
 }
 
-/* Who has a curve that this picture does not show. */
+/* Names the parts whose own curves this picture does not show. */
 static void draw_foot(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;

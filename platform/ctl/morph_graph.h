@@ -1,4 +1,4 @@
-/* morph_graph.h -- the paper of a deformation graph: where things are, and its axes. */
+/* morph_graph.h -- the layout of a deformation graph's picture, and its axes. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_GRAPH_H
 #define KINGYO_PLATFORM_CTL_MORPH_GRAPH_H
 
@@ -12,29 +12,33 @@
 #define GRAPH_TOP 270.0
 #define GRAPH_BOTTOM 600.0
 
-/* From progress and shares, [0, 1] each, to the paper. */
+/* graph_x() converts progress and graph_y() a share, each in [0, 1], to pixels of the picture. */
 double graph_x(double progress);
 double graph_y(double share);
 
 #define GRAPH_WORDS 24u
 
-/* "545 d", from two years on "4.01 y". */
+/* Writes an age as "545 d", or as "4.01 y" from two years on. */
 void graph_print_age(char out[GRAPH_WORDS], double days);
 
-/* Keys are drawn at measured lengths: 125.5 mm; between them three digits are enough. */
+/* Writes a length in mm with `digits` digits. Keys have measured lengths such as 125.5 mm. Three
+ * digits are enough between keys. */
 void graph_print_length(char out[GRAPH_WORDS], double mm, int digits);
 
-/* What the axis on the right reads from its foot to its top. */
+/* Range of the length axis on the right. */
 struct graph_lengths {
     double low_mm, high_mm;
-    bool is_log; /* By factors, else by differences from 0. */
+    bool is_log; /* True if the axis is logarithmic. Otherwise the axis is linear and starts at
+                    0. */
 };
 
-/* By factors where a life spans more than ten, unless `is_even` asks for the paper's own look. */
+/* Returns the range of the length axis. The axis is logarithmic if the lengths of a life span more
+ * than a factor of ten, unless `is_even` requests the linear axis of the thesis. */
 struct graph_lengths graph_lengths(const struct species_card *card, bool is_even);
 double graph_length_y(const struct graph_lengths *lengths, double mm);
 
-/* Shares on the left; progress below, and under it ages with lengths; lengths on the right. */
+/* Draws the axes: shares on the left, progress below, ages with lengths under the progress, and
+ * lengths on the right. */
 void graph_axes(struct svg *svg, const struct species_card *card,
                 const struct graph_lengths *lengths);
 

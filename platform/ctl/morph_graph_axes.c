@@ -1,4 +1,4 @@
-/* morph_graph_axes.c -- what is read off at the paper's edges. */
+/* morph_graph_axes.c -- the axes of a deformation graph and their labels. */
 #include "platform/ctl/morph_graph.h"
 
 #include <math.h>
@@ -7,12 +7,14 @@
 #include "platform/ctl/morph_outline.h"
 #include "platform/ctl/morph_pick.h"
 
-#define AGES 652.0 /* Where their line is. */
+#define AGES 652.0 /* Height of the line of ages, pixels from the top. */
 #define YEAR_DAYS 365.25
-#define FOOT 1.4       /* How far below the least length that axis goes, for a trough's words. */
-#define LOG_FROM 10.0f /* A life that spans more is read off by factors. */
-#define AGE_MAX 16u   /* Ages that are marked ... */
-#define AGE_ROOM 78.0 /* ... and how far apart, for their words. */
+#define FOOT 1.4       /* Factor by which the logarithmic axis continues below the least length, so
+                          that a trough's label fits. */
+#define LOG_FROM 10.0f /* Ratio of the greatest to the least length above which the axis is
+                          logarithmic. */
+#define AGE_MAX 16u   /* Maximum number of labelled ages. */
+#define AGE_ROOM 78.0 /* Minimum distance between two labelled ages, pixels. */
 
 double graph_x(double progress)
 {
@@ -51,7 +53,7 @@ static void draw_shares(struct svg *svg)
     svg_put(svg, "</g>\n");
 }
 
-/* 1, 2 or 5 times a power of ten: four to ten of it fit in `range`. */
+/* Returns 1, 2 or 5 times a power of ten, so that four to ten steps fit in `range`. */
 static double round_step(double range)
 {
     const double power = pow(10.0, floor(log10(range / 4.0)));
@@ -59,7 +61,7 @@ static double round_step(double range)
     return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
 }
 
-/* 1, 2 or 5 times a power of ten, the greatest that is not above `mm`. */
+/* Returns the greatest value that is 1, 2 or 5 times a power of ten and at most `mm`. */
 static double round_below(double mm)
 {
     const double power = pow(10.0, floor(log10(mm) + 1e-9)), part = mm / power + 1e-6;
@@ -100,7 +102,7 @@ static void draw_lengths(struct svg *svg, const struct graph_lengths *lengths)
         draw_length(svg, lengths, mm);
     }
     for (double mm = round_below(2.5 * lengths->low_mm); lengths->is_log && mm > 0.0 && mm <= most;
-         mm = round_below(2.51 * mm)) { /* 1, 2, 5, 10 .. */
+         mm = round_below(2.51 * mm)) { /* The values are 1, 2, 5, 10 and so on. */
         draw_length(svg, lengths, mm);
     }
 }
@@ -116,7 +118,7 @@ static void draw_progress(struct svg *svg)
     svg_text(svg, GRAPH_LEFT - 24.0, GRAPH_BOTTOM + 24.0, 14.0, "end", SVG_INK, "progress");
 }
 
-/* The ages on the axis: which are marked, and where. */
+/* The ages on the axis: the labelled ages and their positions. */
 struct age_axis {
     const struct species_card *card;
     double youngest, oldest;
@@ -150,8 +152,9 @@ static void draw_age(struct svg *svg, struct age_axis *axis, double days)
     svg_text(svg, x, AGES + 44.0, 13.0, "middle", MORPH_SCALE_COLOUR, "%s", length);
 }
 
-/* A tick at round ages with the length there: the roundest first, then what has room between. Young
- * fish are told apart by days, old ones by years. */
+/* Draws a tick at round ages with the length there. The roundest ages are placed first, and other
+ * ages follow where there is room. Steps of days separate the labels of young fish, and steps of
+ * years those of old fish. */
 static void draw_ages(struct svg *svg, const struct species_card *card)
 {
     static const double steps_days[] = { 10.0 * YEAR_DAYS, 5.0 * YEAR_DAYS, 2.0 * YEAR_DAYS,

@@ -1,8 +1,10 @@
-/* morph_growth.c -- `kingyoctl morph growth`: how long a fish is at an age, three ways.
+/* morph_growth.c -- `kingyoctl morph growth`, which compares three formulas for the length at an
+ * age.
  *
- * The plain curve of von Bertalanffy (2005 thesis, eq. 3.3) hatches most fish as giants; the thesis
- * shifts its start, which makes the adults too small; ours begins with what was measured and fades
- * into the plain curve. Side by side, the difference is seen. */
+ * The plain curve of von Bertalanffy (2005 thesis, eq. 3.3) makes most fish far too long at
+ * hatching. The thesis shifts the start of the curve, which makes the adults too short. Kingyo
+ * begins with measured lengths and blends into the plain curve. The table shows the three formulas
+ * side by side. */
 #include <math.h>
 #include <stdio.h>
 
@@ -13,7 +15,7 @@ static const char name[] = "growth";
 #define DAYS_PER_YEAR 365.25
 #define YEARS_MAX 40.0
 
-/* Eq. 3.3 in mm, from a start of its own. */
+/* Returns eq. 3.3 in mm, with the start `t0_year`. */
 static double von_bertalanffy_mm(const struct growth *growth, double age_days, double t0_year)
 {
     const double since_year = age_days / DAYS_PER_YEAR - t0_year;
@@ -21,14 +23,14 @@ static double von_bertalanffy_mm(const struct growth *growth, double age_days, d
     return 1e3 * (double)growth->length_inf_m * grown;
 }
 
-/* The start from which eq. 3.3 hatches with the true length (section 3.2). */
+/* Returns the start for which eq. 3.3 gives the true length at hatching (thesis, section 3.2). */
 static double shifted_t0_year(const struct growth *growth)
 {
     const double share = (double)growth->points[0].length_m / (double)growth->length_inf_m;
     return log(1.0 - share) / (double)growth->k_per_year;
 }
 
-/* When 95 % of the greatest length is reached. */
+/* Returns the age in days at which 95 % of the greatest length is reached. */
 static double grown_days(const struct growth *growth)
 {
     const double years = (double)growth->t0_year + 3.0 / (double)growth->k_per_year;

@@ -1,4 +1,5 @@
-/* morph_import.c -- `kingyoctl morph import`: what makers drew, packed for a kiosk. */
+/* morph_import.c -- `kingyoctl morph import`, which packs a maker's drawing or meshes for a
+ * kiosk. */
 #include <stdio.h>
 #include <string.h>
 
@@ -18,7 +19,7 @@ static bool ends_with(const char *word, const char *suffix)
     return length >= tail && strcmp(word + length - tail, suffix) == 0;
 }
 
-/* The file's own name, without folder and suffix, as an id or a key's name. */
+/* Writes the file's name without folder and suffix, as an id or as a key's name. */
 static void name_of_file(const char *path, char out[SPECIES_NAME_SIZE])
 {
     const char *slash = strrchr(path, '/');
@@ -63,7 +64,7 @@ static enum exit_code refuse(const char *path, const char *why)
     return EXIT_BAD_DATA;
 }
 
-/* A packed species has a near and a far mesh; a small model is both. */
+/* A packed species has a near and a far mesh. A small model is used for both. */
 static void use_near_as_far(struct species_slot *slot)
 {
     struct species_mesh *far = &slot->species.lod[1];
@@ -129,7 +130,8 @@ static enum exit_code make_of_meshes(struct import_words *words, struct species_
     return EXIT_OK;
 }
 
-/* `like`, built in or a file; what it gives is used as far as the options do not say otherwise. */
+/* Opens `like`, which is a built-in species or a file. Its values apply wherever the options do not
+ * set others. */
 static enum exit_code open_like(struct import_words *words)
 {
     static struct species_slot slot;
@@ -152,7 +154,8 @@ static enum exit_code open_like(struct import_words *words)
     return EXIT_OK;
 }
 
-/* Landmarks stand beside their mesh where nobody says otherwise: FISH.obj, FISH.marks. */
+/* Finds each file's landmarks. Unless the options name a file, the landmarks of FISH.obj are in
+ * FISH.marks. */
 static void find_marks(struct import_words *words)
 {
     for (uint32_t i = words->mark_count; i < words->file_count; i++) {
@@ -193,7 +196,7 @@ static enum exit_code make_by_fit(struct import_words *words, struct species_slo
     return species_vet(&slot->species, fault) ? EXIT_OK : refuse(words->files[0], fault);
 }
 
-/* ---- All of it ------------------------------------------------------------------------------ */
+/* ---- The command ---------------------------------------------------------------------------- */
 
 static enum exit_code make(struct import_words *words, struct species_slot *slot)
 {

@@ -1,4 +1,4 @@
-/* morph_import_words.c -- see morph_import_words.h. */
+/* morph_import_words.c -- parses the options of morph_import_words.h. */
 #include "platform/ctl/morph_import_words.h"
 
 #include <stdio.h>
@@ -10,7 +10,8 @@
 
 static const char name[] = "import";
 
-/* Calls `take` for each piece of "A,B,C"; answers how many there were, or IMPORT_UNSET. */
+/* Calls `take` for each piece of "A,B,C". Returns the number of pieces, or IMPORT_UNSET if a piece
+ * is not valid. */
 static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
                            bool (*take)(const char *piece, uint32_t index, void *out))
 {
@@ -31,7 +32,8 @@ static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
     return count > 0 ? count : IMPORT_UNSET;
 }
 
-/* Nothing of these reaches the core beyond the range that a text may say (text_life.c). */
+/* Parses a length in mm. The range is the same as in a species text (text_life.c), so no value
+ * beyond it reaches the core. */
 static bool take_length(const char *piece, uint32_t index, void *out)
 {
     return number_parse_decimal(piece, 0.5, 20000.0, (double *)out + index);
@@ -123,7 +125,8 @@ static const char *const measures[] = { "total", "standard", "fork", "disc" };
 static const char *const motions[] = { "tail", "eel", "fins", "tuna", "wing" };
 static const char *const forms[] = { "fusiform", "compressed", "depressed", "eel", "puffer" };
 
-/* Options of one value each. False where it is none; `*known`: is there such an option? */
+/* Parses an option that has a single value. Returns false if the value is not valid, and sets
+ * `*known` to whether the option exists. */
 static bool take_value(struct import_words *words, const char *option, const char *value,
                        bool *known)
 {
@@ -166,7 +169,7 @@ static bool take_value(struct import_words *words, const char *option, const cha
     return false;
 }
 
-/* Options of "A,B,C". */
+/* Parses an option whose value is a list "A,B,C". The results are as in take_value(). */
 static bool take_list(struct import_words *words, const char *option, const char *value,
                       bool *known)
 {
@@ -197,7 +200,7 @@ static bool take_list(struct import_words *words, const char *option, const char
     return false;
 }
 
-/* Sets what `option` says; false where there is no such option or its value is none. */
+/* Parses one option. Returns false if the option does not exist or its value is not valid. */
 static bool take_option(struct import_words *words, const char *option, const char *value,
                         bool *known)
 {

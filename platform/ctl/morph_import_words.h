@@ -1,4 +1,4 @@
-/* morph_import_words.h -- what the command line of `kingyoctl morph import` says. */
+/* morph_import_words.h -- parses the command line of `kingyoctl morph import`. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_IMPORT_WORDS_H
 #define KINGYO_PLATFORM_CTL_MORPH_IMPORT_WORDS_H
 
@@ -8,7 +8,7 @@
 #include "platform/ctl/ctl.h"
 #include "platform/ctl/import_plan.h"
 
-#define IMPORT_UNSET 255u /* Where the plan was told nothing. */
+#define IMPORT_UNSET 255u /* Value of a field of the plan that no option has set. */
 #define IMPORT_PATH_SIZE 256u
 
 struct import_words {
@@ -16,16 +16,19 @@ struct import_words {
     const char *files[MORPH_KEY_MAX];
     uint32_t file_count;
     const char *id, *like, *fit;
-    char marks[MORPH_KEY_MAX][IMPORT_PATH_SIZE]; /* Of each file, with --fit. */
+    char marks[MORPH_KEY_MAX][IMPORT_PATH_SIZE]; /* Path of the landmarks of each file, used with
+                                                    --fit. */
     uint32_t mark_count;
     struct import_plan plan;
 };
 
-/* argv[0] is the first word behind `import`. Points into argv. One line on standard error and
- * EXIT_USAGE for what is no option, no value of it, or too many files. */
+/* Parses the command line. argv[0] is the first word after `import`. `words` keeps pointers into
+ * argv. Returns EXIT_OK. For an unknown option, a value that is not valid, or too many files,
+ * prints one line to standard error and returns EXIT_USAGE. */
 enum exit_code import_words_read(struct import_words *words, int argc, const char *const *argv);
 
-/* `piece` as the species' or a key's name, `out` an array of char[SPECIES_NAME_SIZE]. */
+/* Parses `piece` as the name of the species or of a key into element `index` of `out`, an array of
+ * char[SPECIES_NAME_SIZE]. Returns false if the name is not valid. */
 bool import_take_name(const char *piece, uint32_t index, void *out);
 
 #endif

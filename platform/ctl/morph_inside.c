@@ -1,20 +1,26 @@
-/* morph_inside.c -- how deep parts of a fish are in what they must not be in.
+/* morph_inside.c -- measures how deep parts of a fish penetrate other parts.
  *
- * What counts, and what is by design:
- * - A body's vertex counts if the point just outside it (LIFT along its normal) is inside the body:
- *   the skin has folded. Its depth is the way out along its normal.
- * - A fin is rooted in the body, and one that is still to grow lies in it whole: a point counts by
- *   how much deeper under the skin it is than the root (v = 0) of its own ray.
- * - An eye is a ball half sunk in the skin: what lies behind its rim (u >= 1) is its seat. What
- *   shows counts, and the pupil (u <= PUPIL) apart from the rest.
- * - Fins against fins do not count: sheets without thickness that the water bends. */
+ * Penetrations that count, and overlaps that are intended:
+ *
+ * - A body vertex counts if the point just outside it (LIFT along its normal) is inside the body,
+ * because the skin has folded there. The depth is the distance to the surface along the normal.
+ *
+ * - A fin is rooted in the body, and a fin that has not grown yet lies completely in the body. A
+ * fin point counts by how much deeper it lies under the skin than the root (v = 0) of its own ray.
+ *
+ * - An eye is a ball half sunk in the skin, so the part behind its rim (u >= 1) is its socket and
+ * does not count. The visible part counts, and the pupil (u <= PUPIL) is measured separately.
+ *
+ * - Fins against fins do not count, because fins are sheets without thickness that the water
+ * bends. */
 #include "platform/ctl/morph_walk.h"
 
-#define LIFT 2e-4f /* Of a length. */
+#define LIFT 2e-4f /* Distance in body lengths. */
 #define EYE_RIM 1.0f
 #define PUPIL 0.5f
 
-/* A ray is what has one u in one fin; its root, drawn before the rest of it, has the least v. */
+/* Finds the root of each ray. A ray is all points with the same u in one fin. Its root has the
+ * least v and is stored before the other points of the ray. */
 void walk_find_roots(struct walk *w)
 {
     const struct species_vertex *vertex = w->mesh->vertices;

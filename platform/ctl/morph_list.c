@@ -1,4 +1,4 @@
-/* morph_list.c -- `kingyoctl morph list`: which species there are. */
+/* morph_list.c -- `kingyoctl morph list`, which lists the built-in species. */
 #include <stdio.h>
 #include <string.h>
 
@@ -33,7 +33,8 @@ static void list_json(const struct species *species)
            card->key_names[card->thesis_key[2]]);
 }
 
-/* A millimetre has a decimal, a tuna's metre has none. */
+/* Prints one species. A length of a few millimetres gets one decimal, and the length of a large
+ * fish gets none. */
 static void list_text(const struct species *species)
 {
     const struct species_card *card = &species->card;

@@ -1,4 +1,4 @@
-/* morph_mesh.c -- faces in the order of their pieces. */
+/* morph_mesh.c -- sorts the triangles of a species' mesh into pieces and paints the vertices. */
 #include "platform/ctl/morph_mesh.h"
 
 #include <stdio.h>
@@ -15,7 +15,7 @@ void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE]
              sides[piece->side]);
 }
 
-/* Whether the front of the triangle at `at` is where its normals point. */
+/* Returns whether the front of the triangle at `at` faces in the direction of its normals. */
 static bool faces_out(const uint16_t *at, const vec3 *positions, const vec3 *normals)
 {
     const vec3 front = v3_cross(v3_sub(positions[at[1]], positions[at[0]]),
@@ -34,8 +34,9 @@ static bool same_corners(const uint16_t *a, const uint16_t *b)
     return true;
 }
 
-/* Whether another triangle of the same corners shows them better: a sheet is there once for each of
- * its sides, and one with its front where its normals point is enough. */
+/* Returns whether another triangle with the same corners replaces the triangle at `index`. A fin's
+ * sheet is stored once for each side, and the triangle whose front faces in the direction of its
+ * normals is sufficient. */
 static bool is_spare(const struct species_mesh *mesh, uint32_t index, const vec3 *positions,
                      const vec3 *normals)
 {
@@ -83,8 +84,9 @@ void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, cons
     }
 }
 
-/* On the body, half way from the corner `k` to the middle of the other two; an eye's vertices and a
- * fin's stand where its colours change. */
+/* Returns the point at which a triangle is sampled for its corner `k`. On the body, the point is
+ * half way from the corner to the middle of the opposite edge. On an eye or a fin, the point is the
+ * corner itself, because their vertices lie where the colours change. */
 static struct species_vertex inside(const struct species_mesh *mesh, const uint16_t *face,
                                     uint32_t k)
 {

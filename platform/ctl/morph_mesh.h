@@ -1,11 +1,13 @@
-/* morph_mesh.h -- a species' near mesh as other programs like it: pieces by part and side, a fin's
- * sheet once, with its front where its normals point. */
+/* morph_mesh.h -- a species' near mesh in the form that other programs expect. The mesh is cut into
+ * pieces by part and side. The sheet of a fin occurs once, with its front in the direction of its
+ * normals. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MESH_H
 #define KINGYO_PLATFORM_CTL_MORPH_MESH_H
 
 #include "platform/ctl/morph_pick.h"
 
-#define PIECE_MAX (3u * PART_COUNT) /* A part may be of the middle, the right and the left. */
+#define PIECE_MAX (3u * PART_COUNT) /* Maximum number of pieces: each part may have a middle, a
+                                       right and a left piece. */
 
 struct morph_piece {
     uint8_t part, side;
@@ -15,27 +17,31 @@ struct morph_piece {
 struct morph_mesh {
     uint32_t piece_count, face_count;
     struct morph_piece pieces[PIECE_MAX];
-    uint16_t faces[MESH_INDEX_MAX / 3u][3]; /* Of species_mesh's vertices, piece by piece. */
+    uint16_t faces[MESH_INDEX_MAX / 3u][3]; /* Vertex numbers of species_mesh for each triangle,
+                                               sorted by piece. */
 };
 
-/* "eye_right", "dorsal" */
+/* Writes the name of a piece, for example "eye_right" or "dorsal". */
 #define PIECE_NAME_SIZE 32u
 void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE]);
 
-/* `positions` and `normals` are the shape by which a sheet's front is told. */
+/* Cuts `mesh` into pieces. `positions` and `normals` are the shape that decides which side of a
+ * sheet is its front. */
 void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, const vec3 *normals,
                     struct morph_mesh *out);
 
-/* What a vertex can tell of the skin around it: on the body, paint_at() over the part of each of
- * its triangles that is nearest to it; at the vertex alone, a spot would be all or nothing.
- * `paints` takes mesh->vertex_count. */
+/* Computes a colour for each vertex. A body vertex gets the mean colour of paint_at() over the
+ * nearest part of each of its triangles. Sampling only at the vertex would show a spot completely
+ * or not at all. `paints` has room for mesh->vertex_count elements. */
 void morph_mesh_paint(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct morph_mesh *cut, struct paint *paints);
 
-/* Wavefront OBJ of `pick` at its progress, true size in metres. EXIT_OK, or EXIT_IO, told. */
+/* Writes a Wavefront OBJ file of `pick` at its progress, in true size in metres. Returns EXIT_OK,
+ * or prints one line to standard error and returns EXIT_IO. */
 enum exit_code morph_obj_write(const struct morph_pick *pick, const char *path);
 
-/* glTF 2.0 of its whole life, in one file: morph_glb.c says how. EXIT_OK, or EXIT_IO, told. */
+/* Writes the whole life of `pick` as one glTF 2.0 file (see morph_glb.c). Returns EXIT_OK, or
+ * prints one line to standard error and returns EXIT_IO. */
 enum exit_code morph_glb_write(const struct morph_pick *pick, const char *path);
 
 #endif

@@ -1,7 +1,8 @@
-/* morph_obj.c -- one moment of a life as Wavefront OBJ, for any program that draws meshes.
+/* morph_obj.c -- writes one moment of a life as a Wavefront OBJ file, for any program that draws
+ * meshes.
  *
- * A vertex has its colour behind its place (`v x y z r g b`, sRGB), as MeshLab, Blender and others
- * read it; texture coordinates are body coordinates; a group a piece. */
+ * The colour of a vertex follows its position (`v x y z r g b`, sRGB), a form that MeshLab, Blender
+ * and other programs read. Texture coordinates are body coordinates. Each piece is one group. */
 #include <errno.h>
 #include <string.h>
 
@@ -10,7 +11,7 @@
 
 static const char command[] = "export";
 
-/* Too large for a stack; one export at a time. */
+/* Static because the object is too large for a stack. Only one export runs at a time. */
 static struct {
     struct morph_pose pose;
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
@@ -57,7 +58,8 @@ static void write_faces(FILE *file)
         fprintf(file, "g %s\n", name);
         for (uint32_t i = 0; i < piece->face_count; i++) {
             const uint16_t *at = work.cut.faces[piece->face_first + i];
-            const unsigned a = at[0] + 1u, b = at[1] + 1u, c = at[2] + 1u; /* OBJ counts from 1. */
+            const unsigned a = at[0] + 1u, b = at[1] + 1u, c = at[2] + 1u; /* OBJ files count
+                                                                              vertices from 1. */
             fprintf(file, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
         }
     }

@@ -1,5 +1,5 @@
-/* morph_outline.c -- the triangles that face the viewer, as one shape for each layer: a path filled
- * once has no seams, and stays a path that a drawing program can take apart. */
+/* morph_outline.c -- draws the triangles that face the viewer, as one filled path for each layer. A
+ * path that is filled once shows no seams, and a drawing program can still edit the path. */
 #include "platform/ctl/morph_outline.h"
 
 #include <math.h>
@@ -8,9 +8,10 @@
 
 #include "platform/key_colour.h"
 
-#define JOIN_LENGTHS 1e-5f /* Body lengths: less than a count of the tables. */
+#define JOIN_LENGTHS 1e-5f /* Distance in body lengths below which two vertices are joined. The
+                              distance is less than a quantization step of the mesh tables. */
 
-/* Back to front. */
+/* Layers in drawing order, from back to front. */
 enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
 
 const char *outline_key_colour(const struct species_card *card, uint32_t key)
@@ -42,7 +43,7 @@ enum outline_view outline_view_of(const struct species_card *card)
     return card->form == FORM_DEPRESSED ? OUTLINE_TOP : OUTLINE_SIDE;
 }
 
-/* Right, up and toward the viewer. */
+/* Returns a body point in view axes: right, up and toward the viewer. */
 static vec3 seen(enum outline_view view, vec3 p)
 {
     switch (view) {
@@ -77,8 +78,9 @@ static enum layer layer_of(uint8_t part, float toward)
     }
 }
 
-/* Eyes that the body hides are not drawn; from the side that is the eye beyond its middle. Nor are
- * fins that are seen edge-on. */
+/* Returns whether the view hides a layer. Eyes behind the body are hidden. In the side view these
+ * are the eyes beyond the middle plane. The front view also hides the median fins, which are seen
+ * edge-on there. */
 static bool is_hidden(const struct outline *outline, enum layer layer, float toward)
 {
     if (outline->view == OUTLINE_FRONT) {
@@ -87,7 +89,7 @@ static bool is_hidden(const struct outline *outline, enum layer layer, float tow
     return layer == LAYER_EYES && outline->view == OUTLINE_SIDE && toward < 0.0f;
 }
 
-/* Whether the triangle at `corner` belongs to the layer and faces the viewer. */
+/* Returns whether the triangle at `corner` belongs to the layer and faces the viewer. */
 static bool is_seen(const struct outline *outline, const vec3 *positions, const uint16_t *corner,
                     enum layer layer)
 {
@@ -127,7 +129,8 @@ static void draw_layer(struct svg *svg, const struct outline *outline, const vec
     svg_put(svg, "\"/>\n");
 }
 
-/* Vertices in one place are one for the contour: the body's seam is no edge of it. */
+/* Joins vertices at the same place for the contour, so that the body's texture seam is not an edge
+ * of the contour. */
 static void join(const struct species_mesh *mesh, const vec3 *positions,
                  uint16_t joined[MESH_VERTEX_MAX])
 {
@@ -140,11 +143,15 @@ static void join(const struct species_mesh *mesh, const vec3 *positions,
     }
 }
 
-/* The edges that one triangle in sight has and no other one on their far side. */
+/* Draws each edge that belongs to a visible triangle and to no other visible triangle on its other
+ * side. */
 static void draw_contour(struct svg *svg, const struct outline *outline, const vec3 *positions,
                          const uint16_t *joined, enum layer layer)
 {
-    static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX]; /* From, to. */
+    static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX]; /* True if a visible triangle has the
+                                                             edge. The first index is the start
+                                                             vertex and the second index the end
+                                                             vertex. */
     const struct species_mesh *mesh = &outline->species->lod[0];
     const uint16_t *at = mesh->indices;
     memset(has, 0, sizeof has);

@@ -1,25 +1,27 @@
-/* morph_outline.h -- a fish as a flat outline in an SVG: its parts in one colour. */
+/* morph_outline.h -- draws a fish as a flat outline in an SVG picture, in one colour. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_OUTLINE_H
 #define KINGYO_PLATFORM_CTL_MORPH_OUTLINE_H
 
 #include "core/morph/morph.h"
 #include "platform/ctl/svg.h"
 
-/* key_colour() as SVG writes it, "#d23a2c"; the answer is static, for each key its own. */
+/* Returns key_colour() in SVG notation, for example "#d23a2c". The string is static, and each key
+ * has its own string. */
 const char *outline_key_colour(const struct species_card *card, uint32_t key);
 
-/* A name as people write it: "long leaf". */
+/* Converts a name to readable words, for example "long leaf". */
 void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
 
-/* The same, its first letter a capital. */
+/* Converts a name to readable words with a capital first letter, for example "Long leaf". */
 void outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
 
-#define MORPH_SCALE_COLOUR "#8e4bb8" /* The size is purple, as in the 2005 thesis. */
+#define MORPH_SCALE_COLOUR "#8e4bb8" /* Colour of the size curve. The size is purple as in the 2005
+                                        thesis. */
 
 enum outline_view {
-    OUTLINE_SIDE,  /* From its left, the head to the left. */
-    OUTLINE_FRONT, /* From ahead, the back up. */
-    OUTLINE_TOP,   /* From above, the head to the left. */
+    OUTLINE_SIDE,  /* View from the fish's left side. The head points left. */
+    OUTLINE_FRONT, /* View from ahead of the fish. The back is up. */
+    OUTLINE_TOP,   /* View from above the fish. The head points left. */
 };
 
 struct outline {
@@ -27,20 +29,20 @@ struct outline {
     const struct morph_rig *rig;
     float progress;
     enum outline_view view;
-    double x, y;      /* Where the body frame's origin is, in pixels. */
-    double length_px; /* What one body length is. */
+    double x, y;      /* Position of the body frame's origin, in pixels. */
+    double length_px; /* Pixels for one body length. */
     const char *colour;
-    double opacity;   /* Of the body; fins have half of it. */
-    double line_px;   /* How thick its contour is drawn; 0: not at all. */
+    double opacity;   /* Opacity of the body. Fins have half of this value. */
+    double line_px;   /* Width of the contour line in pixels. A value of 0 draws no contour. */
 };
 
-/* What shows most of a body of that form. */
+/* Returns the view that shows most of a body of the species' form. */
 enum outline_view outline_view_of(const struct species_card *card);
 
-/* Where a point of the body frame is on the paper. */
+/* Converts a point of the body frame to pixels of the picture. */
 void outline_project(const struct outline *outline, vec3 p, double *x, double *y);
 
-/* Grows the box `low` .. `high` on the paper to hold the fish too. */
+/* Extends the box `low` .. `high`, in pixels, so that the box also contains the fish. */
 void outline_measure(const struct outline *outline, double low[2], double high[2]);
 
 void outline_draw(struct svg *svg, const struct outline *outline);

@@ -1,5 +1,6 @@
-/* morph_path.c -- `kingyoctl morph path`: where a part goes as its fish grows, and how far from the
- * straight line that the ordinary morph takes (2005 thesis, figures 3.2 to 3.5). */
+/* morph_path.c -- `kingyoctl morph path`, which measures the path of a part while its fish grows.
+ * The path is compared with the straight line of ordinary morphing (2005 thesis, figures 3.2 to
+ * 3.5). */
 #include <stdio.h>
 #include <string.h>
 

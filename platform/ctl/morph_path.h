@@ -1,11 +1,11 @@
-/* morph_path.h -- a part's way through the life of its fish, as a table and as a picture. */
+/* morph_path.h -- the path of a part during the life of its fish, as a table and as a picture. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_PATH_H
 #define KINGYO_PLATFORM_CTL_MORPH_PATH_H
 
 #include "platform/ctl/morph_pick.h"
 #include "platform/species/part.h"
 
-/* From a part's first place to its last. */
+/* Straight line from the part's first position to its last. */
 struct chord {
     vec3 from, to;
 };
@@ -19,7 +19,8 @@ struct path_plan {
     struct chord chord, ordinary_chord;
 };
 
-/* Draws it into the file plan->svg. EXIT_OK, or another code, told. */
+/* Draws the path into the file plan->svg. Returns EXIT_OK, or prints one line to standard error and
+ * returns another code. */
 enum exit_code path_picture(const struct path_plan *plan, const char *command);
 
 #endif

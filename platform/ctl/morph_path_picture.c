@@ -1,5 +1,6 @@
-/* morph_path_picture.c -- a part's way as a picture (2005 thesis, figures 3.2 to 3.5 and 4.15): the
- * keys' outlines over each other with the way across them, and the way again, enlarged. */
+/* morph_path_picture.c -- draws the path of a part (2005 thesis, figures 3.2 to 3.5 and 4.15). One
+ * window shows the outlines of all keys with the path across them, and a second window shows the
+ * path enlarged. */
 #include <errno.h>
 #include <math.h>
 #include <string.h>
@@ -7,7 +8,9 @@
 #include "platform/ctl/morph_path_view.h"
 
 #define SVG_WAY "#c8371f"
-#define STRAIGHT_LENGTHS 1e-4f /* Nearer to the chord than three counts of the tables. */
+#define STRAIGHT_LENGTHS 1e-4f /* Distance from the chord in body lengths below which a path counts
+                                  as straight. The value is less than three quantization steps of
+                                  the mesh tables. */
 
 static void draw_fish(struct picture *picture, const struct window *window, double opacity)
 {
@@ -44,7 +47,8 @@ static void draw_chord(struct picture *picture, const struct window *window)
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
 }
 
-/* What three keys can reach: the triangle between their (solved) shapes. */
+/* Draws the region that a blend of three keys can reach: the triangle between the keys' shapes (the
+ * solved shapes if there are any). */
 static void draw_reach(struct picture *picture, const struct window *window)
 {
     if (!picture->plan->pick.rig.curves[0].solved ||
@@ -62,7 +66,8 @@ static void draw_reach(struct picture *picture, const struct window *window)
 }
 
 struct label {
-    double x, y, width; /* Of its words' left end on the line. */
+    double x, y, width; /* `x` and `y` are the left end of the label's base line, and `width` is the
+                           width of its text, in pixels. */
 };
 
 static bool overlaps(struct label a, struct label b)
@@ -70,7 +75,8 @@ static bool overlaps(struct label a, struct label b)
     return fabs(a.y - b.y) < 17.0 && a.x < b.x + b.width + 6.0 && b.x < a.x + a.width + 6.0;
 }
 
-/* Beside its dot, where no label is yet: to the right above or below, else to the left. */
+/* Returns a place beside a dot that no other label occupies. The function tries the right side
+ * (above, then below) before the left side. */
 static struct label free_label(const struct label *taken, uint32_t count, double x, double y,
                                double width)
 {
@@ -115,7 +121,8 @@ static void draw_names(struct picture *picture, const struct window *window)
     }
 }
 
-/* The farthest point's distance from the chord, as a line to where it is nearest. */
+/* Draws the distance between the chord and the path's farthest point, as a line to the nearest
+ * point of the chord. */
 static void draw_bend(struct picture *picture, const struct window *window)
 {
     const struct path_plan *plan = picture->plan;
@@ -141,7 +148,7 @@ static void draw_frame(struct picture *picture, const struct window *window, con
             window->width, window->height, SVG_FAINT, id);
 }
 
-/* A round share of the body's length, drawn beside how long it is. */
+/* Draws a scale bar of a round share of the body's length, with a label. */
 static void draw_ruler(struct picture *picture, const struct window *window)
 {
     double lengths = 1.0;

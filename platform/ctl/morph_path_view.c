@@ -1,11 +1,11 @@
-/* morph_path_view.c -- the way sampled, and the windows fitted around it. */
+/* morph_path_view.c -- samples the path of a part and fits the picture's windows to the path. */
 #include "platform/ctl/morph_path_view.h"
 
 #include <math.h>
 
-/* ---- What is drawn -------------------------------------------------------------------------- */
+/* ---- Sampling ------------------------------------------------------------------------------- */
 
-/* The whole species' progress where the thesis' method has `progress`. */
+/* Converts a progress of the thesis' method to the progress of the whole species. */
 static float drawn_progress(const struct species_card *drawn, float progress)
 {
     const float place = progress * 2.0f;
@@ -52,7 +52,7 @@ vec3 path_solved(const struct picture *picture, uint32_t key)
     return sum;
 }
 
-/* ---- Where ---------------------------------------------------------------------------------- */
+/* ---- Windows -------------------------------------------------------------------------------- */
 
 struct outline path_outline(const struct window *window)
 {
@@ -70,7 +70,7 @@ void path_place(const struct window *window, vec3 p, double *x, double *y)
     outline_project(&outline, p, x, y);
 }
 
-/* How much of the way a view shows. */
+/* Returns the length of the path as seen in a view. */
 static double way_in(const struct picture *picture, enum outline_view view)
 {
     const struct window flat = { .length_px = 1.0, .view = view };

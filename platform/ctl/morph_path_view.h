@@ -1,4 +1,4 @@
-/* morph_path_view.h -- what a picture of a part's way shows, and where on the paper. */
+/* morph_path_view.h -- the contents of the picture of a part's path, and their layout. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_PATH_VIEW_H
 #define KINGYO_PLATFORM_CTL_MORPH_PATH_VIEW_H
 
@@ -8,47 +8,50 @@
 #define PATH_WIDTH 1280.0
 #define PATH_HEIGHT 640.0
 #define PATH_SAMPLES 200u
-#define PATH_LENS 500.0 /* The enlarged square's side. */
+#define PATH_LENS 500.0 /* Side of the square that shows the path enlarged, pixels. */
 
-/* A frame of the paper, and what of the fish it shows. */
+/* A window of the picture, and the part of the fish that the window shows. */
 struct window {
-    double x, y, width, height; /* Of the frame. */
+    double x, y, width, height; /* Position and size of the window's frame, pixels. */
     double length_px;
-    vec3 middle;                /* What is in its middle, ... */
-    double shift_x, shift_y;    /* ... but for this. */
+    vec3 middle;                /* Body point at the middle of the window, before `shift_x` and
+                                   `shift_y` are applied. */
+    double shift_x, shift_y;    /* Offset of `middle` from the window's middle, pixels. */
     enum outline_view view;
 };
 
 struct picture {
     const struct path_plan *plan;
     struct svg svg;
-    struct morph_rig keys;         /* That reaches every key whole. */
-    vec3 way[PATH_SAMPLES + 1u];   /* The part's, ... */
-    vec3 drawn[PATH_SAMPLES + 1u]; /* ... and with --thesis what our own method makes of it. */
-    vec3 farthest;                 /* From the chord. */
+    struct morph_rig keys;         /* Rig that reaches every key completely. */
+    vec3 way[PATH_SAMPLES + 1u];   /* Path of the part. */
+    vec3 drawn[PATH_SAMPLES + 1u]; /* Path that Kingyo's own method gives. Used only with
+                                      --thesis. */
+    vec3 farthest;                 /* Point of the path that is farthest from the chord. */
     float farthest_progress, farthest_lengths;
 };
 
-/* Fills the picture's ways; plan and keys are there already. */
+/* Computes the paths of the picture. The caller has already set the plan and the keys. */
 void path_walk(struct picture *picture);
 
-/* Where a key's drawing has the part's vertex. */
+/* Returns the position of the part's vertex in a key's drawing. */
 vec3 path_key(const struct picture *picture, uint32_t key);
 
-/* Where the shape solved for a key has it: beyond the drawing, so that the way passes through the
- * drawing (2005 thesis, section 4.2). */
+/* Returns the position of the part's vertex in the shape solved for a key. The solved shape lies
+ * beyond the drawing so that the path passes through the drawing (2005 thesis, section 4.2). */
 vec3 path_solved(const struct picture *picture, uint32_t key);
 
-/* An outline's view, place and size in a window. */
+/* path_outline() returns an outline with the view, position and scale of a window. path_place()
+ * converts a body point to pixels. */
 struct outline path_outline(const struct window *window);
 
 void path_place(const struct window *window, vec3 p, double *x, double *y);
 
-/* From the side, unless another view shows more of the way. */
+/* Returns the view that shows the longest path. The side view is preferred. */
 enum outline_view path_best_view(const struct picture *picture);
 
-/* The window that holds all keys' fish, and the one that enlarges the way and its keys, drawn and
- * solved. */
+/* path_whole() returns the window that contains the fish of all keys. path_lens() returns the
+ * window that enlarges the path and its drawn and solved keys. */
 struct window path_whole(const struct picture *picture, enum outline_view view);
 struct window path_lens(const struct picture *picture, enum outline_view view);
 

@@ -1,4 +1,5 @@
-/* morph_pick.c -- words first, then the species, then what the options leave of it. */
+/* morph_pick.c -- reads the options, opens the species, and then applies the options to the
+ * species. */
 #include "platform/ctl/morph_pick.h"
 
 #include <stdio.h>
@@ -7,15 +8,16 @@
 #include "platform/number.h"
 
 #define LENGTH_SAMPLES 1000u
-#define ROUNDED 1e-3 /* What was printed may be given back. */
+#define ROUNDED 1e-3 /* Tolerance for a value outside the range, because a rounded value that was
+                        printed may be entered again. */
 
 static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
                                                             "simultaneous", "smooth" };
 
-/* What was said, before the fish is known. */
+/* Options as written, before the species is known. */
 struct words {
     const char *template;
-    const char *place[3]; /* As place_options. */
+    const char *place[3]; /* Values in the order of place_options. */
 };
 
 enum place { PLACE_PROGRESS, PLACE_AGE_DAYS, PLACE_LENGTH_MM };
@@ -25,7 +27,7 @@ static const struct {
     double min, max;
 } place_options[3] = {
     { "--progress", 0.0, 1.0 },
-    { "--age-days", 0.0, 14610.0 },      /* 40 years, as core/morph/growth.c. */
+    { "--age-days", 0.0, 14610.0 },      /* 40 years, as in core/morph/growth.c. */
     { "--length-mm", 1e-3, 10000.0 },
 };
 
@@ -34,7 +36,7 @@ const char *morph_template_name(enum graph_template template)
     return template_names[template];
 }
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Options -------------------------------------------------------------------------------- */
 
 static enum exit_code take_own(const char *command, const struct morph_option *option,
                                const char *value)
@@ -70,7 +72,8 @@ static enum exit_code take_template(struct morph_pick *pick, const char *command
                                 "or smooth", value ? value : "");
 }
 
-/* Takes one option and its value; `*used` says how many words that were, 0 if it is unknown. */
+/* Parses one option and its value. Sets `*used` to the number of words that were read, or to 0 if
+ * the option is unknown. */
 static enum exit_code take_shared(struct morph_pick *pick, struct words *words,
                                   const char *command, enum morph_asks asks, const char *option,
                                   const char *value, int *used)
@@ -108,7 +111,7 @@ static enum exit_code take_word(struct morph_pick *pick, const char *command, co
 
 /* ---- Curves --------------------------------------------------------------------------------- */
 
-/* What --thesis and --template leave of it. */
+/* Applies --thesis and --template to the drawn species. */
 static void settle_curves(struct morph_pick *pick)
 {
     static struct straight_memory memory;
@@ -149,8 +152,8 @@ void morph_pick_lengths(const struct species_card *card, float *min, float *max)
     }
 }
 
-/* Nobody drew it before its first key or behind its last: a fish of 22 days is not handed out as
- * one of a day. */
+/* Rejects a moment before the first key or after the last key, because no key is drawn there. For
+ * example, a fish of 22 days is not shown as a fish of one day. */
 static enum exit_code check_drawn(const struct species_card *card, enum place place, double asked,
                                   const char *command)
 {
@@ -201,7 +204,7 @@ static enum exit_code settle_place(struct morph_pick *pick, const struct words *
     return EXIT_OK;
 }
 
-/* ---- All of it ------------------------------------------------------------------------------ */
+/* ---- The whole command line ----------------------------------------------------------------- */
 
 static enum exit_code take_any(struct morph_pick *pick, struct words *words, const char *command,
                                enum morph_asks asks, const struct morph_option *options,

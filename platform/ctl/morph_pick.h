@@ -1,8 +1,9 @@
-/* morph_pick.h -- which fish a subcommand of `kingyoctl morph` is about: a built-in species or a
- * maker's file, by whose curves, and at which moment of its life.
+/* morph_pick.h -- selects the fish of a `kingyoctl morph` subcommand: a built-in species or a
+ * maker's file, the curves, and the moment of its life.
  *
- * Every subcommand reads its words through here, so that SPECIES|FILE, --template, --thesis and
- * --progress, --age-days and --length-mm mean the same to all of them and are refused alike. */
+ * Every subcommand parses its arguments with this module. Therefore SPECIES|FILE, --template,
+ * --thesis, --progress, --age-days and --length-mm have the same meaning and the same errors in all
+ * subcommands. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_PICK_H
 #define KINGYO_PLATFORM_CTL_MORPH_PICK_H
 
@@ -12,59 +13,66 @@
 #include "platform/ctl/morph.h"
 #include "platform/species/pack.h"
 
-/* An option of a subcommand's own. Exactly one of the pointers is not null: what the option sets;
- * it keeps its value where the option is not given. */
+/* An option of one subcommand. Exactly one of the pointers is not null and receives the value. The
+ * target keeps its value if the option is absent. */
 struct morph_option {
-    const char *name; /* "--steps" */
+    const char *name; /* Name of the option, for example "--steps". */
     bool *flag;
-    const char **text; /* Not empty. */
-    uint32_t *count;   /* A whole number in [min, max]. */
-    double *number;    /* A decimal in [min, max]. */
+    const char **text; /* Receives a text that is not empty. */
+    uint32_t *count;   /* Receives a whole number in [min, max]. */
+    double *number;    /* Receives a decimal number in [min, max]. */
     double min, max;
 };
 
 enum morph_asks {
-    MORPH_ASKS_FISH = 0,   /* SPECIES|FILE alone. */
-    MORPH_ASKS_CURVES = 1, /* And --template and --thesis ... */
-    MORPH_ASKS_PLACE = 2,  /* ... and --progress, --age-days or --length-mm. */
+    MORPH_ASKS_FISH = 0,   /* The subcommand takes only SPECIES|FILE. */
+    MORPH_ASKS_CURVES = 1, /* The subcommand also takes --template and --thesis. */
+    MORPH_ASKS_PLACE = 2,  /* The subcommand also takes --template, --thesis, and one of --progress,
+                              --age-days and --length-mm. */
 };
 
 struct morph_pick {
-    const char *word;             /* SPECIES|FILE as it was written. */
-    const struct species *drawn;  /* With all its keys, parts and anchors. */
-    const struct species *fish;   /* What --thesis and --template ordinary leave of it. */
-    struct morph_rig rig;         /* Of `fish`. */
-    enum graph_template template; /* TEMPLATE_OWN unless --template says otherwise. */
+    const char *word;             /* SPECIES|FILE as the user wrote it. */
+    const struct species *drawn;  /* Species with all its keys, parts and anchors. */
+    const struct species *fish;   /* Species after --thesis and --template ordinary were applied. */
+    struct morph_rig rig;         /* Rig of `fish`. */
+    enum graph_template template; /* Template of the graph. TEMPLATE_OWN unless --template selects
+                                     another. */
     bool thesis;
-    bool has_place; /* One of the three was given; else progress is 0. */
-    float progress; /* [0, 1] */
+    bool has_place; /* True if --progress, --age-days or --length-mm was given. Otherwise progress
+                       is 0. */
+    float progress; /* Progress of the fish's life, in [0, 1]. */
 };
 
-/* How --template's words are written. */
+/* Returns a template's name as --template expects it. */
 const char *morph_template_name(enum graph_template template);
 
-/* Reads the words of `command` ("weights"): one SPECIES|FILE and, in any order, options. EXIT_OK,
- * or another code, told in one line: an age or a length that the drawn life does not have is
- * refused with its range. What `pick` points to is static here: one fish at a time. */
+/* Parses the arguments of the subcommand `command` (for example "weights"): one SPECIES|FILE and
+ * options in any order. Returns EXIT_OK, or prints one line to standard error and returns another
+ * code. An age or a length outside the drawn life is rejected with its range. The objects that
+ * `pick` points to are static, so only one fish is valid at a time. */
 enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enum morph_asks asks,
                                const struct morph_option *options, size_t option_count, int argc,
                                const char *const *argv);
 
-/* Reads a maker's file into `slot`: NAME.kfish as packed, anything else as text, lofted. EXIT_OK,
- * or another code, told in one line. */
+/* Reads a maker's file into `slot`. A file NAME.kfish is read as a packed species, and any other
+ * file as a species text, which is lofted to a mesh. Returns EXIT_OK, or prints one line to
+ * standard error and returns another code. */
 enum exit_code morph_pick_file(const char *path, const char *command, struct species_slot *slot);
 
-/* Sets what `pick->word` draws: a built-in species, or a file's. EXIT_OK, or another code, told. */
+/* Sets `pick->drawn` to the built-in species or the file that `pick->word` names. Returns EXIT_OK,
+ * or prints one line to standard error and returns another code. */
 enum exit_code morph_pick_open(struct morph_pick *pick, const char *command);
 
-/* That `word` names no species, with those that there are; EXIT_USAGE. */
+/* Prints that `word` is not a species, with the list of species. Returns EXIT_USAGE. */
 enum exit_code morph_pick_unknown(const char *command, const char *word);
 
-/* `fish` as the ordinary morph would have it (eq. 3.1): its first and its last key, straight. The
- * answer is static. */
+/* Returns `fish` under ordinary morphing (eq. 3.1), with only its first and last keys and linear
+ * weights. The returned object is static. */
 const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct morph_rig *rig);
 
-/* The least and the greatest length of its drawn life, m; the latter is what a scale of 1 is. */
+/* Computes the least and the greatest length of the drawn life, in metres. The greatest length
+ * corresponds to a growth scale of 1. */
 void morph_pick_lengths(const struct species_card *card, float *min, float *max);
 
 #endif

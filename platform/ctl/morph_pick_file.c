@@ -1,4 +1,4 @@
-/* morph_pick_file.c -- a species by its name, or out of a maker's file. */
+/* morph_pick_file.c -- opens a species by its name or from a maker's file. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 #include "platform/print.h"
 #include "platform/species/plain.h"
 
-#define TEXT_SIZE_MAX (1u << 20) /* Fifty times the longest that is built in. */
+#define TEXT_SIZE_MAX (1u << 20) /* About fifty times the longest built-in species text, bytes. */
 
 static const struct species *built_in(const char *word)
 {
@@ -24,7 +24,8 @@ static bool ends_with(const char *word, const char *suffix)
     return length >= tail && strcmp(word + length - tail, suffix) == 0;
 }
 
-/* A maker's text, lofted into `slot`. The reader of texts tells its line itself. */
+/* Reads a maker's text and lofts the species into `slot`. The parser of species texts prints its
+ * own error line. */
 static enum exit_code read_text(const char *path, const char *command, struct species_slot *slot)
 {
     static struct species_text text;

@@ -1,4 +1,4 @@
-/* morph_sheet.c -- lays portraits out on a page. Frames are in morph_frames.c. */
+/* morph_sheet.c -- lays out portraits on a page. Single frames are in morph_frames.c. */
 #include "platform/ctl/morph_sheet.h"
 
 #include <stdio.h>
@@ -9,15 +9,16 @@
 #define PAGE_WIDTH 2400.0f
 #define MARGIN 48.0f
 #define HEAD_HEIGHT 132.0f
-#define CELL_FILL 0.86f      /* How much of a cell's width the longest fish takes. */
-#define GAP 14.0f            /* Above and below a fish, pixels. */
-#define KEY_COLUMNS_MAX 4u   /* More keys take more rows: they are there to be looked at. */
+#define CELL_FILL 0.86f      /* Share of a cell's width that the longest fish fills. */
+#define GAP 14.0f            /* Space above and below a fish, pixels. */
+#define KEY_COLUMNS_MAX 4u   /* Maximum number of keys in a row. More keys use more rows, so that
+                                each key stays large enough to examine. */
 #define KEY_WORDS_PX 24.0f
 #define BETWEEN_WORDS_PX 15.0f
 
 #define PAPER 0xf2f1ecu
 
-/* What all cells of one width share. */
+/* The layout that all cells of one width share. */
 struct layout {
     uint32_t columns;
     float cell_width, scale_px, words_px;
@@ -27,12 +28,13 @@ struct layout {
 struct page {
     const struct morph_pick *pick;
     struct canvas canvas;
-    struct portrait_bounds bounds[VIEW_COUNT]; /* Of all stages. */
+    struct portrait_bounds bounds[VIEW_COUNT]; /* Bounds over all stages, for each view. */
     struct layout keys, betweens;
     bool failed;
 };
 
-static struct portrait portrait; /* One at a time, too large for a stack. */
+static struct portrait portrait; /* Static because the object is too large for a stack. Only one
+                                    portrait exists at a time. */
 
 /* ---- The page -------------------------------------------------------------------------------- */
 
@@ -41,7 +43,8 @@ static struct layout plan(const struct page *page, uint32_t columns, float words
     struct layout layout = { .columns = columns,
                              .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
                              .words_px = words_px };
-    float most = 0.0f; /* Upright too: a maker's fish may be taller than long. */
+    float most = 0.0f; /* Greatest extent of all views. The vertical extent counts too, because a
+                          maker's fish may be higher than it is long. */
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
         const struct portrait_bounds *b = &page->bounds[view];
         most = f_max(most, f_max(b->right - b->left, b->high - b->low));
@@ -56,7 +59,8 @@ static struct layout plan(const struct page *page, uint32_t columns, float words
     return layout;
 }
 
-/* The rest of a pixel goes to the raster, whose corner is a whole one. */
+/* The fraction of a pixel is passed to the raster, because the corner of a raster is a whole
+ * pixel. */
 static void draw_view(struct page *page, enum portrait_view view, struct canvas_box box,
                       float scale_px)
 {
@@ -97,7 +101,7 @@ static void draw_words(struct page *page, const struct layout *layout, float x, 
     canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, PLATE_SOFT_INK, words);
 }
 
-/* One stage: its views in the water, what there is to say below. */
+/* Draws one stage: the views in the water and the texts below them. */
 static void draw_stage(struct page *page, const struct layout *layout, uint32_t column, float top,
                        const char *title, float progress)
 {

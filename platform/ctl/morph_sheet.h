@@ -1,20 +1,23 @@
-/* morph_sheet.h -- pictures of a growing fish: the contact sheet, and one picture a frame. */
+/* morph_sheet.h -- pictures of a growing fish: the contact sheet, and one picture for each
+ * frame. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_SHEET_H
 #define KINGYO_PLATFORM_CTL_MORPH_SHEET_H
 
 #include "platform/ctl/morph_pick.h"
 #include "platform/ctl/portrait.h"
 
-#define SHEET_BETWEEN 9u /* In-betweens from each key to the next. */
+#define SHEET_BETWEEN 9u /* Number of stages between two keys. */
 #define FRAME_WIDTH 1280u
 #define FRAME_HEIGHT 720u
 
-/* Every key in three views, then nine in-betweens to the next key in three views, each with age,
- * length and a bar of true size: one PNG. EXIT_OK, or EXIT_IO, told. */
+/* Writes one PNG file. The sheet shows every key, and nine stages from each key to the next, in
+ * three views. Each stage has its age, its length and a bar of true size. Returns EXIT_OK, or
+ * prints one line to standard error and returns EXIT_IO. */
 enum exit_code morph_sheet_write(const struct morph_pick *pick, const char *path);
 
-/* `count` >= 2 pictures DIR/ID_0000.png .. at even steps of progress, the fish as large in each.
- * The folder is made where it is missing. EXIT_OK, or EXIT_IO, told. */
+/* Writes `count` >= 2 pictures DIR/ID_0000.png and so on, at equal steps of progress. The fish has
+ * the same length in each picture. A missing folder is created. Returns EXIT_OK, or prints one line
+ * to standard error and returns EXIT_IO. */
 enum exit_code morph_frames_write(const struct morph_pick *pick, enum portrait_view view,
                                   uint32_t count, const char *folder);
 

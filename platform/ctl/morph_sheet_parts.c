@@ -1,10 +1,11 @@
-/* morph_sheet_parts.c -- a life's reach, and what is said when a picture cannot be made. */
+/* morph_sheet_parts.c -- measures the bounds of a fish over its life, and prints the errors of
+ * pictures. */
 #include "platform/ctl/morph_sheet_parts.h"
 
 #include <errno.h>
 #include <string.h>
 
-#define MEASURE_STEPS 20u /* Stages measured before anything is drawn. */
+#define MEASURE_STEPS 20u /* Number of steps of the life that are measured before drawing. */
 
 static const char command[] = "export";
 

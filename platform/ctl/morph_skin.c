@@ -1,4 +1,5 @@
-/* morph_skin.c -- inside, outside and distances of a closed surface of triangles. */
+/* morph_skin.c -- tests points against a closed triangle surface and computes distances to the
+ * surface. */
 #include "platform/ctl/morph_skin.h"
 
 #include <float.h>
@@ -32,7 +33,7 @@ static struct bins bins_of(const struct skin *skin, const vec3 corner[3])
     return bins;
 }
 
-/* Counts (`fill` false) or lists the triangles of every bin. */
+/* Counts the triangles of every bin if `fill` is false. Otherwise lists the triangles. */
 static void walk_bins(struct skin *skin, bool fill)
 {
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
@@ -56,7 +57,8 @@ static void fill_bins(struct skin *skin)
     for (uint32_t bin = 1; bin <= SKIN_BINS; bin++) {
         skin->bin_first[bin] += skin->bin_first[bin - 1];
     }
-    /* Each count becomes its bin's begin, and counts up to its end again. */
+    /* Each count becomes the start index of its bin. The second walk advances the start index to
+     * the end of the bin. */
     memmove(&skin->bin_first[1], &skin->bin_first[0], SKIN_BINS * sizeof skin->bin_first[0]);
     walk_bins(skin, true);
 }
@@ -82,7 +84,7 @@ void skin_build(struct skin *skin, const struct species_mesh *mesh, const vec3 *
         }
         skin->triangle_count++;
     }
-    skin->high_y += 1e-6f; /* So that what is flat has bins too. */
+    skin->high_y += 1e-6f; /* Gives flat geometry a positive height, so that it has bins too. */
     skin->high_z += 1e-6f;
     fill_bins(skin);
 }
@@ -114,9 +116,9 @@ float skin_volume(const struct skin *skin)
     return (float)volume;
 }
 
-/* On which side of the line from a to b (seen from the right) a point is. Both triangles of an edge
- * ask for it in the same order, so that they agree to the bit and a line through an edge leaves by
- * exactly one of them. */
+/* Returns on which side of the line from a to b (seen from the right) the point p lies. The two
+ * triangles of an edge compute the value in the same order, so that the results agree in every bit.
+ * A line through an edge therefore leaves by exactly one of the two triangles. */
 static double side_of(vec3 a, vec3 b, vec3 p)
 {
     const bool swap = b.y < a.y || (b.y == a.y && b.z < a.z);
@@ -128,7 +130,7 @@ static double side_of(vec3 a, vec3 b, vec3 p)
     return swap ? -never_on_it : never_on_it;
 }
 
-/* Whether a line from `p` to the right leaves through the triangle. */
+/* Returns whether a line from `p` to the right passes through the triangle. */
 static bool lies_right(const vec3 c[3], vec3 p)
 {
     const double d0 = side_of(c[0], c[1], p), d1 = side_of(c[1], c[2], p);
@@ -180,7 +182,8 @@ static float to_span(float x, float a, float b, float c)
     return f_max(f_max(f_min(f_min(a, b), c) - x, x - f_max(f_max(a, b), c)), 0.0f);
 }
 
-/* No nearer than the box around the triangle. */
+/* Returns the distance to the box around the triangle, which is a lower bound of the distance to
+ * the triangle. */
 static float to_box(vec3 p, const vec3 c[3])
 {
     return v3_length(v3(to_span(p.x, c[0].x, c[1].x, c[2].x),
@@ -199,7 +202,8 @@ float skin_distance(const struct skin *skin, vec3 point)
     return nearest;
 }
 
-/* How far along `way` the triangle is crossed; below 0 where it is not. */
+/* Returns the distance along `way` at which the line crosses the triangle, or a negative value if
+ * there is no crossing. */
 static float crossing(vec3 p, vec3 way, const vec3 c[3])
 {
     const vec3 e1 = v3_sub(c[1], c[0]), e2 = v3_sub(c[2], c[0]), from = v3_sub(p, c[0]);

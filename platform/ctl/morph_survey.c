@@ -1,4 +1,4 @@
-/* morph_survey.c -- walks through a fish's growth and keeps the worst of everything. */
+/* morph_survey.c -- measures many moments of a fish's growth and records the worst values. */
 #include "platform/ctl/morph_survey.h"
 
 #include <float.h>
@@ -28,7 +28,8 @@ static void measure_weights(struct walk *w)
     }
 }
 
-/* The key that every curve shows alone just now, or MORPH_KEY_MAX. */
+/* Returns the key that every curve shows alone at this moment, or MORPH_KEY_MAX if there is no such
+ * key. */
 static uint32_t lone_key(const struct walk *w)
 {
     for (uint32_t key = 0; key < w->rig->key_count; key++) {
@@ -80,8 +81,9 @@ static float key_progress(const struct walk *w, uint32_t key)
     return (float)key / (float)(w->rig->key_count - 1u);
 }
 
-/* The foremost of what is at the body's end (u = 1): the tail root; its closing point lies behind.
- * The rearmost point of a body that nobody measured along. */
+/* Returns the rear end of the standard length. The end is the foremost point with u = 1, which is
+ * the tail root, because the closing point of the body lies behind the tail root. Returns
+ * `rearmost` for a body without such a point. */
 static float standard_end(const struct walk *w, float rearmost)
 {
     float end = FLT_MAX;

@@ -1,6 +1,8 @@
-/* morph_survey.h -- a species' whole growth, measured: what `kingyoctl morph check` judges. Pure.
+/* morph_survey.h -- measures the whole growth of a species for `kingyoctl morph check`. The
+ * functions are pure.
  *
- * Lengths are of the body's own (the species' measure is 1), whatever size the fish has. */
+ * Lengths are relative to the body (the measured length of the species is 1), at every size of the
+ * fish. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_SURVEY_H
 #define KINGYO_PLATFORM_CTL_MORPH_SURVEY_H
 
@@ -8,54 +10,67 @@
 
 #define SURVEY_NOWHERE UINT32_MAX
 
-/* The worst of a kind, and where and when it was found. */
+/* The worst value of a kind, and the vertex and the progress at which it was found. */
 struct finding {
-    float value;     /* 0 where there is nothing to find. */
+    float value;     /* Worst value. A value of 0 means that nothing was found. */
     float progress;
-    uint32_t vertex; /* Or SURVEY_NOWHERE. */
+    uint32_t vertex; /* Vertex of the worst value, or SURVEY_NOWHERE. */
 };
 
-/* How far from the straight line between its first place and its last a vertex goes. */
+/* Greatest distance of a vertex from the straight line between its first and its last position. */
 struct curvature {
-    uint32_t vertex; /* SURVEY_NOWHERE where the fish has no such part. */
+    uint32_t vertex; /* Number of the vertex, or SURVEY_NOWHERE if the fish does not have the
+                        part. */
     float from_chord;
 };
 
 struct survey {
-    /* Of the graphs: over all curves, |sum - 1|, and the least weight. */
+    /* `sum_error` is the greatest |sum - 1| of the graph's weights over all curves. `weight_min` is
+     * the least weight. */
     float sum_error, weight_min;
-    /* The same of what multiplies the drawn shapes: below 0 where shapes are solved. */
+    /* `drawn_sum_error` and `drawn_weight_min` are the same values for the factors of the drawn
+     * shapes. A factor is negative where shapes are solved. */
     float drawn_sum_error, drawn_weight_min;
-    /* Where every curve shows one key alone: the distance from that key, and how many keys are. */
+    /* `key_error` is the distance from a key at moments when every curve shows this key alone.
+     * `keys_alone` is the number of such keys. */
     struct finding key_error;
     uint32_t keys_alone;
-    /* Triangles that are turned over at any step: of body and eyes those that face inward, of fins
-     * those whose sheet turns over from one step to the next. */
+    /* Number of triangles that are flipped at any step. A triangle of the body or an eye is flipped
+     * if it faces inward. A fin triangle is flipped if it reverses from one step to the next. */
     uint32_t flipped_skin, flipped_fins;
-    float flipped_at; /* When the first was seen. */
-    uint32_t moments_open; /* At which the body has a hole: what is inside it nobody can tell. */
-    /* How deep is inside what it must not be inside of. */
-    struct finding body_in_body; /* A fold of the skin. */
-    struct finding fin_in_body;  /* Deeper than the root of its ray. */
-    struct finding eye_in_body;  /* The visible part of an eye in the head ... */
-    struct finding pupil_in_body; /* ... and its pupil alone. */
-    struct finding eye_in_eye;   /* Two eyes on one side. */
+    float flipped_at; /* Progress at which the first flipped triangle was found. */
+    uint32_t moments_open; /* Number of moments at which the body has a hole. The inside of the body
+                              is undefined at these moments. */
+    /* The following findings are penetration depths. */
+    struct finding body_in_body; /* Depth of a body point in a fold of the body's own skin. */
+    struct finding fin_in_body;  /* Depth of a fin point below the root of its ray. */
+    struct finding eye_in_body;  /* Depth of an eye's visible part in the head. */
+    struct finding pupil_in_body; /* Depth of an eye's pupil in the head. */
+    struct finding eye_in_eye;   /* Depth of one eye in another eye on the same side. */
     struct finding fin_in_eye;
-    struct finding root_off_skin; /* How far a fin's root floats above it. */
-    struct finding volume_dip;    /* The body's, a share below the lesser of the keys around. */
-    float volume_first, volume_last; /* Of a fish one long. */
-    /* How far a key's snout is from z = -0.5, or its size, as the species measures it, from 1. */
+    struct finding root_off_skin; /* Distance of a fin's root above the skin. */
+    struct finding volume_dip;    /* Dip of the body's volume, as a share of the lesser volume of
+                                     the two neighbouring keys. */
+    float volume_first, volume_last; /* Body volume at progress 0 and at progress 1, for a fish of
+                                        length 1. */
+    /* Greater of two errors of a key: the distance of the snout from z = -0.5, and the difference
+     * between the measured length and 1. */
     struct finding size_error;
     struct curvature dorsal_root, eye_right, eye_left;
-    /* Its life: moments at which it is no older than at the one before, and the first such ... */
+    /* `moments_not_older` counts the moments at which the fish is not older than at the previous
+     * moment. `age_stands_at` is the progress of the first such moment. */
     uint32_t moments_not_older;
     float age_stands_at;
-    struct finding progress_lost; /* ... how far its age leads back to another progress ... */
-    struct finding length_lost;   /* ... its length to another length, a share of it ... */
-    struct finding off_growth;    /* ... and the share by which it is off the growth curve. */
+    struct finding progress_lost; /* Difference between a progress and the progress that the fish's
+                                     age converts back to. */
+    struct finding length_lost;   /* Difference between a length and the length that it converts
+                                     back to, as a share of the length. */
+    struct finding off_growth;    /* Difference between the length and the growth curve, as a
+                                     share. */
 };
 
-/* Measures `steps` + 1 moments from progress 0 to 1, and each key's own, of one level of detail. */
+/* Measures `steps` + 1 moments from progress 0 to 1 and the moment of each key, at one level of
+ * detail. */
 void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
                   uint32_t steps, struct survey *out);
 

@@ -1,4 +1,4 @@
-/* morph_weights.c -- `kingyoctl morph weights`: the deformation graph as a table. */
+/* morph_weights.c -- `kingyoctl morph weights`, which prints the deformation graph as a table. */
 #include <stdio.h>
 
 #include "platform/ctl/morph_curve.h"

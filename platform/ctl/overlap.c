@@ -1,17 +1,20 @@
-/* overlap.c -- cells as wide as the largest ball's diameter, so that neighbours are next door. */
+/* overlap.c -- finds overlapping bodies with a grid. A cell is as wide as the diameter of the
+ * largest bounding ball, so that all candidates of a body are in the 3 x 3 cells around the
+ * body. */
 #include "platform/ctl/overlap.h"
 
 #include <math.h>
 #include <string.h>
 
-#define PARALLEL 1e-6 /* Sine below which two edges give no axis of their own. */
+#define PARALLEL 1e-6 /* Sine of the angle below which two edges count as parallel and give no
+                         separating axis. */
 
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Yaw about +y, then pitch, then roll. */
+/* Computes the box of a fish. The rotation order is yaw about +y, then pitch, then roll. */
 struct overlap_box overlap_box_of(const struct fish *fish)
 {
     const double cy = cos((double)fish->angles.yaw_rad), sy = sin((double)fish->angles.yaw_rad);
@@ -40,7 +43,8 @@ static double shadow_m(const struct overlap_box *box, const double axis[3])
            box->half_m[2] * fabs(dot(box->axis[2], axis));
 }
 
-/* Keeps the least overlap of the shadows along unit axes so far; 0 when this one parts them. */
+/* Keeps the least overlap of the projections onto the unit axes so far. Returns whether this axis
+ * separates the boxes. */
 static int parted_along(const struct overlap_box *a, const struct overlap_box *b,
                         const double d[3], const double axis[3], double *least_m)
 {
@@ -89,7 +93,7 @@ double overlap_depth_m(const struct overlap_box *a, const struct overlap_box *b)
 
 /* ---- All fish ------------------------------------------------------------------------------- */
 
-/* Square cells over the floor. */
+/* A grid of square cells over the floor. */
 struct floor_grid {
     double side_m, half_x_m, half_z_m;
     uint32_t columns, rows;
@@ -118,7 +122,8 @@ static struct floor_grid grid_over(const struct overlap *overlap, const struct t
                                 cells_along(z_m, side_m) + 1u };
 }
 
-/* A counting sort: first[c] .. first[c + 1] of order[] are the boxes in cell c. */
+/* Sorts the boxes with a counting sort: the boxes in cell c are order[first[c]] .. order[first[c +
+ * 1] - 1]. */
 static void sort_by_cell(struct overlap *overlap, const struct floor_grid *grid)
 {
     const uint32_t cells = grid->columns * grid->rows;
@@ -152,7 +157,8 @@ static void judge(const struct overlap *overlap, uint32_t i, uint32_t j,
     total->pairs += depth_mm > OVERLAP_DEEP_MM ? 1u : 0u;
 }
 
-/* Box i against those of its own and the neighbouring cells, each pair once. */
+/* Tests box i against the boxes of its own cell and of the neighbouring cells. Each pair is tested
+ * once. */
 static void judge_around(const struct overlap *overlap, const struct floor_grid *grid, uint32_t i,
                          struct overlap_count *total)
 {

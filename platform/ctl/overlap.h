@@ -1,8 +1,8 @@
-/* overlap.h -- how deep bodies are in each other, measured from outside.
+/* overlap.h -- measures independently how deep bodies penetrate each other.
  *
- * The tank has its own boxes; this is the judge and shares none of their code: double precision,
- * all fifteen axes, every pair whose balls meet. Depth is the least translation that parts two
- * boxes. */
+ * The tank has its own boxes. This module checks the tank and shares no code with it: it uses
+ * double precision, all fifteen axes, and every pair whose bounding balls overlap. The depth is the
+ * least translation that separates two boxes. */
 #ifndef KINGYO_PLATFORM_CTL_OVERLAP_H
 #define KINGYO_PLATFORM_CTL_OVERLAP_H
 
@@ -10,37 +10,39 @@
 
 #include "core/tank/tank.h"
 
-#define OVERLAP_DEEP_MM 0.5 /* Deeper is an overlap; less is a brush. */
-/* Cells along a side: in the largest tank of either build a cell is about as wide as two balls. */
+#define OVERLAP_DEEP_MM 0.5 /* Depth in mm above which a penetration counts as an overlap. A smaller
+                               penetration counts as a contact. */
+/* Maximum number of cells along a side. In the largest tank of either build, a cell is about as
+ * wide as two bounding balls. */
 #define OVERLAP_CELL_MAX (TANK_FISH_MAX > TANK_FISH_KIOSK ? 256u : 128u)
 
 struct overlap_box {
     double centre_m[3];
-    double axis[3][3]; /* Unit: right, up, back. */
+    double axis[3][3]; /* Unit axes of the box: right, up and back. */
     double half_m[3];
-    double reach_m; /* Of the ball that holds it. */
+    double reach_m; /* Radius of the ball that contains the box. */
 };
 
 struct overlap_count {
-    uint64_t pairs; /* Deeper than OVERLAP_DEEP_MM. */
+    uint64_t pairs; /* Number of pairs deeper than OVERLAP_DEEP_MM. */
     double deepest_mm;
 };
 
-/* Scratch of one look at all fish. */
+/* Scratch memory for one measurement of all fish. */
 struct overlap {
     uint32_t count;
     struct overlap_box box[TANK_FISH_MAX];
-    uint32_t cell[TANK_FISH_MAX];  /* Of each box. */
-    uint32_t order[TANK_FISH_MAX]; /* Boxes by cell. */
+    uint32_t cell[TANK_FISH_MAX];  /* Cell of each box. */
+    uint32_t order[TANK_FISH_MAX]; /* Box numbers, sorted by cell. */
     uint32_t first[OVERLAP_CELL_MAX * OVERLAP_CELL_MAX + 1u];
 };
 
 struct overlap_box overlap_box_of(const struct fish *fish);
 
-/* 0 when apart. */
+/* Returns the penetration depth of two boxes, or 0 if they are separate. */
 double overlap_depth_m(const struct overlap_box *a, const struct overlap_box *b);
 
-/* Adds to `total` what overlaps among the fish that swim; held ones and those in a bowl do not
+/* Adds to `total` the overlaps of all swimming fish. Fish that are held or in a bowl do not
  * count. */
 void overlap_add(struct overlap *overlap, const struct tank *tank, struct overlap_count *total);
 
