@@ -1,12 +1,16 @@
-/* bench_hid.c -- what it costs to read a report descriptor: of real devices, of hostile ones, and
- * of those made to be slow; what a report costs, and one of a controller made to be slow.
+/* bench_hid.c -- benchmark of the HID report descriptor parser and of the report decoder.
  *
- * Usage: bench_hid FOLDER [TSV]   FOLDER is tests/hid; the table is also written to TSV
+ * Usage: bench_hid FOLDER [TSV]. FOLDER is tests/hid. The table is also written to the file TSV.
  *
- * CPU time of this thread. Each figure is the best of RUNS runs, for whatever else runs here is no
- * cost of ours; the worst file of each group is named. Status 1: some descriptor takes more than
- * GOAL_US, which is a tenth of a frame, or some report more than GOAL_REPORT_US: as many as a frame
- * takes of a seat (HID_REPORTS_MAX) are a fifth of it then. */
+ * Parses descriptors of real devices, hostile descriptors, and descriptors that were built to be
+ * slow to parse. Decodes reports of real devices and of one controller that was built to be slow to
+ * decode.
+ *
+ * Each figure is CPU time of this thread and the best of RUNS runs, so that other processes on the
+ * machine do not count. The table names the slowest file of each group. Returns exit status 1 if a
+ * descriptor takes more than GOAL_US, which is a tenth of a frame, or if a report takes more than
+ * GOAL_REPORT_US. A frame decodes at most HID_REPORTS_MAX reports for each slot, which take a fifth
+ * of the frame at GOAL_REPORT_US. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -95,7 +99,7 @@ static void bench_folder(const char *what, const char *path)
     row(what, worst, slowest);
 }
 
-/* ---- Made to be slow ------------------------------------------------------------------------ */
+/* ---- Descriptors that are slow to parse ----------------------------------------------------- */
 
 static void bench_filled(const char *what, const uint8_t *pattern, size_t size)
 {
@@ -136,12 +140,13 @@ static void bench_report(const char *path)
     row("every value of a DualSense's report", best, sum == 0 ? "64 bytes, at rest" : "");
 }
 
-/* ---- A controller made to be slow ----------------------------------------------------------- */
+/* ---- A controller that is slow to decode ---------------------------------------------------- */
 
-#define ARRAYS (HID_BINDING_MAX - 3u) /* Beside two axes and a button, each has a binding. */
+#define ARRAYS (HID_BINDING_MAX - 3u) /* The two axes and the button also have one binding each. */
 #define ARRAY_USAGES 64u
-#define ELEMENT_BITS 4u  /* As many as 256 bytes have room for, ... */
-#define ELEMENT_MAX 15u /* ... which all say this. */
+#define ELEMENT_BITS 4u  /* Size of one array element in bits. A report has room for 256 bytes of
+                            elements. */
+#define ELEMENT_MAX 15u /* Value of every array element. */
 
 static struct hid_face face;
 static struct hid_hand hand;
@@ -155,7 +160,8 @@ static void say(const uint8_t *items, uint32_t size)
 
 #define SAY(...) say((const uint8_t[]){ __VA_ARGS__ }, sizeof((const uint8_t[]){ __VA_ARGS__ }))
 
-/* A joystick, and arrays of as many elements as may be bound, whose usages are all named singly. */
+/* Builds a joystick with arrays of as many elements as can be bound. The descriptor lists each
+ * usage of the arrays separately. */
 static void make_slow(void)
 {
     memset(&face, 0, sizeof face);
@@ -231,7 +237,8 @@ static void bench_slow_hand(void)
         exit(1);
     }
     raw.size = (descriptor.report_bits[0] + 7u) / 8u;
-    memset(raw.bytes + 2, 0xff, sizeof raw.bytes - 2u); /* Each element selects what is bound. */
+    memset(raw.bytes + 2, 0xff, sizeof raw.bytes - 2u); /* Each array element selects a bound
+                                                           usage. */
     if (raw.size > HID_REPORT_MAX || !hid_hand_report(&hand, &raw)) {
         fputs("bench_hid: the slow controller's report is refused\n", stderr);
         exit(1);

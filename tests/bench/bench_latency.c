@@ -1,17 +1,22 @@
-/* bench_latency.c -- input to picture: how long after a pointer event the first frame shows it.
+/* bench_latency.c -- benchmark of the latency from a pointer event to the first frame that shows
+ * it.
  *
- * bench_latency [FRAME_MS WORK_MS]
+ * Usage: bench_latency [FRAME_MS WORK_MS]
  *
- * The real frame loop and the real pointer decoder, on a simulated clock, so that the figures
- * are the program's own and not the machine's. At each trial the stall is copied, one copy gets
- * an event and the other does not, and both run until their rings differ: by half a pixel after
- * a step of the pointer; by anything at all after the button's edge, for a dip is a smooth stroke
- * that sets off from rest. The event falls anywhere between two frames. Time is counted to the
- * moment at which the frame's scene is handed to the display; the bound is one frame and one tick.
- * Not in it: drawing, the swap, the screen itself, and what the mouse, the kernel and the X server
- * do before the event is stamped. With the two figures that kingyo prints at its end (how often a
- * frame comes on this machine's screen, and how much work, drawing and swap, it is) one more row
- * says what the sum is here. Exit code 1 when the bound does not hold. */
+ * Runs the real frame loop and the real pointer decoder on a simulated clock, so that the figures
+ * do not depend on the speed of the machine. Each trial copies the stall. One copy gets an event
+ * and the other copy does not. Both copies run until the positions of their rings differ. After a
+ * pointer step, a difference of half a pixel counts. After a button press, any difference counts,
+ * because a dip is a smooth motion that starts at rest. The event falls at a random phase between
+ * two frames.
+ *
+ * The latency ends when the frame's scene is passed to the display. The bound is one frame and one
+ * tick. The latency does not include drawing, the buffer swap, the screen, or the time in the
+ * mouse, the kernel and the X server before the event is stamped.
+ *
+ * FRAME_MS and WORK_MS are the two figures that kingyo prints at its end: the frame period on this
+ * machine's screen, and the time for drawing and the swap. With these arguments the table has one
+ * more row with the sum for this machine. Returns exit status 1 if the bound does not hold. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -25,9 +30,11 @@
 
 #define TRIALS 400u
 #define FRAMES_MAX 8u
-#define PIXEL_M 0.0006f /* 1,280 over a tank of 0.85 m and its rim. */
+#define PIXEL_M 0.0006f /* Size of a pixel in the tank. 1,280 pixels cover a tank of 0.85 m and its
+                           rim. */
 
-/* Everything that a copy needs, and no pointer into itself but those that wire() sets. */
+/* All objects that a copied stall needs. The struct contains no pointers to its own members except
+ * those that wire() sets. */
 struct booth {
     struct clock_sim clock;
     struct display_sim display;
@@ -68,7 +75,7 @@ static void frame(struct booth *stall, uint64_t frame_ns)
     kiosk_frame(&stall->kiosk, &hal);
 }
 
-/* A round that has begun, the hand at rest over the middle. */
+/* Opens a stall in a round that has begun, with the pointer at rest over the middle of the tank. */
 static void open_stall(uint64_t frame_ns)
 {
     const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
@@ -102,13 +109,16 @@ struct latency {
 struct event {
     const char *name;
     uint64_t frame_ns;
-    float x_px;       /* The pointer was at 640 ... */
-    uint32_t buttons; /* ... and no button was held. */
-    float seen_px;    /* The rings differ by more than this. */
-    double work_ms;   /* Of drawing and swap, counted on top; 0: to the hand-over alone. */
+    float x_px;       /* New pointer position. The pointer was at 640 before the event. */
+    uint32_t buttons; /* New state of the buttons. No button was held before the event. */
+    float seen_px;    /* Smallest difference of the two ring positions, in pixels, that counts as
+                         seen. */
+    double work_ms;   /* Time for drawing and the swap, which is added to the latency. 0 measures
+                         the latency only until the scene is passed to the display. */
 };
 
-/* The event comes `phase` in [0, 1) of a frame after the last frame looked. */
+/* Measures one trial. The event occurs `phase` of a frame after the last frame read its input.
+ * `phase` is in [0, 1). */
 static struct latency measure(const struct event *event, float phase)
 {
     const uint64_t event_ns = base.clock.now_ns + 1 + (uint64_t)(phase * (float)event->frame_ns);
@@ -135,7 +145,8 @@ static int compare(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Prints a row; returns whether every event was shown within one frame, one tick and the work. */
+/* Prints one row of the table. Returns 1 if every event was shown within one frame, one tick and
+ * the work time. */
 static int bench(const struct event *event)
 {
     static double ms[TRIALS];
@@ -176,7 +187,8 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < sizeof events / sizeof events[0]; i++) {
         holds &= bench(&events[i]);
     }
-    if (argc == 3) { /* For information: a machine that draws in software does not keep up. */
+    if (argc == 3) { /* This row is only informative, because a machine with a software renderer
+                        exceeds the bound. */
         here.frame_ns = (uint64_t)(here_ms * 1e6);
         here.work_ms = strtod(argv[2], NULL);
         bench(&here);

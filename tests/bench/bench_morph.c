@@ -1,15 +1,19 @@
-/* bench_morph.c -- what blending costs a vertex, beside what memory alone would take.
+/* bench_morph.c -- benchmark of morph blending per vertex, compared with the memory bandwidth.
  *
- * Usage: bench_morph [TSV]   the table; also written to TSV, one row a count of keys
+ * Usage: bench_morph [TSV]. The table is also written to the file TSV, with one row for each number
+ * of keys.
  *
- * A blend reads 8 bytes a vertex and key and 16 of the vertex, and writes 24: position and normal.
- * It cannot be faster than these bytes can be copied. So many different fish are blended in turn
- * that they never fit a cache; beside them, in the same breath, as many bytes are copied by the C
- * library's memcpy(). The figure is the share of that speed, to be at least GOAL: bytes moved /
- * bandwidth / time, of the least disturbed rounds. Beside it one fish that stays in the cache, as
- * the kiosk's do, and the same fish one vertex by one. A second table has parts' own curves and
- * anchors, whose arithmetic memory does not hide: it has no goal. Status 1: a share of the first
- * table is below GOAL. */
+ * A blend reads 8 bytes for each vertex and key and 16 bytes for each vertex. A blend writes 24
+ * bytes for each vertex: position and normal. Blending cannot be faster than a copy of the same
+ * number of bytes. The benchmark blends so many different fish in turn that they do not fit in a
+ * cache. Alternately with the blends, memcpy() of the C library copies the same number of bytes.
+ * The figure is the achieved share of that bandwidth: bytes moved / bandwidth / time, from the
+ * least disturbed rounds. The share must be at least GOAL. The table also gives one fish that stays
+ * in the cache, as the fish of the kiosk do, and the same fish without SIMD.
+ *
+ * A second table has fish whose parts have their own curves and anchors. The second table has no
+ * goal, because its arithmetic takes longer than its memory accesses. Returns exit status 1 if a
+ * share of the first table is below GOAL. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,9 +24,12 @@
 #include "core/morph/morph.h"
 #include "platform/cpu.h"
 
-#define VERTICES 1000u /* Of one fish. */
-#define ANCHORED 400u  /* Of these: about what the near fish have in fins and eyes. */
-#define ARENA_SIZE ((size_t)192 << 20) /* Six times this machine's last cache; see `copied`. */
+#define VERTICES 1000u /* Number of vertices of one fish. */
+#define ANCHORED 400u  /* Number of vertices that have an anchor. The near fish have about as many
+                          in fins and eyes. */
+#define ARENA_SIZE ((size_t)192 << 20) /* Size of the arena in bytes, which is six times the
+                                          last-level cache of the reference machine. See
+                                          `copied`. */
 #define ROUNDS 15u
 #define GOAL 0.5
 
@@ -35,7 +42,8 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
 static double now_s(void)
 {
     struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now); /* Others may have the processor meanwhile. */
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now); /* CPU time of this thread, because other
+                                                     processes can run at the same time. */
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
@@ -86,7 +94,8 @@ static void pose_of(uint32_t key_count)
     }
 }
 
-/* Seconds for `count` fish, the first `among` of the arena over and over. */
+/* Returns the seconds for `count` blends, which use the first `among` fish of the arena
+ * repeatedly. */
 static double blend_s(uint32_t key_count, uint32_t lanes, size_t count, size_t among)
 {
     const double begin = now_s();
@@ -103,8 +112,9 @@ static double blend_s(uint32_t key_count, uint32_t lanes, size_t count, size_t a
     return now_s() - begin;
 }
 
-/* Seconds a byte: half the arena onto the other half, a byte read and a byte written each, in
- * pieces of a blend's answer, as a blend's answer goes through the cache to whoever asked. */
+/* Returns the seconds for each copied byte. The function copies one half of the arena to the other
+ * half, so that each byte is read once and written once. The pieces have the size of the output of
+ * one blend, so that they use the cache as a blend does. */
 static double copy_s_per_byte(void)
 {
     const size_t piece = VERTICES * 2u * sizeof(vec3), half = fish_count / 2u * sizeof arena[0];
@@ -125,7 +135,8 @@ static void keep_least(double *least, double ns)
     *least = ns < *least ? ns : *least;
 }
 
-/* The least of all rounds each: what nothing else on the machine disturbed. */
+/* Returns the least time of all rounds for each case, because other processes disturbed that round
+ * least. */
 static struct measured measure(uint32_t key_count, uint32_t lanes)
 {
     struct measured least = { 1e9, 1e9, 1e9, 1e9 };

@@ -1,11 +1,15 @@
-/* bench_open.c -- the longest tick of all: the one that opens another mode's tank.
+/* bench_open.c -- benchmark of the longest tick, which is the tick that opens the tank of another
+ * mode.
  *
- * Prints, over ROUNDS stalls each of its own seed, the median and the most of the processor's time
- * that the tick takes in which START opens the championship's tank, and the tick in which attract
- * mode opens the stall's own again: `open_ms open_max_ms back_ms back_max_ms`. Such a tick is long,
- * but it drops none: the frame that it is in comes late by so much, just as the picture changes to
- * another tank, and the next frame runs the ticks that are owed (pace.h). Exit code 1 when one
- * takes more than a frame: where processors are a quarter as fast that would be four. */
+ * Opens ROUNDS stalls, each with its own seed. Measures the CPU time of two ticks: the tick in
+ * which START opens the tank of the championship, and the tick in which attract mode opens the
+ * stall's own tank again. Prints the medians and the maxima: `open_ms open_max_ms back_ms
+ * back_max_ms`.
+ *
+ * Such a tick is long but causes no dropped tick. The frame of this tick is late while the picture
+ * changes to another tank, and the next frame runs the missing ticks (pace.h). Returns exit status
+ * 1 if a tick takes more than one frame. On a processor that is a quarter as fast, such a tick
+ * would take four frames. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -46,7 +50,8 @@ static double tick_ms(uint32_t pressed)
     return now_ms() - began_ms;
 }
 
-/* START asks for the championship at once; back is what attract mode does after a result. */
+/* Measures both ticks of one stall. START opens the championship immediately. Attract mode opens
+ * the stall's own tank after a result. */
 static int measure(uint32_t seed, double *open_ms, double *back_ms)
 {
     const struct core_config config = { .seed = seed, .modes = 1u << MODE_CHAMPIONSHIP,

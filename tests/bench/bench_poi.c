@@ -1,9 +1,11 @@
-/* bench_poi.c -- what a tick costs: of a sheet with five fish on it, of the whole poi, of bowls.
+/* bench_poi.c -- benchmark of a tick of the paper sheet with five fish, of the whole poi, and of
+ * the bowls.
  *
- * Usage: bench_poi [TSV]   the table; also written to TSV, one figure a row
+ * Usage: bench_poi [TSV]. The table is also written to the file TSV, with one figure in each row.
  *
- * CPU time of this thread, tick by tick; reading the clock is part of each figure. Status 1: the
- * sheet with five fish on it takes more than GOAL_US, in the median of its worst state. */
+ * Measures the CPU time of this thread for each tick. Each figure includes the time to read the
+ * clock. Returns exit status 1 if the median of the sheet with five fish exceeds GOAL_US in its
+ * slowest state. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +46,7 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Prints a row of `count` samples; returns their median. */
+/* Prints one row of `count` samples. Returns their median. */
 static double report(const char *what, uint32_t count)
 {
     if (count == 0) {
@@ -65,9 +67,10 @@ static double report(const char *what, uint32_t count)
 struct state {
     const char *what;
     float pressure_pa;
-    float slap_n, body_n;    /* Of each fish; 0: none lies there. */
+    float slap_n, body_n;    /* Forces of each fish on the sheet, in N. 0 means that no fish lies
+                                there. */
     uint8_t half_wet;
-    uint8_t only_tearing;    /* Ticks in which nothing tears are left out. */
+    uint8_t only_tearing;    /* 1 excludes the ticks in which no cell tears. */
 };
 
 static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
@@ -81,7 +84,7 @@ static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
     sheet->soaked = !state->half_wet;
 }
 
-/* Bodies side by side, each with its tail beside it. */
+/* Fills `loads` with fish bodies side by side, each with its tail next to it. */
 static uint32_t load(const struct state *state, struct sheet_load loads[2u * FISH])
 {
     if (state->body_n == 0.0f) {
@@ -95,7 +98,8 @@ static uint32_t load(const struct state *state, struct sheet_load loads[2u * FIS
     return 2u * FISH;
 }
 
-/* Specimens one after the other, a fresh one when little is left of it. */
+/* Measures one state on several sheet specimens in sequence. A new specimen replaces a specimen of
+ * which little paper is left. */
 static double measure(const struct state *state)
 {
     static struct sheet sheet;
@@ -123,7 +127,8 @@ static double measure(const struct state *state)
 static struct tank tank;
 static struct poi poi;
 
-/* Held over the water with five fish on it, in the festival's tank; they slap as they do. */
+/* Measures a poi with five fish above the water of the festival's tank. The fish slap the paper as
+ * in the game. */
 static double measure_poi(void)
 {
     struct bowl bowl;
@@ -158,9 +163,9 @@ static double measure_poi(void)
     return report("poi and catch: ring, paper, 5 real fish of 4 cm, 300 in tank", count);
 }
 
-/* ---- Fish on it, and in bowls --------------------------------------------------------------- */
+/* ---- Carried fish and fish in bowls --------------------------------------------------------- */
 
-/* In the championship's tank: a poi over 1,000 fish that carries as many as it can. */
+/* Measures the championship's tank: a poi moves over 1,000 fish and carries up to `riders` fish. */
 static void measure_catch(uint32_t riders, const char *what)
 {
     struct bowl bowl;

@@ -1,13 +1,17 @@
-/* bench_reports.c -- report to tick: how long what a USB poi says waits for the tick that uses it.
+/* bench_reports.c -- benchmark of the time that a report of a USB poi waits until a tick uses it.
  *
- * bench_reports [SECONDS [REPORT_HZ [FRAME_MS [WORK_MS]]]]     (10 500 16.667 5)
+ * Usage: bench_reports [SECONDS [REPORT_HZ [FRAME_MS [WORK_MS]]]]. The defaults are 10 500 16.667
+ * 5.
  *
- * The real frame loop, the real decoder of our own poi, the real ring between the USB thread and
- * the frame loop, on the real clock. A thread stands for libusb's: it says reports as a poi sends
- * them, each stamped as it arrives. The display stands for a screen: it takes WORK_MS to draw and
- * returns at the next beat of FRAME_MS. What is measured is the kiosk's own figure, as in its last
- * lines. Not in it: the wire, the host controller, libusb, and the picture after the tick
- * (bench_latency). Exit code 1: reports were lost, or p99 is over a frame and two ms. */
+ * Runs the real frame loop, the real decoder of the Kingyo poi, and the real ring buffer between
+ * the USB thread and the frame loop on the real clock. A test thread takes the place of the libusb
+ * thread. The test thread pushes reports at the rate of a poi and stamps each report when it
+ * arrives. A test display takes the place of the screen: it takes WORK_MS to draw and returns at
+ * the next multiple of FRAME_MS.
+ *
+ * The figures are those that the kiosk prints in its last lines. The figures do not include the
+ * wire, the host controller, libusb, or the picture after the tick (bench_latency). Returns exit
+ * status 1 if reports were lost or if p99 exceeds one frame and two ms. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -39,7 +43,7 @@ static uint64_t now_ns(void)
     return bench.clock.ops->now_ns(bench.clock.self);
 }
 
-/* A ring that circles over the water. */
+/* Pushes report number `index` of a ring that circles over the water. */
 static void say(uint32_t index)
 {
     uint8_t bytes[POI_REPORT_SIZE];
@@ -70,14 +74,14 @@ static int screen_present(void *self, const struct scene *scene)
     const uint64_t drawn_ns = now_ns() + (uint64_t)(bench.work_ms * 1e6);
     (void)self;
     (void)scene;
-    while (now_ns() < drawn_ns) { /* Drawing keeps its core busy. */
+    while (now_ns() < drawn_ns) { /* The loop keeps the processor core busy as drawing does. */
     }
     bench.beat_ns += beat_ns * ((drawn_ns - bench.beat_ns) / beat_ns + 1u);
     clock_sleep_until(bench.beat_ns);
     return HAL_OK;
 }
 
-/* What the hand is to feel goes nowhere: it is taken off at once. */
+/* Discards the force feedback immediately. */
 static void take_feeling(void *self)
 {
     (void)self;

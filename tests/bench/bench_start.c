@@ -1,8 +1,11 @@
-/* bench_start.c -- from exec to the first presented frame, and the most memory a run ever had.
+/* bench_start.c -- benchmark of the time from exec to the first presented frame, and of the peak
+ * memory.
  *
- * bench_start SECONDS PROGRAM [WORDS...]  poses as the service manager: the kiosk says READY=1
- * after its first frame. Lets it run on for SECONDS, ends it with SIGTERM and prints
- * `first_frame_ms peak_mib`. */
+ * Usage: bench_start SECONDS PROGRAM [WORDS...]
+ *
+ * Acts as the service manager. The kiosk sends READY=1 after its first frame. The benchmark lets
+ * the kiosk run for SECONDS after that, ends it with SIGTERM and prints `first_frame_ms
+ * peak_mib`. */
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
@@ -34,7 +37,7 @@ static int listen_as_manager(char path[108])
     return fd >= 0 && bind(fd, (struct sockaddr *)&address, sizeof address) == 0 ? fd : -1;
 }
 
-/* 1 when READY=1 came in time. */
+/* Returns 1 if READY=1 arrived before the timeout. */
 static int wait_for_first_frame(int fd)
 {
     struct pollfd waited = { .fd = fd, .events = POLLIN };
@@ -65,7 +68,8 @@ int main(int argc, char **argv)
     const double begin_ms = now_ms();
     const pid_t child = fork();
     if (child == 0) {
-        dup2(STDERR_FILENO, STDOUT_FILENO); /* Only our one line goes to standard output. */
+        dup2(STDERR_FILENO, STDOUT_FILENO); /* Only the line of this benchmark is written to
+                                               standard output. */
         execv(argv[2], argv + 2);
         _exit(127);
     }

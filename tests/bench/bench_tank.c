@@ -1,13 +1,14 @@
-/* bench_tank.c -- what a tick of the tank costs a fish, from 50 fish to 100,000, and where it goes.
+/* bench_tank.c -- benchmark of a tank tick per fish, from 50 to 100,000 fish, with the share of
+ * each stage.
  *
- * Usage: bench_tank [TSV]             the tables; also written to TSV, one figure a row
- *        bench_tank FISH TICKS        mean CPU time of that many ticks; valgrind counts them, too
- *        bench_tank dragged           only what a poi in the water costs
+ * Usage: bench_tank [TSV] prints the tables and also writes them to the file TSV, with one figure
+ * in each row. bench_tank FISH TICKS prints the mean CPU time of TICKS ticks, for use under
+ * valgrind. bench_tank dragged measures only the cost of a poi in the water.
  *
- * Built with room for 131,072 fish (bench.mk). In the same run, on the same poses and by the same
- * kernels, a bare search for pairs is timed: what the whole tick is measured against. Widths of
- * lanes take turns on one tank, since they give the same bits. Stages are told apart by wrapping
- * the calls between modules (the linker's --wrap): the core itself knows no clock. */
+ * The build has room for 131,072 fish (bench.mk). The same run also times a bare search for pairs
+ * on the same poses with the same kernels, as the reference for the whole tick. Different SIMD
+ * widths alternate on one tank, because all widths give the same bits. The linker option --wrap
+ * wraps the calls between modules to separate the stages, because the core has no clock. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -24,11 +25,14 @@
 
 #define SAMPLES_MAX 4000u
 #define SAMPLES_MIN 8u
-#define MEASURE_NS 0.9e9      /* For each count of fish. */
+#define MEASURE_NS 0.9e9      /* Measuring time for each number of fish. */
 #define WARM_NS 0.4e9
-#define WARM_TICKS 600u       /* Five seconds: the start's order is gone. */
-#define BLOCK CROWD_LOOK_TICKS /* Ticks between two clock readings: one of them looks. */
-#define THESIS_FISH 600.0f    /* On the thesis' floor: its density. */
+#define WARM_TICKS 600u       /* Ticks of warm-up before a measurement. In these five seconds the
+                                 order of the start disappears. */
+#define BLOCK CROWD_LOOK_TICKS /* Ticks between two clock readings. One of these ticks updates the
+                                  broad phase. */
+#define THESIS_FISH 600.0f    /* Number of fish on the floor area of the thesis, which gives the
+                                 density of the thesis. */
 
 static struct tank *store;
 #define tank (*store)
@@ -56,7 +60,8 @@ static double now_ns(void)
     return clock_ns(CLOCK_MONOTONIC);
 }
 
-/* Of this thread alone: what else runs on the machine takes caches from it, but no time. */
+/* Returns the CPU time of this thread. Other processes can evict its caches, but their time is not
+ * counted. */
 static double work_ns(void)
 {
     return clock_ns(CLOCK_THREAD_CPUTIME_ID);
@@ -80,7 +85,7 @@ static double spent_ns[STAGE_COUNT], since_ns;
 static enum stage stage_now;
 static int is_timed;
 
-/* Time from here on is the stage's; returns whose it was. */
+/* Starts to count time for `stage`. Returns the stage that time was counted for before. */
 static enum stage enter(enum stage stage)
 {
     const enum stage before = stage_now;
@@ -113,7 +118,7 @@ static enum stage enter(enum stage stage)
         return result;                                                                             \
     }
 
-/* Each is named in bench.mk, too. */
+/* bench.mk also names each wrapped function. */
 WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
 WRAP(WATCH, crowd_mark, (struct crowd *crowd, const struct fish *fish, uint32_t count),
      (crowd, fish, count))
@@ -161,8 +166,8 @@ static void open_tank(uint32_t fish, float area_scale, uint8_t search)
     open_preset(TANK_PRESET_THESIS, fish, area_scale, search);
 }
 
-/* A poi that is dragged through: round the tank on an oval at mid depth, slanted and whole. */
-static float drag_m_s; /* 0: there is none. */
+/* A poi that is dragged around the tank on an oval at mid depth, tilted, with whole paper. */
+static float drag_m_s; /* Speed of the dragged poi in m/s. 0 means no poi. */
 static struct obstacle disc;
 static uint8_t paper[OBSTACLE_PAPER_SIDE * OBSTACLE_PAPER_SIDE];
 
@@ -186,7 +191,8 @@ static void take_disc(float speed_m_s)
     };
 }
 
-/* It lags behind the hand where fish are in its way, and comes after it a half faster. */
+/* Moves the disc toward the hand. The disc lags behind the hand where fish block it, and follows at
+ * up to 1.5 times the speed of the hand. */
 static void pull_disc(void)
 {
     const vec3 way_m = v3_sub(hand_m(), disc.centre_m);
@@ -212,7 +218,7 @@ static void warm_up(double limit_ns)
     }
 }
 
-/* One look period; ns a fish and tick. */
+/* Runs one broad-phase period. Returns ns for each fish and tick. */
 static double block_ns(uint32_t lanes)
 {
     tank.lanes = (uint8_t)lanes;
@@ -223,7 +229,7 @@ static double block_ns(uint32_t lanes)
     return (work_ns() - start) / (double)(BLOCK * tank.fish_count);
 }
 
-/* One search of the poses that are; ns a fish. */
+/* Runs one pair search on the current poses. Returns ns for each fish. */
 static double bare_ns(uint32_t lanes, uint32_t *found_count)
 {
     const struct pairs_of of = {
@@ -253,8 +259,8 @@ static double median(double *values, uint32_t count)
 }
 
 struct figures {
-    double tick_ns[2], bare_ns[2]; /* A fish, with 4 lanes and with 8. */
-    double found;                  /* Pairs a fish. */
+    double tick_ns[2], bare_ns[2]; /* Times for each fish, with 4 SIMD lanes and with 8. */
+    double found;                  /* Pairs found for each fish. */
 };
 
 static struct figures measure(uint32_t fish)
@@ -269,7 +275,8 @@ static struct figures measure(uint32_t fish)
     while (count < SAMPLES_MAX && (count < SAMPLES_MIN || now_ns() - start < MEASURE_NS)) {
         for (uint32_t w = 0; w < widths; w++) {
             const uint32_t lanes = 4u << w;
-            /* Each once unmeasured: a tick follows ticks, not a search that took its caches. */
+            /* Each case runs once unmeasured, because a tick normally follows a tick and not a
+             * search that evicted its cache lines. */
             (void)block_ns(lanes);
             samples[w][count] = block_ns(lanes);
             (void)bare_ns(lanes, &pair_count);
@@ -324,7 +331,7 @@ static void print_growth(void)
     }
 }
 
-/* The slope of log time over log count, from 600 fish on, by least squares. */
+/* Returns the slope of log time over log count from 600 fish up, by least squares. */
 static double exponent(uint32_t width)
 {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
@@ -351,7 +358,7 @@ static void print_exponents(void)
     row("exponent", "kingyo", 100000, 4, exponent(0));
 }
 
-static double stage_ns[SAMPLES_MAX][STAGE_COUNT]; /* Of each block. */
+static double stage_ns[SAMPLES_MAX][STAGE_COUNT]; /* Time of each stage in each block, in ns. */
 static double whole_ns[SAMPLES_MAX];
 
 static uint32_t time_stages(void)
@@ -376,7 +383,8 @@ static uint32_t time_stages(void)
     return count;
 }
 
-/* The mean of the blocks that took no longer than the median: the rest were held up. */
+/* Prints the mean of the blocks that took no longer than the median. Slower blocks were
+ * interrupted. */
 static void print_shares(uint32_t fish)
 {
     static double sorted[SAMPLES_MAX];
@@ -418,7 +426,7 @@ static void print_stages(void)
     print_shares(60000);
 }
 
-/* The normal state of a stall. */
+/* The ordinary configurations of a stall. */
 static const struct {
     const char *name;
     uint8_t preset;
@@ -431,7 +439,8 @@ static const struct {
 static const float drags_m_s[] = { 0.0f, 0.2f, 0.4f, 1.0f };
 #define DRAGS (sizeof drags_m_s / sizeof drags_m_s[0])
 
-/* The mean: what a poi costs is not spread evenly. Ns a fish and tick. */
+/* Returns the mean time in ns for each fish and tick. The mean is used because the cost of a poi
+ * varies between ticks. */
 static double dragged_ns(uint32_t stall, float speed_m_s)
 {
     double sum_ns = 0.0;
@@ -471,7 +480,7 @@ static void print_dragged(void)
     take_disc(0.0f);
 }
 
-/* Ticks a second, nothing drawn. */
+/* Returns the ticks per second without drawing. */
 static double ticks_per_s(uint32_t fish, uint8_t search)
 {
     uint32_t count = 0;
@@ -484,7 +493,8 @@ static double ticks_per_s(uint32_t fish, uint8_t search)
     return 1e9 / (median(samples[0], count) * (double)fish);
 }
 
-/* Thesis, table 4.2, frames a second with its picture; 0: none is given. */
+/* Frames per second from table 4.2 of the thesis, which include drawing. 0 means that the thesis
+ * gives no value. */
 static const struct {
     uint32_t fish;
     double grid, all;
@@ -511,8 +521,8 @@ static void print_table_4_2(void)
     }
 }
 
-/* Measured on a machine of this kind at the thesis' density, one thread; each of them only finds
- * contacts or only steers. */
+/* Times measured on a machine of this kind at the density of the thesis with one thread. Each of
+ * these programs only finds contacts or only steers. */
 static const struct {
     const char *name;
     double ns[3];

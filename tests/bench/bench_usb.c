@@ -1,12 +1,13 @@
-/* bench_usb.c -- how long a report of a USB poi waits, and where: on its way to the stamp, and from
- * there to the frame that takes it.
+/* bench_usb.c -- benchmark of the time that a report of a USB poi waits before its stamp and from
+ * the stamp to the frame that takes it.
  *
- * bench_usb [SECONDS]
+ * Usage: bench_usb [SECONDS]
  *
- * The transport's own thread over a bus of memory (tests/unit/usb_stand.h), 1,000 reports a second,
- * against a loop of 60 frames a second that takes all there are and then works for 4 ms. Real time
- * on this machine; the kernel's host controller and the wire, 1 ms at most at full speed, are not
- * in it. Exit code 1 when a report was lost or came out of order. */
+ * Runs the transport's own thread over a simulated bus in memory (tests/unit/usb_stand.h) at 1,000
+ * reports per second. A loop of 60 frames per second takes all queued reports and then works for
+ * 4 ms. The benchmark runs in real time. The figures do not include the kernel's host controller
+ * and the wire, which takes at most 1 ms at full speed. Returns exit status 1 if a report was lost
+ * or arrived out of order. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <time.h>
@@ -22,7 +23,7 @@
 
 static struct usb_bench bench;
 static struct timing to_stamp, to_frame, call;
-static uint64_t sent_ns[65536]; /* By the number that the report says. */
+static uint64_t sent_ns[65536]; /* Send time of each report, indexed by the number in the report. */
 static atomic_int is_over;
 static uint32_t device;
 
@@ -44,7 +45,7 @@ static void *wire(void *self)
     return NULL;
 }
 
-/* Takes all that came; how many were not the next. */
+/* Takes all queued reports. Returns the number of reports that were not the next in sequence. */
 static uint32_t take_all(const struct hid_port *port, uint32_t *expected)
 {
     struct hid_raw raw;
@@ -81,7 +82,8 @@ static uint32_t run(uint32_t seconds)
     for (uint64_t frame_ns = now_ns(); frame_ns < end_ns; frame_ns += FRAME_NS) {
         clock_sleep_until(frame_ns);
         wrong += take_all(&port, &expected);
-        while (now_ns() < frame_ns + WORK_NS) { /* A core, a scene: the thread must do without. */
+        while (now_ns() < frame_ns + WORK_NS) { /* The loop keeps one core busy as the scene does,
+                                                   so that the USB thread must use another core. */
         }
     }
     return wrong + port.ops->lost_count(port.self);

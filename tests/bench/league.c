@@ -1,4 +1,5 @@
-/* league.c -- plans from arms and seeds, and a line on standard error while somebody waits. */
+/* league.c -- plans rounds from arms and seeds, plays them and prints the progress on standard
+ * error. */
 #include "tests/bench/league.h"
 
 #include <errno.h>
@@ -27,7 +28,8 @@ struct progress {
     int is_watched;
 };
 
-/* Each round where somebody looks, each tenth where a log is kept. */
+/* Prints the progress after each round on a terminal, and after each tenth of the rounds in a
+ * log. */
 static void tell_progress(void *self, uint32_t index)
 {
     struct progress *progress = self;
@@ -64,13 +66,14 @@ uint32_t league_arm(struct league *league, const char *name, const struct round_
     }
     if (league->arm_count == LEAGUE_ARMS_MAX) {
         fprintf(stderr, "%s: more than %u arms\n", league->speaker, LEAGUE_ARMS_MAX);
-        abort(); /* The tables of the benches are shorter. */
+        abort(); /* The tables of the benchmarks have fewer arms. */
     }
     league->arms[league->arm_count] = (struct arm){ .name = name, .plan = *plan };
     return league->arm_count++;
 }
 
-/* Seed by seed through all arms, so that the time to go is a fair guess. */
+/* Plans the rounds seed by seed through all arms, so that the remaining time can be estimated from
+ * the rounds played. */
 static struct round_plan *plan_all(const struct league *league)
 {
     struct round_plan *plans = calloc((size_t)league->seeds * league->arm_count, sizeof *plans);
@@ -81,7 +84,7 @@ static struct round_plan *plan_all(const struct league *league)
     return plans;
 }
 
-/* From seed by seed to arm by arm. */
+/* Reorders the results from seed order to arm order. */
 static struct round_result *sort_results(const struct league *league,
                                          const struct round_result *played)
 {

@@ -1,10 +1,11 @@
-/* scores.c -- do bots catch as people do?
+/* scores.c -- checks that bots catch as many fish as people do.
  *
- *     scores ROUNDS OUT     OUT: where scores.tsv goes
+ * Usage: scores ROUNDS OUT. OUT is the folder of scores.tsv.
  *
- * Festival with No. 6 paper and championship with No. 5, each the stall's own. The goals: of a
- * festival's crowd most do well to get two or three fish; a first-timer gets one or two at the
- * championship; its winners of seven years had 35 to 87, and the record is 107. Exit 1: not so. */
+ * Plays the festival with No. 6 paper and the championship with No. 5 paper, which are the stall's
+ * defaults. The goals come from real events. Most visitors of a festival catch two or three fish at
+ * best. A beginner catches one or two fish at the championship. Its winners of seven years caught
+ * 35 to 87 fish, and the record is 107. Returns exit status 1 if a goal is missed. */
 #include <stdio.h>
 
 #include "core/scene.h"
@@ -19,7 +20,7 @@ static const struct goal {
     const struct technique *technique;
     uint8_t mode;
     double median_min, median_max;
-    uint32_t max_below; /* 0: whatever. */
+    uint32_t max_below; /* Upper bound of the goal. 0 means no upper bound. */
 } goals[] = {
     { "festival novice", &technique_novice, MODE_FESTIVAL, 1, 3, 0 },
     { "championship novice", &technique_novice, MODE_CHAMPIONSHIP, 0, 3, 0 },
@@ -51,7 +52,7 @@ static uint32_t count_torn(const struct league *league, uint32_t arm)
     return count;
 }
 
-/* One line; whether the goal is met. */
+/* Prints one line. Returns 1 if the goal is met. */
 static int tell_goal(const struct league *league, uint32_t arm, const struct goal *goal)
 {
     uint32_t caught[LEAGUE_SEEDS_MAX];

@@ -1,4 +1,4 @@
-/* statistics.c -- ranks, counted ways, and Student's t. */
+/* statistics.c -- signed ranks, their exact distribution, and Student's t. */
 #include "tests/bench/statistics.h"
 
 #include <math.h>
@@ -6,12 +6,12 @@
 
 #define PI 3.14159265358979323846
 
-/* ---- Wilcoxon's signed ranks ----------------------------------------------------------------- */
+/* ---- Wilcoxon's signed-rank test ------------------------------------------------------------ */
 
 struct ranked {
     double size;        /* |difference| */
     int positive;
-    uint32_t twice;     /* Its rank, doubled: a mean rank may be a half. */
+    uint32_t twice;     /* Rank of the difference, doubled, because a mean rank can be a half. */
 };
 
 static int by_size(const void *left, const void *right)
@@ -20,7 +20,7 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* Those that differ at all, smallest first; returns how many. */
+/* Sorts the differences that are not zero by size, smallest first. Returns their number. */
 static uint32_t rank(const double *differences, uint32_t count, struct ranked *out)
 {
     uint32_t kept = 0;
@@ -34,14 +34,15 @@ static uint32_t rank(const double *differences, uint32_t count, struct ranked *o
         for (end = first; end < kept && out[end].size <= out[first].size; end++) {
         }
         for (uint32_t i = first; i < end; i++) {
-            out[i].twice = first + 1u + end; /* Twice the mean of ranks first + 1 .. end. */
+            out[i].twice = first + 1u + end; /* The doubled rank is twice the mean of the ranks
+                                                first + 1 .. end. */
         }
     }
     return kept;
 }
 
-/* share[s]: of all ways to deal out the signs, those whose positive doubled ranks sum to s. Each
- * rank halves the ways between with and without it. */
+/* Computes share[s], the share of all sign assignments whose positive doubled ranks sum to s. Each
+ * rank splits the assignments equally between those with it and those without it. */
 static void count_ways(const struct ranked *ranked, uint32_t count, double *share)
 {
     uint32_t sum = 0;
@@ -56,7 +57,7 @@ static void count_ways(const struct ranked *ranked, uint32_t count, double *shar
     }
 }
 
-/* The rarer tail, this sum and beyond, on both sides. */
+/* Returns the two-sided probability of a sum at least as extreme as `observed`. */
 static double two_sided(const double *share, uint32_t sum, uint32_t observed)
 {
     const uint32_t far = observed > sum - observed ? observed : sum - observed;
@@ -89,7 +90,8 @@ double statistics_signed_rank_p(const double *differences, uint32_t count)
 
 /* ---- Student's t ----------------------------------------------------------------------------- */
 
-/* P(|T| <= t) by the finite series in the angle (Abramowitz and Stegun 26.7.3 and 26.7.4). */
+/* Returns P(|T| <= t) by the finite series in the angle (Abramowitz and Stegun 26.7.3 and
+ * 26.7.4). */
 static double t_within(double t, uint32_t freedom)
 {
     const double angle = atan(t / sqrt((double)freedom));

@@ -1,8 +1,9 @@
-/* statistics.h -- whether two ways to play differ, by what they caught of the same seeds. Pure.
+/* statistics.h -- tests whether two ways to play differ in their catches with the same seeds.
  *
- * Two answers that share no assumption: how large the difference is, by the paired t (the mean of
- * 200 differences is as good as normal, whatever the catches are); and whether there is one at all,
- * by the signed ranks of Wilcoxon's test, whose distribution is counted out and not approached. */
+ * All functions are pure. Two methods that share no assumption answer two questions. The paired t
+ * interval gives the size of the difference, because the mean of 200 differences is close to normal
+ * for any distribution of the catches. Wilcoxon's signed-rank test shows whether any difference
+ * exists. Its distribution is computed exactly and not approximated. */
 #ifndef KINGYO_TESTS_BENCH_STATISTICS_H
 #define KINGYO_TESTS_BENCH_STATISTICS_H
 
@@ -12,28 +13,30 @@
 
 struct comparison {
     double mean_a, mean_b;
-    double difference;    /* Mean of a - b ... */
-    double low, high;     /* ... and its 95 % confidence interval; infinite for a single pair. */
-    double p;             /* Two-sided; 1 where no pair differs. */
+    double difference;    /* Mean of a - b. */
+    double low, high;     /* Lower and upper end of the 95 % confidence interval of `difference`.
+                             The interval is infinite for a single pair. */
+    double p;             /* Two-sided p value; 1 if no pair differs. */
 };
 
-/* `count` in 1 .. STATISTICS_PAIRS_MAX pairs. */
+/* Compares `count` pairs, 1 .. STATISTICS_PAIRS_MAX. */
 struct comparison statistics_compare(const uint32_t *a, const uint32_t *b, uint32_t count);
 
 #define STATISTICS_SIGNIFICANT 0.05
 
 enum verdict { VERDICT_PAYS, VERDICT_NOT_SHOWN, VERDICT_WRONG_WAY, VERDICT_COUNT };
 
-/* Whether a caught more than b: it pays only where the interval and the ranks both say so, and goes
- * the wrong way only where both say that. */
+/* Returns whether `a` caught more than `b`. The verdict is VERDICT_PAYS only if both the interval
+ * and the ranks show it. The verdict is VERDICT_WRONG_WAY only if both show the opposite. */
 enum verdict statistics_verdict(const struct comparison *found);
 
-/* Two-sided p of the signed ranks of `count` <= STATISTICS_PAIRS_MAX differences: zeros are left
- * out, equal sizes share their mean rank, and every one of the 2^n ways to deal out the signs
- * counts the same. */
+/* Returns the two-sided p of the signed ranks of `count` differences, at most STATISTICS_PAIRS_MAX.
+ * Zeros are excluded, equal sizes share their mean rank, and each of the 2^n sign assignments has
+ * the same weight. */
 double statistics_signed_rank_p(const double *differences, uint32_t count);
 
-/* What |t| with `freedom` >= 1 degrees of freedom does not exceed with probability 0.95. */
+/* Returns the value that |t| with `freedom` degrees of freedom does not exceed with probability
+ * 0.95. `freedom` must be at least 1. */
 double statistics_t_95(uint32_t freedom);
 
 #endif

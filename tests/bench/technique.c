@@ -1,13 +1,16 @@
-/* technique.c -- does good technique pay? Seven experiments on one habit of the hand each.
+/* technique.c -- checks that good technique catches more fish, in seven experiments with one habit
+ * each.
  *
- *     technique SEEDS BOTS OUT [FIRST]
+ * Usage: technique SEEDS BOTS OUT [FIRST]
  *
- * BOTS is the folder of *.bot files, OUT where technique.tsv goes, FIRST the first seed (0).
+ * BOTS is the folder of the *.bot files. OUT is the folder of technique.tsv. FIRST is the first
+ * seed, by default 0.
  *
- * In the festival, 300 fish, No. 6 paper, 60 s at most, both arms of an experiment play the same
- * seeds: the same fish, the same paper. What the stall's lore says must show in what was caught
- * (facts about technique are in the README). Exit 0: all pay; with less than SEEDS_ENOUGH seeds, at
- * least PAYS_MIN of them do and none goes plainly the wrong way. Exit 1: not so. */
+ * All rounds are played in the festival with 300 fish, No. 6 paper and at most 60 s. Both arms of
+ * an experiment play the same seeds, and so the same fish and the same paper. The advice of stall
+ * keepers must show in the catches (the README lists the facts about technique). Returns exit
+ * status 0 if all habits pay. With less than SEEDS_ENOUGH seeds, at least PAYS_MIN habits must pay
+ * and none may be plainly wrong. Returns exit status 1 otherwise. */
 #include <stdio.h>
 #include <string.h>
 
@@ -18,9 +21,11 @@
 #include "tests/bench/statistics.h"
 
 #define SEEDS_ENOUGH 200u
-#define PAYS_MIN 2u /* With a tenth of the seeds: what is too plain to be missed. */
-/* Of any of seven by chance 5 %, of each a seventh: with few seeds one in three runs would else see
- * a wrong way that is none. */
+#define PAYS_MIN 2u /* Number of habits that must pay when only a tenth of the seeds is played.
+                       These effects are large enough to show with few seeds. */
+/* Significance level for a wrong result: 5 % for all seven experiments together, a seventh of that
+ * for each. Without this correction one run in three with few seeds would report a wrong result by
+ * chance. */
 #define PLAINLY_WRONG_P (0.05 / 7.0)
 #define FISH_COUNT 300u
 #define ROUND_S 60u
@@ -30,7 +35,7 @@
 static const char speaker[] = "technique";
 
 static const struct experiment {
-    const char *better, *worse; /* Names of bot files. */
+    const char *better, *worse; /* Names of the two bot files. */
     const char *title;
 } experiments[] = {
     { "all-wet", "half-wet", "all wet over half wet" },
@@ -46,7 +51,7 @@ static const struct experiment {
 static const char *const verdict_names[VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
 
 struct trial {
-    uint32_t better, worse; /* Arms. */
+    uint32_t better, worse; /* Indices of the two arms. */
     struct comparison found;
     enum verdict verdict;
 };
@@ -67,7 +72,8 @@ static enum exit_code add_arm(struct league *league, const char *folder, const c
     return code;
 }
 
-/* Two arms that play just so would be an experiment on nothing. */
+/* Adds an experiment. Two arms with equal plans are an error, because such an experiment would test
+ * nothing. */
 static enum exit_code add_experiment(struct league *league, const char *folder,
                                      const struct experiment *experiment, struct trial *trial)
 {
@@ -92,8 +98,8 @@ static void judge(const struct league *league, struct trial *trial)
     trial->verdict = statistics_verdict(&trial->found);
 }
 
-/* Seven at 5 % each are no fishing for one: all must hold, so none needs a stricter level. With few
- * seeds a true but small effect may not show, so not each must. */
+/* Returns 1 if the experiments pass. All seven must hold at 5 % each, so that no stricter level is
+ * necessary. With few seeds a real but small effect may not show, so that not all must hold. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
     uint32_t count[VERDICT_COUNT] = { 0 }, plainly_wrong = 0;

@@ -1,8 +1,11 @@
-/* judge_trace.c -- reads a trace as anyone would and says what it holds: rows, ticks, fish, how
- * deep boxes are in each other, in walls and in the floor, and whether every value is one.
+/* judge_trace.c -- reads a trace file independently and prints a summary.
  *
- * Usage: judge_trace TRACE WIDTH_CM DEPTH_CM BREADTH_CM. It shares no code with Kingyo: boxes
- * are eight corners that are turned, and two are apart when some axis parts their corners. */
+ * The summary has the numbers of rows, ticks and fish, the depths of the boxes in each other, in
+ * the walls and in the floor, and whether every value is a number.
+ *
+ * Usage: judge_trace TRACE WIDTH_CM DEPTH_CM BREADTH_CM. The program shares no code with Kingyo.
+ * A box consists of eight rotated corners. Two boxes are disjoint if an axis separates their
+ * corners. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,12 +17,13 @@
 
 struct corners {
     double at[8][3], axis[3][3], centre[3], reach;
-    int free; /* Not held. */
+    int free; /* 1 if the fish is not held by a poi. */
 };
 
 struct verdict {
     unsigned long rows, ticks, overlaps;
-    double deepest_mm, beyond_mm; /* In each other; beyond walls, floor or surface. */
+    double deepest_mm, beyond_mm; /* Largest depth of one box in another, and beyond a wall, the
+                                     floor or the surface, in mm. */
 };
 
 static struct corners fish[FISH_MAX];
@@ -30,7 +34,7 @@ static int is_one_of(const char *word, const char *list)
     return found && strchr(" ", found[strlen(word)]);
 }
 
-/* p turned by `degrees` in the plane of the axes i and j: i toward j. */
+/* Rotates p by `degrees` in the plane of the axes i and j, from i toward j. */
 static void turn(double p[3], int i, int j, double degrees)
 {
     const double a = degrees * acos(-1.0) / 180.0, from = p[i], to = p[j];
@@ -38,8 +42,9 @@ static void turn(double p[3], int i, int j, double degrees)
     p[j] = from * sin(a) + to * cos(a);
 }
 
-/* A body's direction in the world: roll (right side down), then pitch (nose, -z, up), then yaw
- * (nose to the left, -x) about the world's axes is the same as yaw, pitch, roll about its own. */
+/* Rotates a body direction into the world. The order about the world's axes is roll (right side
+ * down), pitch (nose, -z, up) and yaw (nose to the left, -x). This order is the same as yaw, pitch
+ * and roll about the body's own axes. */
 static void to_world(double p[3], double yaw, double pitch, double roll)
 {
     turn(p, 1, 0, roll);
@@ -80,7 +85,8 @@ static void span(const struct corners *c, const double axis[3], double *low, dou
     }
 }
 
-/* How far one must move along the axis to be clear of the other; < 0: it is. */
+/* Returns the distance that one box must move along the axis until both are disjoint. A negative
+ * result means that they are disjoint already. */
 static double clear_by(const struct corners *a, const struct corners *b, const double axis[3])
 {
     const double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);

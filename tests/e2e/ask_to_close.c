@@ -1,6 +1,8 @@
-/* ask_to_close.c -- what a window manager sends when the user clicks on a window's closing cross.
+/* ask_to_close.c -- sends the message that a window manager sends when the user clicks the close
+ * button of a window.
  *
- * ask_to_close WINDOW  (its number, as xdotool prints it) on the screen that DISPLAY names. */
+ * Usage: ask_to_close WINDOW. WINDOW is a window number, as xdotool prints it, on the screen that
+ * DISPLAY names. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,14 +1,16 @@
-/* eye.c -- see eye.h. */
+/* eye.c -- implementation of eye.h: reads pictures of the window and finds fish by their color. */
 #include "eye.h"
 
 #include <stdlib.h>
 
 #include <X11/Xutil.h>
 
-#define BODY_PX 12   /* Half the side of a square that a small fish fills ... */
-#define ALONE_PX 34  /* ... and of one that others may fill no more of than it does. */
-#define RED_MIN 60   /* Warm pixels of the smallest fish worth a try ... */
-#define RED_MAX 450  /* ... and of the largest: a big one's tail hangs over the rim, and slaps. */
+#define BODY_PX 12   /* Half the side of a square that a small fish fills, in pixels. */
+#define ALONE_PX 34  /* Half the side of a larger square, in pixels. A fish counts as alone if other
+                        fish in this square cover no more pixels than the fish does. */
+#define RED_MIN 60   /* Number of warm pixels of the smallest fish that is worth a try. */
+#define RED_MAX 450  /* Number of warm pixels of the largest fish that is worth a try. The tail of a
+                        larger fish hangs over the rim and slaps. */
 
 int eye_open(struct eye *eye, const char *window)
 {
@@ -16,13 +18,13 @@ int eye_open(struct eye *eye, const char *window)
     return eye->display != NULL && (eye->window = strtoul(window, NULL, 0)) != 0;
 }
 
-/* Gold, orange or red: no water, no glitter, no white, and not the pink of a ring. */
+/* Returns 1 for gold, orange and red. Water, glitter, white and the pink of a ring do not count. */
 static int is_warm(const uint8_t *bgr)
 {
     return bgr[2] > 110 && bgr[2] > bgr[1] + 30 && bgr[2] > bgr[0] + 50 && bgr[1] + 15 > bgr[0];
 }
 
-/* Looks at a rectangle of the window; what lies outside stays black. */
+/* Reads a rectangle of the window. The part outside the window stays black. */
 int eye_look(struct eye *eye, struct rect wanted)
 {
     const struct rect r = {
@@ -79,7 +81,7 @@ struct blob eye_follow(const struct eye *eye, float x, float y)
     return blob;
 }
 
-/* How far the nearest of the fish that are already on the list is, in pixels, squared. */
+/* Returns the squared distance in pixels from `blob` to the nearest fish in `list`. */
 static float nearest(const struct blob *list, int count, const struct blob *blob)
 {
     float least = 1e9f;

@@ -1,5 +1,4 @@
-/* eye.h -- what a test sees of the kiosk's window: the warm colours of goldfish, a picture at a
- * time. */
+/* eye.h -- finds goldfish by their warm colors in pictures of the kiosk's window. */
 #ifndef KINGYO_TESTS_E2E_EYE_H
 #define KINGYO_TESTS_E2E_EYE_H
 
@@ -11,37 +10,42 @@
 #define SCREEN_HEIGHT 720
 
 struct rect {
-    int left, top, right, bottom; /* Pixels; the last two are just outside. */
+    int left, top, right, bottom; /* Edges in pixels. The right and the bottom edge are
+                                     exclusive. */
 };
 
 struct eye {
     Display *display;
     Window window;
-    struct rect seen; /* By the last look. */
+    struct rect seen; /* Rectangle that the last eye_look() read. */
     uint8_t warm[SCREEN_HEIGHT][SCREEN_WIDTH];
     uint8_t blue[SCREEN_HEIGHT][SCREEN_WIDTH];
 };
 
-/* Warm pixels around a place, their centre, and the least blue of them: all water is blue, and the
- * more of it lies over a fish the less of its own red comes through. */
+/* A group of warm pixels around a place: their centre, their number, and their least blue value.
+ * Water is blue, so that a deeper fish shows more blue. */
 struct blob {
     float x, y;
     int count, blue;
 };
 
-/* `window` is a number as xdotool prints it, on the screen that DISPLAY names. 1 on success. */
+/* Opens the window. `window` is a number, as xdotool prints it, on the screen that DISPLAY names.
+ * Returns 1 on success. */
 int eye_open(struct eye *eye, const char *window);
 
-/* Takes a picture of a part of the window; 0 when the window is gone. */
+/* Reads a picture of a part of the window. Returns 0 if the window no longer exists. */
 int eye_look(struct eye *eye, struct rect wanted);
 
-/* What is warm in the square of half a side `reach_px` about a place. */
+/* Returns the warm pixels in a square around the given centre. `reach_px` is half the side of the
+ * square. */
 struct blob eye_blob(const struct eye *eye, float centre_x, float centre_y, int reach_px);
 
-/* The fish that was near a place a moment ago: climbs to the middle of the warmth around it. */
+/* Finds the fish that was near (x, y) a moment before. The search moves step by step to the centre
+ * of the warm pixels around it. */
 struct blob eye_follow(const struct eye *eye, float x, float y);
 
-/* Fish that are not too large and not in a crowd, at most `count_max`; returns how many. */
+/* Finds fish that are not too large and not in a crowd. Writes at most `count_max` of them to
+ * `list`. Returns their number. */
 int eye_find(const struct eye *eye, struct blob *list, int count_max);
 
 #endif

@@ -1,10 +1,11 @@
-/* hand.c -- one try at a goldfish, as a person makes it: look, follow with the eye, scoop, carry.
+/* hand.c -- one attempt to scoop a goldfish as a person makes it: observe, follow, scoop, carry.
  *
- * hand WINDOW  (its number, as xdotool prints it). Knows nothing of the game but what the screen
- * shows and where the bowl stands; moves the real pointer of the X server, in whose place a
- * person's mouse would be. Says on standard output what it did. Exit code 0 when it carried
- * something to the bowl, 1 when the fish got away or none was fit, 2 when it cannot see the
- * window. */
+ * Usage: hand WINDOW. WINDOW is a number, as xdotool prints it.
+ *
+ * The program uses only the picture on the screen and the place of the bowl. It moves the real
+ * pointer of the X server in place of a person's mouse, and prints its actions on standard output.
+ * Returns exit status 0 after it carried something to the bowl, 1 if the fish escaped or no fish
+ * was suitable, and 2 if the window cannot be read. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,21 +18,26 @@
 #include "drivers/pointer_poi.h"
 #include "eye.h"
 
-#define LOOK_S 0.03          /* Between two looks: a screen shows 60 pictures a second at best. */
-#define CALM_LOOKS 12        /* So long fish are watched before one is chosen. */
+#define LOOK_S 0.03          /* Time between two pictures. A screen shows at most 60 pictures per
+                                second. */
+#define CALM_LOOKS 12        /* Number of pictures in which fish are observed before one is
+                                chosen. */
 #define CHOICE_MAX 40
-#define BLUE_PX_S 4.0f       /* A fish too deep for the ring is 10 to 20 of 255 bluer. */
-#define PALE_BLUE 40         /* On the paper 4, under it 80 to 150: 25 where that is torn. */
-#define ASIDE_PX 90.0f       /* The ring goes in here, 50 px of it: beside the fish, not upon it. */
-#define HOVER_PX_S 480.0f    /* How fast a hand goes in the air, ... */
-#define UNDER_PX_S 150.0f    /* ... under water, where haste tears the paper, ... */
-#define CARRY_PX_S 330.0f    /* ... and with a fish on the paper. */
+#define BLUE_PX_S 4.0f       /* Largest accepted rise of blue. A fish too deep for the ring is 10 to
+                                20 of 255 bluer. */
+#define PALE_BLUE 40         /* Limit of blue for a fish on the paper. A fish on the paper has about
+                                4, a fish under it 80 to 150, and 25 where the paper is torn. */
+#define ASIDE_PX 90.0f       /* Distance beside the fish at which the ring enters the water. The
+                                ring's radius is 50 px of this distance. */
+#define HOVER_PX_S 480.0f    /* Speed of the ring in the air. */
+#define UNDER_PX_S 150.0f    /* Speed of the ring under water. A higher speed tears the paper. */
+#define CARRY_PX_S 330.0f    /* Speed of the ring with a fish on the paper. */
 
 struct point {
     float x, y;
 };
 
-/* A fish that is followed: where it was last seen, when, and how fast it goes. */
+/* A followed fish: its last place, the time of the last picture, and its speed. */
 struct track {
     struct point at, speed;
     double seen_s;
@@ -79,7 +85,7 @@ static float distance(struct point a, struct point b)
     return hypotf(a.x - b.x, a.y - b.y);
 }
 
-/* Moves the pointer toward `goal` by at most `step_px`; returns how far off it still is. */
+/* Moves the pointer toward `goal` by at most `step_px`. Returns the remaining distance. */
 static float step_to(struct point goal, float step_px)
 {
     const float away = distance(goal, pointer);
@@ -110,7 +116,7 @@ static void button(int is_down)
     XFlush(eye.display);
 }
 
-/* Where the fish is by now, as far as can be told. */
+/* Returns the expected current place of the fish. */
 static struct point expected(const struct track *track)
 {
     const float since_s = (float)fmin(now_s() - track->seen_s, 0.2);
@@ -118,7 +124,7 @@ static struct point expected(const struct track *track)
                            track->at.y + track->speed.y * since_s };
 }
 
-/* One look at the fish that is followed; 0 when it is no longer there. */
+/* Reads one picture of the followed fish. Returns 0 if the fish is no longer found. */
 static int follow(struct track *track)
 {
     const struct point guess = expected(track);
@@ -134,7 +140,8 @@ static int follow(struct track *track)
         return 0;
     }
     const struct point at = { blob.x, blob.y };
-    const float trust = fminf(1.0f, passed_s / 0.25f); /* A mean over a quarter second. */
+    const float trust = fminf(1.0f, passed_s / 0.25f); /* Weight of the new speed, which gives a
+                                                          mean over a quarter of a second. */
     track->speed.x += trust * ((at.x - track->at.x) / passed_s - track->speed.x);
     track->speed.y += trust * ((at.y - track->at.y) / passed_s - track->speed.y);
     track->at = at;
@@ -142,10 +149,12 @@ static int follow(struct track *track)
     return 1;
 }
 
-/* The calmest small fish of the middle, after a moment of watching; 0 when there is none. */
+/* Chooses the calmest small fish in the middle of the tank after a short observation. Returns 0 if
+ * no fish is suitable. */
 static int choose(struct track *best)
 {
-    static const struct rect middle = { 250, 170, 900, 470 }; /* Off the walls and off the bowl. */
+    static const struct rect middle = { 250, 170, 900, 470 }; /* The rectangle excludes the walls
+                                                                 and the bowl. */
     struct blob found[CHOICE_MAX], now[CHOICE_MAX];
     float wandered[CHOICE_MAX] = { 0 };
     if (!eye_look(&eye, middle)) {
@@ -185,8 +194,8 @@ static int choose(struct track *best)
     return least < 1e8f;
 }
 
-/* Goes to `aside_px` beside the fish at `px_s` until there, or until `limit_s` have passed; follows
- * it all the while. 0 when it got away. */
+/* Moves the pointer to `aside_px` beside the fish at `px_s`, until it arrives or until `limit_s`
+ * have passed. Follows the fish during this time. Returns 0 if the fish escaped. */
 static int approach(struct track *track, float aside_px, float px_s, double limit_s)
 {
     const double begin_s = now_s();
@@ -206,7 +215,8 @@ static int approach(struct track *track, float aside_px, float px_s, double limi
     return 1;
 }
 
-/* What is seen through the paper is paler than what lies on it. */
+/* Returns 1 if something lies on the paper. An object under the paper is paler than an object on
+ * it. */
 static int something_lies_on_the_paper(void)
 {
     const struct rect around = { (int)pointer.x - 60, (int)pointer.y - 60, (int)pointer.x + 60,

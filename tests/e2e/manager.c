@@ -1,9 +1,7 @@
-/* manager.c -- in a service manager's place: what the kiosk tells it, and when.
+/* manager.c -- acts as the service manager and records each message of the kiosk with its time.
  *
- *   manager SOCKET FILE
- *
- * Each datagram becomes a line of FILE, "MILLISECONDS TEXT" by the clock of the day. Ends by a
- * signal. */
+ * Usage: manager SOCKET FILE. Each datagram becomes a line "MILLISECONDS TEXT" of FILE, with the
+ * time of the wall clock. The program runs until a signal ends it. */
 #include <stdio.h>
 #include <string.h>
 #include <sys/socket.h>
