@@ -1,10 +1,10 @@
-/* font.h -- a font as the bake leaves it: a table of glyphs over one shared distance field.
+/* font.h -- a baked font: a table of glyphs over one shared distance field.
  *
  * The atlas (asset_font, R8) holds each glyph's signed distance to its outline: ASSET_FONT_EDGE is
- * on the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. It is
- * ASSET_FONT_PAGES pages of ASSET_FONT_ROWS rows, one below the other; no glyph lies on two.
- * Lengths are in ems, +y down from the baseline, so a size in pixels is the only thing a caller
- * multiplies by. */
+ * on the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. The
+ * atlas consists of ASSET_FONT_PAGES pages of ASSET_FONT_ROWS rows, one below the other; no glyph
+ * lies on two pages. Lengths are in ems, +y down from the baseline, so a caller multiplies only by
+ * the size in pixels. */
 #ifndef KINGYO_ASSETS_FONT_H
 #define KINGYO_ASSETS_FONT_H
 
@@ -12,10 +12,10 @@
 
 struct font_glyph {
     uint32_t code;          /* Unicode code point. */
-    uint16_t x, y;          /* Top left corner in the atlas, in atlas pixels ... */
-    uint16_t width, height; /* ... and size; 0 for a glyph without ink, such as the space. */
-    float left_em, top_em;  /* From the pen on the baseline to that corner. */
-    float advance_em;       /* How far the pen moves on. */
+    uint16_t x, y;          /* Top left corner in the atlas, in atlas pixels. */
+    uint16_t width, height; /* Atlas pixels; 0 for a glyph without ink, such as the space. */
+    float left_em, top_em;  /* Offset from the pen on the baseline to the top left corner. */
+    float advance_em;       /* Advance of the pen. */
 };
 
 struct font {
@@ -24,7 +24,7 @@ struct font {
     uint32_t glyph_count;
     float em_px;                     /* Atlas pixels of one em. */
     float ascent_em, descent_em;     /* Both positive; their sum is a line's height. */
-    float cap_em;                    /* Height of a capital or a digit: what looks centred. */
+    float cap_em;                    /* Height of a capital or a digit, for vertical centring. */
 };
 
 #endif

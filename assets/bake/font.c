@@ -97,8 +97,8 @@ static void open_face(struct face *face)
     }
     fclose(file);
     size_t size;
-    const uint8_t *bytes = bake_read(face->path, &size); /* Not freed, because stb_truetype reads it
-                                                            until the end. */
+    /* Not freed, because stb_truetype reads it until the end. */
+    const uint8_t *bytes = bake_read(face->path, &size);
     const int offset = stbtt_GetFontOffsetForIndex(bytes, 0);
     if (size < 12 || offset < 0 || !stbtt_InitFont(&face->info, bytes, offset)) {
         bake_fail("font %s: %s is not a TrueType font", face->name, face->path);

@@ -73,7 +73,7 @@ void drm_card_prefer(void)
     const int card = drm_card_find("");
     if (card >= 0) {
         snprintf(index, sizeof index, "%d", card);
-        SDL_SetHint(SDL_HINT_KMSDRM_DEVICE_INDEX, index); /* An SDL environment variable takes
-                                                             precedence over this hint. */
+        /* An SDL environment variable takes precedence over this hint. */
+        SDL_SetHint(SDL_HINT_KMSDRM_DEVICE_INDEX, index);
     }
 }

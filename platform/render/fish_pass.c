@@ -81,7 +81,7 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
     }
 }
 
-/* Returns true if the fish's snout, or its back in a wave trough, is above the surface. */
+/* Returns true if the fish's snout or back is above the surface. */
 static bool is_bare(const struct scene_fish *fish)
 {
     const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);

@@ -132,8 +132,8 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
-            poi_pass_frame(&renderer->poi, &scene->poi[i]); /* The ring's outline fades over the
-                                                               paper. */
+            /* The ring's outline fades over the paper. */
+            poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);

@@ -44,8 +44,8 @@ float skin_scales(const struct skin *skin)
     return bare ? 0.0f : along[card->form];
 }
 
-/* Removes dot marks that stand for scales where the shader draws scales with rims. Only the dots
- * are removed, because other marks are also needed for their lines. */
+/* Takes dot marks that stand for scales out of the painting where the shader draws scales with
+ * rims. The entries stay in the coat, because marks of two keys correspond by their index. */
 static void leave_out_dots(struct skin *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {

@@ -286,8 +286,8 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
         way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key),
                 0xffffffffu);
     }
-    way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour); /* The ring leaves the eye
-                                                                      visible. */
+    /* The ring leaves the eye visible. */
+    way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
 }
 
 /* Returns the name of a traced point. A ray has a sting in place of a dorsal fin. */

@@ -38,10 +38,9 @@ static void install(void *library, Display *display)
     set_exit_handler set_exit;
     void *const symbols[2] = { dlsym(library, "XSetIOErrorHandler"),
                                dlsym(library, "XSetIOErrorExitHandler") };
-    memcpy(&set_error, &symbols[0], sizeof set_error); /* memcpy() is used because ISO C has no
-                                                          cast */
-    memcpy(&set_exit, &symbols[1], sizeof set_exit);   /* from an object pointer to a function
-                                                          pointer. */
+    /* memcpy() is used because ISO C has no cast from an object pointer to a function pointer. */
+    memcpy(&set_error, &symbols[0], sizeof set_error);
+    memcpy(&set_exit, &symbols[1], sizeof set_exit);
     if (set_error && set_exit) {
         set_exit(display, connection_broken, &guard);
         set_error(keep_quiet);

@@ -107,8 +107,8 @@ bool read_fin(struct reader *r)
     if (r->species->without >> part & 1u) {
         return refuse(r, "a %s in a species without", part_names[part]);
     }
-    const float low = part == PART_TAIL ? -0.5f : 0.0f; /* A tail's base is a range of heights,
-                                                           other bases are positions along x. */
+    /* A tail's base is a range of heights, other bases are positions along x. */
+    const float low = part == PART_TAIL ? -0.5f : 0.0f;
     return number(r, 2, low, 1.0f, &r->fin->start) && number(r, 3, low, 1.0f, &r->fin->end) &&
            number(r, 4, 0.0f, 0.5f, &r->fin->girth) &&
            number(r, 5, -90.0f, 90.0f, &r->fin->curl_deg) &&
