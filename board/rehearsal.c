@@ -1,7 +1,7 @@
-/* rehearsal.c -- any board, with nobody there: its display off screen, and devices that we move.
+/* rehearsal.c -- opens any board for a demonstration: its display off screen, and simulated
+ * devices.
  *
- * Shared by every board; it is wiring, so it lives here and not in the demonstration that uses
- * it. */
+ * Shared by every board. The file is part of the board folder because it connects drivers. */
 #include "platform/board.h"
 
 #include "core/input.h"
@@ -9,7 +9,7 @@
 #include "drivers/clock_sim.h"
 #include "drivers/null.h"
 
-#define PRESS_NS 200000000ull /* As long as a finger stays. */
+#define PRESS_NS 200000000ull /* Duration of a simulated button press. */
 
 static struct clock_sim rehearsal_clock;
 static struct buttons_sim rehearsal_buttons;

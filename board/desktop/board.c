@@ -1,7 +1,6 @@
-/* board.c -- the desktop: a window, whatever can be a poi, keys for buttons, what sound and disk
- * there is.
+/* board.c -- the desktop board: a window, all poi devices, keys as buttons, sound and disk.
  *
- * The one place that knows every driver, part by part (parts.h). */
+ * Connects all drivers, part by part (parts.h). */
 #include "platform/board.h"
 
 #include "board/desktop/parts.h"
@@ -25,7 +24,8 @@ void board_open(struct hal *hal, const struct board_options *options)
 void board_let_go(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
-    hal->storage.ops->close(hal->storage.self); /* Again, perhaps: that is no harm. */
+    hal->storage.ops->close(hal->storage.self); /* The store may already be closed; a second close
+                                                   has no effect. */
     panel_close();
     hands_close();
     usb_close();

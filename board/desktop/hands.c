@@ -1,4 +1,4 @@
-/* hands.c -- who holds the pois: what can be one takes a seat (drivers/seats.h). */
+/* hands.c -- assigns poi devices to the slots (drivers/seats.h). */
 #include <SDL.h>
 #include <stdio.h>
 
@@ -19,7 +19,7 @@ static int wants(const struct board_options *options, enum board_poi kind)
     return options->poi == BOARD_POI_AUTO || options->poi == kind;
 }
 
-/* Where nobody takes what mouse and fingers say. */
+/* Ignores mouse and touch events if no driver reads them. */
 static void ignore_pointers(void)
 {
     static const Uint32 types[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
@@ -28,7 +28,8 @@ static void ignore_pointers(void)
     screen_ignore(types, sizeof types / sizeof types[0]);
 }
 
-/* Mouse and fingers are one hand: the one that moved last. */
+/* Returns the pointer devices in use. Mouse and touch control the same poi; the device moved last
+ * counts. */
 static uint32_t pointers(const struct board_options *options)
 {
     return (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_HEEDS_MOUSE : 0u) |
@@ -52,14 +53,15 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
     seats_add(&devices.seats, &mouse);
 }
 
-/* One owner a device. */
+/* Excludes USB devices from SDL, so that each device has one owner. */
 static void bar_pads(void)
 {
     struct pad_bar bar[PADS_BAR_MAX] = { 0 };
     pads_bar(&devices.pads, bar, usb_bars(bar));
 }
 
-/* The operator chooses controllers while the stall is open: that is looked at once a frame. */
+/* Returns 1 if the gamepad is connected. The operator may choose controllers while the kiosk runs,
+ * so that the choice is checked once a frame. */
 static int pad_is_there(void *self)
 {
     if (self == &devices.pads.pad[0]) {
@@ -68,7 +70,7 @@ static int pad_is_there(void *self)
     return pads_is_there(self);
 }
 
-/* Makers of pads that SDL does not know yet add them to the data folder. */
+/* Adds the gamepads. Unknown gamepads can be described in a file in the data folder. */
 static void add_pads(struct hal *hal, const struct board_options *options)
 {
     char database[1100] = "";

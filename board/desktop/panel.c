@@ -1,5 +1,8 @@
-/* panel.c -- every button there is, as one panel: a desktop's keys, whoever plays, since Esc must
- * quit, but none of a stranger's keyboard on a cabinet; the lines; and controllers' buttons. */
+/* panel.c -- combines all buttons to one panel: a desktop's keys, the GPIO lines, and controllers'
+ * buttons.
+ *
+ * On a desktop the keys work with every poi, because Esc must quit. A cabinet ignores all
+ * keyboards. */
 #include <SDL.h>
 #include <stdio.h>
 
@@ -36,7 +39,7 @@ int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count,
     return read_wires(wires, line, count, why);
 }
 
-/* A line that cannot be had is told, and looked for while the stall is open. */
+/* Reports each line that is missing. Missing lines are retried while the kiosk runs. */
 static void tell_missing(const struct gpio_wire wires[GPIO_ROLE_COUNT])
 {
     char why[HAL_TEXT_SIZE];
@@ -56,7 +59,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
     char why[HAL_TEXT_SIZE];
     if (options->line_count == 0 ||
         read_wires(wires, options->line, options->line_count, why)) {
-        return; /* The options were asked before: board_reads_lines(). */
+        return; /* board_reads_lines() has already validated the options. */
     }
     devices.has_gpio = buttons_gpio_start(&devices.gpio, gpio_lines_device(), wires, hal->clock) ==
                        HAL_OK;
@@ -69,7 +72,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
     hal->switches = buttons_gpio_switches(&devices.gpio);
 }
 
-/* Where keys are no buttons, nobody would take them out of SDL's queue. */
+/* Drops key events at SDL's queue if the keys are no buttons, because no driver would read them. */
 static void ignore_keys(void)
 {
     static const Uint32 types[] = { SDL_KEYDOWN, SDL_KEYUP, SDL_TEXTINPUT, SDL_TEXTEDITING,
@@ -93,7 +96,8 @@ void panel_open(struct hal *hal, const struct board_options *options)
     add_keys(options);
     usb_add_buttons(&devices.join);
     hands_add_buttons(&devices.join);
-    open_lines(hal, options); /* Last: its words are of what is missing, theirs of what to press. */
+    open_lines(hal, options); /* Last, because these texts report missing lines, and the earlier
+                                 texts name the keys to press. */
     hal->buttons = buttons_join_device(&devices.join);
 }
 

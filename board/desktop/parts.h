@@ -1,5 +1,5 @@
-/* parts.h -- the desktop board, part by part: each file keeps the devices of one part, and wires
- * them into struct hal. board.c calls them in this order. */
+/* parts.h -- the parts of the desktop board. Each file owns the devices of one part and connects
+ * them to struct hal. board.c calls the functions in this order. */
 #ifndef KINGYO_BOARD_DESKTOP_PARTS_H
 #define KINGYO_BOARD_DESKTOP_PARTS_H
 
@@ -11,35 +11,36 @@
 #include "drivers/seats.h"
 #include "platform/board.h"
 
-/* The display, and SDL's video with it. */
+/* Opens the display and SDL's video. */
 void screen_open(struct hal *hal, const struct board_options *options);
 
-/* Events of these SDL types are not even queued: nobody takes them. */
+/* Drops events of these SDL types before they are queued, because no driver reads them. */
 void screen_ignore(const uint32_t *types, size_t count);
 
-/* Controllers on USB: before hands_open(), so that SDL leaves alone what is claimed here. */
+/* Opens the USB controllers. Call before hands_open(), so that SDL skips the devices that are
+ * claimed here. */
 void usb_open(struct hal *hal, const struct board_options *options);
 void usb_add_seats(struct seats *seats);
 void usb_add_buttons(struct buttons_join *join);
 
-/* What USB has or will have, which no other driver may touch. Returns how many. */
+/* Returns the number of USB devices, present or configured, that no other driver may open. */
 uint32_t usb_bars(struct pad_bar out[PADS_BAR_MAX]);
 
-/* Gives kernel drivers back, ends the thread. */
+/* Returns the devices to the kernel drivers and ends the thread. */
 void usb_close(void);
 
-/* Whoever may hold a poi, shared out among the seats, and his fan. */
+/* Assigns all poi devices and fans to the slots. */
 void hands_open(struct hal *hal, const struct board_options *options);
 void hands_add_buttons(struct buttons_join *join);
 void hands_close(void);
 
-/* Every button there is, as one panel, and what the cabinet switches; after hands_open(). */
+/* Combines all buttons to one panel, and opens the cabinet's outputs. Call after hands_open(). */
 void panel_open(struct hal *hal, const struct board_options *options);
 
-/* Lamps go out, coins fall through, the thread ends. */
+/* Switches the lamps off and the coin lockout on, and ends the thread. */
 void panel_close(void);
 
-/* Sound and store. */
+/* Opens sound and store. */
 void store_open(struct hal *hal, const struct board_options *options);
 
 void watchdog_open(struct hal *hal);

@@ -1,4 +1,4 @@
-/* screen.c -- the window, or the whole screen; and whether there is one at all. */
+/* screen.c -- opens the window or the full screen, and detects whether there is a screen. */
 #include <SDL.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,8 +22,8 @@ void screen_ignore(const uint32_t *types, size_t count)
     }
 }
 
-/* Events that no driver takes would fill SDL's queue over a long day, and a full queue drops what
- * comes next: the click that closes the window. */
+/* Drops events that no driver reads. They would fill SDL's queue during a long day, and a full
+ * queue drops later events, for example the click that closes the window. */
 static void ignore_foreign_events(void)
 {
     /* clang-format off */
@@ -51,7 +51,8 @@ void screen_open(struct hal *hal, const struct board_options *options)
     };
     display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
     hal->display = display_gl_device(display);
-    SDL_InitSubSystem(SDL_INIT_EVENTS); /* Its queue outlives a display that goes and comes. */
+    SDL_InitSubSystem(SDL_INIT_EVENTS); /* SDL's event queue must outlive a display that is lost and
+                                           reopened. */
     ignore_foreign_events();
     if (hal->display.ops->open(display) != HAL_OK && !options->waits_for_screen) {
         snprintf(devices.text, sizeof devices.text, "%.*s",
@@ -60,8 +61,8 @@ void screen_open(struct hal *hal, const struct board_options *options)
     }
 }
 
-/* A kernel without a graphics card has no /dev/dri/card*: then SDL need not be asked, which
- * would make the libraries under it complain on standard error. */
+/* Returns 1 if the kernel has a graphics card (/dev/dri/card*). Without one SDL is not called,
+ * because its libraries would write errors to standard error. */
 static int has_graphics_card(void)
 {
     char path[32];

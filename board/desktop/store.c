@@ -1,4 +1,4 @@
-/* store.c -- what sound, disk and service manager there is. */
+/* store.c -- connects sound, disk and the service manager. */
 #include <stdlib.h>
 
 #include "board/desktop/parts.h"
@@ -15,7 +15,8 @@ static struct {
     struct pin_sweep sweep;
 } devices;
 
-/* Both say in describe() what is missing, and then do nothing: a null driver could not say more. */
+/* Opens sound and store. If a device is missing, its describe() states so and its functions have no
+ * effect. */
 void store_open(struct hal *hal, const struct board_options *options)
 {
     if (!options->mute) {

@@ -1,4 +1,5 @@
-/* usb.c -- controllers on USB: our own poi, and what somebody chose to be one. */
+/* usb.c -- opens controllers on USB: Kingyo's own poi, and the controllers that the operator
+ * chose. */
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
@@ -8,7 +9,7 @@
 #include "drivers/usb_seats.h"
 #include "platform/say.h"
 
-#define PATH_SIZE 1100u /* A data folder and a name in it. */
+#define PATH_SIZE 1100u /* Size of the data folder's path and a file name. */
 
 static struct {
     struct usb_seats *usb; /* Null: not started. */
@@ -43,7 +44,8 @@ static void complain(void *self, const char *line)
     say(SAY_WARNING, "%s", line);
 }
 
-/* Before there are threads: what these say of files is for the operator's screen, too. */
+/* Reports a rejected file in the log and on the operator's screen. Called only before threads
+ * start. */
 static void complain_of_file(void *self, const char *line)
 {
     const struct board_options *options = self;
@@ -65,7 +67,7 @@ static void open_desk(struct hal *hal, const struct board_options *options)
     hal->controllers = hid_desk_device(&devices.desk);
 }
 
-/* Nothing on USB is touched where somebody else is to play. */
+/* Opens USB only if the poi option is automatic or USB. */
 void usb_open(struct hal *hal, const struct board_options *options)
 {
     if (options->poi != BOARD_POI_AUTO && options->poi != BOARD_POI_USB) {
@@ -91,8 +93,8 @@ void usb_open(struct hal *hal, const struct board_options *options)
     open_desk(hal, options);
 }
 
-/* Whoever sits at a seat of USB's is there once it is known how he plays. Who cannot play yet is
- * listened to, so that the operator's desk may learn him. */
+/* Returns 1 if the controller in a slot is ready: its mapping is known. Other controllers are only
+ * read for mapping learning. */
 static int is_there(void *self)
 {
     struct poi_hid *poi = self;
@@ -135,7 +137,8 @@ static void bar(struct pad_bar *out, uint16_t vendor, uint16_t product, const ch
 
 _Static_assert(PADS_BAR_MAX >= USB_WISH_MAX + CONTROLLER_MAX, "every one of both finds room");
 
-/* Who is named, from before SDL looks; and who plays by now, or may come back. */
+/* Returns the controllers that were named, which SDL must skip from its start, and the controllers
+ * that play or may be reconnected. */
 uint32_t usb_bars(struct pad_bar out[PADS_BAR_MAX])
 {
     struct usb_key wanted[USB_WISH_MAX];

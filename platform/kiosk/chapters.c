@@ -1,4 +1,4 @@
-/* chapters.c -- a recording that begins anew with each chapter. */
+/* chapters.c -- records in memory and restarts the recording with each session. */
 #include "platform/kiosk/chapters.h"
 
 #include <poll.h>
@@ -102,7 +102,7 @@ static void keep_round(struct chapters *chapters, uint32_t round_id, const struc
     chapters->missed += chapters->replay_size == 0;
 }
 
-/* A thread that ticks while another one panics stops here for good. */
+/* Blocks the thread that runs the ticks forever if another thread panics. */
 static void stop_if_frozen(struct chapters *chapters)
 {
     while (atomic_load(&chapters->is_frozen)) {
@@ -122,7 +122,8 @@ void chapters_before(struct chapters *chapters, const struct input *input)
 static void note_tick(struct chapters *chapters, const struct input *input, const struct core *core,
                       const struct output *output)
 {
-    if (core_is_fresh(core)) { /* What this tick did is in its configuration. */
+    if (core_is_fresh(core)) { /* The configuration of the new session includes the effect of this
+                                  tick. */
         chapters_begin(chapters, core);
         return;
     }
@@ -174,7 +175,8 @@ int chapters_dump(struct chapters *chapters, const struct core *core, int is_sou
     return replay_dump(&chapters->writer, chapters->memory, hash, !is_sound, fd);
 }
 
-/* The store drops replays of rounds that it does not know yet. */
+/* Offers the replay only after its round is on disk, because the store drops replays of unknown
+ * rounds. */
 int chapters_offer(struct chapters *chapters, const struct hal_storage *storage)
 {
     const struct hal_storage_ops *ops = storage->ops;

@@ -1,4 +1,4 @@
-/* config_file.c -- sections, keys and what is wrong with them. */
+/* config_file.c -- parses the sections and keys of kingyo.conf and reports errors. */
 #include "platform/kiosk/config_file.h"
 
 #include <ctype.h>
@@ -13,15 +13,16 @@
 
 #define WHY_MAX 320u
 
-/* In the order of the example; the first ones are the settings' groups. */
+/* Sections in the order of the example file; the first ones are the groups of settings. */
 static const char *const section_names[] = { "money",    "game",    "sound", "picture",
                                              "operator", "devices", "files" };
 #define SECTION_COUNT (sizeof section_names / sizeof section_names[0])
 
 struct reading {
     struct options *options;
-    const char *section; /* One of section_names; "" before the first; null in one that is none. */
-    char why[WHY_MAX];   /* What is wrong with the line. */
+    const char *section; /* One of section_names; "" before the first section; null in an unknown
+                            section. */
+    char why[WHY_MAX];   /* Error in the line. */
 };
 
 __attribute__((format(printf, 2, 3)))
@@ -36,7 +37,7 @@ static int object(struct reading *reading, const char *format, ...)
 
 /* ---- Lines ---------------------------------------------------------------------------------- */
 
-/* `text` without the white space around it; cut in place. */
+/* Removes the white space around `text`, in place. */
 static char *trim(char *text)
 {
     while (isspace((unsigned char)*text)) {
@@ -49,7 +50,7 @@ static char *trim(char *text)
     return text;
 }
 
-/* A '#' inside a word is part of it: a path may hold one. */
+/* Cuts the comment off. A '#' inside a word is kept, because a path may contain one. */
 static void cut_comment(char *line)
 {
     for (char *hash = strchr(line, '#'); hash; hash = strchr(hash + 1, '#')) {
@@ -60,7 +61,8 @@ static void cut_comment(char *line)
     }
 }
 
-/* Whether there is a line. One that does not fit is read to its end, and `*is_long`. */
+/* Reads the next line. Returns 0 at the end. A line that is too long is read to its end, and
+ * `*is_long` is set. */
 static int next_line(FILE *file, char line[CONFIG_LINE_MAX], int *is_long)
 {
     if (!fgets(line, CONFIG_LINE_MAX, file)) {
@@ -95,7 +97,7 @@ static int begin_section(struct reading *reading, char *text)
                            "operator, devices or files; its lines are passed over", name);
 }
 
-/* Where a key that is known must stand; before all sections everything may. */
+/* Returns 1 if the key is in its section; before the first section every key is accepted. */
 static int is_here(struct reading *reading, const char *key, const char *section)
 {
     if (reading->section[0] == '\0' || strcmp(reading->section, section) == 0) {
@@ -160,7 +162,7 @@ static int read_key(struct reading *reading, const char *key, const char *value)
     return object(reading, "unknown key '%.40s'; 'kingyoctl config defaults' lists all", key);
 }
 
-/* 0, or -1 with reading->why. */
+/* Parses one line. Returns 0, or -1 with reading->why. */
 static int read_line(struct reading *reading, char *line)
 {
     cut_comment(line);
@@ -172,7 +174,7 @@ static int read_line(struct reading *reading, char *line)
         return begin_section(reading, text);
     }
     if (!reading->section) {
-        return 0; /* Told with its section. */
+        return 0; /* The unknown section was already reported. */
     }
     char *equals = strchr(text, '=');
     if (!equals) {
@@ -210,7 +212,8 @@ static void tell_rest(const struct warnings *warnings)
     }
 }
 
-/* Which tank it is, is known at the end alone. `line`: the fish's. */
+/* Checks the number of fish at the end of the file, because the tank is known only then. `line`:
+ * line of the number of fish. */
 static void check_fish(struct reading *reading, unsigned line, struct warnings *warnings)
 {
     char says[OPTION_TEXT_MAX], why[WHY_MAX];
@@ -261,7 +264,7 @@ int options_read_config(struct options *options, const char *path, void (*warn)(
     return error;
 }
 
-/* ---- The example ---------------------------------------------------------------------------- */
+/* ---- The example file ------------------------------------------------------------------------ */
 
 static void print_settings(FILE *out, const char *section)
 {

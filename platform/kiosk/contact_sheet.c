@@ -1,4 +1,4 @@
-/* contact_sheet.c -- averaging down and placing. */
+/* contact_sheet.c -- scales pictures down and places them on the sheet. */
 #include "platform/kiosk/contact_sheet.h"
 
 size_t contact_sheet_plan(struct contact_sheet *sheet, uint32_t width, uint32_t height)

@@ -1,4 +1,5 @@
-/* demo.c -- what `kingyo` does where there is no screen; the README's pictures come from it. */
+/* demo.c -- runs the demonstration: `kingyo` without a screen. The README's pictures are made by
+ * it. */
 #include "platform/kiosk/demo.h"
 
 #include <stdio.h>
@@ -14,14 +15,16 @@
 #include "platform/print.h"
 #include "platform/say.h"
 
-#define FRAME_NS 50000000ull     /* Six ticks a picture: a software renderer needs about so long. */
+#define FRAME_NS 50000000ull     /* Six ticks a picture, about the time that a software renderer
+                                    needs. */
 #define NS_PER_S 1000000000ull
-#define START_NS FRAME_NS        /* START is pressed at once: ... */
-#define PRELUDE_NS 100000000ull  /* ... unseen, in larger steps, ... */
+#define START_NS FRAME_NS        /* START is pressed at once. */
+#define PRELUDE_NS 100000000ull  /* Step of the time before the round, which is not shown. */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
-#define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u) /* ... until each hand is over its water. */
-#define AFTER_ROUND_S 5u         /* To bring the last fish home, and a look at the result. */
-#define ROUND_S_MIN 25u          /* A short demonstration shows play alone. */
+#define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u) /* Ticks after which each poi is over its water. */
+#define AFTER_ROUND_S 5u         /* Time to move the last fish to the bowl and to show the
+                                    result. */
+#define ROUND_S_MIN 25u          /* A shorter demonstration ends during the round. */
 #define FOLDER_DEFAULT "out/demo"
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
 
@@ -31,9 +34,9 @@ struct demo {
     struct contact_sheet sheet;
     uint64_t now_ns, end_ns;
     uint32_t shots;
-    uint32_t width, height;  /* Of the pictures. */
-    int whole_replay;        /* Ends with the recording, to the last tick; else at end_ns. */
-    int failed;              /* A picture could not be made or written. */
+    uint32_t width, height;  /* Size of the pictures. */
+    int whole_replay;        /* 1: ends with the last tick of the recording; 0: ends at end_ns. */
+    int failed;              /* 1: a picture could not be made or written. */
 };
 
 static void wire(struct demo *demo)
@@ -42,7 +45,8 @@ static void wire(struct demo *demo)
     const struct board_options board = {
         .width = options->width ? options->width : 1280,
         .height = options->height ? options->height : 720,
-        .on_demand = options->replay[0] != '\0', /* The demonstration measures its frames. */
+        .on_demand = options->replay[0] != '\0', /* The demonstration measures its frame times, and
+                                                    therefore draws every frame. */
         .view = tank_preset(options->tank)->view,
         .shelf = &demo->session->shelf,
     };
@@ -63,7 +67,7 @@ static enum exit_code begin(struct demo *demo)
     options_first(options, settings);
     options_last(options, settings);
     settings_hide_pin(settings, config.core.seed);
-    settings->value[SET_PLAY] = PLAY_FREE; /* The bot has no money. */
+    settings->value[SET_PLAY] = PLAY_FREE; /* The bot has no coins. */
     if (!options_ask(options, SET_MODES)) {
         settings->value[SET_MODES] = 1 << MODE_FESTIVAL;
     }
@@ -106,7 +110,7 @@ static void take_shot(struct demo *demo)
     demo->shots++;
 }
 
-/* The pictures lie in the middles of equal parts of the time. */
+/* Returns 1 if a picture is due. The pictures are taken in the middle of equal intervals. */
 static int shot_is_due(const struct demo *demo)
 {
     const uint64_t due_ns = demo->end_ns * (2 * demo->shots + 1) / (2 * SHEET_PICTURES);
@@ -135,7 +139,7 @@ static int round_is_under_way(const struct core *core)
     return core->game.phase == PHASE_ROUND && core->tick - core->game.round_tick >= IN_ROUND_TICKS;
 }
 
-/* Nobody wants to see how a bot waits for the start, with its poi beside the tank. */
+/* Skips the wait for the start, during which the bot's poi is beside the tank. */
 static enum kiosk_end skip_to_round(struct demo *demo)
 {
     struct session *session = demo->session;
@@ -149,7 +153,8 @@ static enum kiosk_end skip_to_round(struct demo *demo)
     return end;
 }
 
-/* One line that is rewritten on a terminal, a line each five seconds elsewhere. */
+/* Reports the progress: one line that is updated on a terminal, otherwise a line each five
+ * seconds. */
 static void tell_progress(const struct demo *demo)
 {
     const int on_terminal = isatty(STDERR_FILENO);

@@ -1,10 +1,10 @@
-/* dressing.c -- copies lines from those who know them. */
+/* dressing.c -- copies device texts to the operator's view. */
 #include "platform/kiosk/dressing.h"
 
 #include <string.h>
 
-/* What is too long ends after a whole remark of several, so that it is known in every language, or
- * after a whole word. */
+/* Returns where to cut a text that is too long: after a complete remark, which can be translated,
+ * or after a complete word. */
 static size_t end_before(const char *line, size_t limit)
 {
     for (size_t at = limit; at > 1u; at--) {
@@ -45,7 +45,7 @@ static void name_devices(struct scene_devices *devices, const struct hal *hal)
               hal->switches.ops->describe(hal->switches.self));
 }
 
-/* The store is asked now: a card may fill up in mid-evening. */
+/* Reads the store's state now because a card may become full while the kiosk runs. */
 static struct scene_file store_row(const struct hal_storage *store)
 {
     struct scene_file row = {
@@ -77,7 +77,7 @@ uint8_t dressing_file_count(const struct file_notes *notes)
     return (uint8_t)(1u + (notes ? file_notes_rows(notes) : 0u));
 }
 
-/* Each device says in a line what it is, or what is missing. */
+/* Copies the description of each device. */
 static void tell_about(struct scene_devices *devices, const struct hal *hal)
 {
     const char *const lines[ABOUT_COUNT] = {

@@ -1,4 +1,4 @@
-/* encore.c -- fetched, sought, played, judged. */
+/* encore.c -- loads, seeks, plays and verifies the replay of a score. */
 #include "platform/kiosk/encore.h"
 
 #include <string.h>
@@ -15,7 +15,8 @@ void encore_ask(struct encore *encore, uint32_t round_id)
     encore->round_id = round_id;
     encore->end_ticks = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        encore->hand_y_m[i] = GAME_DIP_Y_M; /* A hand that is down already has dipped before. */
+        encore->hand_y_m[i] = GAME_DIP_Y_M; /* A poi that is already down does not count as a
+                                               dip. */
     }
 }
 
@@ -51,7 +52,7 @@ static void conclude(struct encore *encore, const struct ranking *ranking)
                                                    : ENCORE_OTHER;
 }
 
-/* Asks the store, and begins the play when it has answered. */
+/* Requests the replay from the store, and starts the playback when the replay is loaded. */
 static void fetch(struct encore *encore, const struct hal_storage *storage,
                   const struct ranking *ranking)
 {
@@ -69,7 +70,7 @@ static void fetch(struct encore *encore, const struct hal_storage *storage,
     }
     encore->is_asked = 0;
     if (encore->state == ENCORE_OFF) {
-        return; /* Nobody waits for it any more. */
+        return; /* The playback was ended meanwhile. */
     }
     if (size <= 0) {
         encore->state = ENCORE_NONE;
@@ -80,7 +81,7 @@ static void fetch(struct encore *encore, const struct hal_storage *storage,
     }
 }
 
-/* A second of the replay at a time. */
+/* Parses one second of the replay. */
 static void read_on(struct encore *encore, const struct ranking *ranking)
 {
     const int more = judge_read(&encore->judge);
@@ -99,8 +100,8 @@ static void seek_on(struct encore *encore, const struct ranking *ranking)
     }
 }
 
-/* As many seconds read, and then ticks played, as a frame has time for, without falling behind with
- * the stall's own. */
+/* Parses seconds and then runs ticks, as many as fit into the frame without delaying the kiosk's
+ * own ticks. */
 static void seek(struct encore *encore, const struct hal_clock *stopwatch,
                  const struct ranking *ranking)
 {
@@ -148,7 +149,7 @@ void encore_show(const struct encore *encore, struct scene *scene, struct output
     if (encore->state == ENCORE_OFF) {
         return;
     }
-    output->sound_count = 0; /* The stall's own are for who plays there; nobody does. */
+    output->sound_count = 0; /* The kiosk's own sounds are dropped because no game runs. */
     if (encore->state == ENCORE_SEEKS && encore->has_play) {
         scene->encore_progress =
             (float)judge->replayer.totals.ticks / (float)(judge->round_tick + 1u);
@@ -156,7 +157,8 @@ void encore_show(const struct encore *encore, struct scene *scene, struct output
     if (encore->state != ENCORE_SEEKS && encore->has_play) {
         const uint8_t language = scene->language;
         core_scene(&judge->core, scene);
-        scene->language = language; /* Who looks on is the operator. */
+        scene->language = language; /* The operator's language, because the operator watches the
+                                       playback. */
     }
     if (encore->state == ENCORE_PLAYS) {
         output->sound_count = judge->output.sound_count;

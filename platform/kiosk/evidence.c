@@ -1,4 +1,4 @@
-/* evidence.c -- see evidence.h. */
+/* evidence.c -- writes and handles the evidence of a panic; see evidence.h. */
 #include "platform/kiosk/evidence.h"
 
 #include <errno.h>
@@ -31,8 +31,8 @@ static int write_count(const struct evidence *evidence)
     return error;
 }
 
-/* A run of ten minutes without a panic needs nothing left out: the panics that are still to be
- * answered are forgotten. A panic that comes at the same time wins. */
+/* Clears the recent panics after a run of ten minutes without a panic, because no data is suspected
+ * any more. A panic that occurs at the same time takes precedence. */
 static void forget_refused(struct evidence *evidence)
 {
     atomic_store(&evidence->is_clearing, 1);
@@ -53,7 +53,8 @@ static void *outlive_refused(void *self)
     return NULL;
 }
 
-/* Without that thread the next start tries to leave out the same part again. */
+/* Starts the thread that clears the count. If no thread can be created, the next start leaves out
+ * the same part again. */
 static void wait_for_good_run(struct evidence *evidence)
 {
     sigset_t all, before;
@@ -67,7 +68,7 @@ static void wait_for_good_run(struct evidence *evidence)
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
-/* The attempt is written first because leaving out may panic again. */
+/* Leaves a part of the data out. The attempt is written first because this may panic again. */
 static void leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
@@ -90,7 +91,7 @@ static void leave_out(struct evidence *evidence)
         result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
 }
 
-/* A leave-out that ended its own start is not tried again at once. */
+/* Skips the next attempt, because the last attempt ended its process. */
 static void skip_leave_out(struct evidence *evidence)
 {
     say(SAY_ERROR, "the last start ended while it left out %s; this start leaves out nothing",
@@ -104,8 +105,8 @@ static int has_work(const struct panics *panics)
     return panics->attempt != LEFT_NOTHING || panics_is_due(panics);
 }
 
-/* A folder that cannot be held at all, as on some cards, counts as held. The count is read again
- * because another process may have changed it before the folder was held. */
+/* Locks the folder and then leaves data out. A file system without locks counts as locked. The
+ * count is read again because another process may have changed it before the lock. */
 static void hold_and_leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
@@ -161,7 +162,7 @@ static void name_file(char out[NAME_SIZE], uint32_t number)
     out[6] = (char)('0' + number);
 }
 
-/* A descriptor of a new file, or a negative errno. */
+/* Creates a new file. Returns its descriptor or a negative errno. */
 static int make_file(int folder, const char *name)
 {
     if (unlinkat(folder, name, 0) != 0 && errno != ENOENT) {
@@ -211,14 +212,14 @@ static void tell(const struct evidence *evidence, const char *reason, const char
     say_plain(SAY_CRITICAL, text.out);
 }
 
-/* Without evidence_open() the main thread ticks the core. */
+/* Stops the thread that runs the ticks. Without evidence_open() that is the main thread. */
 static int freeze(const struct evidence *evidence)
 {
     const int is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
     return evidence->chapters ? chapters_freeze(evidence->chapters, is_own) : is_own;
 }
 
-/* Waits while outlive_refused() writes the count, EVIDENCE_WAIT_MS at most. */
+/* Waits until outlive_refused() has written the count, EVIDENCE_WAIT_MS at most. */
 static void stop_clearing(struct evidence *evidence)
 {
     atomic_store(&evidence->has_panicked, 1);

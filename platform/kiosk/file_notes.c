@@ -1,4 +1,5 @@
-/* file_notes.c -- lines in two runs: not used, and behind them used. */
+/* file_notes.c -- keeps the notes in two groups: files that were not used, then files that were
+ * used. */
 #include "platform/kiosk/file_notes.h"
 
 #include <assert.h>
@@ -7,7 +8,8 @@
 
 _Static_assert(FILE_NOTES_MAX + 2u <= UINT8_MAX, "struct desk_input counts rows in a byte");
 
-/* Of a path the end says more than its beginning. */
+/* Copies a name. A path that is too long is cut at its beginning because its end is more
+ * specific. */
 static void set_name(struct scene_file *note, const char *name)
 {
     const size_t length = strlen(name), room = sizeof note->name - 1u;

@@ -1,4 +1,4 @@
-/* hands.c -- from a device's readings to one input a tick. */
+/* hands.c -- converts a device's reports to one pose a tick. */
 #include "platform/kiosk/hands.h"
 
 #include "core/game/trust.h"
@@ -6,7 +6,8 @@
 #define RETRY_NS 1000000000ull
 #define NS_PER_S 1000000000ull
 #define TICK_NS (NS_PER_S / CORE_TICK_HZ)
-#define UNSEEN_NS 100000000ull /* So much time without ticks is a gap in what was seen of a hand. */
+#define UNSEEN_NS 100000000ull /* A longer interval without ticks is a gap in the observed
+                                  motion. */
 
 uint32_t poi_hand_open(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns)
 {
@@ -18,7 +19,7 @@ uint32_t poi_hand_open(struct poi_hand *hand, const struct hal_poi *device, uint
     return (uint32_t)hal_is_fault(result);
 }
 
-/* One that was here is away until it opens; whatever open() says else, it did not. */
+/* Tries to open a lost device. It stays lost until open() returns HAL_OK. */
 static uint32_t look_for(struct poi_hand *hand, const struct hal_poi *device, uint64_t now_ns)
 {
     if (now_ns < hand->retry_ns) {
@@ -32,7 +33,8 @@ static uint32_t look_for(struct poi_hand *hand, const struct hal_poi *device, ui
     return 0;
 }
 
-/* The way between what it said last and what it will say next is not travelled. */
+/* Marks the device as lost and forgets its path, because the motion until the next report is
+ * unknown. */
 static void lose(struct poi_hand *hand, uint64_t now_ns)
 {
     hand->link = POI_LINK_LOST;
@@ -40,7 +42,7 @@ static void lose(struct poi_hand *hand, uint64_t now_ns)
     resample_reset(&hand->path);
 }
 
-/* Reports of a pointer at rest are made up, and count as none. */
+/* Counts a report. Synthesized samples of a resting pointer are not counted. */
 static void count_report(struct report_pace *pace, uint64_t time_ns)
 {
     const uint64_t gap_ns = pace->last_ns > 0 && time_ns > pace->last_ns ? time_ns - pace->last_ns
@@ -50,7 +52,7 @@ static void count_report(struct report_pace *pace, uint64_t time_ns)
     pace->count++;
 }
 
-/* A silence that still lasts is a gap, too. */
+/* Ends the second. A gap that has not ended yet also counts. */
 static void turn_second(struct report_pace *pace, uint64_t now_ns)
 {
     if (now_ns - pace->begin_ns < NS_PER_S) {
@@ -109,7 +111,8 @@ static uint8_t link_of(const struct poi_hand *hand)
     return hand->was_seen ? POI_LINK_LOST : POI_LINK_ABSENT;
 }
 
-/* A reading from the future (a clock that was set back) is new. */
+/* Returns the age of the newest report. A report from the future, after the clock was set back, has
+ * age 0. */
 static uint16_t age_ticks(const struct poi_hand *hand, uint64_t now_ns)
 {
     const uint64_t age_ns = now_ns > hand->newest_ns ? now_ns - hand->newest_ns : 0;
@@ -117,8 +120,8 @@ static uint16_t age_ticks(const struct poi_hand *hand, uint64_t now_ns)
     return ticks < UINT16_MAX ? (uint16_t)ticks : UINT16_MAX;
 }
 
-/* A stall of ours: ticks were dropped, and the way that the hand made meanwhile would have to be
- * made in the few that are left, at a haste that was never the hand's. */
+/* Returns 1 if the kiosk itself was delayed and dropped ticks. The motion during the delay,
+ * compressed into the remaining ticks, would be faster than the player's motion. */
 static int was_unseen(const struct poi_hand *hand, uint32_t tick_count)
 {
     const struct resampler *path = &hand->path;
@@ -126,8 +129,8 @@ static int was_unseen(const struct poi_hand *hand, uint32_t tick_count)
     return span_ns > tick_count * TICK_NS + UNSEEN_NS;
 }
 
-/* It comes to the core as reports do that were late: it stays where it was for a tick, at an age
- * that is no loss yet, and has moved on unseen in the next. */
+/* Presents the motion to the core as late reports: the pose stays unchanged for one tick, with an
+ * age below the limit of input loss, and is at its new place in the next tick. */
 static void pass_over(const struct poi_hand *hand, uint32_t index, struct poi_input *out)
 {
     const struct resampler *path = &hand->path;

@@ -31,7 +31,7 @@ struct poi_hand {
     uint64_t newest_ns; /* Arrival time of the newest report. */
     uint8_t link;       /* enum poi_link, but never BOT. */
     uint8_t has_wrist, trembles; /* Flags of the newest report. */
-    uint8_t was_seen;   /* 1: the controller has sent a report since it was opened. */
+    uint8_t was_seen;   /* 1: the controller has sent at least one report since the start. */
     uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* Arrival times of reports that no tick has used
                                                  yet. */
     uint32_t waiting_count;                   /* Entries in waiting_ns; further reports are not

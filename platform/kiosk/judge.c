@@ -1,4 +1,4 @@
-/* judge.c -- the same inputs, the same core, and what comes of it. */
+/* judge.c -- runs the core with the recorded inputs and compares the results. */
 #include "platform/kiosk/judge.h"
 
 #include <stdio.h>
@@ -30,7 +30,7 @@ int judge_open(struct judge *judge, const uint8_t *bytes, size_t size)
     return judge->is_damaged ? -1 : 0;
 }
 
-/* The stall that the replay begins with. */
+/* Creates the initial state of the replay. */
 static int make_stall(struct judge *judge)
 {
     struct core_config config;
@@ -114,7 +114,8 @@ int judge_is_at_round(const struct judge *judge)
     return judge->replayer.totals.ticks >= judge->round_tick;
 }
 
-/* 1: it says what was played; -1: it does not; 0: it is of another round. */
+/* Compares a row of the ranking. Returns 1 if it equals the game, -1 if it differs, 0 if it is of
+ * another round. */
 static int look_at_row(const struct judge *judge, const struct rank_row *row, uint8_t mode,
                        uint32_t round_id)
 {
@@ -157,14 +158,15 @@ static int same_players(const struct round_record *a, const struct round_record 
     return same;
 }
 
-/* What a round is played in; an earlier Kingyo kept nothing of it. */
+/* Compares the tank of two rounds. Older versions did not store the tank; such a round is
+ * accepted. */
 static int same_stall(const struct round_record *a, const struct round_record *kept)
 {
     return kept->fish_count == 0 || (a->fish_count == kept->fish_count &&
                                      a->round_s == kept->round_s && a->preset == kept->preset);
 }
 
-/* The play's own entry and the ledger's: the same start of the kiosk, tank, ticks and papers. */
+/* Compares the game's entry with the ledger's: boot, tank, ticks and papers. */
 static int is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
 {
     const struct round_record *a = &played->round, *b = &kept->round;

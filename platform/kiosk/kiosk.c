@@ -1,5 +1,5 @@
-/* kiosk.c -- one frame, one direction: sample (sample.h), step, present (present.h). The core never
- * calls out. */
+/* kiosk.c -- one frame: sample (sample.h), run the ticks, present (present.h). The core never calls
+ * out. */
 #include "platform/kiosk/kiosk.h"
 
 #include <string.h>
@@ -18,7 +18,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     memset(kiosk, 0, sizeof *kiosk);
     cpu_set_float();
     kiosk->config = *config;
-    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* As it begins. */
+    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* State of the outputs at start. */
     kiosk->saving.accepted_id = kiosk->output.entry_id = config->core.memory.ledger.last_id;
     const enum core_error error = core_init(&kiosk->core, &config->core);
     if (error != CORE_OK) {
@@ -45,7 +45,8 @@ uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
            faults->buttons + faults->switches;
 }
 
-/* The part of the input that each tick has for itself: one pose a tick, none used twice. */
+/* Sets the part of the input that differs between ticks: each tick gets its own pose, and no pose
+ * is used twice. */
 static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -63,8 +64,8 @@ static int is_encore_on(const struct kiosk *kiosk)
     return kiosk->config.encore && kiosk->config.encore->state != ENCORE_OFF;
 }
 
-/* While a score is shown again, hands and buttons are its audience's: the stall sees none but the
- * coins, and what ends the show is not heard there. */
+/* Redirects input during a score playback: poses and buttons control the playback, and the kiosk
+ * gets only the coins. The input that ends the playback is not passed to the kiosk. */
 static void lend_hands(struct kiosk *kiosk)
 {
     if (is_encore_on(kiosk)) {
@@ -76,7 +77,7 @@ static void lend_hands(struct kiosk *kiosk)
     }
 }
 
-/* 0 when there is no input to run the tick with. */
+/* Returns 0 if there is no input for the tick. */
 static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     if (!kiosk->config.source.next) {
@@ -91,7 +92,7 @@ static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count
     return 1;
 }
 
-/* On the clock that stamps the reports. */
+/* Measures the wait of the reports, on the clock of their time stamps. */
 static void time_reports(struct kiosk *kiosk, const struct hal *hal)
 {
     const uint64_t now_ns = hal_now_ns(hal->clock);
@@ -100,8 +101,8 @@ static void time_reports(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Returns 0 if the core refused the tick: then the kiosk has ended. chapters_before() comes before
- * the tap because a panic of another thread stops this thread there. */
+/* Runs a tick. Returns 0 if the core rejected the tick; then the kiosk has ended. chapters_before()
+ * is called before the tap because a panic of another thread stops this thread there. */
 static int run_tick(struct kiosk *kiosk)
 {
     const struct kiosk_tap *tap = &kiosk->config.tap;
@@ -124,7 +125,7 @@ static int run_tick(struct kiosk *kiosk)
     if (kiosk->config.chapters) {
         chapters_tick(kiosk->config.chapters, &kiosk->input, &kiosk->core, &kiosk->output);
     }
-    kiosk->input.pressed = 0; /* One press, one tick. */
+    kiosk->input.pressed = 0; /* A press is valid for one tick. */
     memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
     return 1;
 }
@@ -140,15 +141,16 @@ static void end_ticks(struct kiosk *kiosk)
     core_scene(&kiosk->core, &kiosk->scene);
 }
 
-/* Returns how many of them there was input for. */
+/* Runs the ticks. Returns the number of ticks for which there was input. */
 static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
 {
     uint32_t done = 0;
     kiosk->output.sound_count = 0;
-    if (tick_count > 0) { /* Else the hand goes on feeling what it felt. */
+    if (tick_count > 0) { /* Without a tick the previous force stays. */
         memset(kiosk->felt, 0, sizeof kiosk->felt);
     }
-    kiosk->float_resets += (uint32_t)cpu_set_float(); /* Drivers' libraries ran before. */
+    kiosk->float_resets += (uint32_t)cpu_set_float(); /* Restore the control word after calls into
+                                                         driver libraries. */
     while (done < tick_count && prepare_tick(kiosk, done, tick_count) && run_tick(kiosk)) {
         done++;
     }
@@ -158,7 +160,7 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     return done;
 }
 
-/* A score is shown again in place of the stall. */
+/* Shows a score playback in place of the kiosk. */
 static void show_encore(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
 {
     struct encore *encore = kiosk->config.encore;
@@ -188,7 +190,7 @@ static void begin_frame(struct kiosk *kiosk)
     kiosk->frames++;
 }
 
-/* What is known of the machine, and what it is told; neither waits. */
+/* Reads the system health and passes on acknowledgements. Neither call blocks. */
 static void meet_machine(struct kiosk *kiosk, const struct hal *hal)
 {
     struct machine *machine = kiosk->config.machine;
@@ -234,13 +236,14 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     present_view(kiosk, hal);
     present_frame(kiosk, hal, tick_count);
     if (tick_count > 0) {
-        hal->watchdog.ops->kick(hal->watchdog.self); /* A hung core restarts the kiosk. */
+        hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog resets a kiosk whose core
+                                                        hangs. */
     }
     timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);
     return kiosk->end;
 }
 
-/* An orderly end tells how long the machine was up, when nothing else waits to be told. */
+/* Writes the uptime at a regular end, if no other entry is waiting. */
 static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
 {
     struct ledger_entry entry;

@@ -1,7 +1,7 @@
-/* late.c -- see late.h. */
+/* late.c -- collects and transfers offline credits; see late.h. */
 #include "platform/kiosk/late.h"
 
-#define BATCH_MAX 16u /* As hand_over() takes at once; of what is more the rest follows. */
+#define BATCH_MAX 16u /* Limit of hand_over(); further entries follow in the next transaction. */
 
 struct batch {
     const struct core *core;
@@ -35,7 +35,8 @@ static void add(struct batch *batch, uint8_t kind, uint32_t detail, uint32_t cou
     }
 }
 
-/* The books know what all lines' coins were worth together: the first line that had any says it. */
+/* Adds the coins. The audits contain only the total value of all lines, which is assigned to the
+ * first line with coins. */
 static void add_coins(struct batch *batch, const struct late *late)
 {
     uint32_t units = untold(late, batch->core, AUDIT_UNITS);
@@ -70,7 +71,8 @@ static void add_credits(struct batch *batch, const struct late *late)
     }
 }
 
-/* A round without players: its tickets are in the purse, and the audits must count them. */
+/* Adds the tickets as a round without players: the balance contains the tickets, and the audits
+ * must count them. */
 static void add_tickets(struct batch *batch, const struct late *late)
 {
     const uint32_t count = untold(late, batch->core, AUDIT_TICKETS);
@@ -86,7 +88,7 @@ static int is_same(const struct purse *a, const struct purse *b)
            a->service == b->service && a->untold == b->untold && a->tickets == b->tickets;
 }
 
-/* Whether the store has what it was given, if it was given anything. */
+/* Returns 1 if the store has written what was transferred, or if nothing was transferred. */
 static int is_written(struct late *late, const struct hal_storage *storage)
 {
     if (late->is_asked && storage->ops->handed_over(storage->self) == HAL_OK) {
@@ -111,7 +113,7 @@ int late_is_told(struct late *late, const struct hal_storage *storage, const str
         return 1;
     }
     if (batch.count == 0) {
-        add(&batch, LEDGER_HEALTH, 0, 0, 0); /* Nothing but a purse: an entry that carries it. */
+        add(&batch, LEDGER_HEALTH, 0, 0, 0); /* An entry that only carries the balance. */
     }
     if (storage->ops->hand_over(storage->self, &step, batch.entries, batch.count) == HAL_OK) {
         late->asked = late->told;

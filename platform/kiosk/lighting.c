@@ -1,14 +1,14 @@
-/* lighting.c -- see lighting.h. */
+/* lighting.c -- computes brightness and position of the picture; see lighting.h. */
 #include "platform/kiosk/lighting.h"
 
 #define NS_PER_S 1000000000ull
 #define NS_PER_MS 1000000ull
-#define FADE_DOWN_S 4.0f /* Nobody notices that it gets dimmer; ... */
-#define FADE_UP_S 0.3f   /* ... who comes wants it light. */
-#define STEP_MS_MAX 100u /* A stall of ours does not jump. */
+#define FADE_DOWN_S 4.0f /* Slow enough to be unnoticed. */
+#define FADE_UP_S 0.3f   /* Fast, because a player who arrives needs light. */
+#define STEP_MS_MAX 100u /* Limits the step after a delay of the kiosk. */
 
-/* Two rounds without a common measure: the picture comes everywhere within its bounds in a day and
- * moves by a pixel every few minutes. */
+/* Two periods without a common divisor: within a day the picture reaches every position in its
+ * range, and it moves by one pixel every few minutes. */
 #define WANDER_X_MS (37u * 60000u)
 #define WANDER_Y_MS (23u * 60000u)
 #define WANDER_MS (37u * WANDER_Y_MS)
@@ -21,7 +21,7 @@ static uint32_t elapsed_ms(struct lighting *lighting, uint64_t now_ns)
     return ms < STEP_MS_MAX ? (uint32_t)ms : STEP_MS_MAX;
 }
 
-/* ---- Who is there --------------------------------------------------------------------------- */
+/* ---- Presence -------------------------------------------------------------------------------- */
 
 void lighting_notice(struct lighting *lighting, const struct input *input, int is_attract)
 {
@@ -30,7 +30,8 @@ void lighting_notice(struct lighting *lighting, const struct input *input, int i
     }
 }
 
-/* Any bits may come from a device: a number that is none is nobody. */
+/* Detects moved pois. Positions are not validated yet; a number that is not finite counts as no
+ * movement. */
 static void watch_hands(struct lighting *lighting, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -44,7 +45,7 @@ static void watch_hands(struct lighting *lighting, const struct input *input)
     }
 }
 
-/* ---- How light ------------------------------------------------------------------------------ */
+/* ---- Brightness ------------------------------------------------------------------------------ */
 
 static int is_night(const int32_t *value, const struct input *input)
 {
@@ -56,7 +57,7 @@ static int is_night(const int32_t *value, const struct input *input)
     return from < to ? minute >= from && minute < to : minute >= from || minute < to;
 }
 
-/* Of what the operator set, while nobody was there for so long. */
+/* Returns the target brightness as a share of the operator's, after `idle_s` without input. */
 static float light_wanted(const int32_t *value, const struct input *input, uint64_t idle_s)
 {
     const uint64_t dim_s = 60u * (uint64_t)value[SET_DIM_AFTER_MIN];
@@ -71,7 +72,7 @@ static float toward(float from, float to, float step_down, float step_up)
     return from > to ? f_max(from - step_down, to) : f_min(from + step_up, to);
 }
 
-/* ---- Where ---------------------------------------------------------------------------------- */
+/* ---- Position -------------------------------------------------------------------------------- */
 
 static float swing(uint32_t ms, uint32_t period_ms)
 {
@@ -94,7 +95,7 @@ struct showing lighting_step(struct lighting *lighting, const struct settings *s
     lighting->light = is_first ? wanted
                                : toward(lighting->light, wanted, share / FADE_DOWN_S,
                                         share / FADE_UP_S);
-    if (is_attract) { /* Under a hand that aims nothing moves. */
+    if (is_attract) { /* The picture does not move during a game because players aim. */
         lighting->wander_ms = (lighting->wander_ms + ms) % WANDER_MS;
     }
     return (struct showing){

@@ -1,4 +1,5 @@
-/* main.c -- `kingyo`: reads what is asked, finds out whether there is a screen, opens the stall. */
+/* main.c -- `kingyo`: parses the options, detects a screen and runs the kiosk or the
+ * demonstration. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +19,7 @@
 #include "platform/standard_streams.h"
 
 static volatile sig_atomic_t stop;
-static struct session evening; /* Megabytes: not for the stack. */
+static struct session evening; /* Static because of its size of several MB. */
 
 static void on_signal(int number)
 {
@@ -40,15 +41,15 @@ static void warn(const char *line)
     say(SAY_WARNING, "%s", line);
 }
 
-/* A line of the configuration that was passed over: the operator's menu shows it, too. */
+/* Reports a rejected line of the configuration, also in the operator's menu. */
 static void warn_of_config(const char *line)
 {
     warn(line);
     session_note_refused(&evening, line);
 }
 
-/* The stall is Japanese, and speaks English where the machine does not speak Japanese. The
- * demonstration does not ask the machine: it is the same everywhere. */
+/* Returns the default language: Japanese if the machine's locale is Japanese, else English. The
+ * demonstration ignores the locale because it must be the same everywhere. */
 static uint8_t machine_language(void)
 {
     static const char *const names[] = { "LC_ALL", "LC_MESSAGES", "LANG" };
@@ -61,8 +62,8 @@ static uint8_t machine_language(void)
     return LANGUAGE_EN;
 }
 
-/* Which file to read: the one that is named, or the machine's own where there is one. A
- * demonstration is the same everywhere. */
+/* Returns the configuration file to read: the file that was named, or the machine's file if there
+ * is one. A demonstration reads only a named file because it must be the same everywhere. */
 static const char *config_of(const struct options *options)
 {
     static char named[OPTIONS_PATH_MAX];
@@ -73,7 +74,8 @@ static const char *config_of(const struct options *options)
     return !options->demo && access(CONFIG_FILE_DEFAULT, F_OK) == 0 ? CONFIG_FILE_DEFAULT : NULL;
 }
 
-/* Only one that was asked for must be readable: the stall opens without its machine's own. */
+/* Reads the configuration. Only a named file must be readable; the kiosk starts without the
+ * machine's file. */
 static enum exit_code read_config(struct options *options, const char *path)
 {
     char line[OPTIONS_PATH_MAX + 64];
@@ -87,7 +89,8 @@ static enum exit_code read_config(struct options *options, const char *path)
     return failed && is_named ? EXIT_IO : EXIT_OK;
 }
 
-/* The command line names the configuration file, which is read first, and then wins over it. */
+/* Parses the command line, which names the configuration file. The file is read first, and the
+ * command line overrides it. */
 static enum exit_code read_options(struct options *options, int argc, char **argv)
 {
     char error[OPTIONS_ERROR_MAX];
@@ -148,7 +151,8 @@ static enum exit_code run(struct session *session)
     return play_run(session);
 }
 
-/* The same program with the same options; where the package was renewed meanwhile, the new one. */
+/* Executes the program again with the same options. After an update of the package this is the new
+ * version. */
 static void begin_anew(const struct session *session, char **argv)
 {
     if (session->options.record[0]) {
@@ -176,7 +180,7 @@ static enum exit_code run_words(int argc, char **argv)
     }
     catch_signals();
     panic_prepare(last_wish, &evening);
-    /* Without its data folder the stall opens all the same: the store says why. */
+    /* The kiosk starts without its data folder, too; the store reports the reason. */
     code = evening.options.shots[0] ? session_make_folder(evening.options.shots) : EXIT_OK;
     if (code == EXIT_OK) {
         code = session_check(&evening);
@@ -193,7 +197,7 @@ static enum exit_code run_words(int argc, char **argv)
     return code;
 }
 
-/* Lost output ends no game: the kiosk runs on, and its exit code says so at the end. */
+/* Lost output on standard output does not end a game. The exit code reports it at the end. */
 int main(int argc, char **argv)
 {
     char line[128];

@@ -1,4 +1,4 @@
-/* option_table.c -- what each option is called, takes and says. */
+/* option_table.c -- name, value, help text and parser of each option. */
 #include "platform/kiosk/option_table.h"
 
 #include <stdio.h>
@@ -25,7 +25,7 @@ static int ask(struct options *options, uint32_t id, int32_t value)
     return 1;
 }
 
-/* As its row of the settings reads it. */
+/* Parses the value of a setting by the rules of its row. */
 static int ask_text(struct options *options, uint32_t id, const char *text)
 {
     int32_t value;
@@ -101,7 +101,7 @@ static int set_usb(struct options *options, const char *value)
     return 1;
 }
 
-/* The one wire of `value`. */
+/* Parses the single GPIO line option in `value`. */
 static int read_wire(const char *value, char line[1][BOARD_LINE_SIZE], char why[HAL_TEXT_SIZE])
 {
     if (strlen(value) >= BOARD_LINE_SIZE) {
@@ -150,13 +150,14 @@ static int set_language(struct options *options, const char *value)
     return ask_text(options, SET_LANGUAGE, value);
 }
 
-/* Whether its tank holds them is asked when the tank is known: too_many_fish(). */
+/* Sets the number of fish. too_many_fish() checks the tank's limit later, when the tank is
+ * known. */
 static int set_fish(struct options *options, const char *value)
 {
     return ask_number(options, SET_FISH, value, 1, TANK_FISH_MAX);
 }
 
-/* One mode, the growth lab, or all of them to choose from. */
+/* Accepts one mode, the growth lab, or all of them to choose from. */
 static int set_mode(struct options *options, const char *value)
 {
     if (strcmp(value, "choose") == 0) {
@@ -191,7 +192,8 @@ static int set_tickets(struct options *options, const char *value)
     return ask_text(options, SET_TICKET_FISH, value);
 }
 
-/* NAME=VALUE of any setting: its place, and the value behind '='. SETTING_COUNT: no such. */
+/* Splits NAME=VALUE of any setting. Returns the setting and sets `value`, or returns SETTING_COUNT
+ * if there is no such setting. */
 static uint32_t split_setting(const char *text, const char **value)
 {
     const size_t length = strcspn(text, "=");
@@ -311,7 +313,7 @@ const char *option_says(const struct option *option, const char *text, char out[
     return out;
 }
 
-/* Of a setting that is known, and a value that is not right. */
+/* Writes the error for an invalid value of a known setting. */
 static const char *object_to_setting(const char *text, char out[OPTION_TEXT_MAX])
 {
     const char *value;

@@ -1,4 +1,4 @@
-/* options.c -- the command line, the configuration file, --help, and what they ask of the stall. */
+/* options.c -- parses the command line, prints --help, and combines the sources of the settings. */
 #include "platform/kiosk/options.h"
 
 #include <ctype.h>
@@ -9,7 +9,8 @@
 
 /* ---- Command line --------------------------------------------------------------------------- */
 
-/* The value of the option at argv[*index]: behind '=', or the next word, or null. */
+/* Returns the value of the option at argv[*index]: the text after '=', or the next argument, or
+ * null. */
 static const char *value_of(const struct option *option, int argc, const char *const *argv,
                             int *index)
 {
@@ -22,7 +23,8 @@ static const char *value_of(const struct option *option, int argc, const char *c
     }
     const char *next = argv[*index + 1];
     const int is_optional = option->value[0] == '[';
-    const char first = next[next[0] == '-']; /* A negative number is a value, if a wrong one. */
+    const char first = next[next[0] == '-']; /* A negative number counts as a value, although an
+                                                invalid one. */
     if (is_optional ? !isdigit((unsigned char)first) : strncmp(next, "--", 2) == 0) {
         return NULL;
     }
@@ -124,7 +126,7 @@ void options_print_help(void)
          "kept.");
 }
 
-/* ---- What it means -------------------------------------------------------------------------- */
+/* ---- Settings -------------------------------------------------------------------------------- */
 
 static void put_asked(const struct asked *asked, struct settings *settings)
 {

@@ -1,4 +1,4 @@
-/* pace.c -- time into ticks. */
+/* pace.c -- converts elapsed time to ticks. */
 #include "platform/kiosk/pace.h"
 
 #include "core/input.h"
@@ -6,21 +6,23 @@
 #define NS_PER_S 1000000000ull
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
-#define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: may be a 60 Hz frame that jitters. */
-#define SURE_60_HZ_NS 1500000ull /* 55 .. 66 Hz: it is one. */
-#define SNAP_NS 6000000ll        /* Jitter of 3 ms moves two frame's beginnings apart by so much. */
-#define DRIFT_SHARE 8            /* No display has 60 Hz exactly: each frame forgives this. */
+#define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: possibly a frame of a 60 Hz display with jitter. */
+#define SURE_60_HZ_NS 1500000ull /* 55 .. 66 Hz: certainly a frame of a 60 Hz display. */
+#define SNAP_NS 6000000ll        /* Jitter of 3 ms moves the starts of two frames apart by this
+                                    much. */
+#define DRIFT_SHARE 8            /* Correction per frame, because no display has exactly 60 Hz. */
 
-#define WAITS_NS 16000000ull     /* A screen of 62 Hz or less paces the loop by itself. */
-#define REST_SHARE 16            /* Frames that the mean remembers: a quarter of a second. */
+#define WAITS_NS 16000000ull     /* A screen of 62 Hz or less paces the loop with its vertical
+                                    sync. */
+#define REST_SHARE 16            /* Frames in the mean: a quarter of a second. */
 
 static uint64_t distance(uint64_t a, uint64_t b)
 {
     return a > b ? a - b : b - a;
 }
 
-/* Two ticks for a frame like a 60 Hz one, as long as what is owed stays near two as well. 1 if
- * so. */
+/* Sets two ticks for a frame similar to a 60 Hz one, as long as the due time also stays near two
+ * ticks. Returns 1 if so. */
 static int snap(struct pace *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
@@ -41,7 +43,8 @@ uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns)
     }
     const uint64_t elapsed_ns = now_ns > pace->last_ns ? now_ns - pace->last_ns : 0;
     pace->last_ns = now_ns;
-    /* Decades owe less than 2^63 of these units, but a wild clock might owe more. */
+    /* Limits the elapsed time, so that a wrong clock cannot overflow the 63 bits; decades would
+     * still fit. */
     const uint64_t hour_ns = 3600u * NS_PER_S;
     pace->owed += (int64_t)((elapsed_ns < hour_ns ? elapsed_ns : hour_ns) * CORE_TICK_HZ);
     if (snap(pace, elapsed_ns)) {
@@ -62,7 +65,8 @@ uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns)
 uint64_t pace_rest_ns(struct pace_rest *rest, uint64_t took_ns)
 {
     if (rest->mean_ns == 0) {
-        rest->mean_ns = FRAME_NS; /* A screen is believed to wait until it is seen not to. */
+        rest->mean_ns = FRAME_NS; /* A screen is assumed to have vertical sync until the mean shows
+                                     otherwise. */
     }
     rest->mean_ns = (rest->mean_ns * (REST_SHARE - 1) + took_ns) / REST_SHARE;
     return rest->mean_ns < WAITS_NS && took_ns < FRAME_NS ? FRAME_NS - took_ns : 0;

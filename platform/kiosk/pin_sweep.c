@@ -1,4 +1,4 @@
-/* pin_sweep.c -- see pin_sweep.h. */
+/* pin_sweep.c -- replays, verifies and replaces recordings with a PIN; see pin_sweep.h. */
 #include "platform/kiosk/pin_sweep.h"
 
 #include <sqlite3.h>
@@ -22,8 +22,8 @@ static void end_sweep(struct pin_sweep *sweep)
     }
 }
 
-/* Reads the next replay and begins with it if it holds a PIN. One that cannot be read is passed
- * over. */
+/* Reads the next replay and starts with it if it contains a PIN. A replay that cannot be read is
+ * skipped. */
 static void seek(struct pin_sweep *sweep, struct ledger_file *file)
 {
     if (ledger_file_next_replay(file, sweep->round_id, &sweep->round_id) != SQLITE_OK) {
@@ -40,8 +40,8 @@ static void seek(struct pin_sweep *sweep, struct ledger_file *file)
     }
 }
 
-/* The hash, or the quick one, of the judge's core as if its PIN had been withheld from the start.
- * The PIN has no other effect on the state until digits are typed. */
+/* Returns the hash, or the quick hash, of the verifier's core as if its PIN had been withheld from
+ * the start. The PIN has no other effect on the state until digits are typed. */
 static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struct core *core))
 {
     int32_t *kept = &core->config.memory.settings.value[SET_PIN];
@@ -90,7 +90,7 @@ static void record_tick(struct pin_sweep *sweep)
     replay_add(writer, &sweep->judge.input, digest, &totals);
 }
 
-/* The new recording takes the place of the old one when both have been verified. */
+/* Replaces the old recording by the new one when both have been verified. */
 static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 {
     struct judge *judge = &sweep->judge;

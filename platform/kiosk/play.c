@@ -1,4 +1,4 @@
-/* play.c -- opens the board, runs the frame loop, closes the board. */
+/* play.c -- opens the board, runs the frame loop and closes the board. */
 #include "platform/kiosk/play.h"
 
 #include <stdio.h>
@@ -41,7 +41,8 @@ static void tell_devices(const struct hal *hal)
     tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
 }
 
-/* Who asked for more bowls than there are controllers is told which seats that leaves. */
+/* Reports which slots have no controller if more bowls were requested than there are
+ * controllers. */
 static void tell_seats(const struct kiosk *kiosk)
 {
     char text[HAL_TEXT_SIZE] = "";
@@ -56,7 +57,8 @@ static void tell_seats(const struct kiosk *kiosk)
     }
 }
 
-/* What a frame costs from its first look at a device to the end of its swap, and the core in it. */
+/* Reports the cost of a frame, from its first device poll to the end of its swap, and the core's
+ * share. */
 static void tell_work(const struct kiosk *kiosk)
 {
     const struct timing *work = &kiosk->work_time;
@@ -66,7 +68,7 @@ static void tell_work(const struct kiosk *kiosk)
            (double)timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
 }
 
-/* Only where there is a poi that stamps its reports. */
+/* Reports the latency of reports, only if a poi time-stamps its reports. */
 static void tell_reports(const struct kiosk *kiosk)
 {
     const struct timing *wait = &kiosk->report_wait;
@@ -78,8 +80,8 @@ static void tell_reports(const struct kiosk *kiosk)
     }
 }
 
-/* Closes the store before the figures are told: what it could not keep is one of them. EXIT_IO when
- * coins, rounds or graphs are lost. */
+/* Closes the store and then reports the statistics, which include unsaved data. Returns EXIT_IO if
+ * coins, rounds or edits are lost. */
 static enum exit_code tell_end(struct session *session, enum kiosk_end end)
 {
     struct kiosk *kiosk = &session->kiosk;
@@ -111,7 +113,7 @@ static enum exit_code code_of_end(enum kiosk_end end)
                                        : EXIT_OK;
 }
 
-/* The worse of what the store and the recording came to, then the display. */
+/* Returns the worse result of the store and the recording, otherwise that of the display. */
 static enum exit_code end_play(struct session *session, enum kiosk_end end)
 {
     const enum exit_code told = tell_end(session, end);
@@ -120,8 +122,8 @@ static enum exit_code end_play(struct session *session, enum kiosk_end end)
     return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
 }
 
-/* Xlib and the software renderer's threads do not outlive their connection: nothing may go back
- * into them, not even to return. So the end of the evening is here. */
+/* Ends the program inside the display call. Xlib and the software renderer's threads do not survive
+ * the loss of their connection, so that no call may return into them. */
 static void on_display_lost(void *self)
 {
     struct session *session = self;
@@ -137,8 +139,8 @@ int play_waits_for_screen(void)
     return socket && socket[0];
 }
 
-/* Keys are buttons and coins: at a desk, and where an operator says so; not in a cabinet, where
- * anybody may find a socket. */
+/* Returns whether keys act as buttons and coins: on a desktop, and if the operator enables them. A
+ * service disables them because anybody may find a socket of a cabinet. */
 static uint8_t keyboard_of(const struct options *options)
 {
     const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
@@ -205,7 +207,8 @@ static enum exit_code begin(struct session *session)
     return session_begin(session, &config);
 }
 
-/* The first picture that cannot be made or written is the last: one line, not one each 5 s. */
+/* Takes a picture if one is due. After the first failure no more pictures are taken, so that the
+ * error is reported only once. */
 static void shoot_if_due(struct session *session, uint32_t *shots)
 {
     char path[OPTIONS_PATH_MAX + 32];
@@ -219,7 +222,7 @@ static void shoot_if_due(struct session *session, uint32_t *shots)
     }
 }
 
-/* That the picture went, and that it came back: once each. */
+/* Reports that the picture was lost, and that it is back, once each. */
 static void tell_picture(const struct session *session, int *was_away)
 {
     const struct hal_display *display = &session->hal.display;
@@ -231,7 +234,8 @@ static void tell_picture(const struct session *session, int *was_away)
     }
 }
 
-/* Once: a library that changes the control word changes it in each frame. */
+/* Reports a changed floating-point control once, because a library that changes it does so in each
+ * frame. */
 static void tell_float(const struct session *session, int *is_told)
 {
     if (session->kiosk.float_resets > 0 && !*is_told) {

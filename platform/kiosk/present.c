@@ -1,4 +1,4 @@
-/* present.c -- see present.h. */
+/* present.c -- writes the results of a frame to the devices; see present.h. */
 #include "platform/kiosk/present.h"
 
 #include <string.h>
@@ -6,8 +6,9 @@
 #include "core/game/menu_pages.h"
 #include "platform/kiosk/chapters.h"
 
-#define RESTART_WAIT_NS 5000000000ull /* A card that takes longer than this for an entry is full. */
-#define RETRY_NS 1000000000ull /* A lost display: once a second is often enough. */
+#define RESTART_WAIT_NS 5000000000ull /* Longest wait for the store before a restart; a slower card
+                                         is assumed to be full. */
+#define RETRY_NS 1000000000ull /* Interval between attempts to reopen a lost display. */
 
 void present_view(struct kiosk *kiosk, const struct hal *hal)
 {
@@ -34,8 +35,8 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
                                      hal_now_ns(hal->clock));
 }
 
-/* A replay's coins were metered when they fell, and those that fall now would be nobody's: the slot
- * stays closed, as it begins. */
+/* Sets the outputs. During a replay nothing is set: its coins were metered when they were inserted,
+ * and new coins would be lost, therefore the coin lockout stays locked. */
 static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 {
     if (!kiosk->config.source.next) {
@@ -47,7 +48,7 @@ static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 _Static_assert(PACE_TICKS_MAX / MENU_TAKE_TICKS + 2u <= DESK_ORDER_MAX,
                "a take in the first tick, one after each pause, and the menu that closes itself");
 
-/* All of the frame's, in the order in which they were given. */
+/* Executes the commands of the frame in their order. */
 static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct output *output = &kiosk->output;
@@ -65,10 +66,10 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Another start would go on from a store that came late: with its settings, and with coins. Nobody
- * plays, no recording would be written over, and that store has all money that lay only in this
- * memory: a credit that nobody could keep cannot be played either, so waiting until it is would be
- * waiting for ever. */
+/* Returns 1 if the kiosk must restart to use a store that appeared later, with its settings and
+ * coins. Conditions: no game and no replay run, no recording would be overwritten, and the store
+ * has all money that was only in memory. A remaining credit is no reason to wait, because without a
+ * store it cannot be played. */
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
@@ -77,7 +78,8 @@ static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
            late_is_told(&kiosk->late, &hal->storage, &kiosk->core);
 }
 
-/* The operator wants a restart: once the store has every entry, or will not take them. */
+/* Ends the kiosk for a restart that the operator requested, once the store has every entry or will
+ * not accept them. */
 static void end_for_restart(struct kiosk *kiosk, const struct hal *hal)
 {
     if (is_called_back(kiosk, hal)) {
@@ -100,8 +102,8 @@ static void present_forces(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* What must outlive a power cut. A replay's was kept when it was played; a score's replay follows
- * once the score is on disk. */
+/* Stores data that must survive a power cut. Data of a replay was stored when the game was played.
+ * A score's replay is stored after its score is on disk. */
 static void present_savings(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct hal_storage *storage = &hal->storage;
@@ -117,8 +119,8 @@ static void present_savings(struct kiosk *kiosk, const struct hal *hal)
     kiosk->faults.storage += faults;
 }
 
-/* Without a picture the game goes on, and the store with it: a display that went, or that never
- * was there, is looked for once a second. */
+/* Draws the picture. Game and store continue without a display; a display that is lost or absent is
+ * retried once a second. */
 static void present_picture(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct hal_display *display = &hal->display;
@@ -147,5 +149,6 @@ void present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_cou
         present_savings(kiosk, hal);
         end_for_restart(kiosk, hal);
     }
-    present_picture(kiosk, hal); /* Last: it may wait for the screen, and no sound waits with it. */
+    present_picture(kiosk, hal); /* Last, because it may block on the screen, and sounds must not be
+                                    delayed. */
 }

@@ -1,10 +1,10 @@
-/* recorder.c -- a tap on the frame loop. */
+/* recorder.c -- records the ticks of the frame loop to a file. */
 #include "platform/kiosk/recorder.h"
 
 #include <errno.h>
 #include <string.h>
 
-/* How much a count rose since `*before`. */
+/* Returns the increase since `*before`, and updates `*before`. */
 static uint32_t risen(uint32_t *before, uint32_t now)
 {
     const uint32_t rise = now > *before ? now - *before : 0;
@@ -67,7 +67,7 @@ struct kiosk_tap recorder_tap(struct recorder *recorder)
 
 int recorder_end(struct recorder *recorder)
 {
-    const int is_open = replay_is_open(&recorder->writer); /* Else perhaps there is no core. */
+    const int is_open = replay_is_open(&recorder->writer); /* Otherwise the core may not exist. */
     return replay_finish(&recorder->writer, is_open ? core_hash(recorder->core) : 0);
 }
 

@@ -1,4 +1,4 @@
-/* replayer.c -- a source of inputs that also knows the answers. */
+/* replayer.c -- provides the recorded inputs and compares the results. */
 #include "platform/kiosk/replayer.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* resample.c -- a polyline in time, walked in equal steps. */
+/* resample.c -- samples a polyline in time at equal steps. */
 #include "platform/kiosk/resample.h"
 
 #include "core/base/panic.h"
@@ -24,7 +24,7 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
     if (resampler->count > 0) {
         const uint64_t newest_ns = resampler->path[resampler->count - 1].time_ns;
         if (next.time_ns <= newest_ns) {
-            next.time_ns = newest_ns; /* Time along the path never goes back. */
+            next.time_ns = newest_ns; /* Time along the path never decreases. */
             resampler->count -= resampler->count > 1;
         }
     }
@@ -35,7 +35,7 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
     return trust_can_read(&next.target);
 }
 
-/* A place on the way from one reading to the next; where there is no way, the one that stands. */
+/* Returns a point on the path between two reports, or the earlier pose if the path is invalid. */
 static struct poi_target target_on_way(const struct poi_sample *from, const struct poi_sample *to,
                                        float t)
 {
@@ -68,7 +68,7 @@ struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
         next++;
     }
     const uint64_t from_ns = path[next - 1].time_ns;
-    const uint64_t gap_ns = path[next].time_ns - from_ns; /* 0 only in a path of a few ns. */
+    const uint64_t gap_ns = path[next].time_ns - from_ns; /* 0 only if the path is a few ns long. */
     const float t = gap_ns > 0 ? (float)(time_ns - from_ns) / (float)gap_ns : 1.0f;
     return target_on_way(&path[next - 1], &path[next], t);
 }

@@ -1,9 +1,10 @@
-/* sample.c -- see sample.h. */
+/* sample.c -- reads the devices for a frame; see sample.h. */
 #include "platform/kiosk/sample.h"
 
 #include "core/game/menu_pages.h"
 
-#define QUIT_ASK_NS 5000000000ull /* As long as TEST asks in a round: MENU_ASK_TICKS. */
+#define QUIT_ASK_NS 5000000000ull /* Time for the second press; the same as for TEST in a round:
+                                     MENU_ASK_TICKS. */
 
 static void read_wall(struct kiosk *kiosk, const struct hal *hal)
 {
@@ -20,8 +21,8 @@ static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat,
     }
 }
 
-/* Between two games, and while the operator looks at what plays, a seat may go to a better
- * controller; nobody loses his in the middle of a game. */
+/* Assigns slots to better controllers, only between two games and while the operator's page of
+ * controllers is shown, so that no player loses a controller during a game. */
 static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
 {
     const uint8_t phase = kiosk->core.game.phase;
@@ -36,15 +37,16 @@ static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
 
 void sample_open(struct kiosk *kiosk, const struct hal *hal)
 {
-    read_wall(kiosk, hal); /* The C library reads the time zone once, here: it allocates. */
+    read_wall(kiosk, hal); /* The C library reads the time zone here once, which allocates
+                              memory. */
     hal->seats.ops->arrange(hal->seats.self, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         open_seat(kiosk, hal, i, hal_now_ns(hal->clock));
     }
 }
 
-/* At a desk the quit key asks, because Esc is soon pressed by accident: the second press within
- * QUIT_ASK_NS ends the kiosk, and any other button withdraws the question. A replay that is shown
+/* Handles the quit key, with a confirmation on a desktop because Esc is easily pressed by accident.
+ * The second press within QUIT_ASK_NS ends the kiosk; any other button cancels. A replay on screen
  * ends at once. In the operator's menu the key leads back. */
 static void heed_quit(struct kiosk *kiosk, const struct button_sample *buttons)
 {
@@ -106,8 +108,8 @@ static void sample_store(struct kiosk *kiosk, const struct hal_storage *storage)
 
 void sample_devices(struct kiosk *kiosk, const struct hal *hal)
 {
-    sample_display(kiosk, hal); /* First: it pumps the queue that a desktop's mouse and keyboard
-                                   take their events from. */
+    sample_display(kiosk, hal); /* First, because it fills the event queue from which a desktop's
+                                   mouse and keyboard are read. */
     hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.desk);
     kiosk->input.desk.file_count = dressing_file_count(kiosk->config.notes);
     const uint64_t now_ns = kiosk->sampled_ns = hal_now_ns(hal->clock);
@@ -118,7 +120,8 @@ void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         kiosk->faults.shade += shade_hand_sample(&kiosk->shades[i], &hal->shade[i], now_ns);
     }
-    sample_buttons(kiosk, hal); /* After the pois: a controller's own buttons came with it. */
+    sample_buttons(kiosk, hal); /* After the pois, because polling a poi also reads its controller's
+                                   buttons. */
     sample_store(kiosk, &hal->storage);
     kiosk->input.tickets_done = switches_done(&kiosk->switches, &hal->switches, HAL_TICKET);
     read_wall(kiosk, hal);

@@ -1,9 +1,10 @@
-/* saving.c -- see saving.h. */
+/* saving.c -- offers data to the store and handles its errors; see saving.h. */
 #include "platform/kiosk/saving.h"
 
-#define RETRY_NS 1000000000ull /* A failed save: once a second is often enough. */
+#define RETRY_NS 1000000000ull /* Interval between attempts after a failure. */
 
-/* Whether the store is done with what it was offered; one that failed is left alone for a while. */
+/* Returns 1 if the store accepted or will never accept the offer. After a failure the next attempt
+ * is delayed. */
 static int is_settled(struct saving *saving, int result, uint64_t now_ns)
 {
     if (hal_is_fault(result)) {

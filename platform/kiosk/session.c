@@ -32,7 +32,7 @@ void session_note_refused(void *self, const char *line)
     file_notes_refused(&session->notes, session->options.data, line);
 }
 
-/* In the log, and on the shelf for the lab's screen. */
+/* Reports a line in the log and adds it to the library for the lab's screen. */
 static void warn(void *context, const char *line)
 {
     struct session *session = context;
@@ -42,7 +42,7 @@ static void warn(void *context, const char *line)
     shelf_note_graph(&session->shelf, line + (folder < strlen(line) ? folder : 0u));
 }
 
-/* What the growth lab shows beside the built-in species. */
+/* Fills the growth lab's catalog with the species of makers. */
 static void fill_book(const struct shelf *shelf, struct lab_book *book)
 {
     book->card_count = (uint8_t)shelf->species_count;
@@ -56,7 +56,7 @@ static void fill_book(const struct shelf *shelf, struct lab_book *book)
     book->refused = (uint8_t)(refused < UINT8_MAX ? refused : UINT8_MAX);
 }
 
-/* For the operator's menu: what a maker put there, and what became of it. */
+/* Adds the result of each species file to the operator's notes. */
 static void note_species(struct session *session)
 {
     const struct shelf *shelf = &session->shelf;
@@ -74,7 +74,7 @@ static void note_species(struct session *session)
     }
 }
 
-/* Returns what the log and the operator's page say about a file that was set aside. */
+/* Returns the text for a quarantined file in the log and on the operator's page. */
 static const char *words_of_aside(const char *data, const char *name)
 {
     static const char *const words[] = {
@@ -92,8 +92,8 @@ static const char *words_of_aside(const char *data, const char *name)
                : words[aside];
 }
 
-/* What was damaged, gone or another's stays on the page for good; the mark on "ready for opening"
- * goes once somebody has acknowledged it. */
+/* Adds the quarantined files to the notes permanently. The warning on the page "ready for opening"
+ * disappears after an operator has acknowledged it. */
 static void note_damaged(struct session *session)
 {
     DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
@@ -274,7 +274,7 @@ static int capture(struct session *session, struct hal_image *image)
     return display->ops->capture(display->self, image);
 }
 
-/* A window that has grown since the last picture needs more room. */
+/* Captures the picture. A window that has grown since the last picture needs a larger buffer. */
 static int capture_with_room(struct session *session, struct hal_image *image)
 {
     const int result = capture(session, image);

@@ -1,4 +1,4 @@
-/* shades.c -- from one reading a frame to one place a tick. */
+/* shades.c -- converts one report a frame to one position a tick. */
 #include "platform/kiosk/shades.h"
 
 #include "core/base/panic.h"
@@ -16,7 +16,7 @@ uint32_t shade_hand_open(struct shade_hand *hand, const struct hal_shade *device
     return hand->link == POI_LINK_LOST;
 }
 
-/* NaN compares false, so it is out of range too. */
+/* Returns 1 if the position is in range. NaN compares false and is therefore out of range. */
 static int is_sane(const struct shade_input *shade)
 {
     return f_abs(shade->x_m) <= RANGE_MAX_M && f_abs(shade->z_m) <= RANGE_MAX_M &&

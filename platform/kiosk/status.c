@@ -1,4 +1,4 @@
-/* status.c -- what there is to report, and the thread that writes it. */
+/* status.c -- collects the status report and writes it on a thread. */
 #include "platform/kiosk/status.h"
 
 #include <assert.h>
@@ -14,7 +14,7 @@
 
 #define NS_PER_MS 1000000ull
 
-/* ---- What there is to say ------------------------------------------------------------------- */
+/* ---- The report ------------------------------------------------------------------------------ */
 
 static void take_device(struct status_report *report, const char *part, const char *text)
 {
@@ -85,8 +85,8 @@ static int write_all(int fd, const char *text, size_t size)
     return 0;
 }
 
-/* 0 or a negative errno. Readable by everybody, whatever the service's umask; in memory, so that
- * nothing is synchronised. */
+/* Writes the file. Returns 0 or a negative errno. The file is readable for all, independent of the
+ * umask. It is in a memory file system and needs no sync. */
 static int write_file(const struct status *status, size_t size)
 {
     const int fd = open(status->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
@@ -118,7 +118,8 @@ static void write_report(struct status *status, struct status_report *report)
 static void *run(void *self)
 {
     struct status *status = self;
-    struct status_report report; /* Its own copy: the frame loop goes on to the next. */
+    struct status_report report; /* Copy of the thread, because the frame loop overwrites the
+                                    original. */
     pthread_setname_np(pthread_self(), "status");
     pthread_mutex_lock(&status->mutex);
     while (!status->stop) {
@@ -136,7 +137,8 @@ static void *run(void *self)
     return NULL;
 }
 
-/* ---- The frame loop's side ------------------------------------------------------------------ */
+/* ---- Called by the frame loop
+ * ----------------------------------------------------------------- */
 
 void status_begin(struct status *status, const char *folder)
 {

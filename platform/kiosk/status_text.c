@@ -1,4 +1,4 @@
-/* status_text.c -- a report as JSON. */
+/* status_text.c -- formats a status report as JSON. */
 #include "platform/kiosk/status.h"
 
 #include <assert.h>
@@ -104,7 +104,7 @@ static const char *watch_name(uint8_t watch)
     return watch < sizeof names / sizeof names[0] ? names[watch] : "none";
 }
 
-/* What is not known is null: a figure that nobody measured would be believed. */
+/* Writes a number, or null if the value is unknown. */
 static void put_known(struct text_out *text, const char *name, int is_known, int64_t value)
 {
     if (is_known) {
@@ -114,7 +114,7 @@ static void put_known(struct text_out *text, const char *name, int is_known, int
     }
 }
 
-/* The figures of the page "ready for opening". */
+/* Writes the values of the page "ready for opening". */
 static void put_machine(struct text_out *text, const struct status_report *report)
 {
     const struct scene_machine *machine = &report->machine;

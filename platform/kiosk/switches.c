@@ -1,10 +1,10 @@
-/* switches.c -- what differs is asked for: again next frame when the driver is busy, in a second
- * when it failed. A switch that this cabinet has not is as good as switched. */
+/* switches.c -- sends changed outputs to the driver. A busy driver is retried in the next frame, a
+ * failed one after a second. An output that this cabinet lacks counts as set. */
 #include "platform/kiosk/switches.h"
 
 #define RETRY_NS 1000000000ull
 
-/* Whether the driver is done with what it was asked for. */
+/* Returns 1 if the driver accepted the request or will never accept it. */
 static int is_settled(struct switches *switches, enum hal_switch which, int result,
                       uint64_t now_ns)
 {
@@ -28,7 +28,7 @@ static uint32_t set(struct switches *switches, const struct hal_switches *device
     return (uint32_t)hal_is_fault(result);
 }
 
-/* As many as `wanted` has grown by. */
+/* Issues as many pulses as `wanted` has increased. */
 static uint32_t pulse(struct switches *switches, const struct hal_switches *device,
                       enum hal_switch which, uint32_t wanted, uint64_t now_ns)
 {

@@ -1,8 +1,8 @@
-/* voice.c -- see voice.h. */
+/* voice.c -- plays the sounds of a frame; see voice.h. */
 #include "platform/kiosk/voice.h"
 
 #define NS_PER_S 1000000000ull
-#define RETRY_NS NS_PER_S /* A card is looked for once a second. */
+#define RETRY_NS NS_PER_S /* Interval between two searches for a card. */
 
 static void look_for_card(struct voice *voice, const struct hal_audio *audio, uint64_t now_ns)
 {
@@ -56,7 +56,8 @@ uint32_t voice_put(struct voice *voice, const struct hal_audio *audio,
         event.gain *= gain;
         const int result = audio->ops->play(audio->self, &event);
         faults += (uint32_t)hal_is_fault(result);
-        if (result == HAL_ERR_GONE) { /* One loss, one fault: this moment's sounds go with it. */
+        if (result == HAL_ERR_GONE) { /* One loss counts as one fault; the remaining sounds of this
+                                         frame are dropped. */
             voice->retry_ns = now_ns + RETRY_NS;
         }
     }
