@@ -53,9 +53,9 @@ static void release(struct display_gl *display)
     display->has_shown = false;
 }
 
-/* Returns true if SDL chose a driver that shows nothing ("offscreen" or "dummy") by itself, for
- * example because the window system died meanwhile. Such a driver is accepted only if `off_screen`
- * or SDL_VIDEODRIVER requests it. */
+/* Returns true if SDL chose a driver without a visible picture ("offscreen" or "dummy") without
+ * a request, for example because the window system died meanwhile. Such a driver is accepted
+ * only if `off_screen` or SDL_VIDEODRIVER requests it. */
 static int shows_nothing(const struct display_gl *display)
 {
     const char *driver = SDL_GetCurrentVideoDriver();

@@ -46,7 +46,7 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
 /* Creates a buffer of `size` bytes. `data` may be null for a buffer that is filled every frame. */
 GLuint gl_buffer(GLenum target, const void *data, size_t size);
 
-/* Replaces the whole content of the buffer bound to `target` in new storage, so that the driver
+/* Replaces the whole content of the buffer bound to `target` in new storage. The driver then
  * need not wait for the frame that still reads the old content. */
 void gl_buffer_refill(GLenum target, const void *data, size_t size);
 

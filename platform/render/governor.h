@@ -1,10 +1,11 @@
-/* governor.h -- the quality governor: lowers the drawing quality when frames are late or the
- * machine is hot, so that the game never waits for its picture, and raises the quality again when
- * there is time.
+/* governor.h -- the quality governor, which adapts the drawing quality to the machine.
  *
- * A screen shows a frame at its next refresh, so a frame's duration shows whether drawing was too
- * slow but not how much time was left. The governor therefore tries a finer step between two games,
- * and waits longer after each failed trial. */
+ * The governor lowers the quality when frames are late or the machine is hot, so that the game
+ * never waits for its picture. The governor raises the quality again when there is time.
+ *
+ * A screen shows a frame at its next refresh, so a frame's duration shows whether drawing was
+ * too slow but not how much time was left. The governor therefore tries a finer step between two
+ * games, and waits longer after each failed trial. */
 #ifndef KINGYO_PLATFORM_RENDER_GOVERNOR_H
 #define KINGYO_PLATFORM_RENDER_GOVERNOR_H
 

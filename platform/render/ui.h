@@ -36,9 +36,11 @@ int ui_init(struct ui *ui, char *why, size_t why_size);
 /* Draws the user interface over the bound framebuffer, which is the screen of `placing`.
  * `specimens` draws the batch's specimens between its quads. If `specimens` is null, they are
  * omitted and the framebuffer needs no depth. Needs no other state than the bound framebuffer.
- * Leaves the viewport on the screen, blending on with (ONE, ONE_MINUS_SRC_ALPHA), depth test and
- * face culling off, depth writes on (OpenGL's initial state), scissor off, one of its programs
- * current, vertex array 0, and textures on units 0 and 1. */
+ *
+ * State afterwards: the viewport is the screen. Blending is on with (ONE, ONE_MINUS_SRC_ALPHA).
+ * Depth test, face culling and scissor are off, and depth writes are on (OpenGL's initial
+ * state). One of the programs is current, the vertex array is 0, and units 0 and 1 have
+ * textures. */
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
              const struct placing *placing);
 

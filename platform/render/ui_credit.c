@@ -7,8 +7,7 @@
 #include "platform/render/ui_signs.h"
 
 #define CLINK_S 0.5f /* Duration for which the plate grows when a coin is inserted. */
-#define COMING_WIDTH 84.0f /* Width of the pending coins' outline, in units: "+99" and a margin at
-                              each side. */
+#define COMING_WIDTH 84.0f /* Width of "+99" and its margins, in units. */
 #define ASK_S 1.2f   /* Duration of the emphasized call for coins after a player tried to start
                         without credit. */
 
@@ -28,7 +27,7 @@ static void credit_words(const struct ui_frame *frame, const struct scene_credit
     }
 }
 
-/* Draws coins that are not yet available as an outline beside the plate, from `left` on. */
+/* Draws the credits that are not on disk yet as an outline beside the plate, from `left` on. */
 static void coming(const struct ui_frame *frame, const struct scene_credit *credit, float left,
                    float y)
 {

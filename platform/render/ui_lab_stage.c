@@ -267,8 +267,8 @@ static float dot_size(const struct lab_page *page, const struct specimen *fish,
     return fminf(fmaxf(share, 0.4f), 1.0f);
 }
 
-/* Draws the trajectory of a point (figures 3.4 and 3.5) and the line of the ordinary morph (figure
- * 3.2), with a dot at each key and a ring at the current position. */
+/* Draws the trajectory of a point (figures 3.4 and 3.5) and the line of the ordinary morph
+ * (figure 3.2). A dot marks each key, and a ring the current position. */
 static void one_way(const struct lab_page *page, const struct specimen *fish,
                     const struct bench_way *way, uint32_t colour)
 {

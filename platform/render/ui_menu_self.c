@@ -180,8 +180,8 @@ static uint32_t paint_of(uint8_t state)
     return state == SELF_GOOD ? GOOD_PAINT : state == SELF_BAD ? BAD_PAINT : ASK_PAINT;
 }
 
-/* Draws a tick, a cross, an exclamation mark, a question mark for a check to be done by the
- * operator, or three dots for a check without a result yet. */
+/* Draws a check's sign: a tick, a cross, or an exclamation mark. A question mark stands for a
+ * check to be done by the operator, and three dots for a check without a result yet. */
 static void mark(const struct menu_view *view, float x, float y, uint8_t state)
 {
     const float u = view->frame.unit, r = 13.0f * u;

@@ -12,12 +12,14 @@
 
 #define VET_WHY_SIZE 128u
 
-/* Returns true if every number of `species` is finite and in its range, its graphs satisfy their
- * constraint, its keys' lengths match the growth curve at their ages (within 2 %), its indices and
- * anchors refer to existing elements, and its keys have the same size. Otherwise returns false, and
- * `why` is one line without a line end, "field: reason" or "key/field: reason". The tables that
- * `species` points to must be as long as its counts state, if those counts are within
- * MESH_VERTEX_MAX, MESH_INDEX_MAX and ANCHOR_MAX. */
+/* Returns true if `species` is valid. Every number must be finite and in its range, and the
+ * graphs must satisfy their constraint. The keys' lengths must match the growth curve at their
+ * ages (within 2 %). Indices and anchors must refer to existing elements, and the keys must have
+ * the same size.
+ *
+ * Otherwise returns false, and `why` is one line without a line end, "field: reason" or
+ * "key/field: reason". The tables that `species` points to must be as long as its counts state,
+ * if those counts are within MESH_VERTEX_MAX, MESH_INDEX_MAX and ANCHOR_MAX. */
 bool species_vet(const struct species *species, char why[VET_WHY_SIZE]);
 
 /* Validates one curve's graph over `key_count` keys in the same way. `curve` is its name, for
