@@ -1,5 +1,6 @@
-/* device_book.c -- any text as a kept controller: its bad line is told, or it is the same again
- * when it is written and read, under a name that leads nowhere else. */
+/* device_book.c -- fuzz target: any text as a stored controller file. The parser reports the bad
+ * line, or the entry is unchanged after it was written and read again. The entry's name must be a
+ * plain file name, so that it leads to no other folder. */
 #include <string.h>
 
 #include "drivers/hid_book_text.h"

@@ -1,9 +1,10 @@
-/* device_coin.c -- any edges of a coin line, looked at whenever: as many coins, and faults, as one
- * counts who has the whole list of edges before him.
+/* device_coin.c -- fuzz target: any edges of a coin line, polled at any time. The decoder must
+ * count the same coins and faults as a reference that has the complete list of edges.
  *
- * Input: the debounce period in 0.1 ms, the window's least width in ms, its span in ms, whether the
- * line is active at first; then two bytes an edge, low first: 13 bits of time since the last in
- * 50 us, whether somebody looks just before and just after it, and its level. */
+ * Input: the debounce period in 0.1 ms, the least width of the window in ms, the span of the window
+ * in ms, and the first level of the line. After these bytes each edge has two bytes, low byte
+ * first: 13 bits of time since the last edge in units of 50 us, one bit each for a poll just before
+ * and just after the edge, and its level. */
 #include "drivers/coin_mech.h"
 #include "drivers/debounce.h"
 #include "tests/fuzz/trap.h"
@@ -28,7 +29,7 @@ struct slot {
     struct edge edge[EDGE_MAX];
 };
 
-/* ---- With the whole list -------------------------------------------------------------------- */
+/* ---- Reference: the complete list of edges -------------------------------------------------- */
 
 static uint32_t turns_of(const struct slot *slot, struct debounce_turn turn[EDGE_MAX])
 {
@@ -68,7 +69,8 @@ static struct tally count_all(const struct slot *slot)
     struct tally tally = { 0 };
     bool falls = slot->active, is_first = true;
     uint64_t begin_ns = slot->begin_ns, fell_ns = 0;
-    bool waits = false; /* A pulse ended at `fell_ns`, and may go on within the gap. */
+    bool waits = false; /* True after a pulse ended at `fell_ns` while it can still continue within
+                           the gap. */
     for (uint32_t i = 0; i < count; i++) {
         if (!turn[i].active) {
             fell_ns = turn[i].time_ns;
@@ -93,7 +95,7 @@ static struct tally count_all(const struct slot *slot)
     return tally;
 }
 
-/* ---- As they come --------------------------------------------------------------------------- */
+/* ---- Decoder: edges as they arrive ---------------------------------------------------------- */
 
 static void take(struct coin_mech *mech, bool turned, const struct debounce_turn *turn,
                  struct debounce_turn *last)

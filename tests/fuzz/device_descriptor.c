@@ -1,10 +1,12 @@
-/* device_descriptor.c -- any bytes as a report descriptor: refused, or a list right in itself. */
+/* device_descriptor.c -- fuzz target: any bytes as a report descriptor. The parser refuses the
+ * bytes, or returns a consistent list of fields. */
 #include <string.h>
 
 #include "drivers/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
-/* The same bytes over other leftovers must read the same: nothing of the last descriptor shows. */
+/* The same bytes are parsed into two buffers with different old content. Both results must be
+ * equal, so that nothing of the last descriptor remains. */
 static struct hid_descriptor first, again;
 
 static void hold_usages(const struct hid_group *group)

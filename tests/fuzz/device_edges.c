@@ -1,16 +1,17 @@
-/* device_edges.c -- any edges and levels of an input line, true or not: turns that alternate, in
- * the order of their times, and a line that stands still is believed in the end.
+/* device_edges.c -- fuzz target: any edges and levels of an input line, correct or not. The filter
+ * must return alternating changes in time order, and must accept the level of a line that stays
+ * constant.
  *
- * Input: the debounce period in 0.1 ms and the first level; then two bytes a step, low first: 12
- * bits of time in 50 us, three that say what comes (an edge, one that is told late, one behind lost
- * ones, a level), and the level that it claims. */
+ * Input: the debounce period in 0.1 ms and the first level. After these bytes each step has two
+ * bytes, low byte first: 12 bits of time in units of 50 us, three bits for the kind of step (an
+ * edge, a late edge, an edge after lost edges, or a level), and the level of the step. */
 #include "drivers/gpio_input.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_NS 50000u
 
 static struct debounce_turn last;
-static uint64_t dated_ns; /* The newest edge. */
+static uint64_t dated_ns; /* Time of the newest edge. */
 
 static void take(bool turned, const struct debounce_turn *turn)
 {
@@ -49,7 +50,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         now_ns += (word & 0xfffu) * TIME_NS;
         step(&input, now_ns, word >> 12 & 7u, word >> 15 != 0);
     }
-    /* The line now stands, whatever its edges have said: asked often enough, it is believed. */
+    /* The line is now constant. The filter must accept its level after several polls, whatever
+     * edges came before. */
     for (uint32_t i = 0; i < 4u; i++) {
         now_ns += 100000000u;
         step(&input, now_ns, 4u, true);

@@ -1,20 +1,23 @@
-/* device_hand.c -- any controller, any map that is sound for it, any reports: a finite hand, in
- * bounded time.
+/* device_hand.c -- fuzz target: any controller, any valid map for it, and any reports. The decoded
+ * pose must be finite, and the decoder must take a bounded time.
  *
- * Input: vendor and product (two bytes each, low first), the size of the descriptor (likewise), the
- * descriptor, a map as a line of text ("": the one that is chosen), then reports: a byte of time, a
- * byte of size, as many bytes. */
+ * Input: vendor and product (two bytes each, low byte first), the size of the descriptor (also two
+ * bytes), the descriptor, and a map as a line of text. An empty line selects the automatic map.
+ * Reports follow: a byte of time, a byte of size, and the bytes of the report. */
 #include <string.h>
 #include <time.h>
 
 #include "drivers/hid_hand.h"
 #include "tests/fuzz/trap.h"
 
-#define TIME_STEP_NS 500000u /* Of the byte of time: up to 128 ms, and at 255 eight seconds. */
+#define TIME_STEP_NS 500000u /* Unit of the byte of time. The byte gives up to 128 ms, and 255 means
+                                eight seconds. */
 
-/* Of a report, on its thread's clock and under the sanitizers, which make it 20 times as slow. */
+/* Time limit for one report on the clock of its thread. The sanitizers make the decoder about 20
+ * times slower. */
 #define REPORT_NS_MAX 4000000ull
-#define REPORT_TRIES 3u /* What once took longer was perhaps the machine. */
+#define REPORT_TRIES 3u /* Number of measurements of a report. One slow measurement can be caused by
+                           another process. */
 
 static const struct view view = {
     .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
@@ -50,7 +53,8 @@ static void hold_hand(uint64_t time_ns)
     hid_hand_buttons(&hand, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0 && buttons.coin_count[0] == 0);
     hid_hand_buttons(&hand, &again);
-    HOLD(again.pressed == 0 && again.held == buttons.held); /* An edge is told once. */
+    HOLD(again.pressed == 0 && again.held == buttons.held); /* A button edge must be returned only
+                                                               once. */
 }
 
 static uint64_t cpu_ns(void)
@@ -93,7 +97,7 @@ static void play(const uint8_t *bytes, size_t size)
     }
 }
 
-/* Takes the line of text; returns the bytes that it took. */
+/* Takes the line of text. Returns the number of bytes taken. */
 static size_t take_map(const uint8_t *bytes, size_t size)
 {
     static char text[HID_MAP_TEXT_SIZE];

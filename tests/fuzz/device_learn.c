@@ -1,7 +1,9 @@
-/* device_learn.c -- any controller that is shown anything: what was learned can be played with.
+/* device_learn.c -- fuzz target: the learn dialog with any controller and any reports. A learned
+ * map must be usable for play.
  *
- * Input: the size of the descriptor (two bytes, low first), the descriptor, then steps: a byte of
- * time, 255 for "I did as I was told"; else a byte of size and as many bytes of a report. */
+ * Input: the size of the descriptor (two bytes, low byte first), the descriptor, and steps. Each
+ * step is a byte of time. The value 255 means that the user confirms the instruction. Any other
+ * value is followed by a byte of size and the bytes of a report. */
 #include <string.h>
 
 #include "drivers/hid_hand.h"

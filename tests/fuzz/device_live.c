@@ -1,6 +1,8 @@
-/* device_live.c -- any controller that is watched, in a window of any size: the picture fits it.
+/* device_live.c -- fuzz target: the live view of any controller in a window of any size. The
+ * picture must fit the window.
  *
- * Input: as device_report.c's; a report's size also says how large the window is. */
+ * Input: the format of device_report.c. The size of a report also selects the size of the
+ * window. */
 #include <string.h>
 
 #include "platform/ctl/hid_live.h"

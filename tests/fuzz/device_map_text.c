@@ -1,5 +1,5 @@
-/* device_map_text.c -- any line as a kept map: refused in one sentence, or the same again when it
- * is written and read. */
+/* device_map_text.c -- fuzz target: any line as a stored map. The parser refuses the line with one
+ * sentence, or the map is unchanged after it was written and read again. */
 #include <string.h>
 
 #include "drivers/hid_map.h"

@@ -1,14 +1,17 @@
-/* device_pad.c -- any bits from a game pad or from a touch screen: a finite hand.
+/* device_pad.c -- fuzz target: any events of a gamepad or of a touch screen. The decoded pose must
+ * be finite.
  *
- * Input: a byte that says which of the two (even: a pad), then events. Of a pad: a byte of time,
- * what is told, and as many bytes as that has. Of a screen: a byte of time, kind, finger, x, y. */
+ * Input: a byte that selects the device (an even value selects the gamepad), and events. A gamepad
+ * event has a byte of time, a byte for its kind, and the bytes of that kind. A touch event has a
+ * byte of time, kind, finger, x and y. */
 #include <string.h>
 
 #include "drivers/pad_track.h"
 #include "drivers/touch_fingers.h"
 #include "tests/fuzz/trap.h"
 
-#define TIME_STEP_NS 500000u /* Of the byte of time: up to 128 ms, and at 255 eight seconds. */
+#define TIME_STEP_NS 500000u /* Unit of the byte of time. The byte gives up to 128 ms, and 255 means
+                                eight seconds. */
 
 static const struct view view = {
     .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
@@ -19,7 +22,7 @@ struct input_bytes {
     size_t left;
 };
 
-/* Beyond the end there are zeros. */
+/* Copies the next `size` bytes of the input. After the end of the input the bytes are zeros. */
 static void take(struct input_bytes *input, void *out, size_t size)
 {
     const size_t taken = size < input->left ? size : input->left;
@@ -59,7 +62,8 @@ static void hold_pad(struct pad_track *track, uint64_t now_ns, uint32_t max)
     pad_track_buttons(track, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0);
     pad_track_buttons(track, &again);
-    HOLD(again.pressed == 0 && again.held == buttons.held); /* An edge is told once. */
+    HOLD(again.pressed == 0 && again.held == buttons.held); /* A button edge must be returned only
+                                                               once. */
 }
 
 static void play_pad(struct input_bytes *input)

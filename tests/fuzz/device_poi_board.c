@@ -1,5 +1,6 @@
-/* device_poi_board.c -- any bits as what the sensors of a poi's board say: a report that its host
- * can read, or no place; and a motor that stays within its range. */
+/* device_poi_board.c -- fuzz target: any bits as sensor values of a poi's board. The board must
+ * write a report that the host can read, or a report without a position. The motor must stay within
+ * its range. */
 #include <string.h>
 
 #include "board/poi-gadget/board_pose.h"

@@ -1,5 +1,6 @@
-/* device_poi_report.c -- any bytes as a report of our own poi, and as what its hand is to feel.
- * Whatever is taken is within its range, and says the same again when it is written and read. */
+/* device_poi_report.c -- fuzz target: any bytes as a report of the Kingyo poi, and as a force
+ * report to it. Every accepted value must be within its range, and must be unchanged after it was
+ * written and read again. */
 #include <math.h>
 #include <string.h>
 
@@ -34,7 +35,7 @@ static void hold_feel(const uint8_t *bytes, uint32_t size)
     HOLD(memcmp(written, bytes, sizeof written) == 0);
 }
 
-/* Any floats at all must be written within their range, and be readable. */
+/* Checks that any floats are written within their range and can be read again. */
 static void hold_wild(const uint8_t *bytes, size_t size)
 {
     struct poi_force force = { 0 }, again;

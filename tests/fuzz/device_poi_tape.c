@@ -1,5 +1,6 @@
-/* device_poi_tape.c -- any bytes as a script of poses, and as lines of a poi's config: refused with
- * a reason, or a hand within its reach. */
+/* device_poi_tape.c -- fuzz target: any bytes as a script of poses and as lines of a poi's
+ * configuration. The parser refuses them with a reason, or every pose is within the reach of the
+ * poi. */
 #include <string.h>
 
 #include "board/poi-gadget/poi_config.h"
@@ -17,7 +18,7 @@ static void hold_report(const struct pose_tape *tape, const struct poi_report *r
     HOLD(!(f_abs(at_m.y) > 1.0001f) && !(f_abs(at_m.z) > 1.0001f));
 }
 
-/* A line that is believed leaves no number that is none. */
+/* Checks that an accepted line sets no value that is NaN or infinite. */
 static void hold_config(const char *line)
 {
     struct poi_config config;

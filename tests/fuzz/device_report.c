@@ -1,15 +1,16 @@
-/* device_report.c -- any descriptor, and any reports under it; every value is held against a reader
- * that goes bit by bit.
+/* device_report.c -- fuzz target: any descriptor and any reports that use it. Every value is
+ * compared with a reference reader that reads bit by bit.
  *
- * Input: two bytes for the size of the descriptor, low first, the descriptor, then reports: a byte
- * of size and as many bytes each. */
+ * Input: two bytes for the size of the descriptor, low byte first, the descriptor, and reports. A
+ * report is a byte of size and the bytes of the report. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "drivers/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
-#define FIELDS_HELD 512u /* Of one report; the largest have 65,536, which would only be slow. */
+#define FIELDS_HELD 512u /* Number of fields of one report that are compared. The largest reports
+                            have 65,536 fields, which would take too long. */
 
 static struct hid_descriptor descriptor;
 
@@ -56,7 +57,8 @@ static void hold_report(struct hid_report report)
     }
 }
 
-/* In a block of its own size, so that a byte beyond is seen. */
+/* Decodes a copy in a heap block of exactly `size` bytes, so that the sanitizer detects a read
+ * beyond its end. */
 static void hold_copy(const uint8_t *bytes, size_t size)
 {
     uint8_t *copy = malloc(size ? size : 1u);

@@ -1,6 +1,8 @@
-/* device_rows.c -- `kingyoctl hid describe` and `decode` on any two files.
+/* device_rows.c -- fuzz target: `kingyoctl hid describe` and `kingyoctl hid decode` on any two
+ * files.
  *
- * Input: a line with the size in hex of the descriptor's file, that file, the file of reports. */
+ * Input: a line with the size of the descriptor file in hexadecimal, the descriptor file, and the
+ * file of reports. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,7 +10,8 @@
 #include "platform/ctl/hid_rows.h"
 #include "tests/fuzz/trap.h"
 
-#define FIELDS_SHOWN 4096u /* More is the same again, and slow. */
+#define FIELDS_SHOWN 4096u /* Number of fields that are printed. More fields repeat the same code
+                              and take longer. */
 
 static struct hid_descriptor descriptor;
 static uint8_t file_bytes[HID_FILE_SIZE];

@@ -1,5 +1,6 @@
-/* device_wires.c -- any lines as a cabinet's wiring, and as an operator's choice of controllers:
- * taken, or refused in one sentence with nothing changed. */
+/* device_wires.c -- fuzz target: any lines as the wiring of a cabinet, and as an operator's
+ * choice of controllers. The parser accepts them, or refuses them with one sentence and changes
+ * nothing. */
 #include <string.h>
 
 #include "drivers/gpio_wires.h"

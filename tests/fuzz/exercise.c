@@ -1,4 +1,4 @@
-/* exercise.c -- every function of core/morph, on a species from somewhere. */
+/* exercise.c -- calls every function of core/morph on a species from any source. */
 #include "tests/fuzz/exercise.h"
 
 #include <math.h>
@@ -14,7 +14,8 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     abort();
 }
 
-/* What no species that was found good may answer. */
+/* Ends the process unless `holds` is true. `what` names a result that an accepted species must
+ * never give. */
 static void demand(int holds, const char *what)
 {
     if (!holds) {

@@ -1,5 +1,7 @@
-/* exercise.h -- uses a species that was found good as the kiosk and kingyoctl do. Whatever asserts
- * or reads beyond a table here was let through by species_vet(). */
+/* exercise.h -- uses an accepted species as the kiosk and kingyoctl do.
+ *
+ * If an assertion fails or a table is read beyond its end here, species_vet() accepted an invalid
+ * species. */
 #ifndef KINGYO_TESTS_FUZZ_EXERCISE_H
 #define KINGYO_TESTS_FUZZ_EXERCISE_H
 

@@ -1,5 +1,5 @@
-/* file_conf.c -- any bytes as kingyo.conf. Each warning is one printable line, the number of
- * warnings is limited, and every value that was taken is one that the setting may have. */
+/* file_conf.c -- fuzz target: any bytes as kingyo.conf. Each warning is one printable line, the
+ * number of warnings is limited, and every accepted value is within the range of its setting. */
 #include <string.h>
 
 #include "drivers/gpio_wires.h"
@@ -9,7 +9,8 @@
 #include "tests/fuzz/scratch.h"
 #include "tests/fuzz/trap.h"
 
-/* As board/desktop reads them, whose files need SDL and threads. */
+/* Validates lines as board/desktop does. The real file is not linked because it needs SDL and
+ * threads. */
 int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE])
 {
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };

@@ -1,8 +1,10 @@
-/* file_entries.c -- any rows in the tables of the ledger, with the checksums of entries and of the
- * tally recomputed. The database is refused, or each entry reads back, and a stall begins with what
- * the rows add up to. What can be read is salvaged into an empty database as well.
+/* file_entries.c -- fuzz target: any rows in the tables of the ledger. The checksums of the entries
+ * and of the aggregates are recomputed.
  *
- * Input: a count of cells, so many cells of 12 bytes (column, row, type, unused, value), and then
+ * The store refuses the database, or each entry reads back, and a stall starts with the sums of the
+ * rows. All readable entries are also recovered into an empty database.
+ *
+ * Input: a count of cells, the cells of 12 bytes each (column, row, type, unused, value), and
  * images of struct ledger_entry. */
 #include <stdio.h>
 #include <string.h>
@@ -19,10 +21,10 @@
 #define ENTRIES_MAX 12u
 #define CELLS_MAX 8u
 #define CELL_SIZE 12u
-#define IDS_MAX 1024u /* A salvage asks for each id up to the newest one. */
+#define IDS_MAX 1024u /* Largest entry id. The recovery queries each id up to the newest one. */
 #define TICKS 3u
 
-/* One row of a table without row ids, by its place in the order of names. */
+/* Selects one row of a table without row ids by its position in the order of the names. */
 #define ROW_OF(table, column) \
     table " SET " column " = ?1 WHERE name = (SELECT name FROM " table " LIMIT 1 OFFSET ?2)"
 #define SETTING_OF(column) ROW_OF("settings", column)
@@ -32,7 +34,7 @@
 static const struct ledger_file_how how = { .journal = "MEMORY OFF" };
 static char path[SCRATCH_PATH_SIZE], salvaged_path[SCRATCH_PATH_SIZE];
 
-/* Writes one cell of any type over what stands there. */
+/* Overwrites one cell with a value of any type. */
 static void put_cell(sqlite3 *db, const uint8_t *cell)
 {
     /* clang-format off */
@@ -80,7 +82,7 @@ static void put_rows(struct ledger_file *file, const uint8_t *bytes, size_t size
         memcpy(&entry, bytes + at, sizeof entry);
         at += sizeof entry;
         entry.id %= IDS_MAX;
-        ledger_rows_put(file, &entry); /* The same id twice is refused. */
+        ledger_rows_put(file, &entry); /* The database refuses a second entry with the same id. */
     }
     for (uint32_t i = 0; i < cell_count && 1u + (i + 1u) * CELL_SIZE <= size; i++) {
         put_cell(file->db, bytes + 1 + i * CELL_SIZE);
@@ -96,7 +98,8 @@ static void start_stall(const struct ledger_content *content)
     stall_try_memory(&memory, TICKS);
 }
 
-/* Whatever the damaged file still has goes into a new one, which opens. */
+/* Recovers all readable entries of the damaged file into a new file, and checks that the new file
+ * opens. */
 static void hold_salvage(void)
 {
     static const struct ledger_tail none;

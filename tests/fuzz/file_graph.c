@@ -1,8 +1,8 @@
-/* file_graph.c -- any text as a saved graph (DATA/graphs/SPECIES.graph). The parser refuses it with
- * one line that begins with a line number, or the graph blends to finite weights and comes
- * back to the last bit when it is written.
+/* file_graph.c -- fuzz target: any text as a saved graph (DATA/graphs/SPECIES.graph). The parser
+ * refuses the text with one line that begins with a line number. Otherwise the graph blends to
+ * finite weights and is equal to the last bit after it was written and read again.
  *
- * Input: a byte that picks the species, then the text. */
+ * Input: a byte that selects the species, and the text. */
 #include <string.h>
 
 #include "platform/edit_file.h"

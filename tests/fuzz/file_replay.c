@@ -1,6 +1,8 @@
-/* file_replay.c -- any bytes as a recording, with its checksums, first ticks and end mark
- * recomputed, so that changes reach the decoder and the core. The reader refuses the recording with
- * one line, or its inputs encode and decode to the same again, and the core plays them. */
+/* file_replay.c -- fuzz target: any bytes as a recording. The checksums, the first ticks and the
+ * end mark are recomputed, so that changes reach the decoder and the core.
+ *
+ * The reader refuses the recording with one line. Otherwise its inputs are equal after they were
+ * encoded and decoded again, and the core plays them. */
 #include <string.h>
 
 #include "core/base/hash.h"
@@ -11,13 +13,14 @@
 #include "tests/fuzz/trap.h"
 
 #define FILE_MAX 16384u
-#define PLAYED_TICKS_MAX 240u /* More is slow, and much the same. */
+#define PLAYED_TICKS_MAX 240u /* Number of ticks that are played. More ticks take longer and test
+                                 little more. */
 
 static uint8_t file[FILE_MAX];
 static size_t file_size;
 
-/* Puts the sum of `size` bytes at `at` behind them. Returns the place of the next part, or 0 when
- * the file ends before it. */
+/* Writes the checksum of `size` bytes at `at` after these bytes. Returns the place of the next
+ * part, or 0 if the file ends before it. */
 static size_t put_sum(size_t at, size_t size, uint64_t *sum)
 {
     if (size > file_size || at + size + REPLAY_SUM_SIZE > file_size) {
@@ -28,7 +31,7 @@ static size_t put_sum(size_t at, size_t size, uint64_t *sum)
     return at + size + REPLAY_SUM_SIZE;
 }
 
-/* The end mark says of the recording what its last second says. */
+/* Makes the end mark consistent with the last second of the recording. */
 static void mend_end(size_t at, const uint8_t *last, uint32_t tick, uint64_t sum)
 {
     replay_put_u32(file + at + END_TICKS, tick);
@@ -82,7 +85,7 @@ static void hold_problem(const struct replay_problem *problem)
     HOLD(!problem->is_io && problem->offset <= file_size);
 }
 
-/* What the decoder takes, the encoder writes so that it comes back. */
+/* Checks that every decoded input can be encoded and decoded again without a change. */
 static void hold_input(const struct input *before, const struct input *input)
 {
     uint8_t bytes[REPLAY_TICK_SIZE_MAX], again[REPLAY_TICK_SIZE_MAX];

@@ -1,6 +1,7 @@
-/* file_seeds.c -- writes the sound files of this version that the fuzz targets file_* begin with.
+/* file_seeds.c -- writes valid files of this version as the seed corpus of the fuzz targets file_*.
  *
- * file_seeds FOLDER: the folders replay, graph, conf, usb, tail and entries exist in FOLDER. */
+ * Usage: file_seeds FOLDER. The folders replay, graph, conf, usb, tail and entries must exist in
+ * FOLDER. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,7 +34,7 @@ static void put(const char *name, const void *bytes, size_t size)
     }
 }
 
-/* A coin, START and a hand over the water. */
+/* Returns the input of a tick: a coin, START, and a poi over the water. */
 static struct input play_of(uint32_t tick)
 {
     struct input input = { .day = 9000, .minute = 600, .store_well = 1 };
@@ -94,7 +95,7 @@ static void put_graphs(void)
     }
 }
 
-/* The defaults as they are, and with every line that is a key uncommented. */
+/* Writes the default configuration, and the same configuration with every key line uncommented. */
 static void put_confs(void)
 {
     char *text = NULL;
@@ -126,7 +127,7 @@ static void put_usb(void)
     put("usb/three", text, sizeof text - 1u);
 }
 
-/* A coin, a credit that is played, its round and a name. */
+/* Writes entries for a coin, a spent credit, its round and a name. */
 static void put_entries(const char *name, const uint8_t *head, size_t head_size)
 {
     struct ledger_entry entry[5];

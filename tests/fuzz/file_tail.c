@@ -1,8 +1,9 @@
-/* file_tail.c -- any bytes as the tail file: entries with checksums recomputed, or raw slots. The
- * entries that the reader accepts are salvaged into an empty database, and a stall begins with what
- * that database holds.
+/* file_tail.c -- fuzz target: any bytes as the ledger mirror file, either as entries with
+ * recomputed checksums or as raw slots. The accepted entries are recovered into an empty database,
+ * and a stall starts with the content of that database.
  *
- * Input: a byte; when it is odd, the rest is raw slots; otherwise images of struct ledger_entry. */
+ * Input: a byte. If the byte is odd, the rest is raw slots. Otherwise the rest is images of struct
+ * ledger_entry. */
 #include <fcntl.h>
 #include <string.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
-/* file_usb.c -- any bytes as usb.txt. Bad lines are counted, and the last one is named in one line.
- * The choices that were read are the same again after they were saved and loaded. */
+/* file_usb.c -- fuzz target: any bytes as usb.txt. Bad lines are counted, and the last bad line is
+ * named in one line. The accepted choices must be equal after they were saved and loaded again. */
 #include <stdio.h>
 #include <string.h>
 

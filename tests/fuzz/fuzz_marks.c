@@ -1,4 +1,5 @@
-/* fuzz_marks.c -- landmarks: read, and the warp that they make. */
+/* fuzz_marks.c -- fuzz target: any text as landmarks. The landmarks are parsed and their warp is
+ * computed. */
 #include <math.h>
 #include <unistd.h>
 

@@ -1,4 +1,5 @@
-/* fuzz_obj.c -- an OBJ file: read as all shapes of a species, the last one a little stretched. */
+/* fuzz_obj.c -- fuzz target: any text as an OBJ file. The mesh is used as every shape of a species,
+ * with the last shape stretched slightly. */
 #include <unistd.h>
 
 #include "platform/ctl/refit.h"

@@ -1,5 +1,5 @@
-/* fuzz_pack.c -- a packed species, once as it is and once with a head that fits its body, so that
- * the CRC does not keep the fuzzer from what is behind it. */
+/* fuzz_pack.c -- fuzz target: any bytes as a packed species. Each input is used twice: unchanged,
+ * and with a header that fits its body, so that the fuzzer passes the CRC. */
 #include "platform/species/pack.c"
 
 #include "tests/fuzz/exercise.h"
@@ -14,7 +14,7 @@ static void try(const uint8_t *bytes, size_t size)
     if (pack_decode(bytes, size, &slot, why) == PACK_OK) {
         exercise(&slot.species);
         if (pack_encode(&slot, again) != size || memcmp(bytes, again, size) != 0) {
-            __builtin_trap(); /* What was read is what is written. */
+            __builtin_trap(); /* A species that was read must be written with the same bytes. */
         }
     }
 }

@@ -1,6 +1,8 @@
-/* fuzz_scene.c -- a glTF file through assimp, flattened, held to its bounds, made a species.
+/* fuzz_scene.c -- fuzz target: a glTF file that passes through assimp, is flattened, is checked
+ * against the mesh limits and becomes a species.
  *
- * In this process, so that the fuzzer sees what it reaches; kingyoctl does it in a child. */
+ * The import runs in this process, so that the fuzzer measures its coverage. kingyoctl imports in a
+ * child process. */
 #include <string.h>
 #include <unistd.h>
 

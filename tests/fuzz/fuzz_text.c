@@ -1,4 +1,5 @@
-/* fuzz_text.c -- a maker's text: read, lofted, vetted, grown. */
+/* fuzz_text.c -- fuzz target: any text as a species text. The text is parsed, lofted, validated and
+ * grown. */
 #include <stdio.h>
 
 #include "platform/species/pack.h"

@@ -1,4 +1,4 @@
-/* meshes.c -- files of memory, and species of meshes, for the fuzzers. */
+/* meshes.c -- files in memory and species from meshes for the fuzz targets. */
 #include "tests/fuzz/meshes.h"
 
 #include <stdio.h>
@@ -9,7 +9,8 @@
 #include "platform/ctl/import_plan.h"
 #include "tests/fuzz/exercise.h"
 
-/* The importer of scenes goes by a name's suffix, so it is a true file, in memory's file system. */
+/* Creates a real file in a file system in memory, because the scene importer uses the suffix of the
+ * file name. */
 const char *file_of(const uint8_t *bytes, size_t size, const char *suffix)
 {
     static char path[64];

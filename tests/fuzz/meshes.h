@@ -1,4 +1,5 @@
-/* meshes.h -- what the fuzzers of meshes share: bytes as a file, and a species made of a mesh. */
+/* meshes.h -- shared functions of the mesh fuzz targets: bytes as a file, and a species from a
+ * mesh. */
 #ifndef KINGYO_TESTS_FUZZ_MESHES_H
 #define KINGYO_TESTS_FUZZ_MESHES_H
 
@@ -6,10 +7,11 @@
 
 #include "platform/ctl/import_mesh.h"
 
-/* Puts the bytes into a file of memory alone, whose path it answers; the next call ends it. */
+/* Writes the bytes into a file in memory. Returns the path of the file, which stays valid until the
+ * next call. */
 const char *file_of(const uint8_t *bytes, size_t size, const char *suffix);
 
-/* Turns, builds, names, vets and grows it. */
+/* Orients, builds, names, validates and grows a species from `mesh`. */
 void make_species(struct import_mesh *mesh);
 
 #endif

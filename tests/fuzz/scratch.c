@@ -1,4 +1,4 @@
-/* scratch.c -- see scratch.h. */
+/* scratch.c -- implementation of scratch.h: temporary files for fuzz targets. */
 #include "tests/fuzz/scratch.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-/* stall.c -- see stall.h. */
+/* stall.c -- implementation of stall.h: starts a stall for a fuzz target. */
 #include "tests/fuzz/stall.h"
 
 #include "core/base/panic.h"
@@ -9,7 +9,7 @@
 
 struct core stall_core;
 
-/* A broken invariant of the core is a finding. */
+/* Reports a failed assertion of the core, which is a finding, and ends the process. */
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
     fprintf(stderr, "panic: %s:%d: %s\n", file, line, condition);
@@ -38,7 +38,8 @@ void stall_try_memory(const struct memory *memory, uint32_t ticks)
     static struct core_config config;
     memset(&config, 0, sizeof config);
     config.memory = *memory;
-    config.fish_count = 1; /* The memory is under test, and fish cost time. */
+    config.fish_count = 1; /* One fish is enough because the stored data is under test, and fish
+                              cost time. */
     settings_mend(&config.memory.settings);
     HOLD(stall_try(&config, ticks));
 }

@@ -1,4 +1,4 @@
-/* stall.h -- a stall that begins with data from a hostile file. */
+/* stall.h -- starts a stall with the data of a hostile file. */
 #ifndef KINGYO_TESTS_FUZZ_STALL_H
 #define KINGYO_TESTS_FUZZ_STALL_H
 
@@ -6,15 +6,16 @@
 
 #include "core/core.h"
 
-/* Begins the stall of `config` and runs `ticks` ticks without a hand. A config that core_init()
- * refuses is no finding; an assertion of the core is one. Returns 1 when the stall began. */
+/* Starts the stall of `config` and runs `ticks` ticks without controller input. Returns 1 if the
+ * stall started. A config that core_init() refuses is no finding. A failed assertion of the core is
+ * a finding. */
 int stall_try(const struct core_config *config, uint32_t ticks);
 
-/* The stall that a store's memory starts, as the kiosk makes it: settings that are out of range
- * are reset first. */
+/* Starts a stall with the persistent state of a store, as the kiosk does. Settings that are out of
+ * range are reset first. */
 void stall_try_memory(const struct memory *memory, uint32_t ticks);
 
-/* The core that stall_try() runs; valid until the next call. */
+/* The core that stall_try() runs. The core is valid until the next call. */
 extern struct core stall_core;
 
 #endif

@@ -1,4 +1,5 @@
-/* trap.h -- what a fuzz target holds true: a finding is a fall at the line that says so. */
+/* trap.h -- the check macro of the fuzz targets. HOLD() ends the process at the line of a violated
+ * condition. */
 #ifndef KINGYO_TESTS_FUZZ_TRAP_H
 #define KINGYO_TESTS_FUZZ_TRAP_H
 

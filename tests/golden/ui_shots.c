@@ -1,10 +1,10 @@
-/* ui_shots.c -- pictures of every screen of the user interface, for eyes.
+/* ui_shots.c -- writes pictures of every screen of the user interface for visual review.
  *
- *   build/tests/golden/ui_shots OUT [BACKDROP.png]
+ * Usage: build/tests/golden/ui_shots OUT [BACKDROP.png]
  *
- * Draws each screen in both languages at four sizes, off screen, over a backdrop (a still of the
- * tank, or plain water), and writes OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. Also says what one screen
- * costs. */
+ * Draws each screen off screen in both languages and in four sizes over a backdrop. The backdrop is
+ * a picture of the tank, or plain water by default. Writes OUT/NAME_LANGUAGE_WIDTHxHEIGHT.png. Also
+ * prints the time to draw one screen. */
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <stdio.h>
@@ -87,7 +87,7 @@ static const struct shot shots[] = {
     { "latin", PHASE_NAME, HINT_NONE, 4.0f, 40.0f, 13, 13, 0.4f, 1, 0, 0, 0, 0, 0, 0 },
 };
 
-/* A board with a gap in it, and the name that is just being written. */
+/* Fills a leaderboard with an empty name in one row, and a partly typed name. */
 static void fill_ranking(struct scene *scene, const struct shot *shot)
 {
     static const char *const names[SCENE_BOARD_ROWS] = { "きんぎょ", "KINGYO", "", "たろうとはなこ",
@@ -105,7 +105,7 @@ static void fill_ranking(struct scene *scene, const struct shot *shot)
     }
 }
 
-/* Two of the screens after a round are of somebody who is ranked. */
+/* Fills the places. Two of the screens after a round show a ranked player. */
 static void fill_places(struct scene *scene, const struct shot *shot)
 {
     const int is_first = strcmp(shot->name, "result") == 0;
@@ -149,7 +149,7 @@ static void fill_player(struct scene *scene, const struct shot *shot, uint8_t pl
     out->lost = player == 1 && shot->paused;
 }
 
-/* What is paid and what is wrong, in those pictures that show it. */
+/* Sets the credits and the faults in the pictures that show them. */
 static void fill_cabinet(struct scene *scene, const char *name)
 {
     static const struct {
@@ -239,7 +239,7 @@ static GLuint make_target(GLsizei width, GLsizei height)
     return framebuffer;
 }
 
-/* Covers the target with the middle of the backdrop, scaled to fill it. */
+/* Fills the target with the middle of the backdrop, scaled to cover it. */
 static void draw_backdrop(GLuint source, int source_width, int source_height, int width, int height)
 {
     glClearColor(0.10f, 0.42f, 0.52f, 1.0f);
@@ -284,10 +284,11 @@ static void say_cost(struct ui *ui, const struct scene *scene, const char *name,
                      int height)
 {
     const struct placing placing = placing_whole((float)width, (float)height);
-    /* Once unmeasured: drivers finish shaders at their first use. */
+    /* The first draw is not measured, because drivers complete the shader compilation at the first
+     * use. */
     ui_draw(ui, &specimens, scene, &placing);
     glFinish();
-    const clock_t start = clock(); /* Processor time: all threads of a software renderer. */
+    const clock_t start = clock(); /* CPU time includes all threads of a software renderer. */
     for (int i = 0; i < COST_DRAWS; i++) {
         ui_draw(ui, &specimens, scene, &placing);
     }
@@ -297,7 +298,7 @@ static void say_cost(struct ui *ui, const struct scene *scene, const char *name,
            ui->batch.quad_count, 1e3 * used_s / COST_DRAWS);
 }
 
-/* What is drawn on, and what lies behind. */
+/* The render target and the backdrop texture, with their sizes in pixels. */
 struct canvas {
     GLuint target, backdrop;
     int width, height, back_width, back_height;
@@ -339,8 +340,8 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     return 1;
 }
 
-/* Every screen in every size and language; returns whether all were
- * whole and written. */
+/* Draws every screen in every size and language. Returns 1 if all pictures were complete and
+ * written. */
 static int shoot_all(struct ui *ui, const char *out, struct canvas canvas)
 {
     int all = 1;

@@ -1,10 +1,11 @@
-/* bench_coins.c -- a million coins with bouncing contacts, and sparks between them, at random frame
- * loads: none lost, none counted twice, none made of sparks.
+/* bench_coins.c -- counts a million simulated coins with contact bounce and electrical sparks at
+ * random frame loads. No coin may be lost or counted twice, and no spark may count as a coin.
  *
- * Usage: bench_coins [COINS] [TSV]    half of them by each of the kernel's interfaces
+ * Usage: bench_coins [COINS] [TSV]. Each of the two kernel interfaces gets half of the coins.
  *
- * Status 1: a coin was lost, counted twice or before it fell, or jams and knocks were not told: a
- * knock is a spark where the kernel looked late, so one in ten may pass unnoticed. */
+ * Returns exit status 1 if a coin was lost, was counted twice or was counted before it fell, or if
+ * jams and knocks were not reported as faults. The kernel reads a late knock as a spark, so that
+ * one knock in ten may pass without a fault. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>

@@ -1,4 +1,4 @@
-/* coin_rain.c -- pulses, stalls and frames, all of them drawn from one seed. */
+/* coin_rain.c -- draws coin pulses, thread delays and frames from one seed. */
 #include "tests/gpio/coin_rain.h"
 
 #include <string.h>
@@ -8,7 +8,7 @@
 #define US 1000ull
 #define MS 1000000ull
 
-/* splitmix64. */
+/* Returns the next random number (splitmix64). */
 static uint64_t draw(uint64_t *seed)
 {
     uint64_t z = *seed += 0x9e3779b97f4a7c15ull;
@@ -33,8 +33,8 @@ static void add_edge(struct coin_rain *rain, uint64_t time_ns, bool active)
     };
 }
 
-/* A contact that closes or opens and jumps up to three times, 20 us to 500 us between two edges:
- * 3 ms at most. Returns where it came to rest. */
+/* Adds a contact that closes or opens with up to three bounces. Two edges are 20 us to 500 us
+ * apart, which is at most 3 ms in total. Returns the time at which the contact came to rest. */
 static uint64_t add_contact(struct coin_rain *rain, uint64_t time_ns, bool active)
 {
     const uint64_t jumps = between(&rain->seed, 0, 3);
@@ -46,8 +46,9 @@ static uint64_t add_contact(struct coin_rain *rain, uint64_t time_ns, bool activ
     return time_ns;
 }
 
-/* One in fifty is a knock, one in a hundred a jam. Widths are of what stands between bounces: 3 ms
- * of bounce and 6 ms of a late kernel may come to them, and must not make a coin of a knock. */
+/* Returns the width of the next pulse. One pulse in fifty is a knock, and one in a hundred is a
+ * jam. The width excludes the bounces. Bounces can add 3 ms and a late kernel can add 6 ms, and a
+ * knock must still not reach the width of a coin. */
 static uint64_t draw_width(struct coin_rain *rain)
 {
     const uint64_t kind = draw(&rain->seed) % 100u;
@@ -64,7 +65,8 @@ static uint64_t draw_width(struct coin_rain *rain)
     return between(&rain->seed, 20 * MS, 240 * MS);
 }
 
-/* Two sparks, as of a lighter at the slot: 16 to 80 ms apart, which is a coin's width. */
+/* Adds two sparks, as from a lighter at the coin slot. The sparks are 16 to 80 ms apart, which is
+ * the width of a coin pulse. */
 static void add_sparks(struct coin_rain *rain)
 {
     static const struct gpio_sim_event spark = { .what = GPIO_SIM_SPARK, .role = GPIO_COIN };
@@ -95,7 +97,7 @@ static bool next_edge(void *self, struct gpio_sim_event *out)
 {
     struct coin_rain *rain = self;
     if (rain->edge_next == rain->edge_count) {
-        rain->coins += rain->falls; /* The last edge of it is behind us. */
+        rain->coins += rain->falls; /* The last edge of the pulse has passed. */
         rain->falls = 0;
         if (rain->left == 0) {
             return false;
@@ -106,14 +108,15 @@ static bool next_edge(void *self, struct gpio_sim_event *out)
     return true;
 }
 
-/* ---- The cabinet ---------------------------------------------------------------------------- */
+/* ---- The simulated cabinet ------------------------------------------------------------------ */
 
 struct cabinet {
     struct coin_rain rain;
     struct gpio_lines_sim sim;
     struct buttons_gpio gpio;
     uint64_t seed, due_ns, stall_max_ns;
-    uint32_t fallen[2]; /* At the last look that was 200 ms after its forerunner, and at that. */
+    uint32_t fallen[2]; /* Coins that had fallen: [0] at the last poll that was 200 ms after its
+                           predecessor, [1] at that predecessor's successor. */
     uint64_t marked_ns;
     struct rain_result result;
 };
@@ -136,7 +139,7 @@ static void look(struct cabinet *cabinet)
     }
 }
 
-/* A frame of 4 to 20 ms; one in fifty takes up to 3 s. */
+/* Draws the length of a frame: 4 to 20 ms, and up to 3 s for one frame in fifty. */
 static void draw_frame(struct cabinet *cabinet)
 {
     const bool is_slow = draw(&cabinet->seed) % 50u == 0;
@@ -148,9 +151,10 @@ static void draw_frame(struct cabinet *cabinet)
     cabinet->due_ns = cabinet->sim.now_ns + frame_ns;
 }
 
-/* One round in eight begins late: the thread was not run for as long as the kernel's queue can hold
- * what contacts do (16 edges: 25 ms; 64: 100 ms). One in sixteen meets a kernel whose own
- * thread is up to 6 ms late; else it is up to 0.3 ms. */
+/* Draws the delays of a round. In one round in eight the thread starts late. The delay is as long
+ * as the kernel's queue can hold the edges of the contacts (16 edges: 25 ms; 64 edges: 100 ms). In
+ * one round in sixteen the kernel's own thread is up to 6 ms late. Otherwise the kernel's thread is
+ * up to 0.3 ms late. */
 static void stall(struct cabinet *cabinet)
 {
     cabinet->sim.late_max_ns = draw(&cabinet->seed) % 16u == 0 ? 6 * MS : 300 * US;

@@ -1,4 +1,4 @@
-/* fake_board.c -- chips, lines and pipes. */
+/* fake_board.c -- simulated GPIO chips, lines and edge pipes. */
 #include "tests/gpio/fake_board.h"
 
 #include <assert.h>
@@ -24,7 +24,7 @@ void fake_board_reset(void)
     memcpy(fake_chips, fresh, sizeof fresh);
 }
 
-/* What the backends walk: gpio_dev_next() itself is linked away (-Wl,--wrap). */
+/* Replaces gpio_dev_next() for the backends (linker option --wrap). */
 bool __wrap_gpio_dev_next(struct gpio_dev_walk *walk);
 void __wrap_gpio_dev_end(struct gpio_dev_walk *walk);
 
@@ -129,7 +129,7 @@ void fake_chip_pull(struct fake_chip *chip)
     for (uint32_t i = 0; i < FAKE_LINES; i++) {
         struct fake_line *line = &chip->lines[i];
         if (line->requested && !line->is_output && !line->is_looked_at) {
-            close(line->pipe[1]); /* The reader's end hangs up. */
+            close(line->pipe[1]); /* The reader of the pipe gets a hang-up. */
             line->pipe[1] = -1;
         }
     }

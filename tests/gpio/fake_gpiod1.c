@@ -1,4 +1,4 @@
-/* fake_gpiod1.c -- as much of libgpiod 1.6 as gpio_lines1.c asks for, over chips of memory. */
+/* fake_gpiod1.c -- the functions of libgpiod 1.6 that gpio_lines1.c uses, on simulated chips. */
 #include <errno.h>
 #include <gpiod.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 struct gpiod_line {
     struct fake_chip *chip;
     struct fake_line *of;
-    bool requested; /* By this handle. */
+    bool requested; /* True if this handle has requested the line. */
 };
 
 struct gpiod_chip {

@@ -1,4 +1,4 @@
-/* fake_gpiod2.c -- as much of libgpiod 2.x as gpio_lines2.c asks for, over chips of memory. */
+/* fake_gpiod2.c -- the functions of libgpiod 2.x that gpio_lines2.c uses, on simulated chips. */
 #include <errno.h>
 #include <gpiod.h>
 #include <stdlib.h>
@@ -114,7 +114,7 @@ bool gpiod_line_info_is_active_low(struct gpiod_line_info *info)
 struct gpiod_line_settings *gpiod_line_settings_new(void)
 {
     struct gpiod_line_settings *settings = calloc(1, sizeof *settings);
-    settings->as.is_looked_at = true; /* Unless edges are asked for. */
+    settings->as.is_looked_at = true; /* True unless edges are requested. */
     return settings;
 }
 

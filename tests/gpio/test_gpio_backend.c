@@ -1,5 +1,5 @@
-/* test_gpio_backend.c -- gpio_lines1.c or gpio_lines2.c, whichever is linked, over a fake library:
- * how lines are found, asked for, refused, read, lost and found again. */
+/* test_gpio_backend.c -- tests the linked backend, gpio_lines1.c or gpio_lines2.c, with a simulated
+ * library: how lines are found, requested, refused, read, lost and found again. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,7 +14,7 @@
 
 #define MS 1000000ull
 
-/* The library's edges have numbers and its kernel debounces. */
+/* Returns true for libgpiod 2.x, whose edges have numbers and whose kernel interface debounces. */
 static bool is_second(const struct gpio_lines *lines)
 {
     return strstr(lines->ops->describe(lines->self), "libgpiod 2") != NULL;
@@ -42,7 +42,7 @@ static int ask(const struct gpio_lines *lines)
     return lines->ops->open(lines->self, wires, why);
 }
 
-/* Lets go, and sees that nothing stays open. */
+/* Closes the lines and checks that no handle stays open. */
 static void end(const struct gpio_lines *lines)
 {
     lines->ops->close(lines->self);
@@ -75,7 +75,8 @@ static void test_lines_are_found_by_name_and_by_label_and_asked_for_as_wired(voi
     assert_int_equal(coin->bias, GPIO_BIAS_OFF);
     assert_true(lamp->is_output && lamp->value == 0);
     assert_int_equal(start->debounce_us, is_second(&lines) ? 9000 : 0);
-    assert_int_equal(coin->debounce_us, 0); /* Its edges are wanted as they come. */
+    assert_int_equal(coin->debounce_us, 0); /* The kernel must not debounce the coin line, because
+                                               the driver needs every edge. */
     assert_int_equal(coin->queue_size, is_second(&lines) ? GPIO_EDGES_MAX : 0);
     assert_int_equal(lines.ops->debounces(lines.self, GPIO_START), is_second(&lines));
     assert_int_equal(lines.ops->debounces(lines.self, GPIO_COIN), 0);
@@ -105,7 +106,7 @@ static void test_a_chip_s_number_is_no_way_to_a_line(void **state)
     (void)state;
     const struct gpio_lines lines = fresh();
     wire("start=gpiochip4:0");
-    wire("ok=panel:6"); /* One too many. */
+    wire("ok=panel:6"); /* The board has no line 6. */
     assert_int_equal(ask(&lines), 0);
     assert_string_equal(why[GPIO_START],
                         "gpiochip4:0: no chip has that line; kingyoctl lines list shows them");
@@ -185,14 +186,16 @@ static void test_edges_that_the_queue_dropped_are_counted_or_inferred(void **sta
     struct fake_line *start = &fake_chips[1].lines[0];
     wire("start=BTN_START");
     ask(&lines);
-    for (uint32_t i = 0; i < 16; i++) { /* A queue of 1.6, full; it ends inactive. */
+    for (uint32_t i = 0; i < 16; i++) { /* The 16 edges fill the queue of libgpiod 1.6. The line
+                                           ends inactive. */
         fake_line_edge(start, (100 + i) * MS, i % 2 == 0, 0);
     }
     assert_int_equal(wait(&lines, edges), 16);
     fake_line_edge(start, 200 * MS, false, 3);
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, is_second(&lines) ? 3 : 1);
-    fake_line_edge(start, 300 * MS, false, 0); /* Nothing was full: read late. */
+    fake_line_edge(start, 300 * MS, false, 0); /* No edge was lost. The kernel only read the level
+                                                  late. */
     assert_int_equal(wait(&lines, edges), 1);
     assert_int_equal(edges[0].lost_before, 0);
     end(&lines);
@@ -227,7 +230,7 @@ static void test_a_line_without_interrupts_is_looked_at(void **state)
     const struct gpio_lines lines = fresh();
     struct fake_line *door = &fake_chips[2].lines[5];
     door->has_no_edges = true;
-    door->value = 1; /* It stands open. */
+    door->value = 1; /* The door is open. */
     wire("door=DOOR");
     wire("start=BTN_START");
     assert_int_equal(ask(&lines), 1 << GPIO_DOOR | 1 << GPIO_START);

@@ -1,7 +1,9 @@
-/* fingers.c -- random keys, pointer events and window sizes on the X screen that DISPLAY names.
+/* fingers.c -- sends random keys, pointer events and window sizes to the X screen that DISPLAY
+ * names.
  *
- * fingers SEED SECONDS. Works STEPS_A_SECOND steps (tests/monkey/whim.h) each second on the kiosk's
- * window, found by its title. While no such window is visible, steps pass without an event. */
+ * Usage: fingers SEED SECONDS. Sends STEPS_A_SECOND steps (tests/monkey/whim.h) each second to the
+ * kiosk's window, which is found by its title. While no such window is visible, steps pass without
+ * an event. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,7 +29,7 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     exit(70);
 }
 
-/* The window may be destroyed between two requests: such an error is expected and ignored. */
+/* Ignores an X error, because the window may be destroyed between two requests. */
 static int ignore_error(Display *from, XErrorEvent *error)
 {
     (void)from;
@@ -35,7 +37,8 @@ static int ignore_error(Display *from, XErrorEvent *error)
     return 0;
 }
 
-/* Returns the kiosk's visible window and its attributes, or None. */
+/* Returns the kiosk's visible window and its attributes. Returns None if no such window is
+ * visible. */
 static Window find_window(XWindowAttributes *attributes)
 {
     Window root, parent, *children = NULL, found = None;

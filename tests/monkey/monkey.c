@@ -1,10 +1,13 @@
-/* monkey.c -- random keys, pointer events, window sizes and plugs against the real frame loop.
+/* monkey.c -- sends random keys, pointer events, window sizes and device plugs to the real frame
+ * loop.
  *
- * monkey SEED SECONDS  (of the simulated clock, 60 frames a second). Keys and pointer events pass
- * through SDL's queue into the real drivers. The real renderer draws each frame off screen. A
- * second poi (drivers/poi_sim.h) is plugged in and unplugged. A kiosk that ended is opened again.
- * Equal seeds print the same state hash. Exits with 0 when every frame returned within FRAME_S,
- * with 70 when a frame hung, and with 1 when the display was lost. */
+ * Usage: monkey SEED SECONDS. SECONDS are seconds of the simulated clock at 60 frames per second.
+ *
+ * Keys and pointer events pass through the event queue of SDL into the real drivers. The real
+ * renderer draws each frame off screen. A second poi (drivers/poi_sim.h) is plugged in and
+ * unplugged. A kiosk that ended is opened again. Equal seeds print the same state hash. Exits with
+ * 0 when every frame returned within FRAME_S, with 70 when a frame hung, and with 1 when the
+ * display was lost. */
 #include <SDL.h>
 #include <signal.h>
 #include <stdio.h>
@@ -26,7 +29,8 @@
 
 #define FRAME_NS 16666667ull
 #define FRAMES_A_SECOND 60u
-#define FRAME_S 30u /* A frame under the sanitizers on a busy machine takes about 0.1 s. */
+#define FRAME_S 30u /* Time limit for a frame in seconds. A frame under the sanitizers on a busy
+                       machine takes about 0.1 s. */
 #define WIDTH 320
 #define HEIGHT 240
 
@@ -40,8 +44,9 @@ static struct {
     struct hal hal;
     struct kiosk kiosk;
     uint32_t seed, frame, end_count;
-    uint64_t hash; /* Of the state at the end of each kiosk, in turn. */
-    uint32_t down; /* Bit 0: the left button; bit 1: the right button. */
+    uint64_t hash; /* Hash of the states at the end of each kiosk, in sequence. */
+    uint32_t down; /* Pressed mouse buttons. Bit 0 is the left button and bit 1 is the right
+                      button. */
 } rig;
 static char hang_words[96];
 static struct pointer_report report;
@@ -104,7 +109,7 @@ static void turn_wheel(int steps)
     SDL_PushEvent(&event);
 }
 
-/* Pulls the second poi's cable, until a time within 3 s, or lets the poi send one report. */
+/* Unplugs the second poi until a random time within 3 s, or lets the poi send one report. */
 static void plug_or_unplug(uint32_t chance)
 {
     report = (struct pointer_report){ .time_ns = rig.clock.now_ns,
@@ -183,7 +188,8 @@ static int open_board(void)
     return 1;
 }
 
-/* Returns enum kiosk_end: KIOSK_RUNS when the kiosk goes on or was opened again. */
+/* Runs one frame. Returns an enum kiosk_end: KIOSK_RUNS if the kiosk continues or was opened
+ * again. */
 static enum kiosk_end run_frame(uint32_t *phases)
 {
     snprintf(hang_words, sizeof hang_words, "monkey: seed %u: frame %u hangs\n", rig.seed,

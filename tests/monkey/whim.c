@@ -1,13 +1,13 @@
-/* whim.c -- draws keys, pointer, window size and plugs for one step. */
+/* whim.c -- draws keys, pointer motion, window size and device plugs for one step. */
 #include "tests/monkey/whim.h"
 
 #include "core/base/rng.h"
 
 #define MOOD_STEPS 360u
-#define PLAYER_WEIGHTS 83u   /* Sums of the table's two columns. */
+#define PLAYER_WEIGHTS 83u   /* Sums of the two columns of the table below. */
 #define OPERATOR_WEIGHTS 94u
 
-/* How often each key is pressed, by a player and by an operator. */
+/* Relative frequency of each key for a player and for an operator. */
 static const uint8_t weights[WHIM_KEY_COUNT][2] = {
     [WHIM_KEY_START] = { 20, 8 },     [WHIM_KEY_LEFT] = { 8, 8 },
     [WHIM_KEY_RIGHT] = { 8, 8 },      [WHIM_KEY_UP] = { 8, 8 },
@@ -25,7 +25,7 @@ static uint32_t draw(const struct rng_key *from, uint32_t which, uint32_t limit)
     return rng_u32(key) % limit;
 }
 
-/* Returns enum whim_key, or -1 in the three of four steps that press no key. */
+/* Returns an enum whim_key, or -1 in the three of four steps that press no key. */
 static int draw_key(const struct rng_key *from)
 {
     if (draw(from, 0, 4) != 0) {
@@ -41,7 +41,8 @@ static int draw_key(const struct rng_key *from)
     return key;
 }
 
-/* Every other Esc is pressed twice, because only a second press in a row ends the kiosk. */
+/* Returns 1 in every other step after Esc, because only a second press in sequence ends the
+ * kiosk. */
 static int repeats_escape(const struct rng_key *from)
 {
     const struct rng_key last = { from->seed, from->tick - 1u, 0, RNG_TEST };
@@ -50,7 +51,8 @@ static int repeats_escape(const struct rng_key *from)
 
 struct whim whim_at(uint32_t seed, uint32_t step)
 {
-    /* A window manager may ignore the smallest size that the kiosk asks for. */
+    /* The list includes sizes below the kiosk's minimum, because a window manager may ignore that
+     * minimum. */
     static const int sides[] = { 1, 2, 7, 16, 60, 120, 240, 320, 480 };
     const uint32_t side_count = sizeof sides / sizeof sides[0];
     const struct rng_key from = { seed, step, 0, RNG_TEST };

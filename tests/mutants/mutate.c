@@ -1,22 +1,24 @@
 /* mutate.c -- lists, draws and applies small textual mutations of C files.
  *
- * mutate draw COUNT SEED FILE...  prints COUNT distinct "FILE SITE" lines, drawn by SEED
- * mutate apply FILE SITE          writes the mutated FILE to standard output, and "LINE KIND" to
- *                                 standard error
+ * Usage: mutate draw COUNT SEED FILE... prints COUNT distinct "FILE SITE" lines, drawn by SEED.
+ * mutate apply FILE SITE writes the mutated FILE to standard output, and "LINE KIND" to standard
+ * error.
  *
  * A site is one mutation at one place. Sites count from 0 in the order of the text. The mutator
- * relies on the format of this project: binary operators have a space on both sides, and unary
- * operators do not. Assertions are left alone, because a correct program never makes them fail. */
+ * depends on the format of this project: binary operators have a space on both sides, and unary
+ * operators do not. Assertions are not mutated, because a correct program never makes them fail. */
 #include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define TEXT_MAX (1u << 20) /* Bytes of one source file; the largest has 16 KiB. */
-#define SITES_MAX 65536u    /* Sites of all files together; a draw from more is refused. */
+#define TEXT_MAX (1u << 20) /* Largest size of a source file in bytes. The largest file has
+                               16 KiB. */
+#define SITES_MAX 65536u    /* Largest number of sites of all files together. A draw from more sites
+                               is refused. */
 
-/* Replaces text[begin, end) by `before`, the old text where `keep` is set, and `after`. */
+/* A mutation. Replaces text[begin, end) by `before`, the old text if `keep` is set, and `after`. */
 struct site {
     size_t begin, end;
     const char *kind, *before, *after;
@@ -24,11 +26,12 @@ struct site {
 };
 
 struct scan {
-    char text[TEXT_MAX];  /* The file, and a copy in which comments and strings are blank. */
+    char text[TEXT_MAX];  /* Text of the file. `code` is a copy in which comments and strings are
+                             blank. */
     char code[TEXT_MAX];
     size_t size;
     uint32_t site_count;
-    uint32_t wanted; /* The index of the site that is kept in `found`. */
+    uint32_t wanted; /* Index of the site that is copied to `found`. */
     struct site found;
 };
 
@@ -70,7 +73,7 @@ static size_t literal_end(size_t at)
     return at + 1;
 }
 
-/* The length of the assertion's name at `at`, or 0. */
+/* Returns the length of the assertion's name at `at`, or 0 if no assertion begins there. */
 static size_t assertion_at(size_t at)
 {
     static const char *const names[] = { "CORE_ASSERT", "_Static_assert", "assert" };
@@ -84,7 +87,7 @@ static size_t assertion_at(size_t at)
     return 0;
 }
 
-/* The place after the parenthesis that closes the one at `at`. */
+/* Returns the place after the parenthesis that closes the parenthesis at `at`. */
 static size_t past_closing(size_t at)
 {
     int depth = 0;
@@ -105,7 +108,8 @@ static size_t directive_end(size_t at)
     return at;
 }
 
-/* Only the value of `#define NAME value` is code; everything else of a directive is blank. */
+/* Blanks a preprocessor directive. Only the value of `#define NAME value` stays, because only the
+ * value is code. */
 static size_t blank_directive(size_t at)
 {
     const size_t end = directive_end(at);
@@ -131,7 +135,8 @@ static void blank_what_is_no_code(void)
         } else if (c == '"' || c == '\'') {
             at = literal_end(at);
             blank(from, at);
-            scan.code[from] = '"'; /* An operand stays visible. */
+            scan.code[from] = '"'; /* The opening quote stays, so that the string still counts as an
+                                      operand. */
         } else {
             at++;
         }
@@ -172,7 +177,7 @@ static int try_operator(size_t at)
     return 0;
 }
 
-/* Adds 1 to every second constant and subtracts 1 from the others. */
+/* Adds a site that adds 1 to the constant at `at`, or subtracts 1 for every second constant. */
 static size_t try_constant(size_t at)
 {
     size_t end = at;
@@ -208,7 +213,8 @@ static int is_keyword(size_t at)
     return 0;
 }
 
-/* A call or an assignment from `at` to its semicolon; declarations, returns and heads are none. */
+/* Adds a site that deletes a call or an assignment from `at` to its semicolon. Declarations,
+ * returns and control statements are no sites. */
 static void try_statement(size_t at)
 {
     size_t end = at;
@@ -293,7 +299,7 @@ static void read_file(const char *path)
     find_sites();
 }
 
-/* SplitMix64: the same draw on every machine. */
+/* Returns the next random number (SplitMix64), so that the draw is the same on every machine. */
 static uint64_t next_random(uint64_t *seed)
 {
     uint64_t z = *seed += 0x9e3779b97f4a7c15u;
@@ -349,7 +355,7 @@ static int apply(const char *path, uint32_t index)
     fputs(site->before, stdout);
     for (size_t i = site->begin; i < site->end; i++) {
         if (site->keep || scan.text[i] == '\n') {
-            putchar(scan.text[i]); /* Lines keep their numbers. */
+            putchar(scan.text[i]); /* Line breaks stay, so that lines keep their numbers. */
         }
     }
     fputs(site->after, stdout);

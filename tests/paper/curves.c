@@ -1,10 +1,13 @@
-/* curves.c -- what `kingyoctl paper` measures, as tables for plots.gp.
+/* curves.c -- writes the measurements of `kingyoctl paper` as tables for plots.gp.
  *
- * Usage: curves tear > tear.tsv     time to tear over speed: grade, wet fraction, speed, and the
- *                                   median, least and greatest time of SPECIMENS; > LAST_S: none
- *        curves force > force.tsv   force over tilt at 0.3 m/s: degrees, N
- *        curves holes FOLDER        FOLDER/hole-SPECIMEN-MOMENT.txt: a matrix each, the stress of
- *                                   cells 0 .. 255, -1 a hole, -9 beyond the ring */
+ * Usage: curves tear > tear.tsv writes the time to tear over speed. The columns are grade, wet
+ * fraction, speed, and the median, least and greatest time of SPECIMENS specimens. A time above
+ * LAST_S means no tear.
+ *
+ * curves force > force.tsv writes the force in N over the tilt in degrees at 0.3 m/s.
+ *
+ * curves holes FOLDER writes FOLDER/hole-SPECIMEN-MOMENT.txt, one matrix each. A value of 0 .. 255
+ * is the stress of a cell, -1 a hole, and -9 a cell beyond the ring. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +19,7 @@
 #define LAST_S 20.0
 #define SPEEDS 40u
 #define SPEED_MIN_M_S 0.10
-#define SPEED_RATIO 1.0725 /* Up to 1.6 m/s. */
+#define SPEED_RATIO 1.0725 /* Ratio of two successive speeds, up to 1.6 m/s. */
 #define HOLES 5u
 #define MOMENTS 4u
 
@@ -79,7 +82,7 @@ static void put_tear(void)
             for (uint32_t i = 0; i < SPEEDS; i++, speed_m_s *= SPEED_RATIO) {
                 put_speed(plan, speed_m_s);
             }
-            puts("\n"); /* A block each, as gnuplot counts them. */
+            puts("\n"); /* A blank line ends each block, as gnuplot requires. */
         }
     }
 }
@@ -122,10 +125,12 @@ static int put_sheet(const char *folder, uint32_t specimen, uint32_t moment)
     return fclose(file) == 0 ? 0 : 74;
 }
 
-/* Led fast till it tears, then with a share of that speed: as a hand does. */
+/* Moves the poi fast until the paper tears, and at a fraction of that speed afterwards, as a player
+ * does. */
 static int put_hole(const char *folder, uint32_t specimen)
 {
-    const uint32_t after[MOMENTS] = { 0, 12, 48, 120 }; /* Ticks. */
+    const uint32_t after[MOMENTS] = { 0, 12, 48, 120 }; /* Times of the pictures in ticks after the
+                                                           tear. */
     const int is_half_wet = specimen == HOLES;
     struct paper_plan plan = wet(6);
     plan.wet_fraction = is_half_wet ? 0.5f : 1.0f;
