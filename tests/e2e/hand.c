@@ -27,8 +27,9 @@
                                 20 of 255 bluer. */
 #define PALE_BLUE 40         /* Limit of blue for a fish on the paper. A fish on the paper has about
                                 4, a fish under it 80 to 150, and 25 where the paper is torn. */
-#define ASIDE_PX 90.0f       /* Distance beside the fish at which the ring enters the water. The
-                                ring's radius is 50 px of this distance. */
+#define ASIDE_PX 90.0f       /* Distance beside the fish at which the ring enters the water, so that
+                                the ring is not above the fish. The ring itself takes 50 px of this
+                                distance. */
 #define HOVER_PX_S 480.0f    /* Speed of the ring in the air. */
 #define UNDER_PX_S 150.0f    /* Speed of the ring under water. A higher speed tears the paper. */
 #define CARRY_PX_S 330.0f    /* Speed of the ring with a fish on the paper. */

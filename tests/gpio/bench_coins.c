@@ -4,8 +4,8 @@
  * Usage: bench_coins [COINS] [TSV]. Each of the two kernel interfaces gets half of the coins.
  *
  * Returns exit status 1 if a coin was lost, was counted twice or was counted before it fell, or if
- * jams and knocks were not reported as faults. The kernel reads a late knock as a spark, so that
- * one knock in ten may pass without a fault. */
+ * jams and knocks were not reported as faults. If the kernel reads the line late, a knock looks
+ * like a spark, so that one knock in ten may pass without a fault. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>

@@ -115,8 +115,8 @@ struct cabinet {
     struct gpio_lines_sim sim;
     struct buttons_gpio gpio;
     uint64_t seed, due_ns, stall_max_ns;
-    uint32_t fallen[2]; /* Coins that had fallen: [0] at the last poll that was 200 ms after its
-                           predecessor, [1] at that predecessor's successor. */
+    uint32_t fallen[2]; /* Number of coins fallen at the newest mark [0] and at the mark before it
+                           [1]. Two marks are at least 200 ms apart. */
     uint64_t marked_ns;
     struct rain_result result;
 };
@@ -151,10 +151,10 @@ static void draw_frame(struct cabinet *cabinet)
     cabinet->due_ns = cabinet->sim.now_ns + frame_ns;
 }
 
-/* Draws the delays of a round. In one round in eight the thread starts late. The delay is as long
- * as the kernel's queue can hold the edges of the contacts (16 edges: 25 ms; 64 edges: 100 ms). In
- * one round in sixteen the kernel's own thread is up to 6 ms late. Otherwise the kernel's thread is
- * up to 0.3 ms late. */
+/* Draws the delays of a round. In one round in eight the thread starts late, by at most the time in
+ * which contacts fill the kernel's queue (16 edges: 25 ms; 64 edges: 100 ms). In one round in
+ * sixteen the kernel's own thread is up to 6 ms late. Otherwise the kernel's thread is up to 0.3 ms
+ * late. */
 static void stall(struct cabinet *cabinet)
 {
     cabinet->sim.late_max_ns = draw(&cabinet->seed) % 16u == 0 ? 6 * MS : 300 * US;

@@ -32,8 +32,8 @@ struct rain_result {
                                        reported as faults. */
     uint32_t counted, faults;       /* Coins and faults that the frame loop counted. */
     uint32_t early;                 /* Polls at which more coins were counted than had fallen. */
-    uint32_t late;                  /* Polls at which a coin was missing that had fallen two polls
-                                       and 200 ms earlier. */
+    uint32_t late;                  /* Polls at which a coin was missing that had fallen at least
+                                       200 ms earlier. */
     uint32_t dropped;               /* Edges that were dropped because the kernel's queue was
                                        full. */
     uint32_t blinks;                /* Edges that changed nothing because the kernel read the level
