@@ -1,4 +1,5 @@
-/* glb.c -- glTF 2.0, sections 3.6 (buffers, accessors) and 4 (the binary container). */
+/* glb.c -- the writer of glTF 2.0 files, sections 3.6 (buffers, accessors) and 4 (the binary
+ * container). */
 #include "platform/ctl/glb.h"
 
 #include <errno.h>
@@ -11,7 +12,7 @@
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "glTF is little-endian; so is memory");
 
-#define MAGIC 0x46546c67u      /* "glTF" */
+#define MAGIC 0x46546c67u      /* "glTF" as a little-endian number. */
 #define CHUNK_JSON 0x4e4f534au
 #define CHUNK_BIN 0x004e4942u
 
@@ -56,7 +57,7 @@ static uint32_t add_view(struct glb *glb, const void *data, size_t size, enum ta
     return view;
 }
 
-/* The least or the greatest of each component. */
+/* Adds the minimum (`sign` -1) or the maximum (`sign` 1) of each component to an accessor. */
 static void add_bound(struct bytes *out, const char *name, float sign, const float *values,
                       uint32_t width, uint32_t count)
 {
@@ -67,7 +68,7 @@ static void add_bound(struct bytes *out, const char *name, float sign, const flo
             const float value = values[i * width + k];
             bound = sign * value > sign * bound ? value : bound;
         }
-        /* All 17 digits: a reader must find the very float that is in the buffer. */
+        /* The 17 digits let a reader find exactly the float that the buffer contains. */
         bytes_print(out, "%s%.17g", k > 0 ? "," : "", (double)bound);
     }
     bytes_print(out, "]");
@@ -114,7 +115,7 @@ uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count)
     return accessor;
 }
 
-/* ---- The file -------------------------------------------------------------------------------- */
+/* ---- Output file ----------------------------------------------------------------------------- */
 
 static void add_list(struct bytes *json, const struct glb *glb, const char *name,
                      enum glb_list list)

@@ -1,7 +1,8 @@
-/* glb.h -- a binary glTF 2.0 file in the making: arrays to its buffer, what they mean to its JSON.
+/* glb.h -- a builder for binary glTF 2.0 files.
  *
- * Lists of the JSON are filled by bytes_print(); glb_next() puts the comma and counts. Names that
- * come from species have a-z, 0-9 and _ alone, so nothing needs escaping. */
+ * Arrays go to the binary buffer, and their descriptions go to lists of JSON objects. glb_next()
+ * starts a list entry and writes the comma, and bytes_print() writes the entry. Names of species
+ * contain only a-z, 0-9 and _, so that no string needs escaping. */
 #ifndef KINGYO_PLATFORM_CTL_GLB_H
 #define KINGYO_PLATFORM_CTL_GLB_H
 
@@ -27,24 +28,27 @@ struct glb {
 
 enum glb_type { GLB_SCALAR, GLB_VEC2, GLB_VEC3, GLB_VEC4, GLB_MAT4 };
 enum glb_use {
-    GLB_FOR_VERTICES, /* An attribute or a target's. */
-    GLB_FOR_PLACES,   /* The same, with its bounds, as POSITION must have them. */
-    GLB_FOR_TIMES,    /* An animation's input, with its bounds too. */
-    GLB_FOR_DATA,     /* An animation's output, a skin's matrices. */
+    GLB_FOR_VERTICES, /* A vertex attribute, or an attribute of a morph target. */
+    GLB_FOR_PLACES,   /* A vertex attribute with bounds, as glTF requires for POSITION. */
+    GLB_FOR_TIMES,    /* The input of an animation sampler, with the bounds that glTF requires. */
+    GLB_FOR_DATA,     /* The output of an animation sampler, or the matrices of a skin. */
 };
 
-/* Begins another entry of a list; answers its index. Print it to `lists[list]`. */
+/* Starts a new entry of a list and returns its index. The caller prints the entry to
+ * `lists[list]`. */
 uint32_t glb_next(struct glb *glb, enum glb_list list);
 
-/* Each copies `count` >= 1 elements and answers the accessor. */
+/* Copy `count` >= 1 elements to the buffer and return the index of the new accessor. glb_floats()
+ * takes floats, glb_indices() takes triangle indices, and glb_joints() takes joint numbers. */
 uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const float *values,
                     uint32_t count);
 uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count);
-/* Four joints a vertex. */
+/* Takes four joint numbers per vertex. */
 uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count);
 
-/* Writes what was gathered: `animation` names its samplers and channels, `scene` is the list of the
- * scene's nodes as JSON has it ("0,3"). 0 or a negative errno; -ENOMEM: `glb` is not whole. */
+/* Writes the file. `animation` names the samplers and channels, and `scene` is the JSON list of the
+ * scene's nodes ("0,3"). Returns 0 or a negative errno. -ENOMEM means that an earlier allocation
+ * failed and `glb` is incomplete. */
 int glb_write(struct glb *glb, const char *path, const char *animation, const char *scene);
 
 void glb_free(struct glb *glb);

@@ -1,4 +1,6 @@
-/* hid.c -- `kingyoctl hid`: what a report descriptor says, and what reports then mean. */
+/* hid.c -- the command `kingyoctl hid`.
+ *
+ * Explains a HID report descriptor and decodes reports with it. */
 #include <stdio.h>
 #include <string.h>
 
@@ -45,7 +47,8 @@ static enum exit_code decode(const char *descriptor_path, const char *reports_pa
     return code;
 }
 
-/* By what the kiosk would play it; `ids` null: a device of no known vendor. */
+/* Prints the mapping that the kiosk would use for the descriptor. `ids` is "VVVV:PPPP", or null for
+ * a device of no known vendor. */
 static enum exit_code map(const char *path, const char *ids)
 {
     struct hid_identity who = { 0 };

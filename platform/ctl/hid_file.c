@@ -1,4 +1,6 @@
-/* hid_file.c -- one look at every letter says whether a file is text. */
+/* hid_file.c -- the reader of descriptor files.
+ *
+ * Every character is checked to decide whether a file is hex text or binary. */
 #include "platform/ctl/hid_file.h"
 
 #include <ctype.h>
@@ -28,7 +30,8 @@ static int is_hex_text(const uint8_t *bytes, size_t size)
     return 1;
 }
 
-/* The place of the first digit of hex text that stands alone; `size`: none does. */
+/* Returns the index of the first hex digit that has no second digit, or `size` if there is no such
+ * digit. */
 static size_t lone_digit(const uint8_t *text, size_t size)
 {
     size_t high = size;
@@ -64,7 +67,8 @@ enum exit_code hid_tell_io(const char *path)
     return EXIT_IO;
 }
 
-/* The first letter of a text that makes it no hex; `size`: it is no text. */
+/* Returns the index of the first character that is not allowed in hex text. Returns `size` if all
+ * characters are allowed or the bytes are not text. */
 static size_t first_odd_letter(const uint8_t *bytes, size_t size)
 {
     size_t odd = size;
@@ -80,7 +84,8 @@ static size_t first_odd_letter(const uint8_t *bytes, size_t size)
 enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
                              const char *path)
 {
-    const size_t lone = lone_digit(bytes, size); /* Before bytes take the place of letters. */
+    const size_t lone = lone_digit(bytes, size); /* The search precedes the conversion because
+                                                    hid_from_hex() overwrites the text. */
     const long count = hid_from_hex(bytes, size);
     if (count == HID_HALF_HEX) {
         print_error("kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu",

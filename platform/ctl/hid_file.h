@@ -1,4 +1,5 @@
-/* hid_file.h -- report descriptors and reports as files hold them: hex text, or the bytes. */
+/* hid_file.h -- reads report descriptors and reports from files that contain hex text or binary
+ * data. */
 #ifndef KINGYO_PLATFORM_CTL_HID_FILE_H
 #define KINGYO_PLATFORM_CTL_HID_FILE_H
 
@@ -8,33 +9,40 @@
 #include "drivers/hid_descriptor.h"
 #include "platform/kiosk/options.h"
 
-#define HID_ID_SIZE 256u /* A file name on Linux has 255 bytes at most. */
+#define HID_ID_SIZE 256u /* A file name on Linux has at most 255 bytes. */
 
-/* The bytes of a file that may be a descriptor, or hex of one: four letters for each byte, blanks
- * among them, and one byte more than there may be, so that the reader sees that it is too long. */
+/* Size in bytes of the read buffer for a descriptor file. The buffer has room for four characters
+ * per byte: two hex digits and white space. One extra byte lets the parser detect a descriptor that
+ * is too long. */
 #define HID_FILE_SIZE (4u * (HID_DESCRIPTOR_SIZE_MAX + 1u))
 
-#define HID_REPORTS_SIZE_MAX (1u << 30) /* Bytes; 2 h of 64-byte reports at 1 kHz. */
+#define HID_REPORTS_SIZE_MAX (1u << 30) /* Largest file of reports in bytes. The size holds 2 h of
+                                           64-byte reports at 1 kHz. */
 
-#define HID_NOT_HEX (-1)  /* Something else than hex digits and blanks is among them. */
-#define HID_HALF_HEX (-2) /* It is hex, but a byte has one digit. */
+#define HID_NOT_HEX (-1)  /* The text contains something other than hex digits and white space. */
+#define HID_HALF_HEX (-2) /* The text is hex, but one byte has only one digit. */
 
-/* Hex text with blanks between bytes, to bytes in place: how many, or one of the two above. */
+/* Converts hex text with white space between the bytes to bytes, in place. Returns the number of
+ * bytes, HID_NOT_HEX or HID_HALF_HEX. */
 long hid_from_hex(uint8_t *bytes, size_t size);
 
-/* Reads what is in a file: hex text, or the descriptor itself where there is anything else in it.
- * EXIT_OK, or EXIT_BAD_DATA with one line on standard error that names `path` and the byte. `bytes`
- * are used up. */
+/* Parses the content of a file as a descriptor. Hex text is converted, and any other content is the
+ * binary descriptor. Overwrites `bytes`.
+ *
+ * Returns EXIT_OK, or EXIT_BAD_DATA after one line on standard error that names `path` and the
+ * byte. */
 enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
                              const char *path);
 
-/* The same from a file's name; EXIT_IO, told, where it cannot be read. */
+/* Reads and parses the descriptor file at `path`. Returns the codes of hid_file_take(), or EXIT_IO
+ * after printing the error if the file cannot be read. */
 enum exit_code hid_file_read(struct hid_descriptor *out, const char *path);
 
-/* The base name up to its last dot: what a descriptor's rows and its reports are known by. */
+/* Writes the base name of `path` up to its last dot. This id links the rows of a descriptor with
+ * the rows of its reports. */
 void hid_file_id(const char *path, char id[HID_ID_SIZE]);
 
-/* Tells `errno` of a path, and EXIT_IO. */
+/* Prints `errno` as the error of `path`. Returns EXIT_IO. */
 enum exit_code hid_tell_io(const char *path);
 
 #endif

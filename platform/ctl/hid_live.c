@@ -1,4 +1,6 @@
-/* hid_live.c -- rows are made once from the descriptor; reports only change their numbers. */
+/* hid_live.c -- the live view of a HID device.
+ *
+ * The rows are created once from the descriptor. Reports only change their values. */
 #include "platform/ctl/hid_live.h"
 
 #include <inttypes.h>
@@ -15,7 +17,7 @@
 #define VALUE_COLUMNS 11
 #define BAR_MIN 8u
 
-/* ---- Rows ----------------------------------------------------------------------------------- */
+/* ---- Rows ------------------------------------------------------------------------------------ */
 
 static void add_row(struct hid_live *live, uint32_t group, uint32_t field, int is_set)
 {
@@ -46,7 +48,7 @@ void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descript
     }
 }
 
-/* ---- Reports -------------------------------------------------------------------------------- */
+/* ---- Reports --------------------------------------------------------------------------------- */
 
 static void take_on(struct hid_live_row *row, uint32_t usage)
 {
@@ -66,7 +68,8 @@ static void take_set(const struct hid_live *live, struct hid_live_row *row,
         const hid_usage usage = group->flags & HID_VARIABLE
                                     ? (value ? hid_usage_at(descriptor, group, i) : 0)
                                     : hid_selected(descriptor, group, value);
-        if (usage & 0xffffu) { /* Usage 0 of a page is "nothing", as of a keyboard at rest. */
+        if (usage & 0xffffu) { /* Usage 0 of a page means no control, for example a keyboard without
+                                  a pressed key. */
             take_on(row, usage);
         }
     }
@@ -113,7 +116,7 @@ void hid_live_report(struct hid_live *live, struct hid_report report, uint64_t t
     }
 }
 
-/* ---- Picture -------------------------------------------------------------------------------- */
+/* ---- Text output ----------------------------------------------------------------------------- */
 
 struct page {
     char *text;
@@ -121,7 +124,8 @@ struct page {
     uint32_t width, line_begin;
 };
 
-/* Adds to the line, as far as it is wide. All that is printed is ASCII, but a device's own name. */
+/* Appends text to the current line and truncates it at the page width. All text is ASCII except the
+ * name of the device. */
 __attribute__((format(printf, 2, 3)))
 static void put(struct page *page, const char *format, ...)
 {
@@ -144,7 +148,8 @@ static void end_line(struct page *page)
     page->line_begin = (uint32_t)page->length;
 }
 
-/* Where a value lies between its limits; a value beyond lies at the end, in brackets that gape. */
+/* Draws a bar with the position of `value` between the logical limits. A value beyond a limit is
+ * drawn at that end, with an angle bracket in place of the square bracket. */
 static void put_bar(struct page *page, const struct hid_group *group, int64_t value)
 {
     const uint32_t used = (uint32_t)page->length - page->line_begin;

@@ -1,4 +1,4 @@
-/* hid_names.h -- usages as people call them: those of controllers, from HID Usage Tables 1.4. */
+/* hid_names.h -- common names for the HID usages of controllers, from HID Usage Tables 1.4. */
 #ifndef KINGYO_PLATFORM_CTL_HID_NAMES_H
 #define KINGYO_PLATFORM_CTL_HID_NAMES_H
 
@@ -6,7 +6,8 @@
 
 #define HID_NAME_SIZE 24u
 
-/* "X", "hat", "button 3", "tip"; page:id in hex where we know no word. Returns `out`. */
+/* Writes the name of a usage: "X", "hat", "button 3" or "tip". A usage without a known name is
+ * written as page:id in hex. Returns `out`. */
 const char *hid_usage_name(hid_usage usage, char out[HID_NAME_SIZE]);
 
 #endif

@@ -1,4 +1,6 @@
-/* hid_nodes.c -- /sys/class/hidraw, one folder a node, one uevent file each. */
+/* hid_nodes.c -- lists the device nodes in /sys/class/hidraw.
+ *
+ * Each node has a folder with a uevent file. */
 #include "platform/ctl/hid_nodes.h"
 
 #include <dirent.h>

@@ -1,4 +1,4 @@
-/* hid_nodes.h -- the HID devices that Linux knows, from /sys and /dev. */
+/* hid_nodes.h -- the HID devices that Linux lists in /sys and /dev. */
 #ifndef KINGYO_PLATFORM_CTL_HID_NODES_H
 #define KINGYO_PLATFORM_CTL_HID_NODES_H
 
@@ -11,26 +11,32 @@
 #define HID_NODE_PATH 512u
 
 struct hid_node {
-    uint32_t number; /* Of /dev/hidrawNUMBER. */
-    uint16_t bus;    /* 3: USB, 5: Bluetooth, 0x18: I2C; linux/input.h's BUS_*. */
+    uint32_t number; /* Number N of the node /dev/hidrawN. */
+    uint16_t bus;    /* Bus type, a BUS_* constant of linux/input.h: 3 is USB, 5 is Bluetooth, 0x18
+                        is I2C. */
     uint16_t vendor, product;
-    int open_errno;  /* 0: this user may read it; ENOENT: the node is not in /dev. */
-    char name[HID_NODE_TEXT];   /* As the device says it; what is no letter of a line is a dot. */
-    char place[HID_NODE_TEXT];  /* usb-0000:00:14.0-1/input0 */
+    int open_errno;  /* Error of opening the node, an errno. 0 means that this user may read it, and
+                        ENOENT means that /dev lacks the node. */
+    char name[HID_NODE_TEXT];   /* Name that the device reports, with unprintable characters
+                                   replaced by dots. */
+    char place[HID_NODE_TEXT];  /* Physical location, for example usb-0000:00:14.0-1/input0. */
     char serial[HID_NODE_TEXT];
-    char driver[32];            /* hid-generic, logitech-djreceiver; "": none. */
+    char driver[32];            /* Kernel driver, for example hid-generic or logitech-djreceiver. ""
+                                   means no driver. */
 };
 
-/* Every node under `root` ("" is this machine; tests have a folder that looks like one), by number.
- * Returns how many; of more than HID_NODES_MAX the last are left out. */
+/* Lists the nodes under `root` in the order of their numbers. `root` is "" for this machine; tests
+ * use a folder with the same layout. Returns the number of nodes. Nodes beyond HID_NODES_MAX are
+ * dropped. */
 uint32_t hid_nodes_list(const char *root, struct hid_node out[HID_NODES_MAX]);
 
-/* Its descriptor, which anybody may read in /sys: 1, or 0 with `said_errno`, which is 0 where it
- * was read and is none; `out->error` then says why. */
+/* Reads the descriptor of a node from /sys, which every user may read. Returns 1, or 0 with
+ * `*said_errno` set. If `*said_errno` is 0, the descriptor was read but is invalid, and
+ * `out->error` is the reason. */
 int hid_node_descriptor(const char *root, const struct hid_node *node, struct hid_descriptor *out,
                         int *said_errno);
 
-/* The word for a bus: "USB", "Bluetooth", "I2C", "virtual", or "other". */
+/* Returns the name of the node's bus: "USB", "Bluetooth", "I2C", "virtual" or "other". */
 const char *hid_node_bus(const struct hid_node *node);
 
 #endif

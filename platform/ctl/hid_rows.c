@@ -1,4 +1,4 @@
-/* hid_rows.c -- one row a field, one row a value. */
+/* hid_rows.c -- prints descriptors with one row per field and reports with one row per value. */
 #include "platform/ctl/hid_rows.h"
 
 #include <inttypes.h>
@@ -7,7 +7,8 @@
 #include "platform/ctl/hid_file.h"
 #include "platform/print.h"
 
-#define LINE_SIZE 65536      /* A report of 8 KiB is 16 KiB of hex. */
+#define LINE_SIZE 65536      /* Longest line in characters. A report of 8 KiB is 16 KiB of hex
+                                text. */
 #define REPORT_SIZE_MAX 16384u
 
 static void print_usage(hid_usage usage)
@@ -15,7 +16,7 @@ static void print_usage(hid_usage usage)
     printf("%04x:%04x", usage >> 16, usage & 0xffffu);
 }
 
-/* ---- describe ------------------------------------------------------------------------------- */
+/* ---- Subcommand describe --------------------------------------------------------------------- */
 
 static void print_ranges(const struct hid_descriptor *descriptor, const struct hid_group *group)
 {
@@ -64,7 +65,7 @@ void hid_rows_describe(const struct hid_descriptor *descriptor, const char *id)
     }
 }
 
-/* ---- decode --------------------------------------------------------------------------------- */
+/* ---- Subcommand decode ----------------------------------------------------------------------- */
 
 static void print_value(const struct hid_descriptor *descriptor, const struct hid_group *group,
                         uint32_t index, struct hid_report report)
@@ -106,7 +107,7 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
     }
 }
 
-/* ---- Files of reports ----------------------------------------------------------------------- */
+/* ---- Files of reports ------------------------------------------------------------------------ */
 
 static enum exit_code refuse(const char *path, unsigned row, const char *what)
 {
@@ -114,15 +115,16 @@ static enum exit_code refuse(const char *path, unsigned row, const char *what)
     return EXIT_BAD_DATA;
 }
 
-/* The rows of a file of reports that were for us. */
+/* Progress of decoding the rows of a file that have the id of the descriptor. */
 struct decoded {
     const struct hid_descriptor *descriptor;
     const char *id, *path;
-    uint32_t reports, whole; /* Of this id, and of those the ones as long as declared. */
+    uint32_t reports, whole; /* Number of reports with this id (`reports`), and how many of these
+                                are as long as declared (`whole`). */
 };
 
-/* Rows of other ids are no concern of ours. The header comes with the first of ours: before what
- * cannot be read there is nothing. */
+/* Decodes one row of a file of reports. Rows with another id are skipped. The header is printed
+ * before the first matching row, so that nothing is printed if the file cannot be read. */
 static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
 {
     line[strcspn(line, "\r\n")] = '\0';
@@ -149,7 +151,8 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
     return EXIT_OK;
 }
 
-/* Ids are matched by the name of a file: what does not match is most likely a name. */
+/* Returns the exit code for a decoded file. Ids are compared with the descriptor's file name, so
+ * that a file without a matching row most likely has a wrong name. */
 static enum exit_code judge(const struct decoded *of)
 {
     if (of->reports == 0) {

@@ -1,5 +1,4 @@
-/* hid_rows.h -- what a descriptor says and what reports mean, as rows of tab-separated columns on
- * standard output. */
+/* hid_rows.h -- prints descriptors and decoded reports as tab-separated rows on standard output. */
 #ifndef KINGYO_PLATFORM_CTL_HID_ROWS_H
 #define KINGYO_PLATFORM_CTL_HID_ROWS_H
 
@@ -8,21 +7,24 @@
 #include "drivers/hid_descriptor.h"
 #include "platform/kiosk/options.h"
 
-/* The header line and a row for each input field. */
+/* Prints the header line and one row per input field. */
 void hid_rows_describe(const struct hid_descriptor *descriptor, const char *id);
 
-/* The columns of hid_rows_values(), without a newline. */
+/* Header line of hid_rows_values(), without a newline. */
 #define HID_VALUE_HEADER "id\tseq\treport_id\tbit_offset\tbit_size\tusage\tvalue\tnote"
 
-/* A row for each value in a report, none if it is shorter than declared. Constants and fields over
- * 32 bits are left out. Every row ends in `tail`: a newline, and more columns before it if any. */
+/* Prints one row per value of a report, or no row if the report is shorter than declared. Constants
+ * and fields of more than 32 bits are skipped. Every row ends in `tail`, which is a newline,
+ * possibly after further columns. */
 void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, const char *seq,
                      struct hid_report report, const char *tail);
 
-/* The header line, and the values of those reports in `file` that belong to `id`. Its rows are id,
- * number, report in hex and whatever else, below a header line. EXIT_OK; EXIT_NOT_SO where no
- * report is of this id, or none as long as declared; EXIT_BAD_DATA or EXIT_IO. What is not OK is
- * told with `path`, and with the line if it is one. */
+/* Decodes the reports in `file` that belong to `id`. Prints the header line and the values. The
+ * file has a header line and rows of id, number, report in hex and optional further columns.
+ *
+ * Returns EXIT_OK, EXIT_NOT_SO if no report has this id or none is as long as declared,
+ * EXIT_BAD_DATA or EXIT_IO. Each error is printed with `path`, and with the line number if one line
+ * is invalid. */
 enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const char *id, FILE *file,
                                const char *path);
 

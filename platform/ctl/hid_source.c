@@ -1,4 +1,4 @@
-/* hid_source.c -- wait, read, cut. */
+/* hid_source.c -- waits for bytes from a device or a file and divides the bytes into reports. */
 #include "platform/ctl/hid_source.h"
 
 #include <errno.h>
@@ -15,7 +15,8 @@
 #include "platform/ctl/user_file.h"
 #include "platform/print.h"
 
-#define WRITER_WAIT_MS 2000 /* A shell starts the other end of a pipe in less. */
+#define WRITER_WAIT_MS 2000 /* Timeout for the writer of a pipe, in ms. A shell needs less to start
+                               a process at the other end. */
 #define WRITER_STEP_MS 20
 
 static enum exit_code tell_open(const char *path)
@@ -29,7 +30,7 @@ static enum exit_code tell_open(const char *path)
     return hid_tell_io(path);
 }
 
-/* ---- Descriptors ---------------------------------------------------------------------------- */
+/* ---- Descriptors ----------------------------------------------------------------------------- */
 
 static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, const char *path)
 {
@@ -65,8 +66,9 @@ static enum exit_code get_descriptor(struct hid_source *source, struct hid_descr
     return ask_node(source->file, descriptor, source->path);
 }
 
-/* Waits a while for a process that writes into the pipe: it may have been started just now. The
- * first bytes are read on the way. */
+/* Waits for a process that writes into the pipe, because that process may just have been
+ * started. Also reads the first bytes. Returns 1, or 0 if no process opens the pipe within
+ * WRITER_WAIT_MS. */
 static int wait_for_writer(struct hid_source *source)
 {
     const ssize_t none = 0;
@@ -76,10 +78,12 @@ static int wait_for_writer(struct hid_source *source)
         size = read(source->file, source->bytes, sizeof source->bytes);
     }
     source->size = size > 0 ? (size_t)size : 0;
-    return size == none ? 0 : 1; /* Less than 0: a process has the pipe open and is silent. */
+    return size == none ? 0 : 1; /* A negative size means that a process has the pipe open but has
+                                    not written yet. */
 }
 
-/* What is no node must be a file of limited size, or a pipe. */
+/* Checks that a source other than a device node is a file of limited size or a pipe with a writer.
+ * Returns EXIT_OK, or another exit code after printing the error. */
 static enum exit_code check_type(struct hid_source *source)
 {
     struct stat about;
@@ -129,7 +133,7 @@ void hid_source_close(struct hid_source *source)
     source->file = -1;
 }
 
-/* ---- Reports -------------------------------------------------------------------------------- */
+/* ---- Reports --------------------------------------------------------------------------------- */
 
 static enum hid_pull end_with(enum exit_code *code, enum exit_code how)
 {
@@ -144,7 +148,7 @@ static enum hid_pull refuse(const struct hid_source *source, const char *what, e
     return end_with(code, EXIT_BAD_DATA);
 }
 
-/* Cuts the next report off: as long as declared. */
+/* Takes the next report from the buffered bytes. The descriptor declares its length. */
 static enum hid_pull cut(struct hid_source *source, struct hid_report *out, enum exit_code *code)
 {
     const struct hid_descriptor *descriptor = source->descriptor;
@@ -169,12 +173,13 @@ static void forget(struct hid_source *source, size_t size)
     memmove(source->bytes, source->bytes + size, source->size);
 }
 
-/* Waits for bytes and adds them. NOTHING: there may be some now. */
+/* Waits for bytes and appends them to the buffer. Returns HID_PULL_NOTHING if no bytes arrived, and
+ * also if bytes were added. */
 static enum hid_pull fill(struct hid_source *source, int timeout_ms, enum exit_code *code)
 {
     struct pollfd wait = { .fd = source->file, .events = POLLIN };
     if (poll(&wait, 1, timeout_ms) <= 0) {
-        return HID_PULL_NOTHING; /* Or a signal, which the caller looks for. */
+        return HID_PULL_NOTHING; /* A timeout, or a signal that the caller handles. */
     }
     const ssize_t size =
         read(source->file, source->bytes + source->size, sizeof source->bytes - source->size);

@@ -1,7 +1,8 @@
-/* hid_source.h -- live reports: of a device's node, or of a file or pipe that holds what one sent.
+/* hid_source.h -- a source of live reports: a device node, or a file or pipe with recorded reports.
  *
- * A node (/dev/hidraw3) gives one report a read, and its own descriptor. Anything else gives bytes,
- * which the descriptor cuts into reports: as they lie in the file that `cat /dev/hidraw3` made. */
+ * Each read from a node (/dev/hidraw3) returns one report, and the node provides its own
+ * descriptor. Any other source is a stream of bytes, as `cat /dev/hidraw3` writes it. The
+ * descriptor divides the stream into reports. */
 #ifndef KINGYO_PLATFORM_CTL_HID_SOURCE_H
 #define KINGYO_PLATFORM_CTL_HID_SOURCE_H
 
@@ -11,29 +12,33 @@
 #include "drivers/hid_descriptor.h"
 #include "platform/kiosk/options.h"
 
-#define HID_SOURCE_BYTES 16384u /* Twice the longest report that a descriptor may declare. */
+#define HID_SOURCE_BYTES 16384u /* Buffer size in bytes: twice the longest report that a descriptor
+                                   may declare. */
 
 struct hid_source {
     const char *path;
     const struct hid_descriptor *descriptor;
     int file;
     uint8_t is_node;
-    uint8_t at_end; /* Of a file, or every writer of a pipe has left. */
-    size_t size;    /* Bytes that wait in `bytes` to be cut. */
-    size_t given;   /* Those of the report that was pulled last. */
-    uint64_t taken; /* Bytes that went before them. */
+    uint8_t at_end; /* 1 at the end of a file, or after every writer of a pipe has closed it. */
+    size_t size;    /* Number of valid bytes in `bytes`. */
+    size_t given;   /* Length of the report that was returned last. The next call removes these
+                       bytes. */
+    uint64_t taken; /* Number of bytes of the stream that precede `bytes`. */
     uint8_t bytes[HID_SOURCE_BYTES];
 };
 
-/* Opens `path`. `descriptor` is filled from `descriptor_path`, or by the node itself where that is
- * null. EXIT_OK, else told. */
+/* Opens the source at `path`. Fills `descriptor` from the file `descriptor_path`, or from the node
+ * if `descriptor_path` is null. Returns EXIT_OK, or another exit code after printing the error.
+ * `path` and `descriptor` must outlive `source`. */
 enum exit_code hid_source_open(struct hid_source *source, const char *path,
                                struct hid_descriptor *descriptor, const char *descriptor_path);
 
 enum hid_pull {
-    HID_PULL_NOTHING = 0, /* Within `timeout_ms`. */
-    HID_PULL_REPORT,      /* `out` is one; its bytes stay until the next call. */
-    HID_PULL_END,         /* There will be no more; `*code` says how it ended, told unless OK. */
+    HID_PULL_NOTHING = 0, /* No report arrived within `timeout_ms`. */
+    HID_PULL_REPORT,      /* `out` is a report. Its bytes stay valid until the next call. */
+    HID_PULL_END,         /* The source has ended. `*code` is the exit code, and every error was
+                             printed. */
 };
 
 enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct hid_report *out,

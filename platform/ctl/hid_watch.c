@@ -1,4 +1,6 @@
-/* hid_watch.c -- rows for programs, a picture that is drawn anew for people. */
+/* hid_watch.c -- the live output of `kingyoctl hid watch`.
+ *
+ * Prints rows if standard output is not a terminal. Redraws a view on a terminal. */
 #include "platform/ctl/hid_watch.h"
 
 #include <errno.h>
@@ -18,11 +20,13 @@
 #include "platform/number.h"
 #include "platform/print.h"
 
-#define WAIT_MS 50             /* So soon Ctrl-C is answered, and a silent second passes. */
-#define PICTURE_NS 50000000ull /* 20 pictures a second are as many as a terminal likes. */
+#define WAIT_MS 50             /* Timeout of one wait in ms. It limits the delay after Ctrl-C and
+                                  lets the rate drop when no report arrives. */
+#define PICTURE_NS 50000000ull /* Shortest time between two views in ns: 20 views per second. */
 #define SECONDS_MAX 86400u
 
-#define SCREEN_BEGIN "\x1b[?1049h\x1b[?25l" /* The terminal's second page, without a cursor. */
+#define SCREEN_BEGIN "\x1b[?1049h\x1b[?25l" /* Escape codes that select the terminal's alternate
+                                               screen and hide the cursor. */
 #define SCREEN_HOME "\x1b[H"
 #define LINE_REST "\x1b[K"
 #define SCREEN_REST "\x1b[J"
@@ -30,10 +34,11 @@
 
 struct watch_options {
     const char *path, *descriptor_path;
-    uint32_t seconds; /* 0: until it ends or somebody does. */
+    uint32_t seconds; /* Duration in seconds. 0 means until the source ends or the user stops the
+                         command. */
 };
 
-/* One device that is looked at. */
+/* State of watching one device. */
 struct watch {
     struct hid_descriptor descriptor;
     struct hid_source source;
@@ -58,7 +63,7 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-/* ---- Which there are ------------------------------------------------------------------------ */
+/* ---- List of devices ------------------------------------------------------------------------- */
 
 static enum exit_code list(void)
 {
@@ -77,7 +82,7 @@ static enum exit_code list(void)
     return EXIT_OK;
 }
 
-/* ---- What it sends -------------------------------------------------------------------------- */
+/* ---- Reports of one device ------------------------------------------------------------------- */
 
 static void print_report(struct watch *watch, struct hid_report report, uint64_t time_ns)
 {
@@ -142,7 +147,8 @@ static enum exit_code look(struct watch *watch, uint32_t seconds)
     }
 }
 
-/* Ctrl-C ends the picture, not the terminal's good manners. */
+/* Installs the handlers of signals that stop the view. The normal exit path then restores the
+ * terminal. */
 static void hear_signals(void)
 {
     const struct sigaction action = { .sa_handler = stop };
@@ -166,7 +172,7 @@ static enum exit_code watch_one(const struct watch_options *options)
     watch.begin_ns = now_ns();
     fputs(watch.on_terminal ? SCREEN_BEGIN : HID_VALUE_HEADER "\ttime_ms\n", stdout);
     const enum exit_code end = look(&watch, options->seconds);
-    if (watch.on_terminal) { /* The last picture stays. */
+    if (watch.on_terminal) { /* The last view stays visible on the normal screen. */
         printf(SCREEN_END "%s", picture(&watch));
     }
     fflush(stdout);
@@ -174,7 +180,7 @@ static enum exit_code watch_one(const struct watch_options *options)
     return end;
 }
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Command line ---------------------------------------------------------------------------- */
 
 static enum exit_code take_option(struct watch_options *options, const char *word,
                                   const char *value)

@@ -1,10 +1,13 @@
-/* hid_watch.h -- `kingyoctl hid watch`: which devices there are, and what one of them sends now. */
+/* hid_watch.h -- the subcommand `kingyoctl hid watch`.
+ *
+ * Lists the HID devices, or shows the reports that one device sends. */
 #ifndef KINGYO_PLATFORM_CTL_HID_WATCH_H
 #define KINGYO_PLATFORM_CTL_HID_WATCH_H
 
 #include "platform/kiosk/options.h"
 
-/* Whatever stands behind the word `watch`. */
+/* Runs the subcommand. `argv` starts with the first word after `watch`. Returns the exit code of
+ * the program. */
 enum exit_code hid_watch(int argc, const char *const *argv);
 
 #endif

@@ -1,8 +1,9 @@
-/* import_build.c -- from oriented shapes to the tables that the core reads.
+/* import_build.c -- builds the mesh tables of the core from oriented key shapes.
  *
- * Vertices that are one in every shape become one; fins that are a single sheet get their second
- * side; body coordinates (u along, v round) are made from where a vertex lies, for paint and fins'
- * trailing need them. Nothing rides on anchors: each vertex goes where its shapes say. */
+ * Vertices that are equal in every key shape are merged. A fin that is a single sheet gets a second
+ * side. Body coordinates (u along the body, v around it) are computed from the vertex positions,
+ * because paint and the trailing of fins need them. Imported meshes use no anchors, so that each
+ * vertex position comes only from the key shapes. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,15 +11,16 @@
 #include "core/morph/morph.h"
 #include "platform/ctl/import_plan.h"
 
-#define BUCKETS 262144u /* Four times the vertices. */
+#define BUCKETS 262144u /* Size of the hash table: four times the number of vertices. */
 #define PI 3.14159265f
 
-/* A corner of the new mesh: what may not differ among those that become one vertex. */
+/* A triangle corner of the new mesh. Corners with equal content become one vertex. */
 struct corner {
     int16_t at[MORPH_KEY_MAX][3];
     float u, v;
     uint8_t part, side;
-    uint8_t unused[2]; /* Zero. Corners are compared as bytes, so there is no padding. */
+    uint8_t unused[2]; /* Always zero. Corners are compared as bytes, so that the struct must have
+                          no padding. */
 };
 _Static_assert(sizeof(struct corner) == 6 * MORPH_KEY_MAX + 12, "corners have no padding");
 
@@ -28,10 +30,11 @@ struct builder {
     struct species_mesh *out;
     char *why;
     float reach;
-    uint32_t key; /* The shape that body coordinates are read off: the last. */
+    uint32_t key; /* Key shape from which body coordinates are computed: the last one. */
     struct corner corners[MESH_VERTEX_MAX];
-    uint32_t place[MESH_VERTEX_MAX]; /* The first vertex of the same part at the same place. */
-    uint32_t buckets[BUCKETS];       /* A vertex + 1, or 0. */
+    uint32_t place[MESH_VERTEX_MAX]; /* Index of the first vertex of the same part at the same
+                                        position. */
+    uint32_t buckets[BUCKETS];       /* Vertex index + 1, or 0 for an empty bucket. */
     struct part_box {
         vec3 low, high;
         bool used;
@@ -46,7 +49,8 @@ static enum species_side side_of(const struct builder *b, enum species_part part
         return SIDE_MIDDLE;
     }
     for (uint32_t k = 0; k < 3; k++) {
-        x += m->positions[0][m->triangles[t][k]].x; /* Before an eye has wandered. */
+        x += m->positions[0][m->triangles[t][k]].x; /* In key shape 0, both eyes of a flatfish are
+                                                       still on their own sides. */
     }
     return x >= 0.0f ? SIDE_RIGHT : SIDE_LEFT;
 }
@@ -79,7 +83,7 @@ static float share(float x, float low, float high)
     return high > low ? f_clamp((x - low) / (high - low), 0.0f, 1.0f) : 0.0f;
 }
 
-/* u and v of core/morph/species.h, from the place alone. */
+/* Computes the body coordinates u and v (core/morph/species.h) from a position alone. */
 static void coordinates(const struct builder *b, enum species_part part, enum species_side side,
                         vec3 p, struct corner *out)
 {
@@ -131,7 +135,8 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
     return corner;
 }
 
-/* The three corners of a triangle over the back: v goes on beyond 1 rather than once round. */
+/* Unwraps v of a body triangle that crosses the seam at v = 1. The corners after the seam get v
+ * above 1. */
 static void unwrap(struct corner corner[3])
 {
     float low = 1.0f, high = 0.0f;
@@ -184,7 +189,7 @@ static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *
 static bool add_triangle(struct builder *b, uint32_t x, uint32_t y, uint32_t z)
 {
     if (x == y || y == z || z == x) {
-        return true; /* A sliver that was nothing but an edge. */
+        return true; /* The triangle is degenerate because two of its corners were merged. */
     }
     if (b->out->index_count + 3 > MESH_INDEX_MAX) {
         snprintf(b->why, IMPORT_WHY_SIZE, "triangles: more than %u; reduce the model",
@@ -222,7 +227,8 @@ static bool add_triangles(struct builder *b)
     return true;
 }
 
-/* Texture seams part vertices, not surfaces. */
+/* Finds the vertices at equal positions. A texture seam separates vertices, but the surface is
+ * continuous there. */
 static void find_places(struct builder *b)
 {
     for (uint32_t i = 0; i < b->out->vertex_count; i++) {
@@ -249,7 +255,8 @@ static bool has_edge(const struct builder *b, uint32_t from, uint32_t to)
     return false;
 }
 
-/* A sheet has a rim: edges that no triangle walks the other way. Closed fins stay as they are. */
+/* Gives each fin that is an open sheet a second side. An open sheet has an edge that no triangle
+ * traverses in the opposite direction. Closed fins are not changed. */
 static bool give_sheets_a_second_side(struct builder *b)
 {
     bool open[PART_COUNT] = { false };
@@ -270,7 +277,8 @@ static bool give_sheets_a_second_side(struct builder *b)
     return true;
 }
 
-/* By area and, of the two sides of a sheet, by the one that came first. */
+/* Computes vertex normals, weighted by triangle area. If the two sides of a sheet disagree, the
+ * side added first determines the direction. */
 static void make_normals(struct builder *b, uint32_t index_count)
 {
     static vec3 sums[MESH_VERTEX_MAX];

@@ -1,4 +1,4 @@
-/* import_flat.c -- opens a scene with assimp, and says what the file tells of itself. */
+/* import_flat.c -- opens a scene with assimp and reads the metadata of the file. */
 #include "platform/ctl/import_flat.h"
 
 #include <math.h>
@@ -15,7 +15,8 @@
 #include "platform/ctl/import_flat_parts.h"
 
 
-/* By its soname: the one whose headers this was built with. */
+/* Library names to load, in order. The first is the soname of the version whose headers this
+ * program was built with. */
 static const char *const libraries[] = { "libassimp.so.5", "libassimp.so" };
 
 struct assimp {
@@ -26,7 +27,8 @@ struct assimp {
     void (*detach)(void);
 };
 
-/* As POSIX has it: a pointer to an object becomes one to a function through its bytes. */
+/* Loads a function of the library. The bytes are copied because C does not convert an object
+ * pointer to a function pointer, and POSIX guarantees equal representations. */
 static bool take(void *library, const char *name, void *function)
 {
     void *const symbol = dlsym(library, name);
@@ -85,7 +87,7 @@ static bool made_by_us(const struct aiScene *scene)
     return false;
 }
 
-/* ---- What our own files say of their keys ---------------------------------------------------- */
+/* ---- Metadata of key shapes in our own files ------------------------------------------------- */
 
 static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, const char *key)
 {
@@ -97,7 +99,8 @@ static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, con
     return NULL;
 }
 
-/* A whole number comes as one, whatever it was meant as. */
+/* Returns a number of the metadata, or 0 if the key is absent. The importer stores a whole number
+ * as an integer, even if the number is a real value. */
 static float number_of(const struct aiMetadata *data, const char *key)
 {
     const struct aiMetadataEntry *entry = entry_of(data, key);
@@ -109,7 +112,7 @@ static float number_of(const struct aiMetadata *data, const char *key)
                                        : 0.0f;
 }
 
-/* The first node's that has it. */
+/* Returns the metadata entry of the first node that has the key, or null. */
 static const struct aiMetadataEntry *find_extra(const struct flattening *f, const char *key)
 {
     const struct aiMetadataEntry *entry = NULL;
@@ -131,7 +134,7 @@ static uint8_t measure_of(const struct flattening *f)
     return MEASURE_TOTAL;
 }
 
-/* A whole number of [0, max]; what is beyond, or none, is the nearer of these. */
+/* Returns a whole number of the metadata, clamped to [0, max]. A missing entry gives 0. */
 static uint32_t whole_of(const struct aiMetadata *data, const char *key, float max)
 {
     return (uint32_t)fminf(fmaxf(number_of(data, key), 0.0f), max);
@@ -139,7 +142,7 @@ static uint32_t whole_of(const struct aiMetadata *data, const char *key, float m
 
 static void read_coat(const struct aiMetadata *data, struct species_coat *coat)
 {
-    const float colour = 16777215.0f; /* ffffff */
+    const float colour = 16777215.0f; /* 0xffffff. */
     *coat = (struct species_coat){ .back = whole_of(data, "back", colour),
                                    .flank = whole_of(data, "flank", colour),
                                    .belly = whole_of(data, "belly", colour),
@@ -179,12 +182,14 @@ static bool refuse_scene(struct flattening *f, const char *text)
 {
     snprintf(f->why, IMPORT_WHY_SIZE, "%.110s", text);
     for (char *c = f->why; *c; c++) {
-        *c = *c >= ' ' && *c < 127 ? *c : ' '; /* It quotes the file. */
+        *c = *c >= ' ' && *c < 127 ? *c : ' '; /* The message quotes the file, so that unprintable
+                                                  characters are possible. */
     }
     return false;
 }
 
-/* Faces that name no vertex are left out by assimp, which only says so. */
+/* Log callback. assimp drops faces whose vertex indices are out of range and reports them only in
+ * its log. */
 static void listen(const char *line, char *heard)
 {
     if (strstr(line, "out-of-range indices")) {

@@ -1,18 +1,22 @@
-/* import_flat.h -- a scene of nodes, meshes and morph targets as one mesh of several shapes. */
+/* import_flat.h -- converts a scene of nodes, meshes and morph targets to one mesh with several key
+ * shapes. */
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_FLAT_H
 #define KINGYO_PLATFORM_CTL_IMPORT_FLAT_H
 
 #include "platform/ctl/import_mesh.h"
 
-/* Can scenes be read here? Else `why` says what is missing. */
+/* Returns whether scenes can be read in this build. If not, `why` names what is missing. */
 bool import_can_flatten(char why[IMPORT_WHY_SIZE]);
 
-/* Reads `path` into `mesh`; `why` is without the file's name. It trusts the file and the importer
- * as far as a child process may: call it in one, and vet what comes back. */
+/* Reads the scene at `path` into `mesh`. Returns false with `why`, without the file name, if the
+ * scene cannot be used.
+ *
+ * Call this function only in a child process, because a hostile file may crash the importer. The
+ * caller must validate `mesh` with import_vet(). */
 bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE]);
 
-/* Holds what came back to every bound of import_mesh.h. Null, or what is wrong with it, which may
- * be in `room`. */
+/* Checks a received mesh against every bound of import_mesh.h. Returns null, or the error text. The
+ * text may be stored in `room`. */
 const char *import_vet(const struct import_mesh *mesh, char room[IMPORT_WHY_SIZE / 2]);
 
 #endif

@@ -1,10 +1,13 @@
-/* import_flat_parts.h -- what the three files that flatten a scene share. Only where assimp is. */
+/* import_flat_parts.h -- internal declarations of the three files that flatten a scene.
+ *
+ * Included only if assimp is available. */
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_FLAT_PARTS_H
 #define KINGYO_PLATFORM_CTL_IMPORT_FLAT_PARTS_H
 
 #include "platform/ctl/import_nodes.h"
 
-/* Which shape of the scene a key is: the base, a target alone, or the scene at a moment. */
+/* Value of `key_target` for the base shape. A key shape is the base shape, one morph target alone,
+ * or the scene at an animation time. */
 #define KEY_BASE 255u
 #define TARGET_MAX 64u
 
@@ -13,23 +16,28 @@ struct flattening {
     const struct aiScene *scene;
     char *why;
     struct standing standing;
-    uint32_t target_count;           /* The least that a mesh with targets has. */
-    bool sampled;                    /* Keys are moments of the animation, not targets. */
-    uint8_t key_target[MORPH_KEY_MAX]; /* A target or KEY_BASE, where keys are targets. */
+    uint32_t target_count;           /* Smallest number of targets of the meshes that have
+                                        targets. */
+    bool sampled;                    /* Whether key shapes are samples of the animation and not
+                                        morph targets. */
+    uint8_t key_target[MORPH_KEY_MAX]; /* Morph target of each key shape, or KEY_BASE. Used only if
+                                          `sampled` is false. */
 };
 
-/* Says why not, and answers false. */
+/* Writes `text` as the reason and returns false. */
 bool flat_refuse(struct flattening *f, const char *text);
 
-/* import_keys.c: which shapes are the keys, their names, and the graph of their animation. */
+/* Select the key shapes with their names, and read the graph of their animation. Both return false
+ * after flat_refuse(). Defined in import_keys.c. */
 bool flat_choose_keys(struct flattening *f);
 bool flat_read_weights(struct flattening *f);
 
-/* The weights of `channel` at a key's moment, added to `out`. */
+/* Adds the weights of `channel` at the time of key shape `key` to `out`. */
 void flat_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
                      uint32_t key, float out[TARGET_MAX]);
 
-/* import_shapes.c: every node's meshes, in every key. */
+/* Adds every node's meshes in every key shape. Returns false after flat_refuse(). Defined in
+ * import_shapes.c. */
 bool flat_add_meshes(struct flattening *f);
 
 #endif

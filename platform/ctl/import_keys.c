@@ -1,4 +1,4 @@
-/* import_keys.c -- which shapes of a scene are its keys, in which order, by which graph. */
+/* import_keys.c -- selects the key shapes of a scene, their order and their graph. */
 #include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
 
 #ifdef HAS_ASSIMP
@@ -9,7 +9,8 @@
 
 #include "platform/ctl/import_flat_parts.h"
 
-#define SAME 1e-7f /* A target that moves nothing by more is the base shape again. */
+#define SAME 1e-7f /* A morph target that moves no vertex by more than this is equal to the base
+                      shape. */
 
 static vec3 vector(const struct aiVector3D *a)
 {
@@ -25,7 +26,7 @@ static void add_weights(const struct aiMeshMorphKey *moment, float share, float 
     }
 }
 
-/* Straight between the moments around a key's. */
+/* Interpolates linearly between the keyframes before and after the time of the key shape. */
 void flat_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
                      uint32_t key, float out[TARGET_MAX])
 {
@@ -44,7 +45,8 @@ void flat_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *c
     }
 }
 
-/* The mesh with the fewest targets, by which keys are counted and named; null without targets. */
+/* Returns the mesh with the fewest morph targets, or null if no mesh has targets. This mesh
+ * determines the number and the names of the key shapes. */
 static const struct aiMesh *plainest(const struct flattening *f)
 {
     const struct aiMesh *plain = NULL;
@@ -57,7 +59,8 @@ static const struct aiMesh *plainest(const struct flattening *f)
     return plain;
 }
 
-/* Are the shapes more than what each target alone is: joints, moving nodes, parts of their own? */
+/* Returns whether the key shapes must be sampled from the animation. Sampling is needed if joints
+ * or moving nodes change the shapes, or if meshes have different numbers of targets. */
 static bool needs_sampling(const struct flattening *f)
 {
     bool more = standing_moves(f->scene);
@@ -84,7 +87,8 @@ static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
     return true;
 }
 
-/* Some programs write the base once more, as the first target. */
+/* Returns whether the first morph target repeats the base shape in every mesh. Some programs write
+ * such files. */
 static bool base_comes_twice(const struct flattening *f)
 {
     for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
@@ -104,7 +108,8 @@ static const struct aiMeshMorphAnim *first_weights(const struct flattening *f)
                                                              : NULL;
 }
 
-/* A target's weight at a moment; the base has what the others leave. */
+/* Returns the weight of a target at a keyframe. The weight of the base is 1 minus the sum of the
+ * target weights. */
 static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
 {
     double sum = 0.0, own = 0.0;
@@ -112,11 +117,11 @@ static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
         sum += moment->mWeights[i];
         own += moment->mValues[i] == target ? moment->mWeights[i] : 0.0;
     }
-    /* Rounding may leave the base a little less than nothing. */
+    /* Rounding may make the weight of the base slightly negative. */
     return target != KEY_BASE ? own : sum > 1.0 && sum < 1.0 + 1e-5 ? 0.0 : 1.0 - sum;
 }
 
-/* When a shape is seen: the middle of its weight over time. */
+/* Returns the mean animation time of a shape, weighted by the shape's weight. */
 static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
 {
     double sum = 0.0, when = 0.0;
@@ -132,7 +137,8 @@ static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
     return sum > 0.0 ? when / sum : 0.0;
 }
 
-/* By when they are seen; without an animation the base is the youngest. */
+/* Sorts the key shapes by their mean animation time. Without an animation, the base is the youngest
+ * key shape. */
 static void order_keys(struct flattening *f)
 {
     const struct aiMeshMorphAnim *channel = first_weights(f);
@@ -158,7 +164,7 @@ static void name_key(struct flattening *f, const struct aiMesh *plain, uint32_t 
              named ? plain->mAnimMeshes[target]->mName.data : f->mesh->is_ours ? "last" : "base");
 }
 
-/* The target that is shown most at a key's moment, or the base. */
+/* Returns the target with the greatest weight at the time of a key shape, or KEY_BASE. */
 static uint32_t most_shown(const struct flattening *f, uint32_t key)
 {
     const struct aiMeshMorphAnim *channel = first_weights(f);
@@ -205,7 +211,8 @@ bool flat_choose_keys(struct flattening *f)
     return true;
 }
 
-/* The animation of weights becomes the graph, where keys are the targets themselves. */
+/* Copies the animation of the weights, which becomes the graph, if key shapes are morph targets.
+ * Returns false after flat_refuse(). */
 bool flat_read_weights(struct flattening *f)
 {
     struct import_mesh *m = f->mesh;
@@ -234,6 +241,6 @@ bool flat_read_weights(struct flattening *f)
 
 #else
 
-typedef int import_keys_without_assimp; /* C has no empty files. */
+typedef int import_keys_without_assimp; /* An empty translation unit is not valid C. */
 
 #endif

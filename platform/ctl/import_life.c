@@ -1,4 +1,4 @@
-/* import_life.c -- names, ages, lengths, curves and colours of a species that came as meshes. */
+/* import_life.c -- sets names, ages, lengths, growth curves and colours of an imported species. */
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,10 +8,12 @@
 #include "platform/ctl/import_plan.h"
 
 #define DAYS_PER_YEAR 365.25
-#define KEY_DAYS 30.0       /* Between keys where nobody says an age. */
-#define GROWN 1.05          /* Length at infinity, of the last key's, where nobody says. */
+#define KEY_DAYS 30.0       /* Days between two key shapes if no age is given. */
+#define GROWN 1.05          /* Asymptotic length relative to the length of the last key shape, if no
+                               growth is given. */
 #define FADE_YEAR 0.3f
-#define K_MAX 5.0           /* Of a fish that is grown within a year. */
+#define K_MAX 5.0           /* Largest growth coefficient per year, for a fish that is fully grown
+                               within one year. */
 #define SAME_SIZE 0.01f
 #define UNSET 255u
 
@@ -21,7 +23,8 @@ static enum exit_code refuse(char why[IMPORT_WHY_SIZE], const char *text)
     return EXIT_BAD_DATA;
 }
 
-/* A name of another program as one of ours: "Shape Key.001" is shape_key_001. */
+/* Converts a name of another program to a valid species name: "Shape Key.001" becomes
+ * shape_key_001. */
 static void tame(const char *from, uint32_t key, char out[SPECIES_NAME_SIZE])
 {
     uint32_t length = 0;
@@ -58,8 +61,9 @@ static void name_keys(const struct import_mesh *mesh, const struct import_plan *
     }
 }
 
-/* As told, else as the file tells, else as `like`, else as the file's shapes are, where they are
- * not all one size. */
+/* Sets the lengths of the key shapes. The first available source is used: the plan, the file,
+ * `like`, the sizes of the shapes. Returns false if only the sizes are available and all sizes are
+ * equal. */
 static bool set_lengths(const struct import_mesh *mesh, const struct import_plan *plan,
                         const struct import_report *report,
                         struct species_card *card)
@@ -93,11 +97,14 @@ static void set_growth(const struct import_plan *plan, struct species_card *card
                               .points = { { 0.0f, (float)(1e-3 * plan->growth[3]) } } };
         return;
     }
-    /* The keys themselves are what was measured; behind the last, a curve that passes through. */
+    /* The growth curve passes through the measured key shapes and continues smoothly after the last
+     * one. */
     *g = (struct growth){ .length_inf_m = (float)(GROWN * (double)card->key_length_m[last]),
                           .fade_year = FADE_YEAR };
     const double grown_years = (double)card->key_age_days[last] / DAYS_PER_YEAR;
-    const double k_years = -log(1.0 - 1.0 / GROWN); /* Of K times the years since t0. */
+    const double k_years = -log(1.0 - 1.0 / GROWN); /* Product of K and the years between t0 and the
+                                                       age at which the fish has the length of the
+                                                       last key shape. */
     g->k_per_year = (float)fmin(k_years / fmax(grown_years, 0.01), K_MAX);
     g->t0_year = (float)(grown_years - k_years / (double)g->k_per_year);
     if (card->key_age_days[0] > 0.0f) {
@@ -109,8 +116,9 @@ static void set_growth(const struct import_plan *plan, struct species_card *card
     }
 }
 
-/* As told, else by the growth that is told, else as the file tells, else as `like`, else a month
- * apart. Growth then agrees with them. */
+/* Sets the ages of the key shapes and the growth that agrees with them. The first available source
+ * is used: ages of the plan, growth of the plan, the file, `like`, a default of one month between
+ * key shapes. */
 static void set_ages(const struct import_mesh *mesh, const struct import_plan *plan,
                      struct species_card *card)
 {
@@ -127,14 +135,15 @@ static void set_ages(const struct import_mesh *mesh, const struct import_plan *p
     }
 }
 
-/* Whether anybody but `like` says how old or how long the keys are. */
+/* Returns whether ages or lengths come from a source other than `like`. */
 static bool has_own_life(const struct import_mesh *mesh, const struct import_plan *plan)
 {
     return !plan->like || (mesh && mesh->has_life) || plan->length_count > 0 ||
            plan->age_count > 0 || plan->growth_count > 0;
 }
 
-/* How far the animation is from the straight line between two of its moments, and where most. */
+/* Returns the greatest difference between the animation and the straight line between two of its
+ * keyframes. `*at` is the keyframe with that difference. */
 static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to, uint32_t *at)
 {
     float worst = 0.0f;
@@ -153,7 +162,8 @@ static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to
     return worst;
 }
 
-/* A file rounds its weights; a graph's sum to 1. */
+/* Copies the weights of a keyframe and scales their sum to 1. Files contain rounded weights, but a
+ * graph needs exact ones. */
 static void take_weights(const float from[MORPH_KEY_MAX], float to[MORPH_KEY_MAX])
 {
     double sum = 0.0;
@@ -165,7 +175,8 @@ static void take_weights(const float from[MORPH_KEY_MAX], float to[MORPH_KEY_MAX
     }
 }
 
-/* Knots for the animation: its ends, then again and again where the lines are farthest off. */
+/* Approximates the animation by knots of the graph. Starts with both ends and repeatedly adds the
+ * keyframe with the greatest error. */
 static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
                        struct import_report *report)
 {
@@ -221,7 +232,8 @@ static void set_graph(const struct import_mesh *mesh, const struct import_plan *
     }
 }
 
-/* The mean colour of the vertices of a part at a height: 0 the lowest third, 2 the highest. */
+/* Computes the mean colour of a part's vertices at a height: 0 is the lowest third, 1 the middle, 2
+ * the highest. */
 static bool mean_colour(const struct import_mesh *mesh, enum species_part part, int third,
                         uint32_t *out)
 {
@@ -321,7 +333,8 @@ enum exit_code import_fitted_life(const struct import_plan *plan, struct species
     }
     if (has_own_life(NULL, plan)) {
         set_ages(NULL, plan, card);
-        card->scale_knot_count = 0; /* Drawn by hand for the template's lengths. */
+        card->scale_knot_count = 0; /* The knots of the template's growth scale are valid only for
+                                       the template's lengths. */
     }
     return EXIT_OK;
 }
@@ -354,7 +367,8 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_p
     }
     if (has_own_life(mesh, plan)) {
         set_ages(mesh, plan, card);
-        card->scale_knot_count = 0; /* Drawn by hand for the lengths of `like`. */
+        card->scale_knot_count = 0; /* The knots of the growth scale of `like` are valid only for
+                                       the lengths of `like`. */
     }
     set_graph(mesh, plan, card, report);
     set_coats(mesh, plan, &slot->species);

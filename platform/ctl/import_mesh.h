@@ -1,9 +1,9 @@
-/* import_mesh.h -- meshes from other programs, before they are a species.
+/* import_mesh.h -- a mesh of another program before its conversion to a species.
  *
- * Up to MORPH_KEY_MAX shapes of one topology, in the file's own axes and unit. The reader of
- * Wavefront OBJ is ours: shapes correspond by the numbers of their vertices, which general
- * importers do not keep. glTF and all else is read by assimp, in a child process with limits
- * (import_scene.c). */
+ * A mesh has up to MORPH_KEY_MAX key shapes of one topology, in the axes and the unit of the file.
+ * We read Wavefront OBJ with a parser of our own because key shapes correspond by vertex numbers,
+ * which general importers do not keep. assimp reads glTF and all other formats in a child process
+ * with resource limits (import_scene.c). */
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_MESH_H
 #define KINGYO_PLATFORM_CTL_IMPORT_MESH_H
 
@@ -12,13 +12,15 @@
 #include "core/morph/species.h"
 #include "platform/kiosk/options.h"
 
-#define IMPORT_VERTEX_MAX 65536u    /* A scan; a species' own mesh has at most MESH_VERTEX_MAX. */
+#define IMPORT_VERTEX_MAX 65536u    /* Most vertices of a file, for example of a 3D scan. The mesh
+                                       of a species has at most MESH_VERTEX_MAX. */
 #define IMPORT_TRIANGLE_MAX 131072u
 #define IMPORT_GROUP_MAX 64u
 #define IMPORT_NAME_SIZE 64u
-#define IMPORT_TIME_MAX 4096u       /* Moments of an animation of weights. */
+#define IMPORT_TIME_MAX 4096u       /* Most keyframes of an animation of weights. */
 #define IMPORT_FILE_MAX (64u * 1024u * 1024u)
-#define IMPORT_REACH_MAX 1e6f       /* Coordinates beyond are a damaged file. */
+#define IMPORT_REACH_MAX 1e6f       /* Largest coordinate. A file with greater coordinates is
+                                       reported as damaged. */
 #define IMPORT_WHY_SIZE 200u
 
 struct import_mesh {
@@ -27,31 +29,38 @@ struct import_mesh {
     char group_names[IMPORT_GROUP_MAX][IMPORT_NAME_SIZE];
     vec3 positions[MORPH_KEY_MAX][IMPORT_VERTEX_MAX];
     float uv[IMPORT_VERTEX_MAX][2];
-    uint32_t colours[IMPORT_VERTEX_MAX]; /* 0xRRGGBB */
+    uint32_t colours[IMPORT_VERTEX_MAX]; /* Colour of each vertex as 0xRRGGBB. */
     uint32_t triangles[IMPORT_TRIANGLE_MAX][3];
     uint8_t groups[IMPORT_TRIANGLE_MAX];
     bool has_uv, has_colours;
-    float scales[MORPH_KEY_MAX]; /* How large each key is shown, by an animated scale; else 1. */
-    bool has_life;   /* The file says how old and long each key is ... */
-    uint8_t measure; /* ... and by which measure (enum species_measure). */
+    float scales[MORPH_KEY_MAX]; /* Animated display scale of each key shape. 1 without an animated
+                                    scale. */
+    bool has_life;   /* Whether the file contains the age and the length of each key shape. */
+    uint8_t measure; /* Measure of the lengths in the file (enum species_measure). */
     float ages_days[MORPH_KEY_MAX], lengths_m[MORPH_KEY_MAX];
-    bool has_coats;  /* And how each is painted. */
+    bool has_coats;  /* Whether the file contains the colours of each key shape (`coats`). */
     struct species_coat coats[MORPH_KEY_MAX];
-    bool is_ours;        /* kingyoctl wrote it: texture coordinates are body coordinates. */
-    uint32_t time_count; /* Of the weights' animation; 0: there is none. */
+    bool is_ours;        /* Whether kingyoctl wrote the file. Texture coordinates are then body
+                            coordinates. */
+    uint32_t time_count; /* Number of keyframes of the weights' animation. 0 means that there is no
+                            animation. */
     float times[IMPORT_TIME_MAX];
-    float weights[IMPORT_TIME_MAX][MORPH_KEY_MAX]; /* Of each key, the first included. */
+    float weights[IMPORT_TIME_MAX][MORPH_KEY_MAX]; /* Weight of each key shape at each keyframe,
+                                                      including key shape 0. */
 };
 
-/* Reads shape `key` of `mesh` from an OBJ file: key 0 defines vertices and faces, each further one
- * must have the same. Polygons become fans. Answers an exit code; `why` is "FILE:LINE: what". */
+/* Reads key shape `key` of `mesh` from an OBJ file. Key 0 defines vertices and faces, and each
+ * further key must have the same topology. Polygons become triangle fans.
+ *
+ * Returns an exit code. After an error, `why` is "FILE:LINE: MESSAGE". */
 enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,
                           char why[IMPORT_WHY_SIZE]);
 
-/* Reads a scene (.glb, and what else assimp knows) with its morph targets as keys 1 .. n. */
+/* Reads a scene (.glb or another format of assimp) into `mesh`. Its morph targets become key
+ * shapes. Returns an exit code. After an error, `why` is the message. */
 enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why[IMPORT_WHY_SIZE]);
 
-/* Was this program built beside assimp's headers? */
+/* Returns whether this program was built with assimp's headers. */
 bool import_knows_scenes(void);
 
 #endif

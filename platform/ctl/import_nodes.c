@@ -1,4 +1,4 @@
-/* import_nodes.c -- nodes within nodes, and what animation makes of them at the moments of keys. */
+/* import_nodes.c -- computes the transforms of nested scene nodes at the time of each key shape. */
 #include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
 
 #ifdef HAS_ASSIMP
@@ -38,7 +38,8 @@ vec3 place_apply(const struct place *p, vec3 a)
     return v3(out[0], out[1], out[2]);
 }
 
-/* The share of the way from key `*i` to the next at `time`, among `count` rising times. */
+/* Finds the keyframe interval that contains `time`, among `count` rising times. Sets `*i` to the
+ * start of the interval and returns the share [0, 1] of the interval that has passed. */
 static float between(const char *keys, size_t stride, uint32_t count, double time, uint32_t *i)
 {
     double low = 0.0, high = 0.0;
@@ -106,7 +107,8 @@ double standing_time(const struct standing *s, uint32_t key)
     return s->begin + (s->end - s->begin) * (double)key / last;
 }
 
-/* A node whose scale changes is growing: its size at each key is a length, and no shape. */
+/* Returns the transform of an animated node at a key shape. A uniform scale that is animated
+ * represents growth. Such a scale is stored as the size of the key shape and not applied. */
 static struct place moved(struct standing *s, const struct aiNodeAnim *motion, uint32_t key)
 {
     const double time = standing_time(s, key);
@@ -142,7 +144,7 @@ static void stand(struct standing *s, const struct aiScene *scene, const struct 
     }
 }
 
-/* Level by level: the nodes found are the queue of those whose children are still to come. */
+/* Traverses the node tree in breadth-first order. The array of nodes is also the queue. */
 bool standing_fill(struct standing *s, const struct aiScene *scene)
 {
     s->node_count = 0;
@@ -186,6 +188,6 @@ bool standing_moves(const struct aiScene *scene)
 
 #else
 
-typedef int import_nodes_without_assimp; /* C has no empty files. */
+typedef int import_nodes_without_assimp; /* An empty translation unit is not valid C. */
 
 #endif

@@ -1,4 +1,6 @@
-/* import_nodes.h -- where the nodes of assimp's scene stand at each key. Only where assimp is. */
+/* import_nodes.h -- the transforms of an assimp scene's nodes at each key shape.
+ *
+ * Included only if assimp is available. */
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_NODES_H
 #define KINGYO_PLATFORM_CTL_IMPORT_NODES_H
 
@@ -13,32 +15,37 @@
 #define NODE_MAX 4096u
 
 struct place {
-    float m[3][4]; /* Rows; the fourth column is the translation. */
+    float m[3][4]; /* Rows of the matrix. The fourth column is the translation. */
 };
 
 struct standing_node {
     const struct aiNode *node;
-    struct place at[MORPH_KEY_MAX]; /* In the scene, without the scale of what grows. */
+    struct place at[MORPH_KEY_MAX]; /* Transform from the node to the scene at each key shape,
+                                       without the scale of a growing node. */
 };
 
 struct standing {
     uint32_t key_count, node_count;
-    double begin, end;            /* Of the animation: the first key's moment and the last one's. */
-    float scales[MORPH_KEY_MAX];  /* Of the node that grows; 1 where none does. */
+    double begin, end;            /* Animation times of the first key shape (`begin`) and of the
+                                     last one (`end`). */
+    float scales[MORPH_KEY_MAX];  /* Scale of the growing node at each key shape, or 1 if no node
+                                     grows. */
     struct standing_node nodes[NODE_MAX];
 };
 
-/* Sets every node's place. False where there are more than NODE_MAX. `key_count`, `begin` and `end`
- * are set; with end <= begin all keys stand as at rest. */
+/* Computes the transform of every node. The caller sets `key_count`, `begin` and `end`. If end
+ * <= begin, all key shapes use the rest pose. Returns false if the scene has more than NODE_MAX
+ * nodes. */
 bool standing_fill(struct standing *standing, const struct aiScene *scene);
 
-/* The node of that name, or null. */
+/* Returns the node called `name`, or null. */
 const struct standing_node *standing_find(const struct standing *standing, const char *name);
 
-/* Does any node turn or wander, but for growing? */
+/* Returns whether the animation rotates or moves any node. Growth by a uniform scale does not
+ * count. */
 bool standing_moves(const struct aiScene *scene);
 
-/* The moment of a key. */
+/* Returns the animation time of a key shape. */
 double standing_time(const struct standing *standing, uint32_t key);
 
 struct place place_of(const struct aiMatrix4x4 *matrix);

@@ -1,7 +1,8 @@
-/* import_obj.c -- Wavefront OBJ, strictly: vertices, texture coordinates, faces and group names.
+/* import_obj.c -- a strict parser of Wavefront OBJ: vertices, texture coordinates, faces and group
+ * names.
  *
- * Normals, materials, smoothing, lines and points are passed over: normals are made anew, and the
- * rest is no shape. */
+ * Normals are skipped because they are recomputed. Materials, smoothing groups, lines and points
+ * are skipped because they do not change the shape. */
 #include "platform/ctl/import_mesh.h"
 
 #include <errno.h>
@@ -14,7 +15,7 @@
 #include "core/base/printable.h"
 #include "platform/species/plain.h"
 
-#define LINE_SIZE 4096 /* A face of 300 corners fits. */
+#define LINE_SIZE 4096 /* Longest line in characters. A face with 300 corners fits. */
 #define CORNER_MAX 256
 
 struct obj {
@@ -25,7 +26,7 @@ struct obj {
     uint32_t line;
     uint32_t vertex_count, uv_count, triangle_count;
     uint8_t group;
-    float uv[IMPORT_VERTEX_MAX][2]; /* As `vt` lines name them. */
+    float uv[IMPORT_VERTEX_MAX][2]; /* Texture coordinates in the order of the `vt` lines. */
 };
 
 __attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const char *format, ...)
@@ -40,7 +41,8 @@ __attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const ch
     return false;
 }
 
-/* Reads up to `count` numbers behind `text`; answers how many there were, or -1. */
+/* Parses up to `count` numbers at `text`. Returns how many numbers were found, or -1 after
+ * refuse(). */
 static int numbers(struct obj *o, const char *text, float *out, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -105,7 +107,8 @@ static bool read_uv(struct obj *o, const char *text)
     return true;
 }
 
-/* An index of OBJ: from 1, or from the newest backward. Answers false when it names nothing. */
+/* Converts an index of OBJ, which counts from 1, or backward from the newest element if negative.
+ * Returns false if no such element exists. */
 static bool index_of(long number, uint32_t count, uint32_t *out)
 {
     const long index = number > 0 ? number - 1 : (long)count + number;
@@ -113,7 +116,7 @@ static bool index_of(long number, uint32_t count, uint32_t *out)
     return number != 0 && index >= 0 && index < (long)count;
 }
 
-/* One corner, "v", "v/vt", "v//vn" or "v/vt/vn". */
+/* Parses one corner: "v", "v/vt", "v//vn" or "v/vt/vn". */
 static bool read_corner(struct obj *o, const char *word, uint32_t *out)
 {
     char *end = NULL;
@@ -178,7 +181,8 @@ static bool read_face(struct obj *o, char *text)
     return true;
 }
 
-/* The first shape's groups count; others may be named as they like. */
+/* Parses a group name. Only the groups of the first key shape are used. The group names of further
+ * key shapes may differ. */
 static bool read_group(struct obj *o, char *text)
 {
     struct import_mesh *m = o->mesh;
@@ -253,14 +257,15 @@ static bool read_all(struct obj *o, FILE *file)
     return ferror(file) ? refuse(o, "cannot be read further") : check_whole(o);
 }
 
-/* A first shape starts anew what all have in common. */
+/* Clears the data that all key shapes share. Called for the first key shape. */
 static void begin(struct import_mesh *mesh)
 {
     mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
     memset(mesh->uv, 0, sizeof mesh->uv);
     mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
     mesh->has_life = mesh->has_coats = false;
-    mesh->group_count = 1; /* What stands before the first group has no name. */
+    mesh->group_count = 1; /* Faces before the first group line belong to a group with an empty
+                              name. */
     mesh->group_names[0][0] = '\0';
 }
 

@@ -1,4 +1,5 @@
-/* import_orient.c -- where is the head, where is up, and how long is it? */
+/* import_orient.c -- finds the direction of the head, the up axis and the length of an imported
+ * fish. */
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -6,10 +7,14 @@
 
 #include "platform/ctl/import_plan.h"
 
-#define UNCLEAR_SHARE 0.015 /* Of the length: a body's middle that near its centre tells no end. */
-#define SQUARE_RATIO 1.15   /* Seen from above, nearly as wide as long: a ray may lie either way. */
-#define MIDDLE_SHARE 0.1f   /* Of the body's height: where a forked tail's shortest rays are. */
-#define OURS_OFF 0.1f       /* Our own meshes' rings and rays end so near their true measure. */
+#define UNCLEAR_SHARE 0.015 /* Share of the length. If the body's centre is nearer than this to the
+                               middle of its extent, head and tail are indistinguishable. */
+#define SQUARE_RATIO 1.15   /* Ratio of length to width. Below this ratio the front axis is
+                               ambiguous, as for a ray seen from above. */
+#define MIDDLE_SHARE 0.1f   /* Share of the body's height around the body's middle that contains the
+                               shortest rays of a forked tail. */
+#define OURS_OFF 0.1f       /* Tolerance of the size of our own meshes. Their rings and rays only
+                               approximate the exact measure. */
 
 const char *const import_axis_names[AXIS_NONE] = { "+x", "+y", "+z", "-x", "-y", "-z" };
 
@@ -59,7 +64,8 @@ struct extent {
     float low, high;
 };
 
-/* Along `axis`, over the vertices that triangles of `body` alone (or of all parts) use. */
+/* Returns the extent along `axis` of the vertices that triangles use. If `body` is true, only
+ * triangles of the body count. */
 static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uint32_t axis,
                                bool body)
 {
@@ -77,7 +83,8 @@ static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uin
     return e;
 }
 
-/* The mean of triangles' middles by area, of the eyes alone where the file names them. */
+/* Returns the mean of the triangle centres along `axis`, weighted by area. Uses only the eyes if
+ * the file names them, and then sets `*eyes`. */
 static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *eyes)
 {
     const uint32_t key = mesh->key_count - 1;
@@ -99,7 +106,8 @@ static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *
     return area[*eyes] > 0.0 ? sum[*eyes] / area[*eyes] : 0.0;
 }
 
-/* The axis that the snout points along. Fish are thicker before their middle than behind it. */
+/* Finds the axis that the snout points along. The head is found by the eyes, or by the thicker half
+ * of the body: fish are thicker before their middle than behind it. */
 static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *front,
                        char why[IMPORT_WHY_SIZE])
 {
@@ -142,7 +150,8 @@ static void turn(struct import_mesh *mesh, uint32_t front, uint32_t up)
     }
 }
 
-/* To the fork: the farthest of the body and of the tail's middle rays. */
+/* Returns the z coordinate of the tail's fork: the farthest point of the body and of the tail's
+ * middle rays. */
 static float fork_of(const struct import_mesh *mesh, uint32_t key)
 {
     const struct extent y = extent_of(mesh, key, AXIS_Y, true);
@@ -166,7 +175,7 @@ static float size_of(const struct import_mesh *mesh, uint32_t key, uint8_t measu
     return (measure == MEASURE_FORK ? fork_of(mesh, key) : e.high) - e.low;
 }
 
-/* Snout to z = -0.5, the body's middle to x = y = 0, and `size` to 1. */
+/* Moves the snout to z = -0.5 and the body's middle to x = y = 0, and scales `size` to 1. */
 static void settle(struct import_mesh *mesh, uint32_t key, float size)
 {
     const struct extent x = extent_of(mesh, key, AXIS_X, true);
@@ -193,7 +202,8 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan 
         return EXIT_BAD_DATA;
     }
     turn(mesh, report->front, plan->up);
-    bool is_settled = mesh->is_ours; /* Then it is as we drew it: at our size and place. */
+    bool is_settled = mesh->is_ours; /* A mesh that kingyoctl wrote already has our size and
+                                        position. */
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         report->size[key] = size_of(mesh, key, plan->measure);
         if (!(report->size[key] > 1e-6f)) {

@@ -1,9 +1,10 @@
-/* import_scene.c -- glTF and its kin through assimp, at arm's length.
+/* import_scene.c -- reads glTF and other scene formats with assimp in a child process.
  *
- * Importers of many formats are large and meet hostile files badly. So assimp is not linked but
- * loaded when a scene is to be read, in a child process of bounded memory and time, which fills
- * memory shared with us; what it filled is then held to its bounds as any file is. A child that
- * dies costs one line. Where the headers were missing at build time, this says so. */
+ * Importers of many formats are large, and hostile files may crash them. Therefore this program
+ * does not link assimp. A child process with limited memory and CPU time loads it and writes the
+ * mesh to shared memory. The parent then validates the mesh like any untrusted file. A crash of
+ * the child costs only one error line. A build without assimp's headers refuses scenes with a
+ * message. */
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
@@ -25,7 +26,7 @@
 #define WAIT_MAX_MS 30000
 #define WAIT_STEP_MS 5
 
-/* The address sanitizer reserves terabytes of addresses and cannot be held to less. */
+/* The address sanitizer reserves terabytes of address space, so that no memory limit can be set. */
 #if defined(__has_feature)
 #define SANITIZED __has_feature(address_sanitizer)
 #elif defined(__SANITIZE_ADDRESS__)
@@ -37,16 +38,19 @@
 struct shared {
     struct import_mesh mesh;
     char why[IMPORT_WHY_SIZE];
-    int done; /* 1: read; 0: `why` says why not, where it says anything. */
+    int done; /* 1 after a successful import. 0 means that `why` is the reason, which may be
+                 empty. */
 };
 
-/* Never returns. Whatever happens to it, the parent sees only shared memory and an exit status. */
+/* Reads the scene in the child process and never returns. The parent sees only the shared memory
+ * and the exit status. */
 static _Noreturn void read_in_child(struct shared *shared, const char *path)
 {
     const struct rlimit time = { CPU_MAX_S, CPU_MAX_S }, cores = { 0, 0 };
     static const int fatal[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU };
     for (size_t i = 0; i < sizeof fatal / sizeof fatal[0]; i++) {
-        signal(fatal[i], SIG_DFL); /* Its end is ours to tell, not that of who started us. */
+        signal(fatal[i], SIG_DFL); /* The default action ends the child, and the parent reports the
+                                      failure. Inherited handlers must not run. */
     }
     setrlimit(RLIMIT_CPU, &time);
     setrlimit(RLIMIT_CORE, &cores);
@@ -124,7 +128,8 @@ static bool vet_triangles(const struct import_mesh *m)
     return true;
 }
 
-/* Times rise, and each moment's weights are >= 0 and sum to 1: the graph's constraint. */
+/* Checks that times rise and that the weights at each keyframe are >= 0 and sum to 1, as the graph
+ * requires. `*where` is the last keyframe checked. */
 static bool vet_weights(const struct import_mesh *m, uint32_t *where)
 {
     for (uint32_t i = 0; i < m->time_count; i++) {
@@ -184,14 +189,15 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
                  told ? shared->why : "damaged: the importer gave up on it");
         return EXIT_BAD_DATA;
     }
-    memcpy(mesh, &shared->mesh, sizeof *mesh); /* It is ours alone before it is looked at. */
+    memcpy(mesh, &shared->mesh, sizeof *mesh); /* The mesh is copied before validation, so that no
+                                                  other process can change it afterwards. */
     const char *fault = import_vet(mesh, room);
     if (fault) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, fault);
         return EXIT_BAD_DATA;
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
-        printable(mesh->key_names[key]); /* Error messages quote the name of a key. */
+        printable(mesh->key_names[key]); /* Error messages quote the name of a key shape. */
     }
     return EXIT_OK;
 }

@@ -1,4 +1,5 @@
-/* import_shapes.c -- the meshes of a scene, each in every key, where nodes and joints carry it. */
+/* import_shapes.c -- adds the meshes of a scene in every key shape, transformed by nodes and
+ * joints. */
 #include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
 
 #ifdef HAS_ASSIMP
@@ -21,7 +22,7 @@ static const struct aiMeshMorphAnim *weights_of(const struct flattening *f, cons
     return NULL;
 }
 
-/* How much of each target `mesh` shows under `node` at a key. */
+/* Computes the weight of each morph target of `mesh` under `node` at a key shape. */
 static void target_weights(const struct flattening *f, const struct aiMesh *mesh, const char *node,
                            uint32_t key, float out[TARGET_MAX])
 {
@@ -56,7 +57,8 @@ static vec3 shape_at(const struct aiMesh *mesh, const float weights[TARGET_MAX],
     return p;
 }
 
-/* Where joints carry each vertex of a skinned mesh; `sums` holds the vertices' weights so far. */
+/* Adds the vertices of a skinned mesh, transformed by its joints. `sums` is scratch space for the
+ * sum of the joint weights of each vertex. Returns false after flat_refuse(). */
 static bool add_skinned(struct flattening *f, const struct aiMesh *mesh, uint32_t key,
                         const float weights[TARGET_MAX], float *sums)
 {
@@ -110,7 +112,7 @@ static bool add_shapes(struct flattening *f, const struct standing_node *node,
     return true;
 }
 
-/* glTF's colours are linear; ours are as a screen shows them. */
+/* Converts a linear colour of glTF to sRGB, as 0xRRGGBB. */
 static uint32_t colour_of(const struct aiColor4D *colour)
 {
     const float linear[3] = { colour->r, colour->g, colour->b };
@@ -158,7 +160,8 @@ static bool add_vertices(struct flattening *f, const struct standing_node *node,
         m->uv[at][0] = m->uv[at][1] = 0.0f;
         if (mesh->mTextureCoords[0]) {
             m->uv[at][0] = mesh->mTextureCoords[0][i].x;
-            m->uv[at][1] = 1.0f - mesh->mTextureCoords[0][i].y; /* As the file has it. */
+            m->uv[at][1] = 1.0f - mesh->mTextureCoords[0][i].y; /* The flip restores the orientation
+                                                                   of the file. */
         }
         m->colours[at] = mesh->mColors[0] ? colour_of(&mesh->mColors[0][i]) : 0x808080u;
     }
@@ -173,7 +176,7 @@ static bool add_triangles(struct flattening *f, const struct aiMesh *mesh)
     for (uint32_t i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices != 3) {
-            continue; /* Points and lines are no surface. */
+            continue; /* Points and lines are not part of the surface. */
         }
         if (m->triangle_count == IMPORT_TRIANGLE_MAX) {
             return flat_refuse(f, "more than 131072 triangles");
@@ -228,6 +231,6 @@ bool flat_add_meshes(struct flattening *f)
 
 #else
 
-typedef int import_shapes_without_assimp; /* C has no empty files. */
+typedef int import_shapes_without_assimp; /* An empty translation unit is not valid C. */
 
 #endif

@@ -1,4 +1,6 @@
-/* lines.c -- `kingyoctl lines`: which GPIO lines there are, and what is wired to them. */
+/* lines.c -- the command `kingyoctl lines`.
+ *
+ * Lists the GPIO lines, shows events on configured lines and tests outputs. */
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,20 +13,21 @@
 #include "platform/print.h"
 
 #define SECONDS_MAX 86400u
-#define SET_SECONDS 3u     /* A lamp that is looked at, without --seconds. */
-#define PULSES_MAX 1000u   /* A meter that is tried out. */
+#define SET_SECONDS 3u     /* Seconds for which an output is set without --seconds, for example to
+                              check a lamp. */
+#define PULSES_MAX 1000u   /* Most pulses for the test of a meter. */
 #define NS_PER_S 1000000000ull
 
 static const char name[] = "lines";
 static struct buttons_gpio gpio;
 static volatile sig_atomic_t is_stopped;
 
-/* What stands behind the subcommand. */
+/* Arguments of a subcommand. */
 struct request {
     struct gpio_wire wires[GPIO_ROLE_COUNT];
-    enum gpio_role role;    /* Of the newest wire. */
-    uint32_t seconds;       /* 0: not said. */
-    const char *word;       /* "on", "off", a count; null: none. */
+    enum gpio_role role;    /* Role of the last line on the command line. */
+    uint32_t seconds;       /* Duration in seconds. 0 means that --seconds is absent. */
+    const char *word;       /* Last argument: "on", "off" or a number of pulses. Null if absent. */
 };
 
 static void stop(int signal_number)
@@ -41,7 +44,7 @@ static void end_at_signals(void)
     sigaction(SIGHUP, &action, NULL);
 }
 
-/* ---- The words ------------------------------------------------------------------------------ */
+/* ---- Command line ---------------------------------------------------------------------------- */
 
 static enum exit_code read_wire(struct request *request, const char *text)
 {
@@ -76,9 +79,10 @@ static enum exit_code read_words(struct request *request, int argc, const char *
     return EXIT_OK;
 }
 
-/* ---- The lines ------------------------------------------------------------------------------ */
+/* ---- GPIO lines ------------------------------------------------------------------------------ */
 
-/* Whether every wire was had; what was not is told. */
+/* Returns whether every configured line was opened. Prints the reason for each line that was
+ * not. */
 static int has_all(const struct gpio_reader *reader)
 {
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
@@ -107,7 +111,7 @@ static uint64_t now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Steps the lines until `until_ns`, a signal, or output that cannot be written. */
+/* Services the lines until `until_ns`, a signal, or a write error on standard output. */
 static void step_until(uint64_t until_ns, struct lines_show *show)
 {
     while (!is_stopped && !ferror(stdout) && now_ns() < until_ns) {
@@ -119,7 +123,7 @@ static void step_until(uint64_t until_ns, struct lines_show *show)
     }
 }
 
-/* ---- The subcommands ------------------------------------------------------------------------ */
+/* ---- Subcommands ----------------------------------------------------------------------------- */
 
 static enum exit_code run_list(const struct request *request)
 {
@@ -139,7 +143,9 @@ static enum exit_code run_watch(const struct request *request)
         return code;
     }
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
-    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0); /* If it is wired: coins are welcome. */
+    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0); /* The lockout is released if it is
+                                                              configured, so that the coin acceptor
+                                                              accepts coins. */
     struct lines_show show = lines_show_begin(&gpio.reader);
     puts("seconds\trole\twhat");
     fflush(stdout);
@@ -148,7 +154,8 @@ static enum exit_code run_watch(const struct request *request)
     return EXIT_OK;
 }
 
-/* One output and one word. */
+/* Checks that the request names exactly one output and has a value. Returns EXIT_OK or
+ * EXIT_USAGE. */
 static enum exit_code open_output(const struct request *request, const char *wanted)
 {
     if (gpio_wires_count(request->wires) != 1 || !request->word) {
@@ -201,7 +208,8 @@ static enum exit_code run_pulse(const struct request *request)
     }
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
     const enum hal_switch which = (enum hal_switch)(request->role - GPIO_INPUT_COUNT);
-    switches.ops->set(switches.self, which, 0); /* Pulses stand out from rest. */
+    switches.ops->set(switches.self, which, 0); /* The output is switched off first, so that the
+                                                   pulses start at the idle level. */
     switches.ops->pulse(switches.self, which, count);
     do {
         gpio_reader_step(&gpio.reader);

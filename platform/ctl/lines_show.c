@@ -1,4 +1,4 @@
-/* lines_show.c -- rows of lines, and of what happens on them. */
+/* lines_show.c -- prints GPIO lines and their events as rows. */
 #include "platform/ctl/lines_show.h"
 
 #include "core/base/printable.h"
@@ -14,7 +14,8 @@ static const char *or_dash(const char *text)
 static void tell_line(void *context, const struct gpio_line_info *line)
 {
     FILE *out = context;
-    struct gpio_line_info shown = *line; /* Each program that holds a line names itself. */
+    struct gpio_line_info shown = *line; /* The text is made printable because each consumer chooses
+                                            its own name. */
     printable(shown.device);
     printable(shown.chip);
     printable(shown.name);
@@ -30,7 +31,7 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, tell_line, out);
     if (standard_output_flush(out) != 0) {
-        return EXIT_NOT_SO; /* main() reports the lost output. */
+        return EXIT_NOT_SO; /* main() reports the write error. */
     }
     if (count == HAL_ERR_NONE) {
         print_error("kingyoctl lines: no GPIO chip in /dev (%s)",
@@ -65,7 +66,8 @@ static void begin_row(const struct lines_show *show, FILE *out, const char *role
     fprintf(out, "%.3f\t%s\t", (double)(now_ns(show->reader) - show->begin_ns) * 1e-9, role);
 }
 
-/* A press that was let go before anybody looked has both its rows. */
+/* Prints press and release of a button. A press that was released before the poll gets both
+ * rows. */
 static void show_button(const struct lines_show *show, FILE *out, enum gpio_role role,
                         uint32_t pressed)
 {

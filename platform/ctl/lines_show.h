@@ -1,4 +1,5 @@
-/* lines_show.h -- what `kingyoctl lines` tells of GPIO lines: which there are, and what they do. */
+/* lines_show.h -- the output of `kingyoctl lines`: the list of GPIO lines, and the events on
+ * configured lines. */
 #ifndef KINGYO_PLATFORM_CTL_LINES_SHOW_H
 #define KINGYO_PLATFORM_CTL_LINES_SHOW_H
 
@@ -7,11 +8,11 @@
 #include "drivers/buttons_gpio.h"
 #include "platform/kiosk/options.h"
 
-/* A row for each line of each chip, tab-separated, a head first. EXIT_NOT_SO, told on standard
- * error, where there is no chip. */
+/* Prints a header and a tab-separated row for each line of each chip. Returns EXIT_OK, or
+ * EXIT_NOT_SO after printing an error if there is no chip or the output fails. */
 enum exit_code lines_list(struct gpio_lines lines, FILE *out);
 
-/* One look at lines that are stepped: what changed since the last one. */
+/* State of an event display. The counters are compared with those of the last call. */
 struct lines_show {
     struct gpio_reader *reader;
     uint64_t begin_ns;
@@ -21,8 +22,8 @@ struct lines_show {
 
 struct lines_show lines_show_begin(struct gpio_reader *reader);
 
-/* Prints a row for each press, release, coin and fault since the last call: seconds since the
- * beginning, role, what; tab-separated. */
+/* Prints a row for each press, release, coin and fault since the last call. A row has the seconds
+ * since the start, the role and the event, separated by tabs. */
 void lines_show_rows(struct lines_show *show, FILE *out);
 
 #endif
