@@ -2,7 +2,7 @@
  * music. */
 #include "core/sound/recipe.h"
 
-/* "Chapun": the sheet of water closes over a bubble, whose pitch rises as the bubble shrinks. */
+/* clang-format off */
 #define TONE(g, delay, attack, decay, from, to, glide)                                             \
     { .kind = LAYER_TONE, .gain = (g), .delay_ms = (delay), .attack_ms = (attack),                 \
       .decay_ms = (decay), .hz_from = (from), .hz_to = (to), .glide_ms = (glide) }
@@ -12,7 +12,8 @@
       .damping = (damp), .roughness = (rough) }
 
 const struct sound_recipe sound_recipes[SOUND_COUNT] = {
-    /* A short rush of water, then three drops. */
+    /* "Chapun": the sheet of water closes over a bubble, whose pitch rises as the bubble
+     * shrinks. */
     [SOUND_DIP] = {
         .layer = {
             NOISE(0.50f, 0.0f, 4.0f, 45.0f, 1500.0f, 600.0f, 40.0f, 0.9f, 0.2f),
@@ -21,7 +22,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 600.0f,
     },
-    /* A short rush, then three drops. */
+    /* A short rush of water, then three drops. */
     [SOUND_LIFT] = {
         .layer = {
             NOISE(0.42f, 0.0f, 30.0f, 70.0f, 2600.0f, 3600.0f, 120.0f, 1.0f, 0.4f),
@@ -31,7 +32,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 800.0f,
     },
-    /* The last rip, and a low plucked string. */
+    /* A koto string over a wooden knock: A5 after a grace note on D5. */
     [SOUND_CATCH] = {
         .layer = {
             NOISE(0.30f, 0.0f, 0.5f, 9.0f, 1900.0f, 1900.0f, 0.0f, 0.6f, 0.0f),
@@ -55,7 +56,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 700.0f,
     },
-    /* The last rip, and a low string that is let go. */
+    /* The last rip, and a low plucked string. */
     [SOUND_GONE] = {
         .layer = {
             NOISE(0.50f, 0.0f, 8.0f, 110.0f, 2200.0f, 4200.0f, 160.0f, 0.8f, 1.0f),
@@ -83,9 +84,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 250.0f,
     },
-    /* Hyoshigi: bars of hard oak struck together, "chon, chon". Each has one bright mode, the
-     * second blow slightly lower, and the crack of the edges. It announces a call of the stall
-     * keeper. */
+    /* Don, ka: the drum, its rim, and a string that rings out over both. */
     [SOUND_RESULT] = {
         .layer = {
             TONE(0.70f, 0.0f, 2.0f, 190.0f, 150.0f, 78.0f, 50.0f),
@@ -96,8 +95,9 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 293.7f, .string_gain = 0.55f, .string_delay_ms = 520.0f,
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
-    /* The umpire's whistle: a pip, then a blast over breath. Two close tones beat 36 times per
-     * second, like the pea that rolls inside. */
+    /* Hyoshigi: bars of hard oak struck together, "chon, chon". Each has one bright mode, the
+     * second blow slightly lower, and the crack of the edges. It announces a call of the stall
+     * keeper. */
     [SOUND_CALL] = {
         .layer = {
             TONE(0.34f, 0.0f, 0.3f, 34.0f, 2120.0f, 2090.0f, 12.0f),
@@ -107,7 +107,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 600.0f,
     },
-    /* A wooden tag swings around on its cord and knocks against the next tag: "ka-ta". */
+    /* The umpire's whistle: a pip, then a blast over breath. Two close tones beat 36 times per
+     * second, like the pea that rolls inside. */
     [SOUND_FOUL] = {
         .layer = {
             TONE(0.24f, 0.0f, 6.0f, 32.0f, 2780.0f, 2820.0f, 20.0f),
@@ -117,8 +118,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 1300.0f,
     },
-    /* A coin on the rim of a brass bowl: "chirin". Two modes of a small bell, slightly more than a
-     * fourth apart as in bells, struck twice as the coin tips over. */
+    /* A wooden tag swings around on its cord and knocks against the next tag: "ka-ta". */
     [SOUND_CHOOSE] = {
         .layer = {
             TONE(0.26f, 0.0f, 0.4f, 17.0f, 930.0f, 905.0f, 14.0f),
@@ -128,8 +128,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 260.0f,
     },
-    /* A coin on the rim of a brass bowl: "chirin". Two modes of a small bell, a fourth and a bit
-     * apart as bells have them, struck twice as the coin tips over. */
+    /* A coin on the rim of a brass bowl: "chirin". Two modes of a small bell, slightly more than a
+     * fourth apart as in bells, struck twice as the coin tips over. */
     [SOUND_COIN] = {
         .layer = {
             TONE(0.30f, 0.0f, 0.4f, 90.0f, 2349.3f, 2349.3f, 0.0f),

@@ -18,6 +18,11 @@
  * gives 1 cm of personal space. Section 3.3 changes the heading with the gait but gives no amount.
  * Any of 360 degrees would be a spin at every change, so a swimming fish turns by a normal
  * distribution of 45 degrees. */
+/* clang-format off */
+#define THESIS_CORE                                                                                \
+    .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
+    .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
+
 /* The 2013 thesis to the letter. Section 3.1: a body of 5 x 2 x 1 cm. Section 3.4: a fish avoids
  * whatever enters its personal space, at once and as hard as its gait turns. Nothing is predicted,
  * and no fish slows down. Walls count the same as "anything" in the space. The spaces keep their
@@ -26,15 +31,6 @@
  * the four bands, equal for all fish. Below 25 of 100 a fish gulps for 3 s and is full again.
  * Stamina grows at a rate while the mouth is in the film, because otherwise all fish would dive in
  * step. */
-#define THESIS_CORE                                                                                \
-    .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
-    .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
-
-/* A living wakin: the speeds and choices of the thesis, and what the thesis leaves out. A 5 cm fish
- * weighs 2.3 to 2.9 g, but a box of 5 x 2 x 1 cm holds 10 g, so this body is slimmer. 1,000 spaces
- * of the thesis would fill 95 % of the official water, those of 4 cm fish 46 %. Beyond 35 % spaces
- * therefore shrink by the cube root of the excess. A fish that brakes 0.25 s ahead of a body
- * instead of 0.15 s loses a tenth of its speed in that crowd and has as many contacts. */
 #define THESIS_LAW                                                                                 \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
@@ -43,7 +39,11 @@
         .gulp_gain_per_s = 1.0f / 3.0f, .shade_draws_bursts = 1,                                   \
     }
 
-/* The federation's type B tank, filled slightly deeper than its 10 cm. */
+/* A living wakin: the speeds and choices of the thesis, and what the thesis leaves out. A 5 cm fish
+ * weighs 2.3 to 2.9 g, but a box of 5 x 2 x 1 cm holds 10 g, so this body is slimmer. 1,000 spaces
+ * of the thesis would fill 95 % of the official water, those of 4 cm fish 46 %. Beyond 35 % spaces
+ * therefore shrink by the cube root of the excess. A fish that brakes 0.25 s ahead of a body
+ * instead of 0.15 s loses a tenth of its speed in that crowd and has as many contacts. */
 #define LIVING_WAKIN                                                                               \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.36f, .width_per_length = 0.20f,                        \
@@ -55,27 +55,27 @@
         .shade_frights = 1, .escapes = 1, .air_by_oxygen = 1, .gulp_min_s = 2.0f,                  \
         .gulp_max_s = 5.0f, .gulp_gain_per_s = 0.02f, .stifle_per_s = 0.002f,                      \
     }
-/* 3.3 cm to 8 cm by the growth curve of the wakin: ten weeks to seven months. */
+/* clang-format on */
 
 static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     [TANK_PRESET_FESTIVAL] = {
         .name = "festival",
-        /* The federation's type B tank, filled a little deeper than its 10 cm. */
+        /* The federation's type B tank, filled slightly deeper than its 10 cm. */
         .size_m = { 0.85f, 0.12f, 0.55f },
         .wall_height_m = 0.15f,
         .fish_count = 300,
-        /* The federation allows a bowl of at most 160 mm diameter. */
+        /* 3.3 cm to 8 cm by the growth curve of the wakin: ten weeks to seven months. */
         .age_days_min = 74.0f,
         .age_days_max = 222.0f,
-        .stamina_min = 0.30f, /* A minute of play is an hour for the oxygen. */
+        .stamina_min = 0.30f, /* 2013 thesis, section 3.2. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.335f, 0.012f, 0.185f },
                     { -0.335f, 0.012f, 0.185f },
                     { 0.335f, 0.012f, -0.035f },
                     { -0.335f, 0.012f, -0.035f } },
-        .bowl_radius_m = 0.080f, /* Section 3.1; water depth of section 3.6. */
+        .bowl_radius_m = 0.080f, /* The federation allows a bowl of at most 160 mm diameter. */
         .temperature_c = 24.0f,
-        .time_compression = 60.0f, /* A minute of play is an hour of its water. */
+        .time_compression = 60.0f, /* A minute of play is an hour for the oxygen. */
         .pump = 1,
         .law = LIVING_WAKIN,
         .view = {
@@ -87,14 +87,13 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_THESIS] = {
         .name = "thesis",
-        .size_m = { 1.36f, 0.20f, 0.65f }, /* At this age the fish is red all over. */
+        .size_m = { 1.36f, 0.20f, 0.65f }, /* Section 3.1; water depth of section 3.6. */
         .wall_height_m = 0.23f,
         .fish_count = 600, /* Section 4.1. */
-        .age_days_min = 120.0f, /* Steeper than the stall's view, because the tank is twice as wide
-                                   as broad. */
+        .age_days_min = 120.0f, /* At this age the fish is red all over. */
         .age_days_max = 120.0f,
         .length_m = 0.05f,
-        .stamina_min = 0.30f, /* The federation's type A tank, with 10 cm of water. */
+        .stamina_min = 0.30f, /* Section 3.2. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.53f, 0.012f, 0.225f },
                     { -0.53f, 0.012f, 0.225f },
@@ -105,7 +104,8 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .time_compression = 1.0f,
         .law = THESIS_LAW,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.448f }, /* The rules allow 20 to 30 C; the pump is off. */
+            .eye_m = { 0.0f, 1.622f, 0.448f }, /* Steeper than the stall's view, because the tank is
+                                                  twice as wide as broad. */
             .target_m = { 0.0f, -0.02f, 0.008f },
             .half_height_tan = 0.258f,
             .aspect_min = 16.0f / 9.0f,
@@ -113,7 +113,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_OFFICIAL] = {
         .name = "official",
-        .size_m = { 1.36f, 0.10f, 0.65f }, /* View over a rim 13 cm above the water. */
+        .size_m = { 1.36f, 0.10f, 0.65f }, /* The federation's type A tank, with 10 cm of water. */
         .wall_height_m = 0.23f,
         .fish_count = 1000,
         .age_days_min = 90.0f,
@@ -127,11 +127,11 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { 0.53f, 0.012f, -0.02f },
                     { -0.53f, 0.012f, -0.02f } },
         .bowl_radius_m = 0.080f,
-        .temperature_c = 25.0f, /* 20 .. 30 C by the rules; the pump is off. */
+        .temperature_c = 25.0f, /* The rules allow 20 to 30 C; the pump is off. */
         .time_compression = 1.0f,
         .law = LIVING_WAKIN,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.421f }, /* Over a rim 13 cm above the water. */
+            .eye_m = { 0.0f, 1.622f, 0.421f }, /* View over a rim 13 cm above the water. */
             .target_m = { 0.0f, -0.02f, -0.019f },
             .half_height_tan = 0.274f,
             .aspect_min = 16.0f / 9.0f,
