@@ -1,8 +1,8 @@
 /* blend_lanes.c -- blending of a block of vertices; the SIMD form of blend.c, line by line.
  *
  * Both forms agree to the last bit, which test_blend_lanes.c checks. A block reads 8 bytes per
- * vertex and key and 16 bytes per vertex, and writes 24 bytes per vertex. It is meant to be limited
- * by memory rather than by arithmetic (`make bench-morph`). */
+ * vertex and key and 16 bytes per vertex, and writes 24 bytes per vertex. The loop is meant to be
+ * limited by memory rather than by arithmetic (`make bench-morph`). */
 #include "core/morph/blend_lanes.h"
 
 #include "core/base/lanes_vec.h"

@@ -1,4 +1,5 @@
-/* blend_pick.c -- selection of the number of SIMD lanes by the caller, who knows the processor. */
+/* blend_pick.c -- selection of the number of SIMD lanes by the caller, which detects the
+ * processor. */
 #include "core/base/panic.h"
 #include "core/morph/blend_lanes.h"
 

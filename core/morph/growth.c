@@ -1,6 +1,6 @@
 /* growth.c -- the length of a fish at an age, and its age at a length.
  *
- * Measured lengths come first, then von Bertalanffy's curve (2005 thesis, eq. 3.3). That curve is
+ * Measured lengths come first, then von Bertalanffy's curve (2005 thesis, eq. 3.3). The curve is
  * fitted to adults and gives 12 to 32 cm at hatching for most species. The thesis shifts t0 to
  * correct this, which makes the adults too small (a bigeye of one year shrinks from 64 to 38 cm).
  * In this code the last measured length L0 fades into the curve instead: L = L0 + (VB - L0) (1 -

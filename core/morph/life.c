@@ -2,10 +2,10 @@
  *
  * The thesis writes t for all three. In this code key i of n is at progress i / (n - 1), at its own
  * age and at its own length. Between two keys progress follows the logarithm of length, because
- * fish grow by factors. It follows age where length is not monotone between the keys (a conger is
- * longest before it becomes an eel). A key may be slightly longer or shorter than the growth curve
- * at its age. Ages follow the lengths of the curve at both keys, so that they increase from key to
- * key in any case. */
+ * fish grow by factors. Progress follows age where length is not monotone between the keys (a
+ * conger is longest before it becomes an eel). A key may be slightly longer or shorter than the
+ * growth curve at its age. Ages follow the lengths of the curve at both keys, so that they increase
+ * from key to key in any case. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"

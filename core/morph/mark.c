@@ -1,7 +1,7 @@
 /* mark.c -- spots, rows, bars, lines, margins, patches and the slits of mouth and gill.
  *
- * Each mark is a function of body coordinates alone, with soft edges. It therefore stays with the
- * skin as the fish grows and needs no texture. Lengths are body lengths: `flank` converts girth
+ * Each mark is a function of body coordinates alone, with soft edges. Marks therefore stay with the
+ * skin as the fish grows and need no texture. Lengths are body lengths: `flank` converts girth
  * into them. */
 #include "core/morph/mark.h"
 

@@ -1,4 +1,4 @@
-/* species.h -- a species: its life as plain data, its bodies as constant tables.
+/* species.h -- a species: the life as plain data, the bodies as constant tables.
  *
  * Three to eight key shapes share one topology and one size: the species' own measure (total,
  * fork or standard length, or the disc width of a ray) is 1 in every key. The snout is at z =

@@ -96,8 +96,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
     /* Hyoshigi: bars of hard oak struck together, "chon, chon". Each has one bright mode, the
-     * second blow slightly lower, and the crack of the edges. It announces a call of the stall
-     * keeper. */
+     * second blow slightly lower, and the crack of the edges. The sound announces a call of the
+     * stall keeper. */
     [SOUND_CALL] = {
         .layer = {
             TONE(0.34f, 0.0f, 0.3f, 34.0f, 2120.0f, 2090.0f, 12.0f),

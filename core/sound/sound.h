@@ -2,8 +2,8 @@
  * plucked tones.
  *
  * The caller owns `struct synth`. There are no samples and no allocation, so a board without a file
- * system also has sound. The synthesiser is not part of the game's state. It runs on the platform's
- * audio thread and may not be called from two threads at once. */
+ * system also has sound. The synthesiser is not part of the game's state. The code runs on the
+ * platform's audio thread and may not be called from two threads at once. */
 #ifndef KINGYO_CORE_SOUND_SOUND_H
 #define KINGYO_CORE_SOUND_SOUND_H
 

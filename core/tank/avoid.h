@@ -11,8 +11,8 @@
  * that runs up to another has it within 45 degrees of its nose.
  *
  * - Eq. 3.4 takes the angle in space, so a pitched fish met head-on would count as hit from the
- * side. The code takes the angle between the headings seen from above. It compares cosines, so no
- * angle is out of range.
+ * side. The code takes the angle between the headings seen from above. The comparison uses cosines,
+ * so no angle is out of range.
  *
  * - "The one that hits" is the fish that faces the other more. In a tie, the fish with the lower
  * index hits.
@@ -35,9 +35,9 @@
  * - Fig. 3.6 sends both fish of a pair up, or both down. In the code the upper fish goes up and the
  * lower fish goes down, unless the surface or the floor is within one body height.
  *
- * - The preferred depths of section 3.6 would undo a climb or a dive. They are suspended during the
- * pitch and for 0.5 s afterwards. (If they were suspended during yaw as well, 600 fish would drift
- * off by 3 to 6 cm.)
+ * - The preferred depths of section 3.6 would undo a climb or a dive. The depths are suspended
+ * during the pitch and for 0.5 s afterwards. (If they were suspended during yaw as well, 600 fish
+ * would drift off by 3 to 6 cm.)
  *
  * - Sections 1.1 and 4.5 name a repulsion but never define it: see avoid_repulsion_m_s(). */
 #ifndef KINGYO_CORE_TANK_AVOID_H

@@ -18,9 +18,9 @@
  *
  * - Section 3.3 changes the heading with the gait but not by how much; struct law gives the amount.
  *
- * - Section 3.6 counts depths in 20 cm of water; in the code they are shares of any depth. It lets
- * a fish reach its depth by pitching, but a tired fish rests nine tenths of its time. In the code
- * climbing therefore needs no gait (swim.h). */
+ * - Section 3.6 counts depths in 20 cm of water; in the code they are shares of any depth. The
+ * section lets a fish reach its depth by pitching, but a tired fish rests nine tenths of its time.
+ * In the code climbing therefore needs no gait (swim.h). */
 #ifndef KINGYO_CORE_TANK_GAIT_H
 #define KINGYO_CORE_TANK_GAIT_H
 

@@ -5,8 +5,8 @@
  * penetration check tests every pair that could touch. A fish that is still deeper than PART_FREE_M
  * in another fish, a wall, the ring or a hull goes back to its pose of the previous tick. If a fish
  * cannot move out of the way, the poi reacts instead. The check repeats until no penetration is too
- * deep. It ends, because the poses of the previous tick were free of each other: at worst all
- * bodies revert.
+ * deep. The check ends, because the poses of the previous tick were free of each other: at worst
+ * all bodies revert.
  *
  * If more pairs could touch than the contact list holds, the fish with unlisted contacts keep still
  * for the tick.

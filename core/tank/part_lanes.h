@@ -7,8 +7,8 @@
 
 /* Keeps the block that begins at `first` within bounds and sets the allowance of each body. All
  * fish of the block swim, and none gulps or is in the air. The substep is the first of the tick.
- * Returns one bit for each fish that an obstacle could touch. Those fish are unchanged and need the
- * full part_clear(). */
+ * Returns one bit for each fish that an obstacle could touch. The flagged fish are unchanged and
+ * need the full part_clear(). */
 #define PART_CLEAR(name)                                                                           \
     uint32_t name(struct part *part, struct crowd *crowd, const struct part_place *place,          \
                   uint32_t first)

@@ -52,7 +52,8 @@ static float half_thick_m(const struct body *body, vec3 direction)
 /* A fish relative to the paper. */
 struct side {
     float side;         /* +1 above, -1 below; 0: no paper is near. */
-    float height_m;     /* Height of the fish's centre on that side; < 0: it passed through. */
+    float height_m;     /* Height of the fish's centre on that side; < 0 if the fish passed
+                           through. */
     float clear_m;      /* Height at which its body would not touch the paper. */
     float was_m;        /* The height at the start of the substep. */
 };

@@ -59,7 +59,7 @@ float shade_distance_m(const struct shade_cast *cast, vec3 position_m);
 int shade_covers(const struct shade_cast *cast, vec3 position_m);
 
 /* Returns the attraction toward the centre at `distance_m`, m/s, >= 0, from eq. 3.5 per second. The
- * thesis moves fish by M = 0.01 (20 - r) cm per frame. Its table 4.2 gives 60 frames per second for
+ * thesis moves fish by M = 0.01 (20 - r) cm per frame. Table 4.2 gives 60 frames per second for
  * the 200 fish of that test: 0.6 (20 - r) cm/s. Returns 0 during the dwell time of the behavior
  * parameters. */
 float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m);

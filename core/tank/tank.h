@@ -36,8 +36,8 @@ struct tank {
     struct oxygen oxygen;
     uint32_t loose_count; /* Upper bound of the fish in reentry; loose_tick() recounts them. */
     struct crowd crowd; /* The results of the last query are state; crowd_hash() covers them. */
-    struct part part; /* Scratch memory of one tick, which no hash covers. It stands here because a
-                         board's stack is too small. */
+    struct part part; /* Scratch memory of one tick, which no hash covers. The member stands here
+                         because a board's stack is too small. */
 };
 
 /* Parameters of a tank to open. */
