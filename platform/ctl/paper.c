@@ -1,4 +1,5 @@
-/* paper.c -- `kingyoctl paper`: one poi against water, and what weights say about its paper. */
+/* paper.c -- `kingyoctl paper`, which moves one poi through water, and computes paper strength from
+ * measured weights. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -81,10 +82,10 @@ static void measure(const struct paper_plan *plan)
     (plan->as_json ? report_json : report_text)(&lab);
 }
 
-/* ---- From weights to strength --------------------------------------------------------------- */
+/* ---- Strength from weights ------------------------------------------------------------------ */
 
-/* The tension that the core's own sheet feels under such a weight, as it feels a fish: a pressure
- * of it all, and its foot. */
+/* Returns the tension that the core's own sheet model computes under the weight, in N/m. The load
+ * is applied as for a fish: a pressure from the whole weight on its footprint. */
 static double tension_n_m(const struct paper_plan *plan, double weight_kg)
 {
     static struct sheet sheet;
@@ -97,7 +98,8 @@ static double tension_n_m(const struct paper_plan *plan, double weight_kg)
     return (double)sheet_tick(&sheet, -force_n / area_m2, in_air, &foot, 1).tension_max_n_m;
 }
 
-/* What tears after a time bears more for a moment: (time / tau)^(1/m). */
+/* Returns the strength for a short load, in N/m. Paper that tears after a long time bears a higher
+ * load for a short time: the factor is (time / tau)^(1/m). */
 static double strength_n_m(const struct paper_plan *plan, double weight_kg)
 {
     const double longer = plan->hang_s / (double)SHEET_DAMAGE_TAU_S;

@@ -1,4 +1,5 @@
-/* paper_lab.c -- a tick of the carriage is a tick of the core's own order: poi, paper, catch. */
+/* paper_lab.c -- simulates a poi on a carriage. A tick of the carriage has the order of the core's
+ * tick: poi, paper, catch. */
 #include "platform/ctl/paper_lab.h"
 
 #include <math.h>
@@ -9,14 +10,14 @@
 #include "core/poi/load.h"
 #include "core/poi/pull.h"
 
-#define DEPTH_M 0.20f   /* So deep no surface is felt. */
+#define DEPTH_M 0.20f   /* Depth at which the water surface has no effect. */
 #define HEIGHT_M 0.10f
-#define INSTANT_TICKS 6u /* 0.05 s */
+#define INSTANT_TICKS 6u /* Time within which a tear counts as immediate: 6 ticks are 0.05 s. */
 #define NEVER_S 1e6f
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
-/* Columns from the left on until they are so much of the paper. */
+/* Wets columns of cells from the left until the requested share of the paper is wet. */
 static void wet_paper(struct paper_lab *lab)
 {
     const struct paper_plan *plan = lab->plan;
@@ -37,7 +38,8 @@ static void wet_paper(struct paper_lab *lab)
     sheet->soaked = plan->wetness >= 1.0f && wetted == sheet->paper_cells;
 }
 
-/* Dry paper carries none, wet paper its film, and what it can hold as it lies. */
+/* Fills the poi with water. Dry paper carries no water. Wet paper carries its film, and the water
+ * that the paper can hold in its present pose. */
 static void fill(struct paper_lab *lab, float up_y)
 {
     struct poi *poi = &lab->poi;
@@ -49,7 +51,7 @@ static void fill(struct paper_lab *lab, float up_y)
     poi->water_kg = poi->film_kg + poi->pool_kg;
 }
 
-/* Sunflower seeds: none covers another where there is room. */
+/* Places the fish in a sunflower seed pattern, so that no fish covers another if there is room. */
 static void lay_fish(struct paper_lab *lab)
 {
     const struct paper_plan *plan = lab->plan;
@@ -98,7 +100,8 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_plan *plan)
 
 /* ---- A tick --------------------------------------------------------------------------------- */
 
-/* On the paper: along its normal what the sheet bears, along its plane what the water rubs. */
+/* Returns the force on the paper in N. Along the normal, the force is the load on the sheet. In the
+ * plane, the force is the friction of the water. */
 static float force_n(const struct poi *poi, const struct basis *axes, float whole)
 {
     const float area_m2 = whole * F_PI * POI_RADIUS_M * POI_RADIUS_M;
@@ -144,12 +147,15 @@ void paper_lab_tick(struct paper_lab *lab)
     poi->before_m_s = carriage_m_s;
     poi->before_angles = poi->angles;
     if (lab->tick == 0) {
-        catch_fish(lab); /* They lie on it when it begins. */
+        catch_fish(lab); /* The fish lie on the paper from the start. */
     }
     lab->tick++;
-    pull_ring(poi, poi->position_m, &axes, poi->immersed); /* What it meets; ... */
-    poi->velocity_m_s = carriage_m_s;                      /* ... the carriage does not care. */
-    const float whole = poi_whole(poi); /* As it was when the force was met. */
+    pull_ring(poi, poi->position_m, &axes, poi->immersed); /* Computes the water forces on the
+                                                              ring. */
+    poi->velocity_m_s = carriage_m_s;                      /* The carriage keeps its speed
+                                                              regardless of the forces. */
+    const float whole = poi_whole(poi); /* Whole share of the paper at the moment when the force was
+                                           computed. */
     const struct obstacle ring = poi_obstacle(poi);
     poi_give_way(poi, &ring);
     note(lab, force_n(poi, &axes, whole));

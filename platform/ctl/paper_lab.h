@@ -1,7 +1,8 @@
-/* paper_lab.h -- a poi on a carriage: led straight up at one speed, through water or air.
+/* paper_lab.h -- a poi on a carriage that moves straight up at constant speed, through water or
+ * air.
  *
- * The poi, its sheet, the water on it and the fish are the core's own; the carriage takes the
- * hand's place, since no hand keeps a speed from the first tick on. */
+ * The poi, its sheet, the water on the sheet and the fish are those of the core. The carriage
+ * replaces the player's hand, because no hand has a constant speed from the first tick. */
 #ifndef KINGYO_PLATFORM_CTL_PAPER_LAB_H
 #define KINGYO_PLATFORM_CTL_PAPER_LAB_H
 
@@ -9,23 +10,26 @@
 #include "platform/ctl/paper_plan.h"
 
 struct paper_lab {
-    const struct paper_plan *plan; /* Borrowed. */
+    const struct paper_plan *plan; /* Options of the run. The caller owns them. */
     struct tank tank;
-    struct bowl bowl; /* None. */
+    struct bowl bowl; /* Absent bowl, because the laboratory has none. */
     struct poi poi;
-    float wetness[SHEET_CELL_COUNT]; /* As it is held. */
+    float wetness[SHEET_CELL_COUNT]; /* Wetness of each cell, which is held constant. */
     uint32_t tick;
-    /* Figures so far. */
-    float force_n, tension_n_m, water_kg; /* The greatest each. */
-    uint32_t tore_tick;                   /* In which paper tore first, counted from 1; 0: none. */
+    /* Results so far. */
+    float force_n, tension_n_m, water_kg; /* Greatest force, tension and mass of carried water so
+                                             far. */
+    uint32_t tore_tick;                   /* Tick in which the paper first tore, counted from 1. A
+                                             value of 0 means that the paper has not torn. */
 };
 
-/* `plan` must outlive the lab. */
+/* Initializes the lab. `plan` must outlive the lab. */
 void paper_lab_open(struct paper_lab *lab, const struct paper_plan *plan);
 
 void paper_lab_tick(struct paper_lab *lab);
 
-/* Seconds till it tore, to a tick; < 0: it holds. */
+/* Returns the time in seconds at which the paper tore, with the resolution of a tick. Returns a
+ * negative value if the paper has not torn. */
 double paper_lab_tore_s(const struct paper_lab *lab);
 int paper_lab_is_instant(const struct paper_lab *lab);
 double paper_lab_hole_mm2(const struct paper_lab *lab);

@@ -1,4 +1,5 @@
-/* paper_plan.c -- a table of options, each with its range. */
+/* paper_plan.c -- parses the options of `kingyoctl paper` with a table of options and their
+ * ranges. */
 #include "platform/ctl/paper_plan.h"
 
 #include <math.h>
@@ -32,7 +33,7 @@ struct range {
     const char *option;
     double min, max;
     uint8_t is_whole;
-    double standard; /* Where it is not given. */
+    double standard; /* Value that applies if the option is absent. */
 };
 
 static const struct range ranges[FIGURE_COUNT] = {
@@ -78,7 +79,7 @@ static enum exit_code take_medium(struct paper_plan *plan, const char *value)
                : refuse("--medium", value, "water or air");
 }
 
-/* Grams, with commas between. */
+/* Parses a comma-separated list of weights in grams. */
 static enum exit_code take_weights(struct paper_plan *plan, const char *value)
 {
     static const char expected[] = "weights in g from 0.1 to 5000, with commas between, 64 at most";

@@ -1,4 +1,4 @@
-/* paper_plan.h -- what `kingyoctl paper` was asked for. */
+/* paper_plan.h -- the options of `kingyoctl paper`. */
 #ifndef KINGYO_PLATFORM_CTL_PAPER_PLAN_H
 #define KINGYO_PLATFORM_CTL_PAPER_PLAN_H
 
@@ -9,27 +9,33 @@
 #define PAPER_WEIGHTS_MAX 64u
 
 struct paper_plan {
-    uint8_t grade;       /* SHEET_GRADE_MIN .. SHEET_GRADE_MAX */
-    float wetness;       /* [0, 1] of the wetted part, */
-    float wet_fraction;  /* [0, 1] of the paper; the line between is straight. */
-    float tilt_rad;      /* [0, pi / 2] between the paper's plane and its way; pi / 2: broadside. */
-    float speed_m_s;     /* [0, 5] */
-    uint8_t in_air;      /* Else deep under water. */
+    uint8_t grade;       /* Grade of the paper, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
+    float wetness;       /* Wetness of the wetted part, in [0, 1]. */
+    float wet_fraction;  /* Wetted share of the paper, in [0, 1]. The border of the wetted part is a
+                            straight line. */
+    float tilt_rad;      /* Angle between the paper's plane and the direction of motion, in [0, pi /
+                            2]. The paper is perpendicular to the motion at pi / 2. */
+    float speed_m_s;     /* Speed of the carriage, in [0, 5] m/s. */
+    uint8_t in_air;      /* 1 for a run in air. Otherwise the run is deep under water. */
     uint8_t upside_down;
-    uint8_t still;       /* Its fish do not slap. */
-    uint8_t ideal;       /* The membrane's formula alone: no spread, no stress concentration. */
+    uint8_t still;       /* 1 if the fish on the paper do not slap with their tails. */
+    uint8_t ideal;       /* 1 for the membrane formula alone, without spread of strength and without
+                            stress concentration. */
     uint8_t as_json;
-    uint32_t fish_count; /* <= POI_RIDER_MAX */
+    uint32_t fish_count; /* Number of fish on the paper, at most POI_RIDER_MAX. */
     float fish_m;
-    uint32_t tick_count; /* >= 1 */
-    double seconds;      /* As it was asked. */
+    uint32_t tick_count; /* Number of ticks of the run, at least 1. */
+    double seconds;      /* Duration in seconds, as the option gives it. */
     uint32_t seed;
-    uint32_t weight_count; /* > 0: calibrate, by these weights ... */
+    uint32_t weight_count; /* Number of calibration weights. A value above 0 selects the calibration
+                              by weights. */
     double weights_kg[PAPER_WEIGHTS_MAX];
-    double footprint_m, hang_s; /* ... on such a foot, each hung for so long. */
+    double footprint_m, hang_s; /* `footprint_m` is the size of the footprint of each weight.
+                                   `hang_s` is the time for which each weight hung. */
 };
 
-/* The options in `argv`, each in its range. EXIT_OK, or one line told and EXIT_USAGE. */
+/* Parses the options in `argv` and checks their ranges. Returns EXIT_OK, or prints one line to
+ * standard error and returns EXIT_USAGE. */
 enum exit_code paper_plan_read(struct paper_plan *plan, int argc, const char *const *argv);
 
 extern const char paper_plan_usage[];

@@ -1,4 +1,4 @@
-/* plate.c -- words and bars beside a fish. */
+/* plate.c -- draws the caption and the scale bar of a fish. */
 #include "platform/ctl/plate.h"
 
 #include <math.h>

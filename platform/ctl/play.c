@@ -1,4 +1,4 @@
-/* play.c -- `kingyoctl play`: bots play rounds, without a screen, at full speed. */
+/* play.c -- `kingyoctl play`, which lets bots play rounds without a screen at full speed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,18 +27,21 @@ struct play_options {
     int as_json;
 };
 
-/* Everything of one run of the command. */
+/* State of one run of the command. */
 struct evening {
     const struct play_options *options;
     struct round_plan *plans;
     struct round_result *results;
-    char (*paths)[PATH_MAX_CHARS]; /* Of the recordings. */
-    uint32_t *caught;              /* To be sorted. */
-    uint32_t played, told;         /* In whichever order; and in theirs, without a gap. */
+    char (*paths)[PATH_MAX_CHARS]; /* Paths of the recordings. */
+    uint32_t *caught;              /* Fish caught in each round. The array is sorted for the
+                                      summary. */
+    uint32_t played, told;         /* `played` is the number of finished rounds in any order. `told`
+                                      is the number of rounds that were printed in order without a
+                                      gap. */
     int shows_progress;
 };
 
-/* ---- What is told --------------------------------------------------------------------------- */
+/* ---- Output --------------------------------------------------------------------------------- */
 
 static void tell_progress(const struct evening *evening)
 {
@@ -48,7 +51,8 @@ static void tell_progress(const struct evening *evening)
     }
 }
 
-/* People are told as soon as all rounds before it are; a program wants all or nothing. */
+/* Prints a round as soon as all earlier rounds have finished. JSON is printed only when all rounds
+ * have finished, so that a program gets all rounds or none. */
 static void tell_round(void *self, uint32_t index)
 {
     struct evening *evening = self;
@@ -180,7 +184,8 @@ static int parse_text(const char *value, const char **out)
     return value && value[0];
 }
 
-/* Whether `value` is right for `option`; -1: there is no such option. */
+/* Parses `value` for `option`. Returns whether the value is valid, or -1 if the option does not
+ * exist. */
 static int take_value(struct play_options *options, const char *option, const char *value)
 {
     if (strcmp(option, "--bot") == 0) {
@@ -210,7 +215,8 @@ static int take_value(struct play_options *options, const char *option, const ch
     return strcmp(option, "--record") == 0 ? parse_text(value, &options->record) : -1;
 }
 
-/* Takes the option at argv[*index] and its value. EXIT_OK, or told. */
+/* Parses the option at argv[*index] and its value. Returns EXIT_OK, or prints one line to standard
+ * error and returns another code. */
 static enum exit_code take_option(struct play_options *options, int argc, const char *const *argv,
                                   int *index)
 {
@@ -231,7 +237,7 @@ static enum exit_code take_option(struct play_options *options, int argc, const 
     return EXIT_OK;
 }
 
-/* What options say only together. */
+/* Checks combinations of options. */
 static enum exit_code check_options(const struct play_options *options)
 {
     const struct rules *rules = rules_of(options->mode);

@@ -1,11 +1,11 @@
-/* play_report.c -- the same figures twice. */
+/* play_report.c -- prints the results of rounds as text and as JSON. */
 #include "platform/ctl/play_report.h"
 
 #include <stdio.h>
 
 #include "platform/number.h"
 
-/* With as many decimals as it has, one at most. */
+/* Prints a value with one decimal, or without decimals if the value is whole. */
 static void print_short(double value)
 {
     char digits[NUMBER_FIXED_MAX];

@@ -1,26 +1,28 @@
-/* portrait.c -- the camera, the light and the skin of a plate. */
+/* portrait.c -- the camera, the light and the skin of a fish preview. */
 #include "platform/ctl/portrait.h"
 
 #include <math.h>
 
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
-#define FIN_RAYS 13.0f       /* As many as the kiosk's specimens show along a fin. */
-#define RAY_HIDES 0.22f      /* The skin between two rays hides so much less than a ray ... */
-#define RAY_LIGHT 0.18f      /* ... and is so much darker. */
-#define GLASS_RIM 0.55f      /* A glass body seen edge-on mirrors this much of the light. */
+#define FIN_RAYS 13.0f       /* Number of rays, the same as for the kiosk's fish. */
+#define RAY_HIDES 0.22f      /* Reduction of the opacity of the skin between two rays, compared with
+                                a ray. */
+#define RAY_LIGHT 0.18f      /* Reduction of the brightness of the skin between two rays. */
+#define GLASS_RIM 0.55f      /* Share by which a glass body becomes opaque where it is seen edge-on,
+                                because it reflects light there. */
 
 const char *const portrait_view_names[VIEW_COUNT] = { "side", "above", "aslant" };
 
 const struct portrait_bounds portrait_nowhere = { 1e9f, -1e9f, 1e9f, -1e9f };
 
-/* The camera's axes in the fish's body frame. */
+/* Returns the axes of the camera in the fish's body frame. */
 static const struct basis *camera(enum portrait_view view)
 {
     static const struct basis cameras[VIEW_COUNT] = {
         [VIEW_SIDE] = { { 0.0f, 0.0f, 1.0f }, { 0.0f, 1.0f, 0.0f }, { -1.0f, 0.0f, 0.0f } },
         [VIEW_ABOVE] = { { 0.0f, 0.0f, 1.0f }, { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f } },
-        /* 35 degrees toward the nose, 35 above. */
+        /* The camera is 35 degrees toward the nose and 35 degrees above. */
         [VIEW_ASLANT] = { { -0.57358f, 0.0f, 0.81915f },
                           { 0.46985f, 0.81915f, 0.32899f },
                           { -0.67101f, 0.57358f, -0.46985f } },
@@ -62,7 +64,7 @@ float portrait_hides(const struct paint *paint, const struct species_vertex *at)
 struct corners {
     const struct portrait *portrait;
     uint16_t at[3];
-    vec3 normals[3]; /* In the camera's axes. */
+    vec3 normals[3]; /* Normals in the axes of the camera. */
 };
 
 static struct species_vertex place(const struct corners *c, const float part[3])
@@ -85,7 +87,7 @@ static vec3 facing(const struct corners *c, const float part[3], bool is_fin)
     return is_fin && n.z < 0.0f ? v3_scale(n, -1.0f) : n;
 }
 
-/* A large soft lamp at the upper left and the sky and ground around. */
+/* Computes the brightness from a large soft lamp at the upper left, the sky and the ground. */
 static float light_on(vec3 n, bool is_fin)
 {
     const vec3 lamp = v3(-0.42f, 0.71f, 0.565f);
@@ -97,7 +99,8 @@ static float light_on(vec3 n, bool is_fin)
 
 static float gloss_on(vec3 n, float shine)
 {
-    const vec3 between = v3(-0.2373f, 0.4012f, 0.8844f); /* Half way from the lamp to the eye. */
+    const vec3 between = v3(-0.2373f, 0.4012f, 0.8844f); /* Direction half way between the lamp and
+                                                            the camera. */
     const float turned = f_max(v3_dot(n, between), 0.0f);
     return (0.04f + 0.30f * shine) * powf(turned, 18.0f + 40.0f * shine);
 }

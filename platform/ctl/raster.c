@@ -1,4 +1,4 @@
-/* raster.c -- coverage by edge functions, order by depth, sample by sample. */
+/* raster.c -- rasterizes triangles: coverage by edge functions, and depth order for each sample. */
 #include "platform/ctl/raster.h"
 
 #include <math.h>
@@ -8,20 +8,23 @@
 #include "core/base/panic.h"
 
 #define SAMPLE_COUNT 16u
-#define PILE_MAX 32u          /* Layers of one sample; more than a fish ever has. */
-#define HIDDEN 0.002f         /* Behind so much cover nothing is seen: half a grey of 256. */
+#define PILE_MAX 32u          /* Maximum number of layers of one sample, more than a fish has. */
+#define HIDDEN 0.002f         /* Remaining light below which deeper layers are invisible: half a
+                                 step of 256 grey levels. */
 #define LAYERS_AT_FIRST 65536u
 
-/* Sixteen places of which no two share a row or a column: edges near the axes have sixteen steps,
- * not four. In sixteenths of a pixel from its centre. */
+/* Sixteen sample positions, in sixteenths of a pixel from the centre. No two positions share a row
+ * or a column, so edges near the axes have sixteen grey levels and not four. */
 static const int8_t sample_at[SAMPLE_COUNT][2] = {
     { 1, 1 },   { -1, -3 }, { -3, 2 }, { 4, -1 }, { -5, -2 }, { 2, 5 },  { 5, 3 },  { 3, -5 },
     { -2, 6 },  { 0, -7 },  { -4, -6 }, { -6, 4 }, { -8, 0 },  { 7, -4 }, { 6, 7 },  { -7, -8 },
 };
 
 struct edge {
-    float dx, dy, at; /* Inside where dx * x + dy * y + at > 0 ... */
-    bool owns;        /* ... or is 0 and this is true: one of the two triangles along it owns it. */
+    float dx, dy, at; /* Coefficients of the edge function. A point is inside if dx * x + dy * y +
+                         at > 0. */
+    bool owns;        /* True if points exactly on the edge belong to this triangle. The value is
+                         true for only one of two triangles that share the edge. */
 };
 
 static vec3 sample_offset(uint32_t s)
@@ -66,9 +69,9 @@ static void push(struct raster *raster, uint32_t x, uint32_t y, struct raster_la
 
 /* ---- Coverage -------------------------------------------------------------------------------- */
 
-/* Seen with y down, counter-clockwise corners have their inside where this is positive. Computed
- * from the same end whichever way it is gone along, so that the two triangles that share it get
- * the same number with opposite signs. */
+/* Computes an edge function. With y down, the function is positive inside of corners that appear
+ * counter-clockwise. The value is computed from the same end in both directions of the edge. The
+ * two triangles that share the edge therefore get the same number with opposite signs. */
 static struct edge edge_of(vec3 a, vec3 b)
 {
     const bool swap = a.x > b.x || (a.x == b.x && a.y > b.y);
@@ -87,9 +90,9 @@ static float edge_at(const struct edge *e, float x, float y)
 }
 
 struct triangle {
-    struct edge edges[3]; /* Across from corner 0, 1, 2. */
+    struct edge edges[3]; /* Edges opposite corner 0, 1 and 2. */
     float double_area;
-    float depth_dx, depth_dy, depth_at; /* The plane through its corners. */
+    float depth_dx, depth_dy, depth_at; /* Coefficients of the depth plane through the corners. */
 };
 
 static bool triangle_of(const vec3 c[3], struct triangle *t)
@@ -111,7 +114,8 @@ static bool triangle_of(const vec3 c[3], struct triangle *t)
     return true;
 }
 
-/* Which samples of the pixel around (x, y) lie inside, and their mean place. */
+/* Returns the mask of the samples of the pixel at (x, y) that lie inside, and computes their mean
+ * position. */
 static uint16_t cover(const struct triangle *t, float x, float y, vec3 *mean)
 {
     uint16_t samples = 0;
@@ -191,7 +195,7 @@ void raster_triangle(struct raster *raster, const vec3 c[3], struct raster_skin 
 /* ---- Order ----------------------------------------------------------------------------------- */
 
 struct pile {
-    const struct raster_layer *layers[PILE_MAX]; /* Nearest first. */
+    const struct raster_layer *layers[PILE_MAX]; /* Layers, nearest first. */
     float depth[PILE_MAX];
     uint32_t count;
 };
@@ -199,7 +203,7 @@ struct pile {
 static void pile_add(struct pile *pile, const struct raster_layer *layer, float depth)
 {
     if (pile->count == PILE_MAX && pile->depth[PILE_MAX - 1u] >= depth) {
-        return; /* Full, and this lies behind all. */
+        return; /* The pile is full, and the layer lies behind all others. */
     }
     uint32_t at = pile->count < PILE_MAX ? pile->count++ : PILE_MAX - 1u;
     while (at > 0 && pile->depth[at - 1] < depth) {

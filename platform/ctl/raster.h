@@ -1,8 +1,10 @@
-/* raster.h -- triangles to pixels: sixteen samples a pixel, in any order, however clear.
+/* raster.h -- rasterizes triangles of any opacity in any order, with sixteen samples for each
+ * pixel.
  *
- * A pixel keeps every layer that touches it: its colour, how much it hides, its plane of depth and
- * which samples it covers. At the end each sample's layers are put in order by depth, so a glass
- * larva shows its far eye, an eye meets the skin in a clean line, and nobody sorts triangles. */
+ * A pixel stores every layer that covers a part of it: the colour, the opacity, the depth plane and
+ * the mask of covered samples. Finally, the layers of each sample are sorted by depth. A glass
+ * larva therefore shows its far eye, an eye has a clean border to the skin, and the caller does not
+ * have to sort triangles. */
 #ifndef KINGYO_PLATFORM_CTL_RASTER_H
 #define KINGYO_PLATFORM_CTL_RASTER_H
 
@@ -11,40 +13,48 @@
 #include "platform/ctl/canvas.h"
 
 struct raster_layer {
-    vec3 colour;                      /* Linear. */
-    float hides;                      /* [0, 1]; 1 is opaque. */
-    float depth, depth_dx, depth_dy;  /* At the pixel's centre; larger is nearer. */
-    uint32_t below;                   /* The pixel's layer drawn before, from 1; 0: none. */
-    uint16_t samples;                 /* Which of the sixteen it covers. */
+    vec3 colour;                      /* Linear colour. */
+    float hides;                      /* Opacity in [0, 1]. A value of 1 is opaque. */
+    float depth, depth_dx, depth_dy;  /* `depth` is the depth at the pixel's centre, and a larger
+                                         depth is nearer. `depth_dx` and `depth_dy` are its
+                                         slopes. */
+    uint32_t below;                   /* Number of the layer that was drawn before in the same
+                                         pixel, counted from 1. A value of 0 means no layer. */
+    uint16_t samples;                 /* Mask of the covered samples of the pixel. */
 };
 
 struct raster {
     uint32_t width, height;
-    uint32_t *top; /* width x height: a pixel's newest layer, from 1. */
+    uint32_t *top; /* Number of the newest layer of each pixel, counted from 1. The array has width
+                      x height elements. */
     struct raster_layer *layers;
     size_t layer_count, layer_room;
-    bool failed; /* There was no memory for a layer. */
+    bool failed; /* True if memory allocation for a layer failed. */
 };
 
-/* What a triangle looks like at a point: `part` are its corners' shares, which sum to 1. */
+/* Returns the colour and the opacity of a triangle at a point. `part` are the weights of the
+ * corners, which have the sum 1. */
 struct raster_skin {
     struct raster_colour {
-        vec3 colour; /* Linear. */
+        vec3 colour; /* Linear colour. */
         float hides;
     } (*look)(const void *triangle, const float part[3]);
     const void *triangle;
 };
 
-/* Sides as a canvas's. False when there is no memory. */
+/* Allocates a raster. The limits of the sides are those of a canvas. Returns false if memory
+ * allocation fails. */
 bool raster_open(struct raster *raster, uint32_t width, uint32_t height);
 void raster_close(struct raster *raster);
 
-/* Corners in pixels (y down), z nearer the larger. Drawn where it is counter-clockwise as seen;
- * triangles that share an edge share no sample. The skin is asked once a pixel. */
+/* Draws a triangle. The corners are in pixels (y down), and a larger z is nearer. Only triangles
+ * that appear counter-clockwise are drawn. Two triangles that share an edge never share a sample.
+ * The skin function is called once for each pixel. */
 void raster_triangle(struct raster *raster, const vec3 corner[3], struct raster_skin skin);
 
-/* Lays what was drawn over the canvas, its corner at `left`, `top`, and is empty again. False when
- * memory failed since it was opened: the picture is not whole. */
+/* Blends the picture over the canvas with its corner at `left`, `top`, and clears the raster.
+ * Returns false if a memory allocation failed after raster_open(), because the picture is then
+ * incomplete. */
 bool raster_finish(struct raster *raster, struct canvas *canvas, uint32_t left, uint32_t top);
 
 #endif

@@ -1,4 +1,5 @@
-/* refit.c -- the fit of one key: warp, draw to the surface, let go. */
+/* refit.c -- fits one key to a mesh: the warp, the attraction to the surface, and the
+ * relaxation. */
 #include <math.h>
 #include <string.h>
 
@@ -7,24 +8,32 @@
 #include "platform/ctl/refit.h"
 
 #define ROUNDS 24u
-#define SWEEPS 30u           /* Of Gauss and Seidel a round: neighbours agree to a thousandth. */
-#define STIFF_FIRST 20.0f    /* What an edge counts beside a vertex' pull, in the first round ... */
-#define STIFF_LAST 0.15f     /* ... and in the last. */
-#define BACK_PULL 0.5f       /* Of the mesh's own vertices, toward the nearest of ours. */
-#define BACK_MAX 6000u       /* Of them are asked; an even choice of more. */
+#define SWEEPS 30u           /* Gauss-Seidel sweeps for each round. Neighbours then agree to a
+                                thousandth. */
+#define STIFF_FIRST 20.0f    /* Weight of an edge relative to the pull of a vertex in the first
+                                round. */
+#define STIFF_LAST 0.15f     /* Weight of an edge relative to the pull of a vertex in the last
+                                round. */
+#define BACK_PULL 0.5f       /* Weight of the pull from a vertex of the mesh on the nearest vertex
+                                of the template. */
+#define BACK_MAX 6000u       /* Maximum number of mesh vertices that pull. A larger mesh is sampled
+                                evenly. */
 #define EDGE_MAX (3u * MESH_INDEX_MAX)
-#define FAR_SHARE 0.30f      /* Of the length: nothing is drawn to what lies farther. */
+#define FAR_SHARE 0.30f      /* Greatest pull distance as a share of the length. A vertex is not
+                                attracted to a surface farther away. */
 
-/* One level of detail while it is fitted. A place is what coinciding vertices of a part share. */
+/* One level of detail during the fit. Coinciding vertices of a part share one place. */
 struct fitting {
     const struct species_mesh *mesh;
     const struct tree *tree;
-    bool parted; /* The mesh names its parts, as ours does. */
+    bool parted; /* True if the mesh names its parts as the template does. */
     uint32_t place[MESH_VERTEX_MAX];
     vec3 rest[MESH_VERTEX_MAX], now[MESH_VERTEX_MAX];
     vec3 pull[MESH_VERTEX_MAX];
     float weight[MESH_VERTEX_MAX];
-    uint32_t first[MESH_VERTEX_MAX + 1], other[EDGE_MAX]; /* Neighbours of each place. */
+    uint32_t first[MESH_VERTEX_MAX + 1], other[EDGE_MAX]; /* Neighbours of each place: the index of
+                                                             the first neighbour, and the list of
+                                                             neighbours. */
 };
 
 static struct tree target_tree, fitted_tree;
@@ -45,7 +54,8 @@ static void find_places(const vec3 *positions)
     }
 }
 
-/* Edges by place, each from both ends; a shared edge counts as often as triangles have it. */
+/* Lists the edges of each place, from both ends. An edge occurs once for each triangle that has the
+ * edge. */
 static void find_edges(void)
 {
     static uint32_t fill[MESH_VERTEX_MAX];
@@ -87,7 +97,8 @@ static void draw_to_surface(void)
     }
 }
 
-/* Rims and tips: the mesh's own vertices pull the nearest of ours, or a sheet would stay short. */
+/* Adds the pull of the mesh's own vertices on the nearest template vertices. Without this pull,
+ * rims and tips of a sheet would stay too short. */
 static void draw_from_mesh(const struct import_mesh *mesh)
 {
     const uint32_t step = mesh->triangle_count / BACK_MAX + 1u;
@@ -108,7 +119,7 @@ static void draw_from_mesh(const struct import_mesh *mesh)
             draw(nearest, q, BACK_PULL);
         }
     }
-    /* Many vertices at one place are no more than one. */
+    /* Limits the weight so that many mesh vertices at one place count as one vertex. */
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
         if (fit.weight[i] > 1.0f + BACK_PULL) {
             const float less = (1.0f + BACK_PULL) / fit.weight[i];
@@ -118,7 +129,8 @@ static void draw_from_mesh(const struct import_mesh *mesh)
     }
 }
 
-/* Each place to where its pull and its edges, which want to stay as at rest, are in balance. */
+/* Moves each place to the balance of its pull and its edges, which resist any change from their
+ * rest shape. */
 static void settle(float stiff)
 {
     for (uint32_t sweep = 0; sweep < SWEEPS; sweep++) {
@@ -156,11 +168,11 @@ static void run_rounds(const struct import_mesh *mesh)
         draw_from_mesh(mesh);
         settle(STIFF_FIRST * powf(STIFF_LAST / STIFF_FIRST, t));
         share_places();
-        memcpy(fit.rest, fit.now, sizeof fit.rest); /* What was bent need not bend back. */
+        memcpy(fit.rest, fit.now, sizeof fit.rest); /* The bent shape becomes the new rest shape. */
     }
 }
 
-/* ---- Into the tables ------------------------------------------------------------------------- */
+/* ---- Writing to the tables ------------------------------------------------------------------ */
 
 static void make_normals(vec3 *normals)
 {
@@ -189,7 +201,7 @@ static void put_point(struct species_slot *slot, uint32_t lod, uint32_t key, uin
                                 morph_count(position.z, reach), morph_fold_normal(normal) };
 }
 
-/* The skin first: what rides on it asks it where it is. */
+/* Writes the skin first, because parts that follow the skin need its final place. */
 static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
 {
     static vec3 normals[MESH_VERTEX_MAX];
@@ -213,7 +225,7 @@ static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
     }
 }
 
-/* ---- How well -------------------------------------------------------------------------------- */
+/* ---- Error of the fit ----------------------------------------------------------------------- */
 
 struct tally {
     double sum, squares;
@@ -236,7 +248,7 @@ static struct refit_error error_of(const struct tally *tally)
                                  tally->max };
 }
 
-/* At every vertex of the one and of the other that a triangle uses. */
+/* Measures the distance at every vertex of both surfaces that a triangle uses. */
 static void measure(const struct import_mesh *mesh, struct refit_result *result)
 {
     static bool seen[IMPORT_VERTEX_MAX];
@@ -265,7 +277,8 @@ static void measure(const struct import_mesh *mesh, struct refit_result *result)
     result->from_mesh = error_of(&from);
 }
 
-/* Which of the mesh's landmarks the template knows too, where they are there, and where here. */
+/* Pairs the mesh's landmarks with the same landmarks of the template. `from` receives the places on
+ * the template and `to` the places on the mesh. Returns the number of pairs. */
 static uint32_t pair_marks(const struct mark_list *marks, const vec3 *positions, vec3 *from,
                            vec3 *to)
 {
@@ -294,8 +307,8 @@ static void begin(const struct species_slot *slot, uint32_t lod, uint32_t key,
     find_edges();
 }
 
-/* Few vertices, each drawn to its mean, end a little short of tips: a far mesh is stretched to its
- * measure again, from the snout. */
+/* Stretches the far mesh from the snout to its measured length. The far mesh has few vertices, and
+ * each vertex is moved to the mean of its pulls, so the fit ends slightly short of the tips. */
 static void stretch_to_measure(uint8_t measure)
 {
     const bool across = measure == MEASURE_DISC;
@@ -342,7 +355,7 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
     }
 }
 
-/* Which landmark lies farthest off the mesh. */
+/* Finds the landmark that lies farthest from the mesh. */
 static void find_stray(const struct mark_list *marks, struct refit_result *result)
 {
     result->stray = "";

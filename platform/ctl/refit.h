@@ -1,11 +1,12 @@
-/* refit.h -- bends a species' own body onto meshes of any topology.
+/* refit.h -- fits a species' own body to meshes of any topology.
  *
- * Shapes that other programs made seldom share a topology, and morphing needs one (2005 thesis,
- * section 3.1). So our lofted template is fitted to each mesh: first a smooth warp that carries its
- * landmarks onto the mesh's (the best stretch, then a bump around each), then, again and again,
- * every vertex is drawn to the nearest place of the surface and every edge resists, ever more
- * softly. What comes out has the template's topology, coordinates, anchors,
- * curves and paint. How far it lies from the mesh is measured and told. */
+ * Meshes from other programs seldom share a topology, but morphing needs one topology (2005 thesis,
+ * section 3.1). The lofted template is therefore fitted to each mesh. First a smooth warp moves the
+ * template's landmarks to the landmarks of the mesh (an affine fit, then a bump around each
+ * landmark). Then each round pulls every vertex to the nearest point of the surface, while every
+ * edge resists with decreasing stiffness. The result has the topology, the coordinates, the
+ * anchors, the curves and the paint of the template. Its distance from the mesh is measured and
+ * printed. */
 #ifndef KINGYO_PLATFORM_CTL_REFIT_H
 #define KINGYO_PLATFORM_CTL_REFIT_H
 
@@ -17,7 +18,7 @@
 #define MARK_LIST_MAX 24u
 #define MARK_NAME_SIZE 24u
 
-/* Landmarks in a mesh's own coordinates. */
+/* Landmarks in the coordinates of a mesh. */
 struct mark_list {
     uint32_t count;
     struct landmark {
@@ -26,45 +27,49 @@ struct mark_list {
     } marks[MARK_LIST_MAX];
 };
 
-/* Lines of "NAME X Y Z"; '#' starts a comment. EXIT_BAD_DATA or EXIT_IO with "FILE:LINE: what". */
+/* Reads lines of the form "NAME X Y Z". The character '#' starts a comment. Returns EXIT_OK.
+ * Returns EXIT_BAD_DATA or EXIT_IO and writes "FILE:LINE: reason" to `why` after an error. */
 enum exit_code marks_read(const char *path, struct mark_list *list, char why[IMPORT_WHY_SIZE]);
 
-/* Where a landmark of that name is on `mesh`, whose vertices are at `positions`. False where there
- * is no such landmark, or the fish has no such part. */
+/* Finds the landmark `name` on the template `mesh`, whose vertices are at `positions`. Returns
+ * false if the landmark is unknown or the fish does not have the part. */
 bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, const char *name,
                        vec3 *out);
 
-/* Moves `count` points by the smooth warp that carries each of `n` <= MARK_LIST_MAX points `from`
- * to its `to`, within a thousandth of its way. */
+/* Moves `count` points by the smooth warp that moves each of `n` <= MARK_LIST_MAX points `from` to
+ * its `to`. The error at a landmark is at most a thousandth of its displacement. */
 void marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count);
 
-/* Distances in lengths of the fish, of one surface's points to the other surface. */
+/* Distances from the points of one surface to another surface, in lengths of the fish. */
 struct refit_error {
     float mean, rms, max;
 };
 
 struct refit_result {
-    struct refit_error to_mesh;   /* Of the fitted vertices to the mesh ... */
-    struct refit_error from_mesh; /* ... and of the mesh's vertices to what was fitted. */
-    float mark_max;               /* The farthest landmark from its own. */
-    const char *stray;            /* The landmark farthest off the mesh, in the list, or "" ... */
-    float stray_gap;              /* ... and how far. */
+    struct refit_error to_mesh;   /* Distances of the fitted vertices from the mesh. */
+    struct refit_error from_mesh; /* Distances of the mesh's vertices from the fitted surface. */
+    float mark_max;               /* Greatest distance of a fitted landmark from the mesh's
+                                     landmark. */
+    const char *stray;            /* Name of the landmark that lies farthest from the mesh, or "".
+                                     The string belongs to the landmark list. */
+    float stray_gap;              /* Distance of the landmark `stray` from the mesh. */
 };
 
-/* Fits key `key` of both levels of detail in `slot` (a copy of the template) to shape 0 of `mesh`,
- * which has been oriented and is of size 1; `marks` went with it. */
+/* Fits key `key` of both levels of detail in `slot` (a copy of the template) to shape 0 of `mesh`.
+ * The mesh and `marks` must already be oriented and scaled to size 1. */
 void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh *mesh,
                const struct mark_list *marks, struct refit_result *result);
 
-/* Fits the template in `slot` to a mesh a key: the files, each with its landmarks (`marks`: as many
- * paths), turned and scaled as `plan` says and the landmarks show. Prints each key's error on
- * standard output. EXIT_BAD_DATA or EXIT_IO with `why`, which names the file. */
+/* Fits the template in `slot` to one mesh for each key. `files` are the paths of the meshes, and
+ * `marks` the paths of their landmarks. Meshes are turned and scaled as `plan` and the landmarks
+ * require. Prints the error of each key to standard output. Returns EXIT_OK. Returns EXIT_BAD_DATA
+ * or EXIT_IO and writes a reason with the file's name to `why` after an error. */
 struct import_plan;
 enum exit_code refit_files(struct species_slot *slot, const char *const *files,
                            const char *const *marks, uint32_t count,
                            const struct import_plan *plan, char why[IMPORT_WHY_SIZE]);
 
-/* ---- refit_tree.c: the nearest place of a surface -------------------------------------------- */
+/* ---- refit_tree.c: the nearest point of a surface ------------------------------------------- */
 
 #define TREE_TRIANGLE_MAX IMPORT_TRIANGLE_MAX
 
@@ -78,19 +83,20 @@ struct tree {
     struct tree_triangle triangles[TREE_TRIANGLE_MAX];
     struct tree_node {
         vec3 low, high;
-        uint32_t first, count; /* Triangles of a leaf; of a branch `count` is 0 and `first` names
-                                  the second child; the first child is the next node. */
+        uint32_t first, count; /* Range of triangles of a leaf. In a branch, `count` is 0 and
+                                  `first` is the number of the second child. The first child is the
+                                  next node. */
     } nodes[2 * TREE_TRIANGLE_MAX];
 };
 
-/* Adds a triangle; then tree_build() once. */
+/* tree_add() adds a triangle. Call tree_build() once after all triangles were added. */
 void tree_add(struct tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part);
 void tree_build(struct tree *tree);
 
 #define TREE_ANY_PART 255u
 
-/* The nearest place to `from` on triangles of `part`, or of all; the squared distance, infinite
- * where there are none. */
+/* Finds the point nearest to `from` on triangles of `part`, or on all triangles. Returns the
+ * squared distance, or infinity if there are no such triangles. */
 float tree_nearest(const struct tree *tree, vec3 from, uint8_t part, vec3 *place);
 
 #endif

@@ -1,4 +1,5 @@
-/* refit_files.c -- meshes and landmarks from files, brought to our axes, fitted one by one. */
+/* refit_files.c -- reads meshes and landmarks from files, converts them to Kingyo's axes and fits
+ * each key. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,7 +8,8 @@
 #include "platform/ctl/refit.h"
 #include "platform/print.h"
 
-#define STRAY_MAX 0.1f /* Of the length: a landmark may lie in the flesh, and no farther off. */
+#define STRAY_MAX 0.1f /* Greatest distance of a landmark from the surface, as a share of the
+                          length. A landmark may lie inside the body. */
 
 static const struct landmark *mark_of(const struct mark_list *marks, const char *name)
 {
@@ -19,7 +21,8 @@ static const struct landmark *mark_of(const struct mark_list *marks, const char 
     return NULL;
 }
 
-/* The axis nearest to the way from one landmark to another, where the file has both. */
+/* Sets `axis` to the axis nearest to the direction from one landmark to another, if the file has
+ * both landmarks. */
 static void axis_from(const struct mark_list *marks, const char *to, const char *from,
                       uint8_t *axis)
 {
@@ -43,7 +46,8 @@ static enum exit_code read_mesh(struct import_mesh *mesh, const char *path,
     return is_obj ? import_obj(mesh, 0, path, why) : import_scene(mesh, path, why);
 }
 
-/* The landmarks go with the mesh as so many more vertices, which no triangle uses. */
+/* Orients a mesh and its landmarks. The landmarks are appended to the mesh as vertices that no
+ * triangle uses. */
 static bool orient(struct import_mesh *mesh, struct mark_list *marks,
                    const struct import_plan *plan, char why[IMPORT_WHY_SIZE])
 {
@@ -58,7 +62,7 @@ static bool orient(struct import_mesh *mesh, struct mark_list *marks,
         mesh->positions[0][first + i] = marks->marks[i].place;
     }
     mesh->vertex_count += marks->count;
-    mesh->key_count = 1; /* A scene's first shape. */
+    mesh->key_count = 1; /* Uses only the first shape of a scene. */
     axis_from(marks, "back", "belly", &own.up);
     axis_from(marks, "snout", "tail_root", &own.front);
     const bool good = import_orient(mesh, &own, &report, why) == EXIT_OK;

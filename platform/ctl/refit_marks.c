@@ -1,5 +1,5 @@
-/* refit_marks.c -- landmarks: read, found on the template, and the warp that carries one set onto
- * another. */
+/* refit_marks.c -- reads landmarks, finds them on the template, and computes the warp from one set
+ * of landmarks to another. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +28,8 @@ static const struct {
 static const char *const singles[] = { "snout",     "tail_root", "back",     "belly",
                                        "eye_right", "eye_left",  "tail_top", "tail_bottom" };
 
-/* Which fin a name is of, and in `end` what of it; COUNT(fins) where it is of none. */
+/* Returns the index of the fin that a landmark's name begins with, and sets `end` to the rest of
+ * the name. Returns COUNT(fins) if the name has no fin. */
 static size_t fin_of(const char *name, const char **end)
 {
     size_t i = 0;
@@ -124,7 +125,7 @@ enum exit_code marks_read(const char *path, struct mark_list *list, char why[IMP
 
 /* ---- On the template ------------------------------------------------------------------------- */
 
-/* The vertex of a part whose coordinates are nearest to (u, v). */
+/* Finds the vertex of a part whose coordinates are nearest to (u, v). */
 static bool vertex_near(const struct species_mesh *mesh, const vec3 *positions, uint8_t part,
                         uint8_t side, float u, float v, vec3 *out)
 {
@@ -143,7 +144,7 @@ static bool vertex_near(const struct species_mesh *mesh, const vec3 *positions, 
     return best < INFINITY;
 }
 
-/* The body's highest (`sign` 1) or lowest point. */
+/* Finds the highest (`sign` 1) or the lowest point of the body. */
 static bool extreme(const struct species_mesh *mesh, const vec3 *positions, float sign, vec3 *out)
 {
     float best = -INFINITY;
@@ -200,16 +201,19 @@ bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, c
 /* ---- The warp -------------------------------------------------------------------------------- */
 
 #define SYSTEM_MAX MARK_LIST_MAX
-#define RIDGE 0.0005 /* Lengths squared, of one landmark: what the whole stretch must be worth. */
-#define REACH 0.8       /* Lengths, of what a landmark bends around it. */
-#define SLACK 1e-4      /* Landmarks that nearly coincide may differ by so much of their ways. */
+#define RIDGE 0.0005 /* Regularization of the affine fit, in squared lengths for one landmark. */
+#define REACH 0.8       /* Radius of the bump around a landmark, in lengths. */
+#define SLACK 1e-4      /* Smoothing of the bumps. Landmarks that nearly coincide may keep this
+                           share of the difference of their displacements. */
 
 static double gap(vec3 a, vec3 b)
 {
     return (double)v3_length(v3_sub(a, b));
 }
 
-/* Rows [A | B] with three right sides; singular columns stay at 0. */
+/* Solves the rows [A
+ *
+ * B] with three right sides. The unknowns of singular columns are 0. */
 static void solve(double m[SYSTEM_MAX][SYSTEM_MAX + 3], uint32_t n)
 {
     for (uint32_t column = 0; column < n; column++) {
@@ -235,7 +239,8 @@ static void solve(double m[SYSTEM_MAX][SYSTEM_MAX + 3], uint32_t n)
     }
 }
 
-/* Wendland's function: 1 at a landmark, 0 and smooth at REACH; never makes a singular system. */
+/* Returns Wendland's function: 1 at a landmark, and 0 with a smooth end at REACH. The function
+ * never gives a singular system. */
 static double bump(double r)
 {
     const double t = fmax(1.0 - r / REACH, 0.0);
@@ -251,8 +256,9 @@ static vec3 mean_of(const vec3 *points, uint32_t n)
     return v3_scale(sum, 1.0f / (float)n);
 }
 
-/* The stretch and shear that fits best, held toward none: landmarks in a plane say nothing of what
- * is across it. `m` becomes the 3 x 3 that turns a place from `middle` into how far it moves. */
+/* Computes the best stretch and shear, regularized toward none, because landmarks in a plane do not
+ * determine the deformation perpendicular to the plane. `m` becomes the 3 x 3 matrix that maps an
+ * offset from `middle` to its displacement. */
 static void fit_stretch(const vec3 *from, const vec3 *to, uint32_t n,
                         double m[SYSTEM_MAX][SYSTEM_MAX + 3])
 {
@@ -287,7 +293,7 @@ static vec3 stretched(double m[SYSTEM_MAX][SYSTEM_MAX + 3], vec3 p, vec3 middle,
     return v3_add(v3_add(at, goal), v3((float)way[0], (float)way[1], (float)way[2]));
 }
 
-/* What bumps at the landmarks, together, carry `from` the rest of the way. */
+/* Computes the weights of the bumps, which together move `from` by the rest of the displacement. */
 static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
                       double m[SYSTEM_MAX][SYSTEM_MAX + 3])
 {

@@ -1,11 +1,12 @@
-/* refit_tree.c -- boxes within boxes around a surface's triangles. */
+/* refit_tree.c -- a tree of bounding boxes around the triangles of a surface. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "platform/ctl/refit.h"
 
 #define LEAF_MAX 4u
-#define DEPTH_MAX 64u /* Halves of 131,072 triangles are 18 deep. */
+#define DEPTH_MAX 64u /* Maximum depth of the search stack. A binary tree of 131,072 triangles is
+                         about 18 levels deep. */
 
 void tree_add(struct tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part)
 {
@@ -60,7 +61,8 @@ static void bound(const struct tree *tree, struct tree_node *node)
     }
 }
 
-/* What is still to be halved: a range of triangles, and the branch whose second child it is. */
+/* A range of triangles that is still to be split, and the branch whose second child the range
+ * becomes. */
 struct range {
     uint32_t first, count, parent;
 };
@@ -92,7 +94,8 @@ void tree_build(struct tree *tree)
     }
 }
 
-/* The nearest place of a triangle: by the region of its plane that `p` lies over. */
+/* Returns the point of a triangle nearest to `p`, by the region of the triangle's plane in which
+ * `p` projects. */
 static vec3 on_triangle(const struct tree_triangle *t, vec3 p)
 {
     const vec3 a = t->corner[0], b = t->corner[1], c = t->corner[2];
