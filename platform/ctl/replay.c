@@ -1,4 +1,4 @@
-/* replay.c -- `kingyoctl replay`: what is in a recording, and whether it is true. */
+/* replay.c -- `kingyoctl replay`, which prints the content of a recording and verifies it. */
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -15,8 +15,8 @@
 static const char name[] = "replay";
 static const char speaker[] = "kingyoctl replay";
 
-/* As replay_scan(), but a panic's recording may end with an input that the core's contract
- * forbids. */
+/* Scans a recording like replay_scan(), except that the recording of a panic may end with an input
+ * that violates the core's contract. */
 static int scan(struct replay_reader *reader, const char *path, struct replay_totals *totals)
 {
     if (replay_open(reader, path)) {
@@ -37,7 +37,7 @@ static uint32_t count_bits(uint32_t bits)
     return count;
 }
 
-/* Each mode that was played, with the paper's grade. */
+/* Prints each mode that was played, with the grade of its paper. */
 static void print_modes(const struct core_config *config, uint32_t modes, int as_json)
 {
     uint32_t count = 0;
@@ -89,7 +89,8 @@ static enum exit_code info(const char *path, int as_json)
 
 /* ---- verify --------------------------------------------------------------------------------- */
 
-/* Each ten minutes of play, and only where somebody looks. */
+/* Prints the progress after every ten minutes of simulated time, if standard error is a
+ * terminal. */
 static void tell_progress(uint32_t ticks, uint32_t total)
 {
     if (ticks % (600u * CORE_TICK_HZ) == 0 && isatty(STDERR_FILENO)) {
@@ -97,7 +98,7 @@ static void tell_progress(uint32_t ticks, uint32_t total)
     }
 }
 
-/* Returns CORE_OK, or CORE_ERR_FLOAT if the core refused a tick. */
+/* Returns CORE_OK, or CORE_ERR_FLOAT if the core rejected a tick. */
 static enum core_error recompute(struct replayer *replayer, struct core *core, uint32_t total)
 {
     static struct input input;
@@ -115,14 +116,14 @@ static enum core_error recompute(struct replayer *replayer, struct core *core, u
     return CORE_OK;
 }
 
-/* What is verified now, for a panic. */
+/* State of the verification in progress, for the panic handler. */
 static struct {
     const char *path;
     const struct core *core;
     uint32_t first_tick, total;
 } verified;
 
-/* A recording of a panic comes to the same panic again. Async-signal-safe. */
+/* Handles the panic that the recording of a panic reproduces. Async-signal-safe. */
 static void tell_panic(void *self, const char *reason)
 {
     struct panic_text text = { 0 };

@@ -1,9 +1,9 @@
-/* restore.c -- `kingyoctl backup --restore`: a copy takes the place of what the stall keeps.
+/* restore.c -- `kingyoctl backup --restore`, which replaces the kiosk's database with a copy.
  *
- * The copy is written under the name from which a start goes on by itself where there is no file
- * (storage_open.c). So a power cut anywhere leaves either all as it was, or a stall that begins at
- * the copy. The backup goes aside too: it has more than an older copy, and the start would take
- * the copy for a file that lost something. */
+ * The copy is written under the name from which the kiosk resumes automatically if its database is
+ * missing (storage_open.c). A power cut therefore leaves either the old state or a kiosk that
+ * starts from the copy. The kiosk's backup is renamed too. It contains more entries than an older
+ * copy, so the kiosk would treat the copy as a database that lost entries. */
 #include "platform/ctl/restore.h"
 
 #include <errno.h>
@@ -25,17 +25,19 @@
 #include "platform/store/ledger_backup.h"
 #include "platform/store/sql.h"
 
-#define PATH_MAX_BYTES 520u /* Of the stall's file: as much as a start knows it by. */
-#define BEFORE_MAX 1000u    /* Files of earlier times that may lie beside it. */
+#define PATH_MAX_BYTES 520u /* Maximum length in bytes of the database's path, the same as at the
+                               program start of the kiosk. */
+#define BEFORE_MAX 1000u    /* Maximum number of earlier databases beside the present one. */
 
 static const char command[] = "backup --restore";
 
-/* A restore under way. */
+/* State of a restore. */
 struct swap {
-    char own[BOOKS_PATH_SIZE];     /* The stall's file, ... */
-    char fresh[LEDGER_PATH_SIZE];  /* what takes its place, ... */
-    char before[LEDGER_PATH_SIZE]; /* and what it is called from then on. */
-    struct ledger_start copied;    /* Zero where an earlier Kingyo wrote the copy. */
+    char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's database. */
+    char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that replaces the database. */
+    char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
+    struct ledger_start copied;    /* Start record of the copy, or zeros if an older version of
+                                      Kingyo wrote the copy. */
 };
 
 static enum exit_code fails(const char *path, const char *why)
@@ -49,7 +51,8 @@ static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffi
     snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
 }
 
-/* SQLite locks parts of the file, or of its shared memory, for as long as it is open. */
+/* Returns whether a process has the database open. SQLite locks parts of the file or of its shared
+ * memory for as long as the database is open. */
 static int is_locked(const char *path)
 {
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
@@ -62,7 +65,8 @@ static int is_locked(const char *path)
     return is_held;
 }
 
-/* A stall holds its folder, whatever of its file it has open at the moment. */
+/* Returns whether a kiosk runs with this folder. A kiosk always locks its folder, even while its
+ * database is closed. */
 static int has_stall(const struct swap *swap)
 {
     char folder[BOOKS_PATH_SIZE];
@@ -84,7 +88,8 @@ static int is_held(const struct swap *swap)
 
 /* ---- The copy -------------------------------------------------------------------------------- */
 
-/* The stall's user must be able to write it: whoever has the file now, else the folder. */
+/* Gives the copy to the kiosk's user, who must be able to write it. The new owner is the owner of
+ * the present database, or of the folder if there is no database. */
 static int give_to_its_user(const struct swap *swap)
 {
     struct stat about;
@@ -135,7 +140,7 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
     return EXIT_OK;
 }
 
-/* ---- Its place ------------------------------------------------------------------------------- */
+/* ---- Replacing the database ----------------------------------------------------------------- */
 
 static int name_before(struct swap *swap)
 {
@@ -151,7 +156,7 @@ static int name_before(struct swap *swap)
     return 0;
 }
 
-/* 0: it has the other name now, or is not there. */
+/* Renames one file. Returns 0 if the file was renamed or does not exist. */
 static int move_one(const struct swap *swap, const char *suffix)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
@@ -160,8 +165,8 @@ static int move_one(const struct swap *swap, const char *suffix)
     return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
 }
 
-/* The backup and the tail first: up to the next rename the start goes on from the file that is
- * there. */
+/* Replaces the database. The backup and the ledger mirror are renamed first, because the kiosk uses
+ * the present database until the next rename. */
 static int put_in_place(const struct swap *swap)
 {
     if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_TAIL_SUFFIX) != 0 ||
@@ -195,7 +200,7 @@ static void tell(const struct swap *swap, const struct books_words *words, const
 enum exit_code restore(const struct books_words *words, const char *named)
 {
     struct swap swap = { 0 };
-    char resolved[PATH_MAX]; /* A link that the user named is followed. */
+    char resolved[PATH_MAX]; /* Follows a link that the user named. */
     const char *from =
         plain_file_is_other(named) && realpath(named, resolved) ? resolved : named;
     books_path(words, swap.own);

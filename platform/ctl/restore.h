@@ -1,11 +1,12 @@
-/* restore.h -- a copy takes the place of what the stall keeps. */
+/* restore.h -- replaces the kiosk's database with a copy. */
 #ifndef KINGYO_PLATFORM_CTL_RESTORE_H
 #define KINGYO_PLATFORM_CTL_RESTORE_H
 
 #include "platform/ctl/books.h"
 
-/* Puts the copy at `from` in place of the stall's file. Refuses while somebody holds that file;
- * nothing is deleted: what was there, and its backup, get names of their own beside it. */
+/* Replaces the kiosk's database with the copy at `from`. Rejects the request while a process has
+ * the database open. Nothing is deleted: the old database and its backup are renamed in the same
+ * folder. Returns EXIT_OK, or prints one line to standard error and returns another code. */
 enum exit_code restore(const struct books_words *words, const char *from);
 
 #endif

@@ -1,4 +1,5 @@
-/* rounds.c -- one round after the other by each worker, the next plan to whoever is free. */
+/* rounds.c -- plays rounds in worker threads. Each worker takes the next plan as soon as it has
+ * finished a round. */
 #include "platform/ctl/rounds.h"
 
 #include <pthread.h>
@@ -9,9 +10,10 @@
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder.h"
 
-#define ROUND_TICKS_MAX (700u * CORE_TICK_HZ) /* The longest round, its ready and a margin. */
+#define ROUND_TICKS_MAX (700u * CORE_TICK_HZ) /* Maximum length of a round: the longest round, its
+                                                 countdown and a margin. */
 
-/* What one worker needs; too large for its stack. */
+/* State of one worker, which is too large for a stack. */
 struct seat {
     struct core core;
     struct input input;
@@ -23,7 +25,8 @@ struct seat {
 
 /* ---- One round ------------------------------------------------------------------------------ */
 
-/* What the mode leaves open is written out, so that who names it plays at the same stall. */
+/* Writes the mode's defaults into the configuration, so that another kiosk with this configuration
+ * plays the same round. */
 static struct core_config config_of(const struct round_plan *plan)
 {
     struct core_config config = {
@@ -43,8 +46,9 @@ static struct core_config config_of(const struct round_plan *plan)
     return config;
 }
 
-/* START whenever nothing is played yet; a controller that is always there, with a wrist, and that
- * feels how the hand trembles, if it does: a hand as still as a stuck sensor is no fault of it. */
+/* Writes the controller input of a tick. START is pressed while no round is played. The controller
+ * is always connected, has a wrist sensor, and reports tremor if the bot's technique has tremor.
+ * Without tremor, a motionless hand must not count as a stuck sensor. */
 static void act(struct seat *seat)
 {
     const uint8_t phase = seat->core.game.phase;
@@ -74,8 +78,8 @@ static double seconds(uint32_t ticks)
     return (double)ticks / CORE_TICK_HZ;
 }
 
-/* In the tick in which the round ended. From the keeper, not from the output: practice leaves no
- * record there. */
+/* Reads the result in the tick in which the round ended. The values come from the game state and
+ * not from the output, because a practice round leaves no record in the output. */
 static void read_result(const struct seat *seat, struct round_result *result)
 {
     const struct round_record record = game_record(&seat->core);
@@ -143,16 +147,17 @@ static struct round_result play_one(struct seat *seat, const struct round_plan *
     return result;
 }
 
-/* ---- Many ----------------------------------------------------------------------------------- */
+/* ---- All rounds ----------------------------------------------------------------------------- */
 
 struct hall {
     const struct rounds *rounds;
     pthread_mutex_t lock;
-    uint32_t next;       /* The plan that nobody has taken yet. */
-    enum exit_code code; /* Of the first failure; then nobody takes another. */
+    uint32_t next;       /* Next plan that no worker has taken. */
+    enum exit_code code; /* Exit code of the first failure. After a failure, no worker takes another
+                            plan. */
 };
 
-/* The next plan, or `count` when there is none. */
+/* Returns the next plan, or `count` if there is none. */
 static uint32_t take(struct hall *hall)
 {
     pthread_mutex_lock(&hall->lock);
@@ -174,7 +179,7 @@ static void hand_in(struct hall *hall, uint32_t index, struct round_result resul
     pthread_mutex_unlock(&hall->lock);
 }
 
-/* No memory for another seat. */
+/* Records that memory allocation for a worker failed. */
 static void give_up(struct hall *hall)
 {
     pthread_mutex_lock(&hall->lock);
@@ -208,7 +213,8 @@ uint32_t rounds_workers(void)
     return cores < 1 ? 1 : cores > ROUNDS_WORKERS_MAX ? ROUNDS_WORKERS_MAX : cores;
 }
 
-/* The caller's thread is the first worker: where no other can be had, it plays all. */
+/* The caller's thread is the first worker. If no other thread can be created, the caller's thread
+ * plays all rounds. */
 enum exit_code rounds_play(const struct rounds *rounds)
 {
     struct hall hall = { .rounds = rounds, .lock = PTHREAD_MUTEX_INITIALIZER };

@@ -1,10 +1,11 @@
-/* rounds.h -- rounds played by bots without a screen, each at a stall of its own, on every core.
+/* rounds.h -- rounds that bots play without a screen, each in its own simulated kiosk, on all CPU
+ * cores.
  *
- * A round is played from outside, as by a person: a hand that holds the controller of the first
- * poi, from the START in attract mode to the result. It shares nothing with any other round: its
- * stall, its fish, its paper and its player's luck all come of its own seed. So it is
- * the same alone and among thousands, and two techniques that get the same seed face the same
- * fish with the same paper. */
+ * A round is played from outside, as a person would play it: the bot moves the controller of the
+ * first poi from the START in attract mode to the result. A round shares nothing with other rounds.
+ * Its kiosk, its fish, its paper and the bot's random numbers all come from the round's own seed.
+ * The result is therefore the same alone and among thousands of rounds. Two techniques with the
+ * same seed get the same fish and the same paper. */
 #ifndef KINGYO_PLATFORM_CTL_ROUNDS_H
 #define KINGYO_PLATFORM_CTL_ROUNDS_H
 
@@ -19,43 +20,49 @@
 struct round_plan {
     struct technique technique;
     uint32_t seed;
-    uint8_t mode;        /* enum game_mode */
-    uint8_t grade;       /* 0: the mode's own; else 4 .. 7. */
-    uint32_t fish_count; /* 0: the tank's own. */
-    uint32_t round_s;    /* 0: the mode's own; else 10 .. 600. */
-    const char *record;  /* Path of a recording that is not there yet, or null. Borrowed. */
+    uint8_t mode;        /* Game mode, enum game_mode. */
+    uint8_t grade;       /* Paper grade 4 .. 7. A value of 0 selects the grade of the mode. */
+    uint32_t fish_count; /* Number of fish. A value of 0 selects the number of the tank preset. */
+    uint32_t round_s;    /* Length of the round in seconds, 10 .. 600. A value of 0 selects the
+                            length of the mode. */
+    const char *record;  /* Path of the recording to create, or null for no recording. The file must
+                            not exist. The caller owns the string. */
 };
 
 struct round_result {
-    enum exit_code code;    /* EXIT_NOT_SO until it is over. Not EXIT_OK: only `error` holds. */
-    int error;              /* EXIT_IO: the errno of the recording. */
-    uint8_t is_refused;     /* EXIT_NOT_SO: the core returned CORE_ERR_FLOAT. */
-    uint32_t caught;        /* What counts of what came to the bowl. */
-    uint32_t scoops;        /* Times the ring went in. */
+    enum exit_code code;    /* Exit code of the round, or EXIT_NOT_SO until the round has ended. If
+                               the code is not EXIT_OK, only `error` and `is_refused` are valid. */
+    int error;              /* errno of the recording if `code` is EXIT_IO. */
+    uint8_t is_refused;     /* 1 if `code` is EXIT_NOT_SO because the core returned
+                               CORE_ERR_FLOAT. */
+    uint32_t caught;        /* Number of caught fish that count. */
+    uint32_t scoops;        /* Number of times the ring entered the water. */
     uint32_t fouls;
-    uint8_t torn;           /* Its first paper could hold nothing any more ... */
-    double torn_at_s;       /* ... from this second of the round on. */
-    uint32_t sheets;        /* Papers that it got: in practice a torn one is renewed. */
-    uint32_t hole_area_mm2; /* Of the last of them, at the end. */
-    double length_s;        /* Of the round. */
-    uint64_t state_hash;    /* core_hash when the round was over. */
+    uint8_t torn;           /* 1 if the first paper tore so far that it could not hold a fish. */
+    double torn_at_s;       /* Second of the round in which the first paper tore. */
+    uint32_t sheets;        /* Number of papers that the player used. A torn paper is replaced in a
+                               practice round. */
+    uint32_t hole_area_mm2; /* Hole area of the last paper at the end of the round. */
+    double length_s;        /* Length of the round in seconds. */
+    uint64_t state_hash;    /* Hash of the core (core_hash()) at the end of the round. */
 };
 
 struct rounds {
     const struct round_plan *plans;
-    struct round_result *results; /* One a plan. */
-    uint32_t count;               /* <= ROUNDS_MAX */
-    uint32_t workers;             /* At a time, a thread each, 1 .. ROUNDS_WORKERS_MAX. */
-    /* After each round, one call at a time, whichever order they end in; may be null. */
+    struct round_result *results; /* Results, one for each plan. */
+    uint32_t count;               /* Number of rounds, at most ROUNDS_MAX. */
+    uint32_t workers;             /* Number of worker threads, 1 .. ROUNDS_WORKERS_MAX. */
+    /* Callback after each round, or null. Rounds may end in any order, but the calls never
+     * overlap. */
     void (*done)(void *self, uint32_t index);
     void *self;
 };
 
-/* How many this machine plays at a time: a core each. */
+/* Returns the number of rounds that this machine plays in parallel, one for each CPU core. */
 uint32_t rounds_workers(void);
 
-/* Plays them all. EXIT_OK; or, of the first that failed, its code: those behind it may not have
- * been played then, and their code is EXIT_NOT_SO. Tells nothing. */
+/* Plays all rounds. Returns EXIT_OK, or the code of the first round that failed. Later rounds may
+ * then not have been played and have the code EXIT_NOT_SO. The function prints nothing. */
 enum exit_code rounds_play(const struct rounds *rounds);
 
 #endif

@@ -1,4 +1,5 @@
-/* scores.c -- `kingyoctl scores`: the best of each mode, as the stall shows them. */
+/* scores.c -- `kingyoctl scores`, which prints the leaderboard of each mode as the kiosk shows
+ * it. */
 #include <stdio.h>
 #include <string.h>
 
@@ -14,10 +15,11 @@ static const char *const periods[RANK_PERIOD_COUNT] = { "day", "week", "ever" };
 
 struct request {
     struct books_words books;
-    uint32_t mode, period; /* MODE_COUNT, RANK_PERIOD_COUNT: all. */
+    uint32_t mode, period; /* Selected mode and ranking period. MODE_COUNT selects all modes, and
+                              RANK_PERIOD_COUNT selects all periods. */
 };
 
-/* ---- The words ------------------------------------------------------------------------------ */
+/* ---- Options -------------------------------------------------------------------------------- */
 
 static uint32_t mode_of(const char *word)
 {
@@ -61,7 +63,7 @@ static enum exit_code read_words(struct request *request, int argc, const char *
     return EXIT_OK;
 }
 
-/* ---- The rows ------------------------------------------------------------------------------- */
+/* ---- Rows ----------------------------------------------------------------------------------- */
 
 struct place {
     uint32_t mode, period, place;

@@ -1,4 +1,5 @@
-/* scores_judge.c -- the replays of ranked rounds, played again without a screen, or taken out. */
+/* scores_judge.c -- verifies the replays of ranked rounds without a screen, or writes a replay to a
+ * file. */
 #include "platform/ctl/scores_judge.h"
 
 #include <stdio.h>
@@ -20,15 +21,15 @@ static const char name[] = "scores";
 
 struct request {
     struct books_words books;
-    uint32_t round_id; /* 0: all. */
-    const char *out;   /* Null: verify. */
-    int with_pin;      /* What is taken out may hold the menu's PIN. */
+    uint32_t round_id; /* Number of the round. A value of 0 selects all rounds. */
+    const char *out;   /* Path of the file for the replay. Null selects verification. */
+    int with_pin;      /* 1 if the written replay may contain the PIN of the menu. */
 };
 
 static struct judge judge;
 static uint8_t bytes[CHAPTERS_SIZE];
 
-/* ---- The words ------------------------------------------------------------------------------ */
+/* ---- Options -------------------------------------------------------------------------------- */
 
 static enum exit_code read_words(struct request *request, int argc, const char *const *argv)
 {
@@ -62,7 +63,7 @@ static enum exit_code read_words(struct request *request, int argc, const char *
 
 /* ---- Verify --------------------------------------------------------------------------------- */
 
-/* What became of one score. */
+/* Result of the verification of one score. */
 struct finding {
     uint32_t round_id;
     int has_replay;
@@ -133,7 +134,7 @@ static void tell_json(const struct finding *found, int is_first)
            found->took_s);
 }
 
-/* Each round that somebody is ranked with, once. Returns how many. */
+/* Lists each ranked round once. Returns the number of rounds. */
 static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_MAX])
 {
     uint32_t count = 0;
@@ -152,8 +153,8 @@ static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_M
     return count;
 }
 
-/* Of all, a score without a replay proves nothing, and is no lie; of one that was asked for, it is
- * not so. */
+/* Verifies one round or all rounds. If all rounds are verified, a score without a replay is not an
+ * error. If the user named one round, a missing replay is an error. */
 static enum exit_code verify(const struct request *request, struct ledger_file *file)
 {
     uint32_t rounds[ROUNDS_MAX] = { request->round_id };
@@ -179,8 +180,9 @@ static enum exit_code verify(const struct request *request, struct ledger_file *
 
 /* ---- Replay --------------------------------------------------------------------------------- */
 
-/* A recording begins with settings and books. The replay of a score that an older Kingyo kept holds
- * the PIN of the menu among them, because its hashes count the PIN. */
+/* Returns whether a replay contains the menu's PIN. A recording begins with settings and books. A
+ * replay that an older version of Kingyo stored contains the PIN, because its hashes include the
+ * PIN. */
 static int holds_pin(const uint8_t *replay, size_t size)
 {
     static struct replay_reader reader;
@@ -209,7 +211,9 @@ static enum exit_code take_out(const struct request *request, struct ledger_file
     int error = out_open(&out, request->out);
     if (error == 0) {
         if (!out.is_stream) {
-            fchmod(fileno(out.file), S_IRUSR | S_IWUSR); /* It holds settings and books. */
+            fchmod(fileno(out.file), S_IRUSR | S_IWUSR); /* Only the owner may read the file,
+                                                            because it contains settings and
+                                                            books. */
         }
         fwrite(bytes, 1, size, out.file);
         error = out_close(&out);

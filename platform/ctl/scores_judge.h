@@ -1,10 +1,11 @@
-/* scores_judge.h -- `kingyoctl scores verify` and `scores replay`: what stands behind a score. */
+/* scores_judge.h -- `kingyoctl scores verify` and `kingyoctl scores replay`, which check or write
+ * the replay of a score. */
 #ifndef KINGYO_PLATFORM_CTL_SCORES_JUDGE_H
 #define KINGYO_PLATFORM_CTL_SCORES_JUDGE_H
 
 #include "platform/ctl/ctl.h"
 
-/* argv[0] is 'verify' or 'replay'. */
+/* Runs the command. argv[0] is 'verify' or 'replay'. */
 enum exit_code scores_judge(int argc, const char *const *argv);
 
 #endif

@@ -1,4 +1,4 @@
-/* status.c -- `kingyoctl status`: what the stall that runs says of itself. */
+/* status.c -- `kingyoctl status`, which prints the status that a running kiosk reports. */
 #include <errno.h>
 #include <sqlite3.h>
 #include <stdio.h>
@@ -13,7 +13,8 @@
 #include "platform/standard_streams.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE
-#define STALE_MS 10000 /* As long as its service lets a stall stand still. */
+#define STALE_MS 10000 /* Age of the status above which it is stale. The value equals the watchdog
+                          timeout of the kiosk's service. */
 
 static const char name[] = "status";
 
@@ -53,7 +54,7 @@ static enum exit_code read_file(const char *path, char text[STATUS_TEXT_MAX])
     return error == EFBIG ? EXIT_BAD_DATA : error ? EXIT_IO : EXIT_OK;
 }
 
-/* ---- What it says: SQLite reads JSON --------------------------------------------------------- */
+/* ---- Reading the JSON status with SQLite ---------------------------------------------------- */
 
 static sqlite3_stmt *ask(sqlite3 *database, const char *sql, const char *text)
 {
@@ -134,7 +135,7 @@ static void print_text(sqlite3 *database, sqlite3_stmt *figures, const char *tex
     print_devices(database, text);
 }
 
-/* ---- Whether it is well ---------------------------------------------------------------------- */
+/* ---- Health --------------------------------------------------------------------------------- */
 
 static enum exit_code judge(sqlite3_stmt *figures)
 {
@@ -168,7 +169,7 @@ static enum exit_code tell(const struct request *request, sqlite3 *database, con
         } else {
             print_text(database, figures, text);
         }
-        /* main() reports lost output. */
+        /* main() detects and reports lost output. */
         code = standard_output_flush(stdout) == 0 ? judge(figures) : EXIT_NOT_SO;
     }
     sqlite3_finalize(figures);

@@ -1,4 +1,4 @@
-/* summary.c -- sort, and look at the places. */
+/* summary.c -- sorts the values and reads the quantiles. */
 #include "platform/ctl/summary.h"
 
 #include <stdlib.h>

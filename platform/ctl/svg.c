@@ -1,4 +1,4 @@
-/* svg.c -- a few kinds of line, dot and word. */
+/* svg.c -- writes a few kinds of lines, dots and texts as SVG. */
 #include "platform/ctl/svg.h"
 
 #include <errno.h>
@@ -8,7 +8,7 @@
 
 #define TEXT_MAX 256
 
-/* The characters that mean something to XML, as entities. */
+/* Writes a text with the special characters of XML as entities. */
 static void put_escaped(FILE *file, char *text)
 {
     for (printable(text); *text; text++) {
@@ -34,7 +34,7 @@ bool svg_open(struct svg *svg, const char *path, double width, double height, co
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" "
             "viewBox=\"0 0 %g %g\" font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>",
             width, height, width, height);
-    fputs(title, svg->file); /* Our own words. */
+    fputs(title, svg->file); /* The title is a constant of Kingyo and needs no escaping. */
     fprintf(svg->file, "</title>\n<rect width=\"%g\" height=\"%g\" fill=\"%s\"/>\n", width, height,
             SVG_PAPER);
     return true;

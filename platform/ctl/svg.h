@@ -1,6 +1,6 @@
-/* svg.h -- pictures that people look at and other programs can read on: Scalable Vector Graphics.
+/* svg.h -- writes pictures as Scalable Vector Graphics, which other programs can edit.
  *
- * Coordinates are pixels, y downward. Errors of the file are remembered until svg_close(). */
+ * Coordinates are pixels with y downward. An error of the file is remembered until svg_close(). */
 #ifndef KINGYO_PLATFORM_CTL_SVG_H
 #define KINGYO_PLATFORM_CTL_SVG_H
 
@@ -15,18 +15,19 @@
 #define SVG_FAINT "#e4dfd8"
 
 struct svg {
-    FILE *file; /* Of `out`. */
+    FILE *file; /* File of `out`. */
     struct out_file out;
 };
 
-/* Begins the picture on a paper of that size; false with errno set where there is no such file. */
+/* Creates a picture with a background of the given size in pixels. Returns false and sets errno if
+ * the file cannot be created. */
 bool svg_open(struct svg *svg, const char *path, double width, double height, const char *title);
 
-/* Markup as it is. */
+/* Writes markup without escaping. */
 __attribute__((format(printf, 2, 3)))
 void svg_put(struct svg *svg, const char *format, ...);
 
-/* One line of words, with a little paper around them. `anchor` is start, middle or end. */
+/* Writes one line of text with a background margin. `anchor` is start, middle or end. */
 __attribute__((format(printf, 7, 8)))
 void svg_text(struct svg *svg, double x, double y, double size, const char *anchor,
               const char *colour, const char *format, ...);
@@ -37,12 +38,13 @@ void svg_line(struct svg *svg, double x0, double y0, double x1, double y1, const
 void svg_dot(struct svg *svg, double x, double y, double radius, const char *fill,
              const char *edge);
 
-/* Points of a line, each drawn to from the one before: begin, point ..., end. */
+/* Draws a polyline. Call svg_begin_line(), svg_point() for each point, and then svg_end_line(). */
 void svg_begin_line(struct svg *svg);
 void svg_point(struct svg *svg, double x, double y);
 void svg_end_line(struct svg *svg, const char *colour, double width, const char *dashes);
 
-/* Ends the picture. Whether all of it was written; else errno is set and nothing is changed. */
+/* Ends the picture. Returns true if all data was written. Otherwise sets errno, leaves the target
+ * file unchanged and returns false. */
 bool svg_close(struct svg *svg);
 
 #endif

@@ -1,4 +1,4 @@
-/* tank.c -- `kingyoctl tank`: a tank without a screen, measured. */
+/* tank.c -- `kingyoctl tank`, which simulates and measures a tank without a screen. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@
 
 #define PROGRESS_TICKS (2u * CORE_TICK_HZ)
 
-/* Only where somebody looks. */
+/* Prints the progress if standard error is a terminal. */
 static void tell_progress(const struct tank_lab *lab)
 {
     if (lab->tick % PROGRESS_TICKS == 0 && isatty(STDERR_FILENO)) {
@@ -25,7 +25,8 @@ static void tell_progress(const struct tank_lab *lab)
     }
 }
 
-/* EXIT_OK, or EXIT_NOT_SO and told if the floating point changed: checked once a second. */
+/* Simulates the tank. Checks the floating-point environment once a second. Returns EXIT_OK, or
+ * prints one line to standard error and returns EXIT_NOT_SO if the environment has changed. */
 static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
 {
     const struct tank_plan *plan = lab->plan;

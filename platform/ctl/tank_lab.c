@@ -1,4 +1,4 @@
-/* tank_lab.c -- the order of a tick in the laboratory, and what is counted after it. */
+/* tank_lab.c -- the tick of the tank laboratory, and the measurements after it. */
 #include "platform/ctl/tank_lab.h"
 
 #include <math.h>
@@ -16,9 +16,9 @@
 #include "platform/ctl/tank_place.h"
 #include "platform/print.h"
 
-#define POI_GRADE 5u /* The championship's. */
-/* Default interval of observations with more fish than the kiosk has: 5 a second. Observing 100,000
- * fish takes longer than ticking them. */
+#define POI_GRADE 5u /* Paper grade of the championship. */
+/* Default observation interval for tanks with more fish than the kiosk has: 5 observations a
+ * second. An observation of 100,000 fish takes longer than their tick. */
 #define OBSERVE_MANY_TICKS 24u
 
 static const char path_speaker[] = "kingyoctl tank: --poi-path";
@@ -42,7 +42,8 @@ static struct shade_cast cast_of(const struct plan_shade *shade)
     };
 }
 
-/* Under any of the plan's shades, whether it falls just now or not. */
+/* Returns whether the fish is within any shade of the plan, even if the shade is not cast at the
+ * moment. */
 static int is_shaded(const struct tank_lab *lab, const struct fish *fish)
 {
     for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
@@ -96,7 +97,8 @@ static void observe(struct tank_lab *lab)
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-/* Of this thread's own work: what others do on the machine meanwhile is no cost of the tank. */
+/* Returns the CPU time of the calling thread. Other processes on the machine do not count as cost
+ * of the tank. */
 static float elapsed_ns(const struct timespec *from)
 {
     struct timespec now;
@@ -106,7 +108,7 @@ static float elapsed_ns(const struct timespec *from)
 }
 
 /* Returns whether the time of this tick counts. An observation replaces the tank's data in the
- * caches, so that the ticks of the next look period are slower and are left out. */
+ * caches, so the ticks of the next broad-phase period are slower and are left out. */
 static int is_timed(const struct tank_lab *lab)
 {
     return lab->observe_every <= CROWD_LOOK_TICKS || lab->observed_tick == 0 ||
@@ -140,7 +142,7 @@ static void cast_shades(struct tank_lab *lab)
     tank_cast(&lab->tank, casts);
 }
 
-/* poi -> water -> fish -> catch, as core_tick() has it. */
+/* Advances in the order of core_tick(): poi, water, fish, catch. */
 static void tick_with_poi(struct tank_lab *lab)
 {
     const double now_s = (double)(lab->tick + 1u) / CORE_TICK_HZ;

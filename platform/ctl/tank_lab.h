@@ -1,7 +1,7 @@
-/* tank_lab.h -- a tank without a stall around it, and everything that is measured of it.
+/* tank_lab.h -- a tank without a game, and the measurements of the tank.
  *
- * A poi that follows a path is the game's own (core/poi: the hand's spring, water, paper, fish that
- * ride on it), in the game's order of a tick; only the rules, the bot and the bowl are missing. */
+ * A poi that follows a path is the game's own poi (core/poi: hand spring, water, paper, carried
+ * fish), in the game's order of a tick. Only the rules, the bot and the bowl are missing. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_LAB_H
 #define KINGYO_PLATFORM_CTL_TANK_LAB_H
 
@@ -21,45 +21,49 @@ struct lab_sums {
     uint64_t fish_ticks;
     uint64_t gait_ticks[GAIT_COUNT];
     double stamina;
-    uint64_t swim_ticks; /* Of fish that swim: a poi or the air moves the others. */
+    uint64_t swim_ticks; /* Fish-ticks of swimming fish. The other fish are moved by a poi or fall
+                            through the air. */
     double speed_m_s, speed_max_m_s;
 };
 
 struct tank_lab {
     const struct tank_plan *plan;
     struct tank tank;
-    struct poi poi;   /* While path.count > 0. */
-    struct bowl bowl; /* Never present: a poi without a game has none. */
+    struct poi poi;   /* Poi that follows the path. Used only if path.count > 0. */
+    struct bowl bowl; /* Absent bowl, because a poi without a game has none. */
     struct output output;
     struct tank_path path;
-    uint32_t tick; /* Ticks done. */
+    uint32_t tick; /* Number of completed ticks. */
 
     struct overlap overlap;
     struct overlap_count overlaps;
     struct lab_sums sums;
     struct meetings meetings;
     float oxygen_start_mg_l;
-    uint32_t observe_every; /* Ticks from one observation to the next one. */
+    uint32_t observe_every; /* Ticks from one observation to the next. */
     uint32_t observed_tick; /* Tick count at the last observation. */
-    uint32_t timed_count;   /* Entries of tick_ns that are in use. */
-    float *tick_ns; /* [plan->tick_count]: CPU time of the tank's tick alone, for each timed tick.
-                       With `observe_every` of at most CROWD_LOOK_TICKS every tick is timed. */
-    uint32_t *shade_count;  /* [tank_lab_seconds()]: fish within the shades ... */
-    uint32_t *surfacing_count; /* ... and at the surface, at the start and after each second. */
+    uint32_t timed_count;   /* Number of used entries of tick_ns. */
+    float *tick_ns; /* CPU time of the tank's tick alone in nanoseconds, for each timed tick. The
+                       array has plan->tick_count elements. Every tick is timed if `observe_every`
+                       is at most CROWD_LOOK_TICKS. */
+    uint32_t *shade_count;  /* Fish within the shades at the start and after each second. The array
+                               has tank_lab_seconds() elements. */
+    uint32_t *surfacing_count; /* Fish at the surface at the start and after each second. The array
+                                  has tank_lab_seconds() elements. */
 };
 
-/* How many whole seconds there are to count at, the start included. */
+/* Returns the number of elements of `shade_count`: the start and each whole second of the run. */
 uint32_t tank_lab_seconds(const struct tank_plan *plan);
 
-/* Opens the tank that the plan asks for and reads the plan's files. `lab` must be zero. The plan
- * must outlive the lab. Returns EXIT_OK; after an error one line is on standard error. */
+/* Opens the tank of the plan and reads the plan's files. `lab` must be zero. The plan must outlive
+ * the lab. Returns EXIT_OK, or prints one line to standard error and returns another code. */
 enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan);
 
 /* Advances the tank by one tick and measures its time. After every `observe_every`th tick and after
- * the last one of the plan, also measures overlaps, encounters, gaits and speeds. */
+ * the last tick of the plan, the function also measures overlaps, encounters, gaits and speeds. */
 void tank_lab_tick(struct tank_lab *lab);
 
-/* Dissolved in the water now. */
+/* Returns the dissolved oxygen of the water now, in mg/l. */
 float tank_lab_oxygen_mg_l(const struct tank_lab *lab);
 
 uint64_t tank_lab_hash(const struct tank_lab *lab);

@@ -1,4 +1,5 @@
-/* tank_meetings.c -- who begins to give way to whom, and which pairs have parted. */
+/* tank_meetings.c -- detects when two fish begin to avoid each other, and when the pair has
+ * separated. */
 #include "platform/ctl/tank_meetings.h"
 
 #include <string.h>
@@ -15,7 +16,7 @@ static int overlap(const struct tank *tank, const struct meeting *pair)
     return box_depth_m(&spaces[0], &spaces[1]) > 0.0f;
 }
 
-/* Appends a pair to the open ones and links it to the older pairs of its lower fish. */
+/* Appends a pair to the open pairs and links it to the older pairs of the same lower fish. */
 static void open_pair(struct meetings *meetings, const struct meeting *pair)
 {
     struct meeting *added = &meetings->open[meetings->open_count++];
@@ -34,7 +35,8 @@ static void forget_the_parted(struct meetings *meetings, const struct tank *tank
         struct meeting pair = meetings->open[i];
         pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + ticks;
         if (pair.apart_ticks < MEETINGS_PART_TICKS) {
-            open_pair(meetings, &pair); /* At or before index i, which has been read. */
+            open_pair(meetings, &pair); /* The new pair is stored at or before index i, which has
+                                           already been read. */
         }
     }
 }

@@ -1,38 +1,47 @@
-/* tank_meetings.h -- counts the encounters of a tank by watching its fish.
+/* tank_meetings.h -- counts the encounters in a tank from the state of its fish.
  *
- * No fish knows these figures, so they are no part of the core's state. */
+ * The simulation itself does not use these counts, so they are not part of the core's state. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_MEETINGS_H
 #define KINGYO_PLATFORM_CTL_TANK_MEETINGS_H
 
 #include "core/tank/tank.h"
 
-#define MEETINGS_OPEN_MAX (8u * TANK_FISH_MAX) /* At the thesis' density 1.4 a fish overlap. */
-#define MEETINGS_LOOK_TICKS 4u /* At least, from one look at the open pairs to the next. */
-#define MEETINGS_PART_TICKS 60u /* Spaces that overlap again within half a second never parted. */
+#define MEETINGS_OPEN_MAX (8u * TANK_FISH_MAX) /* Maximum number of open pairs. At the density of
+                                                  the thesis, 1.4 personal spaces overlap for each
+                                                  fish. */
+#define MEETINGS_LOOK_TICKS 4u /* Minimum interval between two checks of the open pairs, in
+                                  ticks. */
+#define MEETINGS_PART_TICKS 60u /* Ticks after which a pair counts as separated. Personal spaces
+                                   that overlap again within half a second belong to the same
+                                   encounter. */
 
-/* Two fish that met and have not parted. */
+/* Two fish in an encounter. The pair is open until the fish have separated. */
 struct meeting {
     fish_index low, high;
-    uint32_t apart_ticks; /* Since their personal spaces overlapped. */
-    uint32_t older;       /* The next older open pair with the same `low`: index + 1, 0: no pair. */
+    uint32_t apart_ticks; /* Ticks since the personal spaces last overlapped. */
+    uint32_t older;       /* Index + 1 of the next older open pair with the same `low`. A value of 0
+                             means no pair. */
 };
 
 struct meetings {
-    /* Onsets. A pair counts once until it has parted, however often either gives way meanwhile. */
+    /* Number of encounters by type. A pair counts once until it has separated, however often either
+     * fish avoids the other. */
     uint64_t head_on, side, rear_end;
-    /* Onsets, too, but of each fish's own turns (the trace's yaw) and climbs (pitch). */
+    /* Number of avoidance starts by yaw and by pitch. Each fish's own turns (yaw in the trace) and
+     * climbs or dives (pitch) count. */
     uint64_t by_yaw, by_pitch;
 
-    uint32_t unlooked_ticks; /* Since open pairs were last tried for having parted. */
+    uint32_t unlooked_ticks; /* Ticks since the open pairs were last checked for separation. */
     uint32_t open_count;
-    uint32_t newest[TANK_FISH_MAX]; /* The newest open pair with this fish as `low`: index + 1, 0:
-                                       no pair. */
+    uint32_t newest[TANK_FISH_MAX]; /* Index + 1 of the newest open pair with this fish as `low`. A
+                                       value of 0 means no pair. */
     struct meeting open[MEETINGS_OPEN_MAX];
-    uint8_t avoided[TANK_FISH_MAX]; /* enum fish_avoiding of the tick before. */
+    uint8_t avoided[TANK_FISH_MAX]; /* Avoidance state of each fish in the previous tick, enum
+                                       fish_avoiding. */
 };
 
-/* Counts the encounters that began since the last call, which was `ticks` ticks ago. All zeros is a
- * fresh count. */
+/* Counts the encounters that began after the last call, which was `ticks` ticks ago. Set all fields
+ * to zero before the first call. */
 void meetings_watch(struct meetings *meetings, const struct tank *tank, uint32_t ticks);
 
 #endif

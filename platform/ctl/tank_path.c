@@ -1,4 +1,4 @@
-/* tank_path.c -- rows of a hand's path, and the pose between two of them. */
+/* tank_path.c -- reads the rows of a hand's path and interpolates the pose between two rows. */
 #include "platform/ctl/tank_path.h"
 
 #include "platform/ctl/csv.h"
@@ -6,7 +6,8 @@
 
 enum { T_S, X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, COLUMN_COUNT };
 
-/* An arm's reach beyond any tank, and ten turns of a wrist. */
+/* Columns of the path. The ranges allow for an arm's reach beyond any tank and for ten turns of a
+ * wrist. */
 static const struct csv_column columns[COLUMN_COUNT] = {
     [T_S] = { .name = "t_s", .min = 0, .max = 36000 },
     [X_CM] = { .name = "x_cm", .min = -1000, .max = 1000 },

@@ -1,4 +1,4 @@
-/* tank_path.h -- where a hand leads a poi: a table of poses, read from CSV. */
+/* tank_path.h -- the path of a hand that moves a poi, as a table of poses from a CSV file. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_PATH_H
 #define KINGYO_PLATFORM_CTL_TANK_PATH_H
 
@@ -15,16 +15,18 @@ struct tank_path_row {
 };
 
 struct tank_path {
-    uint32_t count, newest; /* The row that the last asked time came after: times only grow. */
+    uint32_t count, newest; /* `newest` is the row before the last requested time, because times
+                               never decrease. */
     struct tank_path_row row[TANK_PATH_MAX];
 };
 
-/* Reads t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg; times grow from row to row. EXIT_OK, or told
- * in a line that begins with `speaker`. */
+/* Reads the columns t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg. Times must increase from row to
+ * row. Returns EXIT_OK, or prints one line that begins with `speaker` to standard error and returns
+ * another code. */
 enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const char *file);
 
-/* The pose at `t_s`, which never goes back: linear between rows, the first before them, the last
- * after them. Needs count > 0. */
+/* Returns the pose at `t_s`, which must not decrease from call to call. The pose is linear between
+ * rows. The first row applies earlier, and the last row applies later. Requires count > 0. */
 struct poi_target tank_path_at(struct tank_path *path, double t_s);
 
 #endif

@@ -1,4 +1,5 @@
-/* tank_place.c -- rows into fish, and a look whether they fit the water and each other. */
+/* tank_place.c -- converts rows of a file to fish, and checks that the fish fit into the water
+ * without overlaps. */
 #include "platform/ctl/tank_place.h"
 
 #include <math.h>
@@ -8,23 +9,24 @@
 #include "platform/ctl/overlap.h"
 #include "platform/print.h"
 
-#define TOUCH_M 0.0001 /* What rounding to a trace's decimals may put into a wall. */
+#define TOUCH_M 0.0001 /* Tolerance for walls, because a trace's decimals are rounded. */
 
 enum {
     TICK, FISH, X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, LENGTH_CM, HEIGHT_CM, WIDTH_CM,
     SPEED_CM_S, TAIL_HZ, GAIT, STAMINA, AVOIDING, COLUMN_COUNT,
 };
 
-/* The trace's gaits, and what a fish of each begins with: who escaped bursts on, for what it fled
- * from is not here. Nobody is here to hold one either: GAIT_HELD is refused. */
+/* The gaits of the trace, and the gait with which a fish of each starts. An escaping fish starts
+ * with a burst, because the cause of its escape is not in the file. GAIT_HELD is rejected, because
+ * no poi or bowl can hold a fish here. */
 static const char *const gait_words[] = { "rest", "swim", "burst", "escape", "surface", "held",
                                           NULL };
 static const uint8_t gaits[] = { GAIT_REST, GAIT_SWIM, GAIT_BURST, GAIT_BURST, GAIT_SURFACE,
                                  GAIT_HELD };
 #define GAIT_BY_SPEED (-1.0)
 
-/* Every column of the trace (tank_trace.c). The box follows from the length; a tail that beats and
- * a way that is given begin anew. */
+/* All columns of the trace (tank_trace.c). The box follows from the length. The phase of the tail
+ * beat and the avoidance start from their initial states. */
 static const struct csv_column columns[COLUMN_COUNT] = {
     [TICK] = { .name = "tick", .min = 0, .max = UINT32_MAX, .may_miss = 1 },
     [FISH] = { .name = "fish", .may_miss = 1, .unread = 1 },
@@ -44,7 +46,7 @@ static const struct csv_column columns[COLUMN_COUNT] = {
     [AVOIDING] = { .name = "avoiding", .may_miss = 1, .unread = 1 },
 };
 
-/* Of cm, or of the thesis' stamina. */
+/* Converts from centimetres to metres, or from the thesis' stamina scale of 100 to 1. */
 static float hundredth(double value)
 {
     return (float)(0.01 * value);
@@ -110,14 +112,15 @@ enum exit_code tank_place_read(struct tank_place *place, const char *speaker, co
     return code;
 }
 
-/* Half of the upright box around a body, along x, y or z. */
+/* Returns half of the size of the axis-aligned box around a body, along x, y or z. */
 static double extent_m(const struct overlap_box *box, int along)
 {
     return box->half_m[0] * fabs(box->axis[0][along]) + box->half_m[1] * fabs(box->axis[1][along]) +
            box->half_m[2] * fabs(box->axis[2][along]);
 }
 
-/* `emerges_m`: so much of it may stand out at the top. */
+/* Returns whether the body is in the water. `emerges_m` is the height of the body that may be above
+ * the surface. */
 static int is_in_water(const struct overlap_box *box, vec3 size_m, double emerges_m)
 {
     const double side[3] = { 0.5 * (double)size_m.x, (double)size_m.y, 0.5 * (double)size_m.z };

@@ -1,5 +1,5 @@
-/* tank_plan.c -- options first as they are written, each in its own range; then against each other
- * and the preset. */
+/* tank_plan.c -- parses the options as written, each with its own range, and then checks the
+ * options against each other and against the preset. */
 #include "platform/ctl/tank_plan.h"
 
 #include <math.h>
@@ -10,11 +10,12 @@
 #include "platform/number.h"
 
 #define FIELD_MAX 48
-#define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f)) /* 0.30f is no 30 cm. */
+#define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f)) /* Rounds to whole centimetres, because
+                                                                0.30f is not exactly 30 cm. */
 
 static const char name[] = "tank";
 
-/* Options whose value is a number, in the order of `ranges`. */
+/* Options with a number as their value, in the order of `ranges`. */
 enum figure {
     FIGURE_AREA_SCALE,
     FIGURE_WALL_FOLLOW,
@@ -31,7 +32,7 @@ enum figure {
 };
 
 struct range {
-    const char *option; /* Or its part. */
+    const char *option; /* Name of the option or of its part. */
     double min, max;
     uint8_t is_whole;
 };
@@ -59,16 +60,18 @@ enum pump {
     PUMP_ON,
 };
 
-/* The options as they were written. */
+/* The options as written. */
 struct words {
     uint8_t given[FIGURE_COUNT];
     double figure[FIGURE_COUNT];
     uint8_t preset;
-    uint8_t pump;     /* enum pump */
-    uint8_t search;   /* enum pairs_search */
-    uint8_t balls;    /* --spaces ball */
-    double size_cm[3]; /* Width, depth, breadth; 0: the preset's. */
-    const char *fish;  /* Null: not given. Its range hangs on preset and floor. */
+    uint8_t pump;     /* Setting of the pump, enum pump. */
+    uint8_t search;   /* Method of the pair search, enum pairs_search. */
+    uint8_t balls;    /* 1 for --spaces ball. */
+    double size_cm[3]; /* Width, depth and breadth of the tank. A value of 0 selects the size of the
+                          preset. */
+    const char *fish;  /* Value of --fish, or null if the option is absent. The range depends on the
+                          preset and on the floor area. */
 };
 
 static enum exit_code refuse(const char *option, const char *value, const char *expected)
@@ -114,7 +117,7 @@ static enum exit_code take_fish(struct tank_plan *plan, struct words *words, con
     return EXIT_OK;
 }
 
-/* One of two words: `*is_second` says which. */
+/* Parses one of two words. Sets `*is_second` to whether the value is the second word. */
 static enum exit_code take_choice(const char *option, const char *value, const char *first,
                                   const char *second, uint8_t *is_second)
 {
@@ -183,7 +186,8 @@ static enum exit_code take_json(struct tank_plan *plan, struct words *words, con
     return EXIT_OK;
 }
 
-/* `count` numbers with commas between them, each in its range: 1, or 0. */
+/* Parses `count` comma-separated numbers, each in its range. Returns 1, or 0 if the list is not
+ * valid. */
 static int read_list(const char *text, const struct range *parts, int count, double *out)
 {
     for (int i = 0; text && i < count; i++) {
@@ -242,11 +246,11 @@ static enum exit_code take_shade(struct tank_plan *plan, struct words *words, co
     return EXIT_OK;
 }
 
-/* Options whose value is no number. */
+/* Options whose value is not a number. */
 struct option {
     const char *name;
     enum exit_code (*take)(struct tank_plan *plan, struct words *words, const char *value);
-    uint8_t word_count; /* With its value. */
+    uint8_t word_count; /* Number of words of the option, including its value. */
 };
 
 static const struct option table[] = {
@@ -258,7 +262,7 @@ static const struct option table[] = {
     { "--json", take_json, 1 },
 };
 
-/* Takes the option and its value; `*used` says how many words that were. */
+/* Parses the option and its value. Sets `*used` to the number of words that were read. */
 static enum exit_code take_option(struct tank_plan *plan, struct words *words, const char *option,
                                   const char *value, int *used)
 {
@@ -279,7 +283,7 @@ static enum exit_code take_option(struct tank_plan *plan, struct words *words, c
 
 /* ---- All of them ---------------------------------------------------------------------------- */
 
-/* The water that was asked for, by that of the preset. */
+/* Returns the ratio of the requested water volume to the volume of the preset. */
 static double waters(const struct tank_config *config)
 {
     const vec3 own_m = tank_preset(config->preset)->size_m, size_m = config->size_m;
@@ -289,7 +293,7 @@ static double waters(const struct tank_config *config)
     return x * y * z * (double)config->area_scale;
 }
 
-/* As dense as in the preset, unless a number is asked for. */
+/* Sets the number of fish. Without --fish, the tank is as dense as the preset. */
 static enum exit_code settle_fish(struct tank_plan *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;

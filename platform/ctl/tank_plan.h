@@ -1,4 +1,4 @@
-/* tank_plan.h -- what a run of `kingyoctl tank` is to do, and what the options say of it. */
+/* tank_plan.h -- the options of `kingyoctl tank`, and the plan of a run. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_PLAN_H
 #define KINGYO_PLATFORM_CTL_TANK_PLAN_H
 
@@ -7,9 +7,9 @@
 #include "core/tank/tank.h"
 #include "platform/kiosk/options.h"
 
-#define PLAN_SECONDS_MAX 36000u /* Ten hours. */
+#define PLAN_SECONDS_MAX 36000u /* Maximum length of a run: ten hours. */
 
-/* A round shade over the water from `from_s` to `to_s` of the run. */
+/* A round shade over the water from second `from_s` to second `to_s` of the run. */
 struct plan_shade {
     double x_m, z_m, radius_m, from_s, to_s;
 };
@@ -20,18 +20,20 @@ struct tank_plan {
     uint32_t tick_count;
     uint32_t shade_count;
     struct plan_shade shade[SHADE_MAX];
-    const char *poi_path, *place, *trace; /* Null when not asked for. */
-    uint32_t trace_every;                 /* Ticks. */
-    uint32_t observe_every; /* Ticks; 0: the default, which depends on the number of fish. */
-    uint8_t has_fish; /* --fish was given: files must agree. */
+    const char *poi_path, *place, *trace; /* Paths of the poi path, the start positions and the
+                                             trace. Null if the option is absent. */
+    uint32_t trace_every;                 /* Interval of the trace in ticks. */
+    uint32_t observe_every; /* Observation interval in ticks. A value of 0 selects the default,
+                               which depends on the number of fish. */
+    uint8_t has_fish; /* 1 if --fish was given. The files must then have the same number of fish. */
     uint8_t as_json;
 };
 
-/* Reads the options into `plan`, over the preset's own values. EXIT_OK, or told. `plan` keeps
- * pointers into argv. */
+/* Parses the options into `plan`, starting from the values of the preset. `plan` keeps pointers
+ * into argv. Returns EXIT_OK, or prints one line to standard error and returns another code. */
 enum exit_code tank_plan_read(struct tank_plan *plan, int argc, const char *const *argv);
 
-/* What --help prints. */
+/* Text that --help prints. */
 extern const char tank_plan_usage[];
 
 #endif

@@ -1,4 +1,4 @@
-/* tank_report.c -- the same figures twice. */
+/* tank_report.c -- prints the results of a run as text and as JSON. */
 #include "platform/ctl/tank_report.h"
 
 #include <stdio.h>
@@ -7,9 +7,10 @@
 #include "platform/number.h"
 
 #define BAR_WIDTH 40
-#define SPARKS_MAX 60u /* Longer runs show every so many seconds. */
+#define SPARKS_MAX 60u /* Maximum number of characters in a chart. A longer run combines several
+                          seconds in each character. */
 
-/* ---- Figures -------------------------------------------------------------------------------- */
+/* ---- Statistics ----------------------------------------------------------------------------- */
 
 static int by_size(const void *left, const void *right)
 {
@@ -105,7 +106,7 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
     puts("}");
 }
 
-/* ---- For people ----------------------------------------------------------------------------- */
+/* ---- Text ----------------------------------------------------------------------------------- */
 
 static void bar(const char *label, double share)
 {
@@ -117,7 +118,8 @@ static void bar(const char *label, double share)
     putchar('\n');
 }
 
-/* One character for each second, or for every so many of a long run. */
+/* Prints a chart with one character for each second. A long run has one character for several
+ * seconds. */
 static void sparks(const char *label, const uint32_t *counts, uint32_t count)
 {
     static const char *const heights[] = { "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█" };

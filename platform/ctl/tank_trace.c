@@ -1,5 +1,6 @@
-/* tank_trace.c -- rows written digit by digit: no locale, and four decimals of a centimetre, so
- * that half a millimetre of overlap can be judged to a thousandth of it. */
+/* tank_trace.c -- writes the rows of the trace digit by digit, independently of the locale.
+ * Positions have four decimals of a centimetre, so that an overlap of half a millimetre can be
+ * measured to a thousandth. */
 #include "platform/ctl/tank_trace.h"
 
 #include <errno.h>

@@ -1,4 +1,5 @@
-/* tank_trace.h -- where every fish is, as CSV, so that anyone can test what the tank claims. */
+/* tank_trace.h -- writes the pose of every fish as CSV, so that the tank's published results can be
+ * checked independently. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_TRACE_H
 #define KINGYO_PLATFORM_CTL_TANK_TRACE_H
 
@@ -12,19 +13,22 @@
 struct tank_trace {
     const char *path;
     struct out_file out;
-    FILE *file; /* That of `out` while it is open. */
+    FILE *file; /* File of `out` while the trace is open. */
 };
 
-/* Makes the file with its head. EXIT_OK, or EXIT_IO, told. `path` must outlive `trace`. */
+/* Creates the file and writes its header row. `path` must outlive `trace`. Returns EXIT_OK, or
+ * prints one line to standard error and returns EXIT_IO. */
 enum exit_code tank_trace_open(struct tank_trace *trace, const char *path);
 
-/* A row of each fish. */
+/* Writes one row for each fish. */
 void tank_trace_add(struct tank_trace *trace, const struct tank *tank, uint32_t tick);
 
-/* EXIT_OK, or EXIT_IO, told, when a row did not reach the file. */
+/* Closes the trace. Returns EXIT_OK. Prints one line to standard error and returns EXIT_IO if a row
+ * was not written. */
 enum exit_code tank_trace_close(struct tank_trace *trace);
 
-/* "burst", "swim", "rest", "escape", "surface" or "held" (on a poi or in a bowl). */
+/* Returns the gait's name: "burst", "swim", "rest", "escape", "surface" or "held" (on a poi or in a
+ * bowl). */
 const char *tank_trace_gait(uint8_t gait);
 
 #endif

@@ -1,4 +1,5 @@
-/* tank_usage.c -- what `kingyoctl tank --help` prints; tank_plan.c reads what it promises. */
+/* tank_usage.c -- the text of `kingyoctl tank --help`. tank_plan.c parses the options in the
+ * text. */
 #include "platform/ctl/tank_plan.h"
 
 const char tank_plan_usage[] =

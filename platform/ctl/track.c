@@ -1,4 +1,5 @@
-/* track.c -- halves what is still wrong, pass by pass. */
+/* track.c -- refines the samples pass by pass. Each pass halves the intervals whose error is too
+ * large. */
 #include "platform/ctl/track.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 
 struct sample {
     float progress;
-    bool settled; /* The line to the next sample is right. */
+    bool settled; /* True if the straight line to the next sample is accurate enough. */
 };
 
 struct samples {
@@ -42,7 +43,8 @@ static float *append(struct samples *s, float progress, bool settled, const floa
     return place;
 }
 
-/* Copies `from` to `to` with the middle of each gap that is wrong. How many there were. */
+/* Copies `from` to `to` and inserts the middle of each interval whose error is too large. Returns
+ * the number of inserted samples. */
 static uint32_t refine(const struct samples *from, struct samples *to,
                        const struct track_function *f, float tolerance)
 {
@@ -68,7 +70,8 @@ static uint32_t refine(const struct samples *from, struct samples *to,
     return halved;
 }
 
-/* One more pass; `s` is the finer one then. False when there is no memory. */
+/* Runs one pass and replaces `s` with the refined samples. Returns false if memory allocation
+ * fails. */
 static bool halve(struct samples *s, const struct track_function *f, float tolerance,
                   uint32_t *halved)
 {

@@ -1,31 +1,36 @@
-/* track.h -- a function of progress as few enough samples with straight lines between.
+/* track.h -- approximates a function of progress by a small number of samples with straight lines
+ * between.
  *
- * An animation in a file is a table. How dense it must be depends on how the function bends:
- * samples are put where the straight line would be wrong, and nowhere else. */
+ * An animation in a file is a table of samples. The required density depends on the curvature of
+ * the function, so samples are added only where the straight line is not accurate enough. */
 #ifndef KINGYO_PLATFORM_CTL_TRACK_H
 #define KINGYO_PLATFORM_CTL_TRACK_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#define TRACK_HALVINGS 14u /* The densest: a 16,384th of a step between two marks. */
+#define TRACK_HALVINGS 14u /* Maximum number of halvings. The smallest interval is a 16,384th of the
+                              interval between two marks. */
 
 struct track_function {
-    uint32_t width; /* Numbers that it gives at a progress. */
+    uint32_t width; /* Number of values of the function at one progress. */
     void (*ask)(const void *self, float progress, float *values);
-    /* How wrong it is to take the middle of `from` and `to` for `exact`. */
+    /* Returns the error if the mean of `from` and `to` is used instead of `exact`. */
     float (*error)(const void *self, const float *from, const float *to, const float *exact);
     const void *self;
 };
 
 struct track {
     uint32_t count, width;
-    float *progress; /* count, rising. */
-    float *values;   /* count x width; both the track's own. */
+    float *progress; /* Progress of each sample, in rising order. The array has `count` elements and
+                        belongs to the track. */
+    float *values;   /* Values of the samples. The array has `count` x `width` elements and belongs
+                        to the track. */
 };
 
-/* Samples at every mark (rising, from 0 to 1, 2 or more) and between until the middle of no two
- * neighbours is wrong by more than `tolerance`. False when there is no memory. */
+/* Samples the function at every mark. There are at least two marks, in rising order from 0 to 1.
+ * Adds samples until the error in the middle of every two neighbours is at most `tolerance`.
+ * Returns false if memory allocation fails. */
 bool track_fit(struct track *track, const struct track_function *function, const float *marks,
                uint32_t mark_count, float tolerance);
 

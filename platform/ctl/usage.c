@@ -1,4 +1,4 @@
-/* usage.c -- the lines of errors that all commands share. */
+/* usage.c -- the usage errors that all commands share. */
 #include <stdarg.h>
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-/* user_file.c -- see user_file.h. */
+/* user_file.c -- implements user_file.h. */
 #include "platform/ctl/user_file.h"
 
 #include <errno.h>

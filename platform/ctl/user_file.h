@@ -7,13 +7,14 @@
 
 #include "platform/kiosk/options.h"
 
-/* Opens the regular file `path` of at most `size_max` bytes for reading; the caller closes it.
- * Returns EXIT_OK; otherwise `*out` is null and one line, "SPEAKER: PATH: why", is on standard
- * error: EXIT_BAD_DATA for a file that is too large, EXIT_IO for one that is missing or of another
- * type. */
+/* Opens the regular file `path` of at most `size_max` bytes for reading. The caller closes the
+ * file. Returns EXIT_OK. After an error, sets `*out` to null and prints one line, "SPEAKER: PATH:
+ * reason", to standard error. Returns EXIT_BAD_DATA for a file that is too large, and EXIT_IO for a
+ * file that is missing or of another type. */
 enum exit_code user_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out);
 
-/* Prints the line for a read that failed with `error`. Returns the exit code as above. */
+/* Prints the error line for a read that failed with `error`. Returns the exit code of
+ * user_file_open() for the error. */
 enum exit_code user_file_refuse(const char *speaker, const char *path, uint32_t size_max,
                                 int error);
 
