@@ -8,8 +8,10 @@
 #include "platform/folder.h"
 #include "platform/store/ledger_file.h"
 
+/* Size in bytes of a buffer for the path of the database. */
 #define BOOKS_PATH_SIZE (FOLDER_PATH_MAX + 32u)
 
+/* Options that the reading commands share. */
 struct books_words {
     const char *data;    /* Data folder given with --data. Null selects the folder of the system
                             service, or the user's own data folder if the service has no

@@ -20,6 +20,7 @@
                                     about a tenth of it. */
 #define BOT_FILE_TEXT_MAX 200u
 
+/* Position and text of an error in a bot file. */
 struct bot_file_problem {
     uint32_t line; /* Line number of the problem, from 1. 0 means that the problem concerns the
                       whole file. */

@@ -8,12 +8,16 @@
 
 #include "core/game/technique.h"
 
+/* Number of keys. Keys are numbered from 0. */
 #define BOT_KEY_COUNT 20u
+
+/* Size in bytes of the buffer for bot_key_range(). */
 #define BOT_KEY_RANGE_MAX 64u
 
-/* Translate between keys and names. bot_key_name() asserts that `key` is below BOT_KEY_COUNT.
- * bot_key_named() returns the key called `name`, or BOT_KEY_COUNT if there is no such key. */
+/* Returns the name of a key. Asserts that `key` is below BOT_KEY_COUNT. */
 const char *bot_key_name(uint32_t key);
+
+/* Returns the key called `name`, or BOT_KEY_COUNT if there is no such key. */
 uint32_t bot_key_named(const char *name);
 
 /* Parses `text` and stores the value in the field of `key`. Returns 0, or -1 with `technique`

@@ -15,13 +15,15 @@ struct bytes {
     bool failed; /* Whether an allocation has failed. All later additions are then ignored. */
 };
 
+/* Appends `size` bytes of `data`. Sets `failed` if memory is exhausted. */
 void bytes_add(struct bytes *bytes, const void *data, size_t size);
 
-/* Appends formatted text as printf() does, without a terminating zero. At most 1,000 characters are
- * appended per call. */
+/* Appends formatted text as printf() does, without a terminating zero. Asserts that the text has at
+ * most 1,000 characters. */
 __attribute__((format(printf, 2, 3)))
 void bytes_print(struct bytes *bytes, const char *format, ...);
 
+/* Frees the data of the buffer. */
 void bytes_free(struct bytes *bytes);
 
 #endif

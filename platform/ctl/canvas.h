@@ -14,11 +14,13 @@
 #define CANVAS_SIDE_MAX 16384u /* Longest side in pixels. Image viewers still open pictures of this
                                   size. */
 
+/* A canvas. canvas_open() fills it. */
 struct canvas {
     uint32_t width, height;
     vec3 *pixels; /* Pixels of the canvas, width x height, top row first. The canvas owns them. */
 };
 
+/* A rectangle in pixels. Its edges may lie between pixels. */
 struct canvas_box {
     float left, top, width, height;
 };
@@ -31,8 +33,9 @@ bool canvas_open(struct canvas *canvas, uint32_t width, uint32_t height);
 void canvas_close(struct canvas *canvas); /* Frees the pixels. A canvas whose canvas_open() failed
                                              is allowed. */
 
-vec3 canvas_linear(vec3 srgb); /* Convert between sRGB and linear light. Each component is in [0,
-                                  1]. */
+vec3 canvas_linear(vec3 srgb); /* Converts sRGB to linear light. Each component is in [0, 1]. */
+
+/* Converts linear light to sRGB. Each component is in [0, 1]. */
 vec3 canvas_srgb(vec3 linear);
 vec3 canvas_colour(uint32_t rgb); /* Returns the sRGB colour 0xRRGGBB in linear light. */
 

@@ -12,7 +12,10 @@
 
 #include "platform/kiosk/options.h"
 
+/* Most columns that a reader may define. */
 #define CSV_COLUMN_MAX 16u
+
+/* Size in bytes of the line buffer, with the newline and the terminating zero. */
 #define CSV_LINE_MAX 1024u
 #define CSV_SIZE_MAX (64u << 20) /* Largest file size in bytes. 131,072 fish of --place need about
                                     16 MiB. */
@@ -30,6 +33,7 @@ struct csv_column {
     double otherwise;         /* Value of the column for a file that does not have the column. */
 };
 
+/* State of an open CSV file. csv_open() fills it. */
 struct csv {
     const char *speaker; /* Prefix of error messages, for example "kingyoctl tank: --place". */
     const char *path;
@@ -59,6 +63,7 @@ int csv_has(const struct csv *csv, uint32_t index);
 __attribute__((format(printf, 3, 4)))
 enum exit_code csv_refuse(const struct csv *csv, uint32_t index, const char *format, ...);
 
+/* Closes the file. */
 void csv_close(struct csv *csv);
 
 #endif

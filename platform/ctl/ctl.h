@@ -8,6 +8,7 @@
 
 #include "platform/kiosk/options.h"
 
+/* Description of a command of kingyoctl. */
 struct ctl_command {
     const char *name;
     const char *summary;

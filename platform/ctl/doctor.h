@@ -18,12 +18,14 @@
 #define DOCTOR_PATH 512u
 #define DOCTOR_GROUPS_MAX 64u
 
+/* Severity of a finding. */
 enum doctor_level {
     DOCTOR_FINE = 0,
     DOCTOR_LOOK,  /* The component works or is optional, but the operator should check it. */
     DOCTOR_WRONG, /* A requested or mandatory component will not work. */
 };
 
+/* One finding: a component, its state and the action to take. */
 struct doctor_finding {
     const char *part;        /* Kind of component ("controller", "line", ...), a static string. */
     uint8_t level;           /* Severity of the finding (enum doctor_level). */
@@ -42,6 +44,7 @@ struct doctor_user {
     gid_t groups[DOCTOR_GROUPS_MAX];
 };
 
+/* State of one run of doctor. */
 struct doctor {
     const char *root; /* Prefix of all paths. "" means this machine; tests use a folder with the
                          same layout. */
@@ -58,10 +61,11 @@ __attribute__((format(printf, 4, 5)))
 struct doctor_finding *doctor_find(struct doctor *doctor, const char *part,
                                    enum doctor_level level, const char *what, ...);
 
-/* Format the state or the action of a finding as printf() does. doctor_state() sets `state`, and
- * doctor_todo() sets `todo`. */
+/* Formats the state of a finding as printf() does. */
 __attribute__((format(printf, 2, 3)))
 void doctor_state(struct doctor_finding *finding, const char *format, ...);
+
+/* Formats the action of a finding as printf() does. */
 __attribute__((format(printf, 2, 3)))
 void doctor_todo(struct doctor_finding *finding, const char *format, ...);
 
@@ -111,14 +115,21 @@ struct doctor_names {
     uint32_t count;
     char name[DOCTOR_NAMES_MAX][64];
 };
+
+/* Fills `out` with the names in the folder `path` that begin with `prefix`. `path` is relative
+ * to the root. */
 void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
                  struct doctor_names *out);
 
 /* ---- Reports --------------------------------------------------------------------------------- */
 
+/* Prints the findings as text on standard output. */
 void doctor_report_text(const struct doctor *doctor);
+
+/* Prints the findings as JSON on standard output. */
 void doctor_report_json(const struct doctor *doctor);
 
+/* Returns the number of stored findings with the severity `level`. */
 uint32_t doctor_count(const struct doctor *doctor, enum doctor_level level);
 
 #endif

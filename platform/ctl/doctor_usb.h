@@ -12,6 +12,7 @@
 #define USB_CLASS_HUB 0x09u
 #define USB_PORT_SIZE 32u
 
+/* A USB device as /sys describes it. */
 struct usb_device {
     char port[USB_PORT_SIZE]; /* Port of the device, for example "3-1.4". */
     struct hid_identity identity;
@@ -20,6 +21,7 @@ struct usb_device {
     uint8_t sleeps; /* 1 if autosuspend is enabled. */
 };
 
+/* An interface of a USB device, and the kiosk's decision about it. */
 struct usb_interface {
     uint32_t number, class, subclass, protocol;
     char driver[48]; /* Name of the kernel driver. "" means no driver. */

@@ -8,6 +8,7 @@
 
 #include "platform/ctl/bytes.h"
 
+/* Lists of JSON objects in the file. */
 enum glb_list {
     GLB_VIEWS,
     GLB_ACCESSORS,
@@ -20,6 +21,7 @@ enum glb_list {
     GLB_LIST_COUNT,
 };
 
+/* A file under construction. All zero is a valid empty file. */
 struct glb {
     struct bytes buffer;
     struct bytes lists[GLB_LIST_COUNT];
@@ -27,6 +29,8 @@ struct glb {
 };
 
 enum glb_type { GLB_SCALAR, GLB_VEC2, GLB_VEC3, GLB_VEC4, GLB_MAT4 };
+
+/* Use of an array. The use determines which properties glTF requires. */
 enum glb_use {
     GLB_FOR_VERTICES, /* A vertex attribute, or an attribute of a morph target. */
     GLB_FOR_PLACES,   /* A vertex attribute with bounds, as glTF requires for POSITION. */
@@ -38,12 +42,14 @@ enum glb_use {
  * `lists[list]`. */
 uint32_t glb_next(struct glb *glb, enum glb_list list);
 
-/* Copy `count` >= 1 elements to the buffer and return the index of the new accessor. glb_floats()
- * takes floats, glb_indices() takes triangle indices, and glb_joints() takes joint numbers. */
+/* Copies `count` >= 1 elements of floats to the buffer. Returns the index of the new accessor. */
 uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const float *values,
                     uint32_t count);
+
+/* Copies `count` triangle indices to the buffer. Returns the index of the new accessor. */
 uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count);
-/* Takes four joint numbers per vertex. */
+/* Copies four joint numbers for each of `count` vertices to the buffer. Returns the index of the
+ * new accessor. */
 uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count);
 
 /* Writes the file. `animation` names the samplers and channels, and `scene` is the JSON list of the
@@ -51,6 +57,7 @@ uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count)
  * failed and `glb` is incomplete. */
 int glb_write(struct glb *glb, const char *path, const char *animation, const char *scene);
 
+/* Frees the buffer and all lists. */
 void glb_free(struct glb *glb);
 
 #endif

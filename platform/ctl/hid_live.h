@@ -28,6 +28,7 @@ struct hid_live_row {
                        fit. */
 };
 
+/* State of a live view. hid_live_begin() fills it. */
 struct hid_live {
     const struct hid_descriptor *descriptor;
     char title[128];
@@ -48,6 +49,8 @@ struct hid_live {
 void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descriptor,
                     const char *title);
 
+/* Updates the rows with a report that arrived at `time_ns`. A report that is incomplete is only
+ * counted. */
 void hid_live_report(struct hid_live *live, struct hid_report report, uint64_t time_ns);
 
 /* Advances the clock of `live` to `time_ns` when no report arrives, so that the report rate drops

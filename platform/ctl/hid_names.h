@@ -4,6 +4,7 @@
 
 #include "drivers/hid_descriptor.h"
 
+/* Size in bytes of a usage name with its terminating zero. */
 #define HID_NAME_SIZE 24u
 
 /* Writes the name of a usage: "X", "hat", "button 3" or "tip". A usage without a known name is

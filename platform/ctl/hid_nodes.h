@@ -10,6 +10,7 @@
 #define HID_NODE_TEXT 128u
 #define HID_NODE_PATH 512u
 
+/* A HID device node of Linux. */
 struct hid_node {
     uint32_t number; /* Number N of the node /dev/hidrawN. */
     uint16_t bus;    /* Bus type, a BUS_* constant of linux/input.h: 3 is USB, 5 is Bluetooth, 0x18

@@ -15,6 +15,7 @@
 #define HID_SOURCE_BYTES 16384u /* Buffer size in bytes: twice the longest report that a descriptor
                                    may declare. */
 
+/* An open source of reports. hid_source_open() fills it. */
 struct hid_source {
     const char *path;
     const struct hid_descriptor *descriptor;
@@ -34,6 +35,7 @@ struct hid_source {
 enum exit_code hid_source_open(struct hid_source *source, const char *path,
                                struct hid_descriptor *descriptor, const char *descriptor_path);
 
+/* Result of hid_source_pull(). */
 enum hid_pull {
     HID_PULL_NOTHING = 0, /* No report arrived within `timeout_ms`. */
     HID_PULL_REPORT,      /* `out` is a report. Its bytes stay valid until the next call. */
@@ -41,9 +43,12 @@ enum hid_pull {
                              printed. */
 };
 
+/* Waits up to `timeout_ms` for the next report. Sets `out` for HID_PULL_REPORT, and `*code` for
+ * HID_PULL_END. */
 enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct hid_report *out,
                               enum exit_code *code);
 
+/* Closes the source. */
 void hid_source_close(struct hid_source *source);
 
 #endif

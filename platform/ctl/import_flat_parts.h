@@ -9,8 +9,11 @@
 /* Value of `key_target` for the base shape. A key shape is the base shape, one morph target alone,
  * or the scene at an animation time. */
 #define KEY_BASE 255u
+
+/* Most morph targets of a mesh. */
 #define TARGET_MAX 64u
 
+/* State of flattening one scene. */
 struct flattening {
     struct import_mesh *mesh;
     const struct aiScene *scene;
@@ -27,9 +30,12 @@ struct flattening {
 /* Writes `text` as the reason and returns false. */
 bool flat_refuse(struct flattening *f, const char *text);
 
-/* Select the key shapes with their names, and read the graph of their animation. Both return false
- * after flat_refuse(). Defined in import_keys.c. */
+/* Selects the key shapes and their names. Returns false after flat_refuse(). Defined in
+ * import_keys.c. */
 bool flat_choose_keys(struct flattening *f);
+
+/* Reads the graph of the key shapes' animation. Returns false after flat_refuse(). Defined in
+ * import_keys.c. */
 bool flat_read_weights(struct flattening *f);
 
 /* Adds the weights of `channel` at the time of key shape `key` to `out`. */

@@ -23,6 +23,7 @@
                                        reported as damaged. */
 #define IMPORT_WHY_SIZE 200u
 
+/* A mesh with several key shapes. The struct is large and must not be on the stack. */
 struct import_mesh {
     uint32_t key_count, vertex_count, triangle_count, group_count;
     char key_names[MORPH_KEY_MAX][IMPORT_NAME_SIZE];

@@ -4,7 +4,7 @@
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_NODES_H
 #define KINGYO_PLATFORM_CTL_IMPORT_NODES_H
 
-#include <assimp/types.h> /* First: others use its words without including it. */
+#include <assimp/types.h> /* Included first because other assimp headers need its types. */
 
 #include <assimp/anim.h>
 #include <assimp/scene.h>
@@ -14,16 +14,19 @@
 
 #define NODE_MAX 4096u
 
+/* An affine transform. */
 struct place {
     float m[3][4]; /* Rows of the matrix. The fourth column is the translation. */
 };
 
+/* A scene node and its transforms. */
 struct standing_node {
     const struct aiNode *node;
     struct place at[MORPH_KEY_MAX]; /* Transform from the node to the scene at each key shape,
                                        without the scale of a growing node. */
 };
 
+/* Transforms of all nodes of a scene. */
 struct standing {
     uint32_t key_count, node_count;
     double begin, end;            /* Animation times of the first key shape (`begin`) and of the
@@ -48,8 +51,13 @@ bool standing_moves(const struct aiScene *scene);
 /* Returns the animation time of a key shape. */
 double standing_time(const struct standing *standing, uint32_t key);
 
+/* Converts a matrix of assimp to a transform. The last row of the matrix is ignored. */
 struct place place_of(const struct aiMatrix4x4 *matrix);
+
+/* Returns the product outer * inner: first `inner` is applied, then `outer`. */
 struct place place_within(const struct place *outer, const struct place *inner);
+
+/* Returns the transformed point. */
 vec3 place_apply(const struct place *place, vec3 a);
 
 #endif

@@ -1,8 +1,8 @@
 /* import_obj.c -- a strict parser of Wavefront OBJ: vertices, texture coordinates, faces and group
  * names.
  *
- * Normals are skipped because they are recomputed. Materials, smoothing groups, lines and points
- * are skipped because they do not change the shape. */
+ * The parser skips normals because they are recomputed. Materials, smoothing groups, lines and
+ * points are skipped because they do not change the shape. */
 #include "platform/ctl/import_mesh.h"
 
 #include <errno.h>

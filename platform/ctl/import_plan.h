@@ -7,6 +7,8 @@
 
 enum import_axis { AXIS_X, AXIS_Y, AXIS_Z, AXIS_MINUS_X, AXIS_MINUS_Y, AXIS_MINUS_Z, AXIS_NONE };
 
+/* Options of the import. Each *_count is the number of valid values in its array, and 0 means
+ * that the option is absent. */
 struct import_plan {
     const char *id;
     uint8_t front, up;              /* Axes of the snout and of the back (enum import_axis). `front`

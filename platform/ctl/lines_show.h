@@ -20,6 +20,8 @@ struct lines_show {
     struct gpio_total total;
 };
 
+/* Starts an event display with the current state of `reader` as its base. `reader` must outlive
+ * the display. */
 struct lines_show lines_show_begin(struct gpio_reader *reader);
 
 /* Prints a row for each press, release, coin and fault since the last call. A row has the seconds
