@@ -32,8 +32,8 @@ static inline int hal_is_fault(int result)
 }
 
 /* Size in bytes of a describe() text. Each device describes itself in one line, or states what is
- * missing and how to fix it: "mouse (SDL x11)", "no sound: SDL found no audio device; plug one in
- * or set SDL_AUDIODRIVER". */
+ * missing and how to fix it. Examples: "mouse (SDL x11)", "no sound: SDL found no audio device;
+ * plug one in or set SDL_AUDIODRIVER". */
 #define HAL_TEXT_SIZE 160u
 
 struct hal_clock_ops {
@@ -221,9 +221,9 @@ struct hal_storage_ops {
     uint32_t (*replay_kept_id)(void *self); /* Returns the newest round id whose replay was written
                                                or abandoned. */
     /* Starts to load the replay of a round and its ledger entry. The buffers `bytes` (of `size`
-     * bytes) and `round` must stay valid until replay_fetched() no longer returns HAL_ERR_BUSY.
-     * replay_fetched() then returns the replay's size in bytes, or HAL_ERR_NONE if there is no
-     * replay. The entry's id is 0 if the ledger no longer has the entry. */
+     * bytes) and `round` must stay valid while replay_fetched() returns HAL_ERR_BUSY. Afterwards
+     * replay_fetched() returns the replay's size in bytes, or HAL_ERR_NONE if there is no replay.
+     * The entry's id is 0 if the ledger no longer has the entry. */
     int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
                         struct ledger_entry *round);
     int (*replay_fetched)(void *self);

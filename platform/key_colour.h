@@ -6,7 +6,7 @@
 
 /* Returns the colour 0xRRGGBB of key `key` out of `key_count` (2 .. MORPH_KEY_MAX), counted from
  * the youngest. Three keys are red, green and blue, as in the 2005 thesis. More keys use the
- * colours between, so that red is always the youngest. */
+ * colours between and beyond, so that the youngest is always red and the oldest blue or navy. */
 uint32_t key_colour(uint32_t key_count, uint32_t key);
 
 #endif

@@ -1,7 +1,7 @@
 /* panic.h -- handles a broken invariant of the core and fatal signals.
  *
  * core_panic(), SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT call the handler of panic_prepare()
- * once, and then the signal ends the process. */
+ * once. Then the signal ends the process. */
 #ifndef KINGYO_PLATFORM_PANIC_H
 #define KINGYO_PLATFORM_PANIC_H
 

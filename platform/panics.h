@@ -2,9 +2,10 @@
  * start leaves out. Pure, except for reading and writing the file.
  *
  * After three panics within ten minutes, or one before the first frame, the next start leaves out a
- * part of the stored data: first settings, then also replays, then also names, but never the money.
- * Time is counted since power-on because a board may have no clock. Panics before the last power-on
- * are counted in the total. They count for leaving data out only if no frame was shown. */
+ * part of the stored data. Settings are left out first, then also replays, then also names, but
+ * never the money. Time is counted since power-on because a board may have no clock. Panics before
+ * the last power-on are counted in the total. They count for leaving data out only if no frame was
+ * shown. */
 #ifndef KINGYO_PLATFORM_PANICS_H
 #define KINGYO_PLATFORM_PANICS_H
 

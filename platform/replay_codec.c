@@ -1,11 +1,14 @@
 /* replay_codec.c -- encodes one input as the difference from the previous input.
  *
  * A mask comes first: it states which of held, pressed, coins, machine state, controllers and poses
- * follow, in this order. Buttons and coins are u32. The machine state is a mask followed by the
- * values that changed: the saved ids (u32 each), levels (one byte: upright screen, store rejects
- * edits, store healthy), day and minute (u16 each), dropped ticks, faults and ended tickets (u32
- * each). The controllers are a u16 mask and the bytes that changed: each controller's state, then
- * step, row and progress of learning, then the number of files. The poses are encoded by
+ * follow, in this order. Buttons and coins are u32.
+ *
+ * The machine state is a mask followed by the values that changed. The saved ids are u32 each. The
+ * levels are one byte: upright screen, store rejects edits, store healthy. Day and minute are u16
+ * each. Dropped ticks, faults and ended tickets are u32 each.
+ *
+ * The controllers are a u16 mask and the bytes that changed: each controller's state, then step,
+ * row and progress of learning, then the number of files. The poses are encoded by
  * replay_hands.c. */
 #include "platform/replay.h"
 

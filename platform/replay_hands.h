@@ -1,9 +1,9 @@
 /* replay_hands.h -- encodes poi and fan poses as the difference from the previous poses.
  *
- * A mask of pois (low half) and fans (high half) is followed by one record for each changed device:
- * a mask of its own, one byte (a poi's link, wrist and tremble flags, or a fan's presence), the
- * floats that changed as their bits, and a poi's age as u16. Floats are stored exactly, because a
- * replay must be equal to the last bit, even for invalid poses. */
+ * A mask of pois (low half) and fans (high half) is followed by one record for each changed device.
+ * A record is a mask of its own, one byte, the floats that changed as their bits, and a poi's age
+ * as u16. The byte contains a poi's link, wrist and tremble flags, or a fan's presence. Floats are
+ * stored exactly, because a replay must be equal to the last bit, even for invalid poses. */
 #ifndef KINGYO_PLATFORM_REPLAY_HANDS_H
 #define KINGYO_PLATFORM_REPLAY_HANDS_H
 

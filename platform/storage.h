@@ -77,7 +77,8 @@
 /* Twice the number of entries that the core can have unwritten, so that a slot is always free while
  * the card responds. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
-#define STORAGE_EDITS_MAX 4u /* Enough because nobody can save more than four edits a second. */
+#define STORAGE_EDITS_MAX 4u /* Enough because the menu allows far less than four saved edits a
+                                second. */
 #define STORAGE_REPLAY_MS 10000 /* Time after which a replay that the card rejects is given up. */
 /* Limit in bytes for all memory of SQLite. The highest measured use was 4.2 MiB, with 100,000
  * entries, a backup and a replay of maximum length (CHAPTERS_SIZE) for each ranked round. */
@@ -192,8 +193,9 @@ struct storage {
     int64_t look_wait_ms;    /* Interval to the next attempt. Used by the thread only. */
     struct storage_place places[STORAGE_PLACES]; /* Used by the thread only. */
     bool moved;              /* The open file is no longer at its path. Used by the thread only. */
-    bool prunes;                     /* Replays may have left the ranking and must be deleted. Used
-                                        by the thread only. */
+    bool prunes;                     /* Entries, rounds or replays may exceed their limits, and
+                                        must be deleted (ledger_file_prune()). Used by the thread
+                                        only. */
     struct ledger_tail tail;         /* Ledger mirror: a second copy of the newest entries. Used by
                                         the thread only. */
     uint32_t tail_from;              /* First entry id that the mirror lacks; 0: none. Used by the

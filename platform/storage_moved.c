@@ -1,10 +1,10 @@
-/* storage_moved.c -- detects that the open file no longer has the name under which the next start
- * looks for it: the file or its folder was removed, renamed, replaced or mounted over.
+/* storage_moved.c -- detects that the open file has left its path.
  *
- * Such a file can still be written and synced, but its content is lost or hidden. Therefore no
- * entry is acknowledged, which locks the coin slot. A folder that is put back is used again. A
- * deleted file stays open, and close() copies it to the path of the backup, where the next start
- * finds it. */
+ * The file or its folder may have been removed, renamed, replaced or mounted over, so that the next
+ * start would not find it. Such a file can still be written and synced, but its content is lost or
+ * hidden. Therefore no entry is acknowledged, which locks the coin slot. A folder that is put back
+ * is used again. A deleted file stays open, and close() copies it to the path of the backup, where
+ * the next start finds it. */
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>

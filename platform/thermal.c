@@ -41,7 +41,8 @@ static int read_mdeg(const char *root, const char *zone, const char *name, int32
     return end != line && *end == '\0' && value > SANE_MIN_MDEG && value < SANE_MAX_MDEG;
 }
 
-/* Returns the lowest temperature at which the kernel slows the machine down. */
+/* Returns the zone's lowest passive trip point, from which the kernel slows the machine down, or
+ * THERMAL_LIMIT_MDEG if there is none. */
 static int32_t limit_of(const char *root, const char *zone)
 {
     int32_t limit = SANE_MAX_MDEG;

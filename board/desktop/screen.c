@@ -22,8 +22,8 @@ void screen_ignore(const uint32_t *types, size_t count)
     }
 }
 
-/* Drops events that no driver reads. They would fill SDL's queue during a long day, and a full
- * queue drops later events, for example the click that closes the window. */
+/* Drops events that no driver reads. Such events would fill SDL's queue during a long day, and a
+ * full queue drops later events, for example the click that closes the window. */
 static void ignore_foreign_events(void)
 {
     /* clang-format off */

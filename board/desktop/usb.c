@@ -93,8 +93,8 @@ void usb_open(struct hal *hal, const struct board_options *options)
     open_desk(hal, options);
 }
 
-/* Returns 1 if the controller in a slot is ready: its mapping is known. Other controllers are only
- * read for mapping learning. */
+/* Returns 1 if the controller in a slot is ready, which requires a known mapping. Other controllers
+ * are only read for mapping learning. */
 static int is_there(void *self)
 {
     struct poi_hid *poi = self;

@@ -1,11 +1,11 @@
-/* chapters.h -- records the running session (core/game/chapter.h) in memory, gives the store the
- * replay of each ranked round, and writes the session to a file in a panic.
+/* chapters.h -- records the running session (core/game/chapter.h) in memory.
  *
- * A session's recording begins with the configuration of its first state, so that memory always
- * holds a snapshot and every later input. The caller owns `struct chapters` (20 MiB: static
- * storage) and clears it.
+ * Gives the store the replay of each ranked round, and writes the session to a file in a panic. A
+ * session's recording begins with the configuration of its first state, so that memory always holds
+ * a snapshot and every later input. The caller owns `struct chapters` (20 MiB: static storage) and
+ * clears it.
  *
- * A round has no replay in three cases, which are counted. The session has grown beyond
+ * A ranked round has no replay in three cases, which are counted. The session has grown beyond
  * CHAPTERS_SIZE. The store is still writing an earlier replay. Or digits of the PIN were typed
  * during the session. A session that grows beyond CHAPTERS_MEMORY ends its recording; a panic then
  * writes the session up to that point. */

@@ -1,8 +1,8 @@
-/* encore.h -- plays back a score: loads its replay from the store, seeks to its round, shows the
- * round, and finally reports whether the replay verifier accepts the score.
+/* encore.h -- plays back a score on the screen.
  *
- * The kiosk itself continues in the background. Any button or a dip ends the playback. The caller
- * owns `struct encore` (4.5 MB: static storage) and clears it. */
+ * Loads the score's replay from the store, seeks to its round and shows the round. At the end the
+ * replay verifier's result is shown. The kiosk itself continues in the background. Any button or a
+ * dip ends the playback. The caller owns `struct encore` (4.5 MB: static storage) and clears it. */
 #ifndef KINGYO_PLATFORM_KIOSK_ENCORE_H
 #define KINGYO_PLATFORM_KIOSK_ENCORE_H
 

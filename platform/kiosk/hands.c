@@ -129,8 +129,8 @@ static int was_unseen(const struct poi_hand *hand, uint32_t tick_count)
     return span_ns > tick_count * TICK_NS + UNSEEN_NS;
 }
 
-/* Presents the motion to the core as late reports: the pose stays unchanged for one tick, with an
- * age below the limit of input loss, and is at its new place in the next tick. */
+/* Presents the motion to the core as late reports. The pose stays unchanged for one tick, with an
+ * age below the limit of input loss. In the next tick the pose is at its new place. */
 static void pass_over(const struct poi_hand *hand, uint32_t index, struct poi_input *out)
 {
     const struct resampler *path = &hand->path;

@@ -1,16 +1,16 @@
 /* judge.h -- replays a score and verifies that it is genuine.
  *
- * A score is genuine if every digest and every second's state equal the recorded ones, and if the
- * final entry equals both the ranking's rows and the ledger's entry of the round: boot, ticks, the
- * tank's seed, mode, grade, players, and each player's catch, papers and fouls. This proves that
- * these inputs make exactly this score in this program, in a tank of that seed, for that many
- * ticks.
+ * A score is genuine if every digest and every second's state equal the recorded ones. In addition,
+ * the game's final entry must equal the ranking's rows and the ledger's entry of the round. The
+ * entry contains boot, ticks, the tank's seed, mode, grade, players, and each player's catch,
+ * papers and fouls. This proves that these inputs make exactly this score in this program, in a
+ * tank of that seed, for that many ticks.
  *
- * The result does not prove who played, nor how many fish the tank had (no entry contains it:
- * `kingyoctl scores verify` prints the replay's number). An attacker who can write the disk can
- * change entry, ranking and replay together, because no secret is involved. An entry that the
- * ledger has dropped is not compared; an entry with a wrong checksum disproves the score. The
- * caller owns the verifier (1.3 MB: static storage). */
+ * The result does not prove who played, nor how many fish the tank had. No entry contains the
+ * number of fish; `kingyoctl scores verify` prints the replay's number. An attacker who can write
+ * the disk can change entry, ranking and replay together, because no secret is involved. An entry
+ * that the ledger has dropped is not compared. An entry with a wrong checksum disproves the score.
+ * The caller owns the verifier (1.3 MB: static storage). */
 #ifndef KINGYO_PLATFORM_KIOSK_JUDGE_H
 #define KINGYO_PLATFORM_KIOSK_JUDGE_H
 
@@ -34,7 +34,8 @@ struct judge {
     struct input input;
     struct output output;
     struct replay_totals said;  /* Totals that the replay itself states. */
-    uint32_t round_tick;        /* Tick at which the second of the last round's beginning starts. */
+    uint32_t round_tick;        /* First tick of the recorded second in which the last round
+                                   begins. */
     struct ledger_entry round;  /* Newest round entry of this game; id 0: none yet. */
     uint32_t seen_id;
     uint8_t is_damaged;

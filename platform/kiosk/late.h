@@ -1,10 +1,10 @@
 /* late.h -- offline credits: gives a store that appears after the start the coins and credits of
  * the time without a store.
  *
- * A kiosk that started without its store must restart to use it, which would lose data that is only
- * in memory: coins, the credits they bought and service credits. Therefore the store first gets all
- * of them, and amounts already transferred are subtracted. Coins inserted during a write are queued
- * for the next transaction, so that each coin is stored exactly once. */
+ * A kiosk that started without its store must restart to use it. The restart would lose data that
+ * is only in memory: coins, the credits they bought and service credits. Therefore the store first
+ * gets all of them, and amounts already transferred are subtracted. Coins inserted during a write
+ * are queued for the next transaction, so that each coin is stored exactly once. */
 #ifndef KINGYO_PLATFORM_KIOSK_LATE_H
 #define KINGYO_PLATFORM_KIOSK_LATE_H
 

@@ -48,7 +48,7 @@ static void warn_of_config(const char *line)
     session_note_refused(&evening, line);
 }
 
-/* Returns the default language: Japanese if the machine's locale is Japanese, else English. The
+/* Returns the language of the machine's locale: Japanese or, in all other cases, English. The
  * demonstration ignores the locale because it must be the same everywhere. */
 static uint8_t machine_language(void)
 {

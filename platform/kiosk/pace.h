@@ -18,10 +18,10 @@ struct pace {
 };
 
 /* Returns the ticks to run in the frame that begins at `now_ns`. The first frame runs two. A frame
- * of about the length of a 60 Hz display's runs exactly two, as long as the sum of such frames
- * stays within 6 ms of the ticks run, so that jitter causes no judder. Other frames run the whole
- * ticks that are due, and the rest is carried over. A clock that stops or goes back makes no ticks
- * due. */
+ * of about the length of a 60 Hz display's also runs exactly two, so that jitter causes no judder.
+ * This applies as long as the sum of such frames stays within 6 ms of the ticks run. Other frames
+ * run the whole ticks that are due, and the rest is carried over. A clock that stops or goes back
+ * makes no ticks due. */
 uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns);
 
 /* Frame limiter for a display without vertical sync, or much faster than 60 Hz. */

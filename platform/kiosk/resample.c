@@ -35,7 +35,8 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
     return trust_can_read(&next.target);
 }
 
-/* Returns a point on the path between two reports, or the earlier pose if the path is invalid. */
+/* Returns a point on the path between two reports. An invalid report is skipped. Before a jump or
+ * an invalid report the earlier pose is returned until t = 1. */
 static struct poi_target target_on_way(const struct poi_sample *from, const struct poi_sample *to,
                                        float t)
 {

@@ -1,10 +1,11 @@
 /* resample.h -- computes exactly one pose a tick from time-stamped reports. Pure.
  *
- * A tick that reused a pose would see a poi that stops and starts: speed 2v, 0, 2v, with four times
- * the drag, which grows with the square of the speed. Therefore the reports of a frame are spread
- * over the frame's ticks. The newest tick gets the newest report, so that no latency is added. The
- * earlier ticks get points on the path from the last frame's end, linear between reports. Invalid
- * numbers and jumps are not interpolated: they appear in the tick that they belong to. */
+ * A tick that reused a pose would see a poi that stops and starts, with the speeds 2v, 0, 2v. The
+ * drag, which grows with the square of the speed, would be four times too large. Therefore the
+ * reports of a frame are spread over the frame's ticks. The newest tick gets the newest report, so
+ * that no latency is added. The earlier ticks get points on the path from the last frame's end,
+ * linear between reports. Invalid numbers and jumps are not interpolated: they appear in the tick
+ * that they belong to. */
 #ifndef KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 

@@ -21,8 +21,8 @@ static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat,
     }
 }
 
-/* Assigns slots to better controllers, only between two games and while the operator's page of
- * controllers is shown, so that no player loses a controller during a game. */
+/* Assigns slots to better controllers. Slots change only between two games and while the operator's
+ * page of controllers is shown, so that no player loses a controller during a game. */
 static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
 {
     const uint8_t phase = kiosk->core.game.phase;

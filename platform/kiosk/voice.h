@@ -19,7 +19,7 @@ struct voice {
     uint64_t attract_ns; /* Start of attract mode; 0: a game runs. */
 };
 
-/* Opens the card. If there is none, later calls retry. */
+/* Opens the sound card. If there is none, voice_put() retries later. */
 void voice_open(struct voice *voice, const struct hal_audio *audio, uint64_t now_ns);
 
 /* Returns the gain [0, 1] of a sound of full volume. Half of the volume setting is perceived as

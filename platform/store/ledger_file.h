@@ -72,9 +72,9 @@ struct ledger_file {
     struct ledger_content content;
     bool is_suspect; /* 1: a sync may have failed. The log must be made durable (ledger_log.c)
                         before it is copied into the database. */
-    int refusal; /* Reason why the file is read-only: SQLITE_READONLY, SQLITE_FULL if the card has
-                    no space for the index of the log, or the reason why a damaged file could not be
-                    replaced. 0: the file can be written. */
+    int refusal; /* Reason why the file is read-only; 0: the file can be written. SQLITE_READONLY,
+                    SQLITE_FULL if the card has no space for the index of the log, or the reason why
+                    a damaged file could not be replaced. */
 };
 
 /* Options for opening a file in a non-default way. Both may be null. */

@@ -27,11 +27,12 @@ struct ledger_salvaged {
     bool has_others_tail; /* 1: the mirror belongs to a foreign ledger and was not used. */
 };
 
-/* Copies all valid entries that are newer than those of `to`: first from the file at `path`, which
- * may be damaged anywhere, otherwise from `tail`. If `to` is read-only (its `refusal`), only its
- * content is updated. Missing entries are skipped, and the newest valid entry sets the balance.
- * `path` is null if the file is missing or empty, because SQLite would delete the log of an empty
- * file. Returns an SQLite code; an error is an error of writing, and then `to` is incomplete. */
+/* Copies all valid entries that are newer than those of `to`. An entry comes from the file at
+ * `path`, which may be damaged anywhere, or otherwise from `tail`. If `to` is read-only (its
+ * `refusal`), only its content is updated. Missing entries are skipped, and the newest valid entry
+ * sets the balance. `path` is null if the file is missing or empty, because SQLite would delete the
+ * log of an empty file. Returns an SQLite code. An error is an error of writing, and then `to` is
+ * incomplete. */
 int ledger_salvage(const char *path, const struct ledger_tail *tail, struct ledger_file *to,
                    struct ledger_salvaged *out);
 

@@ -1,11 +1,11 @@
 /* ledger_tables.c -- the exact SQL text of every table in every version of the file.
  *
  * A new file is created from these texts, and each file that is opened is compared with them. A
- * file with any other schema object (a trigger, a view, an index, another table) or with another
- * text is treated as damaged, because a trigger could drop acknowledged rows.
+ * file with another text or any other schema object (a trigger, a view, an index, another table) is
+ * treated as damaged. The reason is that a trigger could drop acknowledged rows.
  *
- * To add a version: raise LEDGER_FILE_VERSION, give each table that changes its last version here,
- * and add a row with the new text, exactly as SQLite stores it after the migration. */
+ * To add a version: raise LEDGER_FILE_VERSION and give each table that changes its last version
+ * here. Then add a row with the new text, exactly as SQLite stores it after the migration. */
 #include <string.h>
 
 #include <sqlite3.h>
