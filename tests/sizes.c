@@ -1,4 +1,4 @@
-/* sizes.c -- what the large structs cost, read in review: `make sizes` prints it. */
+/* sizes.c -- prints the sizes of the large structs for reviews (`make sizes`). */
 #include <stdio.h>
 
 #include "core/core.h"

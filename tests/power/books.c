@@ -1,4 +1,4 @@
-/* books.c -- adds up by itself, and compares. */
+/* books.c -- adds up ledger entries independently of the store and compares the sums. */
 #include "tests/power/books.h"
 
 #include <stdio.h>
@@ -33,7 +33,7 @@ void books_add(struct books *books, const struct ledger_entry *entry)
     ranking_note(&books->ranking, entry);
 }
 
-/* ---- The file ------------------------------------------------------------------------------- */
+/* ---- Reading the database file -------------------------------------------------------------- */
 
 static int64_t ask(sqlite3 *db, const char *query, int *code)
 {

@@ -1,7 +1,9 @@
-/* books.h -- what must be found after a power cut, from what was handed over and what was promised.
+/* books.h -- computes the state that a store must load after a power cut.
  *
- * A store may have written any number of entries between the newest that it promised and the newest
- * that it was given. Whatever that number is, all else must be exactly the sum of those entries. */
+ * The inputs are the entries that were passed to the store and the entries that the store reported
+ * as committed. The store may have written any number of entries between the newest committed one
+ * and the newest one that was passed. Whatever that number is, every other value must be exactly
+ * the sum of those entries. */
 #ifndef KINGYO_TESTS_POWER_BOOKS_H
 #define KINGYO_TESTS_POWER_BOOKS_H
 
@@ -11,11 +13,13 @@
 
 #define BOOKS_WHY_SIZE 200u
 
-/* All sums of entries 1 .. n, made one by one; each is copied from the one before. */
+/* All sums of the entries 1 .. n. The sums are made entry by entry, and each struct starts as a
+ * copy of the previous one. */
 struct books {
-    uint32_t coins, units_taken, services, rounds, caught, refunds; /* Counted here alone. */
+    uint32_t coins, units_taken, services, rounds, caught, refunds; /* Totals that only this module
+                                                                       counts. */
     struct purse purse;
-    struct ledger_stand stand; /* Of the open round. */
+    struct ledger_stand stand; /* State of the open round. */
     struct settings settings;
     struct audits audits;
     struct ranking ranking;
@@ -24,18 +28,22 @@ struct books {
 void books_open(struct books *books);
 void books_add(struct books *books, const struct ledger_entry *entry);
 
-/* What the database itself says (books_read()), beside what remember() said. */
+/* Values that books_read() reads directly from the database, for comparison with the result of
+ * remember(). */
 struct books_file {
-    int64_t rounds, caught, doubled; /* Rows of rounds, their fish, ids that are there twice. */
-    int64_t replays, bad_replays;    /* Rows, and those whose bytes are not their round's. */
-    int has_replay;                  /* Of the round that was asked for. */
+    int64_t rounds, caught, doubled; /* Number of rows of rounds, total of their fish, and number of
+                                        ids that occur twice. */
+    int64_t replays, bad_replays;    /* Number of replay rows, and of those whose bytes do not
+                                        belong to their round. */
+    int has_replay;                  /* 1 if the requested round has a replay. */
     char integrity[64];
 };
 
-/* 0, or a code of SQLite's. */
+/* Reads the database at `path`. Returns 0, or an error code of SQLite. */
 int books_read(const char *path, uint32_t replay_id, struct books_file *out);
 
-/* 0 when all agree; else `why` says what does not. */
+/* Compares the sums with the loaded state and with the file. Returns 0 if all values agree.
+ * Otherwise `why` names the first difference. */
 int books_agree(const struct books *books, const struct memory *memory,
                 const struct books_file *file, char why[BOOKS_WHY_SIZE]);
 

@@ -1,11 +1,12 @@
-/* card.c -- what the player feels of a card that is slow, full or read-only: nothing.
+/* card.c -- tests that a slow, full or read-only SD card does not disturb the player.
  *
- *   card [SECONDS]
+ * Usage: card [SECONDS]
  *
- * The real frame loop, core and store in real time, 60 frames a second, coins falling and rounds
- * begun, while the card under the store goes through its moods, SECONDS (6) each. Prints a line for
- * each: the longest frame, the ticks dropped, when the slot closed and opened again, what waits.
- * Exit 1 when a tick was dropped, or a coin that was taken is not in the store at the end. */
+ * Runs the real frame loop, core and store in real time at 60 frames per second. Coins fall and
+ * rounds begin while the card below the store passes through several fault modes of SECONDS each
+ * (default 6). Prints a line for each mode: the longest frame, the dropped ticks, when the coin
+ * slot closed and opened again, and what is still queued. Returns exit status 1 if a tick was
+ * dropped, or if an accepted coin is not in the store at the end. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,7 +53,8 @@ static struct buttons_sim buttons;
 static struct poi_sim poi;
 static struct button_event events[EVENTS_MAX];
 
-/* Coins as long as the slot is open, and START now and then: as a crowd does. */
+/* Fills the script with coins for as long as the slot is open, and with START from time to time, as
+ * a crowd does. */
 static void fill_script(uint64_t begin_ns, uint64_t length_ns)
 {
     uint32_t count = 0;
@@ -94,7 +96,8 @@ static int open_stall(const char *folder, uint32_t mood_s)
 
 struct seen {
     uint64_t longest_ns, dropped;
-    double closed_s, open_s; /* When the slot closed and opened first; < 0: it did not. */
+    double closed_s, open_s; /* Times at which the slot first closed and first opened again. A
+                                negative value means never. */
     uint32_t waiting_max, coins;
 };
 
@@ -154,7 +157,7 @@ static void tell(const struct mood *mood, const struct seen *seen)
     fflush(stdout);
 }
 
-/* Opens it again, as after a restart. */
+/* Opens the store again, as after a restart. Returns 1 if the store contains all coins. */
 static int holds_all(const char *folder)
 {
     static struct memory memory;

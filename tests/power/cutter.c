@@ -1,4 +1,4 @@
-/* cutter.c -- cuts, opens, looks. */
+/* cutter.c -- simulates power cuts, opens the store and checks it. */
 #include "tests/power/cutter.h"
 
 #include <stdio.h>
@@ -29,7 +29,7 @@ void tally_complain(struct tally *tally, uint64_t *count, const char *where, con
     }
 }
 
-/* Opens what is left, as the kiosk does in the morning. */
+/* Opens the store in `folder`, as the kiosk does at its next start. */
 static int wake(const char *folder, struct memory *memory, char why[BOOKS_WHY_SIZE])
 {
     memset(memory, 0, sizeof *memory);
@@ -46,7 +46,8 @@ static int wake(const char *folder, struct memory *memory, char why[BOOKS_WHY_SI
     return result == HAL_OK && !is_fresh ? 0 : -1;
 }
 
-/* Who fell out of the ranking needs no replay any more. */
+/* Returns 1 if the round is on the leaderboard. The store may delete the replay of a round that
+ * left the leaderboard. */
 static int is_ranked(const struct ranking *ranking, uint32_t round_id)
 {
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
@@ -58,7 +59,8 @@ static int is_ranked(const struct ranking *ranking, uint32_t round_id)
     return 0;
 }
 
-/* The ledger has each ticket that began to come out, and at most one whose pulse did not begin. */
+/* Compares the tickets. The ledger must have each ticket whose pulse began, and at most one ticket
+ * whose pulse did not begin. */
 static int tickets_differ(const struct memory *memory, const struct promise *promise,
                           struct tally *tally, char why[BOOKS_WHY_SIZE])
 {
@@ -106,7 +108,7 @@ void cutter_look(const struct cutter *cutter, struct tally *tally, const char *f
     }
 }
 
-/* The opening is cut in its turn: at each of its file operations, once. */
+/* Cuts the power during the opening of the store, once at each of its file operations. */
 static void cut_again(const struct cutter *cutter, struct tally *tally, const char *folder,
                       const char *folder_2, const struct promise *promise, const char *where)
 {
@@ -131,7 +133,7 @@ static void cut_again(const struct cutter *cutter, struct tally *tally, const ch
     disk_close(&disk);
 }
 
-/* ---- All of them ---------------------------------------------------------------------------- */
+/* ---- All cuts ------------------------------------------------------------------------------- */
 
 int cutter_is_point(const struct tape_op *op)
 {
@@ -155,7 +157,7 @@ void cutter_heed(struct promise *promise, const struct tape_op *op)
     }
 }
 
-/* Two folders of a job's own. */
+/* Two private folders of a job. */
 struct bench {
     char folder[PATH_SIZE], folder_2[PATH_SIZE];
 };
@@ -177,7 +179,7 @@ static void cut_once(const struct cutter *cutter, const struct disk *disk, size_
     cutter_look(cutter, tally, bench->folder, promise, where);
 }
 
-/* Every job goes through the whole tape, and cuts at its share. */
+/* Runs one job. Every job applies the whole tape and makes its share of the cuts. */
 static void work(const struct cutter *cutter, uint32_t job, struct tally *tally)
 {
     struct disk disk;

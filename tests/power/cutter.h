@@ -1,5 +1,5 @@
-/* cutter.h -- the power goes after each file operation of a tape, in several ways; the store is
- * opened on what is left, and what it remembers is held against the books. */
+/* cutter.h -- cuts the power after each file operation of a tape in several ways. The store is
+ * opened on the remaining files, and its loaded state is compared with the books. */
 #ifndef KINGYO_TESTS_POWER_CUTTER_H
 #define KINGYO_TESTS_POWER_CUTTER_H
 
@@ -8,48 +8,52 @@
 #include "tests/power/books.h"
 #include "tests/power/disk.h"
 
-/* What became of so many cuts. Workers write their own; shared memory. */
+/* Results of the cuts. Each worker process writes its own tally in shared memory. */
 struct tally {
     uint64_t cuts, second_cuts;
     uint64_t by_luck[DISK_LUCK_COUNT];
     uint64_t unopenable, lost, ghosts, differing, replays_lost, edits_lost;
-    uint64_t mornings; /* In which it was played on (go_on.h). */
-    uint64_t tickets_missing; /* A ticket had left the ledger, and its pulse had not begun. */
-    uint64_t ahead; /* More was on disk than had been promised. */
-    uint64_t done;  /* Of the tape. */
+    uint64_t mornings; /* Number of cuts after which the stall was played on (go_on.h). */
+    uint64_t tickets_missing; /* Number of tickets that the ledger had removed and whose pulse had
+                                 not begun. */
+    uint64_t ahead; /* Number of cuts after which more entries were on the disk than were reported
+                       as committed. */
+    uint64_t done;  /* Number of tape operations that are done. */
     char first[BOOKS_WHY_SIZE + 100];
 };
 
 struct cutter {
     const struct tape *tape;
-    const struct books *books; /* [id], up to the newest entry that was handed over. */
-    const char *folder;        /* To work in. */
-    uint32_t ways;             /* For each operation. */
+    const struct books *books; /* Sums indexed by entry id, up to the newest entry that was passed
+                                  to the store. */
+    const char *folder;        /* Working folder. */
+    uint32_t ways;             /* Number of cuts for each operation. */
     uint32_t seed, jobs;
 };
 
-/* What the frame loop knew when the power went: newest numbers that were handed over and that were
- * reported as safe. */
+/* State of the frame loop at the power cut: the newest numbers that were passed to the store, and
+ * the newest numbers that were reported as committed. */
 struct promise {
     uint32_t acked, kept, replay, edit_acked, edit_kept;
-    uint32_t tickets; /* Whose pulse had begun. */
+    uint32_t tickets; /* Number of tickets whose pulse had begun. */
 };
 
 void cutter_heed(struct promise *promise, const struct tape_op *op);
 
-/* Opens what a cut left in `folder`, as the kiosk does in the morning, and counts what is not as
- * promised; `where` names the cut. */
+/* Opens the files that a cut left in `folder`, as the kiosk does at its next start, and counts each
+ * violated promise. `where` names the cut in messages. */
 void cutter_look(const struct cutter *cutter, struct tally *tally, const char *folder,
                  const struct promise *promise, const char *where);
 
-/* Counts a fault in `count`, a field of `tally`; the first is kept in words. */
+/* Adds one to `count`, which is a field of `tally`. The text of the first fault is stored. */
 void tally_complain(struct tally *tally, uint64_t *count, const char *where, const char *why);
 void tally_add(struct tally *sum, const struct tally *part);
 
-/* Whether the power may go after this: marks are no operations. */
+/* Returns 1 if a cut may follow this operation. Marks are not file operations. */
 int cutter_is_point(const struct tape_op *op);
 
-/* Adds to `sum`. In so many processes; tells its progress on a terminal. 0, or -1 when one died. */
+/* Runs all cuts in several processes, adds the results to `sum`, and prints the progress on a
+ * terminal. Returns 0, or -1 if a process died. */
 int cutter_run(const struct cutter *cutter, struct tally *sum);
 
 #endif

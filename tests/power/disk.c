@@ -1,4 +1,4 @@
-/* disk.c -- goes through a tape, and says what a cut would leave. */
+/* disk.c -- applies a tape to a simulated disk and tracks which operations are not synced. */
 #include "tests/power/disk.h"
 
 #include <dirent.h>
@@ -172,7 +172,8 @@ static int is_in(const struct tape_op *op, const char *folder)
     return strlen(folder) == length && strncmp(op->name, folder, length) == 0;
 }
 
-/* The disk keeps by luck what a failed sync was to write; nothing of it stays pending. */
+/* A failed sync writes a random part of its data to the disk. No operation of the file stays
+ * pending. */
 static void lose(struct disk *disk, size_t index)
 {
     const struct tape_op *sync = &disk->tape->ops[index];
@@ -190,7 +191,7 @@ static void lose(struct disk *disk, size_t index)
     disk->pending_count = left;
 }
 
-/* What a sync makes safe is no longer pending. */
+/* Removes the operations that a sync makes durable from the pending list. */
 static void make_safe(struct disk *disk, const struct tape_op *sync)
 {
     size_t left = 0;

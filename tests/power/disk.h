@@ -1,14 +1,15 @@
-/* disk.h -- what may lie on a disk when the power goes: all that was synced, and of the rest
- * anything.
+/* disk.h -- simulates the possible contents of a disk after a power cut: all synced data, and any
+ * part of the rest.
  *
- * A file's bytes are safe once it was synced after they were written. Until then each sector of 512
- * bytes is there or not, whatever came before or after it; where a file grew, what is not there is
- * zeros or old dirt. Names (new, changed, gone) are safe once the folder was synced; until then
- * those up to some moment are there, since journalling file systems keep them in their order.
+ * The bytes of a file are durable once the file was synced after they were written. Before that
+ * sync each sector of 512 bytes is on the disk or not, independent of the order of the writes. If a
+ * file grew, a missing sector contains zeros or old data. Names (new, changed or deleted) are
+ * durable once the folder was synced. Before that sync the name operations up to some moment are on
+ * the disk, because journaling file systems keep their order.
  *
- * A sync that fails takes the page cache's side of Linux: what was written since the last sync
- * counts as clean, reads back as long as the system runs, and no later sync writes it. None, half
- * or all of its sectors have reached the disk. */
+ * A sync that fails behaves as the page cache of Linux does. The data written after the last sync
+ * counts as clean, can be read as long as the system runs, and is not written by any later sync.
+ * None, half or all of its sectors have reached the disk. */
 #ifndef KINGYO_TESTS_POWER_DISK_H
 #define KINGYO_TESTS_POWER_DISK_H
 
@@ -20,13 +21,13 @@
 #define DISK_NAMES_MAX 64u
 
 enum disk_luck {
-    DISK_ALL = 0, /* All of what was not synced is there: only the program died. */
-    DISK_NONE,    /* Nothing of it is. */
-    DISK_TORN,    /* All, but of the last write only some sectors. */
-    DISK_SOME,    /* Each sector by chance, one in two. */
-    DISK_FEW,     /* One in eight ... */
-    DISK_MOST,    /* ... or seven in eight. */
-    DISK_DIRTY,   /* As DISK_SOME, and where a file grew there is dirt. */
+    DISK_ALL = 0, /* All unsynced data is on the disk, as if only the program died. */
+    DISK_NONE,    /* No unsynced data is on the disk. */
+    DISK_TORN,    /* All unsynced data is on the disk, but only some sectors of the last write. */
+    DISK_SOME,    /* Each unsynced sector is on the disk with probability one half. */
+    DISK_FEW,     /* Each unsynced sector is on the disk with probability one eighth. */
+    DISK_MOST,    /* Each unsynced sector is on the disk with probability seven eighths. */
+    DISK_DIRTY,   /* As DISK_SOME, but missing sectors of a grown file contain old data. */
     DISK_LUCK_COUNT,
 };
 
@@ -37,31 +38,32 @@ struct disk_file {
 
 struct disk {
     const struct tape *tape;
-    struct disk_file *files; /* As they are when all else is lost; by number, from 1. */
+    struct disk_file *files; /* Durable content of the files, indexed by file number from 1. */
     uint32_t file_room;
     struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[DISK_NAMES_MAX];
-    size_t *pending;         /* Ops that no sync has made safe, in their order. */
+    size_t *pending;         /* Operations in time order that no sync has made durable. */
     size_t pending_count, pending_room;
 };
 
-/* An empty folder. `tape` is read as disk_step() goes through it. */
+/* Opens a disk with an empty folder. disk_step() reads `tape`, which the caller must keep. */
 void disk_open(struct disk *disk, const struct tape *tape);
 
-/* A file that is there from the beginning; they are numbered as they come. */
+/* Adds a file that exists at the start. Files are numbered in the order of these calls. */
 void disk_put(struct disk *disk, const char *name, const uint8_t *bytes, size_t size);
 
-/* All that is in `folder`; its names, for a tape that will go on from it. Returns how many. */
+/* Adds all files in `folder`. Writes their names to `names` for a tape that continues in this
+ * folder. Returns the number of files. */
 uint32_t disk_put_folder(struct disk *disk, const char *folder,
                          char names[DISK_NAMES_MAX][TAPE_NAME_SIZE]);
 
-/* A file's bytes, to be freed, or null. */
+/* Returns the bytes of the file at `path`, or null. The caller frees them. */
 uint8_t *disk_read(const char *path, size_t *size);
 
-/* The next op happens. */
+/* Applies operation `op` of the tape. */
 void disk_step(struct disk *disk, size_t op);
 
-/* Empties `folder` and writes there what is left when the power goes now. Equal seeds, equal
- * luck. Returns how many files there are. */
+/* Empties `folder` and writes the files there that a power cut at this moment leaves. Equal seeds
+ * give equal files. Returns the number of files. */
 uint32_t disk_cut(const struct disk *disk, enum disk_luck luck, uint64_t seed, const char *folder);
 
 void disk_close(struct disk *disk);

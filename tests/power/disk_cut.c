@@ -1,4 +1,4 @@
-/* disk_cut.c -- what is left when the power goes now. */
+/* disk_cut.c -- computes the files that a power cut leaves. */
 #include <dirent.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@ struct cut {
     enum disk_luck luck;
     uint64_t seed;
     uint32_t draw;
-    size_t last_write; /* Op of the last that is pending. */
+    size_t last_write; /* Index of the last pending write operation. */
 };
 
 static uint32_t draw(struct cut *cut)
@@ -25,7 +25,7 @@ static uint32_t draw(struct cut *cut)
                                      (uint32_t)(cut->seed >> 32), RNG_TEST });
 }
 
-/* 0 .. 7 */
+/* Returns a random number 0 .. 7. */
 static uint32_t eighth(struct cut *cut)
 {
     return draw(cut) >> 29;
@@ -49,7 +49,8 @@ static int survives(struct cut *cut, size_t op)
     }
 }
 
-/* Sectors as the disk has them: a write that begins within one changes a part of it. */
+/* Applies a write sector by sector of the disk. A write that begins within a sector changes only a
+ * part of that sector. */
 static void cut_write(struct cut *cut, size_t index, struct disk_file *file)
 {
     const struct tape_op *op = &cut->disk->tape->ops[index];
@@ -92,7 +93,7 @@ static void cut_file(struct cut *cut, uint32_t number, struct disk_file *out)
     }
 }
 
-/* Those names that are there: all safe ones, and of the pending ones the first so many. */
+/* Applies the durable names and a random number of the first pending name operations. */
 static void cut_names(struct cut *cut, struct disk *names)
 {
     const struct disk *disk = cut->disk;
@@ -114,7 +115,7 @@ static void cut_names(struct cut *cut, struct disk *names)
     }
 }
 
-/* Removes the files in a folder; 0 where there is none. */
+/* Removes the files in a folder. Returns 0 if no such folder exists. */
 static int empty(const char *folder)
 {
     char path[512];
@@ -132,7 +133,7 @@ static int empty(const char *folder)
     return 1;
 }
 
-/* Where a name has a folder, it is made. */
+/* Creates the folder in `name` if the name contains one. */
 static void make_folder(const char *folder, const char *name)
 {
     char path[512];

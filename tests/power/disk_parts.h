@@ -1,13 +1,13 @@
-/* disk_parts.h -- what going through a tape and cutting it share. Within tests/power. */
+/* disk_parts.h -- internal functions that disk.c and disk_cut.c share. */
 #ifndef KINGYO_TESTS_POWER_DISK_PARTS_H
 #define KINGYO_TESTS_POWER_DISK_PARTS_H
 
 #include "tests/power/disk.h"
 
-/* Ends the program where memory is at its end. */
+/* Ends the program if `got` is null because no memory is left. */
 void disk_need(const void *got);
 
-/* At least so long; what is new is zeros. */
+/* Grows the file to at least `size` bytes. New bytes are zeros. */
 void disk_grow(struct disk_file *file, size_t size);
 
 int disk_is_of_names(const struct tape_op *op);

@@ -1,4 +1,4 @@
-/* fault.c -- plans of failing calls, drawn by seed. */
+/* fault.c -- draws plans of failing file calls from a seed. */
 #include "tests/power/fault.h"
 
 #include <errno.h>
@@ -12,7 +12,8 @@ const char *const fault_names[FAULT_CALL_COUNT] = {
     [FAULT_PWRITE] = "pwrite", [FAULT_FTRUNCATE] = "ftruncate", [FAULT_RENAME] = "rename",
 };
 
-/* About as many calls as a store makes in ten busy seconds: places are drawn below these. */
+/* Approximate number of calls that a store makes in ten busy seconds. The first failing call is
+ * drawn below these numbers. */
 static const uint32_t calls_usual[FAULT_CALL_COUNT] = {
     [FAULT_FSYNC] = 24, [FAULT_FDATASYNC] = 60, [FAULT_WRITE] = 8,
     [FAULT_PWRITE] = 320, [FAULT_FTRUNCATE] = 2, [FAULT_RENAME] = 8,

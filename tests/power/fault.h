@@ -1,5 +1,5 @@
-/* fault.h -- makes calls of libc's file functions fail as planned: single calls, bursts, or all
- * from some call on. tape.c asks before each call. */
+/* fault.h -- makes file calls of libc fail as planned: single calls, bursts, or all calls from a
+ * certain call on. tape.c checks the plans before each call. */
 #ifndef KINGYO_TESTS_POWER_FAULT_H
 #define KINGYO_TESTS_POWER_FAULT_H
 
@@ -18,26 +18,29 @@ enum fault_call {
 #define FAULT_PLANS_MAX 4u
 #define FAULT_FOR_EVER UINT32_MAX
 
-/* Calls of the kinds in `calls`, counted together from 0: `count` of them fail from `first` on. */
+/* One plan. All calls of the kinds in `calls` are counted together from 0, and `count` of them fail
+ * from number `first` on. */
 struct fault_plan {
-    uint32_t calls; /* Bit `1u << enum fault_call` each. */
+    uint32_t calls; /* Kinds of calls as a bit set of `1u << enum fault_call`. */
     uint32_t first, count;
-    int error;      /* errno: EIO or ENOSPC. */
+    int error;      /* errno of the failing calls: EIO or ENOSPC. */
 };
 
-/* Draws a plan: one kind of call in six cases of eight, both syncs in one, all kinds in one; a
- * single call, a burst of 1 to 8, or permanent; EIO or ENOSPC; the place. Equal `seed` and `index`,
- * equal plan. */
+/* Draws a plan. In six of eight cases one kind of call fails, in one case both kinds of sync, in
+ * one case all kinds. The plan is a single call, a burst of 1 to 8 calls, or permanent. The error
+ * is EIO or ENOSPC. Equal `seed` and `index` give an equal plan. */
 struct fault_plan fault_draw(uint64_t seed, uint32_t index);
 
-/* Replaces all plans; `count` at most FAULT_PLANS_MAX, 0: no call fails. Counts from 0 again. */
+/* Replaces all plans and restarts the count of calls at 0. `count` is at most FAULT_PLANS_MAX; 0
+ * means that no call fails. */
 void fault_begin(const struct fault_plan *plans, uint32_t count);
 
-/* The errno with which this call has to fail, or 0. Not thread-safe: the caller holds a lock. */
+/* Returns the errno with which this call must fail, or 0. The function is not thread-safe: the
+ * caller must hold a lock. */
 int fault_strikes(enum fault_call call);
 
-/* Calls that failed so far, by kind; a program may put other FAULT_CALL_COUNT numbers in their
- * place. And the names of the kinds. */
+/* `fault_failed` counts the failed calls by kind. A program may set it to other FAULT_CALL_COUNT
+ * counters. `fault_names` has the names of the kinds. */
 extern uint64_t *fault_failed;
 extern const char *const fault_names[FAULT_CALL_COUNT];
 

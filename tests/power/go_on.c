@@ -1,4 +1,4 @@
-/* go_on.c -- the morning after. */
+/* go_on.c -- plays on in a stall that was opened after a power cut. */
 #include "tests/power/go_on.h"
 
 #include <stdio.h>
@@ -31,7 +31,8 @@ static int is_told_back(const struct books *before, const struct ledger_entry *e
            entry->count == count && credits(&entry->purse) == credits(&before->purse) + count;
 }
 
-/* Nothing comes back of a round that counts: it has the catch and the tickets of its stand. */
+/* Returns 1 if no credit is refunded for the open round. The round counts because a fish was
+ * caught, and its catch and tickets are taken from the stored state. */
 static int is_kept(const struct books *before, const struct ledger_entry *entry)
 {
     return (before->purse.open & OPEN_SPENT) && before->stand.value >> 16 != 0 &&
@@ -42,7 +43,8 @@ static int is_kept(const struct books *before, const struct ledger_entry *entry)
            credits(&entry->purse) == credits(&before->purse);
 }
 
-/* The start is the first entry; the second ends a round that was open, if one was. */
+/* Checks the first entries after the cut. The first entry is the start. The second entry ends the
+ * round that was open, if a round was open. */
 static int opens_well(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
@@ -63,7 +65,8 @@ static int opens_well(const struct books *before, uint32_t last_id, char why[BOO
     return ends == (uint32_t)was_open ? 0 : refuse(why, "what was open ended twice");
 }
 
-/* Half a minute is long enough for what was owed; rounds of the morning owe more. */
+/* Checks that the owed tickets come out. Half a minute is long enough for them. New rounds add
+ * further tickets. */
 static int pays_tickets(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     uint32_t owed = before->purse.tickets, out = 0;

@@ -1,12 +1,14 @@
-/* go_on.h -- after a cut the stall opens again and plays on: what was open comes back once, ids and
- * sums go on without a gap. */
+/* go_on.h -- opens the stall again after a power cut and plays on.
+ *
+ * The open round must be restored once, and ids and sums must continue without a gap. */
 #ifndef KINGYO_TESTS_POWER_GO_ON_H
 #define KINGYO_TESTS_POWER_GO_ON_H
 
 #include "tests/power/books.h"
 
-/* Plays half a minute in `folder`, closes, and opens once more. `before` is the sum of all that was
- * on disk, whose newest entry is `last_id`. 0; else `why` says what is not so. */
+/* Plays half a minute in `folder`, closes the store and opens it once more. `before` is the sum of
+ * all entries on the disk, and `last_id` is the newest of these entries. Returns 0; otherwise `why`
+ * names the fault. */
 int go_on(const char *folder, const struct books *before, uint32_t last_id,
           char why[BOOKS_WHY_SIZE]);
 

@@ -1,4 +1,4 @@
-/* hour.c -- the crowd in front of the stall. */
+/* hour.c -- draws the inputs of a crowd in front of the stall. */
 #include "tests/power/hour.h"
 
 #include <stdio.h>
@@ -11,7 +11,8 @@
 #include "platform/cpu.h"
 #include "tests/power/tape.h"
 
-#define ROUND_S 20u /* Short ones, so that there are many. */
+#define ROUND_S 20u /* Length of a round in seconds. Rounds are short so that many of them are
+                       played. */
 #define TICKS_A_FRAME 2u
 
 enum { DRAW_COIN = 1, DRAW_COINS, DRAW_SERVICE, DRAW_START, DRAW_FISH, DRAW_VOLUME, DRAW_RESET,
@@ -29,7 +30,8 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
     config.memory.settings.value[SET_PRICE] = 2;
     config.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
     config.memory.settings.value[SET_ROUND_S] = (int32_t)ROUND_S;
-    config.memory.settings.value[SET_FISH] = 1; /* Swimming is not what is tried here. */
+    config.memory.settings.value[SET_FISH] = 1; /* One fish is enough because swimming is not under
+                                                   test. */
     config.memory.settings.value[SET_TICKET_FISH] = 1;
     settings_apply(&config.memory.settings, &config);
     hour->kept_id = hour->acked_id = config.memory.ledger.last_id;
@@ -42,14 +44,14 @@ static uint32_t draw(const struct hour *hour, uint32_t what)
     return rng_u32((struct rng_key){ hour->seed, hour->core.tick, what, RNG_TEST });
 }
 
-/* Once in so many seconds. */
+/* Returns 1 at random, on average once in `seconds`. */
 static int happens(const struct hour *hour, uint32_t what, uint32_t seconds)
 {
     const uint32_t ticks = seconds * CORE_TICK_HZ / (hour->haste ? hour->haste : 1u);
     return draw(hour, what) % (ticks ? ticks : 1u) == 0;
 }
 
-/* A hand that circles over the water, so that somebody is there. */
+/* Moves the poi in a circle over the water, so that a player is present. */
 static void lead_hand(struct hour *hour)
 {
     const float turn = 0.01f * (float)(hour->core.tick % 6283u);
@@ -65,7 +67,9 @@ static void live(struct hour *hour)
     struct input *input = &hour->input;
     input->pressed = 0;
     memset(input->coin_count, 0, sizeof input->coin_count);
-    input->day = (uint16_t)(9800u + hour->core.tick / (900u * CORE_TICK_HZ)); /* Four days. */
+    input->day = (uint16_t)(9800u + hour->core.tick / (900u * CORE_TICK_HZ)); /* The simulated hour
+                                                                                 covers four
+                                                                                 calendar days. */
     input->minute = (uint16_t)(hour->core.tick / CORE_TICK_HZ % 1440u);
     if (happens(hour, DRAW_COIN, 9) && !hour->output.coin_lockout) {
         input->coin_count[0] = 1u + draw(hour, DRAW_COINS) % 3u;
@@ -89,7 +93,7 @@ static void land_fish(struct hour *hour)
     }
 }
 
-/* What the menu and the name's board write: here without their pages. */
+/* Writes the same entries as the menu and the name keyboard, without their pages. */
 static void turn_volume(struct hour *hour)
 {
     const int32_t value = 5 * (int32_t)(draw(hour, DRAW_VOLUME) / 7919u % 21u);
@@ -124,7 +128,7 @@ static void keep_books(struct hour *hour)
     }
 }
 
-/* ---- The store ------------------------------------------------------------------------------ */
+/* ---- Passing data to the store -------------------------------------------------------------- */
 
 size_t hour_replay(uint32_t round_id, uint8_t out[HOUR_REPLAY_MAX])
 {
@@ -150,7 +154,8 @@ static void note(struct hour *hour, const struct ledger_entry *entry)
     }
 }
 
-/* The pulse begins in this very tick: a power cut behind the mark finds it begun. */
+/* Runs the ticket dispenser. The pulse begins in this tick, so that a power cut after the mark
+ * finds the pulse begun. */
 static void dispense(struct hour *hour, uint32_t asked_before)
 {
     hour->pulse_ticks -= hour->pulse_ticks > 0;
@@ -194,7 +199,7 @@ struct edit_record hour_edit(uint32_t number)
     return edit;
 }
 
-/* The store counts graphs from 1 at each opening. */
+/* Saves a graph at random. The store counts graphs from 1 after each opening. */
 static void save_graph(struct hour *hour, struct hal_storage store)
 {
     if (hour->edit_each_s > 0 && draw(hour, DRAW_EDIT) % (hour->edit_each_s * 60u) == 0) {

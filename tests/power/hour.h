@@ -1,14 +1,15 @@
-/* hour.h -- a busy hour of a festival: coins fall, SERVICE is pressed, rounds are played and named,
- * the operator turns a setting, and all of it goes to a store as the kiosk sends it there.
+/* hour.h -- simulates a busy hour of a festival.
  *
- * It is the real core that is played, by inputs; only the fish come into the bowl by order. */
+ * Coins fall, SERVICE is pressed, rounds are played and named, and the operator changes a setting.
+ * All data goes to a store as the kiosk sends it. The real core plays from inputs. Only the catches
+ * are set directly. */
 #ifndef KINGYO_TESTS_POWER_HOUR_H
 #define KINGYO_TESTS_POWER_HOUR_H
 
 #include "core/core.h"
 #include "platform/hal.h"
 
-#define HOUR_PULSE_TICKS 30u /* A ticket takes a quarter of a second. */
+#define HOUR_PULSE_TICKS 30u /* Ticks of a ticket pulse, which is a quarter of a second. */
 #define HOUR_ENTRIES_MAX 20000u
 #define HOUR_REPLAY_MAX 12288u
 
@@ -17,30 +18,38 @@ struct hour {
     struct input input;
     struct output output;
     uint32_t seed;
-    uint32_t kept_id, acked_id;           /* Handed over, and known to be safe. */
-    uint32_t replay_id, replay_acked_id;  /* Of rounds. */
+    uint32_t kept_id, acked_id;           /* Newest entry that was passed to the store, and newest
+                                             entry that is known to be committed. */
+    uint32_t replay_id, replay_acked_id;  /* Newest round that has a replay for the store, and
+                                             newest round whose replay is committed. */
     uint32_t named_id;                    /* The last round whose player has a name. */
-    uint32_t pulse_ticks;                 /* Left of the dispenser's pulse; 0: it rests. */
-    uint32_t coins, services, rounds;     /* That the world gave, to be found again. */
-    uint32_t replay_taken_id;             /* That the store has. */
-    uint32_t haste;                       /* Coins, SERVICE, START so many times as often; 0: 1. */
-    uint32_t edit_each_s;                 /* A graph is saved once in so many seconds; 0: none. */
-    uint32_t edit_number, edit_acked;     /* Of graphs: number 1 and on. */
-    uint32_t edit_first;                  /* The number of the store's graph 1, less 1. */
+    uint32_t pulse_ticks;                 /* Ticks left in the dispenser's pulse; 0 means that the
+                                             dispenser is idle. */
+    uint32_t coins, services, rounds;     /* Coins, SERVICE presses and rounds that were generated,
+                                             for comparison with the store. */
+    uint32_t replay_taken_id;             /* Newest round whose replay the store has accepted. */
+    uint32_t haste;                       /* Factor of the rates of coins, SERVICE and START; 0
+                                             means 1. */
+    uint32_t edit_each_s;                 /* Mean number of seconds between two saved graphs; 0
+                                             means that no graph is saved. */
+    uint32_t edit_number, edit_acked;     /* Newest graph that was passed to the store, and newest
+                                             committed graph. Graphs count from 1. */
+    uint32_t edit_first;                  /* Number of the graph before the store's graph 1. */
     uint8_t replay[HOUR_REPLAY_MAX];
-    struct ledger_entry entries[HOUR_ENTRIES_MAX]; /* By their id. */
+    struct ledger_entry entries[HOUR_ENTRIES_MAX]; /* Entries indexed by their id. */
 };
 
-/* `store` is open. What it remembers is gone on from; 0, or -1 where the core refuses it. */
+/* Starts the hour from the state that `store` loads. `store` must be open. Returns 0, or -1 if the
+ * core refuses the state. */
 int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store);
 
-/* One frame: two ticks, and the store is told and asked. */
+/* Runs one frame: two ticks, then passing data to the store and reading its results. */
 void hour_frame(struct hour *hour, struct hal_storage store);
 
-/* Graph `number`, as it is saved. */
+/* Returns graph `number` in the form in which it is saved. */
 struct edit_record hour_edit(uint32_t number);
 
-/* The bytes that stand for the replay of a round; returns how many. */
+/* Writes the bytes that stand for the replay of a round. Returns their number. */
 size_t hour_replay(uint32_t round_id, uint8_t out[HOUR_REPLAY_MAX]);
 
 #endif

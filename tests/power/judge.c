@@ -1,12 +1,13 @@
-/* judge.c -- what is left of a kiosk whose calls failed, when the power goes.
+/* judge.c -- checks the data of a kiosk whose file calls failed, after simulated power cuts.
  *
- *   judge TAPE FOLDER SEED
+ * Usage: judge TAPE FOLDER SEED
  *
- * Goes through the tape of a life (kiosk_tape.h), cuts the power at places by seed and at its end,
- * opens each state in FOLDER with the store, and holds it against the newest entry that the kiosk's
- * status had reported. Prints: cuts, acknowledged, found at the end, lost, doubled, unopenable,
- * coins that were dropped, statuses that were not well, and failed calls of each kind. Exit 1 when
- * any is lost, doubled or unopenable. */
+ * Applies the tape of a kiosk run (kiosk_tape.h) and cuts the power at random places drawn by SEED
+ * and at the end. Opens each state in FOLDER with the store and compares it with the newest entry
+ * that the kiosk's status had reported. Prints the numbers of cuts, acknowledged entries, entries
+ * found at the end, lost entries, doubled entries, states that cannot be opened, dropped coins,
+ * statuses with a store fault, and failed calls of each kind. Returns exit status 1 if an entry was
+ * lost or doubled, or if a state cannot be opened. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +28,7 @@
 static struct storage store;
 static struct memory memory;
 static struct disk disk;
-static uint32_t found; /* The newest entry at the last cut. */
+static uint32_t found; /* Newest entry after the last cut. */
 
 static int64_t ask(sqlite3 *db, const char *query)
 {
@@ -41,9 +42,10 @@ static int64_t ask(sqlite3 *db, const char *query)
     return answer;
 }
 
-/* Entries without a gap, each once, that add up to what the audits say; and neither more coins nor
- * more credits than coins were dropped, of which each is a credit. A kiosk that began without a
- * store may begin with a later entry than the first. */
+/* Returns 1 if the ledger is consistent. The entries have no gap, each entry exists once, and
+ * their sums match the audits. Coins and credits are not more than the dropped coins, because
+ * each coin is one credit. A kiosk that started without a store may begin with a later entry
+ * than the first. */
 static int is_sound(const char *folder, uint32_t coins)
 {
     char path[600], query[200];

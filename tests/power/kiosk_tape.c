@@ -1,4 +1,4 @@
-/* kiosk_tape.c -- maps the tape of a real kiosk. */
+/* kiosk_tape.c -- maps the tape file of a real kiosk into memory. */
 #include "tests/power/kiosk_tape.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-/* lives.c -- plays with failing calls, and cuts. */
+/* lives.c -- plays stalls with failing file calls and cuts their power. */
 #include "tests/power/lives.h"
 
 #include <stdio.h>
@@ -17,18 +17,18 @@
 
 #define PATH_SIZE 300u
 #define PARTS_MAX 3u
-#define FRAMES 600u      /* Of a part: ten seconds. */
-#define HASTE 16u        /* So that many entries fall into them. */
-#define STARTS_MAX 3u    /* How often a start that was refused is tried again. */
+#define FRAMES 600u      /* Frames in a part, which are ten seconds. */
+#define HASTE 16u        /* Factor of the event rates, so that many entries fall into a part. */
+#define STARTS_MAX 3u    /* Number of retries of a start that was refused. */
 #define CUTS_A_PART 6u
-#define BOOKS_MAX 1024u  /* Entries in a life. */
+#define BOOKS_MAX 1024u  /* Largest number of entries in a life. */
 
 static struct hour hour;
 static struct tape tape;
 static struct storage store;
 static struct books books[BOOKS_MAX];
 
-/* One life, and what its worker knows of it. */
+/* One life of a stall and the state of its worker. */
 struct life {
     const struct lives *lives;
     struct lives_tally *tally;
@@ -36,8 +36,8 @@ struct life {
     uint32_t draws;
     char folder[PATH_SIZE], cut[PATH_SIZE];
     struct disk disk;
-    size_t stepped;         /* Operations of the tape that the disk has seen. */
-    struct promise promise; /* At that place. */
+    size_t stepped;         /* Number of tape operations that were applied to the disk. */
+    struct promise promise; /* Promises at the place `stepped`. */
     uint32_t edit_number;
 };
 
@@ -59,7 +59,8 @@ static void plan_faults(struct life *life)
     fault_begin(plans, count);
 }
 
-/* Entries up to `known` were added up before; an id that is given again begins anew from there. */
+/* Adds up the entries after `known`, because the entries up to `known` were added up before. An id
+ * that is used again continues from there. */
 static void add_up(uint32_t known)
 {
     for (uint32_t id = known + 1u; id <= hour.kept_id && id < BOOKS_MAX; id++) {
@@ -68,7 +69,8 @@ static void add_up(uint32_t known)
     }
 }
 
-/* What a start shows counts as reported: the player sees those credits. */
+/* Starts a part. The state loaded at a start counts as reported, because the player sees those
+ * credits. */
 static int begin_part(struct life *life, struct hal_storage device)
 {
     if (device.ops->open(device.self) != HAL_OK ||
@@ -85,7 +87,7 @@ static int begin_part(struct life *life, struct hal_storage device)
     return 0;
 }
 
-/* Without a thread the store works when there is something new, and once a second. */
+/* Plays one part. Without a thread the store works when new data arrives, and once a second. */
 static void play(struct life *life, struct hal_storage device)
 {
     for (uint32_t i = 0; i < FRAMES && hour.kept_id < BOOKS_MAX - 64u; i++) {
@@ -99,7 +101,8 @@ static void play(struct life *life, struct hal_storage device)
     life->edit_number = hour.edit_number;
 }
 
-/* From a start to SIGKILL or to a close; the faults go on while it closes. */
+/* Runs a part from its start to a simulated SIGKILL or to a close. File calls also fail during the
+ * close. */
 static void live_part(struct life *life)
 {
     int plays = -1;
@@ -122,7 +125,8 @@ static void live_part(struct life *life)
 
 /* ---- Cutting -------------------------------------------------------------------------------- */
 
-/* A graph that was reported as safe is there, or a later one that was handed over. */
+/* Checks that a graph that was reported as committed exists, or a later graph that was passed to
+ * the store. */
 static void look_at_graph(struct life *life, const char *where)
 {
     char path[PATH_SIZE + 40u], text[EDIT_TEXT_MAX], why[80];
@@ -165,7 +169,8 @@ static void cut_at(struct life *life, size_t op)
     cutter_look(&cutter, tally, life->cut, &life->promise, where);
 }
 
-/* At places by chance among the operations since the last part, in their order, and at the end. */
+/* Cuts the power at random places among the operations after the last part, in time order, and at
+ * the end. */
 static void cut_part(struct life *life)
 {
     const size_t begin = life->stepped, count = tape.count - begin;
@@ -180,7 +185,7 @@ static void cut_part(struct life *life)
     }
 }
 
-/* ---- All of them ---------------------------------------------------------------------------- */
+/* ---- All lives ------------------------------------------------------------------------------ */
 
 static void empty(const char *folder)
 {
@@ -191,7 +196,7 @@ static void empty(const char *folder)
     disk_close(&none);
 }
 
-/* The tape stands still while cuts are looked at. */
+/* Runs one life. Nothing is recorded on the tape while the cuts are checked. */
 static void live(struct life *life)
 {
     struct tape *const own = &tape;

@@ -1,6 +1,8 @@
-/* lives.h -- short lives of a stall whose file calls fail by plan (fault.h): it plays, is killed or
- * closed, goes on from what the page cache says, and after each part the power is cut at several
- * places. What is left is held against what was reported as safe. */
+/* lives.h -- plays short lives of a stall whose file calls fail as planned (fault.h).
+ *
+ * The stall plays, is killed or closed, and continues from the content of the page cache. After
+ * each part the power is cut at several places. The remaining files are compared with the data that
+ * was reported as committed. */
 #ifndef KINGYO_TESTS_POWER_LIVES_H
 #define KINGYO_TESTS_POWER_LIVES_H
 
@@ -10,15 +12,15 @@
 struct lives_tally {
     struct tally cuts;
     uint64_t lives, kills, refused_starts;
-    uint64_t failed[FAULT_CALL_COUNT]; /* Calls that the plans made fail. */
+    uint64_t failed[FAULT_CALL_COUNT]; /* Calls that failed as planned. */
 };
 
 struct lives {
-    const char *folder; /* To work in. */
+    const char *folder; /* Working folder. */
     uint32_t count, seed, jobs;
 };
 
-/* 0, or -1 when a worker died. Adds to `sum`. */
+/* Plays all lives and adds the results to `sum`. Returns 0, or -1 if a worker died. */
 int lives_run(const struct lives *lives, struct lives_tally *sum);
 
 #endif

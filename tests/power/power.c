@@ -1,16 +1,19 @@
-/* power.c -- pulls the plug at every write and sync of a busy hour, and looks at what is left.
+/* power.c -- cuts the power after every write and sync of a busy hour, and checks the remaining
+ * files.
  *
- *   power [--cuts N] [--lives N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
- *         [--journal "MODE SYNC"]
+ * Usage: power [--cuts N] [--lives N] [--seed N] [--frames N] [--folder DIR] [--jobs N] [--deaf 1]
+ * [--journal "MODE SYNC"]
  *
- * The hour is played once, with the real core and the real store, and its file operations are
- * written down (tape.h). Then the power goes after each of them, in as many ways as N cuts allow
- * (disk.h); the store is opened on what is left, and must remember the sum of all entries up to
- * some one that was handed over, none older than it had promised (books.h). One opening in
- * forty is itself cut at each of its file operations, and after one cut in a hundred the stall
- * plays on (go_on.h). Exit 1 when anything is not so.
- * Then N lives (lives.h) are played in which file calls fail by seed, and are cut in the same way.
- * With --deaf no sync reaches the disk, so that the losses which this must find are there. */
+ * The hour is played once with the real core and the real store, and its file operations are
+ * recorded (tape.h). The power is cut after each operation in several ways, N cuts in total
+ * (disk.h). The store opens the remaining files. Its loaded state must be the sum of all entries up
+ * to one entry that was passed to it, which is not older than the newest committed entry (books.h).
+ * One opening in forty is also cut at each of its file operations. After one cut in a hundred the
+ * stall plays on (go_on.h). Then N lives (lives.h) are played in which file calls fail by seed, and
+ * are cut in the same way.
+ *
+ * With --deaf no sync reaches the disk, so that the test must find losses. Returns exit status 1 if
+ * any check fails. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,22 +30,23 @@
 #include "tests/power/tape.h"
 
 #define FRAMES_AN_HOUR (3600u * 60u)
-#define SYNC_US 200u /* At the pace of this hour, some tenths of a second: a slow card. */
+#define SYNC_US 200u /* Time of a sync in us. At the speed of this simulated hour this time stands
+                        for some tenths of a second, as on a slow card. */
 #define JOBS_MAX 16u
 #define PATH_SIZE 300u
 
 struct plan {
     uint32_t cuts, lives, seed, frames, jobs, deaf;
     char folder[200];
-    const char *journal; /* Null: the store's own. */
+    const char *journal; /* Journal mode; null means the store's default. */
 };
 
 static struct hour hour;
 static struct tape tape;
-static struct books *books; /* [id] */
+static struct books *books; /* Sums indexed by entry id. */
 static struct storage store;
 
-/* ---- The hour ------------------------------------------------------------------------------- */
+/* ---- Playing the hour ----------------------------------------------------------------------- */
 
 static int play(const struct plan *plan, const char *folder)
 {
@@ -79,8 +83,9 @@ static int add_up(void)
     return 0;
 }
 
-/* When all that the tape tells is applied, the same files must be there as really are: else it
- * missed something, and what follows would prove nothing. */
+/* Checks that the tape is complete. When all operations of the tape are applied, the files must
+ * equal the real files. Otherwise the tape missed an operation and the later checks would prove
+ * nothing. */
 static int tape_is_whole(const char *folder, const char *copy)
 {
     struct disk disk, is, should;
@@ -110,7 +115,7 @@ static int tape_is_whole(const char *folder, const char *copy)
     return whole;
 }
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Messages ------------------------------------------------------------------------------- */
 
 static void tell_hour(const struct plan *plan)
 {

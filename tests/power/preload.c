@@ -1,9 +1,10 @@
-/* preload.c -- loaded before libc into a real kiosk (LD_PRELOAD): makes file calls fail by seed,
- * records what it does to its data folder, drops coins, and ends it by SIGKILL.
+/* preload.c -- a library that is loaded before libc into a real kiosk (LD_PRELOAD).
  *
- * KINGYO_FAULT_DIR, the data folder; KINGYO_FAULT_TAPE, the file of the tape (kiosk_tape.h);
- * KINGYO_FAULT_SEED, from which plans, coins and the end are drawn; KINGYO_FAULT_SYNCS, where it is
- * set, makes every sync fail for ever instead. The kiosk's status says what it reported as safe. */
+ * The library makes file calls fail by seed, records the operations in the data folder, drops
+ * coins, and ends the kiosk by SIGKILL. KINGYO_FAULT_DIR is the data folder. KINGYO_FAULT_TAPE is
+ * the tape file (kiosk_tape.h). KINGYO_FAULT_SEED is the seed of the plans, the coins and the end.
+ * If KINGYO_FAULT_SYNCS is set, every sync fails permanently instead. The kiosk's status reports
+ * which data is committed. */
 #include <SDL2/SDL.h>
 #include <dlfcn.h>
 #include <errno.h>
@@ -20,13 +21,14 @@
 #include "tests/power/kiosk_tape.h"
 
 #define PLANS 3u
-#define RENAMES 2u /* Of a kiosk in some seconds: that of its backup. */
+#define RENAMES 2u /* Number of renames that a kiosk makes in some seconds, which are those of its
+                      backup. */
 #define STATUS_MAX 65536u
 
 static struct kiosk_tape *map;
 static uint64_t seed;
 static uint32_t draws;
-static atomic_int runs; /* The kiosk has written a status. */
+static atomic_int runs; /* 1 after the kiosk has written a status. */
 
 static uint32_t draw(uint32_t below)
 {
@@ -35,7 +37,8 @@ static uint32_t draw(uint32_t below)
 
 /* ---- What the kiosk reports ----------------------------------------------------------------- */
 
-/* Its status is a text in another folder, written by one call, which may fail as well. */
+/* Reads the kiosk's status, which is a text in another folder. The kiosk writes the status by one
+ * call, which may fail as well. */
 static int read_status(const void *bytes, size_t size)
 {
     static const char saved[] = "\"saved_id\": ", refused[] = "\"store\": {\"well\": false";
@@ -49,7 +52,7 @@ static int read_status(const void *bytes, size_t size)
     return error;
 }
 
-/* ---- Its guests, and its end ---------------------------------------------------------------- */
+/* ---- Coins and the end of the kiosk --------------------------------------------------------- */
 
 static void wait_ms(uint32_t ms)
 {
@@ -87,7 +90,7 @@ static void *play(void *unused)
     return unused;
 }
 
-/* ---- The beginning -------------------------------------------------------------------------- */
+/* ---- Start of the library ------------------------------------------------------------------- */
 
 static void plan(void)
 {

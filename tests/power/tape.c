@@ -1,7 +1,7 @@
-/* tape.c -- libc's file functions, with a pencil.
+/* tape.c -- replaces the file functions of libc by functions that record their calls.
  *
- * Defined in the program, they come before libc's for the libraries it is linked with. They call
- * the kernel themselves. */
+ * The functions are defined in the program, so that the libraries it is linked with call them and
+ * not those of libc. The functions call the kernel directly. */
 #include "tests/power/tape.h"
 
 #include <errno.h>
@@ -28,11 +28,13 @@ static int is_deaf;
 static atomic_int is_dead;
 int (*tape_other_write)(const void *bytes, size_t size);
 static atomic_int refusal;
-static uint32_t file_of_fd[FD_MAX]; /* 0: not one of ours. */
-static uint8_t is_folder[FD_MAX]; /* 1: the watched one; 2: one within. */
+static uint32_t file_of_fd[FD_MAX]; /* File number of each descriptor; 0 means a file outside the
+                                       watched folder. */
+static uint8_t is_folder[FD_MAX]; /* 1 means the watched folder, and 2 means a folder within it. */
 static char folder_name[FD_MAX][TAPE_NAME_SIZE];
-static uint8_t is_index[FD_MAX]; /* A log's: not noted, for no power cut leaves it, but it takes
-                                    room. */
+static uint8_t is_index[FD_MAX]; /* 1 means the index of a write-ahead log. Writes to the index are
+                                    not recorded because no power cut preserves them, but the index
+                                    uses space. */
 
 /* ---- The tape ------------------------------------------------------------------------------- */
 
@@ -71,7 +73,7 @@ static size_t add_bytes(const void *bytes, size_t size)
 
 /* ---- Names ---------------------------------------------------------------------------------- */
 
-/* What a path is called in the watched folder; null elsewhere. */
+/* Returns the name of a path relative to the watched folder, or null if the path is outside. */
 static const char *own_name(const char *path)
 {
     if (!running || strncmp(path, watched, watched_size) != 0 || path[watched_size] != '/') {
@@ -174,7 +176,8 @@ static uint32_t file_of(int fd)
     return running && fd >= 0 && fd < FD_MAX ? file_of_fd[fd] : 0;
 }
 
-/* A log's index belongs to the watched folder, though it is on no tape. */
+/* Returns 1 for the index of a write-ahead log, which belongs to the watched folder although it is
+ * not recorded. */
 static int is_ours(int fd)
 {
     return running && fd >= 0 && fd < FD_MAX && is_index[fd];
@@ -232,7 +235,8 @@ static void note_write(int fd, const void *bytes, ssize_t done, uint64_t offset)
     }
 }
 
-/* The errno of a call that has to fail: 0, or the program is dead or the plan says so. */
+/* Returns the errno with which a call must fail, or 0. A call fails if the program is dead or if a
+ * plan requires it. */
 int tape_strikes(enum fault_call call)
 {
     pthread_mutex_lock(&pencil);
@@ -256,7 +260,7 @@ static ssize_t write_at(int fd, const void *bytes, size_t size, off_t offset)
     if (is_refused(fd)) {
         return -1;
     }
-    /* The first sectors of a write that fails may be there. */
+    /* The first sectors of a write that fails may be on the disk. */
     const int error = file_of(fd) || is_ours(fd) ? tape_strikes(FAULT_PWRITE) : 0;
     const size_t reached = !error ? size : atomic_load(&is_dead) ? 0u : size / 1024u * 512u;
     pthread_mutex_lock(&pencil);
@@ -334,7 +338,8 @@ void tape_be_dead(int is_dead_now)
     atomic_store(&is_dead, is_dead_now);
 }
 
-/* A failed sync of a folder leaves its names pending: file systems keep them in a journal. */
+/* Records a sync and its failure. A failed sync of a folder leaves the names pending, because file
+ * systems keep names in a journal. */
 static int note_sync(int fd, enum fault_call call)
 {
     int error = 0;

@@ -1,8 +1,10 @@
-/* tape.h -- writes down what a program does to one folder: each write, cut, sync, new name.
+/* tape.h -- records the operations of a program in one folder: each write, truncation, sync and
+ * name change.
  *
- * The test program defines libc's own file functions (tape.c), so that SQLite's default file system
- * layer and our code both go through them; they do what was asked, and note it. Syncs are only
- * noted. Between them lie marks: what the frame loop handed over, and what it was told is safe. */
+ * The test program defines the file functions of libc itself (tape.c), so that the default file
+ * system layer of SQLite and the project's code both call them. The functions execute and record
+ * each call. Syncs are only recorded and not executed. Marks between the operations record which
+ * entries the frame loop passed to the store, and which of them the store reported as committed. */
 #ifndef KINGYO_TESTS_POWER_TAPE_H
 #define KINGYO_TESTS_POWER_TAPE_H
 
@@ -15,29 +17,30 @@
 #define TAPE_NAMES_MAX 64u
 
 enum tape_kind {
-    TAPE_CREATE,      /* `name` is a new, empty file. */
-    TAPE_WRITE,       /* `size` bytes from `at` into `file` at `offset`. */
-    TAPE_TRUNCATE,    /* `file` is `offset` bytes long. */
-    TAPE_SYNC,        /* Of `file`. */
-    TAPE_SYNC_FAILED, /* Of `file`, too: its dirty pages count as clean now (disk.h). */
-    TAPE_SYNC_FOLDER, /* The names in folder `name`; "" is the watched folder itself. */
-    TAPE_RENAME,      /* `name` is called `to`. */
-    TAPE_UNLINK,      /* `name` goes. */
-    TAPE_KEPT,        /* The ledger's entry `offset` was handed over. */
-    TAPE_ACKED,       /* The frame loop was told that it is safe. */
-    TAPE_REPLAY_ACKED, /* The same of the replay of round `offset`. */
-    TAPE_EDIT_KEPT,   /* Graph number `offset` was handed over ... */
-    TAPE_EDIT_ACKED,  /* ... and reported as safe. */
-    TAPE_TICKET,      /* The pulse of ticket `offset` began at the dispenser. */
+    TAPE_CREATE,      /* Creates the empty file `name`. */
+    TAPE_WRITE,       /* Writes `size` bytes from tape byte `at` into `file` at `offset`. */
+    TAPE_TRUNCATE,    /* Truncates or extends `file` to `offset` bytes. */
+    TAPE_SYNC,        /* Syncs `file`. */
+    TAPE_SYNC_FAILED, /* Failed sync of `file`. Its dirty pages count as clean afterwards
+                         (disk.h). */
+    TAPE_SYNC_FOLDER, /* Syncs the names in folder `name`; "" is the watched folder itself. */
+    TAPE_RENAME,      /* Renames `name` to `to`. */
+    TAPE_UNLINK,      /* Deletes `name`. */
+    TAPE_KEPT,        /* Mark: ledger entry `offset` was passed to the store. */
+    TAPE_ACKED,       /* Mark: ledger entry `offset` was reported as committed. */
+    TAPE_REPLAY_ACKED, /* Mark: the replay of round `offset` was reported as committed. */
+    TAPE_EDIT_KEPT,   /* Mark: graph number `offset` was passed to the store. */
+    TAPE_EDIT_ACKED,  /* Mark: graph number `offset` was reported as committed. */
+    TAPE_TICKET,      /* Mark: the dispenser pulse of ticket `offset` began. */
     TAPE_KIND_COUNT,
 };
 
 struct tape_op {
-    uint8_t kind;    /* enum tape_kind */
-    uint32_t file;   /* From 1, in the order of their making. */
+    uint8_t kind;    /* Kind of the operation, an enum tape_kind. */
+    uint32_t file;   /* File number from 1, in the order of creation. */
     uint32_t size;
     uint64_t offset;
-    size_t at;       /* In the tape's bytes. */
+    size_t at;       /* Position in the tape's bytes. */
     char name[TAPE_NAME_SIZE], to[TAPE_NAME_SIZE];
 };
 
@@ -46,40 +49,44 @@ struct tape {
     uint8_t *bytes;
     size_t count, room, used, bytes_room;
     uint32_t files;
-    struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[TAPE_NAMES_MAX]; /* As they are. */
+    struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[TAPE_NAMES_MAX]; /* Names that exist
+                                                                                   at this moment,
+                                                                                   with their file
+                                                                                   numbers. */
 };
 
-/* From now on what happens in `folder` and in folders within is noted on `tape`, which is zero or
- * was ended. Files that are there already are numbered first, in the order of `first`. One tape at
- * a time. */
+/* Starts to record the operations in `folder` and its subfolders on `tape`, which must be zeroed or
+ * ended. Files that already exist are numbered first, in the order of `first`. Only one tape can
+ * run. */
 void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_NAME_SIZE],
                 uint32_t first_count);
-/* Where no tape runs, nothing is noted. */
+/* Records a mark. Does nothing if no tape runs. */
 void tape_mark(enum tape_kind kind, uint32_t id);
 void tape_end(void);
-/* Goes on with a tape that another process began: what lies in `folder` is as the tape says. */
+/* Continues a tape that another process began. The content of `folder` must match the tape. */
 void tape_go_on(struct tape *tape, const char *folder);
 void tape_free(struct tape *tape);
 
-/* While a tape runs, each sync takes so long: a card. 0 at first. */
+/* Makes each sync take `us` microseconds while a tape runs, as on a memory card. The initial value
+ * is 0. */
 void tape_sync_us(uint32_t us);
 
-/* While a tape runs, each write of the watched folder fails so (ENOSPC, EROFS); 0: none. A log's
- * index lies in memory: only ENOSPC concerns it. */
+/* Makes each write in the watched folder fail with `error` (ENOSPC or EROFS) while a tape runs; 0
+ * means none. The index of a write-ahead log is in memory, so that only ENOSPC affects it. */
 void tape_refuse(int error);
 
-/* Called with each write to a file that is not in the watched folder; null at first. Returns 0, or
- * the errno with which the write fails. */
+/* Callback for each write to a file outside the watched folder; initially null. Returns 0, or the
+ * errno with which the write fails. */
 extern int (*tape_other_write)(const void *bytes, size_t size);
 
-/* The errno with which a call has to fail now (fault.h), or 0. */
+/* Returns the errno with which a call must fail now (fault.h), or 0. */
 int tape_strikes(enum fault_call call);
 
-/* While dead, a program changes nothing in the watched folder any more: each call that would fails
- * with EIO. The files stay as SIGKILL would leave them, though the program closes its handles. */
+/* Makes each call that would change the watched folder fail with EIO while `is_dead` is 1. The
+ * files stay as SIGKILL would leave them, although the program closes its handles. */
 void tape_be_dead(int is_dead);
 
-/* From now on syncs are not noted: a card that lies, or a store that never asks. */
+/* Stops the recording of syncs, as with a card that ignores syncs or a store that never syncs. */
 void tape_be_deaf(void);
 
 #endif

@@ -1,6 +1,6 @@
-/* film.c -- twelve ticks of a C-start, side by side, as the screen shows them.
+/* film.c -- draws twelve ticks of a fish's C-start side by side, as the screen shows them.
  *
- * A developer's eye: `make film ARGS="-o out/film.png"`. */
+ * A developer tool: `make film ARGS="-o out/film.png"`. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,10 +14,11 @@
 
 #define SIDE_PX 960u
 #define LENGTH_M 0.07f
-#define MIDDLE_X_M 0.015f /* Of the way that it makes in twelve ticks. */
+#define MIDDLE_X_M 0.015f /* Middle of the distance that the fish covers in twelve ticks. */
 #define MIDDLE_Z_M 0.027f
-#define EYE_M 0.30f       /* Over the water. */
-#define HALF_TAN 0.165f   /* 11 cm of the depth at which it swims. */
+#define EYE_M 0.30f       /* Height of the camera above the water. */
+#define HALF_TAN 0.165f   /* Tangent of half the view angle. The picture shows 11 cm at the depth of
+                             the fish. */
 
 static struct core core;
 static struct scene scene;
@@ -30,14 +31,15 @@ static void tick(void)
     static struct output output;
     const struct input input = { 0 };
     output.sound_count = 0;
-    cpu_set_float(); /* The display's library ran before. */
+    cpu_set_float(); /* The display library ran before and may have changed the floating-point
+                        mode. */
     if (core_tick(&core, &input, &output) != CORE_OK) {
         fputs("film: " CPU_FLOAT_WRONG "\n", stderr);
         exit(70);
     }
 }
 
-/* A resting fish in mid-water that a blow on its left has just struck. */
+/* Places a resting fish in mid-water that was just struck on its left side. */
 static void stage(void)
 {
     const struct core_config config = { .seed = 2014u, .fish_count = 1 };
@@ -49,7 +51,7 @@ static void stage(void)
     fish->position_m = v3(0.0f, -0.04f, 0.03f);
     fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
     fish->heading_rad = 0.0f;
-    fish->look = 0x00010080u; /* Red all over, of middling temper. */
+    fish->look = 0x00010080u; /* Look of the fish: completely red, with a medium temperament. */
     fish->gait = GAIT_REST;
     fish->gait_left_s = 5.0f;
     fish->startle = FRIGHT_PRESSURE;

@@ -1,6 +1,7 @@
-/* shot.c -- plays the stall for a while without a screen and keeps a picture, or times the passes.
+/* shot.c -- plays the stall for a time without a screen, and saves a picture or times the render
+ * passes.
  *
- * A developer's eye: `make shot ARGS="--seconds 12 --size 1920x1080 -o shot.png"`. */
+ * A developer tool: `make shot ARGS="--seconds 12 --size 1920x1080 -o shot.png"`. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -11,7 +12,7 @@
 #include "tests/render/shot_scene.h"
 
 #define PIXELS_MAX (3840u * 2160u)
-#define SKIN_FRAMES 150u /* Until the skins of all keys that are shown are painted finely. */
+#define SKIN_FRAMES 150u /* Frames until the fine fish textures of all visible keys are painted. */
 #define PASS_FRAMES 40u
 
 static struct scene scene;
@@ -30,7 +31,8 @@ static double now_ms(void)
     return clock_ms(CLOCK_MONOTONIC);
 }
 
-/* Of all threads together; steadier than the wall clock where others work on the same cores. */
+/* Returns the CPU time of all threads. CPU time varies less than the wall clock if other processes
+ * use the same cores. */
 static double cpu_ms(void)
 {
     return clock_ms(CLOCK_PROCESS_CPUTIME_ID);

@@ -1,4 +1,4 @@
-/* shot_menu.c -- what a stall's keeper may find on his desk. */
+/* shot_menu.c -- example content of the operator's menu. */
 #include "tests/render/shot_menu.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@ static const struct {
     { CONTROLLER_BARRED, "046d:c31c USB Keyboard, port 2-1" },
 };
 
-/* The rows below the store's. */
+/* File rows below the rows of the store. */
 static const struct scene_file files[] = {
     { FILE_REFUSED, "species/bad.kfish", "magic: no packed species begins so" },
     { FILE_REFUSED, "species/tancho.kfish",
@@ -68,7 +68,7 @@ int shot_menu_knows(const char *page, uint8_t step)
     return 0;
 }
 
-/* Those that are not as they came. */
+/* Sets some settings to values other than their defaults. */
 static void adjust_some(struct core *core)
 {
     adjust_set(core, SET_PLAY, PLAY_PAID);
@@ -80,14 +80,15 @@ static void adjust_some(struct core *core)
     adjust_set(core, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
-/* Those of a summer. */
+/* Fills the audits with the values of a summer. */
 static void keep_books(struct core *core)
 {
     uint32_t *count = core->game.audits.count;
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
         count[id] = 17u + id * id * 31u % 4999u;
     }
-    for (uint32_t hour = 0; hour < 24u; hour++) { /* Open from ten to ten, full in the evening. */
+    for (uint32_t hour = 0; hour < 24u; hour++) { /* The stall is open from 10 to 22 o'clock and is
+                                                     busiest in the evening. */
         count[AUDIT_HOUR + hour] = hour < 10u || hour > 21u ? 0u : (hour - 9u) * (23u - hour) * 9u;
     }
     count[AUDIT_CAUGHT] = 31877;
@@ -99,7 +100,7 @@ static void keep_books(struct core *core)
     count[AUDIT_COINS_1] = 1234567;
 }
 
-/* A festival's evening. */
+/* Fills the leaderboard with the scores of a festival evening. */
 static void rank_some(struct ranking *ranking)
 {
     static const char *const guests[] = { "きんぎょ", "KINGYO", "", "たろうとはなこ", "マリー",
@@ -111,7 +112,7 @@ static void rank_some(struct ranking *ranking)
     }
 }
 
-/* Behind the steps: refused for each reason. */
+/* Sets the calibration to `step`. Steps after the last one are refusals, one for each reason. */
 static void calibrate_some(struct calibrate *calibrate, uint8_t step)
 {
     calibrate->step = step < CALIBRATE_STEPS ? step : (uint8_t)CALIBRATE_REFUSED;

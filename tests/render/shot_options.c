@@ -1,4 +1,4 @@
-/* shot_options.c -- see shot_options.h. */
+/* shot_options.c -- implementation of shot_options.h: parses the command line of `make shot`. */
 #include "tests/render/shot_options.h"
 
 #include <stddef.h>
@@ -43,12 +43,12 @@ static uint32_t species_named(const char *name)
 
 enum kind { OPTION_FLAG, OPTION_BYTE, OPTION_NUMBER, OPTION_FLOAT, OPTION_TEXT };
 
-/* An option that sets one member as it stands. */
+/* An option that sets one member to its value. */
 static const struct plain_option {
     const char *name;
     enum kind kind;
     size_t offset;
-    float unit; /* Of a float. */
+    float unit; /* Unit of a float option. */
 } plain_options[] = {
     { "--start", OPTION_FLAG, offsetof(struct shot_options, start), 0.0f },
     { "--compare", OPTION_FLAG, offsetof(struct shot_options, compare), 0.0f },

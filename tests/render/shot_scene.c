@@ -1,4 +1,4 @@
-/* shot_scene.c -- see shot_scene.h. */
+/* shot_scene.c -- implementation of shot_scene.h: plays the stall and fills the scene. */
 #include "tests/render/shot_scene.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 static struct core core;
 
-/* Fish and water as an experiment wants them. */
+/* Sets the fish and the water as the options require. */
 static void set_water(const struct shot_options *options)
 {
     struct tank_config config = tank_config_of(options->preset);
@@ -28,8 +28,8 @@ static void set_water(const struct shot_options *options)
     }
 }
 
-/* A hand that does it wrong: it wets one half of the paper, steeply, and pushes it flat through the
- * water. */
+/* Returns the pose of a careless player, who wets one half of the paper at a steep angle and pushes
+ * it flat through the water. */
 static struct poi_input careless_hand(float time_s)
 {
     const float sinks = f_smoothstep(4.0f, 4.6f, time_s);
@@ -56,7 +56,8 @@ static void open_lab(const struct shot_options *options, struct output *output)
     lab->layer = options->size_layer ? LAB_LAYER_SIZE : 0;
 }
 
-/* As if the tank's first fish had been caught, so far in the album's page. */
+/* Opens the album as if the tank's first fish had been caught, at the given progress of its
+ * page. */
 static void open_album(const struct shot_options *options)
 {
     struct album *album = &core.game.album;
@@ -102,7 +103,7 @@ static void play(const struct shot_options *options, struct output *output)
     }
 }
 
-/* What is opened over the tank when the time is over. */
+/* Opens a page over the tank after the given time. */
 static void open_page(const struct shot_options *options, struct output *output,
                       struct scene_devices *devices)
 {
@@ -130,7 +131,7 @@ static void follow(const struct shot_options *options, struct scene *scene)
     scene->view.eye_m = v3_add(at, v3(0.0f, 0.75f * options->follow_m, 0.66f * options->follow_m));
 }
 
-/* Half wet, torn twice, and loaded round its holes. */
+/* Fills a sheet that is half wet, torn in two places and loaded around its holes. */
 static void fill_sheet(struct scene_poi *poi)
 {
     for (uint32_t z = 0; z < SHEET_SIDE; z++) {
@@ -152,7 +153,7 @@ static void fill_sheet(struct scene_poi *poi)
     }
 }
 
-/* A poi held close to the eye. */
+/* Shows a poi close to the camera. */
 static void show_paper(const struct shot_options *options, struct scene *scene)
 {
     struct scene_poi *const poi = &scene->poi[0];

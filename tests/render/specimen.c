@@ -1,16 +1,26 @@
-/* specimen.c -- draws species at any age, for eyes: one fish, or a sheet of many.
+/* specimen.c -- draws species at any age for visual review: one fish, or a sheet of many fish.
  *
- *   --species NAME     this one alone (else all that are built in), a row each
- *   --progress A,B,..  at these (else six from 0 to 1)
- *   --keys             at its keys
- *   --template NAME    ordinary, pairwise, simultaneous or smooth in place of its own curves
- *   --thesis           as chapter 4 of the 2005 thesis has it
- *   --yaw --pitch --roll DEGREES   from another side than books do
- *   --amplitude A --phase RADIANS  how it swims; --cell WxH of one fish, px; -o FILE
- *   --water RRGGBB     what it swims in
- *   --time             also says what a sheet costs to draw
+ * --species NAME: only this species. By default each built-in species has a row.
  *
- * A developer's eye: `make specimen ARGS="--species hirame --progress 0.5 --cell 1200x700"`. */
+ * --progress A,B,..: ages to draw. The default is six values from 0 to 1.
+ *
+ * --keys: draws the key shapes.
+ *
+ * --template NAME: uses the growth template ordinary, pairwise, simultaneous or smooth in place of
+ * the species' own curves.
+ *
+ * --thesis: morphs as in chapter 4 of the 2005 thesis.
+ *
+ * --yaw --pitch --roll DEGREES: view direction; the default is the side view of books.
+ *
+ * --amplitude A --phase RADIANS: the swimming motion. --cell WxH: size of one fish in px. -o FILE:
+ * output.
+ *
+ * --water RRGGBB: color of the water.
+ *
+ * --time: also prints the time to draw a sheet.
+ *
+ * A developer tool: `make specimen ARGS="--species hirame --progress 0.5 --cell 1200x700"`. */
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <stdio.h>
@@ -32,7 +42,7 @@ struct options {
     const char *species, *out;
     float progress[STEPS_MAX];
     uint32_t step_count, width, height;
-    uint32_t water; /* 0xRRGGBBAA */
+    uint32_t water; /* Color as 0xRRGGBBAA. */
     uint8_t keys, thesis, template, turned, time;
     float yaw_rad, pitch_rad, roll_rad, amplitude, phase_rad;
 };
@@ -171,7 +181,8 @@ static void label(const struct options *o, const struct species *species,
     ui_text(&ui.batch, &style, x_px, y_px, words);
 }
 
-/* Processor time of all threads, the driver's too: a software renderer's work is in them. */
+/* Prints the CPU time of a sheet. The time includes all threads and the driver, because a software
+ * renderer works in them. */
 static void say_cost(const float sheet[2], uint32_t fish_count)
 {
     const struct placing placing = placing_whole(sheet[0], sheet[1]);

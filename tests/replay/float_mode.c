@@ -1,6 +1,7 @@
-/* float_mode.c -- a library to preload that leaves flush-to-zero and denormals-are-zero on: in the
- * first thread as it is loaded, in each new thread, and in every pread() if FLOAT_MODE_IN is
- * "pread". x86-64 alone. */
+/* float_mode.c -- a library to preload that sets flush-to-zero and denormals-are-zero.
+ *
+ * The library sets both modes in the first thread when it is loaded, and in each new thread. If
+ * FLOAT_MODE_IN is "pread", it also sets them in every pread(). It works only on x86-64. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <pthread.h>

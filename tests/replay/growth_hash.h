@@ -1,4 +1,4 @@
-/* growth_hash.h -- one line a species: the fingerprint of its whole growth. */
+/* growth_hash.h -- prints one line for each species with the hash of its whole growth. */
 #ifndef KINGYO_TESTS_REPLAY_GROWTH_HASH_H
 #define KINGYO_TESTS_REPLAY_GROWTH_HASH_H
 
@@ -42,7 +42,8 @@ static uint64_t hash_moment(uint64_t hash, const struct species *species,
     return hash_float(hash, morph_progress(&species->card, length_m));
 }
 
-/* By its own curves, by the smooth template, and the thesis' way. */
+/* Prints the hashes of the growth by the species' own curves, by the smooth template, and by the
+ * method of the thesis. */
 static void print_growth_hashes(uint32_t lanes)
 {
     static struct straight_memory memory;

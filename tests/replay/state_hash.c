@@ -1,10 +1,13 @@
-/* state_hash.c -- plays a fixed half-minute of the core and prints the state's hash every second.
+/* state_hash.c -- plays a fixed half-minute of the core and prints the hash of its state every
+ * second.
  *
- * Usage: state_hash [LANES [growth]]; exit 77 when this machine has none so wide; with `growth` a
- * line a species instead, see growth_hash.h. Attract, a bot's round,
- * then a live hand that dips and sweeps, beside another that holds a fan: no clock, no file, no
- * device, so the lines depend on the core alone. Every compiler, level, board and number of lanes
- * must print the same ones; those of tests/replay/golden.txt are the known good. */
+ * Usage: state_hash [LANES [growth]]. Returns exit status 77 if this machine has no SIMD of this
+ * width. With `growth` it prints one line for each species instead (growth_hash.h).
+ *
+ * Plays attract mode, then a round of a bot, then a player who dips and sweeps next to a second
+ * player who holds a fan. No clock, file or device is used, so that the lines depend only on the
+ * core. Every compiler, optimization level, board and SIMD width must print the same lines.
+ * tests/replay/golden.txt has the reference lines. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,8 +17,9 @@
 #include "tests/replay/growth_hash.h"
 
 #define SEED 20130213u
-#define START_TICK (2u * CORE_TICK_HZ)  /* Attract until here. */
-#define HAND_TICK (20u * CORE_TICK_HZ)  /* The bot plays until here, a hand from here on. */
+#define START_TICK (2u * CORE_TICK_HZ)  /* Attract mode runs until this tick. */
+#define HAND_TICK (20u * CORE_TICK_HZ)  /* The bot plays until this tick, and scripted input plays
+                                           from this tick on. */
 #define END_TICK (30u * CORE_TICK_HZ)
 
 _Noreturn void core_panic(const char *condition, const char *file, int line)
@@ -24,7 +28,7 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     exit(70);
 }
 
-/* A slanted dip every two seconds while the hand sweeps back and forth through the tank. */
+/* Returns a tilted dip every two seconds while the poi sweeps back and forth through the tank. */
 static struct poi_target hand_at(uint32_t tick)
 {
     const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;
@@ -35,7 +39,8 @@ static struct poi_target hand_at(uint32_t tick)
     };
 }
 
-/* It swings in, is held until fish gather, is led along and taken away. */
+/* Returns the pose of the fan. The fan moves in, stays until fish gather, moves along and
+ * leaves. */
 static struct shade_input fan_at(uint32_t tick)
 {
     const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;

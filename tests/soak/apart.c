@@ -1,10 +1,11 @@
-/* apart.c -- overlaps of all kinds, and the measures of natural motion. */
+/* apart.c -- measures overlaps of all kinds and the motion of the fish. */
 #include "tests/soak/apart.h"
 
 #include <math.h>
 #include <string.h>
 
-#define CELL_M 0.11f /* Two fish of 8 cm, corner to corner, are never farther apart. */
+#define CELL_M 0.11f /* Side of a grid cell, which is larger than the greatest distance of two
+                        touching fish of 8 cm, corner to corner. */
 #define CELLS_MAX 2048u
 #define RING_POINTS 96
 #define REVERSAL_RAD_S (20.0f * F_DEG)
@@ -12,7 +13,8 @@
 
 struct cells {
     uint32_t columns, rows;
-    uint16_t first[CELLS_MAX], next[TANK_FISH_MAX]; /* 0 ends a list; else index + 1. */
+    uint16_t first[CELLS_MAX], next[TANK_FISH_MAX]; /* Linked lists of fish indices plus 1; 0 ends a
+                                                       list. */
 };
 
 static float half_diagonal_m(const struct fish *fish)
@@ -57,7 +59,7 @@ static void fill(struct cells *cells, const struct tank *tank)
     }
 }
 
-/* Fish `i` against those of one cell that come before it. */
+/* Checks fish `i` against the fish of one cell that come before it. */
 static void look_in_cell(struct apart *apart, const struct tank *tank, const struct cells *cells,
                          uint32_t i, uint32_t cell)
 {
@@ -105,7 +107,7 @@ float apart_all_pairs_m(const struct tank *tank)
     return deepest_m;
 }
 
-/* ---- Walls, ring, hull ---------------------------------------------------------------------- */
+/* ---- Walls, ring and hull ------------------------------------------------------------------- */
 
 static void note(struct apart *apart, float *deepest_m, float depth_m)
 {
@@ -125,7 +127,7 @@ static void look_at_walls(struct apart *apart, const struct tank *tank, const st
     note(apart, &apart->surface_m, at.y + extent.y - over_m);
 }
 
-/* Signed distance of a point from a box: negative inside. */
+/* Returns the signed distance of a point from a box, which is negative inside. */
 static float from_box_m(const struct box *box, vec3 point_m)
 {
     const vec3 p = basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
@@ -173,7 +175,8 @@ static void look_at_ring(struct apart *apart, const struct poi *poi, const struc
     }
 }
 
-/* How deep a point is in the hull, to first order; the whole box by a lattice of its points. */
+/* Returns the depth of a point in the hull, to first order. A box is checked by a lattice of its
+ * points. */
 static float point_in_hull_m(const struct bowl *bowl, vec3 point_m)
 {
     const vec3 p = v3_sub(point_m, bowl->position_m);
@@ -238,7 +241,8 @@ static void look_at_pace(struct apart *apart, const struct tank *tank, const str
     }
     if (fish->gait == GAIT_SWIM) {
         const vec3 v = fish->velocity_m_s;
-        const float able = fish->length_m * (0.8f + 0.2f * fish->stamina); /* Section 3.3. */
+        const float able = fish->length_m * (0.8f + 0.2f * fish->stamina); /* Speed by section 3.3
+                                                                              of the thesis. */
         apart->speed_sum += (double)f_sqrt(v.x * v.x + v.z * v.z);
         apart->free_sum += (double)(able * tank_law(tank)->swim_speed);
         const float stuck_s = (float)(now - apart->spot_tick[i]) * CORE_TICK_S;

@@ -1,8 +1,9 @@
-/* apart.h -- what a soak looks at after every tick: is anything inside anything else, and do fish
- * still move as fish do?
+/* apart.h -- checks after every tick of a soak test that nothing overlaps and that the fish move
+ * naturally.
  *
- * Nothing here is the core's own search or its own test of ring and hull: pairs come from cells of
- * this file's own, boxes are judged by all fifteen axes, the ring by points all along it. */
+ * This module does not use the core's own search or the core's own tests of ring and hull. Pairs
+ * come from a grid of this file, boxes are tested by all fifteen axes, and the ring by points along
+ * its circle. */
 #ifndef KINGYO_TESTS_SOAK_APART_H
 #define KINGYO_TESTS_SOAK_APART_H
 
@@ -10,27 +11,32 @@
 #include "core/poi/poi.h"
 #include "core/tank/tank.h"
 
-/* Deeper than this is an overlap; the kiosk's promise. */
+/* Depth from which a contact counts as an overlap. The kiosk must never exceed this depth. */
 #define APART_DEEP_M 0.0005f
 
-/* A swimming fish that stays within STUCK_M for longer than this is stuck. */
+/* Radius of the stuck check. A swimming fish is stuck while it stays within this radius. */
 #define APART_STUCK_M 0.003f
 
 struct apart {
-    /* How deep anything was in anything else, at worst. */
+    /* Greatest depth of each kind of overlap in m. */
     float pair_m, wall_m, floor_m, surface_m, ring_m, hull_m;
-    uint32_t pair_count, other_count; /* Pair-ticks and fish-ticks deeper than APART_DEEP_M. */
+    uint32_t pair_count, other_count; /* Number of pairs of fish, and of single fish, deeper than
+                                         APART_DEEP_M, summed over the ticks. */
     uint64_t ticks, fish_ticks;
 
-    /* How they move: calm is what a fish does that no fright drives. */
-    double speed_sum, free_sum; /* Of swimming fish, m/s, true and by the gait alone. */
-    float yaw_rate_max_rad_s;   /* Of calm fish. */
-    uint64_t reversals;         /* Calm turns of over REVERSAL_RAD_S that change sides. */
-    uint64_t by_wall;           /* Fish-ticks within 3 cm of a wall. */
-    float stuck_s;              /* The longest that a swimming fish stayed on one spot. */
-    float loose_s;              /* The longest that one was in the water and not yet clear. */
+    /* Motion of the fish. A calm fish is not startled. */
+    double speed_sum, free_sum; /* Sums of the speeds of swimming fish in m/s: the true speed and
+                                   the speed of the gait alone. */
+    float yaw_rate_max_rad_s;   /* Greatest yaw rate of a calm fish. */
+    uint64_t reversals;         /* Number of calm turns of more than REVERSAL_RAD_S that change
+                                   their direction. */
+    uint64_t by_wall;           /* Number of fish within 3 cm of a wall, summed over the ticks. */
+    float stuck_s;              /* Longest time for which a swimming fish stayed in one place. */
+    float loose_s;              /* Longest time for which a returned fish was in the water and not
+                                   yet free of overlaps. */
 
-    /* Of each fish: where it is being watched from, for how long, and how it turned. */
+    /* State of each fish: the place from which its motion is measured, the time of this place, and
+     * its last turn. */
     vec3 spot_m[TANK_FISH_MAX];
     uint32_t spot_tick[TANK_FISH_MAX], loose_ticks[TANK_FISH_MAX];
     float yaw_rad[TANK_FISH_MAX];
@@ -40,23 +46,24 @@ struct apart {
 
 void apart_init(struct apart *apart);
 
-/* Looks at the tank after a tick. `pois` and `bowls` may be 0. */
+/* Checks the tank after a tick. `pois` and `bowls` may be null. */
 void apart_look(struct apart *apart, const struct tank *tank, const struct poi *pois,
                 uint32_t poi_count, const struct bowl *bowls, uint32_t bowl_count);
 
-/* The same pairs without cells, each fish with each; for the test of the cells. Returns the deepest
- * overlap. */
+/* Returns the deepest overlap of all pairs without the grid, as a reference for the test of the
+ * grid. */
 float apart_all_pairs_m(const struct tank *tank);
 
 float apart_deepest_m(const struct apart *apart);
 
-/* Mean true speed of swimming fish, in shares of what the gait alone would give. */
+/* Returns the mean true speed of swimming fish as a fraction of the speed of the gait alone. */
 float apart_pace(const struct apart *apart);
 
-/* Calm reversals per fish and second. */
+/* Returns the number of calm turn reversals for each fish and second. */
 float apart_reversals_per_s(const struct apart *apart);
 
-/* Share of fish within 3 cm of walls, in shares of what an even spread would have there. */
+/* Returns the number of fish within 3 cm of the walls as a fraction of the number in an even
+ * distribution. */
 float apart_wall_crowding(const struct apart *apart, const struct tank *tank);
 
 #endif

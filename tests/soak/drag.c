@@ -1,4 +1,4 @@
-/* drag.c -- strokes drawn by number, so that every run is the same. */
+/* drag.c -- draws the strokes of a dragged poi from a seed, so that every run is the same. */
 #include "tests/soak/drag.h"
 
 #include <stdio.h>
@@ -31,7 +31,8 @@ void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t 
     drag->to_m = drag->input.poi[0].target.position_m;
 }
 
-/* The next place: anywhere, a wall, a corner, the floor, or out of the water and in again. */
+/* Draws the next target: any place, a wall, a corner, the floor, or a place above the water from
+ * which the poi enters again. */
 static void next_stroke(struct drag *drag)
 {
     const vec3 size = drag->core.tank.size_m;
@@ -51,7 +52,7 @@ static void next_stroke(struct drag *drag)
         to.y = 0.06f;
     }
     drag->to_m = to;
-    /* Even in the logarithm: as many slow strokes as fast ones. */
+    /* The speed is uniform in its logarithm, so that slow strokes are as frequent as fast ones. */
     drag->speed_m_s = 0.1f * f_exp(draw(drag, 4, 0.0f, 2.708f));
     const float tilt = kind > 0.6f ? 90.0f : 50.0f;
     drag->angles = (struct angles){ draw(drag, 5, -90.0f, 90.0f) * F_DEG,
@@ -94,7 +95,7 @@ void drag_begin(struct drag *drag)
     next_stroke(drag);
 }
 
-/* Paper that is worn is new again: a ring without paper would be easier on the fish. */
+/* Replaces worn paper, because a ring without paper would disturb the fish less. */
 static void renew_paper(struct poi *poi)
 {
     if (poi->sheet.paper_cells < poi->sheet.paper_cells_new) {
@@ -111,7 +112,7 @@ void drag_tick(struct drag *drag)
         bowl_pour_back(&core->bowl[0], 0, &core->tank);
     }
     if (core->tick - core->game.phase_tick > CORE_TICK_HZ) {
-        core->game.phase_tick++; /* The clock waits. */
+        core->game.phase_tick++; /* The clock of the round stands still. */
     }
     tick_core(drag);
     const vec3 hand = drag->input.poi[0].target.position_m;

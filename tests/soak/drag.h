@@ -1,5 +1,7 @@
-/* drag.h -- a tank of a given density, and a hand that drags a real poi through it without mercy:
- * 0.1 to 1.5 m/s, level, slanted and on edge, plunging, along walls and into corners. */
+/* drag.h -- drags a real poi through a tank of a given density, as hard as a player can.
+ *
+ * The poi moves at 0.1 to 1.5 m/s, level, tilted and on edge. It also plunges, and moves along
+ * walls and into corners. */
 #ifndef KINGYO_TESTS_SOAK_DRAG_H
 #define KINGYO_TESTS_SOAK_DRAG_H
 
@@ -10,25 +12,27 @@ struct drag {
     struct core core;
     struct input input;
     struct output output;
-    vec3 to_m;       /* Where the hand goes ... */
-    float speed_m_s; /* ... how fast ... */
+    vec3 to_m;       /* Target of the current stroke. */
+    float speed_m_s; /* Speed of the current stroke. */
     struct angles angles;
-    uint32_t stroke; /* ... in the how manieth stroke. */
-    double lag_sum_m, hand_m; /* Ring behind hand, summed over ticks; the hand's way. */
+    uint32_t stroke; /* Number of the current stroke. */
+    double lag_sum_m, hand_m; /* Lag of the ring behind the hand, summed over the ticks, and the
+                                 path length of the hand. */
     uint32_t ticks;
 };
 
-/* A stall with `fish_count` fish; 0: the preset's own. In attract, until drag_begin(). */
+/* Opens a stall with `fish_count` fish; 0 means the preset's number. The stall stays in attract
+ * mode until drag_begin(). */
 void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t seed);
 
-/* Starts a round, with the poi over the middle of the tank. */
+/* Starts a round with the poi over the middle of the tank. */
 void drag_begin(struct drag *drag);
 
-/* One tick of the round with the hand on its way; the paper never wears out, and a bowl that fills
- * is poured back. */
+/* Runs one tick of the round and moves the hand. The paper never wears out, and a full bowl is
+ * emptied into the tank. */
 void drag_tick(struct drag *drag);
 
-/* One tick of the same tank, bowl included, that no poi disturbs. */
+/* Runs one tick of the same tank and bowl without a poi. */
 void drag_calm_tick(struct drag *drag);
 
 #endif

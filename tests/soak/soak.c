@@ -1,11 +1,12 @@
-/* soak.c -- minutes of full tanks, calm and with a poi dragged through, looked at in every tick.
+/* soak.c -- runs full tanks for minutes, calm and with a dragged poi, and checks every tick.
  *
- *     soak [SECONDS [SEED]]        600 s of each unless told
+ * Usage: soak [SECONDS [SEED]]. The default is 600 s for each tank.
  *
- * Depths in mm; pace: mean speed of swimming fish, of what their gait alone gives; rev/s: calm
- * reversals of the turn per fish and second; walls: fish within 3 cm of walls, of an even spread;
- * stuck, loose: the longest, s; lag: ring behind hand, mm; back: fish put back per fish-second.
- * Fails (1) when anything was deeper than 0.5 mm in anything else, or fish did not move as fish. */
+ * Depths are in mm. pace: mean speed of swimming fish as a fraction of their gait's speed. rev/s:
+ * reversals of calm turns for each fish and second. walls: fish within 3 cm of walls relative to an
+ * even distribution. stuck, loose: longest time in s. lag: ring behind hand in mm. back: fish put
+ * back for each fish and second. Returns exit status 1 if anything was deeper than 0.5 mm in
+ * anything else, or if the fish did not move naturally. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -26,16 +27,18 @@ static const struct density densities[] = {
 static struct drag drag;
 static struct apart apart;
 
-/* How fish must still move, however full the tank: no jitter, no gridlock, no pile at the walls. */
+/* Limits of natural motion in a tank of any density: no jitter, no blockage, no crowd at the
+ * walls. */
 #define PACE_MIN 0.5f
 #define REVERSALS_MAX_PER_S 1.0f
-#define YAW_RATE_MAX_RAD_S (720.0f * F_DEG) /* A burst's; giving way is no faster. */
+#define YAW_RATE_MAX_RAD_S (720.0f * F_DEG) /* Yaw rate of a burst. Avoidance turns are not
+                                               faster. */
 #define CROWDING_MAX 1.5f
 #define STUCK_MAX_S 5.0f
 #define LOOSE_MAX_S 0.5f
 
-static uint64_t back_count; /* Fish put back, each tick. */
-static int cells_missed;    /* All pairs know a deeper overlap than the cells found. */
+static uint64_t back_count; /* Number of fish that were put back, summed over the ticks. */
+static int cells_missed;    /* 1 if the check of all pairs found a deeper overlap than the grid. */
 
 static void run(const struct density *density, int dragged, uint32_t seconds, uint32_t seed)
 {

@@ -1,13 +1,14 @@
-/* week.c -- a week of a festival on the real frame loop, core and store: nothing may grow.
+/* week.c -- runs a week of a festival on the real frame loop, core and store, and checks that
+ * memory does not grow.
  *
- *   week [HOURS]
+ * Usage: week [HOURS]
  *
- * Time is simulated, HOURS (168) of it without a pause: from 10 to 21 o'clock a crowd drops coins,
- * plays and is ranked, at night nobody is there. The tank has one fish, and fish come into the bowl
- * by order: swimming is not what is tried. A line each six hours: what our program and SQLite have
- * in use, what the system gave it, how large the store is. Exit 1 when the memory in use grew
- * between the end of the first quarter and the end, when a tick was dropped, or when a coin is not
- * in the store. */
+ * Time is simulated for HOURS (default 168) without a pause. From 10 to 21 o'clock a crowd drops
+ * coins, plays and enters the leaderboard. At night no player is present. The tank has one fish,
+ * and the catches are set directly, because swimming is not under test. Prints a line every six
+ * hours: the memory that the program and SQLite use, the memory that the system gave, and the size
+ * of the store. Returns exit status 1 if the used memory grew between the end of the first quarter
+ * and the end, if a tick was dropped, or if a coin is not in the store. */
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,11 +34,12 @@
 #define LINE_HOURS 6u
 #define OPEN_HOUR 10u
 #define CLOSE_HOUR 21u
-#define GROWTH_MAX (4 * 1024)       /* Bytes: the lines that a library is still reading. */
+#define GROWTH_MAX (4 * 1024)       /* Allowed growth in bytes, for lines that a library is still
+                                       reading. */
 #define SQLITE_MAX (1536u * 1024u) /* The store's pages (1,024 KiB, as they come to be read), its
                                       backup's (256 KiB), statements and schema. */
 
-#define PIECE_HEAD sizeof(size_t) /* Before each piece of the C library's. */
+#define PIECE_HEAD sizeof(size_t) /* Size of the header of each block of the C library. */
 
 static struct kiosk kiosk;
 static struct storage store;
@@ -89,7 +91,7 @@ static int hand_open(void *self)
     return HAL_OK;
 }
 
-/* A hand that circles over the water while the stall is open. */
+/* Moves the poi in a circle over the water while the stall is open. */
 static int hand_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
@@ -171,8 +173,8 @@ static size_t resident_size(void)
     return resident * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-/* SQLite's own count leaves out what lies between its pieces, which grows with its cache; here
- * each piece counts as large as the C library made it. */
+/* Allocates memory for SQLite. SQLite's own counter omits the overhead of its blocks, which grows
+ * with its cache. Here each block counts with the size that the C library allocated. */
 static void *piece_take(int size)
 {
     return malloc((size_t)size);
@@ -245,8 +247,8 @@ static void tell(uint32_t hour, const struct sample *sample)
 
 /* ---- The week ------------------------------------------------------------------------------- */
 
-/* The store's thread writes in real time, the crowd plays some hundred times as fast: where it is
- * behind, the stall waits for it as it would for a second. */
+/* Waits for the store. The store's thread writes in real time, while the crowd plays some hundred
+ * times as fast. If the store falls behind, the stall waits for about a second. */
 static void wait_for_store(void)
 {
     const struct ledger *ledger = &kiosk.core.game.ledger;
@@ -297,7 +299,8 @@ static int holds_all(const char *folder)
     return coins > 0 && memory.audits.count[AUDIT_COINS_1] == coins;
 }
 
-/* SQLite keeps what it reads until its cache is full: that is bounded, the rest must not grow. */
+/* Prints the growth. SQLite keeps the data it reads until its cache is full, which is bounded. All
+ * other memory must not grow. */
 static int tell_growth(const struct sample *first, const struct sample *last, uint32_t since_hour)
 {
     const double own = ((double)last->ours - (double)last->sqlites) -
@@ -337,8 +340,9 @@ static int run(const char *folder, uint32_t hours)
     return grew || dropped > 0 || unwritten > 0 || !holds;
 }
 
-/* What a thread keeps at hand for its next pieces counts as in use, a few of each size that it ever
- * had: without that store the count is of what is really held. It is chosen before main. */
+/* Restarts the program without the per-thread caches of the C library. The blocks in these caches
+ * count as used, so that without the caches the count shows only memory that is really in use. The
+ * option must be set before main. */
 static void begin_bare(char **argv)
 {
     static const char name[] = "GLIBC_TUNABLES";

@@ -1,11 +1,12 @@
-/* curves.c -- the 2013 thesis' figure 2.9 from our own water: what 100 g of goldfish breathe and
- * what a litre holds, by temperature. CSV on standard output. */
+/* curves.c -- computes figure 2.9 of the 2013 thesis from Kingyo's own water: the oxygen
+ * consumption of 100 g of goldfish and the oxygen content of a litre, by temperature. Writes CSV to
+ * standard output. */
 #include <stdio.h>
 
 #include "core/tank/oxygen.h"
 
 #define SHOAL_KG 0.100f
-#define LENGTH_M 0.05f /* Of each of its fish. */
+#define LENGTH_M 0.05f /* Length of each fish of the shoal. */
 
 int main(void)
 {

@@ -1,4 +1,5 @@
-/* easel.c -- cameras, and the one view that no player has: through the wall. */
+/* easel.c -- cameras of the thesis pictures, including the view through the wall, which no player
+ * has. */
 #include "tests/thesis/easel.h"
 
 #include <stdio.h>
@@ -9,9 +10,10 @@
 #include "platform/render/display_gl.h"
 
 #define ASPECT ((float)EASEL_WIDTH / (float)EASEL_HEIGHT)
-#define SIDE_EYE_M 6.5f /* So far away near and far fish are nearly of one size. */
+#define SIDE_EYE_M 6.5f /* Distance of the side camera. At this distance near and far fish have
+                           nearly the same size. */
 
-static struct core core; /* Only to make a scene of its tank. */
+static struct core core; /* Core that is used only to make a scene of its tank. */
 static struct scene scene;
 static struct display_gl display;
 static uint8_t fine[EASEL_WIDTH * EASEL_FINER_MAX * EASEL_HEIGHT * EASEL_FINER_MAX * 3u];
@@ -28,7 +30,8 @@ int easel_open(uint32_t times)
         .width = fine_width,
         .height = fine_height,
         .off_screen = true,
-        .scene_scale = finer > 1u ? 1.0f : 0.0f, /* For measuring, as the kiosk chooses. */
+        .scene_scale = finer > 1u ? 1.0f : 0.0f, /* 0 selects the scale automatically, as in the
+                                                    kiosk, for measurements. */
     };
     const struct hal_display device = display_gl_device(&display);
     if (core_init(&core, &config) != CORE_OK || device.ops->open(device.self) != HAL_OK) {
@@ -51,7 +54,7 @@ void easel_close(void)
 
 /* ---- Cameras -------------------------------------------------------------------------------- */
 
-/* From `away_m` off the target, the picture `width_m` wide there. */
+/* Returns a view from `away_m` off the target. The picture is `width_m` wide at the target. */
 static struct view view_of(vec3 target_m, vec3 away_m, float width_m)
 {
     return (struct view){
@@ -86,7 +89,7 @@ static struct view camera(const struct easel_shot *shot, vec3 size_m)
 
 /* ---- Drawing -------------------------------------------------------------------------------- */
 
-/* The plan's shades, without the fans that would hide who gathers there. */
+/* Shows the shades of the plan without the fans, which would hide the fish below them. */
 static void show_shades(const struct tank_lab *lab)
 {
     const double now_s = (double)lab->tick / CORE_TICK_HZ;
@@ -121,7 +124,7 @@ static float near_wall_m(void)
     return SIDE_EYE_M - 0.5f * scene.tank_size_m.z;
 }
 
-/* Pixel rows from the bottom for a height on the near wall. */
+/* Returns the pixel row from the bottom for a height on the near wall. */
 static GLint row_of(const struct view *view, float y_m)
 {
     const float tan_y = view_half_height_tan(view, ASPECT);
@@ -141,7 +144,8 @@ static void fill_rows(GLint low, GLint high, float red, float green, float blue)
     glDisable(GL_SCISSOR_TEST);
 }
 
-/* Water that darkens with depth, on a floor, between walls that are not drawn. */
+/* Fills the picture with water that becomes darker with depth, and with the floor. The walls are
+ * not drawn. */
 static void fill_water(void)
 {
     const GLint floor = row_of(&scene.view, -scene.tank_size_m.y);
@@ -180,7 +184,7 @@ static void draw_side(struct renderer *renderer)
     glDisable(GL_DEPTH_TEST);
 }
 
-/* Each pixel is the mean of its finer ones. */
+/* Computes each pixel as the mean of its smaller pixels. */
 static void shrink(void)
 {
     const uint32_t area = finer * finer;
@@ -211,7 +215,7 @@ int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const
         return -1;
     }
     shrink();
-    /* The side view is a strip. */
+    /* The side view uses only a strip of the picture. */
     const uint32_t rows = shot->camera == CAMERA_SIDE ? EASEL_HEIGHT * 2u / 5u : EASEL_HEIGHT;
     const uint32_t skip = (EASEL_HEIGHT - rows) / 2u;
     const int error = png_write(path, picture + skip * EASEL_WIDTH * 3u, EASEL_WIDTH, rows);

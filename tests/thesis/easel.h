@@ -1,4 +1,4 @@
-/* easel.h -- takes pictures of a tank through the kiosk's own renderer, without a screen. */
+/* easel.h -- renders pictures of a tank with the kiosk's own renderer, without a screen. */
 #ifndef KINGYO_TESTS_THESIS_EASEL_H
 #define KINGYO_TESTS_THESIS_EASEL_H
 
@@ -12,31 +12,33 @@
 
 enum easel_camera {
     CAMERA_TOP,     /* The whole tank from above. */
-    CAMERA_CENTRE,  /* Its middle from above. */
-    CAMERA_SIDE,    /* Through the wall: fish and water alone. */
+    CAMERA_CENTRE,  /* The middle of the tank from above. */
+    CAMERA_SIDE,    /* View through the wall with only fish and water. */
     CAMERA_SLANT,   /* The whole tank from 60 degrees above the water. */
-    CAMERA_SHADE,   /* What lies about the middle, from above. */
-    CAMERA_NOSES,   /* Near the surface, to see who breathes there. */
-    CAMERA_MEETING, /* From above, close to `easel.look_at_m`. */
+    CAMERA_SHADE,   /* The area around the middle of the tank from above. */
+    CAMERA_NOSES,   /* View near the surface, which shows the fish that breathe there. */
+    CAMERA_MEETING, /* View from above, close to `easel.look_at_m`. */
 };
 
 struct easel_shot {
     enum easel_camera camera;
-    vec3 look_at_m; /* CAMERA_MEETING: where, ... */
-    float width_m;  /* ... and how much of it. */
+    vec3 look_at_m; /* Target of CAMERA_MEETING. */
+    float width_m;  /* Width of the picture of CAMERA_MEETING. */
 };
 
-/* Pictures are drawn `times` <= EASEL_FINER_MAX times as large and averaged: fins are thin. 0, or
- * -1 and why on standard error. */
+/* Opens the renderer. Pictures are drawn `times` as large and averaged, because fins are thin.
+ * `times` is at most EASEL_FINER_MAX. Returns 0, or -1 after a message on standard error. */
 int easel_open(uint32_t times);
 
-/* What draws, in words. */
+/* Returns the name of the renderer. */
 const char *easel_describe(void);
 
-/* Writes a PNG of the lab as it is now. 0, or -1 and why. */
+/* Writes a PNG file of the current state of the lab. Returns 0, or -1 after a message on standard
+ * error. */
 int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const char *path);
 
-/* Draws the stall's own view of the lab once, finished; for whoever measures that. */
+/* Draws the stall's own view of the lab once and waits until it is complete. Used for time
+ * measurements. */
 void easel_draw(const struct tank_lab *lab);
 
 void easel_close(void);

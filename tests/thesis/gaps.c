@@ -1,10 +1,13 @@
-/* gaps.c -- section 4.1 of the 2013 thesis says that with boxes fish pass each other more closely
- * and smoothly than with balls. Here is by how much: two fish swim toward each other on courses 0
- * to 10 cm apart, their spaces boxes or balls. CSV on standard output.
+/* gaps.c -- measures how much more closely fish with box spaces pass each other than fish with ball
+ * spaces.
  *
- * Of each passage: the least gap between the bodies, how far the fish strayed from their courses
- * before they were past, and whether they gave way at all; means over SEEDS tanks, for the side
- * that they choose is chance. */
+ * Section 4.1 of the 2013 thesis states that with boxes fish pass more closely and smoothly. Two
+ * fish swim toward each other on courses 0 to 10 cm apart, and their spaces are boxes or balls. The
+ * program writes CSV to standard output.
+ *
+ * Each row has the least gap between the bodies, the deviation of the fish from their courses until
+ * they have passed, and whether they gave way. The values are means over SEEDS tanks, because the
+ * side of the evasion is random. */
 #include <math.h>
 #include <stdio.h>
 
@@ -44,7 +47,8 @@ static void stage(float aside_m, uint8_t balls, uint32_t seed)
 static double gap_mm(void)
 {
     const struct box a = fish_box(&tank.fish[0]), b = fish_box(&tank.fish[1]);
-    return 1000.0 * (double)box_gap(&a, 1.0f, &b, 1.0f).body_m; /* No margin ends the search. */
+    return 1000.0 * (double)box_gap(&a, 1.0f, &b, 1.0f).body_m; /* A gap without a margin ends the
+                                                                   search. */
 }
 
 static struct passage pass(float aside_m, uint8_t balls, uint32_t seed)
@@ -57,7 +61,7 @@ static struct passage pass(float aside_m, uint8_t balls, uint32_t seed)
         const double first_mm = 1000.0 * fabs((double)fish[0].position_m.z);
         const double second_mm = 1000.0 * fabs((double)(fish[1].position_m.z - aside_m));
         passage.gap_mm = fmin(passage.gap_mm, gap_mm());
-        /* Until they have passed: what they do later is another story. */
+        /* The passage ends when the fish have passed each other. Later motion does not count. */
         if (fish[0].position_m.x < fish[1].position_m.x) {
             passage.stray_mm = fmax(passage.stray_mm, 0.5 * (first_mm + second_mm));
         }

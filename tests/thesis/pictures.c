@@ -1,8 +1,8 @@
-/* pictures.c -- the pictures of the 2013 thesis' chapter 4, taken of our tank: figures 4.1 to 4.24.
+/* pictures.c -- renders figures 4.1 to 4.24 of chapter 4 of the 2013 thesis from Kingyo's tank.
  *
- * Usage: pictures FOLDER. Each tank is what `kingyoctl tank` would run with the words that stand
- * beside it, so anyone can look closer. A line a picture goes to FOLDER/pictures.tsv: number, file,
- * the moment, what is seen, the words. */
+ * Usage: pictures FOLDER. Each tank is the tank that `kingyoctl tank` runs with the listed options,
+ * so that it can be inspected there. FOLDER/pictures.tsv gets a line for each picture: number,
+ * file, time, description and options. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@ static void fail(const char *what)
     exit(1);
 }
 
-/* Opens the tank that these words ask for. */
+/* Opens the tank that the options in `words` describe. */
 static void open_lab(const char *words)
 {
     static char text[512];
@@ -68,19 +68,20 @@ static void shoot(const char *number, const struct easel_shot *shot, const char 
 
 /* ---- 4.1 to 4.12: two fish meet ------------------------------------------------------------- */
 
-/* What section 4.1 says of its pictures. Which side they choose is chance: the first seed that
- * chooses the thesis' is taken. */
+/* Meetings in section 4.1 of the thesis. The side of the evasion is random, so that the first seed
+ * with the side of the thesis is used. */
 struct encounter {
-    int first; /* Picture. */
+    int first; /* Number of the first picture. */
     const char *name, *what;
-    uint8_t kind;   /* enum meeting_kind */
-    float turn;     /* Of the first fish: -1 right, +1 left. */
-    uint8_t yields; /* How many of the two give way. */
+    uint8_t kind;   /* Kind of meeting, an enum meeting_kind. */
+    float turn;     /* Turn of the first fish: -1 is right, +1 is left. */
+    uint8_t yields; /* Number of the two fish that give way. */
 };
 
 static const struct encounter encounters[] = {
     { 1, "head_on", "head-on", MEET_HEAD_ON, 1.0f, 2 },
-    { 5, "side", "from the side", MEET_STRUCK, 1.0f, 2 }, /* The second, behind the first. */
+    { 5, "side", "from the side", MEET_STRUCK, 1.0f, 2 }, /* The second fish is struck, behind the
+                                                             first one. */
     { 9, "rear_end", "from behind", MEET_REAR_END, -1.0f, 1 },
 };
 
@@ -104,7 +105,8 @@ static int is_of_its_kind(const struct encounter *wanted)
     return avoids(0) && fish->avoid_kind == wanted->kind && fish->avoid_turn * wanted->turn > 0.0f;
 }
 
-/* Both keep their course; who swims has come on by more than a body since `from`, and not back. */
+/* Returns 1 if both fish keep their course. A swimming fish must have advanced by more than a body
+ * length after `from`, and not have turned back. */
 static int both_go_on(const struct fish from[2])
 {
     for (int i = 0; i < 2; i++) {
@@ -119,8 +121,9 @@ static int both_go_on(const struct fish from[2])
     return 1;
 }
 
-/* When they begin to give way, are nearest, have done with it and go on: by what happens, not by a
- * clock. Returns whether it happened as the thesis has it. */
+/* Finds the moments at which the fish begin to give way, are nearest, end the evasion and continue.
+ * The moments depend on the motion and not on a clock. Returns 1 if the meeting is as in the
+ * thesis. */
 static int find_moments(const char *words, const struct encounter *wanted, struct moments *found)
 {
     struct fish from[2] = { 0 };
@@ -182,7 +185,8 @@ static void trace_meeting(const char *name, const char *words, const struct mome
     tank_lab_close(&lab);
 }
 
-/* One frame that holds both fish at all four moments, with a fish's length around them. */
+/* Computes one frame that contains both fish at all four moments with a margin of a fish's
+ * length. */
 static void frame_all(struct easel_shot *shot, const char *words, const uint32_t ticks[4])
 {
     vec3 low = { 9.0f, 0.0f, 9.0f }, high = { -9.0f, 0.0f, -9.0f };
@@ -201,7 +205,8 @@ static void frame_all(struct easel_shot *shot, const char *words, const uint32_t
     shot->width_m = f_max(0.24f, f_max(wide_m, tall_m * 16.0f / 9.0f));
 }
 
-/* The words of the first seed that makes the fish meet as in the thesis. */
+/* Returns the moments and the options of the first seed with which the fish meet as in the
+ * thesis. */
 static struct moments stage_meeting(const struct encounter *wanted, char words[WORDS_LENGTH])
 {
     struct moments found;
@@ -223,7 +228,7 @@ static void shoot_meeting(const struct encounter *wanted)
     char words[WORDS_LENGTH], number[8], seen[160];
     const struct moments found = stage_meeting(wanted, words);
     struct easel_shot shot = { .camera = CAMERA_MEETING };
-    /* Between beginning and end they are nearest, unless they never come nearer. */
+    /* Between the begin and the end the fish are nearest, unless they do not approach further. */
     const uint32_t during = found.nearest > found.begins && found.nearest < found.done
                                 ? found.nearest
                                 : (found.begins + found.done) / 2u;
@@ -241,7 +246,7 @@ static void shoot_meeting(const struct encounter *wanted)
     tank_lab_close(&lab);
 }
 
-/* ---- 4.13 to 4.24 --------------------------------------------------------------------------- */
+/* ---- Figures 4.13 to 4.24 ------------------------------------------------------------------- */
 
 static void shoot_crowd(void)
 {

@@ -1,10 +1,12 @@
-/* stages.c -- the 2005 thesis' pictures of fish, with our drawings and our light.
+/* stages.c -- draws the fish pictures of the 2005 thesis with Kingyo's shapes and light.
  *
- * Usage: stages growth|models|sizes|ways SPECIES|FILE OUT.png. `growth`: every key, with where its
- * dorsal fin begins (figure 3.3). `models`: the three input models of chapter 4 from two sides, the
- * middle one exaggerated where its curve is never whole (4.1, 4.5, 4.8, 4.12). `sizes`: the same
- * three at one scale, as they were caught (4.4, 4.11). `ways`: nine stages from the first to the
- * last by the ordinary morph, the thesis' and ours (4.14). */
+ * Usage: stages growth|models|sizes|ways SPECIES|FILE OUT.png
+ *
+ * `growth` draws every key with the start of its dorsal fin (figure 3.3). `models` draws the three
+ * input models of chapter 4 from two sides (4.1, 4.5, 4.8, 4.12). The middle model is exaggerated
+ * if its curve never reaches its full weight. `sizes` draws the same three models at one scale, in
+ * the sizes at which they were caught (4.4, 4.11). `ways` draws nine stages from the first to the
+ * last by the ordinary morph, the thesis' morph and Kingyo's morph (4.14). */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -21,26 +23,27 @@
 #define PAPER 0xf2f1ecu
 #define WATER_ABOVE 0xd3e4e6u
 #define WATER_BELOW 0x9fbfc6u
-#define COLUMNS 9u       /* Of `ways`. */
-#define HEAD_SHARE 0.26f /* Of the body's length, for close looks. */
+#define COLUMNS 9u       /* Number of stages that `ways` draws. */
+#define HEAD_SHARE 0.26f /* Length of the head as a fraction of the body's length, for close
+                            views. */
 
 static const char name[] = "stages";
 
-/* A fish on the picture: what it is, and where. */
+/* A fish in the picture and its place. */
 struct spot {
     const struct species *fish;
     const struct morph_rig *rig;
     float progress;
     enum portrait_view view;
     struct canvas_box box;
-    float scale_px; /* One measure. */
+    float scale_px; /* Scale in px, which is common to all fish of the picture. */
 };
 
 static struct canvas canvas;
 static struct portrait portrait;
 static bool failed;
 
-/* Draws portrait's fish in the middle of the box. */
+/* Draws the fish of the portrait in the middle of the box. */
 static void draw_portrait(enum portrait_view view, struct canvas_box box, float scale_px)
 {
     struct portrait_bounds b = portrait_nowhere;
@@ -91,7 +94,7 @@ static void key_words(const struct species_card *card, uint32_t key, float x, fl
 
 /* ---- Growth ---------------------------------------------------------------------------------- */
 
-/* A key with a line down from where its dorsal fin begins. */
+/* Draws a key with a vertical line from the start of its dorsal fin. */
 static void draw_root(const struct morph_pick *pick, uint32_t key, float left, float column,
                       float height)
 {
@@ -136,7 +139,8 @@ static enum exit_code draw_growth(const struct morph_pick *pick)
 
 /* ---- Input models ---------------------------------------------------------------------------- */
 
-/* The shape that is blended: of a solved curve not the drawing, but what lies beyond it. */
+/* Takes the shape that is blended. For a solved curve this shape is not the drawing but an
+ * extrapolation beyond the drawing. */
 static void take_model(const struct morph_pick *pick, uint32_t key)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];
@@ -188,7 +192,8 @@ static enum exit_code draw_sizes(const struct morph_pick *pick)
     const float *length_m = card->key_length_m;
     const float sum_m = length_m[0] + length_m[1] + length_m[2];
     const float gap = 70.0f, room = WIDTH - 2.0f * MARGIN - 4.0f * gap;
-    const float px_per_m = 0.78f * room / sum_m; /* Tails reach beyond standard length. */
+    const float px_per_m = 0.78f * room / sum_m; /* The scale leaves room for the tails, because
+                                                    tails extend beyond the standard length. */
     const float height = 0.62f * px_per_m * fmaxf(fmaxf(length_m[0], length_m[1]), length_m[2]);
     float left = MARGIN + gap;
     if (!begin(HEAD + height + 130.0f, card->id, "the same three at one scale")) {
@@ -209,9 +214,9 @@ static enum exit_code draw_sizes(const struct morph_pick *pick)
     return EXIT_OK;
 }
 
-/* ---- Three ways ------------------------------------------------------------------------------ */
+/* ---- Three morph methods -------------------------------------------------------------------- */
 
-/* The whole species' progress where the thesis' method has `progress`. */
+/* Returns the progress of the whole species at which the thesis' method has `progress`. */
 static float drawn_progress(const struct species_card *drawn, float progress)
 {
     const float place = progress * 2.0f;
@@ -220,7 +225,7 @@ static float drawn_progress(const struct species_card *drawn, float progress)
     return (from + (to - from) * (place - (float)i)) / (float)(drawn->key_count - 1u);
 }
 
-/* The head alone, enlarged: what is farther back is drawn beyond the box. */
+/* Draws only the head, enlarged. The rest of the fish is drawn outside the box. */
 static void draw_head(const struct spot *spot)
 {
     static struct portrait head;

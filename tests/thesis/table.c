@@ -1,9 +1,9 @@
-/* table.c -- the 2013 thesis' table 4.2, measured here: updates a second for eight fish counts,
- * near fish found by the grid and each against each.
+/* table.c -- measures table 4.2 of the 2013 thesis: updates per second for eight numbers of fish,
+ * with neighbours found by the grid and by all pairs.
  *
- * Usage: table FILE.csv. Ten seconds a tank, as the thesis; then updates, each one tick and one
- * picture, drawn by the kiosk's own renderer at 1280x720 without a screen. Both tanks of a row take
- * turns, so whatever else the machine does meets both alike. */
+ * Usage: table FILE.csv. Each tank runs ten seconds first, as in the thesis. Each measured update
+ * is one tick and one picture, drawn by the kiosk's own renderer at 1280x720 without a screen. Both
+ * tanks of a row alternate, so that other load on the machine affects both equally. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,9 +13,9 @@
 #include "tests/thesis/easel.h"
 
 #define SECONDS 10u
-#define FRAMES 15u /* Of each tank; odd, for the median. */
+#define FRAMES 15u /* Updates of each tank. The number is odd so that a median exists. */
 
-/* Section 4.4; -1: it could not be measured. */
+/* Values of section 4.4 of the thesis; -1 means that the thesis could not measure the value. */
 static const struct {
     uint32_t fish;
     double grid, all;
@@ -24,12 +24,12 @@ static const struct {
     { 250, 40.3, 0.5 },  { 300, 26.5, 0.3 },  { 400, 11.8, -1.0 }, { 600, 4.0, -1.0 },
 };
 
-/* How near fish are found. */
+/* Methods to find neighbours. */
 enum search { GRID, ALL, SEARCH_COUNT };
 
 static const char *const search_words[SEARCH_COUNT] = { "grid", "all" };
 
-/* One tank of each, of one seed: they swim alike. */
+/* One tank for each method. Both tanks have the same seed, so that their fish swim alike. */
 static struct tank_lab tanks[SEARCH_COUNT];
 static struct tank_plan plans[SEARCH_COUNT];
 
@@ -40,7 +40,7 @@ static double now_ms(void)
     return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
-/* Runs the tank; the mean tick in ms. The lab stays open. */
+/* Runs the tank and returns the mean tick in ms. The lab stays open. */
 static double run_ms(uint32_t fish, enum search search)
 {
     struct tank_lab *lab = &tanks[search];
@@ -51,7 +51,7 @@ static double run_ms(uint32_t fish, enum search search)
     if (tank_plan_read(&plans[search], 4, argv) != EXIT_OK) {
         exit(1);
     }
-    /* Room for the ticks that are drawn. */
+    /* The plan has room for the ticks that are drawn. */
     plans[search].tick_count = SECONDS * CORE_TICK_HZ + FRAMES;
     if (tank_lab_open(lab, &plans[search]) != EXIT_OK) {
         exit(1);
@@ -63,7 +63,8 @@ static double run_ms(uint32_t fish, enum search search)
     return 1e-6 * sum_ns / (double)lab->tick;
 }
 
-/* One update: the tank's tick and its picture. What the lab counts beside them is no part of it. */
+/* Returns the time of one update: the tick of the tank and its picture. The statistics of the lab
+ * are not included. */
 static double frame_ms(enum search search)
 {
     struct tank_lab *lab = &tanks[search];
@@ -79,7 +80,7 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-/* The median update of each tank, ms. */
+/* Computes the median update of each tank in ms. */
 static void draw_both_ms(double median_ms[SEARCH_COUNT])
 {
     static double frames[SEARCH_COUNT][FRAMES];

@@ -1,8 +1,9 @@
-/* as.c -- runs a command as another user, in the groups that /etc/group gives him and in no other.
+/* as.c -- runs a command as another user with only the groups that /etc/group lists for that user.
  *
- * as USER COMMAND [WORD...]. What systemd does for a unit with User= and LimitRTPRIO=1 (the USB
- * thread's, drivers/README.md); the guest has none. Exit code 126: he could not become that user,
- * 127: there is no such command, else the command's. */
+ * Usage: as USER COMMAND [WORD...]. Replaces systemd in the guest for a unit with User= and
+ * LimitRTPRIO=1, which the USB thread needs (drivers/README.md). Exit code 126 means that the
+ * program could not become the user, and 127 that the command does not exist. Otherwise the exit
+ * code is that of the command. */
 #include <grp.h>
 #include <pwd.h>
 #include <stdio.h>
@@ -13,14 +14,14 @@
 
 #define GROUPS_MAX 32
 
-/* The files themselves are read: a static program has no name services. */
+/* Reads the files directly, because a static program has no name service. */
 static struct passwd *find_user(const char *name)
 {
     FILE *file = fopen("/etc/passwd", "r");
     struct passwd *user = NULL;
     while (file && (user = fgetpwent(file)) && strcmp(user->pw_name, name) != 0) {
     }
-    return user; /* The file stays open for as long as this process is not the command. */
+    return user; /* The file stays open until this process executes the command. */
 }
 
 static int find_groups(const struct passwd *user, gid_t groups[GROUPS_MAX])

@@ -1,12 +1,11 @@
-/* hand.c -- a hand that plays on the kiosk in the guest through its USB poi, until a fish is
- * landed.
+/* hand.c -- plays on the kiosk in the guest through its USB poi until a fish is landed.
  *
- * hand RECORDING PLANS SECONDS. It follows the recording (twin.h), thinks a scoop out to its end on
- * a copy of the stall, with the core's own bot for an arm, and only sets out where a fish would
- * come of it. Then it writes the way as PLANS/plan, a pose for each of the poi's 120 reports a
- * second, in the words of `kingyo-poi run --script`. Until then the poi rests, so that copy and
- * stall stay one.
- * Exit code 0: a fish was landed; 1: not in time; 65: the recording is not that of this core. */
+ * Usage: hand RECORDING PLANS SECONDS. The program follows the recording (twin.h). It simulates a
+ * complete scoop on a copy of the stall with the core's own bot, and starts only if the simulated
+ * scoop lands a fish. Then it writes the path to PLANS/plan, as one pose for each of the poi's 120
+ * reports per second, in the script format of `kingyo-poi run --script`. The poi rests until the
+ * scoop, so that the copy and the stall stay equal. Exit code 0 means that a fish was landed, 1 a
+ * timeout, and 65 that the recording is not from this core. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,33 +17,38 @@
 #include "tests/vm/twin.h"
 
 #define PLAN_TICKS_MAX (20u * CORE_TICK_HZ)
-#define HOME_TICKS (CORE_TICK_HZ)        /* Back to where it rests. */
-#define AFTER_TICKS (CORE_TICK_HZ / 2u)  /* The hand stays so long after a fish has fallen. */
-#define THINK_S 4.0                      /* From the newest tick known to the first of the plan, */
-#define DELIVERY_S 0.10                  /* of which so long goes by until the poi has it. */
-#define TRIES_MAX 40u                    /* Of luck, for one moment of the stall. */
-#define JITTERS 4u                       /* Lateness of a way, in which it is tried out, too. */
-#define PACE_S 4.0                       /* So long is looked at to tell how fast its clock goes. */
+#define HOME_TICKS (CORE_TICK_HZ)        /* Ticks for the way back to the rest place. */
+#define AFTER_TICKS (CORE_TICK_HZ / 2u)  /* Ticks for which the poi stays after a fish has fallen
+                                            into the bowl. */
+#define THINK_S 4.0                      /* Time from the newest known tick to the first tick of the
+                                            plan. */
+#define DELIVERY_S 0.10                  /* Part of THINK_S until the poi receives the plan. */
+#define TRIES_MAX 40u                    /* Number of random trials for one moment of the stall. */
+#define JITTERS 4u                       /* Number of additional delays with which a path is
+                                            simulated. */
+#define PACE_S 4.0                       /* Time over which the speed of the stall's clock is
+                                            measured. */
 #define PACE_MIN 0.2
-#define LATE_S 3.0                       /* A recording is late by a second and a frame. */
+#define LATE_S 3.0                       /* Delay of a recording, which is at most a second and a
+                                            frame. */
 
 struct plan {
     struct poi_target way[PLAN_TICKS_MAX + HOME_TICKS];
     uint32_t count;
-    uint32_t lands;  /* In so many of JITTERS + 1 trials a fish came of it. */
+    uint32_t lands;  /* Number of the JITTERS + 1 simulations that landed a fish. */
 };
 
-/* How fast the stall's clock goes: a guest that draws slowly drops ticks, and its fish are slow. */
+/* Speed of the stall's clock. A guest that draws slowly drops ticks, and its fish are slow. */
 struct pace {
     double since_s;
     uint32_t since_ticks;
-    double rate; /* (0, 1] of CORE_TICK_HZ */
+    double rate; /* Fraction of CORE_TICK_HZ in (0, 1]. */
 };
 
 static struct twin twin;
 static struct pace pace = { .rate = 1.0 };
-static struct core copy; /* Megabytes: not for the stack. */
-static struct plan plans[2]; /* The best so far, and the one that is thought of. */
+static struct core copy; /* The copy has a size of megabytes and does not fit on the stack. */
+static struct plan plans[2]; /* The best plan so far, and the plan in work. */
 
 static double now_s(void)
 {
@@ -81,7 +85,7 @@ static uint32_t caught(const struct core *core)
     return core->game.player[0].caught;
 }
 
-/* Adds the way home, so that the next plan begins where this one did. */
+/* Appends the way back to the rest place, so that the next plan begins where this plan began. */
 static void go_home(struct plan *out, struct poi_target home)
 {
     const struct poi_target last = out->way[out->count - 1];
@@ -96,7 +100,7 @@ static void go_home(struct plan *out, struct poi_target home)
     }
 }
 
-/* The stall as it will be `lead` ticks on, with the poi where it rests, and the input of then. */
+/* Advances the copy by `lead` ticks with the poi at rest. Returns the input of that tick. */
 static struct input wait_on_copy(uint32_t lead, struct output *ignored)
 {
     struct input input = twin.input;
@@ -109,7 +113,8 @@ static struct input wait_on_copy(uint32_t lead, struct output *ignored)
     return input;
 }
 
-/* Whether a fish comes of a way that begins `lead` ticks on: a cable is not punctual. */
+/* Returns 1 if a path that begins after `lead` ticks lands a fish. Several leads are tested because
+ * the cable delay varies. */
 static int lands(uint32_t lead, const struct plan *way)
 {
     static struct output ignored;
@@ -122,7 +127,8 @@ static int lands(uint32_t lead, const struct plan *way)
     return caught(&copy) > before;
 }
 
-/* What an expert would do from `lead` ticks on: 1 and the way, where a fish comes of it. */
+/* Computes the path of an expert bot that begins after `lead` ticks. Returns 1 and the path if the
+ * path lands a fish. */
 static int think(uint32_t lead, uint32_t seed, struct plan *out)
 {
     static struct output ignored;
@@ -158,7 +164,8 @@ static void write_pose(FILE *file, const struct poi_target *target)
             (double)target->angles.yaw_rad * degrees, (double)target->angles.roll_rad * degrees);
 }
 
-/* Under another name first: who waits for it finds it whole. */
+/* Writes the plan under a temporary name and renames it, so that the reader gets a complete
+ * file. */
 static int send(const struct plan *way, const char *folder)
 {
     char path[512], part[520];
@@ -175,14 +182,15 @@ static int send(const struct plan *way, const char *folder)
     return fclose(file) == 0 && rename(part, path) == 0;
 }
 
-/* Whether a round is on in which our poi is in hand. */
+/* Returns 1 if a round is running and the player holds the poi. */
 static int can_play(void)
 {
     const struct game *game = &twin.core.game;
     return game->phase == PHASE_ROUND && !game->paused && twin.input.poi[0].link == POI_LINK_LIVE;
 }
 
-/* One more idea: it is the best where more comes of it, or as much sooner. */
+/* Computes one more plan. The plan replaces the best plan if it lands fish in more simulations, or
+ * in as many simulations but earlier. */
 static void think_once(uint32_t seed)
 {
     static const int32_t jitter_ticks[JITTERS] = { -12, 8, 18, 32 };
@@ -201,8 +209,8 @@ static void think_once(uint32_t seed)
     }
 }
 
-/* Thinks until it is time to set out, and sends the best way. Returns how long it goes on from now,
- * in seconds; 0 where there is none. */
+/* Computes plans until the start time and sends the best one. Returns the remaining duration of the
+ * plan in seconds, or 0 if no plan was found. */
 static double try_once(double seen_s, const char *folder, uint32_t *luck)
 {
     const double start_s = seen_s + THINK_S, enough_s = start_s - 3.0 * DELIVERY_S;

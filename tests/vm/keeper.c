@@ -1,10 +1,11 @@
-/* keeper.c -- what systemd is to the kiosk on a real board: it starts it, and as long as the kiosk
- * says that it lives, the machine's own watchdog is fed. No more: a kiosk that hangs resets the
- * machine.
+/* keeper.c -- acts as systemd for the kiosk in the guest: starts it and feeds the hardware watchdog
+ * while the kiosk reports that it runs.
  *
- * keeper DEVICE SECONDS COMMAND [WORD...]. The watchdog is opened at READY=1, fed at each
- * WATCHDOG=1 and told to stand down when the command ends by itself, whose exit code is keeper's.
- * At the end it says on standard error how often and at which longest distance it was fed. */
+ * Usage: keeper DEVICE SECONDS COMMAND [WORD...]. The program opens the watchdog at READY=1 and
+ * feeds it at each WATCHDOG=1. If the kiosk hangs, the watchdog resets the machine. When the
+ * command exits, the program disarms the watchdog and returns the exit code of the command. At
+ * its end it prints on standard error the number of feeds and the longest interval between two
+ * feeds. */
 #include <fcntl.h>
 #include <linux/watchdog.h>
 #include <poll.h>
@@ -25,7 +26,7 @@
 struct keeper {
     const char *device;
     int timeout_s;
-    int watchdog_fd;   /* -1: not armed yet. */
+    int watchdog_fd;   /* Open watchdog device; -1 means that the watchdog is not armed yet. */
     unsigned fed;
     double fed_s, longest_s;
 };
@@ -56,7 +57,7 @@ static int open_socket(void)
         perror("keeper: socket");
         exit(74);
     }
-    chmod(address.sun_path, 0666); /* Whoever the command is. */
+    chmod(address.sun_path, 0666); /* The command may run as any user. */
     setenv("NOTIFY_SOCKET", address.sun_path, 1);
     return fd;
 }

@@ -1,12 +1,12 @@
-/* lag.c -- how long a report of a USB poi waits for its tick, where neither picture nor core is in
- * the way.
+/* lag.c -- measures how long a report of a USB poi waits for its tick, without the load of drawing
+ * and of the core.
  *
- * lag VVVV:PPPP SECONDS. The kiosk's own way of a report, 60 frames a second: libusb's thread, its
- * ring, the decoder, the hand with its owed ticks and the pose of each. A machine in software takes
- * ten milliseconds for a tick of the core and half a second for a picture; with them the figure
- * would tell of those alone. Prints the figures in one line.
- * Exit code 0: half of what our poi sends by itself was used, and half of it within a frame and a
- * half; 1: it was not, or there was no such poi. */
+ * Usage: lag VVVV:PPPP SECONDS. Runs the kiosk's report path at 60 frames per second: the libusb
+ * thread, its ring buffer, the decoder, the missing ticks of a frame and the pose of each tick. An
+ * emulated machine takes ten milliseconds for a tick of the core and half a second for a picture,
+ * and these times would dominate the figure. Prints the figures in one line. Exit code 0 means that
+ * at least half of the reports that the poi sends were used, and that half of these were used
+ * within a frame and a half. Exit code 1 means that this failed or that no such poi exists. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -19,8 +19,8 @@
 #include "platform/kiosk/pace.h"
 
 #define FRAME_NS 16666667u
-#define FIND_NS 10000000000u /* A device of a slow machine has taken its seat by then. */
-#define REPORTS_MIN 125u     /* A second. */
+#define FIND_NS 10000000000u /* Timeout until the device of a slow machine has its slot. */
+#define REPORTS_MIN 125u     /* Least number of reports per second. */
 #define MEDIAN_MAX_NS (FRAME_NS + FRAME_NS / 2u)
 
 static struct poi_hid poi[POI_MAX];
@@ -52,7 +52,8 @@ static struct usb_seats *start(struct hal *hal, const struct usb_key *key)
     return usb;
 }
 
-/* The kiosk asks a seat that nobody sits at no more: so it begins when somebody does. */
+/* Waits until the device has a slot. The kiosk also reads a slot only after a device has taken
+ * it. */
 static int is_found(const struct hal *hal)
 {
     const uint64_t end_ns = hal->clock.ops->now_ns(hal->clock.self) + FIND_NS;
@@ -64,7 +65,7 @@ static int is_found(const struct hal *hal)
     return poi[0].plays;
 }
 
-/* As kiosk_frame() does it, in its order. */
+/* Runs one frame in the order of kiosk_frame(). */
 static void frame(const struct hal *hal)
 {
     struct poi_input input;
@@ -81,7 +82,8 @@ static void frame(const struct hal *hal)
     poi_hand_end(&hand);
 }
 
-/* A frame that comes too late is not made up for. Returns how many there were. */
+/* Runs frames until `long_ns` have passed. A late frame is not repeated. Returns the number of
+ * frames. */
 static uint32_t play(const struct hal *hal, uint64_t long_ns)
 {
     const uint64_t begin_ns = hal->clock.ops->now_ns(hal->clock.self);

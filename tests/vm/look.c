@@ -1,6 +1,7 @@
-/* look.c -- what is going on in the guest, by the recording it writes: "name value" lines.
+/* look.c -- writes the state of the guest's stall from its recording as "name value" lines.
  *
- * look RECORDING FILE, which is written anew whenever there is more, until a signal comes. */
+ * Usage: look RECORDING FILE. The program rewrites FILE whenever the recording has grown, until a
+ * signal ends the program. */
 #include <signal.h>
 #include <stdio.h>
 #include <time.h>
@@ -8,7 +9,7 @@
 #include "core/game/menu_pages.h"
 #include "tests/vm/twin.h"
 
-#define LOOK_NS 100000000 /* A recording grows once a second. */
+#define LOOK_NS 100000000 /* Poll period in ns. A recording grows once a second. */
 
 static volatile sig_atomic_t told_to_end;
 
@@ -54,7 +55,8 @@ static void tell(FILE *file, const struct twin *twin)
             (double)at.z * 1e3);
 }
 
-/* Under another name first: who reads it finds it whole. */
+/* Writes the file under a temporary name and renames it, so that the reader gets a complete
+ * file. */
 static int tell_to(const char *path, const struct twin *twin)
 {
     char part[512];

@@ -1,14 +1,16 @@
-/* panel.c -- fingers, coins and eyes before a cabinet of gpio-sim, more punctual than a shell's.
+/* panel.c -- generates pulses on lines of gpio-sim and counts pulses, with better timing than a
+ * shell script.
  *
- *     panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]
- *         WIRE is the folder of a line that is pulled low COUNT times. A machine in software stands
- *         still now and then, so what a pulse really lasted is measured, and with a window only
- *         those inside it count towards COUNT. At the end "COUNT pulses of A to B ms, S shorter,
- *         L longer" on standard output.
- *     panel count WIRE FILE
- *         Writes to FILE how often the line's value rose, until a signal comes. A pulse of a meter
- *         lasts 100 ms, and is looked for ten times in that, from each processor: whoever drives
- *         the line runs on one of them, and so that one does not stand still then. */
+ * Usage: panel pulse WIRE WIDTH_MS REST_MS COUNT [MIN_MS MAX_MS]. WIRE is the folder of a line that
+ * is pulled low COUNT times. An emulated machine stops from time to time, so that the true length
+ * of each pulse is measured. With MIN_MS and MAX_MS only pulses of such a length count toward
+ * COUNT. At the end the program prints "COUNT pulses of A to B ms, S shorter, L longer" on standard
+ * output.
+ *
+ * Usage: panel count WIRE FILE. Writes to FILE how often the line's value rose, until a signal ends
+ * the program. A meter pulse lasts 100 ms. Each processor polls the line ten times in that time,
+ * because the program that drives the line runs on one of the processors, which therefore does not
+ * stand still at that moment. */
 #include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
@@ -22,12 +24,13 @@
 
 #define PATH_SIZE 256
 #define LOOK_MS 10.0
-#define PULSES_MAX 100000u /* Of a machine that never makes one as wide as it should be. */
+#define PULSES_MAX 100000u /* Limit of pulses on a machine that never generates the required
+                              length. */
 
 struct pulses {
     double width_ms, rest_ms, min_ms, max_ms;
     uint32_t count, shorter, longer;
-    double narrowest_ms, widest_ms; /* Of those that count. */
+    double narrowest_ms, widest_ms; /* Shortest and longest of the pulses that count. */
 };
 
 static double now_ms(void)
@@ -83,7 +86,7 @@ static void pulse(struct pulses *pulses, const char *wire, uint32_t count)
            pulses->narrowest_ms, pulses->widest_ms, pulses->shorter, pulses->longer);
 }
 
-/* A line whose chip is away is low. */
+/* Returns 1 if the line is high. A line without a chip is low. */
 static int is_high(const char *path)
 {
     char value = '0';
@@ -95,7 +98,8 @@ static int is_high(const char *path)
     return value == '1';
 }
 
-/* Under another name first: who reads it finds it whole. */
+/* Writes the file under a temporary name and renames it, so that the reader gets a complete
+ * file. */
 static void tell(const char *path, uint32_t count)
 {
     char part[PATH_SIZE];
@@ -108,17 +112,18 @@ static void tell(const char *path, uint32_t count)
     }
 }
 
-/* What all eyes have seen of a line so far. */
+/* State of a line, which all polling threads share. */
 static struct {
     char path[PATH_SIZE];
     pthread_mutex_t lock;
-    double looked_ms; /* When the look began that was believed last. */
+    double looked_ms; /* Start time of the last accepted poll. */
     int was_high;
     _Atomic uint32_t rises;
 } seen = { .lock = PTHREAD_MUTEX_INITIALIZER, .was_high = 1 };
 
-/* An eye whose processor stood still tells of a level that is long over: what began before
- * another's newer look is not believed, or a pulse would end and then be there again. */
+/* Accepts the level of a poll. A thread whose processor stood still reports an outdated level. A
+ * poll that began before a newer accepted poll is therefore ignored, because otherwise one pulse
+ * would be counted twice. */
 static void believe(double looked_ms, int high)
 {
     pthread_mutex_lock(&seen.lock);
@@ -168,7 +173,8 @@ static void count_rises(const char *wire, const char *out)
 
 int main(int argc, char **argv)
 {
-    const struct sched_param hand = { .sched_priority = 10 }; /* Interrupts' threads have 50. */
+    const struct sched_param hand = { .sched_priority = 10 }; /* Kernel threads of interrupts have
+                                                                 priority 50. */
     sched_setscheduler(0, SCHED_FIFO, &hand);
     if (argc == 4 && strcmp(argv[1], "count") == 0) {
         count_rises(argv[2], argv[3]);

@@ -1,4 +1,4 @@
-/* twin.c -- reads what is new, ticks it, holds every digest against its own. */
+/* twin.c -- reads new ticks of a recording, runs them and compares every digest. */
 #include "tests/vm/twin.h"
 
 #include <string.h>
@@ -30,7 +30,7 @@ static void count(struct twin *twin)
     twin->paused_ticks += twin->core.game.phase == PHASE_ROUND && twin->core.game.paused;
 }
 
-/* Past what was taken before: decoded, and not ticked again. */
+/* Skips the ticks that were taken before. They are decoded but not run again. */
 static int skip_known(struct twin *twin, struct input *input)
 {
     for (uint32_t i = 0; i < twin->ticks; i++) {
@@ -55,7 +55,8 @@ int twin_follow(struct twin *twin)
     struct input input = { 0 };
     const uint32_t before = twin->ticks;
     if (twin->differs_at || replay_open(&twin->reader, twin->path)) {
-        return twin->differs_at ? -1 : 0; /* Not there, or in mid-write: in a moment it is whole. */
+        return twin->differs_at ? -1 : 0; /* The recording does not exist or is being written. It
+                                             will be complete at a later call. */
     }
     if (!begin(twin) || !skip_known(twin, &input)) {
         replay_close(&twin->reader);

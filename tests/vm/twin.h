@@ -1,8 +1,9 @@
-/* twin.h -- the stall in the guest, computed once more outside of it from the recording it writes.
+/* twin.h -- recomputes the stall of the guest outside the guest from the recording that the kiosk
+ * writes.
  *
- * The core is a pure function of its inputs: what the kiosk recorded, ticked again here, is the
- * very stall that runs there, and each tick's digest proves it. So a test knows all of the kiosk's
- * mind, at most a second late, without a word of the kiosk's for tests. */
+ * The core is a pure function of its inputs. Recorded inputs that are ticked again give exactly the
+ * stall in the guest, and the digest of each tick proves it. A test thus has the complete state of
+ * the kiosk, at most a second late, without test code in the kiosk. */
 #ifndef KINGYO_TESTS_VM_TWIN_H
 #define KINGYO_TESTS_VM_TWIN_H
 
@@ -12,27 +13,30 @@
 #include "platform/replay.h"
 
 struct twin {
-    const char *path;        /* Of the recording, which may still grow. */
+    const char *path;        /* Path of the recording, which may still grow. */
     struct replay_reader reader;
     struct core core;
-    struct input input;      /* Of the newest tick. */
+    struct input input;      /* Input of the newest tick. */
     struct output output;
-    uint32_t ticks;          /* Taken so far. */
-    uint32_t coins;          /* Of all inputs. */
-    uint32_t presses[9];     /* Of each button, by the bit of enum input_button. */
-    uint32_t caught;         /* Fish landed, by the recording's own count. */
-    uint32_t lost_spans;     /* How often the first poi went away after it had been here, ... */
-    uint32_t lost_ticks;     /* ... and for how long, the last time. */
-    uint32_t paused_ticks;   /* In which a round waited for it. */
-    uint32_t differs_at;     /* The first tick that is not the kiosk's; 0: none. */
+    uint32_t ticks;          /* Number of ticks taken so far. */
+    uint32_t coins;          /* Total number of coins in all inputs. */
+    uint32_t presses[9];     /* Number of presses of each button, indexed by the bit of enum
+                                input_button. */
+    uint32_t caught;         /* Number of landed fish, by the count in the recording. */
+    uint32_t lost_spans;     /* Number of times that the first poi was lost after it had been
+                                present. */
+    uint32_t lost_ticks;     /* Duration of the last loss of the first poi. */
+    uint32_t paused_ticks;   /* Number of ticks in which a round was paused because of a loss. */
+    uint32_t differs_at;     /* First tick whose digest differs from the kiosk's; 0 means none. */
     uint8_t was_live, begun;
 };
 
-/* Takes what the recording has by now. 1: there was more; 0: nothing new, or not whole yet; -1: it
- * is not the kiosk's play (differs_at), or none at all. A zeroed twin with a path begins. */
+/* Takes the new ticks of the recording. Returns 1 if new ticks were taken, and 0 if the recording
+ * has nothing new or is incomplete. Returns -1 if the recording differs from this core (differs_at)
+ * or is invalid. The caller starts with a zeroed twin that has a path. */
 int twin_follow(struct twin *twin);
 
-/* One tick of any core on a hand's own input: what would be. */
+/* Runs one tick of any core with the caller's input, to simulate a possible future. */
 void twin_tick(struct core *core, const struct input *input, struct output *output);
 
 #endif

@@ -1,14 +1,17 @@
-/* cut.c -- what is on a disk after its power was cut: all that was flushed, and of the rest what
- * luck had written.
+/* cut.c -- computes the content of a disk after a power cut: all flushed data, and a random part of
+ * the rest.
  *
- * cut LOG DISK SEED [lies]. LOG is what QEMU's blklogwrites wrote of a machine that was killed:
- * each write and each flush in their order (the kernel's dm-log-writes format). DISK is the disk as
- * it was when that machine was switched on, and becomes what it is when it is switched on again. A
- * write that a flush came after, or that was to be on the medium at once (FUA), is there. Of each
- * other one by itself it is drawn whether it is there (so they are re-ordered), or only some of its
- * sectors of 512 bytes (so it is torn). A disk that lies does not keep what it flushed either: with
- * one, the test that uses this must fail. Prints one line of how many of each. Exit code 74: no
- * such file, or not what QEMU writes. */
+ * Usage: cut LOG DISK SEED [lies]. LOG is the log that QEMU's blklogwrites wrote for a machine that
+ * was killed. The log has each write and each flush in their order (the format of the kernel's
+ * dm-log-writes). DISK is the disk when that machine was switched on, and is changed to the disk
+ * when the machine is switched on again.
+ *
+ * A write is on the disk if a flush followed it or if it was a FUA write. Each other write is drawn
+ * separately: it is on the disk, is not, or is torn, so that only some of its sectors of 512 bytes
+ * are there. The order of writes is therefore not preserved. With `lies` the disk also loses
+ * flushed data, so that the test which uses this program must fail. Prints one line with the number
+ * of writes of each kind. Exit code 74 means that a file is missing or that LOG is not a log of
+ * QEMU. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
@@ -19,11 +22,12 @@
 
 #define SECTOR 512u
 #define MAGIC 0x6a736677736872ull
-#define WRITES_MAX (1u << 20) /* A busy stall makes some hundred a second: hours. */
+#define WRITES_MAX (1u << 20) /* Largest number of writes. A busy stall makes some hundred writes
+                                 per second, so that this number is enough for hours. */
 
 enum { FLUSH = 1, FUA = 2, DISCARD = 4, MARK = 8 };
 
-struct super { /* Little-endian, as the machines that this runs on. */
+struct super { /* Header of the log, little-endian as the supported machines. */
     uint64_t magic, version, entries;
     uint32_t sector_size;
 } __attribute__((packed));
@@ -33,7 +37,7 @@ struct entry {
 };
 
 struct write {
-    uint64_t at, to, size; /* Bytes: in the log, on the disk. */
+    uint64_t at, to, size; /* Positions in the log and on the disk, and the size, in bytes. */
     uint8_t is_zero, is_safe;
 };
 
@@ -53,7 +57,7 @@ static void fail(const char *path, const char *why)
     exit(74);
 }
 
-/* Steele, Lea, Flood: SplitMix64. */
+/* Returns the next random number (Steele, Lea, Flood: SplitMix64). */
 static uint64_t draw(void)
 {
     uint64_t x = luck += 0x9e3779b97f4a7c15ull;
@@ -62,17 +66,18 @@ static uint64_t draw(void)
     return x ^ x >> 31;
 }
 
-/* What was written before it is there. */
+/* Marks all earlier writes as durable. */
 static void flush(struct tally *tally)
 {
-    static uint32_t flushed; /* Of the writes, so many. */
+    static uint32_t flushed; /* Number of writes that were already flushed. */
     while (flushed < write_count) {
         writes[flushed++].is_safe = !disk_lies;
     }
     tally->flushes++;
 }
 
-/* All entries up to the first that is none: the log's own count is only written now and then. */
+/* Reads all entries up to the first invalid one, because the count in the log's header is updated
+ * only from time to time. */
 static void read_log(const char *path, int log, struct tally *tally)
 {
     struct super super;
@@ -107,7 +112,7 @@ static void read_log(const char *path, int log, struct tally *tally)
     }
 }
 
-/* `share`: of its sectors, in 256ths, those that are written. */
+/* Writes the sectors of a write. `share` is the fraction of its sectors in 256ths. */
 static void put(int log, int disk, const struct write *write, unsigned share)
 {
     uint8_t bytes[SECTOR] = { 0 };
@@ -117,7 +122,7 @@ static void put(int log, int disk, const struct write *write, unsigned share)
         }
         if (!write->is_zero &&
             pread(log, bytes, SECTOR, (off_t)(write->at + done)) != (ssize_t)SECTOR) {
-            return; /* The log's own last write, which the kill tore. */
+            return; /* The kill tore the last write of the log itself. */
         }
         if (pwrite(disk, bytes, SECTOR, (off_t)(write->to + done)) != (ssize_t)SECTOR) {
             fail("disk", strerror(errno));

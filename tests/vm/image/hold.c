@@ -1,14 +1,15 @@
-/* hold.c -- stops the first thread of a process, and no other, until this ends or the process does.
+/* hold.c -- stops only the first thread of a process, until this program or the process ends.
  *
- * hold PID. What a frame loop that hangs looks like from outside: SIGSTOP would stop the threads
- * beside it, too. Exit code 0: the process is no more; 74: it could not be held. */
+ * Usage: hold PID. Simulates a frame loop that hangs. SIGSTOP would also stop the other threads.
+ * Exit code 0 means that the process has ended, and 74 that the process could not be stopped. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/ptrace.h>
 #include <sys/wait.h>
 
-/* A signal that would end the process ends it: the thread is let go for that. */
+/* Returns 1 if the process has ended. A signal that would end the process is delivered, and the
+ * stopped thread is released for it. */
 static int is_over(pid_t pid)
 {
     int status;

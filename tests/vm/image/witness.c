@@ -1,18 +1,24 @@
-/* witness.c -- what a stall that lost its power had been told is safe, by the recording it wrote.
+/* witness.c -- prints which data a stall that lost power had committed, from its recording.
  *
- * witness RECORDING prints, of the core that is ticked once more from the recording (twin.h):
- *     start LAST_ID BOOT UNITS PAID SERVICE OPEN   what it remembered when it began
- *     entry ID BOOT TICK KIND DETAIL COUNT VALUE UNITS BONUS PAID SERVICE UNTOLD OPEN
- *     end TICKS ACKNOWLEDGED_ID NEWEST_ID COINS
- * A recording is written once a second: what was acknowledged in the last one is not known here.
- * Exit code 0; 65: it is not this core's play. */
+ * Usage: witness RECORDING. The core is ticked again from the recording (twin.h), and the program
+ * prints:
+ *
+ * start LAST_ID BOOT UNITS PAID SERVICE OPEN: the state that the stall loaded at its start.
+ *
+ * entry ID BOOT TICK KIND DETAIL COUNT VALUE UNITS BONUS PAID SERVICE UNTOLD OPEN: a ledger entry.
+ *
+ * end TICKS ACKNOWLEDGED_ID NEWEST_ID COINS: the end of the recording.
+ *
+ * A recording is written once a second, so that acknowledgements of the last second are missing.
+ * Exit code 0 means success, and 65 that the recording is not from this core. */
 #include <stdio.h>
 
 #include "tests/vm/twin.h"
 
 static struct replay_reader reader;
 static struct core core;
-static struct output output; /* All three: megabytes, not for the stack. */
+static struct output output; /* The three structs have a size of megabytes and do not fit on the
+                                stack. */
 
 static void tell_purse(const struct purse *purse)
 {

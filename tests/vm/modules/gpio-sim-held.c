@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/* gpio-sim-held.c -- gpio-sim, whose chip can be pulled out while a program holds its lines.
+/* gpio-sim-held.c -- the kernel module gpio-sim with a chip that can be pulled out while a program
+ * holds its lines.
  *
- * Linux 6.1 frees the lines' interrupts with the chip, also those that a program still waits on:
- * the kernel then writes into freed memory when that program lets go ("removing non-empty
- * directory 'irq/32', leaking at least ..."; a general protection fault soon after). There they
- * are kept for good: a few kilobytes each time, in a machine that is thrown away. Linux 6.12 takes
- * them from the program first. All else is the kernel's own. */
+ * Linux 6.1 frees the interrupts of the lines with the chip, even if a program still waits for
+ * them. When that program closes the lines, the kernel writes into freed memory ("removing
+ * non-empty directory 'irq/32', leaking at least ..."), and a general protection fault follows soon
+ * after. This module never frees the interrupts. The leak is a few kilobytes each time in a
+ * temporary machine. Linux 6.12 detaches the interrupts from the program first. All other code is
+ * the kernel's own. */
 #include <linux/irqdomain.h>
 #include <linux/module.h>
 #include <linux/version.h>

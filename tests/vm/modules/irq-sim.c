@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0+
-/* irq-sim.c -- the kernel's simulated interrupts, which gpio-sim stands on, as a module.
+/* irq-sim.c -- the kernel's simulated interrupts, which gpio-sim needs, as a module.
  *
- * Debian leaves CONFIG_IRQ_SIM out, and irq_to_desc() is not for modules: the kernel's own file is
- * taken as it is, with that one call said by two that are. On 6.1 a domain is never given back:
- * gpio-sim-held.c says why. */
+ * Debian does not enable CONFIG_IRQ_SIM, and irq_to_desc() is not exported to modules. The kernel's
+ * own file is used unchanged, with that call replaced by two exported calls. On 6.1 an interrupt
+ * domain is never freed (gpio-sim-held.c gives the reason). */
 #include <linux/irq.h>
 #include <linux/irqdesc.h>
 #include <linux/irqdomain.h>
