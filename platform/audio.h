@@ -35,6 +35,7 @@ struct audio {
     atomic_uint pushed, taken;
 };
 
+/* Returns the device of `audio`, which must outlive the device. */
 struct hal_audio audio_device(struct audio *audio);
 
 #endif

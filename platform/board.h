@@ -87,6 +87,8 @@ void board_close(struct hal *hal);
  * sound or a store. The clock begins at 0 and advances only through board_rehearsal_advance(). The
  * result is the same on every machine. */
 void board_open_rehearsal(struct hal *hal, const struct board_options *options, uint64_t start_ns);
+
+/* Advances the clock of board_open_rehearsal() by `ns` nanoseconds. */
 void board_rehearsal_advance(uint64_t ns);
 
 /* Returns 1 if a screen can be opened. Otherwise returns 0 and writes one line to `why` (`why_size`

@@ -12,6 +12,7 @@
 #define CLOCK_FIRST_YEAR 2026
 #define CLOCK_LAST_YEAR 2178
 
+/* Returns the device of the machine's clocks. */
 struct hal_clock clock_device(void);
 
 /* Converts a date of the civil calendar to the units of hal_clock_ops.civil. */

@@ -67,10 +67,12 @@ struct hal_display_ops {
     /* Opens the display, and reopens it after HAL_ERR_GONE. May block for a long time. */
     int (*open)(void *self);
     int (*poll)(void *self, struct display_events *out); /* On an error, `out` is invalid. */
+    /* Draws a scene and presents it. May wait for the screen's vertical sync. */
     int (*present)(void *self, const struct scene *scene);
     /* Sets how the picture is transformed to the screen from the next present() on. Copies
      * `showing`. */
     void (*place)(void *self, const struct showing *showing);
+    /* Switches between window and full screen. */
     int (*toggle_full_screen)(void *self);
     /* Copies the picture presented last. Returns HAL_ERR_IO if there is no picture, or if `image`
      * is too small. In the second case the width and height of `image` are set to the required
@@ -115,11 +117,12 @@ struct hal_shade_ops {
     const char *(*describe)(void *self);
 };
 
-/* Button levels now, and the debounced edges since the last poll. A coin pulse of 20 ms is not
- * lost. */
 #define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT) /* The bit of the first coin line; the other
                                                        coin lines follow. */
 #define HAL_LINE_COUNT (INPUT_BUTTON_COUNT + COIN_LINE_COUNT)
+
+/* Button levels now, and the debounced edges since the last poll. A coin pulse of 20 ms is not
+ * lost. */
 struct button_sample {
     uint32_t held, pressed;   /* Bits of enum input_button. */
     uint32_t raw;             /* Levels before debouncing; same bits as `missing`. */
@@ -164,6 +167,7 @@ enum hal_switch {
 /* Switched outputs. A call that fails has no effect. The caller repeats it next frame after
  * HAL_ERR_BUSY, after one second on a fault, and never after HAL_ERR_NONE. */
 struct hal_switches_ops {
+    /* Sets the level of a lamp or of the coin lockout. */
     int (*set)(void *self, enum hal_switch which, int active);
     /* Queues `count` more pulses. The driver issues the pulses one after another at its own
      * rate. */
@@ -184,12 +188,15 @@ struct hal_controllers_ops {
     /* Returns a UTF-8 name, for example "057e:2009 Pro Controller, port 3-1.2", or "" for an empty
      * row. */
     const char *(*name)(void *self, uint32_t row);
+    /* Executes a command of the operator on a controller. */
     int (*order)(void *self, const struct desk_order *order);
     const char *(*describe)(void *self);
 };
 
 struct hal_audio_ops {
     int (*open)(void *self);
+    /* Starts a sound. Never blocks. Returns HAL_ERR_BUSY if the queue is full; the sound is
+     * lost. */
     int (*play)(void *self, const struct sound_event *event);
     const char *(*describe)(void *self);
     void (*close)(void *self);
@@ -254,9 +261,10 @@ struct hal_storage_ops {
 };
 
 struct hal_watchdog_ops {
+    /* Notifies the watchdog that the kiosk runs. Called once in each frame that had ticks. */
     void (*kick)(void *self);
-    uint8_t (*watches)(void *self); /* Returns an enum scene_watch: whether a missing kick resets
-                                       the machine. */
+    uint8_t (*watches)(void *self); /* Returns an enum scene_watch: whether missing kicks restart
+                                       the kiosk. */
     const char *(*describe)(void *self);
 };
 

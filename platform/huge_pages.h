@@ -9,6 +9,7 @@
  * The caller releases the memory with huge_pages_free() and the same size. */
 void *huge_pages_alloc(size_t size);
 
+/* Releases memory of huge_pages_alloc(), with the same size. */
 void huge_pages_free(void *memory, size_t size);
 
 #endif

@@ -56,6 +56,8 @@ enum machine_aside {
     MACHINE_ASIDE_LEFT,    /* "kingyo.db.left-out-3": the database before a part was deleted. */
     MACHINE_ASIDE_OTHER,   /* "kingyo.db.tail.other-3": a file of a foreign ledger. */
 };
+
+/* Returns the kind of a file, given its name without the folder. */
 enum machine_aside machine_aside_of(const char *file);
 
 /* Returns true if the file was acknowledged. */
@@ -63,6 +65,8 @@ bool machine_is_seen(const char *folder, const char *file);
 
 /* Starts the thread. If no thread can be created, all values remain unknown. */
 void machine_start(struct machine *machine);
+
+/* Stops the thread and waits for its end. */
 void machine_stop(struct machine *machine);
 
 /* Copies the newest result, except `watch` and `missed`. Leaves `out` unchanged while the thread

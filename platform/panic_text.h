@@ -13,6 +13,7 @@ struct panic_text {
     char out[PANIC_TEXT_MAX]; /* Zero-terminated. */
 };
 
+/* Append text, or a decimal number. Text beyond PANIC_TEXT_MAX is dropped. */
 void panic_put(struct panic_text *text, const char *words);
 void panic_put_number(struct panic_text *text, uint32_t number);
 

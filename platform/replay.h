@@ -145,6 +145,8 @@ int replay_is_open(const struct replay_writer *writer);
  * set. */
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals);
+
+/* Return 1 if the next replay_add() uses `digest`, or the hash in `totals`. */
 int replay_wants_digest(const struct replay_writer *writer);
 int replay_wants_hash(const struct replay_writer *writer);
 
@@ -226,6 +228,7 @@ int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t s
  * the core after that tick. */
 int replay_next(struct replay_reader *reader, struct input *input);
 
+/* Closes the recording without further checks. */
 void replay_close(struct replay_reader *reader);
 
 /* Read a whole file, or the rest of the open recording, and validate every byte. Return 0 with

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Read or write 4 or 8 bytes. */
 uint32_t replay_get_u32(const uint8_t *bytes);
 uint64_t replay_get_u64(const uint8_t *bytes);
 void replay_put_u32(uint8_t *bytes, uint32_t value);
@@ -23,6 +24,7 @@ struct replay_rest {
                   panic. */
 };
 
+/* Read one number and advance `rest`. */
 uint8_t replay_take_u8(struct replay_rest *rest);
 uint16_t replay_take_u16(struct replay_rest *rest);
 uint32_t replay_take_u32(struct replay_rest *rest);

@@ -16,6 +16,7 @@ struct replay_walk {
     int bad;           /* 1: the buffer ended. Later calls have no effect. */
 };
 
+/* Write or read one field, or an array of `count` elements. */
 void walk_bytes(struct replay_walk *walk, void *bytes, size_t count);
 void walk_u8(struct replay_walk *walk, uint8_t *value);
 void walk_u16(struct replay_walk *walk, uint16_t *value);

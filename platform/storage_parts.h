@@ -13,8 +13,14 @@ void storage_beside(const struct storage *storage, const char *suffix, const cha
 /* Suffixes of the files that belong to the database. */
 #define STORAGE_BESIDE_COUNT 5u
 extern const char *const storage_suffixes[STORAGE_BESIDE_COUNT];
+
+/* Returns true if the path exists, also if an I/O error prevents the check. */
 bool storage_has_path(const char *path);
+
+/* Opens the ledger mirror for reading. The caller closes the result. */
 struct ledger_tail storage_look_at_tail(const struct storage *storage);
+
+/* Write the paths of the backup and of the ledger mirror. */
 void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
 void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE]);
 /* Returns true if the backup belongs to the ledger of the open file and has more entries, which
@@ -39,6 +45,8 @@ int storage_open_alone(struct storage *storage);
 void storage_leave(struct storage *storage); /* Releases the lock of the folder. */
 /* Returns true if the open file can be written. Tries to reopen a file that was lost. */
 bool storage_has_card(struct storage *storage);
+
+/* Records the SQLite code of a write or of an attempt to open, and counts a failure. */
 void storage_note_result(struct storage *storage, int code);
 /* Records the result of a write, and closes a file that must be reopened. */
 void storage_note_write(struct storage *storage, int code);
@@ -82,6 +90,8 @@ int64_t storage_stuck_ms(const struct storage *storage);
  * and reported, and is retried each second. Returns 0, or -1 if the entries are not on disk in the
  * mirror; then they must not be acknowledged. */
 int storage_write_tail(struct storage *storage, const struct ledger_entry *entries, uint32_t count);
+
+/* Completes the mirror from the database after a failed write, if no entry waits. */
 void storage_mend_tail(struct storage *storage);
 
 /* storage_thread.c: closes the file and aborts its backup. */

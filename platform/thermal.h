@@ -34,6 +34,8 @@ struct thermal {
 
 /* Starts the thread. If no thread can be created, the margin remains unknown. */
 void thermal_start(struct thermal *thermal);
+
+/* Stops the thread and waits for its end. */
 void thermal_stop(struct thermal *thermal);
 
 #endif

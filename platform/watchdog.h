@@ -23,6 +23,7 @@ struct watchdog {
 int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,
                   uint64_t usec);
 
+/* Returns the device of `watchdog`, which must outlive the device. */
 struct hal_watchdog watchdog_device(struct watchdog *watchdog);
 
 #endif

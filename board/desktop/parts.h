@@ -20,6 +20,8 @@ void screen_ignore(const uint32_t *types, size_t count);
 /* Opens the USB controllers. Call before hands_open(), so that SDL skips the devices that are
  * claimed here. */
 void usb_open(struct hal *hal, const struct board_options *options);
+
+/* Add the USB controllers to the slots, and their buttons to the panel. */
 void usb_add_seats(struct seats *seats);
 void usb_add_buttons(struct buttons_join *join);
 
@@ -31,7 +33,11 @@ void usb_close(void);
 
 /* Assigns all poi devices and fans to the slots. */
 void hands_open(struct hal *hal, const struct board_options *options);
+
+/* Adds the buttons of gamepads to the panel. */
 void hands_add_buttons(struct buttons_join *join);
+
+/* Closes the devices of hands_open(). */
 void hands_close(void);
 
 /* Combines all buttons to one panel, and opens the cabinet's outputs. Call after hands_open(). */
@@ -43,6 +49,7 @@ void panel_close(void);
 /* Opens sound and store. */
 void store_open(struct hal *hal, const struct board_options *options);
 
+/* Connects the watchdog of the service manager, or the null watchdog. */
 void watchdog_open(struct hal *hal);
 
 #endif

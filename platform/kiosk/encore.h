@@ -44,6 +44,7 @@ void encore_frame(struct encore *encore, const struct hal *hal, const struct hal
                   const struct ranking *ranking, uint32_t tick_count);
 void encore_show(const struct encore *encore, struct scene *scene, struct output *output);
 
+/* Ends the playback at once. */
 void encore_end(struct encore *encore);
 
 #endif

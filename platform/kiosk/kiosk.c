@@ -236,7 +236,7 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     present_view(kiosk, hal);
     present_frame(kiosk, hal, tick_count);
     if (tick_count > 0) {
-        hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog resets a kiosk whose core
+        hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog restarts a kiosk whose core
                                                         hangs. */
     }
     timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);

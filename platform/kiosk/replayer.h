@@ -40,6 +40,7 @@ struct kiosk_tap replayer_tap(struct replayer *replayer);
 /* Returns 1 if a panic interrupted the newest tick, so that no state was recorded after it. */
 int replayer_is_interrupted(const struct replayer *replayer);
 
+/* Closes the recording. */
 void replayer_end(struct replayer *replayer);
 
 /* Writes one line to standard error, "SPEAKER: PATH: byte N: ...". Returns the matching exit

@@ -16,6 +16,7 @@ struct timing {
     uint32_t bins[TIMING_BIN_COUNT + TIMING_SLOW_COUNT];
 };
 
+/* Adds one duration. */
 void timing_add(struct timing *timing, uint64_t duration_ns);
 
 /* Returns the duration that the share `share` in [0, 1] of all durations does not exceed, to half a

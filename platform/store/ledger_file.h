@@ -153,6 +153,7 @@ int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id);
  * Returns quickly if there is little to delete. Call when no other work is pending. */
 int ledger_file_prune(struct ledger_file *file);
 
+/* Closes the file and its statements. Has no effect on a closed file. */
 void ledger_file_close(struct ledger_file *file);
 
 /* Returns the text for any code of this module. */

@@ -47,6 +47,8 @@ int ledger_pin_hide(struct ledger_file *file);
  * bytes of a PIN, so that the next ledger_pin_hide() rewrites the file. The caller updates the
  * checksums. */
 int ledger_pin_mark(struct ledger_file *file);
+
+/* ledger_rows.c: reads the newest entry. */
 int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out);
 /* Reads the state of the open round; zero if no state is stored. */
 int ledger_rows_stand(struct ledger_file *file, struct ledger_stand *out);

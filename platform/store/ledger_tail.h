@@ -29,6 +29,8 @@ struct ledger_tail {
 /* Opens the mirror and creates the file if necessary. Returns 0, or -1 with errno set and the
  * mirror closed. */
 int ledger_tail_open(struct ledger_tail *tail, const char *path);
+
+/* Closes the mirror. Has no effect on a closed one. */
 void ledger_tail_close(struct ledger_tail *tail);
 
 /* Opens the mirror for reading. Returns a closed one if there is no file. */
