@@ -16,8 +16,8 @@
 #include "core/game/technique.h"
 #include "platform/kiosk/options.h"
 
-#define BOT_FILE_SIZE_MAX 16384u /* Largest size of a bot file in bytes. A file with all keys needs
-                                    about a tenth of it. */
+/* Largest size of a bot file in bytes. A file with all keys needs about a tenth of it. */
+#define BOT_FILE_SIZE_MAX 16384u
 #define BOT_FILE_TEXT_MAX 200u
 
 /* Position and text of an error in a bot file. */

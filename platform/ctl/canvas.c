@@ -1,6 +1,6 @@
 /* canvas.c -- the rasterizer of a canvas.
  *
- * Adds coverage times colour in linear light. */
+ * Each pixel adds colour times coverage in linear light. */
 #include "platform/ctl/canvas.h"
 
 #include <errno.h>

@@ -11,8 +11,8 @@
 
 #include "core/base/vec.h"
 
-#define CANVAS_SIDE_MAX 16384u /* Longest side in pixels. Image viewers still open pictures of this
-                                  size. */
+/* Longest side in pixels. Image viewers still open pictures of this size. */
+#define CANVAS_SIDE_MAX 16384u
 
 /* A canvas. canvas_open() fills it. */
 struct canvas {
@@ -20,7 +20,7 @@ struct canvas {
     vec3 *pixels; /* Pixels of the canvas, width x height, top row first. The canvas owns them. */
 };
 
-/* A rectangle in pixels. Its edges may lie between pixels. */
+/* A rectangle in pixels. The edges may lie between pixels. */
 struct canvas_box {
     float left, top, width, height;
 };

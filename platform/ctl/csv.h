@@ -17,13 +17,14 @@
 
 /* Size in bytes of the line buffer, with the newline and the terminating zero. */
 #define CSV_LINE_MAX 1024u
-#define CSV_SIZE_MAX (64u << 20) /* Largest file size in bytes. 131,072 fish of --place need about
-                                    16 MiB. */
+
+/* Largest file size in bytes. 131,072 fish of --place need about 16 MiB. */
+#define CSV_SIZE_MAX (64u << 20)
 
 /* Definition of a column that a file may have. */
 struct csv_column {
     const char *name;
-    double min, max;          /* Allowed range of the numbers. Ignored for columns with `words`. */
+    double min, max;          /* Allowed range of the numbers, unless `words` is set. */
     const char *const *words; /* Allowed words, terminated by null. The value is the index of the
                                  word. Null for a column of numbers. */
     uint8_t may_miss;         /* 1 if a file without this column is accepted. Otherwise such a file

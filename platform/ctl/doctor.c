@@ -18,8 +18,9 @@
 #include "platform/plain_file.h"
 #include "platform/print.h"
 
-#define WORDS_MAX 160 /* Most words on the command line. The limit exceeds the number of GPIO lines
-                         and controllers that the kiosk accepts. */
+/* Most words on the command line. The limit exceeds the number of GPIO lines and controllers
+ * that the kiosk accepts. */
+#define WORDS_MAX 160
 
 static const char name[] = "doctor";
 static struct doctor doctor;

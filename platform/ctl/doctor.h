@@ -1,7 +1,7 @@
 /* doctor.h -- the findings of `kingyoctl doctor`.
  *
- * Each finding names a component, its state and the action to take. All checks are passive: they
- * claim no device, request no GPIO line and create no file. */
+ * Each finding names a component, its state and the action to take. The checks are
+ * passive. No check claims a device, requests a GPIO line or creates a file. */
 #ifndef KINGYO_PLATFORM_CTL_DOCTOR_H
 #define KINGYO_PLATFORM_CTL_DOCTOR_H
 
@@ -12,8 +12,8 @@
 #include "platform/folder.h"
 #include "platform/kiosk/options.h"
 
-#define DOCTOR_FINDINGS_MAX 256u /* Most findings of one run. The report states how many further
-                                    findings were dropped. */
+/* Most findings of one run. The report states how many further findings were dropped. */
+#define DOCTOR_FINDINGS_MAX 256u
 #define DOCTOR_TEXT 256u
 #define DOCTOR_PATH 512u
 #define DOCTOR_GROUPS_MAX 64u
@@ -71,19 +71,29 @@ void doctor_todo(struct doctor_finding *finding, const char *format, ...);
 
 /* ---- Checks, one source file each ------------------------------------------------------------ */
 
-void doctor_usb(struct doctor *doctor);    /* Checks the controllers on USB. */
-void doctor_nodes(struct doctor *doctor);  /* Checks the HID devices on all other buses. */
-void doctor_input(struct doctor *doctor);  /* Checks the devices that SDL reads: gamepads, mice,
-                                              touch screens and keyboards. */
-void doctor_gpio(struct doctor *doctor);   /* Checks the GPIO chips and the configured GPIO
-                                              lines. */
+/* Checks the controllers on USB. */
+void doctor_usb(struct doctor *doctor);
+
+/* Checks the HID devices on all other buses. */
+void doctor_nodes(struct doctor *doctor);
+
+/* Checks the devices that SDL reads: gamepads, mice, touch screens and keyboards. */
+void doctor_input(struct doctor *doctor);
+
+/* Checks the GPIO chips and the configured GPIO lines. */
+void doctor_gpio(struct doctor *doctor);
+
 /* Returns whether a desktop session controls the input devices and the screen. */
 bool doctor_under_a_desktop(const struct doctor *doctor);
-void doctor_screen(struct doctor *doctor); /* Checks the graphics cards and the screens connected to
-                                              them. */
+
+/* Checks the graphics cards and the screens connected to them. */
+void doctor_screen(struct doctor *doctor);
+
+/* Checks the sound cards and their outputs. */
 void doctor_sound(struct doctor *doctor);
-void doctor_store(struct doctor *doctor);  /* Checks the data folder, the database and the stored
-                                              controller mappings. */
+
+/* Checks the data folder, the database and the stored controller mappings. */
+void doctor_store(struct doctor *doctor);
 
 /* ---- Permissions ----------------------------------------------------------------------------- */
 
@@ -109,8 +119,9 @@ __attribute__((format(printf, 4, 5)))
 void doctor_line(const struct doctor *doctor, char *out, size_t size, const char *path, ...);
 
 /* Sorted list of names in a folder. */
-#define DOCTOR_NAMES_MAX 64u /* Most names of one kind (video connectors, sound outputs, event
-                                nodes). Further names are dropped. */
+/* Most names of one kind (video connectors, sound outputs, event nodes). Further names are
+ * dropped. */
+#define DOCTOR_NAMES_MAX 64u
 struct doctor_names {
     uint32_t count;
     char name[DOCTOR_NAMES_MAX][64];

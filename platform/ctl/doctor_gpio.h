@@ -7,8 +7,8 @@
 #include "drivers/gpio_lines.h"
 #include "platform/ctl/doctor.h"
 
-#define GPIO_CENSUS_MAX 1024u /* Most lines in the census. A Raspberry Pi 5 has 130 lines on 14
-                                 chips. */
+/* Most lines in the census. A Raspberry Pi 5 has 130 lines on 14 chips. */
+#define GPIO_CENSUS_MAX 1024u
 
 /* State of one GPIO line. */
 struct gpio_seen {

@@ -18,8 +18,9 @@
 #include "platform/storage.h"
 #include "platform/store/sql.h"
 
-#define ROOM_MIB 64u /* Free space in MiB below which doctor warns. It holds the database twice,
-                        with a replay of each ranked round. */
+/* Free space in MiB below which doctor warns. The space holds the database twice, with a replay of each
+ * ranked round. */
+#define ROOM_MIB 64u
 #define PATH_ROOM (OPTIONS_PATH_MAX + 400u)
 
 /* ---- Data folder ----------------------------------------------------------------------------- */
@@ -72,8 +73,9 @@ static int look_at_folder(struct doctor *doctor, const char *path)
 
 /* ---- Database -------------------------------------------------------------------------------- */
 
-#define BACKUP_OLD_H 48 /* Hours after which a backup is reported as old. The kiosk makes a backup
-                           at each program start and every hour. */
+/* Hours after which a backup is reported as old. The kiosk makes a backup at each program start
+ * and every hour. */
+#define BACKUP_OLD_H 48
 
 static int64_t count_of(struct ledger_file *file, const char *sql)
 {

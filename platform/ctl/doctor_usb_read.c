@@ -10,8 +10,10 @@
 
 #define BOOT 1u
 #define BOOT_KEYBOARD 1u
-#define INTERFACES_MAX 32u /* Most interfaces of one device that are read. USB 2.0 sets no limit,
-                              but real devices have up to 8. */
+
+/* Most interfaces of one device that are read. USB 2.0 sets no limit, but real devices have up
+ * to 8. */
+#define INTERFACES_MAX 32u
 
 static uint32_t number_at(const struct doctor *doctor, const char *folder, const char *name,
                           int base)

@@ -16,8 +16,8 @@
  * is too long. */
 #define HID_FILE_SIZE (4u * (HID_DESCRIPTOR_SIZE_MAX + 1u))
 
-#define HID_REPORTS_SIZE_MAX (1u << 30) /* Largest file of reports in bytes. The size holds 2 h of
-                                           64-byte reports at 1 kHz. */
+/* Largest file of reports in bytes. The size holds 2 h of 64-byte reports at 1 kHz. */
+#define HID_REPORTS_SIZE_MAX (1u << 30)
 
 #define HID_NOT_HEX (-1)  /* The text contains something other than hex digits and white space. */
 #define HID_HALF_HEX (-2) /* The text is hex, but one byte has only one digit. */

@@ -10,11 +10,11 @@
 
 #include "drivers/hid_descriptor.h"
 
-#define HID_LIVE_ROWS 192u /* Most rows of the view. Further fields are only counted. Few terminals
-                              have more lines. */
+/* Most rows of the view. Further fields are only counted. Few terminals have more lines. */
+#define HID_LIVE_ROWS 192u
 #define HID_LIVE_TEXT 65536u
 
-/* One row of the view: one field, or all the buttons or keys of one Input item. */
+/* A row of the view: one field, or all the buttons or keys of one Input item. */
 struct hid_live_row {
     uint16_t group;
     uint16_t field;

@@ -5,8 +5,10 @@
 
 #define PAGE_KEYBOARD 0x07u
 #define PAGE_BUTTON 0x09u
-#define PAGE_VENDOR 0xff00u /* First vendor-defined page. All pages above are vendor-defined too
-                               (HID Usage Tables 1.5, section 3). */
+
+/* First vendor-defined page. All pages above are vendor-defined too (HID Usage Tables 1.5,
+ * section 3). */
+#define PAGE_VENDOR 0xff00u
 
 static const struct {
     hid_usage usage;

@@ -7,8 +7,8 @@
 #include "platform/ctl/hid_file.h"
 #include "platform/print.h"
 
-#define LINE_SIZE 65536      /* Longest line in characters. A report of 8 KiB is 16 KiB of hex
-                                text. */
+/* Longest line in characters. A report of 8 KiB is 16 KiB of hex text. */
+#define LINE_SIZE 65536
 #define REPORT_SIZE_MAX 16384u
 
 static void print_usage(hid_usage usage)

@@ -15,8 +15,9 @@
 #include "platform/ctl/user_file.h"
 #include "platform/print.h"
 
-#define WRITER_WAIT_MS 2000 /* Timeout for the writer of a pipe, in ms. A shell needs less to start
-                               a process at the other end. */
+/* Timeout for the writer of a pipe, in ms. A shell needs less to start a process at the other
+ * end. */
+#define WRITER_WAIT_MS 2000
 #define WRITER_STEP_MS 20
 
 static enum exit_code tell_open(const char *path)

@@ -12,8 +12,8 @@
 #include "drivers/hid_descriptor.h"
 #include "platform/kiosk/options.h"
 
-#define HID_SOURCE_BYTES 16384u /* Buffer size in bytes: twice the longest report that a descriptor
-                                   may declare. */
+/* Buffer size in bytes: twice the longest report that a descriptor may declare. */
+#define HID_SOURCE_BYTES 16384u
 
 /* An open source of reports. hid_source_open() fills it. */
 struct hid_source {
@@ -38,7 +38,7 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
 /* Result of hid_source_pull(). */
 enum hid_pull {
     HID_PULL_NOTHING = 0, /* No report arrived within `timeout_ms`. */
-    HID_PULL_REPORT,      /* `out` is a report. Its bytes stay valid until the next call. */
+    HID_PULL_REPORT,      /* `out` is a report. The bytes stay valid until the next call. */
     HID_PULL_END,         /* The source has ended. `*code` is the exit code, and every error was
                              printed. */
 };

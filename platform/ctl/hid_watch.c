@@ -20,13 +20,14 @@
 #include "platform/number.h"
 #include "platform/print.h"
 
-#define WAIT_MS 50             /* Timeout of one wait in ms. It limits the delay after Ctrl-C and
-                                  lets the rate drop when no report arrives. */
+/* Timeout of one wait in ms. The timeout limits the delay after Ctrl-C and lets the rate drop when no
+ * report arrives. */
+#define WAIT_MS 50
 #define PICTURE_NS 50000000ull /* Shortest time between two views in ns: 20 views per second. */
 #define SECONDS_MAX 86400u
 
-#define SCREEN_BEGIN "\x1b[?1049h\x1b[?25l" /* Escape codes that select the terminal's alternate
-                                               screen and hide the cursor. */
+/* Escape codes that select the terminal's alternate screen and hide the cursor. */
+#define SCREEN_BEGIN "\x1b[?1049h\x1b[?25l"
 #define SCREEN_HOME "\x1b[H"
 #define LINE_REST "\x1b[K"
 #define SCREEN_REST "\x1b[J"

@@ -9,8 +9,8 @@
 
 #include "platform/ctl/import_flat_parts.h"
 
-#define SAME 1e-7f /* A morph target that moves no vertex by more than this is equal to the base
-                      shape. */
+/* Tolerance in file units. A target that moves no vertex farther equals the base. */
+#define SAME 1e-7f
 
 static vec3 vector(const struct aiVector3D *a)
 {

@@ -9,11 +9,13 @@
 
 #define DAYS_PER_YEAR 365.25
 #define KEY_DAYS 30.0       /* Days between two key shapes if no age is given. */
-#define GROWN 1.05          /* Asymptotic length relative to the length of the last key shape, if no
-                               growth is given. */
+
+/* Asymptotic length relative to the length of the last key shape, if no growth is given. */
+#define GROWN 1.05
 #define FADE_YEAR 0.3f
-#define K_MAX 5.0           /* Largest growth coefficient per year, for a fish that is fully grown
-                               within one year. */
+
+/* Largest growth coefficient per year, for a fish that is fully grown within one year. */
+#define K_MAX 5.0
 #define SAME_SIZE 0.01f
 #define UNSET 255u
 

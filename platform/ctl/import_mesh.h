@@ -12,15 +12,17 @@
 #include "core/morph/species.h"
 #include "platform/kiosk/options.h"
 
-#define IMPORT_VERTEX_MAX 65536u    /* Most vertices of a file, for example of a 3D scan. The mesh
-                                       of a species has at most MESH_VERTEX_MAX. */
+/* Most vertices of a file, for example of a 3D scan. The mesh of a species has at most
+ * MESH_VERTEX_MAX. */
+#define IMPORT_VERTEX_MAX 65536u
 #define IMPORT_TRIANGLE_MAX 131072u
 #define IMPORT_GROUP_MAX 64u
 #define IMPORT_NAME_SIZE 64u
 #define IMPORT_TIME_MAX 4096u       /* Most keyframes of an animation of weights. */
 #define IMPORT_FILE_MAX (64u * 1024u * 1024u)
-#define IMPORT_REACH_MAX 1e6f       /* Largest coordinate. A file with greater coordinates is
-                                       reported as damaged. */
+
+/* Largest coordinate. A file with greater coordinates is reported as damaged. */
+#define IMPORT_REACH_MAX 1e6f
 #define IMPORT_WHY_SIZE 200u
 
 /* A mesh with several key shapes. The struct is large and must not be on the stack. */

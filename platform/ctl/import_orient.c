@@ -7,14 +7,21 @@
 
 #include "platform/ctl/import_plan.h"
 
-#define UNCLEAR_SHARE 0.015 /* Share of the length. If the body's centre is nearer than this to the
-                               middle of its extent, head and tail are indistinguishable. */
-#define SQUARE_RATIO 1.15   /* Ratio of length to width. Below this ratio the front axis is
-                               ambiguous, as for a ray seen from above. */
-#define MIDDLE_SHARE 0.1f   /* Share of the body's height around the body's middle that contains the
-                               shortest rays of a forked tail. */
-#define OURS_OFF 0.1f       /* Tolerance of the size of our own meshes. Their rings and rays only
-                               approximate the exact measure. */
+/* Share of the length. If the body's centre is nearer than this to the middle of its extent,
+ * head and tail are indistinguishable. */
+#define UNCLEAR_SHARE 0.015
+
+/* Ratio of length to width. Below this ratio the front axis is ambiguous, as for a ray seen from
+ * above. */
+#define SQUARE_RATIO 1.15
+
+/* Share of the body's height around the body's middle that contains the shortest rays of a
+ * forked tail. */
+#define MIDDLE_SHARE 0.1f
+
+/* Tolerance of the size of our own meshes. Their rings and rays only approximate the exact
+ * measure. */
+#define OURS_OFF 0.1f
 
 const char *const import_axis_names[AXIS_NONE] = { "+x", "+y", "+z", "-x", "-y", "-z" };
 

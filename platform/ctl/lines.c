@@ -13,8 +13,9 @@
 #include "platform/print.h"
 
 #define SECONDS_MAX 86400u
-#define SET_SECONDS 3u     /* Seconds for which an output is set without --seconds, for example to
-                              check a lamp. */
+
+/* Seconds for which an output is set without --seconds, for example to check a lamp. */
+#define SET_SECONDS 3u
 #define PULSES_MAX 1000u   /* Most pulses for the test of a meter. */
 #define NS_PER_S 1000000000ull
 
