@@ -175,8 +175,9 @@ static void set_strange_aside(struct storage *storage)
     }
 }
 
-/* Compares the file with its backup and mirror, and renames those of a foreign ledger. A read-only
- * file keeps them because no entries can be added to it. */
+/* Compares the file with its backup and mirror, and renames a backup or mirror of a foreign ledger.
+ * Nothing is renamed beside a read-only file, because such a file gets no new entries that would
+ * need them. */
 static int compare(struct storage *storage)
 {
     const enum others backup = backup_is(storage), tail = tail_is(storage);

@@ -68,8 +68,8 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 
 /* Returns 1 if the kiosk must restart to use a store that appeared later, with its settings and
  * coins. Conditions: no game and no replay run, no recording would be overwritten, and the store
- * has all money that was only in memory. A remaining credit is no reason to wait, because without a
- * store it cannot be played. */
+ * has all money that was only in memory. A remaining credit does not delay the restart, because a
+ * credit that is not stored cannot be played. */
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
