@@ -18,8 +18,8 @@
 #include "platform/storage.h"
 #include "platform/store/sql.h"
 
-/* Free space in MiB below which doctor warns. The space holds the database twice, with a replay of each
- * ranked round. */
+/* Free space in MiB below which doctor warns. The space holds the database twice, with a replay of
+ * each ranked round. */
 #define ROOM_MIB 64u
 #define PATH_ROOM (OPTIONS_PATH_MAX + 400u)
 

@@ -20,8 +20,8 @@
 #include "platform/number.h"
 #include "platform/print.h"
 
-/* Timeout of one wait in ms. The timeout limits the delay after Ctrl-C and lets the rate drop when no
- * report arrives. */
+/* Timeout of one wait in ms. The timeout limits the delay after Ctrl-C and lets the rate drop when
+ * no report arrives. */
 #define WAIT_MS 50
 #define PICTURE_NS 50000000ull /* Shortest time between two views in ns: 20 views per second. */
 #define SECONDS_MAX 86400u
