@@ -36,8 +36,9 @@
 #define CLOSE_HOUR 21u
 #define GROWTH_MAX (4 * 1024)       /* Allowed growth in bytes, for lines that a library is still
                                        reading. */
-#define SQLITE_MAX (1536u * 1024u) /* The store's pages (1,024 KiB, as they come to be read), its
-                                      backup's (256 KiB), statements and schema. */
+#define SQLITE_MAX (1536u * 1024u) /* Limit of SQLite's memory in bytes: the store's page cache
+                                      (1,024 KiB, which fills as pages are read), the backup's page
+                                      cache (256 KiB), statements and schema. */
 
 #define PIECE_HEAD sizeof(size_t) /* Size of the header of each block of the C library. */
 

@@ -1,5 +1,5 @@
-/* barrel.h -- a species for tests: a round body of one radius in three keys, an eye and a fin ray
- * that ride on it, small enough to know every answer. */
+/* barrel.h -- a simple species for tests: a round body of one radius with three keys, an eye and a
+ * fin ray. The species is small enough that every result can be computed by hand. */
 #ifndef KINGYO_TESTS_BARREL_H
 #define KINGYO_TESTS_BARREL_H
 
@@ -8,8 +8,10 @@
 #define BARREL_RINGS 5u
 #define BARREL_SPOKES 16u
 #define BARREL_GRID (BARREL_RINGS * (BARREL_SPOKES + 1u))
-#define BARREL_EYE BARREL_GRID           /* One vertex, 0.01 out of the skin. */
-#define BARREL_RAY (BARREL_GRID + 1u)    /* One vertex, 0.02 above its root. */
+#define BARREL_EYE BARREL_GRID           /* Vertex index of the eye, which is 0.01 outside the
+                                            skin. */
+#define BARREL_RAY (BARREL_GRID + 1u)    /* Vertex index of the fin ray, which is 0.02 above its
+                                            root. */
 #define BARREL_VERTICES (BARREL_GRID + 2u)
 
 struct barrel {
@@ -30,8 +32,9 @@ static struct species_point barrel_point(vec3 p, vec3 n)
                                    morph_fold_normal(n) };
 }
 
-/* The radius is 0.1, 0.1 and 0.2; the eye stands at the right (v 0.25), the back (0) and the left
- * (-0.25); the ray's root slides along the back from u 0.75 to 0.5 to 0.25. */
+/* Fills the species. The radius of the three keys is 0.1, 0.1 and 0.2. The eye is on the right (v
+ * 0.25), on the back (0) and on the left (-0.25). The root of the ray moves along the back from u
+ * 0.75 to 0.5 to 0.25. */
 static void barrel_init(struct barrel *b)
 {
     static const float radius[3] = { 0.1f, 0.1f, 0.2f };

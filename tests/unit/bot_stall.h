@@ -1,4 +1,5 @@
-/* bot_stall.h -- a stall at which a bot of any technique holds the first poi, from outside. */
+/* bot_stall.h -- a stall in which a bot of any technique plays the first poi through controller
+ * input. */
 #ifndef KINGYO_TESTS_UNIT_BOT_STALL_H
 #define KINGYO_TESTS_UNIT_BOT_STALL_H
 
@@ -20,7 +21,8 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
-    stall->core.game.hand[0] = stall->bot.hand.pose; /* It begins over the middle. */
+    stall->core.game.hand[0] = stall->bot.hand.pose; /* The pose begins over the middle of the
+                                                        tank. */
     stall->core.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
@@ -29,7 +31,7 @@ static inline struct sight bot_stall_sight(const struct bot_stall *stall)
     return (struct sight){ .core = &stall->core, .player = 0 };
 }
 
-/* START while nothing is played; else the bot's hand alone. */
+/* Runs one tick. Presses START while no round is played; otherwise only the bot's pose is input. */
 static inline void bot_stall_tick(struct bot_stall *stall)
 {
     const uint8_t phase = stall->core.game.phase;
@@ -46,7 +48,7 @@ static inline void bot_stall_tick(struct bot_stall *stall)
     assert_int_equal(core_tick(&stall->core, &stall->input, &stall->output), CORE_OK);
 }
 
-/* Until the round has begun. */
+/* Runs ticks until the round has begun. */
 static inline void bot_stall_begin(struct bot_stall *stall)
 {
     for (uint32_t i = 0; i < 20u * CORE_TICK_HZ && stall->core.game.phase != PHASE_ROUND; i++) {
@@ -55,7 +57,7 @@ static inline void bot_stall_begin(struct bot_stall *stall)
     assert_int_equal(stall->core.game.phase, PHASE_ROUND);
 }
 
-/* Until the bot enters `stage`; returns whether it did so within `seconds` of the round. */
+/* Runs ticks until the bot enters `stage`. Returns 1 if the bot did so within `seconds`. */
 static inline int bot_stall_until(struct bot_stall *stall, uint8_t stage, uint32_t seconds)
 {
     for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {

@@ -1,11 +1,11 @@
-/* calm_fish.h -- the fish that a test's hand goes for. */
+/* calm_fish.h -- selects the fish that a scripted poi tries to catch. */
 #ifndef KINGYO_TESTS_CALM_FISH_H
 #define KINGYO_TESTS_CALM_FISH_H
 
 #include "core/tank/tank.h"
 
-/* The calmest near the ring that swims above the depth to which the hand dips, where a hand of no
- * skill reaches it; null when there is none. */
+/* Returns the calmest fish near the ring that swims above the depth `dip_m`, so that a dip without
+ * any technique reaches it. Returns null if no fish is suitable. */
 static inline const struct fish *calmest_fish(const struct tank *tank, vec3 ring_m, float dip_m)
 {
     const struct fish *best = NULL;

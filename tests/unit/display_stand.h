@@ -1,5 +1,5 @@
-/* display_stand.h -- the real display without a screen, before a tank of sixty fish: for tests of
- * what it shows and of what becomes of it. Include cmocka.h before. */
+/* display_stand.h -- the real display without a screen, with a tank of sixty fish, for tests of its
+ * pictures and of its faults. Include cmocka.h first. */
 #ifndef KINGYO_TESTS_UNIT_DISPLAY_STAND_H
 #define KINGYO_TESTS_UNIT_DISPLAY_STAND_H
 
@@ -41,7 +41,7 @@ static inline int close_display(void **state)
 static inline void picture(uint8_t out[PIXELS_SIZE])
 {
     struct hal_image image = { .rgb = out, .size = PIXELS_SIZE };
-    scene.veil = 0.0f; /* A chapter begins in the dark. */
+    scene.veil = 0.0f; /* The fade-in is disabled, because a session begins with a dark picture. */
     assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
     assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
     assert_int_equal(image.width, WIDTH);

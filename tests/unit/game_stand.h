@@ -1,5 +1,5 @@
-/* game_stand.h -- the game alone on a test stand, with a still tank: its clock and rules are what
- * is tested. stall_stand.h plays the whole stall. */
+/* game_stand.h -- test fixture of the game module alone with a static tank, for tests of its clock
+ * and rules. stall_stand.h runs the whole stall. */
 #ifndef KINGYO_TESTS_GAME_STAND_H
 #define KINGYO_TESTS_GAME_STAND_H
 
@@ -23,18 +23,19 @@
 static struct core core;
 static struct input input;
 static struct output output;
-static uint32_t sounds[SOUND_COUNT]; /* Heard since the last clear_sounds(). */
+static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind after the last
+                                        clear_sounds(). */
 
 static inline void clear_sounds(void)
 {
     memset(sounds, 0, sizeof sounds);
 }
 
-/* 1: a test says itself what its store has written. */
+/* 1 means that the test itself sets which entries the store has written. */
 static int store_is_late;
 
-/* One tick of the game alone; edges are in one tick only. Its store has written an entry, and its
- * dispenser has ended a ticket, before the next tick. */
+/* Runs one tick of the game alone. Button edges last one tick. Before the next tick the store has
+ * written an entry and the dispenser has finished a ticket. */
 static inline void step(void)
 {
     struct poi_target targets[POI_MAX];
@@ -103,7 +104,7 @@ static inline void start_with_a_hand(void)
     press(INPUT_START);
 }
 
-/* Into the first tick of the round. */
+/* Plays into the first tick of the round. */
 static inline void play_into_round(void)
 {
     start_with_a_hand();
@@ -111,7 +112,7 @@ static inline void play_into_round(void)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-/* Into the first tick of the result. */
+/* Plays into the first tick of the result. */
 static inline void play_into_result(void)
 {
     play_into_round();
@@ -130,8 +131,8 @@ static inline void tear_all(uint32_t index)
     sheet->paper_cells = 0;
 }
 
-/* Poured out, the first `count` fish swim within half a second, however many they come down upon.
- */
+/* Checks that the first `count` fish swim within half a second after they were put back, even if
+ * they fell onto other fish. */
 static inline void expect_all_to_swim_soon(uint32_t count)
 {
     uint8_t swam[16] = { 0 };

@@ -1,10 +1,11 @@
-/* gl_context.h -- a test's own OpenGL ES context, drawn off screen by the software renderer. */
+/* gl_context.h -- an OpenGL ES context for tests, drawn off screen by the software renderer. */
 #ifndef KINGYO_TESTS_UNIT_GL_CONTEXT_H
 #define KINGYO_TESTS_UNIT_GL_CONTEXT_H
 
 #include <SDL.h>
 
-/* Current from here on; whoever calls it ends with SDL_Quit(). Include cmocka.h before. */
+/* Creates a context and makes it current. The caller ends with SDL_Quit(). Include cmocka.h
+ * first. */
 static inline void open_gl_context(const char *title)
 {
     SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);

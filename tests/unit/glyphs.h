@@ -1,12 +1,12 @@
-/* glyphs.h -- how large a letter is that was laid out. */
+/* glyphs.h -- measures the size of a letter in a text layout. */
 #ifndef KINGYO_TESTS_GLYPHS_H
 #define KINGYO_TESTS_GLYPHS_H
 
 #include "assets.h"
 #include "platform/render/ui_batch.h"
 
-/* The size in pixels at which a letter's quad is drawn: its place in the atlas tells its font; 0
- * when it shows none. */
+/* Returns the size in pixels at which a letter's quad is drawn, or 0 if the quad is no letter. The
+ * place of the quad in the glyph atlas gives its font. */
 static inline float glyph_em_px(const struct ui_batch *batch, uint32_t quad)
 {
     const struct ui_vertex *v = &batch->vertices[quad * 4u];

@@ -1,5 +1,5 @@
-/* hashed_fields.h -- every member of every struct that core_hash() covers, in order, and which of
- * them it leaves out. Who adds a member to one of them adds it here. */
+/* hashed_fields.h -- tables of every member of every struct that core_hash() covers, in order, with
+ * the members that the hash skips. A new member of such a struct must be added here. */
 #ifndef KINGYO_TESTS_HASHED_FIELDS_H
 #define KINGYO_TESTS_HASHED_FIELDS_H
 
@@ -11,7 +11,7 @@
 struct field {
     const char *name;
     size_t offset, size, align;
-    int skipped; /* Scratch, or covered by a table of its own. */
+    int skipped; /* 1 for scratch memory, and for a member that has its own table. */
 };
 
 #define FIELD_AS(type, member, is_skipped)                                                         \
@@ -306,7 +306,8 @@ static const struct field poi_fields[] = {
     FIELD(poi, dips),        FIELD(poi, is_in), FIELD(poi, slap_tick),
     FIELD(poi, tear_tick),   SKIP(poi, sheet),
     FIELD(poi, strain),      FIELD(poi, riders_kg),
-    SKIP(poi, rider_count), /* Below: a count that no array bears out cannot be hashed. */
+    SKIP(poi, rider_count), /* The tests set this member below, because a count without matching
+                               arrays cannot be hashed. */
     SKIP(poi, riders),       SKIP(poi, load_count), FIELD(poi, slap_count),
     SKIP(poi, loads),
 };

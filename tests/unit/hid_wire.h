@@ -1,6 +1,8 @@
-/* hid_wire.h -- a controller of a real descriptor on a wire of memory, for tests of what it leads.
+/* hid_wire.h -- a simulated controller with a real descriptor, for tests of the decoder and of the
+ * game.
  *
- * Fields are set by their usages, wherever the descriptor has put them; reports go out whole. */
+ * The tests set fields by their usages, independent of their place in the descriptor. Reports are
+ * sent complete. */
 #ifndef KINGYO_TESTS_HID_WIRE_H
 #define KINGYO_TESTS_HID_WIRE_H
 
@@ -18,7 +20,7 @@ struct hid_wire {
     struct hid_face face;
     struct hid_descriptor descriptor;
     struct hid_port_sim port;
-    uint8_t payload[256][HID_REPORT_MAX]; /* Of each report id. */
+    uint8_t payload[256][HID_REPORT_MAX]; /* Payload of each report id. */
 };
 
 static inline void wire_begin(struct hid_wire *wire, struct clock_sim *clock, const uint8_t *bytes,
@@ -32,7 +34,8 @@ static inline void wire_begin(struct hid_wire *wire, struct clock_sim *clock, co
     hid_port_sim_init(&wire->port, clock_sim_device(clock), &wire->face);
 }
 
-/* `name` begins a file of the corpus: "016-ci-dualsense". */
+/* Loads a descriptor. `name` is the begin of a file name in the corpus, for example
+ * "016-ci-dualsense". */
 static inline void wire_load(struct hid_wire *wire, struct clock_sim *clock, const char *name)
 {
     char path[256];
@@ -59,7 +62,8 @@ static inline void wire_put_bits(struct hid_wire *wire, uint8_t id, uint32_t off
     }
 }
 
-/* Sets the first field of such a usage in report `id` (-1: in any); returns the report's id. */
+/* Sets the first field with this usage in report `id`; -1 means any report. Returns the id of the
+ * report. */
 static inline uint8_t wire_put(struct hid_wire *wire, int id, hid_usage usage, int64_t value)
 {
     const struct hid_spot spot = hid_offer_find(&wire->descriptor, 0, id, id >= 0, usage);
@@ -80,7 +84,7 @@ static inline void wire_send(struct hid_wire *wire, uint8_t id)
     hid_port_sim_say(&wire->port, bytes, size);
 }
 
-/* A share of a field's range: 0 its low end, 1 its high one. */
+/* Returns the value at a fraction of a field's range: 0 is its low end and 1 its high end. */
 static inline int64_t wire_share(const struct hid_wire *wire, int id, hid_usage usage, float share)
 {
     const struct hid_spot spot = hid_offer_find(&wire->descriptor, 0, id, id >= 0, usage);

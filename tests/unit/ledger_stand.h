@@ -1,4 +1,4 @@
-/* ledger_stand.h -- a temporary folder with the file of a ledger, for each test anew.
+/* ledger_stand.h -- test fixture with a new temporary folder and a ledger file for each test.
  *
  * A test may open, close, damage and replace the file. */
 #ifndef KINGYO_TESTS_LEDGER_STAND_H
@@ -12,7 +12,8 @@
 #include "platform/store/ledger_file.h"
 
 static char folder[32];
-static char path[64]; /* Of the ledger in that folder; no file is there yet. */
+static char path[64]; /* Path of the ledger file in that folder. The file does not exist at the
+                         start of a test. */
 static struct ledger_file file;
 
 static inline int set_up(void **state)
@@ -34,7 +35,8 @@ static inline int tear_down(void **state)
     return system(command);
 }
 
-/* Runs `sql` as another program would, on tables of SQLite itself, too. */
+/* Runs `sql` on the file from a second connection, as another program would. `sql` may also change
+ * SQLite's own tables. */
 static inline void do_sql(const char *sql)
 {
     sqlite3 *db;
@@ -44,7 +46,7 @@ static inline void do_sql(const char *sql)
     sqlite3_close(db);
 }
 
-/* Copies a file that an older Kingyo wrote, tests/unit/store/version-N.db, to `path`. */
+/* Copies tests/unit/store/version-N.db, which an older Kingyo wrote, to `path`. */
 static inline void take_version(int version)
 {
     char command[120];

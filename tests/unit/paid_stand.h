@@ -1,11 +1,11 @@
-/* paid_stand.h -- game_stand.h's stall where a round costs three coins. */
+/* paid_stand.h -- the fixture of game_stand.h with a price of three coins for a round. */
 #ifndef KINGYO_TESTS_PAID_STAND_H
 #define KINGYO_TESTS_PAID_STAND_H
 
 #include "game_stand.h"
 
 #define PRICE 3u
-#define CREDITS_MAX 99u /* SET_CREDIT_MAX's standard. */
+#define CREDITS_MAX 99u /* Default of SET_CREDIT_MAX. */
 
 static inline int setup_paid(void **state)
 {

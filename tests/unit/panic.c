@@ -1,7 +1,7 @@
-/* panic.c -- a broken invariant of the core is something a test can expect.
+/* panic.c -- makes a failed assertion of the core visible to cmocka.
  *
- * expect_assert_failure(...) catches it; anywhere else it fails the test and names the
- * condition. */
+ * expect_assert_failure(...) catches the failed assertion. Otherwise the assertion fails the test
+ * and prints its condition. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,5 +15,6 @@
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
     mock_assert(0, condition, file, line);
-    abort(); /* mock_assert leaves by longjmp or by failing the test; nothing comes back here. */
+    abort(); /* mock_assert() leaves by longjmp or fails the test, so that control never returns to
+                this line. */
 }

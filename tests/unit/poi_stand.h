@@ -1,6 +1,7 @@
-/* poi_stand.h -- a poi on a test stand: a hand that moves as told, a tank whose fish hold still.
+/* poi_stand.h -- test fixture of a poi with scripted motion and a tank of motionless fish.
  *
- * One tick runs the poi's share of the core's order (poi, then catch) on a tank filled by hand. */
+ * One tick runs the poi's part of the core's order (poi, then catch) on a tank that the test
+ * fills. */
 #ifndef KINGYO_TESTS_POI_STAND_H
 #define KINGYO_TESTS_POI_STAND_H
 
@@ -30,13 +31,15 @@ struct stand {
     struct poi_target hand;
     struct poi_force force;
     int has_wrist;
-    int laden; /* It tips as if a fish lay on it. */
+    int laden; /* 1 makes the poi tip as if a fish lay on it. */
     uint32_t tick;
-    uint32_t landed, poured, walled; /* Since the start. */
+    uint32_t landed, poured, walled; /* Numbers of fish that landed in the bowl, were poured into
+                                        the tank, or hit a wall, after the start. */
     float tension_max_n_m, tension_sum_n_m;
 };
 
-/* A tank of 0.9 x 0.55 m with 15 cm of water and no fish; the poi 6 cm above its middle. */
+/* Initializes a tank of 0.9 x 0.55 m with 15 cm of water and no fish. The poi is 6 cm above the
+ * middle. */
 static inline void stand_init(struct stand *stand, uint8_t grade, uint32_t seed)
 {
     memset(stand, 0, sizeof *stand);
@@ -59,7 +62,8 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
     return index;
 }
 
-/* A tick of nothing but pushes: fish hold still unless the poi or another fish is there. */
+/* Runs a tick of the contact solver only. Fish stay at rest unless the poi or another fish overlaps
+ * them. */
 static inline void stand_part(struct tank *tank, struct obstacle around_it[2])
 {
     struct crowd *crowd = &tank->crowd;
@@ -120,7 +124,7 @@ static inline void stand_wait(struct stand *stand, float seconds)
     }
 }
 
-/* The hand goes straight to a place at a speed. */
+/* Moves the poi in a straight line to a place at a given speed. */
 static inline void stand_move(struct stand *stand, vec3 to_m, float speed_m_s)
 {
     const vec3 from = stand->hand.position_m;
@@ -144,7 +148,7 @@ static inline void stand_turn(struct stand *stand, float pitch_rad, float roll_r
     }
 }
 
-/* In, all wet, 6 cm deep, level and at rest. */
+/* Dips the poi until it is 6 cm deep, completely wet, level and at rest. */
 static inline void stand_dip(struct stand *stand)
 {
     stand_turn(stand, 0.6f, 0.0f, 0.2f);
@@ -154,8 +158,9 @@ static inline void stand_dip(struct stand *stand)
     stand->tension_max_n_m = stand->tension_sum_n_m = 0.0f;
 }
 
-/* A poi that has just lifted one thrashing fish of 45 mm, level, 6 cm over the water: taken up so
- * far beside its middle, with its nose that way. Returns which fish. */
+/* Sets up a level poi, 6 cm over the water, that has just lifted one struggling fish of 45 mm. The
+ * fish lies `off_x_m` from the middle of the poi and its nose points to `yaw_rad`. Returns the
+ * index of the fish. */
 static inline uint32_t stand_lift(struct stand *stand, uint8_t grade, uint32_t seed, float off_x_m,
                                   float yaw_rad)
 {
@@ -163,12 +168,13 @@ static inline uint32_t stand_lift(struct stand *stand, uint8_t grade, uint32_t s
     stand_dip(stand);
     const uint32_t index = stand_fish(stand, v3(off_x_m, -0.045f, 0.005f), 0.045f);
     stand->tank.fish[index].angles.yaw_rad = yaw_rad;
-    stand->tank.fish[index].alarm = 1.0f; /* As one that was chased. */
+    stand->tank.fish[index].alarm = 1.0f; /* The fish is alarmed as after a chase. */
     stand_move(stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
     return index;
 }
 
-/* A fish laid on the paper where the test wants it: at rest, flat, still for a long time. */
+/* Puts a fish on the paper at a given place. The fish is flat and has been at rest for a long
+ * time. */
 static inline struct rider *stand_lay(struct stand *stand, float length_m, float x_m, float z_m,
                                       float heading_rad)
 {
@@ -182,7 +188,7 @@ static inline struct rider *stand_lay(struct stand *stand, float length_m, float
     return rider;
 }
 
-/* Takes the paper away within `radius_m` of a point of the poi's plane. */
+/* Removes the paper within `radius_m` of a point in the plane of the poi. */
 static inline void stand_punch(struct stand *stand, float x_m, float z_m, float radius_m)
 {
     struct sheet *sheet = &stand->poi.sheet;
@@ -196,7 +202,7 @@ static inline void stand_punch(struct stand *stand, float x_m, float z_m, float 
     }
 }
 
-/* A uniform specimen, wet through: what the formulas speak of. */
+/* Makes the paper a uniform, completely wet specimen, as the formulas assume. */
 static inline void stand_plain_paper(struct sheet *sheet, float wetness)
 {
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {

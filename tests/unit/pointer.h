@@ -1,4 +1,4 @@
-/* pointer.h -- a pointer over the stall's window, for tests of what it leads. */
+/* pointer.h -- a simulated pointer over the stall's window for tests of pointer control. */
 #ifndef KINGYO_TESTS_POINTER_H
 #define KINGYO_TESTS_POINTER_H
 
@@ -26,7 +26,7 @@ static inline struct pointer_report report(uint64_t ms, float x_px, float y_px, 
     };
 }
 
-/* Where the still water shows at a pixel. */
+/* Returns the point of the still water surface that a pixel shows. */
 static inline vec3 on_water(float x_px, float y_px)
 {
     return view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,

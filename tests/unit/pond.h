@@ -1,4 +1,4 @@
-/* pond.h -- a stall's fish and surroundings for tests that need no whole tank. */
+/* pond.h -- fish and perception of the stall for tests that need no complete tank. */
 #ifndef KINGYO_TESTS_POND_H
 #define KINGYO_TESTS_POND_H
 
@@ -9,7 +9,7 @@
 
 #define POND_WATER_M 0.12f
 
-/* The members that make a wakin so long. */
+/* Sets the size members of a wakin of the given length. */
 #define WAKIN(size_m)                                                                              \
     .length_m = (size_m), .height_m = 0.36f * (size_m), .width_m = 0.20f * (size_m)
 
@@ -18,7 +18,8 @@ static inline const struct law *pond_law(void)
     return &tank_preset(TANK_PRESET_FESTIVAL)->law;
 }
 
-/* What a fish of the stall knows in a tick; good until the next call. */
+/* Returns the perception of a fish of the stall in one tick. The result is valid until the next
+ * call. */
 static inline const struct surroundings *pond_at(uint32_t seed, uint32_t tick)
 {
     static struct surroundings around;
@@ -33,7 +34,8 @@ static inline const struct surroundings *pond_at(uint32_t seed, uint32_t tick)
     return &around;
 }
 
-/* On a level course at mid depth, as one who has thought; for more, set its members. */
+/* Returns a fish on a level course at mid depth that has just made a decision. A test changes
+ * further members itself. */
 static inline struct fish pond_fish(float length_m, uint8_t gait)
 {
     return (struct fish){ WAKIN(length_m),

@@ -1,9 +1,10 @@
-/* proportions.h -- what is known of the forms of fish: the makers' brief, as numbers.
+/* proportions.h -- known body proportions of the species, as numbers from the modelers' brief.
  *
  * Lengths are fractions of standard length (snout to tail root), of fork length for the tuna, of
- * total length for the conger and of disc width for the ray. Numbers with a source are the
- * goldfish's (eye, peduncle, where fins sit) and the stages' lengths; all others are general
- * knowledge of these fish, so an adult may differ by 15 % and a larva or young fish by 25 %. */
+ * total length for the conger and of disc width for the ray. Numbers with a source are those of the
+ * goldfish (eye, peduncle, places of the fins) and the lengths of the stages. All other numbers are
+ * general knowledge of these fish, so that an adult may differ by 15 % and a larva or young fish by
+ * 25 %. */
 #ifndef KINGYO_TESTS_UNIT_PROPORTIONS_H
 #define KINGYO_TESTS_UNIT_PROPORTIONS_H
 
@@ -11,11 +12,11 @@
 #define ADULT 0.15f
 #define YOUNG 0.25f
 
-/* depth_at: where the body is deepest; waist: depth of the tail half way back, of hatchlings; a
- * fin's base from start to end, its longest ray as height; fork: the notch's share of the tail;
- * turn_deg: how far the right eye has gone round over the back. Of the ray: how far its eye is
- * from the midline, the length of disc and of whip, the sting's place on the whip, the
- * angle at the snout. */
+/* depth_at: place of the greatest body depth. waist: depth half way along the tail of a hatchling.
+ * A fin has its base from start to end, and its height is the longest ray. fork: depth of the notch
+ * as a fraction of the tail. turn_deg: angle by which the right eye has moved over the back. For
+ * the ray: distance of the eye from the midline, lengths of disc and whip, place of the sting on
+ * the whip, and angle at the snout. */
 #define FIELDS(X)                                                                                  \
     X(depth) X(depth_at) X(width) X(head) X(eye) X(eye_x) X(eye_y) X(stalk) X(waist)               \
     X(dorsal_start) X(dorsal_end) X(dorsal_height)                                                 \
@@ -37,7 +38,8 @@ static const char *const field_names[FIELD_COUNT] = {
 #undef NAME
 };
 
-/* 0: not known. */
+/* Known proportions of one key of a species. A value of 0 means that the proportion is not
+ * known. */
 struct known {
     const char *species, *key;
     float tolerance;

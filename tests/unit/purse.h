@@ -1,5 +1,4 @@
-/* purse.h -- what a stall on a stand owes and has given back, and what it wrote down, as its tests
- * ask for it. */
+/* purse.h -- queries of the credits, refunds and ledger entries of a stall under test. */
 #ifndef KINGYO_TESTS_PURSE_H
 #define KINGYO_TESTS_PURSE_H
 
@@ -15,13 +14,13 @@ static inline uint32_t purse_audit(const struct core *core, enum audit_id id)
     return core->game.audits.count[id];
 }
 
-/* Of what was written the entry `id`, one of the newest LEDGER_RING. */
+/* Returns the ledger entry `id`, which must be one of the newest LEDGER_RING entries. */
 static inline const struct ledger_entry *purse_entry(const struct output *out, uint32_t id)
 {
     return &out->entries[id % LEDGER_RING];
 }
 
-/* How many of the newest LEDGER_RING entries are of this kind. */
+/* Returns the number of entries of this kind among the newest LEDGER_RING entries. */
 static inline uint32_t purse_count(const struct output *out, enum ledger_kind kind)
 {
     uint32_t count = 0;
@@ -31,7 +30,7 @@ static inline uint32_t purse_count(const struct output *out, enum ledger_kind ki
     return count;
 }
 
-/* Whether the newest record is what the entry with its id, a round's, has on disk. */
+/* Returns 1 if the newest round record is equal to the stored entry with its id. */
 static inline int purse_keeps_record(const struct output *out)
 {
     const struct round_record *record = &out->record;

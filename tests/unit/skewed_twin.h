@@ -1,4 +1,5 @@
-/* skewed_twin.h -- a twin of a poi that sees the tank from a frame of its own. */
+/* skewed_twin.h -- a simulated poi whose sensors use a rotated and shifted coordinate frame of the
+ * tank. */
 #ifndef KINGYO_TESTS_SKEWED_TWIN_H
 #define KINGYO_TESTS_SKEWED_TWIN_H
 
@@ -6,7 +7,7 @@
 
 #include "core/game/calibrate.h"
 
-/* Where a twin's sensors see what is truly there. */
+/* Transform from true positions and angles to the sensors' coordinate frame. */
 struct twin {
     float xx, xz, zx, zz;
     vec3 shift_m;

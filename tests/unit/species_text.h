@@ -1,4 +1,4 @@
-/* species_text.h -- a small whole species as text, and what the reader says to it. */
+/* species_text.h -- a small complete species as text, and the error messages of its reader. */
 #ifndef KINGYO_TESTS_SPECIES_TEXT_H
 #define KINGYO_TESTS_SPECIES_TEXT_H
 
@@ -32,7 +32,8 @@ static struct species_text species;
 #define KEYS "key a 10\n" KEY_BODY "key b 20\n" KEY_BODY "key c 40\n" KEY_BODY
 #define KNOTS "knot 0 1 0 0\nknot .5 .15 .7 .15\nknot 1 0 0 1\n"
 
-/* What the reader complains of in `text`; empty when it takes it. */
+/* Returns the reader's error message for `text`, or an empty string if the reader accepts the
+ * text. */
 static inline const char *complaint_of(const char *text)
 {
     static char complaint[256];
@@ -50,7 +51,8 @@ static inline void assert_refused(const char *text, const char *complaint)
 {
     const char *answer = complaint_of(text);
     assert_non_null(strstr(answer, complaint));
-    assert_ptr_equal(strchr(answer, '\n'), answer + strlen(answer) - 1); /* One line. */
+    assert_ptr_equal(strchr(answer, '\n'), answer + strlen(answer) - 1); /* The message has exactly
+                                                                            one line. */
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* stall_stand.h -- a whole stall on a test stand: it is played by inputs alone, as in the kiosk. */
+/* stall_stand.h -- test fixture of a whole stall that is played only by inputs, as in the kiosk. */
 #ifndef KINGYO_TESTS_STALL_STAND_H
 #define KINGYO_TESTS_STALL_STAND_H
 
@@ -19,7 +19,8 @@ static struct core core;
 static struct input input;
 static struct output output;
 static struct scene scene;
-static uint32_t sounds[SOUND_COUNT]; /* Heard since the stall was opened, or they were cleared. */
+static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind after the stall was opened or
+                                        the counts were cleared. */
 
 static inline void open_stall(const struct core_config *config)
 {
@@ -52,7 +53,7 @@ static inline void press(uint32_t buttons)
     tick();
 }
 
-/* From now on player `index` holds its poi there, level, with a wrist. */
+/* Holds the poi of player `index` at `at_m`, level and with an orientation, until the next call. */
 static inline void hold(uint32_t index, vec3 at_m)
 {
     input.poi[index] = (struct poi_input){
@@ -62,7 +63,7 @@ static inline void hold(uint32_t index, vec3 at_m)
     };
 }
 
-/* Its hand goes there, straight and as fast as an arm in no hurry: 0.5 m/s. */
+/* Moves the poi of player `index` straight to `to_m` at 0.5 m/s, the speed of an unhurried arm. */
 static inline void lead(uint32_t index, vec3 to_m)
 {
     const vec3 way_m = v3_sub(to_m, input.poi[index].target.position_m);
@@ -74,7 +75,8 @@ static inline void lead(uint32_t index, vec3 to_m)
     }
 }
 
-/* A hand comes, is seen there for half a second, and goes straight down. */
+/* Brings a poi over the given place, keeps it visible there for half a second, and dips it straight
+ * down. */
 static inline void dip(uint32_t index, float x_m, float z_m)
 {
     hold(index, v3(x_m, STAND_ABOVE_M, z_m));
@@ -96,7 +98,7 @@ static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
     assert_int_equal(core.game.phase, phase);
 }
 
-/* The paper of a poi is gone, all but the ring. */
+/* Removes all paper of a poi. */
 static inline void tear_all(uint32_t index)
 {
     struct sheet *sheet = &core.poi[index].sheet;

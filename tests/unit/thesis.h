@@ -1,4 +1,4 @@
-/* thesis.h -- the tank of the 2013 thesis for the tests of its rules, one after the other. */
+/* thesis.h -- the tank of the 2013 thesis for separate tests of its rules. */
 #ifndef KINGYO_TESTS_THESIS_H
 #define KINGYO_TESTS_THESIS_H
 
@@ -12,7 +12,7 @@ static inline const struct law *thesis_law(void)
     return &tank_preset(TANK_PRESET_THESIS)->law;
 }
 
-/* What a fish knows there; good until the next call. */
+/* Returns the perception of a fish in that tank. The result is valid until the next call. */
 static inline const struct surroundings *thesis_at(uint32_t seed, uint32_t tick)
 {
     static struct surroundings around;
@@ -26,7 +26,7 @@ static inline const struct surroundings *thesis_at(uint32_t seed, uint32_t tick)
     return &around;
 }
 
-/* A tank with these fish and no others; good until the next call. */
+/* Returns a tank with only the given fish. The result is valid until the next call. */
 static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_t count,
                                         uint32_t seed)
 {
@@ -36,8 +36,8 @@ static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_
     return &tank;
 }
 
-/* Kolmogorov and Smirnov: a uniform sample of n misfits by more than 1.63 / sqrt(n) once in a
- * hundred. */
+/* Critical value of the Kolmogorov-Smirnov test. A uniform sample of n values exceeds 1.63 /
+ * sqrt(n) with a probability of 1 %. */
 #define UNIFORM_MISFIT_MAX(n) (1.63f / f_sqrt((float)(n)))
 
 static inline int thesis_by_value(const void *a, const void *b)
@@ -46,7 +46,8 @@ static inline int thesis_by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* How far the sample's shares lie from those of the uniform law in [low, high]; sorts it. */
+/* Returns the greatest distance between the distribution of the sample and the uniform distribution
+ * in [low, high]. Sorts the sample. */
 static inline float uniform_misfit(float *sample, uint32_t count, float low, float high)
 {
     float worst = 0.0f;

@@ -1,4 +1,5 @@
-/* throng.h -- a crowd of fish at random in the thesis' tank, for tests of who is near whom. */
+/* throng.h -- a crowd of randomly placed fish in the tank of the thesis, for tests of the neighbour
+ * search. */
 #ifndef KINGYO_TESTS_THRONG_H
 #define KINGYO_TESTS_THRONG_H
 

@@ -1,4 +1,4 @@
-/* usb_kinds.h -- the devices that tests of USB plug in, and the frame loop that meets them. */
+/* usb_kinds.h -- simulated USB devices, and a frame loop that reads them, for the USB tests. */
 #ifndef KINGYO_TESTS_USB_KINDS_H
 #define KINGYO_TESTS_USB_KINDS_H
 
@@ -16,7 +16,7 @@
 #include "platform/clock.h"
 #include "tests/unit/usb_stand.h"
 
-/* HID 1.11 appendix E.6: a boot keyboard's. */
+/* Boot keyboard of HID 1.11, appendix E.6. */
 static const uint8_t keyboard_descriptor[] = {
     0x05, 0x01, 0x09, 0x06, 0xa1, 0x01, 0x05, 0x07, 0x19, 0xe0, 0x29, 0xe7, 0x15, 0x00, 0x25, 0x01,
     0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0x95, 0x01, 0x75, 0x08, 0x81, 0x01, 0x95, 0x05, 0x75, 0x01,
@@ -24,14 +24,14 @@ static const uint8_t keyboard_descriptor[] = {
     0x75, 0x08, 0x15, 0x00, 0x25, 0x65, 0x05, 0x07, 0x19, 0x00, 0x29, 0x65, 0x81, 0x00, 0xc0,
 };
 
-/* A joystick of two axes of a byte and eight buttons, without report ids. */
+/* A joystick with two axes of a byte each and eight buttons, without report ids. */
 static const uint8_t joystick_descriptor[] = {
     0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08,
     0x95, 0x02, 0x81, 0x02, 0x05, 0x09, 0x19, 0x01, 0x29, 0x08, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01,
     0x95, 0x08, 0x81, 0x02, 0xc0,
 };
 
-/* Eight bytes that only their vendor knows, as tablets and receivers have them first. */
+/* Eight vendor-defined bytes, as in the first interface of tablets and receivers. */
 static const uint8_t vendor_descriptor[] = {
     0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 0x08,
     0x95, 0x08, 0x81, 0x02, 0xc0,
@@ -58,7 +58,7 @@ static const uint8_t vendor_descriptor[] = {
         .descriptor_size = sizeof joystick_descriptor,                                             \
     }
 
-/* Made by somebody with an id of their own. */
+/* A Kingyo poi that another maker built with an id of its own. */
 static const struct stand_kind own_poi = {
     .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A1", .is_bound = 1,
     .interface_count = 1, .interface = { OWN_INTERFACE },
@@ -67,11 +67,11 @@ static const struct stand_kind second_poi = {
     .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A2", .is_bound = 1,
     .interface_count = 1, .interface = { OWN_INTERFACE },
 };
-static const struct stand_kind plain_poi = { /* No serial number. */
+static const struct stand_kind plain_poi = { /* A poi without a serial number. */
     .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .is_bound = 1,
     .interface_count = 1, .interface = { OWN_INTERFACE },
 };
-static const struct stand_kind bench_poi = { /* On somebody's bench; no driver has it. */
+static const struct stand_kind bench_poi = { /* A poi that no kernel driver has bound. */
     .vendor = 0x1209, .product = 0x0001, .name = "Bench poi",
     .interface_count = 1, .interface = { OWN_INTERFACE },
 };
@@ -84,12 +84,12 @@ static const struct stand_kind keyboard = {
     .interface_count = 1, .interface = { KEYBOARD_INTERFACE },
 };
 
-/* A folder for one test, and the thread over it. */
+/* Folders of one test, and the USB thread that uses them. */
 struct usb_bench {
     char folder[64], sysfs[96], choices[96];
     struct usb_seats *seats;
     char why[HAL_TEXT_SIZE];
-    pthread_mutex_t lock; /* Of what follows: the thread tells. */
+    pthread_mutex_t lock; /* Lock of the members below, which the USB thread writes. */
     uint32_t told_count;
     char told[HAL_TEXT_SIZE];
 };
@@ -103,7 +103,7 @@ static inline void bench_tell(void *self, const char *line)
     pthread_mutex_unlock(&bench->lock);
 }
 
-/* How many lines were told, and the newest. */
+/* Returns the number of lines that were reported, and copies the newest one. */
 static inline uint32_t bench_told(struct usb_bench *bench, char line[HAL_TEXT_SIZE])
 {
     pthread_mutex_lock(&bench->lock);
@@ -147,7 +147,8 @@ static inline void bench_start(struct usb_bench *bench, const struct usb_key *li
     bench_start_with(bench, clock_device(), listed, listed_count);
 }
 
-/* How much was not given back. */
+/* Ends the thread and removes the folder. Returns the number of resources that were not released,
+ * plus 1 if the folder could not be removed. */
 static inline uint32_t bench_end(struct usb_bench *bench)
 {
     char command[128];
@@ -167,7 +168,7 @@ static inline struct hid_row bench_row(struct usb_bench *bench, uint32_t index)
 
 #define BENCH_WAIT_MS 5000u
 
-/* Until row `index` is in that state; 0 when it never was. */
+/* Waits until row `index` has the given state. Returns 0 on timeout. */
 static inline int bench_until(struct usb_bench *bench, uint32_t index, uint8_t state)
 {
     for (uint32_t i = 0; i < BENCH_WAIT_MS * 5u; i++) {
@@ -179,7 +180,7 @@ static inline int bench_until(struct usb_bench *bench, uint32_t index, uint8_t s
     return 0;
 }
 
-/* Until seat `index` has somebody. */
+/* Waits until slot `index` has a device. Returns 0 on timeout. */
 static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid_face *face)
 {
     const struct hid_port port = usb_seats_port(bench->seats, index);
@@ -192,7 +193,7 @@ static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid
     return 0;
 }
 
-/* The next answer of take() that is not 0. */
+/* Waits for the next result of take() that is not 0. Returns that result, or 0 on timeout. */
 static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid_raw *raw)
 {
     const struct hid_port port = usb_seats_port(bench->seats, index);
@@ -206,7 +207,7 @@ static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid
     return 0;
 }
 
-/* Report number `number`, which its bytes say. */
+/* Sends a report that contains its number. */
 static inline void bench_say(uint32_t device, uint32_t number)
 {
     uint8_t bytes[POI_REPORT_SIZE] = { POI_REPORT_ID, (uint8_t)number, (uint8_t)(number >> 8) };

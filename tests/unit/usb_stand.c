@@ -1,4 +1,5 @@
-/* usb_stand.c -- the bus of memory, and the hands that plug and pull. */
+/* usb_stand.c -- the simulated USB bus, and the functions with which a test plugs in and unplugs
+ * devices. */
 #include "tests/unit/usb_stand.h"
 
 #include <stdio.h>
@@ -38,7 +39,7 @@ void bus_unlock(void)
     pthread_mutex_unlock(&bus.lock);
 }
 
-/* With the lock: a call of libusb, from whichever thread. */
+/* Counts a call of libusb from any thread. The caller holds the lock. */
 void bus_note_call(const char *name)
 {
     bus.calls++;
@@ -47,7 +48,7 @@ void bus_note_call(const char *name)
     }
 }
 
-/* With the lock: a call that talks to a device, and so waits. */
+/* Counts a call that communicates with a device and therefore blocks. The caller holds the lock. */
 void bus_note_talk(const char *name)
 {
     bus_note_call(name);
@@ -169,7 +170,7 @@ static void hide_device(const struct libusb_device *device)
 
 /* ---- The wire ------------------------------------------------------------------------------- */
 
-/* With the lock: the transfer will come back, now or `delay_ms` later. */
+/* Completes the transfer immediately or after `delay_ms`. The caller holds the lock. */
 void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms)
 {
     transfer->status = (enum libusb_transfer_status)status;
@@ -214,7 +215,7 @@ static int oldest_in(const struct libusb_device *device)
     return -1;
 }
 
-/* With the lock: reports meet transfers. */
+/* Assigns queued reports to pending transfers. The caller holds the lock. */
 void bus_run_wire(struct libusb_device *device)
 {
     int index;
@@ -277,7 +278,7 @@ static void say_hotplug(struct libusb_device *device, libusb_hotplug_event event
     bus_ring(bus.context.fd);
 }
 
-/* ---- The test's side ------------------------------------------------------------------------ */
+/* ---- Functions for tests -------------------------------------------------------------------- */
 
 void stand_begin(const char *sysfs)
 {
@@ -310,7 +311,7 @@ uint32_t stand_end(void)
         left += bus.handles[i] != NULL;
     }
     for (uint32_t i = 0; i < bus.device_count; i++) {
-        left += bus.devices[i]->references - 1u; /* One is the bus's own. */
+        left += bus.devices[i]->references - 1u; /* One reference belongs to the bus itself. */
         if (bus.devices[i]->attached) {
             hide_device(bus.devices[i]);
         }

@@ -1,4 +1,5 @@
-/* usb_stand_bus.h -- the bus of usb_stand.h from within: what its two halves share. */
+/* usb_stand_bus.h -- internal declarations of the simulated bus of usb_stand.h, which its source
+ * files share. */
 #ifndef KINGYO_TESTS_USB_STAND_BUS_H
 #define KINGYO_TESTS_USB_STAND_BUS_H
 
@@ -33,19 +34,20 @@ struct libusb_device {
     struct stand_seen seen;
     struct wire_report *wire;
     uint32_t wire_first, wire_count;
-    int fail;                  /* enum libusb_transfer_status of the next; 0: none. */
-    struct libusb_transfer *pending[PENDING_MAX]; /* Oldest first. */
+    int fail;                  /* Status of the next transfer, an enum libusb_transfer_status; 0
+                                  means no fault. */
+    struct libusb_transfer *pending[PENDING_MAX]; /* Pending transfers, oldest first. */
     uint32_t pending_count;
 };
 
 struct libusb_device_handle {
     struct libusb_device *device;
     int fd;
-    uint32_t claimed;          /* A bit each. */
+    uint32_t claimed;          /* Claimed interfaces, one bit each. */
     uint8_t auto_detaches;
 };
 
-/* What libusb_handle_events() will do next: a transfer's callback, or hot-plug's. */
+/* The next action of libusb_handle_events(): the callback of a transfer or of a hot-plug event. */
 struct done {
     struct libusb_transfer *transfer;
     struct libusb_device *device;
@@ -70,7 +72,8 @@ struct stand_bus {
     struct stand_faults faults;
     uint32_t lists, transfers, breaches, calls;
     uint8_t is_running, has_thread;
-    pthread_t thread;          /* The drivers' own: whoever asked for the list of devices first. */
+    pthread_t thread;          /* The drivers' thread, which is the thread that first requested the
+                                  list of devices. */
     int in_transfer_callback, in_hotplug_callback;
 };
 
@@ -80,25 +83,27 @@ extern struct stand_bus bus;
 void bus_lock(void);
 void bus_unlock(void);
 
-/* All that follows: with the lock. */
+/* The caller of each function below holds the lock. */
 void bus_breach(const char *what);
-void bus_note_call(const char *name); /* From whichever thread it came. */
-void bus_note_talk(const char *name); /* A call that talks to a device, and so waits. */
+void bus_note_call(const char *name); /* Counts a call from any thread. */
+void bus_note_talk(const char *name); /* Counts a call that communicates with a device and therefore
+                                         blocks. */
 void bus_ring(int fd);
 
-/* All that is due is called back, with the lock given up meanwhile: so does libusb while it waits,
- * for events as for the end of a request. */
+/* Calls all due callbacks. The lock is released during the callbacks, as libusb does while it waits
+ * for events or for the end of a request. */
 void bus_call_back(void);
 
-/* The transfer will come back, now or so much later. */
+/* Completes the transfer immediately or after `delay_ms`. */
 void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms);
 
-/* Reports meet transfers, and output reports the device. */
+/* bus_run_wire() assigns queued reports to transfers. bus_run_outs() delivers output reports to the
+ * device. */
 void bus_run_wire(struct libusb_device *device);
 void bus_run_outs(struct libusb_device *device);
 int bus_take_pending(struct libusb_device *device, const struct libusb_transfer *transfer);
 
-/* A driver of the kernel lets an interface go, or has it again. */
+/* bus_show_driver() binds a kernel driver to an interface in /sys. bus_hide_driver() unbinds it. */
 void bus_show_driver(const struct libusb_device *device, uint32_t interface);
 void bus_hide_driver(const struct libusb_device *device, uint32_t interface);
 

@@ -1,4 +1,5 @@
-/* usb_stand_lib.c -- libusb's functions, as far as the drivers call them. */
+/* usb_stand_lib.c -- simulated libusb functions for the library, its events and its devices, as far
+ * as the drivers call them. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -106,7 +107,8 @@ void libusb_free_pollfds(const struct libusb_pollfd **list)
     free(list);
 }
 
-/* With the lock: the next thing that is due, or 0. Events are level-triggered, as usbfs's are. */
+/* Finds the next due action. Returns 0 if nothing is due. The caller holds the lock. Events are
+ * level-triggered, as those of usbfs. */
 static int next_done(struct done *out)
 {
     const uint64_t now = bus_now_ns();
@@ -140,7 +142,8 @@ static void call_back(const struct done *done)
     if (done->transfer) {
         done->transfer->dev_handle->device->seen.in_flight -=
             done->transfer->endpoint == IN_ENDPOINT;
-        done->transfer->num_iso_packets = 0; /* Flies no more: see submit. */
+        done->transfer->num_iso_packets = 0; /* Marks the transfer as not submitted (see
+                                                libusb_submit_transfer()). */
         bus.in_transfer_callback++;
     } else {
         bus.in_hotplug_callback++;
@@ -177,7 +180,8 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
     bus_note_call("libusb_handle_events from a strange thread");
     quieten();
     bus_call_back();
-    const int has_more = bus.done_count > 0; /* What is late, or came meanwhile. */
+    const int has_more = bus.done_count > 0; /* Actions remain that are delayed or that arrived
+                                                during the callback. */
     if (has_more) {
         bus_ring(bus.context.fd);
     }
@@ -268,7 +272,7 @@ int libusb_get_device_descriptor(libusb_device *device, struct libusb_device_des
     return LIBUSB_SUCCESS;
 }
 
-/* A configuration with all that hangs on it, in one piece. */
+/* A configuration with all its descriptors in one block of memory. */
 struct configuration {
     struct libusb_config_descriptor head;
     struct libusb_interface interface[STAND_INTERFACE_MAX];

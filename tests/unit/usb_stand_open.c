@@ -1,4 +1,5 @@
-/* usb_stand_open.c -- libusb's functions of open devices: handles, requests, transfers. */
+/* usb_stand_open.c -- simulated libusb functions for open devices: handles, requests and
+ * transfers. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -89,7 +90,8 @@ int libusb_claim_interface(libusb_device_handle *handle, int interface)
     if (!error && device->kind->is_bound && !handle->auto_detaches) {
         error = LIBUSB_ERROR_BUSY;
     }
-    for (uint32_t i = 0; i < HANDLE_MAX; i++) { /* One owner an interface, also within a process. */
+    for (uint32_t i = 0; i < HANDLE_MAX; i++) { /* An interface has only one owner, also within a
+                                                   process. */
         if (bus.handles[i] && bus.handles[i] != handle && bus.handles[i]->device == device &&
             (bus.handles[i]->claimed & 1u << interface)) {
             error = LIBUSB_ERROR_BUSY;
@@ -197,7 +199,8 @@ struct libusb_transfer *libusb_alloc_transfer(int packets)
     return calloc(1, sizeof(struct libusb_transfer));
 }
 
-/* While it flies, its count of isochronous packets is 1, which no interrupt transfer has. */
+/* Frees a transfer. The count of isochronous packets is 1 while a transfer is submitted. No
+ * interrupt transfer uses this count otherwise. */
 void libusb_free_transfer(struct libusb_transfer *transfer)
 {
     if (!transfer) {
