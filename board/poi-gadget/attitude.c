@@ -1,12 +1,16 @@
-/* attitude.c -- quaternions, so that no direction is special. */
+/* attitude.c -- computes the orientation with quaternions, which have no singular direction. */
 #include "board/poi-gadget/attitude.h"
 
-#define PULL_PER_S 1.0f        /* Gravity corrects within a second. */
-#define TRUST_G 0.15f          /* An acceleration off by this share of g says nothing of down. */
-#define STILL_RAD_S 0.05f      /* Slower is no hand: 3 degrees a second. */
+#define PULL_PER_S 1.0f        /* Rate of the gravity correction: about one second to correct an
+                                  error. */
+#define TRUST_G 0.15f          /* Relative deviation from g above which an acceleration does not
+                                  show the vertical direction. */
+#define STILL_RAD_S 0.05f      /* Rotation rate below which the poi counts as still: 3 degrees a
+                                  second. A poi in a hand rotates faster. */
 #define STILL_S 1.0f
 #define BIAS_PER_S 0.5f
-#define BIAS_MAX_RAD_S 0.2f    /* 11 degrees a second: cheap chips at worst. */
+#define BIAS_MAX_RAD_S 0.2f    /* Greatest gyroscope bias: 11 degrees a second, the worst value of
+                                  cheap chips. */
 
 struct quaternion quaternion_product(struct quaternion a, struct quaternion b)
 {
@@ -28,14 +32,15 @@ static struct quaternion normalized(struct quaternion q)
     return (struct quaternion){ q.w * s, q.x * s, q.y * s, q.z * s };
 }
 
-/* A turn about an axis, the length of which is half the angle's sine. */
+/* Returns a rotation of 2 x half_rad about a unit axis. */
 static struct quaternion about(float half_rad, float x, float y, float z)
 {
     const float s = f_sin(half_rad);
     return (struct quaternion){ f_cos(half_rad), x * s, y * s, z * s };
 }
 
-/* Yaw about +y, then pitch about +x, then roll, which lowers the right side: about -z. */
+/* Converts angles to a rotation: yaw about +y, then pitch about +x, then roll about -z. A positive
+ * roll lowers the right side. */
 struct quaternion quaternion_of(struct angles angles)
 {
     const struct quaternion yaw = about(0.5f * angles.yaw_rad, 0.0f, 1.0f, 0.0f);
@@ -44,7 +49,8 @@ struct quaternion quaternion_of(struct angles angles)
     return quaternion_product(quaternion_product(yaw, pitch), roll);
 }
 
-/* The poi's axes in the world are the columns of the rotation's matrix. */
+/* Converts a rotation to angles. The axes of the poi in the world are the columns of the rotation
+ * matrix. */
 struct angles quaternion_angles(struct quaternion q)
 {
     const float right_y = 2.0f * (q.x * q.y + q.w * q.z);
@@ -57,14 +63,15 @@ struct angles quaternion_angles(struct quaternion q)
                             .roll_rad = f_atan2(-right_y, up_y) };
 }
 
-/* World's up in the poi's axes: the middle row of the matrix. */
+/* Returns the world's up direction in the axes of the poi, which is the middle row of the rotation
+ * matrix. */
 static vec3 up_of(struct quaternion q)
 {
     return v3(2.0f * (q.x * q.y + q.w * q.z), 1.0f - 2.0f * (q.x * q.x + q.z * q.z),
               2.0f * (q.y * q.z - q.w * q.x));
 }
 
-/* Level, but for what gravity shows: the shortest turn that brings `up` upright. */
+/* Returns the initial orientation: the shortest rotation that makes `up` vertical. */
 static struct quaternion upright(vec3 up)
 {
     if (up.y < -0.9999f) {

@@ -1,10 +1,12 @@
-/* attitude.h -- how the poi is turned, by what its inertial sensor says. Pure.
+/* attitude.h -- computes the orientation of the poi from its inertial sensor. The functions are
+ * pure.
  *
- * Either the chip fuses by itself and gives a quaternion (BNO055), or it gives turning and gravity
- * and they are fused here: the gyroscope leads, gravity pulls pitch and roll back to the truth by a
- * complementary filter (Mahony, Hamel, Pflimlin 2008), and a gyroscope at rest tells its own bias.
- * Neither knows which way the player looks: the heading leaks to straight ahead, so that a hand
- * that plays for minutes is not slowly turned round. The ring is round; its handle alone shows. */
+ * Some chips compute a quaternion (BNO055). For other chips, this module fuses rotation rate and
+ * acceleration with a complementary filter (Mahony, Hamel, Pflimlin 2008). The gyroscope gives the
+ * fast motion, and gravity corrects pitch and roll. The gyroscope's bias is measured while the poi
+ * is still. No sensor measures the direction in which the player faces. The heading therefore
+ * decays to straight ahead, so that the drift of several minutes does not accumulate. The decay is
+ * not visible on the round ring, only on its handle. */
 #ifndef KINGYO_POI_GADGET_ATTITUDE_H
 #define KINGYO_POI_GADGET_ATTITUDE_H
 
@@ -14,26 +16,30 @@
 
 #define GRAVITY_M_S2 9.80665f
 
-struct quaternion { /* From the poi's axes to the world's; of length 1. */
+struct quaternion { /* Unit quaternion that rotates from the axes of the poi to the axes of the
+                       world. */
     float w, x, y, z;
 };
 
 struct attitude {
-    uint8_t knows;         /* Gravity was felt. */
+    uint8_t knows;         /* 1 if gravity was measured. */
     struct quaternion turn;
-    vec3 bias_rad_s;       /* Of the gyroscope, in the poi's axes. */
-    float still_s;         /* How long it has lain still. */
-    float ahead_rad;       /* The heading that counts as straight ahead. */
+    vec3 bias_rad_s;       /* Bias of the gyroscope, in the axes of the poi. */
+    float still_s;         /* Seconds for which the poi has been still. */
+    float ahead_rad;       /* Heading that counts as straight ahead. */
     uint8_t has_ahead;
 };
 
-/* What turned and pulled at it in the last `seconds`, in the poi's own axes. */
+/* Updates the orientation with a rotation rate and an acceleration over the last `seconds`, in the
+ * axes of the poi. */
 void attitude_feel(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2, float seconds);
 
-/* What a chip that fuses by itself says, already of the poi's axes in the world's. */
+/* Sets the orientation from a chip that computes a quaternion. The rotation is from the axes of the
+ * poi to the axes of the world. */
 void attitude_know(struct attitude *attitude, struct quaternion turn);
 
-/* The angles; the heading leaks to 0 within about `ahead_s`, 0: not at all. */
+/* Returns the angles. The heading decays to 0 with a time constant of about `ahead_s`. A value of 0
+ * disables the decay. */
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds);
 
 struct quaternion quaternion_product(struct quaternion a, struct quaternion b);

@@ -1,9 +1,11 @@
-/* board_pose.c -- wires give the eye, the inertial sensor the way from there to the ring. */
+/* board_pose.c -- computes the pose: the draw wires give the position of the eye, and the inertial
+ * sensor gives the direction from the eye to the ring. */
 #include "board/poi-gadget/board_pose.h"
 
 #include <assert.h>
 
-/* By the largest of the four, which is never near 0 (Shepperd 1978). */
+/* Converts a matrix to a quaternion with the largest of the four components, which is never near 0
+ * (Shepperd 1978). */
 struct quaternion quaternion_of_rows(const vec3 row[3])
 {
     const float xx = row[0].x, yy = row[1].y, zz = row[2].z;
@@ -50,7 +52,8 @@ static void feel_attitude(struct board_pose *pose, const struct readings *readin
                       to_poi(pose->config, readings->accel_m_s2), seconds);
         return;
     }
-    /* Its world's +z is our +y, a quarter turn about x; and its axes are the chip's. */
+    /* The chip's world has +z up and Kingyo's world has +y up, so the rotation is a quarter turn
+     * about x. The rotation also converts from the chip's axes. */
     const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
     const struct quaternion back = { pose->mount.w, -pose->mount.x, -pose->mount.y,
                                      -pose->mount.z };
@@ -58,8 +61,8 @@ static void feel_attitude(struct board_pose *pose, const struct readings *readin
                   quaternion_product(quaternion_product(upright, readings->turn), back));
 }
 
-/* A wire that is torn or let go is pulled in to its potentiometer's stop, and one that is not
- * plugged in says nothing: neither has a length. */
+/* Computes the eye's position from the wires. A broken or released wire is pulled to its
+ * potentiometer's stop, and an unplugged wire gives no reading. Neither has a valid length. */
 static enum draw_wires_result feel_wires(struct board_pose *pose, const struct readings *readings)
 {
     const struct poi_config *config = pose->config;

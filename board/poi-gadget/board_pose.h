@@ -1,4 +1,5 @@
-/* board_pose.h -- what a poi's sensors say, into the report that its host gets. Pure. */
+/* board_pose.h -- converts a poi's sensor readings to the report for its host. The functions are
+ * pure. */
 #ifndef KINGYO_POI_GADGET_BOARD_POSE_H
 #define KINGYO_POI_GADGET_BOARD_POSE_H
 
@@ -7,36 +8,38 @@
 #include "board/poi-gadget/steady.h"
 #include "drivers/poi_report.h"
 
-/* Fewer steps of the converter are the stop of a potentiometer, with its noise. */
+/* Readings below this number of converter steps are the stop of a potentiometer with its noise. */
 #define BOARD_POSE_STEPS_MIN 8.0f
 
-/* All sensors at one moment, in the chips' own steps and axes. */
+/* Readings of all sensors at one moment, in the chips' own steps and axes. */
 struct readings {
-    float wire[DRAW_WIRE_COUNT]; /* Steps of the converter, a mean of several. */
-    uint8_t fuses;               /* `turn` is the chip's; else gyro and accel. */
-    struct quaternion turn;      /* From the chip's axes to a world whose +z is up. */
+    float wire[DRAW_WIRE_COUNT]; /* Converter steps of each wire, a mean of several samples. */
+    uint8_t fuses;               /* 1 if the chip computes `turn`. Otherwise `gyro` and `accel` are
+                                    valid. */
+    struct quaternion turn;      /* Rotation from the chip's axes to a world with +z up. */
     vec3 gyro_rad_s, accel_m_s2;
-    uint8_t buttons;             /* enum poi_button */
+    uint8_t buttons;             /* Pressed buttons, enum poi_button. */
 };
 
 struct board_pose {
     const struct poi_config *config;
     struct attitude attitude;
     struct steady steady;
-    struct quaternion mount;       /* From the chip's axes to the poi's. */
-    enum draw_wires_result wires;  /* Of the last step. */
-    vec3 eye_m;                    /* Where they met, before anything was smoothed. */
+    struct quaternion mount;       /* Rotation from the chip's axes to the axes of the poi. */
+    enum draw_wires_result wires;  /* Result of the wires in the last step. */
+    vec3 eye_m;                    /* Unfiltered position at which the wires meet. */
 };
 
-/* `config` must outlive it, sound and calibrated. */
+/* Initializes the state. `config` must outlive `pose`. The caller guarantees a valid and calibrated
+ * `config`. */
 void board_pose_init(struct board_pose *pose, const struct poi_config *config);
 
-/* The report `seconds` > 0 after the last; no place where the wires do not meet. The sequence
- * number stays the caller's. */
+/* Computes the report `seconds` > 0 after the previous report. The report has no position if the
+ * wires do not meet. The caller sets the sequence number. */
 void board_pose_step(struct board_pose *pose, const struct readings *readings, float seconds,
                      struct poi_report *out);
 
-/* A rotation whose matrix has these rows. */
+/* Returns the rotation whose matrix has the given rows. */
 struct quaternion quaternion_of_rows(const vec3 row[3]);
 
 #endif

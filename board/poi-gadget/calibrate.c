@@ -1,4 +1,4 @@
-/* calibrate.c -- a second of readings at each mark. */
+/* calibrate.c -- averages one second of sensor readings at each mark. */
 #include "board/poi-gadget/calibrate.h"
 
 #include <stdio.h>
@@ -10,9 +10,10 @@
 
 #define READINGS 50u
 #define BETWEEN_NS 20000000
-#define STILL_STEPS 20.0f /* A hand that keeps the eye on its mark moves it less: 5 mm. */
+#define STILL_STEPS 20.0f /* Greatest spread of converter steps while a person holds the eye on its
+                             mark: 5 mm. */
 
-/* A second's mean of all; 0 where a sensor does not answer. */
+/* Averages the readings of one second. Returns 0 if a sensor does not answer. */
 static int mean_readings(struct sensors *sensors, struct readings *mean, float spread[3])
 {
     float low[3], high[3];
@@ -44,7 +45,7 @@ static int wait_for_enter(void)
     return letter != EOF;
 }
 
-/* One mark into all three fits. */
+/* Measures one mark and adds the result to all three fits. */
 static int ask_mark(const struct poi_config *config, struct sensors *sensors, uint32_t mark,
                     struct wire_fit fits[DRAW_WIRE_COUNT], struct readings *mean)
 {

@@ -1,13 +1,15 @@
-/* draw_wires.c -- the spools' own axes make two of three unknowns linear. */
+/* draw_wires.c -- computes the intersection of three wires. In axes along the spools, two of the
+ * three unknowns are linear. */
 #include "board/poi-gadget/draw_wires.h"
 
 #include <assert.h>
 
 #define SPOOLS_APART_M 0.1f
 
-/* The first spool is the origin, the second lies on +x, the third in the plane of x and y. */
+/* Axes along the spools. The first spool is the origin, the second spool lies on +x, and the third
+ * spool lies in the plane of x and y. */
 struct spool_axes {
-    vec3 x, y, normal; /* The normal points up. */
+    vec3 x, y, normal; /* Unit axes. `normal` points up. */
     float second_x_m, third_x_m, third_y_m;
 };
 
@@ -49,8 +51,10 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
     const float d = axes.second_x_m, i = axes.third_x_m, j = axes.third_y_m;
     const float x_m = (a - b + d * d) / (2.0f * d);
     const float y_m = (a - c + i * i + j * j - 2.0f * i * x_m) / (2.0f * j);
-    const float below = a - x_m * x_m - y_m * y_m; /* Of the depth under the plane, squared. */
-    /* Wires that are DRAW_WIRE_SLACK_M too short to meet leave this much less than nothing. */
+    const float below = a - x_m * x_m - y_m * y_m; /* Square of the depth below the spools'
+                                                      plane. */
+    /* If the wires are too short to meet by DRAW_WIRE_SLACK_M, the squared depth is negative by
+     * this amount. */
     if (below < -2.0f * DRAW_WIRE_SLACK_M * length_m[0]) {
         return DRAW_WIRES_APART;
     }

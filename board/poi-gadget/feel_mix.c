@@ -1,4 +1,4 @@
-/* feel_mix.c -- decays and a rattle. */
+/* feel_mix.c -- mixes decaying levels and a rattle into the motor's level. */
 #include "board/poi-gadget/feel_mix.h"
 
 static float die_away(float level, float seconds, float within_s)

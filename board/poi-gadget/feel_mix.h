@@ -1,29 +1,33 @@
-/* feel_mix.h -- what one small motor and one light make of what the hand is to feel. Pure.
+/* feel_mix.h -- converts force feedback to the levels of one small motor and one light. The
+ * functions are pure.
  *
- * A motor that only hums can neither push nor turn the hand, so of the report it takes the levels:
- * drag hums, a slap kicks and dies away, a tear rattles. A board with motors on its spools may use
- * force and torque. A host that fell silent is no reason to go on humming. */
+ * A vibration motor can neither push nor turn the hand, so only the levels of the report are used.
+ * Drag makes the motor hum, a slap gives a pulse that decays, and a tear gives a rattle. A board
+ * with motors on its spools may use force and torque. The motor stops if the host sends no more
+ * reports. */
 #ifndef KINGYO_POI_GADGET_FEEL_MIX_H
 #define KINGYO_POI_GADGET_FEEL_MIX_H
 
 #include "core/output.h"
 
-#define FEEL_SILENT_S 0.25f     /* Kiosks tell once a frame. */
-#define FEEL_DRAG_SHARE 0.5f    /* Of the motor; the rest is for blows. */
-#define FEEL_SLAP_S 0.060f      /* A slap dies away in that. */
+#define FEEL_SILENT_S 0.25f     /* Seconds without a report after which the motor stops. A kiosk
+                                   sends one report in each frame. */
+#define FEEL_DRAG_SHARE 0.5f    /* Share of the motor's level for drag. The rest is reserved for
+                                   slaps and tears. */
+#define FEEL_SLAP_S 0.060f      /* Time in which a slap decays. */
 #define FEEL_TEAR_S 0.150f
-#define FEEL_RATTLE_HZ 25.0f    /* As paper, not as an engine. */
+#define FEEL_RATTLE_HZ 25.0f    /* Rattle frequency, which resembles paper rather than an engine. */
 
 struct feel_mix {
-    float drag, slap, tear;     /* [0, 1], as they die away. */
+    float drag, slap, tear;     /* Decaying levels of drag, slap and tear, in [0, 1]. */
     float silent_s, rattle_s;
 };
 
 struct feel_levels {
-    float motor, light;         /* [0, 1] */
+    float motor, light;         /* Levels of the motor and the light, in [0, 1]. */
 };
 
-/* `newest` null: no news in these `seconds`. */
+/* Advances the mix by `seconds`. A null `newest` means that no report has arrived. */
 struct feel_levels feel_mix_step(struct feel_mix *mix, const struct poi_force *newest,
                                  float seconds);
 

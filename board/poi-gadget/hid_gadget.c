@@ -1,4 +1,4 @@
-/* hid_gadget.c -- reads and writes that never block. */
+/* hid_gadget.c -- reads and writes reports without blocking. */
 #include "board/poi-gadget/hid_gadget.h"
 
 #include <errno.h>
@@ -6,8 +6,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#define SHUT_MAX 64u /* Writes in a row: a quarter of a second. */
-#define READS_MAX 8 /* A host sends one a frame; f_hid queues four requests. */
+#define SHUT_MAX 64u /* Number of consecutive failed writes before the device is opened again: a
+                        quarter of a second. */
+#define READS_MAX 8 /* Maximum number of reads in a call. A host sends one report in each frame, and
+                       f_hid queues four requests. */
 
 void hid_gadget_init(struct hid_gadget *gadget, const char *path)
 {
@@ -28,8 +30,9 @@ int hid_gadget_open(struct hid_gadget *gadget)
     return gadget->fd >= 0;
 }
 
-/* EAGAIN: the last report still waits to be fetched, or nothing is to be felt. ESHUTDOWN: no host
- * has configured us. Anything else says that the function behind the file is gone. */
+/* Handles an error. EAGAIN means that the host has not fetched the last report, or that no output
+ * report is available. ESHUTDOWN means that no host has configured the device. Any other error
+ * means that the USB function behind the file no longer exists. */
 static void survive(struct hid_gadget *gadget)
 {
     if (errno != EAGAIN && errno != EINTR && errno != ESHUTDOWN) {
@@ -37,8 +40,8 @@ static void survive(struct hid_gadget *gadget)
     }
 }
 
-/* A host that stays away, and a function that was taken away, answer alike: who opens the file
- * again may find another function behind it. */
+/* Handles an error of a write. An absent host and a removed USB function give the same error.
+ * Opening the file again may find a new function. */
 static void survive_send(struct hid_gadget *gadget)
 {
     gadget->shut_count = errno == ESHUTDOWN ? gadget->shut_count + 1 : 0;

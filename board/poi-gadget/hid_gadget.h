@@ -1,7 +1,7 @@
 /* hid_gadget.h -- the poi's side of the USB cable: /dev/hidgN of Linux's HID function (f_hid).
  *
- * No call waits. A host that does not listen costs reports, never time; a function that was taken
- * away is looked for again. */
+ * No call blocks. If the host does not read, reports are dropped. A device whose USB function was
+ * removed is opened again. */
 #ifndef KINGYO_POI_GADGET_HID_GADGET_H
 #define KINGYO_POI_GADGET_HID_GADGET_H
 
@@ -10,26 +10,30 @@
 #include "drivers/poi_report.h"
 
 struct hid_gadget {
-    const char *path;       /* "-": reports go to standard output, and nothing is felt. */
-    int fd;                 /* -1: not open. */
-    uint8_t sequence;       /* Of the next report that leaves. */
-    uint32_t shut_count;    /* Writes in a row that found no host. */
+    const char *path;       /* Path of the device. The path "-" writes reports to standard output
+                               and gives no force feedback. */
+    int fd;                 /* File descriptor, or -1 if the device is not open. */
+    uint8_t sequence;       /* Sequence number of the next sent report. */
+    uint32_t shut_count;    /* Number of consecutive writes that found no host. */
     uint32_t sent_count;
-    uint32_t skipped_count; /* The host had not fetched the last one, or nobody is there. */
+    uint32_t skipped_count; /* Number of reports that were dropped because the host had not fetched
+                               the previous report or no host is present. */
     uint32_t felt_count;
-    uint32_t refused_count; /* Output reports that were none of ours. */
+    uint32_t refused_count; /* Number of rejected output reports of an unknown format. */
 };
 
-/* `path` must outlive it. */
+/* Initializes the gadget without opening the device. `path` must outlive `gadget`. */
 void hid_gadget_init(struct hid_gadget *gadget, const char *path);
 
-/* 1: open, or opened now; 0: there is no such device (errno says why). */
+/* Opens the device if it is not open. Returns 1 if the device is open. Returns 0 and sets errno
+ * otherwise. */
 int hid_gadget_open(struct hid_gadget *gadget);
 
-/* Sends a report under the next sequence number: 1, or 0 where it was skipped. */
+/* Sends a report with the next sequence number. Returns 1, or 0 if the report was dropped. */
 int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report);
 
-/* The newest of what the hand is to feel since the last call: 1 and `out`, or 0. */
+/* Reads the newest force feedback after the last call. Returns 1 and sets `out`, or returns 0 if
+ * there is none. */
 int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out);
 
 void hid_gadget_close(struct hid_gadget *gadget);

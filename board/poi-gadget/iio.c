@@ -1,4 +1,4 @@
-/* iio.c -- an attribute is text, read from its start. */
+/* iio.c -- reads sensor attributes, which are text files that are read from their start. */
 #include "board/poi-gadget/iio.h"
 
 #include <fcntl.h>
@@ -7,9 +7,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#define DEVICES_MAX 32 /* A board has a handful. */
+#define DEVICES_MAX 32 /* Maximum number of devices. A board has only a few. */
 
-/* `folder`/`leaf` into `out`: 1, or 0 where it is too long. */
+/* Writes `folder`/`leaf` to `out`. Returns 1, or 0 if the path is too long. */
 static int join(char out[IIO_PATH_SIZE], const char *folder, const char *leaf)
 {
     return snprintf(out, IIO_PATH_SIZE, "%s/%s", folder, leaf) < (int)IIO_PATH_SIZE;

@@ -1,4 +1,4 @@
-/* iio.h -- sensors of Linux's industrial I/O, by name: its sysfs files, kept open. */
+/* iio.h -- reads sensors of Linux's industrial I/O by name. The sysfs files stay open. */
 #ifndef KINGYO_POI_GADGET_IIO_H
 #define KINGYO_POI_GADGET_IIO_H
 
@@ -7,17 +7,19 @@
 
 #define IIO_PATH_SIZE 256u
 
-/* The folder of the device that the kernel calls `name`, under `root` (""; a test's own tree): 1,
- * or 0 where there is none. Of several the first by number. */
+/* Finds the folder of the device with the kernel's name `name` under `root` ("", or the tree of a
+ * test). The lowest device number is used if several devices match. Returns 1, or 0 if there is no
+ * such device. */
 int iio_find(char path[IIO_PATH_SIZE], const char *root, const char *name);
 
-/* Opens an attribute to be read again and again: the file, or -1. */
+/* Opens an attribute for repeated reads. Returns the file descriptor, or -1. */
 int iio_open(const char *device_path, const char *attribute);
 
-/* Its numbers now: 1 where it has exactly `count` <= 4 of them. */
+/* Reads the attribute's present numbers. Returns 1 if the attribute has exactly `count` <= 4
+ * numbers, and 0 otherwise. */
 int iio_read(int fd, uint32_t count, float *out);
 
-/* One attribute, once. */
+/* Opens, reads and closes one attribute. The results are those of iio_read(). */
 int iio_read_once(const char *device_path, const char *attribute, uint32_t count, float *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* keys.c -- events since the last look; the kernel is asked for levels where some were lost. */
+/* keys.c -- reads key events. If events were lost, the kernel is queried for the present levels. */
 #include "board/poi-gadget/keys.h"
 
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 #include "drivers/poi_report.h"
 
 #define EVENT_DEVICES 32u
-#define EVENTS_MAX 16 /* A read; keys that bounce send few. */
+#define EVENTS_MAX 16 /* Maximum number of events for each read. Bouncing keys send few events. */
 
 static const struct key_code {
     uint16_t code;
@@ -36,7 +36,8 @@ static int is_gpio_keys(const char *root, uint32_t number)
     return got && strncmp(phys, "gpio-keys/", 10) == 0;
 }
 
-/* What is held now, by the kernel; what it does not say stays as it was. */
+/* Reads the pressed keys from the kernel. Keys of which the kernel reports no level keep their
+ * state. */
 static void ask_levels(struct keys *keys, int fd)
 {
     uint8_t bits[KEY_MAX / 8 + 1] = { 0 };

@@ -1,4 +1,4 @@
-/* main.c -- `kingyo-poi`: what runs on the small board that is a poi. */
+/* main.c -- `kingyo-poi`, the program that runs on the small board of a poi. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -91,7 +91,8 @@ static int read_path(struct arguments *out, const char *name, const char *value)
     return 0;
 }
 
-/* One option and its value: how many words it took, or 0 where it is none. */
+/* Parses one option and its value. Returns the number of words that were read, or 0 if the option
+ * is not valid. */
 static int read_option(struct arguments *out, const char *name, const char *value)
 {
     uint32_t seconds;
@@ -132,7 +133,8 @@ static enum exit_code descriptor(const struct arguments *arguments)
     return EXIT_OK;
 }
 
-/* A poi that was named none of its own is the one of poi_config.h: good enough to be simulated. */
+/* Loads the configuration. Without a file, the defaults of poi_config.h apply, which are sufficient
+ * for a simulation. */
 static enum exit_code load(struct poi_config *config, const struct arguments *arguments)
 {
     poi_config_init(config);
@@ -165,7 +167,7 @@ static enum exit_code play_sensors(const struct poi_config *config,
     return code;
 }
 
-/* Poses from wherever the options say, to the host or as text. */
+/* Sends poses from the selected source to the host, or prints them as text. */
 static enum exit_code play(struct poi_config *config, const struct arguments *arguments, int prints)
 {
     static struct script_source script;
@@ -176,7 +178,7 @@ static enum exit_code play(struct poi_config *config, const struct arguments *ar
     char why[MOTOR_WHY_SIZE];
     if (!prints) {
         if (!motor_open(&motor, config, arguments->root, why)) {
-            print_error("kingyo-poi: %s", why); /* It plays on: only the hand misses it. */
+            print_error("kingyo-poi: %s", why); /* The program continues without force feedback. */
         }
         sink = motor_sink(&motor);
     }

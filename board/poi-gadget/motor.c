@@ -1,4 +1,4 @@
-/* motor.c -- numbers as text, written only when they change. */
+/* motor.c -- writes numbers as text to sysfs files, only if a number has changed. */
 #include "board/poi-gadget/motor.h"
 
 #include <fcntl.h>
@@ -8,7 +8,8 @@
 #include <unistd.h>
 
 #define PATH_SIZE 256
-#define EXPORT_TRIES 20 /* Of 10 ms: udev may hand the new files over a moment later. */
+#define EXPORT_TRIES 20 /* Number of attempts of 10 ms each, because udev may set the permissions of
+                           the new files later. */
 
 static int put(const char *path, uint32_t value)
 {
@@ -65,7 +66,9 @@ static int open_pwm(struct motor *motor, const struct poi_config *config, const 
     motor->period_ns = 1000000000u / config->motor_hz;
     motor->least = config->motor_least;
     motor->duty_ns = UINT32_MAX;
-    put_again(motor->duty_fd, &motor->duty_ns, 0); /* Before a shorter period, or it is refused. */
+    put_again(motor->duty_fd, &motor->duty_ns, 0); /* The duty must be lowered before the period is
+                                                      shortened. Otherwise the kernel rejects the
+                                                      period. */
     snprintf(path, sizeof path, "%s/pwm%u/period", chip, config->pwm_channel);
     const int period = put(path, motor->period_ns);
     snprintf(path, sizeof path, "%s/pwm%u/enable", chip, config->pwm_channel);

@@ -1,4 +1,4 @@
-/* poi_config.c -- a table of names, each with its kind. */
+/* poi_config.c -- parses the configuration with a table of names and their types. */
 #include "board/poi-gadget/poi_config.h"
 
 #include <errno.h>
@@ -31,7 +31,7 @@ void poi_config_init(struct poi_config *config)
 
 /* ---- Values --------------------------------------------------------------------------------- */
 
-/* Exactly `count` numbers within +-`most`. */
+/* Parses exactly `count` numbers within +-`most`. */
 static int read_numbers(const char *text, uint32_t count, float most, float out[NUMBERS_MAX])
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -82,7 +82,7 @@ static int read_wire(struct poi_config *config, uint32_t index, const char *valu
     return 1;
 }
 
-/* "+x -z +y": a turn of the chip's axes, not a mirror image. */
+/* Parses axes such as "+x -z +y". The axes must form a rotation and not a reflection. */
 static int read_axes(struct poi_config *config, uint32_t index, const char *value)
 {
     (void)index;
@@ -191,7 +191,7 @@ static int read_ahead(struct poi_config *config, uint32_t index, const char *val
 
 /* ---- Lines ---------------------------------------------------------------------------------- */
 
-/* `index` is of a spool or wire; the others heed none. */
+/* Table of settings. `index` is the number of a spool or a wire, and other settings ignore it. */
 static const struct setting {
     const char *name;
     int (*set)(struct poi_config *config, uint32_t index, const char *value);
@@ -215,7 +215,7 @@ static const struct setting {
     { "mark", read_mark, 0, "a mark is X Y Z in mm, and there are at most 8" },
 };
 
-/* Cuts off remark and blanks; returns the first letter. */
+/* Removes the comment and the blanks. Returns the first character of the rest. */
 static char *trim(char *text)
 {
     text[strcspn(text, "#\r\n")] = '\0';

@@ -1,7 +1,8 @@
-/* poi_config.h -- how a poi was built: its sensors by name, where its spools hang, its measures.
+/* poi_config.h -- the configuration of a poi: the names of its sensors, the positions of its
+ * spools, and its dimensions.
  *
- * A text of lines `name = value`; what follows a # is not read. poi.conf is one, and says what each
- * line means. Pure. */
+ * The file has lines of the form `name = value`, and # starts a comment. poi.conf is an example
+ * that describes each line. The functions are pure, except for poi_config_load(). */
 #ifndef KINGYO_POI_GADGET_POI_CONFIG_H
 #define KINGYO_POI_GADGET_POI_CONFIG_H
 
@@ -11,41 +12,49 @@
 
 #define POI_CONFIG_NAME_SIZE 32u
 #define POI_CONFIG_LINE_SIZE 160u
-#define POI_CONFIG_SIZE_MAX (1u << 16) /* Bytes; poi.conf is 1 KiB. */
-#define POI_CONFIG_MARK_MAX 8u /* More marks than three wires need; a sheet of paper holds them. */
+#define POI_CONFIG_SIZE_MAX (1u << 16) /* Maximum file size in bytes. poi.conf is 1 KiB. */
+#define POI_CONFIG_MARK_MAX 8u /* Maximum number of marks. Three wires need fewer marks, and a sheet
+                                  of paper has room for eight. */
 #define POI_CONFIG_CHANNEL_MAX 31u
 
 struct poi_config {
-    char adc[POI_CONFIG_NAME_SIZE]; /* As the kernel names the IIO device. */
+    char adc[POI_CONFIG_NAME_SIZE]; /* Kernel name of the IIO device. */
     char imu[POI_CONFIG_NAME_SIZE];
-    char light[POI_CONFIG_NAME_SIZE]; /* In /sys/class/leds; "": none. */
+    char light[POI_CONFIG_NAME_SIZE]; /* Name of the LED in /sys/class/leds, or "" for no light. */
     uint32_t channel[DRAW_WIRE_COUNT];
-    vec3 spool_m[DRAW_WIRE_COUNT];   /* World: where each wire leaves its spool. */
-    float zero_m[DRAW_WIRE_COUNT];   /* Length where the converter says 0 ... */
-    float step_m[DRAW_WIRE_COUNT];   /* ... and for each of its steps; 0: not calibrated. */
-    vec3 ring_m;                     /* From the wires' eye to the ring, in the poi's axes. */
-    vec3 imu_row[3];                 /* The poi's right, up and back, in the chip's axes. */
-    vec3 gyro_bias_rad_s;            /* In the poi's axes. */
-    float ahead_s;                   /* See attitude_angles(). */
-    int32_t pwm_chip;                /* Of /sys/class/pwm; -1: no motor. */
+    vec3 spool_m[DRAW_WIRE_COUNT];   /* World positions at which the wires leave their spools. */
+    float zero_m[DRAW_WIRE_COUNT];   /* Length of each wire at converter step 0. */
+    float step_m[DRAW_WIRE_COUNT];   /* Length of one converter step for each wire. A value of 0
+                                        means that the wire is not calibrated. */
+    vec3 ring_m;                     /* Offset from the wires' eye to the ring, in the axes of the
+                                        poi. */
+    vec3 imu_row[3];                 /* Directions right, up and back of the poi, in the chip's
+                                        axes. */
+    vec3 gyro_bias_rad_s;            /* Bias of the gyroscope, in the axes of the poi. */
+    float ahead_s;                   /* Time constant of the heading's decay (see
+                                        attitude_angles()). */
+    int32_t pwm_chip;                /* Number of the chip in /sys/class/pwm, or -1 for no motor. */
     uint32_t pwm_channel;
-    uint32_t motor_hz;               /* Of the pulses, not of the motor. */
-    float motor_least;               /* [0, 1) duty that just turns it. */
+    uint32_t motor_hz;               /* Frequency of the PWM pulses, not of the motor. */
+    float motor_least;               /* Lowest duty at which the motor turns, in [0, 1). */
     uint32_t mark_count;
-    vec3 mark_m[POI_CONFIG_MARK_MAX]; /* Where the eye is held to calibrate. */
+    vec3 mark_m[POI_CONFIG_MARK_MAX]; /* Positions at which the eye is held for the calibration. */
 };
 
-/* What poi.conf says; wires are not calibrated. */
+/* Sets the values of poi.conf. The wires are not calibrated. */
 void poi_config_init(struct poi_config *config);
 
-/* Reads one line: 1, 0 for a blank one, or -1 and one phrase in `why`; static. */
+/* Parses one line. Returns 1, or 0 for an empty line. Returns -1 and sets `why` to a static phrase
+ * for a line that is not valid. */
 int poi_config_line(struct poi_config *config, const char *line, const char **why);
 
-/* Whether the whole can be played with; else `why`. Calibration is asked apart. */
+/* Returns whether the configuration is valid for play, and sets `why` to a phrase otherwise. The
+ * calibration is checked separately by poi_config_is_calibrated(). */
 int poi_config_is_sound(const struct poi_config *config, const char **why);
 int poi_config_is_calibrated(const struct poi_config *config);
 
-/* Reads the file: 1; 0 and a line on standard error where it cannot be read or is wrong. */
+/* Reads the file. Returns 1. Returns 0 and prints one line to standard error if the file is not
+ * readable or not valid. */
 int poi_config_load(struct poi_config *config, const char *path);
 
 #endif

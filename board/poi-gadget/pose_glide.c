@@ -1,9 +1,10 @@
-/* pose_glide.c -- a polynomial between two poses. */
+/* pose_glide.c -- moves between two poses along a polynomial. */
 #include "board/poi-gadget/pose_glide.h"
 
 #include <assert.h>
 
-#define ROUNDING_S 1e-4f /* Ten hundredths of a second are not quite a tenth. */
+#define ROUNDING_S 1e-4f /* Tolerance of the end time, because ten steps of 0.01 s are not exactly
+                            0.1 s in binary numbers. */
 
 int pose_glide_is_there(const struct pose_glide *glide)
 {
@@ -18,13 +19,14 @@ void pose_glide_send(struct pose_glide *glide, const struct pose_line *to)
     glide->begun = 1;
 }
 
-/* Speed and acceleration are 0 at both ends. */
+/* Returns the share of the motion at time `t`, in [0, 1]. The speed and the acceleration are 0 at
+ * both ends. */
 static float smooth(float t)
 {
     return t * t * t * (10.0f - t * (15.0f - 6.0f * t));
 }
 
-/* The short way round. */
+/* Interpolates an angle in the shorter direction. */
 static float turn_between(float from_rad, float to_rad, float t)
 {
     return f_wrap_angle(from_rad + t * f_wrap_angle(to_rad - from_rad));

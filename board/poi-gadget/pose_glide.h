@@ -1,22 +1,25 @@
-/* pose_glide.h -- a hand that goes from pose to pose, as smoothly as one does. Pure. */
+/* pose_glide.h -- a simulated hand that moves smoothly from pose to pose. The functions are
+ * pure. */
 #ifndef KINGYO_POI_GADGET_POSE_GLIDE_H
 #define KINGYO_POI_GADGET_POSE_GLIDE_H
 
 #include "board/poi-gadget/pose_line.h"
 
 struct pose_glide {
-    uint8_t begun; /* It has a pose. */
+    uint8_t begun; /* 1 if the hand has a pose. */
     struct pose_line from, to;
-    float at_s;    /* Of to.glide_s. */
+    float at_s;    /* Seconds since the start of the glide, up to to.glide_s. */
 };
 
-/* The hand is where it was sent; also before it was sent anywhere. */
+/* Returns whether the hand has reached its goal. Also returns true if no goal was set yet. */
 int pose_glide_is_there(const struct pose_glide *glide);
 
-/* Sends it on; at once where it has no place to come from: at the start, or it was lost. */
+/* Sets the next goal. The hand jumps to the goal if it has no present position, which is the case
+ * at the start and after a lost pose. */
 void pose_glide_send(struct pose_glide *glide, const struct pose_line *to);
 
-/* Where it is `seconds` later: place, angles and buttons of `out`. It was sent somewhere before. */
+/* Advances the hand by `seconds`, and writes position, angles and buttons to `out`. A goal must
+ * have been set before. */
 void pose_glide_step(struct pose_glide *glide, float seconds, struct poi_report *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* pose_line.c -- words, one after the other. */
+/* pose_line.c -- parses and prints a pose line word by word. */
 #include "board/poi-gadget/pose_line.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@ static const struct key_name {
 };
 #define KEY_COUNT (sizeof keys / sizeof keys[0])
 
-/* The next word, cut out of `*rest`; null at the end. */
+/* Cuts the next word from `*rest`. Returns null at the end of the line. */
 static char *next_word(char **rest)
 {
     char *word = *rest + strspn(*rest, " \t\r\n");
@@ -60,7 +60,7 @@ static int read_keys(char **rest, uint8_t *buttons)
     return 1;
 }
 
-/* Millimetres of reach, and one turn each way. */
+/* Parses a pose. The limits are the reach in millimetres and one turn in each direction. */
 static int read_pose(struct poi_target *out, char *word, char **rest, const char **why)
 {
     const float most[6] = { 1000.0f, 1000.0f, 1000.0f, 360.0f, 360.0f, 360.0f };

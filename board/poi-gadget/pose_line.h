@@ -1,10 +1,13 @@
-/* pose_line.h -- one pose as a line of text: what a script says, and `kingyo-poi watch` prints.
+/* pose_line.h -- one pose as a line of text, in the form that scripts use and `kingyo-poi watch`
+ * prints.
  *
- *     [+MS] X Y Z PITCH YAW ROLL [KEY...]      "+400  120 -50 30  -25 0 0  OK"
- *     [+MS] lost
+ * [+MS] X Y Z PITCH YAW ROLL [KEY...], for example "+400 120 -50 30 -25 0 0 OK"
  *
- * Millimetres and degrees, axes as drivers/poi_report.h has them. +MS: the hand glides there in so
- * many milliseconds; without it, it is there at once. What follows a # is not read. Pure. */
+ * [+MS] lost
+ *
+ * Positions are in millimetres and angles in degrees, with the axes of drivers/poi_report.h. With
+ * +MS, the hand glides to the pose in the given number of milliseconds. Without +MS, the hand jumps
+ * to the pose. # starts a comment. The functions are pure. */
 #ifndef KINGYO_POI_GADGET_POSE_LINE_H
 #define KINGYO_POI_GADGET_POSE_LINE_H
 
@@ -12,20 +15,23 @@
 
 #include "drivers/poi_report.h"
 
-#define POSE_LINE_SIZE 128u        /* With its end; six numbers, a time and five keys take 90. */
-#define POSE_LINE_GLIDE_S 600.0f   /* Longer than any round. */
+#define POSE_LINE_SIZE 128u        /* Maximum size of a line with its terminating zero. Six numbers,
+                                      a time and five keys need 90 characters. */
+#define POSE_LINE_GLIDE_S 600.0f   /* Maximum duration of a glide in seconds, longer than any
+                                      round. */
 
 struct pose_line {
-    float glide_s;            /* [0, POSE_LINE_GLIDE_S] */
-    uint8_t lost;             /* The poi does not know where it is. */
-    uint8_t buttons;          /* enum poi_button */
-    struct poi_target target; /* Within +-POI_REPORT_REACH_M and a turn each way. */
+    float glide_s;            /* Duration of the glide in seconds, in [0, POSE_LINE_GLIDE_S]. */
+    uint8_t lost;             /* 1 if the position of the poi is unknown. */
+    uint8_t buttons;          /* Pressed buttons, enum poi_button. */
+    struct poi_target target; /* Pose within +-POI_REPORT_REACH_M and one turn in each direction. */
 };
 
-/* 1: a pose; 0: a blank line or a remark; -1: none, and `why` is one phrase; static. */
+/* Parses a line. Returns 1 for a pose and 0 for an empty line or a comment. Returns -1 and sets
+ * `why` to a static phrase for a line that is not valid. */
 int pose_line_read(struct pose_line *out, const char *text, const char **why);
 
-/* The report as such a line, without a newline. */
+/* Writes the report as a pose line without a newline. */
 void pose_line_write(const struct poi_report *report, char text[POSE_LINE_SIZE]);
 
 #endif

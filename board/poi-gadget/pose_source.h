@@ -1,18 +1,21 @@
-/* pose_source.h -- where the board's poses come from: sensors, their twin, or a script. */
+/* pose_source.h -- the interface of the pose sources: the sensors, the simulated sensors, and
+ * scripts. */
 #ifndef KINGYO_POI_GADGET_POSE_SOURCE_H
 #define KINGYO_POI_GADGET_POSE_SOURCE_H
 
 #include "drivers/poi_report.h"
 
 enum pose_result {
-    POSE_NEW = 1,    /* A report; its place is no number where the poi does not know it. */
-    POSE_NONE = 0,   /* None yet. */
-    POSE_END = -1,   /* None any more. */
-    POSE_BAD = -2,   /* What was read is no pose; it was told on standard error. */
+    POSE_NEW = 1,    /* A report is available. Its position is NaN if the position is unknown. */
+    POSE_NONE = 0,   /* No report is available yet. */
+    POSE_END = -1,   /* The source has ended. */
+    POSE_BAD = -2,   /* The input is not a valid pose. An error line was printed to standard
+                        error. */
 };
 
 struct pose_source {
-    /* `seconds` after the last call; never waits. The sequence number stays the caller's. */
+    /* Computes the report `seconds` after the previous call. Never blocks. The caller sets the
+     * sequence number. */
     enum pose_result (*step)(void *self, float seconds, struct poi_report *out);
     void *self;
 };

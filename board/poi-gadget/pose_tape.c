@@ -1,4 +1,4 @@
-/* pose_tape.c -- lines are cut off the front of what waits. */
+/* pose_tape.c -- cuts lines from the start of the buffered text. */
 #include "board/poi-gadget/pose_tape.h"
 
 #include <string.h>
@@ -14,7 +14,7 @@ void pose_tape_wrote(struct pose_tape *tape, uint32_t count)
     tape->size += count;
 }
 
-/* Cuts one line off into `line`: 1, or 0 where none is whole yet. */
+/* Cuts one line from the buffer into `line`. Returns 1, or 0 if the buffer has no complete line. */
 static int cut_line(struct pose_tape *tape, char line[POSE_LINE_SIZE])
 {
     const char *end = memchr(tape->text, '\n', tape->size);
@@ -36,7 +36,7 @@ static int cut_line(struct pose_tape *tape, char line[POSE_LINE_SIZE])
     return 1;
 }
 
-/* The next pose becomes the goal: 1; 0 where there is none yet. */
+/* Parses the next line and sets its pose as the goal. Returns 1, or 0 if no line is available. */
 static int take_line(struct pose_tape *tape)
 {
     char text[POSE_LINE_SIZE];

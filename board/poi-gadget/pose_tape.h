@@ -1,7 +1,7 @@
-/* pose_tape.h -- a hand made of text: lines of poses in, a report at each step out. Pure.
+/* pose_tape.h -- converts lines of poses to one report in each step. The functions are pure.
  *
- * A line is taken when the glide of the one before it has ended, so a whole round can be piped in
- * at once. A line without a glide lasts one step. */
+ * A line is used when the glide of the previous line has ended, so a whole round can be piped in. A
+ * line without a glide lasts one step. */
 #ifndef KINGYO_POI_GADGET_POSE_TAPE_H
 #define KINGYO_POI_GADGET_POSE_TAPE_H
 
@@ -9,23 +9,27 @@
 
 #include "board/poi-gadget/pose_glide.h"
 
-#define POSE_TAPE_SIZE 4096u /* Bytes of text that wait; more stays where it comes from. */
+#define POSE_TAPE_SIZE 4096u /* Size of the text buffer in bytes. Further text stays in the input
+                                until there is room. */
 
 struct pose_tape {
     char text[POSE_TAPE_SIZE];
     uint32_t size;
-    uint32_t line;           /* Number of the last line taken, from 1. */
-    uint8_t ended;           /* No more text will come. */
+    uint32_t line;           /* Number of the last used line, counted from 1. */
+    uint8_t ended;           /* 1 if no more text will arrive. */
     struct pose_glide glide;
-    const char *why;         /* What is wrong with line `line`. */
+    const char *why;         /* Error of line `line`. */
 };
 
-/* Room for more text, at most POSE_TAPE_SIZE bytes: write there, then tell how much. */
+/* pose_tape_room() returns the free part of the buffer and sets `room` to its size, at most
+ * POSE_TAPE_SIZE bytes. The caller writes text there and passes the number of bytes to
+ * pose_tape_wrote(). */
 char *pose_tape_room(struct pose_tape *tape, uint32_t *room);
 void pose_tape_wrote(struct pose_tape *tape, uint32_t count);
 
-/* `seconds` later. 1: `out` is where the hand is; 0: the tape is at its end, or no line has come
- * yet (`ended` says which); -1: `why`. The sequence number stays the caller's. */
+/* Advances the hand by `seconds`. Returns 1 and writes the pose to `out`. Returns 0 at the end of
+ * the tape (`ended` is 1) or if no line has arrived yet. Returns -1 and sets `why` after an error.
+ * The caller sets the sequence number. */
 int pose_tape_step(struct pose_tape *tape, float seconds, struct poi_report *out);
 
 #endif

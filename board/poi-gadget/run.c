@@ -1,4 +1,4 @@
-/* run.c -- absolute beats, so that no lateness adds up. */
+/* run.c -- runs the loop at absolute times, so that delays do not accumulate. */
 #include "board/poi-gadget/run.h"
 
 #include <errno.h>
@@ -12,7 +12,7 @@
 #include "board/poi-gadget/pose_line.h"
 #include "platform/print.h"
 
-#define REOPEN_BEATS 64u /* A function that is not there is asked for that seldom. */
+#define REOPEN_BEATS 64u /* Interval in beats between two attempts to open a missing device. */
 
 static volatile sig_atomic_t told_to_end;
 
@@ -35,8 +35,8 @@ static void heed_signals(void)
 
 struct beat {
     uint64_t next_ns, period_ns, begin_ns;
-    uint64_t count; /* Beats that were due. */
-    uint32_t late;  /* Of them dropped: the board was too slow. */
+    uint64_t count; /* Number of beats that were due. */
+    uint32_t late;  /* Number of due beats that were dropped because the board was too slow. */
 };
 
 static uint64_t now_ns(void)
@@ -52,7 +52,7 @@ static void beat_start(struct beat *beat, uint32_t rate_hz)
     *beat = (struct beat){ .next_ns = now, .begin_ns = now, .period_ns = 1000000000u / rate_hz };
 }
 
-/* Sleeps until the next beat; returns how many seconds it is after the last one. */
+/* Sleeps until the next beat. Returns the seconds since the previous beat. */
 static float beat_wait(struct beat *beat)
 {
     const uint64_t now = now_ns();
@@ -77,7 +77,7 @@ static int is_over(const struct beat *beat, const struct run_options *options)
     return told_to_end || (options->seconds > 0.0f && seconds > options->seconds);
 }
 
-/* ---- The cable ------------------------------------------------------------------------------ */
+/* ---- Statistics and the USB device ---------------------------------------------------------- */
 
 static void tell_figures(const struct hid_gadget *gadget, const struct beat *beat)
 {

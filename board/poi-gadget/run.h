@@ -1,4 +1,5 @@
-/* run.h -- the board's loop: a pose to the host at each beat, to the hand what the host says. */
+/* run.h -- the main loop of the board. In each beat, the loop sends a pose to the host and forwards
+ * the host's force feedback to the motor. */
 #ifndef KINGYO_POI_GADGET_RUN_H
 #define KINGYO_POI_GADGET_RUN_H
 
@@ -13,27 +14,30 @@ enum exit_code {
 };
 
 #define RUN_RATE_MIN_HZ 50u
-#define RUN_RATE_MAX_HZ 1000u /* High-speed f_hid is asked once a millisecond. */
+#define RUN_RATE_MAX_HZ 1000u /* Maximum report rate. A high-speed host polls f_hid once a
+                                 millisecond. */
 
-/* What a board does with what the hand is to feel; `seconds` since the last call. */
+/* Receiver of force feedback, for example the motor. */
 struct feel_sink {
-    void (*feel)(void *self, const struct poi_force *newest, float seconds); /* Null: no news. */
+    /* Handles force feedback. `newest` is null if no report has arrived. `seconds` is the time
+     * since the last call. */
+    void (*feel)(void *self, const struct poi_force *newest, float seconds);
     void (*stop)(void *self);
     void *self;
 };
 
 struct run_options {
-    const char *device;   /* /dev/hidgN, or "-". */
-    uint32_t rate_hz;     /* RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ */
-    float seconds;        /* 0: for ever. */
+    const char *device;   /* Path of the device /dev/hidgN, or "-" for standard output. */
+    uint32_t rate_hz;     /* Report rate, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
+    float seconds;        /* Duration in seconds. A value of 0 means no limit. */
 };
 
-/* Runs until the source ends, its time is up or a signal comes, and says on standard error what was
- * sent. EXIT_IO: the device is not there at the start. */
+/* Runs until the source ends, the duration has passed or a signal arrives. Prints statistics to
+ * standard error. Returns EXIT_IO if the device is missing at the start. */
 enum exit_code run(const struct run_options *options, struct pose_source source,
                    struct feel_sink sink);
 
-/* Prints the poses as lines (pose_line.h), `rate_hz` of them a second. */
+/* Prints the poses as lines (pose_line.h) at a rate of `rate_hz` lines a second. */
 enum exit_code watch(const struct run_options *options, struct pose_source source);
 
 #endif

@@ -1,21 +1,23 @@
-/* scoop.h -- a hand that scoops, again and again, without eyes: who tests a kiosk needs no sensors.
+/* scoop.h -- a simulated hand that scoops repeatedly without vision, for tests of a kiosk without
+ * sensors.
  *
- * One scoop is START, a still shade that gathers fish, a slanted dip along the paper's plane, a
- * glide under whoever came, a level lift that drains, the way to the first player's bowl of the
- * festival tank, and the tip. Each dips elsewhere: the whole tank gets its turn. Pure. */
+ * One scoop presses START and holds a still shade, which attracts fish. Then the poi dips slanted
+ * along the paper's plane, glides under the fish, and lifts level so that the water drains. Finally
+ * the poi moves to the first player's bowl in the festival tank and tips. Each scoop dips at
+ * another position, so that the scoops cover the whole tank. The functions are pure. */
 #ifndef KINGYO_POI_GADGET_SCOOP_H
 #define KINGYO_POI_GADGET_SCOOP_H
 
 #include "board/poi-gadget/pose_glide.h"
 
 struct scoop {
-    uint32_t stroke; /* Strokes since the start: SCOOP_STROKES to a scoop. */
+    uint32_t stroke; /* Number of strokes since the start. A scoop has SCOOP_STROKES strokes. */
     struct pose_glide glide;
 };
 
 #define SCOOP_STROKES 8u
 
-/* Where the hand is `seconds` later. A zeroed struct is a fresh one. */
+/* Advances the hand by `seconds` and writes its pose to `out`. Initialize the struct with zeros. */
 void scoop_step(struct scoop *scoop, float seconds, struct poi_report *out);
 
 #endif

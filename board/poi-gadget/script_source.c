@@ -1,4 +1,4 @@
-/* script_source.c -- whatever text has come goes into the tape. */
+/* script_source.c -- appends the available text to the tape. */
 #include "board/poi-gadget/script_source.h"
 
 #include <errno.h>
@@ -24,15 +24,16 @@ static void read_more(struct script_source *script)
     }
 }
 
-/* No hand is still to the bit, and the kiosk takes a sensor that is for a frozen one: half a step
- * of the report to either side. */
+/* Adds a tremor of half a report step in both directions. A real hand is never exactly still, and
+ * the kiosk treats a sensor with constant values as frozen. */
 static void tremble(struct script_source *script, struct poi_report *report)
 {
     const float half_m = 0.5f * POI_REPORT_REACH_M / 32767.0f;
     report->target.position_m.x += script->step++ & 1u ? half_m : -half_m;
 }
 
-/* All beats of `seconds`: 1 where one of them gave a pose, the last of which is `out`. */
+/* Advances through all beats of `seconds`. Returns 1 if a beat gave a pose, and writes the last
+ * pose to `out`. */
 static int step_beats(struct script_source *script, float seconds, struct poi_report *out)
 {
     uint8_t buttons = 0;

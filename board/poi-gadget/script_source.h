@@ -1,4 +1,4 @@
-/* script_source.h -- poses from standard input, a line each (pose_line.h). */
+/* script_source.h -- reads poses from standard input, one pose in each line (pose_line.h). */
 #ifndef KINGYO_POI_GADGET_SCRIPT_SOURCE_H
 #define KINGYO_POI_GADGET_SCRIPT_SOURCE_H
 
@@ -7,14 +7,15 @@
 
 struct script_source {
     int fd;
-    const char *name; /* For messages. */
-    float beat_s;     /* How long a line without a glide lasts. */
-    uint32_t step;    /* Since the start. */
+    const char *name; /* Name of the input for messages. */
+    float beat_s;     /* Duration of a line without a glide, in seconds. */
+    uint32_t step;    /* Number of steps since the start. */
     struct pose_tape tape;
 };
 
-/* `fd` is read only when it has something; `name` must outlive the source. A board that misses
- * beats skips as many lines, so that a script takes its time; their keys are kept. */
+/* Returns a source that reads from `fd` only when data is available. `name` must outlive the
+ * source. If the board misses beats, the source skips as many lines, so that the script keeps its
+ * timing. The keys of skipped lines are kept. */
 struct pose_source script_source(struct script_source *script, int fd, const char *name,
                                  uint32_t rate_hz);
 

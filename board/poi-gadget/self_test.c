@@ -1,4 +1,4 @@
-/* self_test.c -- a table of judgements, printed as they fall. */
+/* self_test.c -- runs the checks and prints each result immediately. */
 #include "board/poi-gadget/self_test.h"
 
 #include <errno.h>
@@ -13,17 +13,19 @@
 #include "board/poi-gadget/sensors.h"
 #include "platform/print.h"
 
-#define LOOKS 50u             /* Of the sensors, at rest. */
+#define LOOKS 50u             /* Number of readings of the sensors at rest. */
 #define LOOK_S 0.02f
-#define NOISE_STEPS_MAX 8.0f  /* Means of four jump less on a sound converter: 2 mm. */
-#define GRAVITY_OFF_MAX 0.08f /* Share of g: a chip off by more is broken, or moves. */
-#define SPIN_REST_MAX 0.2f    /* rad/s */
+#define NOISE_STEPS_MAX 8.0f  /* Greatest noise in converter steps, 2 mm. Means of four readings
+                                 vary less on a working converter. */
+#define GRAVITY_OFF_MAX 0.08f /* Greatest deviation from g as a share of g. A larger deviation means
+                                 that the chip is defective or moves. */
+#define SPIN_REST_MAX 0.2f    /* Greatest rotation rate at rest, rad/s. */
 
 struct verdicts {
     uint32_t good, bad;
 };
 
-/* One line: ok or FAIL, what, and in words why. */
+/* Prints one line with ok or FAIL, the name of the check, and the reason. */
 __attribute__((format(printf, 4, 5))) static void judge(struct verdicts *verdicts, int good,
                                                         const char *what, const char *format, ...)
 {
@@ -46,7 +48,7 @@ __attribute__((format(printf, 4, 5))) static void judge(struct verdicts *verdict
 struct looks {
     struct readings last;
     float low[DRAW_WIRE_COUNT], high[DRAW_WIRE_COUNT];
-    float spin_rad_s, pull_m_s2; /* Means of the lengths. */
+    float spin_rad_s, pull_m_s2; /* Mean magnitudes of the rotation rate and of the acceleration. */
     uint32_t missed;
     struct timespec began, ended;
 };

@@ -1,4 +1,5 @@
-/* sensor_source.h -- poses from sensors: the board's own, or their twin with a hand that scoops. */
+/* sensor_source.h -- poses from the board's own sensors, or from simulated sensors with a hand that
+ * scoops. */
 #ifndef KINGYO_POI_GADGET_SENSOR_SOURCE_H
 #define KINGYO_POI_GADGET_SENSOR_SOURCE_H
 
@@ -7,16 +8,18 @@
 #include "board/poi-gadget/sensor_twin.h"
 #include "board/poi-gadget/sensors.h"
 
-#define SENSOR_GONE_BEATS 25u /* Answers missed in a row; then the poi does not know its place. */
+#define SENSOR_GONE_BEATS 25u /* Number of consecutive missed readings after which the position
+                                 counts as unknown. */
 
 struct sensor_source {
     struct board_pose pose;
     struct sensors sensors;
     struct readings readings;
-    uint32_t missed;        /* In a row. */
+    uint32_t missed;        /* Number of consecutive missed readings. */
 };
 
-/* `sensors` are open, `config` outlives it, sound and calibrated. */
+/* Returns a source of the board's sensors, which must be open. `config` must outlive the source,
+ * and must be valid and calibrated. */
 struct pose_source sensor_source(struct sensor_source *source, const struct poi_config *config);
 
 struct twin_source {

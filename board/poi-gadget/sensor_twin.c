@@ -1,10 +1,11 @@
-/* sensor_twin.c -- the arithmetic of board_pose.c, backward, with steps and noise. */
+/* sensor_twin.c -- inverts the computation of board_pose.c and adds quantization and noise. */
 #include "board/poi-gadget/sensor_twin.h"
 
 #include "core/base/rng.h"
 
-#define STEPS 4096.0f       /* 12 bits ... */
-#define WIRE_SPAN_M 1.0f    /* ... over ten turns of a drum of 100 mm. */
+#define STEPS 4096.0f       /* Steps of a 12-bit converter. */
+#define WIRE_SPAN_M 1.0f    /* Wire length for the full range of the converter: ten turns of a drum
+                               with a circumference of 100 mm. */
 #define WIRE_LEAST_M 0.25f
 #define SAMPLES 4u
 
@@ -16,7 +17,7 @@ void sensor_twin_calibrate(struct poi_config *config)
     }
 }
 
-/* A mean of whole steps, as the converter gives them. */
+/* Returns the mean of several noisy samples in whole steps, as a converter gives them. */
 static float converted(struct sensor_twin *twin, float steps, uint32_t wire)
 {
     float sum = 0.0f;
@@ -39,7 +40,8 @@ static struct quaternion back_of(struct quaternion q)
     return (struct quaternion){ q.w, -q.x, -q.y, -q.z };
 }
 
-/* The rate that turns `from` into `to`, in the poi's axes: twice the vector part of small turns. */
+/* Returns the rotation rate from `from` to `to` in the axes of the poi. For small rotations, the
+ * angle is twice the vector part of the quaternion. */
 static vec3 rate_between(struct quaternion from, struct quaternion to, float seconds)
 {
     const struct quaternion d = quaternion_product(back_of(from), to);
@@ -76,7 +78,8 @@ void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, f
         out->wire[i] = converted(twin, steps, i);
     }
     feel(twin, &axes, turn, eye_m, seconds, out);
-    /* world of +z up <- world of +y up <- poi <- chip */
+    /* Converts from the chip to the poi, then to the world with +y up, and then to the world with
+     * +z up. */
     const struct quaternion lying = { 0.70710678f, 0.70710678f, 0.0f, 0.0f };
     out->turn = quaternion_product(quaternion_product(lying, turn),
                                    quaternion_of_rows(config->imu_row));

@@ -1,7 +1,8 @@
-/* sensor_twin.h -- sensors made of arithmetic: the readings that a pose would give. Pure.
+/* sensor_twin.h -- simulated sensors, which compute the readings for a given pose. The functions
+ * are pure.
  *
- * Under the decoder, not in place of it: a simulated poi goes through the same wires, filter and
- * calibration as a real one. */
+ * The simulation replaces the sensors and not the decoder. A simulated poi therefore uses the same
+ * wire computation, filter and calibration as a real poi. */
 #ifndef KINGYO_POI_GADGET_SENSOR_TWIN_H
 #define KINGYO_POI_GADGET_SENSOR_TWIN_H
 
@@ -9,19 +10,22 @@
 
 struct sensor_twin {
     const struct poi_config *config;
-    float noise_steps;    /* Of the converter, to either side; means of four have a quarter. */
-    vec3 gyro_bias_rad_s; /* That the gyroscope has in truth. */
-    uint8_t fuses;        /* As a BNO055. */
+    float noise_steps;    /* Noise amplitude of the converter in both directions, in steps. Each
+                             reading is a mean of four samples and has less noise. */
+    vec3 gyro_bias_rad_s; /* Simulated bias of the gyroscope. */
+    uint8_t fuses;        /* 1 if the chip computes a quaternion, as a BNO055 does. */
     uint8_t begun;
     uint32_t step;
     struct quaternion before;
     vec3 place_m, speed_m_s;
 };
 
-/* A calibrated config for a converter of 12 bits over a metre of wire, on any sound `config`. */
+/* Sets the calibration in `config` to a 12-bit converter over one metre of wire. The caller
+ * guarantees a valid `config`. */
 void sensor_twin_calibrate(struct poi_config *config);
 
-/* What the sensors say `seconds` > 0 later of a poi whose ring is at `pose`, which has a place. */
+/* Computes the readings `seconds` > 0 after the previous call, for a ring at `pose`. The pose must
+ * have a position. */
 void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, float seconds,
                       struct readings *out);
 

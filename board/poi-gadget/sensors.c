@@ -1,4 +1,5 @@
-/* sensors.c -- one attribute after the other; a whole reading is about twenty system calls. */
+/* sensors.c -- reads one attribute after the other. A complete reading takes about twenty system
+ * calls. */
 #include "board/poi-gadget/sensors.h"
 
 #include <stdio.h>
@@ -42,7 +43,8 @@ static int open_three(int fd[3], const char *path, const char *quantity, float *
     return iio_read_once(path, name, 1, scale) && *scale != 0.0f;
 }
 
-/* The ABI of sysfs-bus-iio says x y z w; Linux's bno055 gives its registers' order, w x y z. */
+/* Opens the inertial sensor. The quaternion order of the sysfs-bus-iio ABI is x y z w, but Linux's
+ * bno055 driver writes the order of its registers, w x y z. */
 static int open_imu(struct sensors *sensors, const struct poi_config *config, const char *root,
                     char why[SENSORS_WHY_SIZE])
 {

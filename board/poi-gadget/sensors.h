@@ -1,4 +1,4 @@
-/* sensors.h -- the board's own sensors: a converter for the wires, an inertial chip, keys. */
+/* sensors.h -- the sensors of the board: a converter for the wires, an inertial chip and keys. */
 #ifndef KINGYO_POI_GADGET_SENSORS_H
 #define KINGYO_POI_GADGET_SENSORS_H
 
@@ -6,25 +6,30 @@
 #include "board/poi-gadget/iio.h"
 #include "board/poi-gadget/keys.h"
 
-#define SENSORS_SAMPLES 4u /* Of each wire a reading: half of a converter's noise. */
+#define SENSORS_SAMPLES 4u /* Number of samples of each wire in a reading. Four samples halve the
+                              noise of the converter. */
 
 struct sensors {
     int wire_fd[DRAW_WIRE_COUNT];
-    int turn_fd;                    /* -1: the chip does not fuse. */
+    int turn_fd;                    /* File descriptor of the quaternion, or -1 if the chip does not
+                                       compute a quaternion. */
     int gyro_fd[3], accel_fd[3];
-    float gyro_scale, accel_scale;  /* A step in rad/s and m/s^2. */
-    uint8_t scalar_first;           /* Of the quaternion; see sensors.c. */
+    float gyro_scale, accel_scale;  /* Size of one step of the gyroscope in rad/s and of the
+                                       accelerometer in m/s^2. */
+    uint8_t scalar_first;           /* 1 if the quaternion's scalar part is first (see
+                                       sensors.c). */
     struct keys keys;
-    uint32_t failed_count;          /* Readings that a chip did not answer. */
+    uint32_t failed_count;          /* Number of readings in which a chip did not answer. */
 };
 
-/* Opens what `config` names, under `root`. 0, and one line in `why`, where a sensor is missing;
- * what was opened stays open for sensors_close(). */
+/* Opens the sensors that `config` names, under `root`. Returns 1. Returns 0 and writes one line to
+ * `why` if a sensor is missing. The opened files stay open until sensors_close(). */
 #define SENSORS_WHY_SIZE 160u
 int sensors_open(struct sensors *sensors, const struct poi_config *config, const char *root,
                  char why[SENSORS_WHY_SIZE]);
 
-/* Reads all. 0 where one did not answer; `out` then holds what did. */
+/* Reads all sensors. Returns 1, or 0 if a sensor did not answer. `out` then contains the readings
+ * of the other sensors. */
 int sensors_read(struct sensors *sensors, struct readings *out);
 
 void sensors_close(struct sensors *sensors);

@@ -1,7 +1,7 @@
-/* steady.c -- two low passes, one led by the other. */
+/* steady.c -- two low-pass filters. The filtered speed controls the filter of the position. */
 #include "board/poi-gadget/steady.h"
 
-/* Share of the way to the new value that a low pass goes in a step. */
+/* Returns the weight of a new value in one step of a low-pass filter. */
 static float share_of(float corner_hz, float seconds)
 {
     const float t = F_TAU * corner_hz * seconds;

@@ -1,4 +1,4 @@
-/* wire_fit.c -- a line through points, about their middle. */
+/* wire_fit.c -- fits a line through points, relative to their mean. */
 #include "board/poi-gadget/wire_fit.h"
 
 #include <assert.h>

@@ -1,26 +1,31 @@
-/* wire_fit.h -- what a wire's converter means, by holding its end at known places. Pure.
+/* wire_fit.h -- calibrates the converter of a draw wire from known positions of the wire's end. The
+ * functions are pure.
  *
- * A drum of one layer winds evenly, so length is a line over steps: two numbers a wire, found by
- * least squares from as many marks as there are. */
+ * A drum with one layer winds evenly, so the length is a linear function of the converter steps.
+ * Its two numbers for each wire are found by least squares from all marks. */
 #ifndef KINGYO_POI_GADGET_WIRE_FIT_H
 #define KINGYO_POI_GADGET_WIRE_FIT_H
 
 #include <stdint.h>
 
-#define WIRE_FIT_STEPS_MIN 100.0f   /* Marks nearer to each other say nothing of a step. */
-#define WIRE_FIT_MISS_MAX_M 0.005f  /* Worse is a wrong mark or a wire that is wound in layers. */
+#define WIRE_FIT_STEPS_MIN 100.0f   /* Least range of the marks in converter steps. A smaller range
+                                       gives no accurate step size. */
+#define WIRE_FIT_MISS_MAX_M 0.005f  /* Greatest error of a mark. A larger error means a wrong mark
+                                       or a wire that is wound in layers. */
 
 struct wire_fit {
     uint32_t count;
-    float step[8], length_m[8]; /* Measured; POI_CONFIG_MARK_MAX of them. */
-    float zero_m, step_m;       /* Found. */
-    float miss_m;               /* The worst mark's. */
+    float step[8], length_m[8]; /* Converter step and wire length of each mark. The arrays have
+                                   POI_CONFIG_MARK_MAX elements. */
+    float zero_m, step_m;       /* Results: the length at step 0 and the length of one step. */
+    float miss_m;               /* Error of the worst mark. */
 };
 
-/* Takes one mark: what the converter said, and how long the wire then was. */
+/* Adds one mark: the converter steps and the length of the wire. */
 void wire_fit_add(struct wire_fit *fit, float step, float length_m);
 
-/* Fits: 1; 0 and one phrase in `why` (static): marks too few, too near, or at odds. */
+/* Fits the line. Returns 1. Returns 0 and sets `why` to a static phrase if the marks are too few,
+ * too close together or inconsistent. */
 int wire_fit_solve(struct wire_fit *fit, const char **why);
 
 #endif
