@@ -32,6 +32,7 @@ uint32_t league_arm(struct league *league, const char *name, const struct round_
 /* Plays all arms. Returns EXIT_OK, or an error that was printed. The results stay valid until
  * league_end(). */
 enum exit_code league_play(struct league *league);
+/* Frees the results of all arms and removes the arms. */
 void league_end(struct league *league);
 
 /* Copies the catch of arm `index` with each seed into `caught[seeds]`. */

@@ -7,6 +7,7 @@
 
 #include "core/morph/species.h"
 
+/* Calls every function of core/morph on `species`. Ends the process if a result is invalid. */
 void exercise(const struct species *species);
 
 #endif

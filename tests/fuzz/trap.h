@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Entry point of a fuzz target, which libFuzzer calls with each input. */
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
 #define HOLD(condition)                                                                            \

@@ -54,10 +54,12 @@ void fake_board_reset(void);
 /* Opens the chip at a path in /dev. Returns null and sets errno if the chip may not be opened or
  * does not exist. */
 struct fake_chip *fake_chip_open(const char *path);
+/* Closes a handle that fake_chip_open() returned. */
 void fake_chip_close(struct fake_chip *chip);
 
 /* Requests the line. Returns 0, or -1 and sets errno. */
 int fake_line_request(struct fake_chip *chip, struct fake_line *line);
+/* Releases a requested line. */
 void fake_line_release(struct fake_line *line);
 
 /* Changes the level of the line and queues an edge. The kernel drops `lost` further edges before

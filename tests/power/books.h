@@ -25,7 +25,9 @@ struct books {
     struct ranking ranking;
 };
 
+/* Initializes the sums for a store without entries. */
 void books_open(struct books *books);
+/* Adds one ledger entry to the sums. */
 void books_add(struct books *books, const struct ledger_entry *entry);
 
 /* Values that books_read() reads directly from the database, for comparison with the result of

@@ -38,6 +38,7 @@ struct promise {
     uint32_t tickets; /* Number of tickets whose pulse had begun. */
 };
 
+/* Updates the promise if `op` is a mark. */
 void cutter_heed(struct promise *promise, const struct tape_op *op);
 
 /* Opens the files that a cut left in `folder`, as the kiosk does at its next start, and counts each
@@ -47,6 +48,7 @@ void cutter_look(const struct cutter *cutter, struct tally *tally, const char *f
 
 /* Adds one to `count`, which is a field of `tally`. The text of the first fault is stored. */
 void tally_complain(struct tally *tally, uint64_t *count, const char *where, const char *why);
+/* Adds the counts of `part` to `sum`. */
 void tally_add(struct tally *sum, const struct tally *part);
 
 /* Returns 1 if a cut may follow this operation. Marks are not file operations. */

@@ -66,6 +66,7 @@ void disk_step(struct disk *disk, size_t op);
  * give equal files. Returns the number of files. */
 uint32_t disk_cut(const struct disk *disk, enum disk_luck luck, uint64_t seed, const char *folder);
 
+/* Frees the memory of the disk. */
 void disk_close(struct disk *disk);
 
 #endif

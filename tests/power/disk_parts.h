@@ -10,10 +10,14 @@ void disk_need(const void *got);
 /* Grows the file to at least `size` bytes. New bytes are zeros. */
 void disk_grow(struct disk_file *file, size_t size);
 
+/* Returns 1 if the operation creates, renames or deletes a file. */
 int disk_is_of_names(const struct tape_op *op);
+/* Applies a name operation to the durable names. */
 void disk_apply_names(struct disk *disk, const struct tape_op *op);
 
+/* Returns 1 if the operation writes or truncates a file. */
 int disk_is_of_bytes(const struct tape_op *op);
+/* Applies a write or a truncation to the bytes of `file`. */
 void disk_apply_bytes(const struct tape *tape, const struct tape_op *op,
                       struct disk_file *file);
 

@@ -62,9 +62,11 @@ void tape_begin(struct tape *tape, const char *folder, const char (*first)[TAPE_
                 uint32_t first_count);
 /* Records a mark. Does nothing if no tape runs. */
 void tape_mark(enum tape_kind kind, uint32_t id);
+/* Ends the recording. The tape keeps its operations. */
 void tape_end(void);
 /* Continues a tape that another process began. The content of `folder` must match the tape. */
 void tape_go_on(struct tape *tape, const char *folder);
+/* Frees the memory of the tape. */
 void tape_free(struct tape *tape);
 
 /* Makes each sync take `us` microseconds while a tape runs, as on a memory card. The initial value

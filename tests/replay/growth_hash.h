@@ -10,6 +10,7 @@
 
 #define GROWTH_STEPS 40
 
+/* Adds the weights and the anchors of a pose to the hash. */
 static uint64_t hash_pose(uint64_t hash, const struct morph_pose *pose, uint32_t anchor_count)
 {
     hash = hash_floats(hash, &pose->weight[0][0], MORPH_CURVE_MAX * MORPH_KEY_MAX);
@@ -21,6 +22,7 @@ static uint64_t hash_pose(uint64_t hash, const struct morph_pose *pose, uint32_t
     return hash;
 }
 
+/* Adds the shape of the species at one progress to the hash, in all levels of detail. */
 static uint64_t hash_moment(uint64_t hash, const struct species *species,
                             const struct morph_rig *rig, float progress, uint32_t lanes)
 {

@@ -44,6 +44,7 @@ struct apart {
     uint8_t known[TANK_FISH_MAX];
 };
 
+/* Resets all measures. */
 void apart_init(struct apart *apart);
 
 /* Checks the tank after a tick. `pois` and `bowls` may be null. */
@@ -54,6 +55,7 @@ void apart_look(struct apart *apart, const struct tank *tank, const struct poi *
  * grid. */
 float apart_all_pairs_m(const struct tank *tank);
 
+/* Returns the deepest overlap of any kind in m. */
 float apart_deepest_m(const struct apart *apart);
 
 /* Returns the mean true speed of swimming fish as a fraction of the speed of the gait alone. */

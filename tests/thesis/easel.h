@@ -41,6 +41,7 @@ int easel_shoot(const struct tank_lab *lab, const struct easel_shot *shot, const
  * measurements. */
 void easel_draw(const struct tank_lab *lab);
 
+/* Closes the renderer. */
 void easel_close(void);
 
 #endif

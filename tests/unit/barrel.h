@@ -21,11 +21,13 @@ struct barrel {
     struct species species;
 };
 
+/* Returns a length as a 16-bit fixed-point number. */
 static int16_t barrel_count(float x)
 {
     return (int16_t)(x * 32767.0f + (x < 0.0f ? -0.5f : 0.5f));
 }
 
+/* Returns a packed point with position `p` and normal `n`. */
 static struct species_point barrel_point(vec3 p, vec3 n)
 {
     return (struct species_point){ barrel_count(p.x), barrel_count(p.y), barrel_count(p.z),

@@ -13,6 +13,8 @@ struct bot_stall {
     struct bot bot;
 };
 
+/* Opens a stall of `config` with a bot of `technique`. Both the bot and the stall use the seed
+ * of `config`. */
 static inline void bot_stall_open(struct bot_stall *stall, const struct core_config *config,
                                   const struct technique *technique)
 {
@@ -26,6 +28,7 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     stall->core.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
+/* Returns the view of the stall for the bot of player 0. */
 static inline struct sight bot_stall_sight(const struct bot_stall *stall)
 {
     return (struct sight){ .core = &stall->core, .player = 0 };

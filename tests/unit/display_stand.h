@@ -18,6 +18,7 @@ static struct display_gl display;
 static struct hal_display device;
 static uint8_t pixels[2][PIXELS_SIZE];
 
+/* Sets up the core, its scene and the display. This is a cmocka setup function. */
 static inline int open_display(void **state)
 {
     (void)state;
@@ -31,6 +32,7 @@ static inline int open_display(void **state)
     return device.ops->open(device.self);
 }
 
+/* Closes the display. This is a cmocka teardown function. */
 static inline int close_display(void **state)
 {
     (void)state;
@@ -38,6 +40,8 @@ static inline int close_display(void **state)
     return 0;
 }
 
+/* Draws the scene and copies the picture to `out`. Fails the test on any display or OpenGL
+ * error. */
 static inline void picture(uint8_t out[PIXELS_SIZE])
 {
     struct hal_image image = { .rgb = out, .size = PIXELS_SIZE };

@@ -26,6 +26,7 @@ static struct output output;
 static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind after the last
                                         clear_sounds(). */
 
+/* Resets the sound counts. */
 static inline void clear_sounds(void)
 {
     memset(sounds, 0, sizeof sounds);
@@ -56,6 +57,7 @@ static inline void step(void)
     }
 }
 
+/* Runs `count` ticks of the game. */
 static inline void steps(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -63,18 +65,21 @@ static inline void steps(uint32_t count)
     }
 }
 
+/* Presses `buttons` for one tick. */
 static inline void press(uint32_t buttons)
 {
     input.pressed = buttons;
     step();
 }
 
+/* Holds the first poi at the height `y_m` over the tank. */
 static inline void hold_at(float y_m)
 {
     input.poi[0].link = POI_LINK_LIVE;
     input.poi[0].target.position_m = v3(0.05f, y_m, 0.02f);
 }
 
+/* Holds the first poi above the water for one tick and below it for the next tick. */
 static inline void dip(void)
 {
     hold_at(ABOVE_M);
@@ -83,6 +88,7 @@ static inline void dip(void)
     step();
 }
 
+/* Initializes the core, the input and the output. This is a cmocka setup function. */
 static inline int setup(void **state)
 {
     (void)state;
@@ -97,6 +103,7 @@ static inline int setup(void **state)
     return 0;
 }
 
+/* Holds the first poi above the water for a tick and presses START. */
 static inline void start_with_a_hand(void)
 {
     hold_at(ABOVE_M);
@@ -120,6 +127,7 @@ static inline void play_into_result(void)
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
 
+/* Turns all paper of a poi into holes. */
 static inline void tear_all(uint32_t index)
 {
     struct sheet *sheet = &core.poi[index].sheet;

@@ -23,6 +23,8 @@ struct hid_wire {
     uint8_t payload[256][HID_REPORT_MAX]; /* Payload of each report id. */
 };
 
+/* Initializes a controller with the descriptor in `bytes`. Fails the test if the descriptor is
+ * invalid. */
 static inline void wire_begin(struct hid_wire *wire, struct clock_sim *clock, const uint8_t *bytes,
                               uint32_t size)
 {
@@ -52,6 +54,7 @@ static inline void wire_load(struct hid_wire *wire, struct clock_sim *clock, con
     wire_begin(wire, clock, bytes, size);
 }
 
+/* Writes the lowest `size` bits of `value` at the bit `offset` of report `id`. */
 static inline void wire_put_bits(struct hid_wire *wire, uint8_t id, uint32_t offset, uint32_t size,
                                  int64_t value)
 {
@@ -74,6 +77,7 @@ static inline uint8_t wire_put(struct hid_wire *wire, int id, hid_usage usage, i
     return spot.group->report_id;
 }
 
+/* Sends report `id` with its current payload. */
 static inline void wire_send(struct hid_wire *wire, uint8_t id)
 {
     const uint32_t with_id = wire->descriptor.has_report_ids;

@@ -16,6 +16,7 @@ static char path[64]; /* Path of the ledger file in that folder. The file does n
                          start of a test. */
 static struct ledger_file file;
 
+/* Creates the temporary folder. This is a cmocka setup function. */
 static inline int set_up(void **state)
 {
     (void)state;
@@ -26,6 +27,7 @@ static inline int set_up(void **state)
     return 0;
 }
 
+/* Closes the ledger file and removes the folder. This is a cmocka teardown function. */
 static inline int tear_down(void **state)
 {
     (void)state;

@@ -7,6 +7,7 @@
 #define PRICE 3u
 #define CREDITS_MAX 99u /* Default of SET_CREDIT_MAX. */
 
+/* Initializes the stall with a price. This is a cmocka setup function. */
 static inline int setup_paid(void **state)
 {
     (void)state;
@@ -23,6 +24,7 @@ static inline int setup_paid(void **state)
     return 0;
 }
 
+/* Inserts coins during one tick. */
 static inline void drop(uint32_t coins)
 {
     input.coin_count[0] = coins;
@@ -30,21 +32,25 @@ static inline void drop(uint32_t coins)
     input.coin_count[0] = 0;
 }
 
+/* Returns the credit balance. */
 static inline const struct purse *purse(void)
 {
     return &core.game.ledger.purse;
 }
 
+/* Returns the number of credits. */
 static inline uint32_t credits(void)
 {
     return purse_credits(&core);
 }
 
+/* Returns an audit counter. */
 static inline uint32_t audit(enum audit_id id)
 {
     return purse_audit(&core, id);
 }
 
+/* Inserts the price of one round, presses START and runs until the round has begun. */
 static inline void play_a_paid_round(void)
 {
     drop(PRICE);

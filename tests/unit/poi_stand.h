@@ -33,8 +33,8 @@ struct stand {
     int has_wrist;
     int laden; /* 1 makes the poi tip as if a fish lay on it. */
     uint32_t tick;
-    uint32_t landed, poured, walled; /* Numbers of fish that landed in the bowl, were poured into
-                                        the tank, or hit a wall, after the start. */
+    uint32_t landed, poured, walled; /* Fish in the bowl after the start, by cause. See
+                                        struct catch_result. */
     float tension_max_n_m, tension_sum_n_m;
 };
 
@@ -52,6 +52,7 @@ static inline void stand_init(struct stand *stand, uint8_t grade, uint32_t seed)
     bowl_init(&stand->bowl, v3(0.30f, 0.02f, 0.15f));
 }
 
+/* Adds a fish at `position_m`. Returns its index. */
 static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float length_m)
 {
     const uint32_t index = stand->tank.fish_count++;
@@ -91,6 +92,7 @@ static inline void stand_part(struct tank *tank, struct obstacle around_it[2])
     loose_tick(tank, around_it, 2);
 }
 
+/* Runs one tick of the poi, the contact solver, the bowl and the catch. */
 static inline void stand_tick(struct stand *stand)
 {
     struct poi *poi = &stand->poi;
@@ -117,6 +119,7 @@ static inline void stand_tick(struct stand *stand)
     stand->tension_sum_n_m += poi->strain.tension_max_n_m;
 }
 
+/* Runs ticks for `seconds` without moving the scripted pose. */
 static inline void stand_wait(struct stand *stand, float seconds)
 {
     for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
@@ -136,6 +139,7 @@ static inline void stand_move(struct stand *stand, vec3 to_m, float speed_m_s)
     }
 }
 
+/* Turns the pose linearly to the given pitch and roll within `seconds`. */
 static inline void stand_turn(struct stand *stand, float pitch_rad, float roll_rad, float seconds)
 {
     const struct angles from = stand->hand.angles;

@@ -9,11 +9,13 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
+/* Returns the view of the festival's tank. */
 static inline const struct view *stall_view(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->view;
 }
 
+/* Returns a pointer report at `ms` milliseconds. */
 static inline struct pointer_report report(uint64_t ms, float x_px, float y_px, uint32_t buttons)
 {
     return (struct pointer_report){

@@ -13,6 +13,7 @@
 #define WAKIN(size_m)                                                                              \
     .length_m = (size_m), .height_m = 0.36f * (size_m), .width_m = 0.20f * (size_m)
 
+/* Returns the behavior parameters of the pond's fish. */
 static inline const struct law *pond_law(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->law;

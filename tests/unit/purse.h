@@ -4,11 +4,13 @@
 
 #include "core/core.h"
 
+/* Returns the number of paid credits and service credits together. */
 static inline uint32_t purse_credits(const struct core *core)
 {
     return core->game.ledger.purse.paid + core->game.ledger.purse.service;
 }
 
+/* Returns an audit counter. */
 static inline uint32_t purse_audit(const struct core *core, enum audit_id id)
 {
     return core->game.audits.count[id];

@@ -14,12 +14,14 @@ struct twin {
     float pitch_rad, roll_rad;
 };
 
+/* Returns the position that the sensors measure at `at_m`. */
 static inline vec3 seen_point(const struct twin *twin, vec3 at_m)
 {
     return v3(twin->xx * at_m.x + twin->xz * at_m.z + twin->shift_m.x, at_m.y + twin->shift_m.y,
               twin->zx * at_m.x + twin->zz * at_m.z + twin->shift_m.z);
 }
 
+/* Returns the pose that the sensors measure for the true pose `at`. */
 static inline struct poi_target seen(const struct twin *twin, struct poi_target at)
 {
     const float x = -f_sin(at.angles.yaw_rad), z = -f_cos(at.angles.yaw_rad);
@@ -30,6 +32,7 @@ static inline struct poi_target seen(const struct twin *twin, struct poi_target 
     };
 }
 
+/* Writes calibration values and their check value into the settings of a player. */
 static inline void set_values(struct settings *settings, uint32_t seat, const int32_t *value)
 {
     memcpy(&settings->value[calibration_setting(seat)], value,

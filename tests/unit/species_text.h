@@ -47,6 +47,7 @@ static inline const char *complaint_of(const char *text)
     return complaint;
 }
 
+/* Checks that the reader refuses `text` with one line that contains `complaint`. */
 static inline void assert_refused(const char *text, const char *complaint)
 {
     const char *answer = complaint_of(text);

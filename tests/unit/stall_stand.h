@@ -22,6 +22,7 @@ static struct scene scene;
 static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind after the stall was opened or
                                         the counts were cleared. */
 
+/* Initializes the core with `config` and resets the input, the output and the sound counts. */
 static inline void open_stall(const struct core_config *config)
 {
     assert_int_equal(core_init(&core, config), CORE_OK);
@@ -30,6 +31,7 @@ static inline void open_stall(const struct core_config *config)
     memset(sounds, 0, sizeof sounds);
 }
 
+/* Runs one tick of the core. Buttons are pressed for one tick only. */
 static inline void tick(void)
 {
     output.sound_count = 0;
@@ -40,6 +42,7 @@ static inline void tick(void)
     }
 }
 
+/* Runs `count` ticks. */
 static inline void ticks(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -47,6 +50,7 @@ static inline void ticks(uint32_t count)
     }
 }
 
+/* Presses `buttons` for one tick. */
 static inline void press(uint32_t buttons)
 {
     input.pressed = buttons;
@@ -84,12 +88,14 @@ static inline void dip(uint32_t index, float x_m, float z_m)
     lead(index, v3(x_m, STAND_BELOW_M, z_m));
 }
 
+/* Returns the current scene. The result is valid until the next call. */
 static inline const struct scene *look(void)
 {
     core_scene(&core, &scene);
     return &scene;
 }
 
+/* Runs ticks until `phase`. Fails the test if `ticks_max` ticks are not enough. */
 static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
 {
     for (uint32_t i = 0; core.game.phase != phase && i < ticks_max; i++) {

@@ -7,6 +7,7 @@
 #include "core/input.h"
 #include "core/tank/tank.h"
 
+/* Returns the behavior parameters of the thesis' tank. */
 static inline const struct law *thesis_law(void)
 {
     return &tank_preset(TANK_PRESET_THESIS)->law;
@@ -40,6 +41,7 @@ static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_
  * sqrt(n) with a probability of 1 %. */
 #define UNIFORM_MISFIT_MAX(n) (1.63f / f_sqrt((float)(n)))
 
+/* Compares two floats for qsort(). */
 static inline int thesis_by_value(const void *a, const void *b)
 {
     const float x = *(const float *)a, y = *(const float *)b;

@@ -11,6 +11,7 @@ static struct crowd crowd;
 static struct fish fish[768];
 static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
 
+/* Updates the broad phase for all fish at `tick`. */
 static inline void look(uint32_t tick)
 {
     struct surroundings around = *pond_at(1, tick);
@@ -18,11 +19,13 @@ static inline void look(uint32_t tick)
     crowd_look(&crowd, fish, (struct crowd_search){ 0 }, &around);
 }
 
+/* Returns a random number in [low, high] for fish `who`. Equal arguments give equal numbers. */
 static inline float draw(uint32_t who, uint32_t purpose, float low, float high)
 {
     return rng_range((struct rng_key){ 21, 0, who, purpose }, low, high);
 }
 
+/* Places `count` fish at random. `pitch_max` is in rad and `length_max` in m. */
 static inline void fill_at_random(uint32_t count, float pitch_max, float length_max)
 {
     for (uint32_t i = 0; i < count; i++) {

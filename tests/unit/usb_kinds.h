@@ -94,6 +94,7 @@ struct usb_bench {
     char told[HAL_TEXT_SIZE];
 };
 
+/* Callback of the USB thread for a reported line. Takes the lock. */
 static inline void bench_tell(void *self, const char *line)
 {
     struct usb_bench *bench = self;
@@ -113,6 +114,7 @@ static inline uint32_t bench_told(struct usb_bench *bench, char line[HAL_TEXT_SI
     return count;
 }
 
+/* Creates the folders and an empty bus. */
 static inline void bench_prepare(struct usb_bench *bench)
 {
     pthread_mutex_init(&bench->lock, NULL);
@@ -126,6 +128,7 @@ static inline void bench_prepare(struct usb_bench *bench)
     stand_begin(bench->sysfs);
 }
 
+/* Starts the USB thread with the given clock and the listed devices. */
 static inline void bench_start_with(struct usb_bench *bench, struct hal_clock clock,
                                     const struct usb_key *listed, uint32_t listed_count)
 {
@@ -141,6 +144,7 @@ static inline void bench_start_with(struct usb_bench *bench, struct hal_clock cl
     bench->seats = usb_seats_start(&config, bench->why);
 }
 
+/* Starts the USB thread with the real clock and the listed devices. */
 static inline void bench_start(struct usb_bench *bench, const struct usb_key *listed,
                                uint32_t listed_count)
 {
@@ -158,6 +162,7 @@ static inline uint32_t bench_end(struct usb_bench *bench)
     return left + (system(command) != 0);
 }
 
+/* Returns row `index` of the device list. */
 static inline struct hid_row bench_row(struct usb_bench *bench, uint32_t index)
 {
     struct hid_row rows[CONTROLLER_MAX];
@@ -214,6 +219,7 @@ static inline void bench_say(uint32_t device, uint32_t number)
     stand_report(device, bytes, sizeof bytes);
 }
 
+/* Returns the number in a report of bench_say(). */
 static inline uint32_t bench_number(const struct hid_raw *raw)
 {
     return (uint32_t)raw->bytes[1] | (uint32_t)raw->bytes[2] << 8;

@@ -54,7 +54,9 @@ uint32_t stand_end(void);
 /* Plugs in a device at bus 3 and the given port. Port 1 has the name "3-1". Returns the index of
  * the device from 0. */
 uint32_t stand_plug(const struct stand_kind *kind, uint8_t port);
+/* Unplugs a device. `how` selects the order of the events. */
 void stand_unplug(uint32_t device, enum stand_parting how);
+/* Sends the hot-plug event of a device that left with STAND_LATE. */
 void stand_announce(uint32_t device);
 
 /* Puts one report on the wire, or a short packet of length 0. */
@@ -75,10 +77,11 @@ struct stand_seen {
     uint32_t outs, set_reports;  /* Number of output reports that arrived by interrupt transfers
                                     (`outs`) and by SET_REPORT (`set_reports`). */
     uint32_t out_size;
-    uint8_t out[64];             /* Bytes of the newest output report. On the control pipe the
-                                    report type and id come first. */
-    uint16_t set_report_value;
+    uint8_t out[64];             /* Bytes of the newest output report, without the setup
+                                    packet of the control pipe. */
+    uint16_t set_report_value;   /* wValue of the newest SET_REPORT: report type and id. */
 };
+/* Returns the counts of a device. */
 struct stand_seen stand_seen(uint32_t device);
 
 /* Faults that apply to every device. */
@@ -95,6 +98,7 @@ struct stand_faults {
     int init_error;
     uint8_t no_hotplug;
 };
+/* Replaces the faults of the bus. */
 void stand_set_faults(const struct stand_faults *faults);
 
 /* Returns the number of breaches after stand_begin(). Breaches are: communication with a device

@@ -80,7 +80,9 @@ struct stand_bus {
 extern struct stand_bus bus;
 
 
+/* Takes the lock of the bus. */
 void bus_lock(void);
+/* Releases the lock of the bus. */
 void bus_unlock(void);
 
 /* The caller of each function below holds the lock. */
@@ -97,16 +99,19 @@ void bus_call_back(void);
 /* Completes the transfer immediately or after `delay_ms`. */
 void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms);
 
-/* bus_run_wire() assigns queued reports to transfers. bus_run_outs() delivers output reports to the
- * device. */
+/* Assigns queued reports to pending transfers. */
 void bus_run_wire(struct libusb_device *device);
+/* Delivers output reports to the device, unless a fault holds them back. */
 void bus_run_outs(struct libusb_device *device);
+/* Removes `transfer` from the pending transfers. Returns 0 if it is not pending. */
 int bus_take_pending(struct libusb_device *device, const struct libusb_transfer *transfer);
 
-/* bus_show_driver() binds a kernel driver to an interface in /sys. bus_hide_driver() unbinds it. */
+/* Writes the report descriptor of the interface to /sys, as if a kernel driver had bound it. */
 void bus_show_driver(const struct libusb_device *device, uint32_t interface);
+/* Removes the report descriptor of the interface from /sys. */
 void bus_hide_driver(const struct libusb_device *device, uint32_t interface);
 
+/* Returns the time of the monotonic clock in ns. */
 uint64_t bus_now_ns(void);
 
 #endif
