@@ -1,16 +1,17 @@
 /* attitude.c -- computes the orientation with quaternions, which have no singular direction. */
 #include "board/poi-gadget/attitude.h"
 
-#define PULL_PER_S 1.0f        /* Rate of the gravity correction: about one second to correct an
-                                  error. */
-#define TRUST_G 0.15f          /* Relative deviation from g above which an acceleration does not
-                                  show the vertical direction. */
-#define STILL_RAD_S 0.05f      /* Rotation rate below which the poi counts as still: 3 degrees a
-                                  second. A poi in a hand rotates faster. */
+/* Rate of the gravity correction: about one second to correct an error. */
+#define PULL_PER_S 1.0f
+/* Relative deviation from g above which an acceleration does not show the vertical direction. */
+#define TRUST_G 0.15f
+/* Rotation rate below which the poi counts as still: 3 degrees a second. A poi in a hand rotates
+ * faster. */
+#define STILL_RAD_S 0.05f
 #define STILL_S 1.0f
 #define BIAS_PER_S 0.5f
-#define BIAS_MAX_RAD_S 0.2f    /* Greatest gyroscope bias: 11 degrees a second, the worst value of
-                                  cheap chips. */
+/* Greatest gyroscope bias: 11 degrees a second, the worst value of cheap chips. */
+#define BIAS_MAX_RAD_S 0.2f
 
 struct quaternion quaternion_product(struct quaternion a, struct quaternion b)
 {
@@ -83,8 +84,8 @@ static struct quaternion upright(vec3 up)
 static void learn_bias(struct attitude *attitude, vec3 gyro_rad_s, float trust, float seconds)
 {
     const vec3 rest = v3_sub(gyro_rad_s, attitude->bias_rad_s);
-    attitude->still_s = v3_length(rest) < STILL_RAD_S && trust > 0.5f ? attitude->still_s + seconds
-                                                                      : 0.0f;
+    attitude->still_s =
+        v3_length(rest) < STILL_RAD_S && trust > 0.5f ? attitude->still_s + seconds : 0.0f;
     if (attitude->still_s > STILL_S) {
         const float share = f_min(BIAS_PER_S * seconds, 1.0f);
         attitude->bias_rad_s = v3_limit(v3_mad(attitude->bias_rad_s, rest, share), BIAS_MAX_RAD_S);

@@ -16,8 +16,8 @@
 
 #define GRAVITY_M_S2 9.80665f
 
-struct quaternion { /* Unit quaternion that rotates from the axes of the poi to the axes of the
-                       world. */
+/* Unit quaternion that rotates from the axes of the poi to the axes of the world. */
+struct quaternion {
     float w, x, y, z;
 };
 

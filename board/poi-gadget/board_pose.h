@@ -14,8 +14,8 @@
 /* Readings of all sensors at one moment, in the chips' own steps and axes. */
 struct readings {
     float wire[DRAW_WIRE_COUNT]; /* Converter steps of each wire, a mean of several samples. */
-    uint8_t fuses;               /* 1 if the chip computes `turn`. Otherwise `gyro` and `accel` are
-                                    valid. */
+    /* 1 if the chip computes `turn`. Otherwise `gyro` and `accel` are valid. */
+    uint8_t fuses;
     struct quaternion turn;      /* Rotation from the chip's axes to a world with +z up. */
     vec3 gyro_rad_s, accel_m_s2;
     uint8_t buttons;             /* Pressed buttons, enum poi_button. */

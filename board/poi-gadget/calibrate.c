@@ -10,8 +10,8 @@
 
 #define READINGS 50u
 #define BETWEEN_NS 20000000
-#define STILL_STEPS 20.0f /* Greatest spread of converter steps while a person holds the eye on its
-                             mark: 5 mm. */
+/* Greatest spread of converter steps while a person holds the eye on its mark: 5 mm. */
+#define STILL_STEPS 20.0f
 
 /* Averages the readings of one second. Returns 0 if a sensor does not answer. */
 static int mean_readings(struct sensors *sensors, struct readings *mean, float spread[3])
@@ -52,9 +52,9 @@ static int ask_mark(const struct poi_config *config, struct sensors *sensors, ui
     const vec3 at_m = config->mark_m[mark];
     float length_m[DRAW_WIRE_COUNT], spread[DRAW_WIRE_COUNT];
     for (;;) {
-        print_error("mark %u of %u: hold the eye still at %.0f %.0f %.0f mm, press Enter",
-                    mark + 1, config->mark_count, (double)(at_m.x * 1000.0f),
-                    (double)(at_m.y * 1000.0f), (double)(at_m.z * 1000.0f));
+        print_error("mark %u of %u: hold the eye still at %.0f %.0f %.0f mm, press Enter", mark + 1,
+                    config->mark_count, (double)(at_m.x * 1000.0f), (double)(at_m.y * 1000.0f),
+                    (double)(at_m.z * 1000.0f));
         if (!wait_for_enter() || !mean_readings(sensors, mean, spread)) {
             print_error("kingyo-poi: standard input or a sensor ended");
             return 0;
@@ -78,8 +78,8 @@ static vec3 in_poi_axes(const struct poi_config *config, vec3 chip)
               v3_dot(config->imu_row[2], chip));
 }
 
-static enum exit_code tell(const struct poi_config *config,
-                           struct wire_fit fits[DRAW_WIRE_COUNT], const struct readings *rest)
+static enum exit_code tell(const struct poi_config *config, struct wire_fit fits[DRAW_WIRE_COUNT],
+                           const struct readings *rest)
 {
     enum exit_code code = EXIT_OK;
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {

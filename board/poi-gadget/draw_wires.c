@@ -51,8 +51,8 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
     const float d = axes.second_x_m, i = axes.third_x_m, j = axes.third_y_m;
     const float x_m = (a - b + d * d) / (2.0f * d);
     const float y_m = (a - c + i * i + j * j - 2.0f * i * x_m) / (2.0f * j);
-    const float below = a - x_m * x_m - y_m * y_m; /* Square of the depth below the spools'
-                                                      plane. */
+    /* Square of the depth below the spools' plane. */
+    const float below = a - x_m * x_m - y_m * y_m;
     /* If the wires are too short to meet by DRAW_WIRE_SLACK_M, the squared depth is negative by
      * this amount. */
     if (below < -2.0f * DRAW_WIRE_SLACK_M * length_m[0]) {

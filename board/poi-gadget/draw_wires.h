@@ -12,17 +12,17 @@
 
 #define DRAW_WIRE_COUNT 3u
 #define DRAW_WIRE_MAX_M 3.0f      /* Maximum wire length, the longest of cheap spools. */
-#define DRAW_WIRE_SLACK_M 0.020f  /* Tolerance with which the wires may fail to meet, because of
-                                     sag, stretch and the 5 mm eye. */
-#define DRAW_WIRE_NEAR_M 0.100f   /* Distance from the spools' plane below which the height is too
-                                     inaccurate. */
+/* Tolerance with which the wires may fail to meet, because of sag, stretch and the 5 mm eye. */
+#define DRAW_WIRE_SLACK_M 0.020f
+/* Distance from the spools' plane below which the height is too inaccurate. */
+#define DRAW_WIRE_NEAR_M 0.100f
 
 enum draw_wires_result {
     DRAW_WIRES_OK = 0,
-    DRAW_WIRES_LENGTH, /* A length is not valid because a wire is not plugged in or not
-                          calibrated. */
-    DRAW_WIRES_APART,  /* The wires do not meet because a wire hangs slack, is caught or is
-                          broken. */
+    /* A length is not valid because a wire is not plugged in or not calibrated. */
+    DRAW_WIRES_LENGTH,
+    /* The wires do not meet because a wire hangs slack, is caught or is broken. */
+    DRAW_WIRES_APART,
     DRAW_WIRES_HIGH,   /* The wires meet within DRAW_WIRE_NEAR_M of the spools' plane. */
     DRAW_WIRES_RESULT_COUNT,
 };

@@ -10,21 +10,21 @@
 
 #include "core/output.h"
 
-#define FEEL_SILENT_S 0.25f     /* Seconds without a report after which the motor stops. A kiosk
-                                   sends one report in each frame. */
-#define FEEL_DRAG_SHARE 0.5f    /* Share of the motor's level for drag. The rest is reserved for
-                                   slaps and tears. */
+/* Seconds without a report after which the motor stops. A kiosk sends one report in each frame. */
+#define FEEL_SILENT_S 0.25f
+/* Share of the motor's level for drag. The rest is reserved for slaps and tears. */
+#define FEEL_DRAG_SHARE 0.5f
 #define FEEL_SLAP_S 0.060f      /* Time in which a slap decays. */
 #define FEEL_TEAR_S 0.150f
-#define FEEL_RATTLE_HZ 25.0f    /* Rattle frequency, which resembles paper rather than an engine. */
+#define FEEL_RATTLE_HZ 25.0f /* Rattle frequency, which resembles paper rather than an engine. */
 
 struct feel_mix {
-    float drag, slap, tear;     /* Decaying levels of drag, slap and tear, in [0, 1]. */
+    float drag, slap, tear; /* Decaying levels of drag, slap and tear, in [0, 1]. */
     float silent_s, rattle_s;
 };
 
 struct feel_levels {
-    float motor, light;         /* Levels of the motor and the light, in [0, 1]. */
+    float motor, light; /* Levels of the motor and the light, in [0, 1]. */
 };
 
 /* Advances the mix by `seconds`. A null `newest` means that no report has arrived. */

@@ -6,10 +6,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#define SHUT_MAX 64u /* Number of consecutive failed writes before the device is opened again: a
-                        quarter of a second. */
-#define READS_MAX 8 /* Maximum number of reads in a call. A host sends one report in each frame, and
-                       f_hid queues four requests. */
+/* Number of consecutive failed writes before the device is opened again: a quarter of a second. */
+#define SHUT_MAX 64u
+/* Maximum number of reads in a call. A host sends one report in each frame, and f_hid queues four
+ * requests. */
+#define READS_MAX 8
 
 void hid_gadget_init(struct hid_gadget *gadget, const char *path)
 {
@@ -24,8 +25,8 @@ static int is_stdout(const struct hid_gadget *gadget)
 int hid_gadget_open(struct hid_gadget *gadget)
 {
     if (gadget->fd < 0) {
-        gadget->fd = is_stdout(gadget) ? STDOUT_FILENO
-                                       : open(gadget->path, O_RDWR | O_NONBLOCK | O_CLOEXEC);
+        gadget->fd =
+            is_stdout(gadget) ? STDOUT_FILENO : open(gadget->path, O_RDWR | O_NONBLOCK | O_CLOEXEC);
     }
     return gadget->fd >= 0;
 }

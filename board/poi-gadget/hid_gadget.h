@@ -10,14 +10,16 @@
 #include "drivers/poi_report.h"
 
 struct hid_gadget {
-    const char *path;       /* Path of the device. The path "-" writes reports to standard output
-                               and gives no force feedback. */
+    /* Path of the device. The path "-" writes reports to standard output and gives no force
+     * feedback. */
+    const char *path;
     int fd;                 /* File descriptor, or -1 if the device is not open. */
     uint8_t sequence;       /* Sequence number of the next sent report. */
     uint32_t shut_count;    /* Number of consecutive writes that found no host. */
     uint32_t sent_count;
-    uint32_t skipped_count; /* Number of reports that were dropped because the host had not fetched
-                               the previous report or no host is present. */
+    /* Number of reports that were dropped because the host had not fetched the previous report or
+     * no host is present. */
+    uint32_t skipped_count;
     uint32_t felt_count;
     uint32_t refused_count; /* Number of rejected output reports of an unknown format. */
 };

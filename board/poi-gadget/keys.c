@@ -17,8 +17,8 @@ static const struct key_code {
     uint16_t code;
     uint8_t button;
 } codes[] = {
-    { BTN_TRIGGER, POI_BUTTON_OK },      { BTN_START, POI_BUTTON_START },
-    { BTN_DPAD_LEFT, POI_BUTTON_LEFT },  { BTN_DPAD_RIGHT, POI_BUTTON_RIGHT },
+    { BTN_TRIGGER, POI_BUTTON_OK },     { BTN_START, POI_BUTTON_START },
+    { BTN_DPAD_LEFT, POI_BUTTON_LEFT }, { BTN_DPAD_RIGHT, POI_BUTTON_RIGHT },
     { BTN_THUMB, POI_BUTTON_FAN },
 };
 #define CODE_COUNT (sizeof codes / sizeof codes[0])

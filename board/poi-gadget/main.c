@@ -160,8 +160,8 @@ static enum exit_code play_sensors(const struct poi_config *config,
         return EXIT_IO;
     }
     const struct pose_source source = sensor_source(&own, config);
-    const enum exit_code code = prints ? watch(&arguments->run, source)
-                                       : run(&arguments->run, source, sink);
+    const enum exit_code code =
+        prints ? watch(&arguments->run, source) : run(&arguments->run, source, sink);
     print_error("kingyo-poi: %u readings missed", own.sensors.failed_count);
     sensors_close(&own.sensors);
     return code;

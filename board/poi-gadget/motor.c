@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #define PATH_SIZE 256
-#define EXPORT_TRIES 20 /* Number of attempts of 10 ms each, because udev may set the permissions of
-                           the new files later. */
+/* Number of attempts of 10 ms each, because udev may set the permissions of the new files later. */
+#define EXPORT_TRIES 20
 
 static int put(const char *path, uint32_t value)
 {
@@ -66,9 +66,9 @@ static int open_pwm(struct motor *motor, const struct poi_config *config, const 
     motor->period_ns = 1000000000u / config->motor_hz;
     motor->least = config->motor_least;
     motor->duty_ns = UINT32_MAX;
-    put_again(motor->duty_fd, &motor->duty_ns, 0); /* The duty must be lowered before the period is
-                                                      shortened. Otherwise the kernel rejects the
-                                                      period. */
+    /* The duty must be lowered before the period is shortened. Otherwise the kernel rejects the
+     * period. */
+    put_again(motor->duty_fd, &motor->duty_ns, 0);
     snprintf(path, sizeof path, "%s/pwm%u/period", chip, config->pwm_channel);
     const int period = put(path, motor->period_ns);
     snprintf(path, sizeof path, "%s/pwm%u/enable", chip, config->pwm_channel);

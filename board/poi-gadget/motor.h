@@ -8,8 +8,8 @@
 
 struct motor {
     struct feel_mix mix;
-    int duty_fd, light_fd; /* File descriptors of the duty and the light, or -1 if the part is
-                              absent. */
+    /* File descriptors of the duty and the light, or -1 if the part is absent. */
+    int duty_fd, light_fd;
     uint32_t period_ns;
     float least;           /* Lowest duty at which the motor turns. */
     uint32_t light_most;

@@ -13,8 +13,9 @@
 #define POI_CONFIG_NAME_SIZE 32u
 #define POI_CONFIG_LINE_SIZE 160u
 #define POI_CONFIG_SIZE_MAX (1u << 16) /* Maximum file size in bytes. poi.conf is 1 KiB. */
-#define POI_CONFIG_MARK_MAX 8u /* Maximum number of marks. Three wires need fewer marks, and a sheet
-                                  of paper has room for eight. */
+/* Maximum number of marks. Three wires need fewer marks, and a sheet of paper has room for
+ * eight. */
+#define POI_CONFIG_MARK_MAX 8u
 #define POI_CONFIG_CHANNEL_MAX 31u
 
 struct poi_config {
@@ -22,21 +23,22 @@ struct poi_config {
     char imu[POI_CONFIG_NAME_SIZE];
     char light[POI_CONFIG_NAME_SIZE]; /* Name of the LED in /sys/class/leds, or "" for no light. */
     uint32_t channel[DRAW_WIRE_COUNT];
-    vec3 spool_m[DRAW_WIRE_COUNT];   /* World positions at which the wires leave their spools. */
-    float zero_m[DRAW_WIRE_COUNT];   /* Length of each wire at converter step 0. */
-    float step_m[DRAW_WIRE_COUNT];   /* Length of one converter step for each wire. A value of 0
-                                        means that the wire is not calibrated. */
-    vec3 ring_m;                     /* Offset from the wires' eye to the ring, in the axes of the
-                                        poi. */
-    vec3 imu_row[3];                 /* Directions right, up and back of the poi, in the chip's
-                                        axes. */
-    vec3 gyro_bias_rad_s;            /* Bias of the gyroscope, in the axes of the poi. */
-    float ahead_s;                   /* Time constant of the heading's decay (see
-                                        attitude_angles()). */
-    int32_t pwm_chip;                /* Number of the chip in /sys/class/pwm, or -1 for no motor. */
+    vec3 spool_m[DRAW_WIRE_COUNT]; /* World positions at which the wires leave their spools. */
+    float zero_m[DRAW_WIRE_COUNT]; /* Length of each wire at converter step 0. */
+    /* Length of one converter step for each wire. A value of 0 means that the wire is not
+     * calibrated. */
+    float step_m[DRAW_WIRE_COUNT];
+    /* Offset from the wires' eye to the ring, in the axes of the poi. */
+    vec3 ring_m;
+    /* Directions right, up and back of the poi, in the chip's axes. */
+    vec3 imu_row[3];
+    vec3 gyro_bias_rad_s; /* Bias of the gyroscope, in the axes of the poi. */
+    /* Time constant of the heading's decay (see attitude_angles()). */
+    float ahead_s;
+    int32_t pwm_chip; /* Number of the chip in /sys/class/pwm, or -1 for no motor. */
     uint32_t pwm_channel;
-    uint32_t motor_hz;               /* Frequency of the PWM pulses, not of the motor. */
-    float motor_least;               /* Lowest duty at which the motor turns, in [0, 1). */
+    uint32_t motor_hz; /* Frequency of the PWM pulses, not of the motor. */
+    float motor_least; /* Lowest duty at which the motor turns, in [0, 1). */
     uint32_t mark_count;
     vec3 mark_m[POI_CONFIG_MARK_MAX]; /* Positions at which the eye is held for the calibration. */
 };

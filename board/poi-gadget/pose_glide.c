@@ -3,8 +3,9 @@
 
 #include <assert.h>
 
-#define ROUNDING_S 1e-4f /* Tolerance of the end time, because ten steps of 0.01 s are not exactly
-                            0.1 s in binary numbers. */
+/* Tolerance of the end time, because ten steps of 0.01 s are not exactly 0.1 s in binary
+ * numbers. */
+#define ROUNDING_S 1e-4f
 
 int pose_glide_is_there(const struct pose_glide *glide)
 {

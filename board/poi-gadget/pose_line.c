@@ -129,8 +129,8 @@ void pose_line_write(const struct poi_report *report, char text[POSE_LINE_SIZE])
                      : snprintf(text, POSE_LINE_SIZE, "lost");
     for (size_t k = 0; k < KEY_COUNT && length > 0 && (uint32_t)length < POSE_LINE_SIZE; k++) {
         if (report->buttons & keys[k].button) {
-            length += snprintf(text + length, POSE_LINE_SIZE - (uint32_t)length, " %s",
-                               keys[k].name);
+            length +=
+                snprintf(text + length, POSE_LINE_SIZE - (uint32_t)length, " %s", keys[k].name);
         }
     }
 }

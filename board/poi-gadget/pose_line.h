@@ -15,10 +15,11 @@
 
 #include "drivers/poi_report.h"
 
-#define POSE_LINE_SIZE 128u        /* Maximum size of a line with its terminating zero. Six numbers,
-                                      a time and five keys need 90 characters. */
-#define POSE_LINE_GLIDE_S 600.0f   /* Maximum duration of a glide in seconds, longer than any
-                                      round. */
+/* Maximum size of a line with its terminating zero. Six numbers, a time and five keys need 90
+ * characters. */
+#define POSE_LINE_SIZE 128u
+/* Maximum duration of a glide in seconds, longer than any round. */
+#define POSE_LINE_GLIDE_S 600.0f
 
 struct pose_line {
     float glide_s;            /* Duration of the glide in seconds, in [0, POSE_LINE_GLIDE_S]. */

@@ -9,8 +9,8 @@ enum pose_result {
     POSE_NEW = 1,    /* A report is available. Its position is NaN if the position is unknown. */
     POSE_NONE = 0,   /* No report is available yet. */
     POSE_END = -1,   /* The source has ended. */
-    POSE_BAD = -2,   /* The input is not a valid pose. An error line was printed to standard
-                        error. */
+    /* The input is not a valid pose. An error line was printed to standard error. */
+    POSE_BAD = -2,
 };
 
 struct pose_source {

@@ -9,8 +9,8 @@
 
 #include "board/poi-gadget/pose_glide.h"
 
-#define POSE_TAPE_SIZE 4096u /* Size of the text buffer in bytes. Further text stays in the input
-                                until there is room. */
+/* Size of the text buffer in bytes. Further text stays in the input until there is room. */
+#define POSE_TAPE_SIZE 4096u
 
 struct pose_tape {
     char text[POSE_TAPE_SIZE];

@@ -14,8 +14,8 @@ enum exit_code {
 };
 
 #define RUN_RATE_MIN_HZ 50u
-#define RUN_RATE_MAX_HZ 1000u /* Maximum report rate. A high-speed host polls f_hid once a
-                                 millisecond. */
+/* Maximum report rate. A high-speed host polls f_hid once a millisecond. */
+#define RUN_RATE_MAX_HZ 1000u
 
 /* Receiver of force feedback, for example the motor. */
 struct feel_sink {
@@ -27,9 +27,9 @@ struct feel_sink {
 };
 
 struct run_options {
-    const char *device;   /* Path of the device /dev/hidgN, or "-" for standard output. */
-    uint32_t rate_hz;     /* Report rate, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
-    float seconds;        /* Duration in seconds. A value of 0 means no limit. */
+    const char *device; /* Path of the device /dev/hidgN, or "-" for standard output. */
+    uint32_t rate_hz; /* Report rate, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
+    float seconds; /* Duration in seconds. A value of 0 means no limit. */
 };
 
 /* Runs until the source ends, the duration has passed or a signal arrives. Prints statistics to

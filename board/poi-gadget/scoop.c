@@ -10,8 +10,9 @@
 #define SPOT_RIGHT_M 0.16f
 #define SPOT_FAR_M (-0.12f)
 #define SPOT_NEAR_M 0.12f
-#define BOWL_X_M 0.289f /* Target position at the bowl. It is left of the bowl's middle by the
-                           distance that a fish slides off a ring tilted by 58 degrees. */
+/* Target position at the bowl. It is left of the bowl's middle by the distance that a fish slides
+ * off a ring tilted by 58 degrees. */
+#define BOWL_X_M 0.289f
 #define BOWL_Y_M 0.062f
 #define BOWL_Z_M 0.185f
 
@@ -24,13 +25,13 @@ static const struct stroke {
     float pitch_deg, roll_deg;
 } strokes[SCOOP_STROKES] = {
     { 0, POI_BUTTON_START, 0.9f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
-    { 0, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },    /* Holds a still shade, which attracts
-                                                              fish. */
-    { 0, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },   /* Enters the water along the paper's
-                                                               plane. */
+    /* Holds a still shade, which attracts fish. */
+    { 0, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
+    /* Enters the water along the paper's plane. */
+    { 0, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },
     { 0, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f },    /* Glides under the fish. */
-    { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },      /* Lifts the poi level, so that the
-                                                               water drains. */
+    /* Lifts the poi level, so that the water drains. */
+    { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },
     { 1, 0, 1.1f, 0.00f, 0.020f, 0.00f, 2.0f, 0.0f },
     { 1, POI_BUTTON_OK, 0.5f, 0.00f, 0.000f, 0.00f, 0.0f, 58.0f }, /* Tips the poi to the right. */
     { 1, 0, 0.6f, -0.03f, 0.030f, 0.00f, 0.0f, 0.0f },
@@ -48,8 +49,8 @@ static vec3 spot_m(uint32_t scoop)
 static struct pose_line line_of(uint32_t number)
 {
     const struct stroke *stroke = &strokes[number % SCOOP_STROKES];
-    const vec3 base_m = stroke->at_bowl ? v3(BOWL_X_M, BOWL_Y_M, BOWL_Z_M)
-                                        : spot_m(number / SCOOP_STROKES % 4096u);
+    const vec3 base_m =
+        stroke->at_bowl ? v3(BOWL_X_M, BOWL_Y_M, BOWL_Z_M) : spot_m(number / SCOOP_STROKES % 4096u);
     return (struct pose_line){
         .glide_s = stroke->seconds,
         .buttons = stroke->buttons,

@@ -15,11 +15,13 @@
 
 #define LOOKS 50u             /* Number of readings of the sensors at rest. */
 #define LOOK_S 0.02f
-#define NOISE_STEPS_MAX 8.0f  /* Greatest noise in converter steps, 2 mm. Means of four readings
-                                 vary less on a working converter. */
-#define GRAVITY_OFF_MAX 0.08f /* Greatest deviation from g as a share of g. A larger deviation means
-                                 that the chip is defective or moves. */
-#define SPIN_REST_MAX 0.2f    /* Greatest rotation rate at rest, rad/s. */
+/* Greatest noise in converter steps, 2 mm. Means of four readings vary less on a working
+ * converter. */
+#define NOISE_STEPS_MAX 8.0f
+/* Greatest deviation from g as a share of g. A larger deviation means that the chip is defective or
+ * moves. */
+#define GRAVITY_OFF_MAX 0.08f
+#define SPIN_REST_MAX 0.2f /* Greatest rotation rate at rest, rad/s. */
 
 struct verdicts {
     uint32_t good, bad;
@@ -164,9 +166,10 @@ static void judge_motor(struct verdicts *verdicts, const struct poi_config *conf
     char why[MOTOR_WHY_SIZE];
     const int named = config->pwm_chip >= 0 || config->light[0] != '\0';
     const int works = motor_open(&motor, config, root, why);
-    judge(verdicts, works, "motor", "%s", !works  ? why
-                                          : named ? "did it hum, and the light shine?"
-                                                  : "none named: the hand feels nothing");
+    judge(verdicts, works, "motor", "%s",
+          !works  ? why
+          : named ? "did it hum, and the light shine?"
+                  : "none named: the hand feels nothing");
     if (named) {
         motor_set(&motor, (struct feel_levels){ .motor = 0.8f, .light = 1.0f });
         nanosleep(&(struct timespec){ .tv_nsec = 500000000 }, NULL);
@@ -177,8 +180,7 @@ static void judge_motor(struct verdicts *verdicts, const struct poi_config *conf
 static void judge_cable(struct verdicts *verdicts, const char *device)
 {
     const int can = access(device, R_OK | W_OK) == 0;
-    judge(verdicts, can, "cable", "%s%s%s", device, can ? "" : ": ",
-          can ? "" : strerror(errno));
+    judge(verdicts, can, "cable", "%s%s%s", device, can ? "" : ": ", can ? "" : strerror(errno));
 }
 
 enum exit_code self_test(const struct poi_config *config, const char *root, const char *device)

@@ -8,14 +8,14 @@
 #include "board/poi-gadget/sensor_twin.h"
 #include "board/poi-gadget/sensors.h"
 
-#define SENSOR_GONE_BEATS 25u /* Number of consecutive missed readings after which the position
-                                 counts as unknown. */
+/* Number of consecutive missed readings after which the position counts as unknown. */
+#define SENSOR_GONE_BEATS 25u
 
 struct sensor_source {
     struct board_pose pose;
     struct sensors sensors;
     struct readings readings;
-    uint32_t missed;        /* Number of consecutive missed readings. */
+    uint32_t missed; /* Number of consecutive missed readings. */
 };
 
 /* Returns a source of the board's sensors, which must be open. `config` must outlive the source,

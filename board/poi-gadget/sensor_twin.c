@@ -4,8 +4,9 @@
 #include "core/base/rng.h"
 
 #define STEPS 4096.0f       /* Steps of a 12-bit converter. */
-#define WIRE_SPAN_M 1.0f    /* Wire length for the full range of the converter: ten turns of a drum
-                               with a circumference of 100 mm. */
+/* Wire length for the full range of the converter: ten turns of a drum with a circumference of 100
+ * mm. */
+#define WIRE_SPAN_M 1.0f
 #define WIRE_LEAST_M 0.25f
 #define SAMPLES 4u
 
@@ -81,8 +82,8 @@ void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, f
     /* Converts from the chip to the poi, then to the world with +y up, and then to the world with
      * +z up. */
     const struct quaternion lying = { 0.70710678f, 0.70710678f, 0.0f, 0.0f };
-    out->turn = quaternion_product(quaternion_product(lying, turn),
-                                   quaternion_of_rows(config->imu_row));
+    out->turn =
+        quaternion_product(quaternion_product(lying, turn), quaternion_of_rows(config->imu_row));
     out->fuses = twin->fuses;
     out->buttons = pose->buttons;
     twin->step++;

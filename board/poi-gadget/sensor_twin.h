@@ -10,10 +10,11 @@
 
 struct sensor_twin {
     const struct poi_config *config;
-    float noise_steps;    /* Noise amplitude of the converter in both directions, in steps. Each
-                             reading is a mean of four samples and has less noise. */
+    /* Noise amplitude of the converter in both directions, in steps. Each reading is a mean of four
+     * samples and has less noise. */
+    float noise_steps;
     vec3 gyro_bias_rad_s; /* Simulated bias of the gyroscope. */
-    uint8_t fuses;        /* 1 if the chip computes a quaternion, as a BNO055 does. */
+    uint8_t fuses; /* 1 if the chip computes a quaternion, as a BNO055 does. */
     uint8_t begun;
     uint32_t step;
     struct quaternion before;

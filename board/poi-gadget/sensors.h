@@ -6,18 +6,18 @@
 #include "board/poi-gadget/iio.h"
 #include "board/poi-gadget/keys.h"
 
-#define SENSORS_SAMPLES 4u /* Number of samples of each wire in a reading. Four samples halve the
-                              noise of the converter. */
+/* Number of samples of each wire in a reading. Four samples halve the noise of the converter. */
+#define SENSORS_SAMPLES 4u
 
 struct sensors {
     int wire_fd[DRAW_WIRE_COUNT];
-    int turn_fd;                    /* File descriptor of the quaternion, or -1 if the chip does not
-                                       compute a quaternion. */
+    /* File descriptor of the quaternion, or -1 if the chip does not compute a quaternion. */
+    int turn_fd;
     int gyro_fd[3], accel_fd[3];
-    float gyro_scale, accel_scale;  /* Size of one step of the gyroscope in rad/s and of the
-                                       accelerometer in m/s^2. */
-    uint8_t scalar_first;           /* 1 if the quaternion's scalar part is first (see
-                                       sensors.c). */
+    /* Size of one step of the gyroscope in rad/s and of the accelerometer in m/s^2. */
+    float gyro_scale, accel_scale;
+    /* 1 if the quaternion's scalar part is first (see sensors.c). */
+    uint8_t scalar_first;
     struct keys keys;
     uint32_t failed_count;          /* Number of readings in which a chip did not answer. */
 };

@@ -16,8 +16,7 @@ vec3 steady_step(struct steady *steady, vec3 raw_m, float seconds)
     }
     const vec3 speed_m_s = v3_scale(v3_sub(raw_m, steady->raw_m), 1.0f / seconds);
     steady->raw_m = raw_m;
-    steady->speed_m_s =
-        v3_lerp(steady->speed_m_s, speed_m_s, share_of(STEADY_SPEED_HZ, seconds));
+    steady->speed_m_s = v3_lerp(steady->speed_m_s, speed_m_s, share_of(STEADY_SPEED_HZ, seconds));
     const float corner_hz = STEADY_REST_HZ + STEADY_HZ_PER_M_S * v3_length(steady->speed_m_s);
     steady->place_m = v3_lerp(steady->place_m, raw_m, share_of(corner_hz, seconds));
     return steady->place_m;

@@ -8,17 +8,17 @@
 
 #include <stdint.h>
 
-#define WIRE_FIT_STEPS_MIN 100.0f   /* Least range of the marks in converter steps. A smaller range
-                                       gives no accurate step size. */
-#define WIRE_FIT_MISS_MAX_M 0.005f  /* Greatest error of a mark. A larger error means a wrong mark
-                                       or a wire that is wound in layers. */
+/* Least range of the marks in converter steps. A smaller range gives no accurate step size. */
+#define WIRE_FIT_STEPS_MIN 100.0f
+/* Greatest error of a mark. A larger error means a wrong mark or a wire that is wound in layers. */
+#define WIRE_FIT_MISS_MAX_M 0.005f
 
 struct wire_fit {
     uint32_t count;
-    float step[8], length_m[8]; /* Converter step and wire length of each mark. The arrays have
-                                   POI_CONFIG_MARK_MAX elements. */
-    float zero_m, step_m;       /* Results: the length at step 0 and the length of one step. */
-    float miss_m;               /* Error of the worst mark. */
+    /* Converter step and wire length of each mark. The arrays have POI_CONFIG_MARK_MAX elements. */
+    float step[8], length_m[8];
+    float zero_m, step_m; /* Results: the length at step 0 and the length of one step. */
+    float miss_m; /* Error of the worst mark. */
 };
 
 /* Adds one mark: the converter steps and the length of the wire. */

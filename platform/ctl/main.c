@@ -9,12 +9,10 @@
 #include "platform/print.h"
 #include "platform/standard_streams.h"
 
-static const struct ctl_command *const commands[] = { &ctl_tank, &ctl_paper, &ctl_play,
-                                                      &ctl_morph, &ctl_replay, &ctl_hid,
-                                                      &ctl_lines, &ctl_doctor,
-                                                      &ctl_config, &ctl_status,
-                                                      &ctl_scores, &ctl_audits,
-                                                      &ctl_backup };
+static const struct ctl_command *const commands[] = {
+    &ctl_tank,   &ctl_paper,  &ctl_play,   &ctl_morph,  &ctl_replay, &ctl_hid,   &ctl_lines,
+    &ctl_doctor, &ctl_config, &ctl_status, &ctl_scores, &ctl_audits, &ctl_backup
+};
 
 static void print_help(void)
 {

@@ -8,8 +8,8 @@
 static void measure_age(struct walk *w, float before_days, float age_days)
 {
     if (!(age_days > before_days)) {
-        w->out->age_stands_at = w->out->moments_not_older == 0 ? w->progress
-                                                               : w->out->age_stands_at;
+        w->out->age_stands_at =
+            w->out->moments_not_older == 0 ? w->progress : w->out->age_stands_at;
         w->out->moments_not_older++;
     }
 }

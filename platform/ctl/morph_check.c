@@ -24,13 +24,12 @@ struct check_plan {
 struct row {
     const char *title, *key;
     float (*value)(const struct survey *survey);
-    const struct finding *(*where)(const struct survey *survey); /* Returns the place of the worst
-                                                                    value. A null pointer means that
-                                                                    the value has no place. */
+    /* Returns the place of the worst value. A null pointer means that the value has no place. */
+    const struct finding *(*where)(const struct survey *survey);
     const char *format;
-    double scale;     /* Factor from the measured to the printed value. A value of 100 prints a
-                         share in percent. */
-    double limit;     /* Limit in the printed unit. */
+    /* Factor from the measured to the printed value. A value of 100 prints a share in percent. */
+    double scale;
+    double limit; /* Limit in the printed unit. */
     enum { AT_MOST, AT_LEAST, TOLD_ONLY } rule;
 };
 
@@ -112,8 +111,8 @@ static double told(const struct row *row, const struct survey *survey)
 static bool is_so(const struct row *row, const struct survey *survey)
 {
     const double value = told(row, survey);
-    return row->rule == TOLD_ONLY || (row->rule == AT_MOST ? value <= row->limit
-                                                           : value >= row->limit);
+    return row->rule == TOLD_ONLY ||
+           (row->rule == AT_MOST ? value <= row->limit : value >= row->limit);
 }
 
 static bool is_good(const struct survey *survey)
@@ -131,8 +130,7 @@ static const struct species_mesh *mesh_of(const struct check_plan *plan, enum co
 }
 
 /* Prints a place, for example "at progress 0.431, vertex 312 (eye)". */
-static void print_where(const struct check_plan *plan, enum column column,
-                        const struct finding *at)
+static void print_where(const struct check_plan *plan, enum column column, const struct finding *at)
 {
     printf(" at progress %.4f", (double)at->progress);
     if (at->vertex != SURVEY_NOWHERE) {
@@ -200,8 +198,7 @@ static void print_json(const struct check_plan *plan, bool good)
         for (size_t i = 0; i < ROWS; i++) {
             printf(", \"%s\": %.9g", rows[i].key, (double)rows[i].value(survey));
             if (rows[i].where && rows[i].value(survey) > 0.0f) {
-                printf(", \"%s_at\": %.6f", rows[i].key,
-                       (double)rows[i].where(survey)->progress);
+                printf(", \"%s_at\": %.6f", rows[i].key, (double)rows[i].where(survey)->progress);
             }
         }
         putchar('}');

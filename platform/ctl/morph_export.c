@@ -78,9 +78,8 @@ static enum exit_code run(int argc, const char *const *argv)
         { .name = "--view", .text = &wishes.view },
         { .name = "--frames", .count = &wishes.frame_count, .min = 2, .max = FRAMES_MAX },
     };
-    enum exit_code code =
-        morph_pick_read(&pick, name, MORPH_ASKS_CURVES | MORPH_ASKS_PLACE, options,
-                        sizeof options / sizeof options[0], argc, argv);
+    enum exit_code code = morph_pick_read(&pick, name, MORPH_ASKS_CURVES | MORPH_ASKS_PLACE,
+                                          options, sizeof options / sizeof options[0], argc, argv);
     if (code == EXIT_OK) {
         code = check(&pick, &wishes);
     }

@@ -7,11 +7,12 @@
  * step. The count is thus the same for many moments and for few. */
 #include "platform/ctl/morph_walk.h"
 
-#define AREA_MIN 1e-9f        /* Twice the area below which a triangle has no defined direction. */
-#define THIN_COUNTS 4.0f      /* Height, in quantization steps of the mesh tables, below which
-                                 rounding decides where a triangle faces. */
-#define CLOSELY 4e-5f         /* Distance between two moments of the fine sampling, as a share of a
-                                 life. */
+#define AREA_MIN 1e-9f /* Twice the area below which a triangle has no defined direction. */
+/* Height, in quantization steps of the mesh tables, below which rounding decides where a triangle
+ * faces. */
+#define THIN_COUNTS 4.0f
+/* Distance between two moments of the fine sampling, as a share of a life. */
+#define CLOSELY 4e-5f
 
 static vec3 face_of(const struct walk *w, uint32_t triangle)
 {
@@ -35,8 +36,8 @@ static void mark_flipped(struct walk *w, uint32_t triangle, uint32_t *count)
 {
     if (!w->flipped[triangle]) {
         w->flipped[triangle] = true;
-        w->out->flipped_at = w->out->flipped_skin + w->out->flipped_fins == 0 ? w->progress
-                                                                              : w->out->flipped_at;
+        w->out->flipped_at =
+            w->out->flipped_skin + w->out->flipped_fins == 0 ? w->progress : w->out->flipped_at;
         (*count)++;
     }
 }

@@ -10,17 +10,16 @@
 
 #define FRAME_MARGIN 48.0f
 
-static struct portrait portrait; /* Static because the object is too large for a stack. Only one
-                                    portrait exists at a time. */
+/* Static because the object is too large for a stack. Only one portrait exists at a time. */
+static struct portrait portrait;
 
-static bool draw_frame(const struct morph_pick *pick, struct canvas *canvas,
-                       struct raster *raster, enum portrait_view view,
-                       const struct portrait_bounds *b, float progress)
+static bool draw_frame(const struct morph_pick *pick, struct canvas *canvas, struct raster *raster,
+                       enum portrait_view view, const struct portrait_bounds *b, float progress)
 {
     const struct species_card *card = &pick->fish->card;
     const float width = (float)FRAME_WIDTH, height = (float)FRAME_HEIGHT;
-    const float scale_px = f_min(0.9f * width / (b->right - b->left),
-                                 0.72f * height / (b->high - b->low));
+    const float scale_px =
+        f_min(0.9f * width / (b->right - b->left), 0.72f * height / (b->high - b->low));
     const float length_m = life_length_m(card, progress);
     char name[PLATE_WORDS_SIZE], age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE];
     char words[4 * PLATE_WORDS_SIZE];

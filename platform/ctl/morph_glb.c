@@ -23,8 +23,8 @@
 
 static const char command[] = "export";
 
-static struct fish_glb fish; /* Static because the object is too large for a stack. Only one export
-                                runs at a time. */
+/* Static because the object is too large for a stack. Only one export runs at a time. */
+static struct fish_glb fish;
 
 /* ---- Nodes ----------------------------------------------------------------------------------- */
 
@@ -40,10 +40,11 @@ static void print_coat(struct bytes *out, const struct species_coat *coat)
 static void print_life(struct bytes *out)
 {
     const struct species_card *card = &fish.pick->fish->card;
-    bytes_print(out, "\"extras\":{\"species\":\"%s\",\"measure\":\"%s\",\"template\":\"%s\","
-                     "\"thesis\":%s,\"seconds\":%g,\"keys\":[", card->id, plate_measure(card),
-                morph_template_name(fish.pick->template), fish.pick->thesis ? "true" : "false",
-                (double)GLB_SECONDS);
+    bytes_print(out,
+                "\"extras\":{\"species\":\"%s\",\"measure\":\"%s\",\"template\":\"%s\","
+                "\"thesis\":%s,\"seconds\":%g,\"keys\":[",
+                card->id, plate_measure(card), morph_template_name(fish.pick->template),
+                fish.pick->thesis ? "true" : "false", (double)GLB_SECONDS);
     for (uint32_t i = 0; i < card->key_count; i++) {
         bytes_print(out, "%s{\"name\":\"%s\",\"progress\":%.6g,", i > 0 ? "," : "",
                     card->key_names[i], (double)i / (card->key_count - 1u));
@@ -92,9 +93,9 @@ static void add_joint(uint32_t anchor)
     glb_next(&fish.file, GLB_NODES);
     bytes_print(&fish.file.lists[GLB_NODES],
                 "{\"name\":\"anchor_%u\",\"translation\":[%.9g,%.9g,%.9g],"
-                "\"rotation\":[%.9g,%.9g,%.9g,%.9g]}", anchor, (double)at->position.x,
-                (double)at->position.y, (double)at->position.z, (double)at->turn.x,
-                (double)at->turn.y, (double)at->turn.z, (double)at->turn.w);
+                "\"rotation\":[%.9g,%.9g,%.9g,%.9g]}",
+                anchor, (double)at->position.x, (double)at->position.y, (double)at->position.z,
+                (double)at->turn.x, (double)at->turn.y, (double)at->turn.z, (double)at->turn.w);
 }
 
 /* Computes the inverse of an anchor's pose at progress 1, as a column-major matrix in the order of
@@ -121,11 +122,13 @@ static void add_skin(void)
         inverse_bind(&fish.adult.anchor[i], matrices[1u + i]);
     }
     glb_next(&fish.file, GLB_SKINS);
-    bytes_print(out, "{\"name\":\"skin\",\"skeleton\":%u,\"inverseBindMatrices\":%u,"
-                     "\"joints\":[%u", GLB_ROOT_NODE,
-                glb_floats(&fish.file, GLB_FOR_DATA, GLB_MAT4, matrices[0],
-                           1u + fish.mesh->anchor_count),
-                GLB_ROOT_NODE);
+    bytes_print(
+        out,
+        "{\"name\":\"skin\",\"skeleton\":%u,\"inverseBindMatrices\":%u,"
+        "\"joints\":[%u",
+        GLB_ROOT_NODE,
+        glb_floats(&fish.file, GLB_FOR_DATA, GLB_MAT4, matrices[0], 1u + fish.mesh->anchor_count),
+        GLB_ROOT_NODE);
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
         bytes_print(out, ",%u", GLB_PIECE_NODE + fish.cut.piece_count + i);
     }

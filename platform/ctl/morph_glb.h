@@ -8,8 +8,9 @@
 #include "platform/ctl/morph_mesh.h"
 
 #define GLB_SECONDS 10.0f  /* Seconds of the animation from progress 0 to 1. */
-#define GLB_ROOT_NODE 0u   /* Node number of the fish. The nodes of the pieces follow this node, and
-                              the nodes of the anchors follow the pieces. */
+/* Node number of the fish. The nodes of the pieces follow this node, and the nodes of the anchors
+ * follow the pieces. */
+#define GLB_ROOT_NODE 0u
 #define GLB_PIECE_NODE 1u
 #define TARGET_MAX (MORPH_CURVE_MAX * (MORPH_KEY_MAX - 1u))
 
@@ -31,8 +32,9 @@ struct fish_glb {
     struct paint paints[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Colours of each vertex for each key. */
     struct target_list targets[PIECE_MAX];
     bool skinned[PIECE_MAX]; /* True if at least one vertex of the piece follows the skin. */
-    uint32_t materials[PART_COUNT]; /* Number of each part's material, counted from 1. A value of 0
-                                       means that the material does not exist yet. */
+    /* Number of each part's material, counted from 1. A value of 0 means that the material does not
+     * exist yet. */
+    uint32_t materials[PART_COUNT];
 };
 
 /* Attributes of one vertex in one shape. */

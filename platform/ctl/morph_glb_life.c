@@ -9,13 +9,14 @@
 #include "platform/ctl/morph_glb.h"
 #include "platform/ctl/track.h"
 
-#define TOLERANCE 1e-5f /* Maximum error of a weight, of the size (as a ratio), and of an anchor's
-                           position (in body lengths). */
-#define EVEN_MARKS 32u  /* Number of evenly spaced samples, so that no bend between two marks is
-                           missed. */
+/* Maximum error of a weight, of the size (as a ratio), and of an anchor's position (in body
+ * lengths). */
+#define TOLERANCE 1e-5f
+/* Number of evenly spaced samples, so that no bend between two marks is missed. */
+#define EVEN_MARKS 32u
 #define MARK_ROOM (EVEN_MARKS + 1u + MORPH_CURVE_MAX * GRAPH_KNOT_MAX)
-#define ANCHOR_WIDTH 7u /* Floats of an anchor: three for the position and four for the rotation
-                           quaternion. */
+/* Floats of an anchor: three for the position and four for the rotation quaternion. */
+#define ANCHOR_WIDTH 7u
 
 static void ask_size(const void *self, float progress, float *values)
 {
@@ -46,8 +47,7 @@ static void ask_weights(const void *self, float progress, float *values)
     }
 }
 
-static float weight_error(const void *self, const float *from, const float *to,
-                          const float *exact)
+static float weight_error(const void *self, const float *from, const float *to, const float *exact)
 {
     const struct weight_list *list = self;
     float error = 0.0f;
@@ -93,8 +93,7 @@ static float turn_error(const float *from, const float *to, const float *exact)
     return error;
 }
 
-static float anchor_error(const void *self, const float *from, const float *to,
-                          const float *exact)
+static float anchor_error(const void *self, const float *from, const float *to, const float *exact)
 {
     const struct fish_glb *fish = self;
     float error = 0.0f;
@@ -175,8 +174,7 @@ static bool animate_size(struct fish_glb *fish)
     const bool good = fit(fish, &track, (struct track_function){ 3, ask_size, size_error, fish });
     if (good) {
         const uint32_t times = add_times(fish, &track);
-        const uint32_t sampler =
-            add_sampler(fish, times, GLB_VEC3, track.values, track.count);
+        const uint32_t sampler = add_sampler(fish, times, GLB_VEC3, track.values, track.count);
         add_channel(fish, sampler, GLB_ROOT_NODE, "scale");
         track_free(&track);
     }
@@ -185,15 +183,16 @@ static bool animate_size(struct fish_glb *fish)
 
 static bool animate_weights(struct fish_glb *fish)
 {
-    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 }; /* Sampler numbers, counted from 1, by the bit
-                                                         mask of the curves that they represent. */
+    /* Sampler numbers, counted from 1, by the bit mask of the curves that they represent. */
+    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 };
     for (uint32_t piece = 0; piece < fish->cut.piece_count; piece++) {
         const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
         uint32_t *sampler = &samplers[list.targets->curves];
         if (*sampler == 0) {
             struct track track;
-            if (!fit(fish, &track, (struct track_function){ list.targets->count, ask_weights,
-                                                            weight_error, &list })) {
+            if (!fit(fish, &track,
+                     (struct track_function){ list.targets->count, ask_weights, weight_error,
+                                              &list })) {
                 return false;
             }
             const uint32_t times = add_times(fish, &track);
@@ -244,8 +243,9 @@ static bool animate_anchors(struct fish_glb *fish)
     if (fish->mesh->anchor_count == 0) {
         return true;
     }
-    if (!fit(fish, &track, (struct track_function){ ANCHOR_WIDTH * fish->mesh->anchor_count,
-                                                    ask_anchors, anchor_error, fish })) {
+    if (!fit(fish, &track,
+             (struct track_function){ ANCHOR_WIDTH * fish->mesh->anchor_count, ask_anchors,
+                                      anchor_error, fish })) {
         return false;
     }
     const bool good = add_anchor_channels(fish, &track, add_times(fish, &track));

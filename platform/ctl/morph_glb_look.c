@@ -51,7 +51,7 @@ static vec3 on_octahedron(vec3 n)
 
 /* Returns C_ck of one vertex. */
 static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
-                          uint32_t key)
+                            uint32_t key)
 {
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t j = 0; j < fish->pick->rig.key_count; j++) {
@@ -84,8 +84,8 @@ static void carry(const struct fish_glb *fish, uint32_t vertex, bool is_place, s
 struct aspect glb_base_look(const struct fish_glb *fish, uint32_t vertex)
 {
     const uint32_t last = fish->pick->rig.key_count - 1u;
-    const struct aspect painted = solved(fish, vertex, 0, last); /* Colours are those of the whole
-                                                                    fish's curve. */
+    /* Colours are those of the whole fish's curve. */
+    const struct aspect painted = solved(fish, vertex, 0, last);
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
         const struct aspect one = solved(fish, vertex, curve, last);

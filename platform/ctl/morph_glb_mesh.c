@@ -10,12 +10,12 @@
 static struct {
     uint32_t count;
     uint16_t vertices[MESH_VERTEX_MAX]; /* Vertex numbers of species_mesh, in rising order. */
-    uint16_t place[MESH_VERTEX_MAX];    /* Inverse of `vertices`. Valid only for vertices that the
-                                           piece uses. */
+    /* Inverse of `vertices`. Valid only for vertices that the piece uses. */
+    uint16_t place[MESH_VERTEX_MAX];
     float position[MESH_VERTEX_MAX][3], normal[MESH_VERTEX_MAX][3], colour[MESH_VERTEX_MAX][4];
     float coordinates[MESH_VERTEX_MAX][2], source[MESH_VERTEX_MAX];
-    float facing[MESH_VERTEX_MAX]; /* Length of the base's normal before the normal was
-                                      normalized. */
+    /* Length of the base's normal before the normal was normalized. */
+    float facing[MESH_VERTEX_MAX];
     uint8_t joints[MESH_VERTEX_MAX][4];
     float shares[MESH_VERTEX_MAX][4]; /* Floats, because importers misread fractions of 255. */
     uint16_t indices[MESH_INDEX_MAX];
@@ -46,8 +46,7 @@ static void gather_vertices(const struct fish_glb *fish, const struct morph_piec
         }
     }
     for (uint32_t i = 0; i < 3u * piece->face_count; i++) {
-        columns.indices[i] =
-            columns.place[fish->cut.faces[piece->face_first + i / 3u][i % 3u]];
+        columns.indices[i] = columns.place[fish->cut.faces[piece->face_first + i / 3u][i % 3u]];
     }
 }
 
@@ -110,12 +109,12 @@ static uint32_t material_of(struct fish_glb *fish, uint8_t part)
 /* Prints the three accessors of a shape, whose columns the caller has filled. */
 static void print_shape(struct fish_glb *fish, struct bytes *out)
 {
-    const uint32_t position = glb_floats(&fish->file, GLB_FOR_PLACES, GLB_VEC3,
-                                         columns.position[0], columns.count);
-    const uint32_t normal = glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC3, columns.normal[0],
-                                       columns.count);
-    const uint32_t colour = glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC4, columns.colour[0],
-                                       columns.count);
+    const uint32_t position =
+        glb_floats(&fish->file, GLB_FOR_PLACES, GLB_VEC3, columns.position[0], columns.count);
+    const uint32_t normal =
+        glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC3, columns.normal[0], columns.count);
+    const uint32_t colour =
+        glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC4, columns.colour[0], columns.count);
     bytes_print(out, "{\"POSITION\":%u,\"NORMAL\":%u,\"COLOR_0\":%u", position, normal, colour);
 }
 
@@ -130,20 +129,17 @@ static void print_attributes(struct fish_glb *fish, bool skinned, struct bytes *
     }
     print_shape(fish, out);
     bytes_print(out, ",\"TEXCOORD_0\":%u,\"_VERTEX\":%u",
-                glb_floats(file, GLB_FOR_VERTICES, GLB_VEC2, columns.coordinates[0],
-                           columns.count),
+                glb_floats(file, GLB_FOR_VERTICES, GLB_VEC2, columns.coordinates[0], columns.count),
                 glb_floats(file, GLB_FOR_VERTICES, GLB_SCALAR, columns.source, columns.count));
     if (skinned) {
         bytes_print(out, ",\"JOINTS_0\":%u,\"WEIGHTS_0\":%u",
                     glb_joints(file, (const uint8_t(*)[4])columns.joints, columns.count),
-                    glb_floats(file, GLB_FOR_VERTICES, GLB_VEC4, columns.shares[0],
-                               columns.count));
+                    glb_floats(file, GLB_FOR_VERTICES, GLB_VEC4, columns.shares[0], columns.count));
     }
     bytes_print(out, "}");
 }
 
-static void print_targets(struct fish_glb *fish, const struct target_list *list,
-                          struct bytes *out)
+static void print_targets(struct fish_glb *fish, const struct target_list *list, struct bytes *out)
 {
     for (uint32_t t = 0; t < list->count; t++) {
         for (uint32_t i = 0; i < columns.count; i++) {
@@ -187,8 +183,8 @@ uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t index)
     struct bytes *out = &fish->file.lists[GLB_MESHES];
     bytes_print(out, "{\"name\":\"%s\",\"extras\":{\"targetNames\":[", name);
     print_names(fish, &fish->targets[index], out);
-    bytes_print(out, "]},\"primitives\":[{\"material\":%u,\"indices\":%u,\"attributes\":",
-                material, indices);
+    bytes_print(out, "]},\"primitives\":[{\"material\":%u,\"indices\":%u,\"attributes\":", material,
+                indices);
     print_attributes(fish, fish->skinned[index], out);
     bytes_print(out, ",\"targets\":[");
     print_targets(fish, &fish->targets[index], out);

@@ -16,10 +16,12 @@ static const char name[] = "graph";
 #define SAMPLES 400u
 #define KEY_WIDTH 190.0 /* Maximum width of a key's outline, pixels. */
 #define KEY_HEIGHT 124.0
-#define TURN_SAMPLES 20000u /* Samples of the size curve. Samples of a curve that changes by 20 %
-                               within a 20th of a life differ by 0.01 %. */
-#define TURN_LEAST 0.01     /* Least relative change of the length after a peak or a trough for
-                               which the graph prints the length there. */
+/* Samples of the size curve. Samples of a curve that changes by 20 % within a 20th of a life differ
+ * by 0.01 %. */
+#define TURN_SAMPLES 20000u
+/* Least relative change of the length after a peak or a trough for which the graph prints the
+ * length there. */
+#define TURN_LEAST 0.01
 
 struct graph_plan {
     struct morph_pick pick;
@@ -56,9 +58,13 @@ static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double w
 {
     const struct species_card *card = &plan->pick.fish->card;
     struct outline outline = {
-        .species = plan->pick.fish, .rig = &plan->keys, .view = outline_view_of(card),
-        .progress = (float)key / (float)(card->key_count - 1u), .length_px = 1.0,
-        .colour = outline_key_colour(card, key), .opacity = 0.75,
+        .species = plan->pick.fish,
+        .rig = &plan->keys,
+        .view = outline_view_of(card),
+        .progress = (float)key / (float)(card->key_count - 1u),
+        .length_px = 1.0,
+        .colour = outline_key_colour(card, key),
+        .opacity = 0.75,
     };
     double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 };
     outline_measure(&outline, low, high);
@@ -131,8 +137,8 @@ static void draw_turns(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;
     double last = 1e3 * (double)life_length_m(card, 0.0f), turned = last, at = 0.0;
-    int way = 0; /* Direction of the change: 1 while the fish grows, -1 while it shrinks, 0 at
-                    first. */
+    /* Direction of the change: 1 while the fish grows, -1 while it shrinks, 0 at first. */
+    int way = 0;
     for (uint32_t i = 1; i <= TURN_SAMPLES; i++) {
         const double progress = (double)i / (double)TURN_SAMPLES;
         const double mm = 1e3 * (double)life_length_m(card, (float)progress);
@@ -202,9 +208,9 @@ static enum exit_code run(int argc, const char *const *argv)
     enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
                                           sizeof options / sizeof options[0], argc, argv);
     if (code == EXIT_OK) {
-        code = plan.path ? morph_curve_find(&plan.pick.fish->card, name, plan.curve_name,
-                                            &plan.curve)
-                         : morph_usage(name, "--svg FILE is missing");
+        code = plan.path
+                   ? morph_curve_find(&plan.pick.fish->card, name, plan.curve_name, &plan.curve)
+                   : morph_usage(name, "--svg FILE is missing");
     }
     if (code != EXIT_OK) {
         return code;

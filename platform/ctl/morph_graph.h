@@ -28,8 +28,8 @@ void graph_print_length(char out[GRAPH_WORDS], double mm, int digits);
 /* Range of the length axis on the right. */
 struct graph_lengths {
     double low_mm, high_mm;
-    bool is_log; /* True if the axis is logarithmic. Otherwise the axis is linear and starts at
-                    0. */
+    /* True if the axis is logarithmic. Otherwise the axis is linear and starts at 0. */
+    bool is_log;
 };
 
 /* Returns the range of the length axis. The axis is logarithmic if the lengths of a life span more

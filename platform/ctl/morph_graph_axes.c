@@ -9,10 +9,11 @@
 
 #define AGES 652.0 /* Height of the line of ages, pixels from the top. */
 #define YEAR_DAYS 365.25
-#define FOOT 1.4       /* Factor by which the logarithmic axis continues below the least length, so
-                          that a trough's label fits. */
-#define LOG_FROM 10.0f /* Ratio of the greatest to the least length above which the axis is
-                          logarithmic. */
+/* Factor by which the logarithmic axis continues below the least length, so that a trough's label
+ * fits. */
+#define FOOT 1.4
+/* Ratio of the greatest to the least length above which the axis is logarithmic. */
+#define LOG_FROM 10.0f
 #define AGE_MAX 16u   /* Maximum number of labelled ages. */
 #define AGE_ROOM 78.0 /* Minimum distance between two labelled ages, pixels. */
 
@@ -157,8 +158,17 @@ static void draw_age(struct svg *svg, struct age_axis *axis, double days)
  * years those of old fish. */
 static void draw_ages(struct svg *svg, const struct species_card *card)
 {
-    static const double steps_days[] = { 10.0 * YEAR_DAYS, 5.0 * YEAR_DAYS, 2.0 * YEAR_DAYS,
-                                         YEAR_DAYS, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0 };
+    static const double steps_days[] = { 10.0 * YEAR_DAYS,
+                                         5.0 * YEAR_DAYS,
+                                         2.0 * YEAR_DAYS,
+                                         YEAR_DAYS,
+                                         100.0,
+                                         50.0,
+                                         20.0,
+                                         10.0,
+                                         5.0,
+                                         2.0,
+                                         1.0 };
     struct age_axis axis = { .card = card,
                              .youngest = ceil((double)life_age_days(card, 0.0f) - 0.01),
                              .oldest = (double)life_age_days(card, 1.0f) + 0.01 };

@@ -82,8 +82,7 @@ static void tell(const struct import_words *words, const struct import_mesh *mes
                  const struct species_slot *slot, const struct import_report *report)
 {
     const struct species_card *card = &slot->species.card;
-    print_line(stdout,
-               "%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s",
+    print_line(stdout, "%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s",
                words->out, card->id, card->key_count, slot->species.lod[0].vertex_count,
                report->joined_count, slot->species.lod[0].index_count / 3u,
                import_axis_names[report->front]);
@@ -161,8 +160,8 @@ static void find_marks(struct import_words *words)
     for (uint32_t i = words->mark_count; i < words->file_count; i++) {
         const char *file = words->files[i], *dot = strrchr(file, '.');
         const int length = dot ? (int)(dot - file) : (int)strlen(file);
-        snprintf(words->marks[i], sizeof words->marks[i], "%.*s.marks",
-                 length < 240 ? length : 240, file);
+        snprintf(words->marks[i], sizeof words->marks[i], "%.*s.marks", length < 240 ? length : 240,
+                 file);
     }
 }
 
@@ -202,9 +201,9 @@ static enum exit_code make(struct import_words *words, struct species_slot *slot
 {
     char id[SPECIES_NAME_SIZE];
     if (ends_with(words->files[0], ".txt") || ends_with(words->files[0], PACK_SUFFIX)) {
-        const enum exit_code code =
-            words->file_count == 1 ? morph_pick_file(words->files[0], name, slot)
-                                   : morph_usage(name, "one text makes one species");
+        const enum exit_code code = words->file_count == 1
+                                        ? morph_pick_file(words->files[0], name, slot)
+                                        : morph_usage(name, "one text makes one species");
         if (code == EXIT_OK && words->id) {
             memset(slot->species.card.id, 0, SPECIES_NAME_SIZE);
             snprintf(slot->species.card.id, SPECIES_NAME_SIZE, "%s", words->id);

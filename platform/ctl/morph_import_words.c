@@ -46,14 +46,15 @@ static bool take_age(const char *piece, uint32_t index, void *out)
 
 static bool take_growth(const char *piece, uint32_t index, void *out)
 {
-    static const double ranges[5][2] = { { 10.0, 20000.0 }, { 0.001, 10.0 }, { -20.0, 20.0 },
-                                         { 0.5, 2000.0 },   { 0.001, 5.0 } };
+    static const double ranges[5][2] = {
+        { 10.0, 20000.0 }, { 0.001, 10.0 }, { -20.0, 20.0 }, { 0.5, 2000.0 }, { 0.001, 5.0 }
+    };
     return number_parse_decimal(piece, ranges[index][0], ranges[index][1], (double *)out + index);
 }
 
 bool import_take_name(const char *piece, uint32_t index, void *out)
 {
-    char (*names)[SPECIES_NAME_SIZE] = out;
+    char(*names)[SPECIES_NAME_SIZE] = out;
     const size_t length = strlen(piece);
     if (length >= SPECIES_NAME_SIZE) {
         return false;
@@ -65,7 +66,7 @@ bool import_take_name(const char *piece, uint32_t index, void *out)
 
 static bool take_path(const char *piece, uint32_t index, void *out)
 {
-    char (*paths)[IMPORT_PATH_SIZE] = out;
+    char(*paths)[IMPORT_PATH_SIZE] = out;
     snprintf(paths[index], IMPORT_PATH_SIZE, "%s", piece);
     return true;
 }
@@ -211,8 +212,13 @@ static bool take_option(struct import_words *words, const char *option, const ch
 enum exit_code import_words_read(struct import_words *words, int argc, const char *const *argv)
 {
     *words = (struct import_words){
-        .plan = { .front = AXIS_NONE, .up = AXIS_Y, .measure = IMPORT_UNSET, .motion = IMPORT_UNSET,
-                  .form = IMPORT_UNSET, .template = TEMPLATE_OWN, .unit_m = 1.0 },
+        .plan = { .front = AXIS_NONE,
+                  .up = AXIS_Y,
+                  .measure = IMPORT_UNSET,
+                  .motion = IMPORT_UNSET,
+                  .form = IMPORT_UNSET,
+                  .template = TEMPLATE_OWN,
+                  .unit_m = 1.0 },
     };
     for (int i = 0; i < argc; i++) {
         if (strncmp(argv[i], "--", 2) == 0) {

@@ -16,8 +16,8 @@ struct import_words {
     const char *files[MORPH_KEY_MAX];
     uint32_t file_count;
     const char *id, *like, *fit;
-    char marks[MORPH_KEY_MAX][IMPORT_PATH_SIZE]; /* Path of the landmarks of each file, used with
-                                                    --fit. */
+    /* Path of the landmarks of each file, used with --fit. */
+    char marks[MORPH_KEY_MAX][IMPORT_PATH_SIZE];
     uint32_t mark_count;
     struct import_plan plan;
 };

@@ -41,8 +41,7 @@ void walk_build_skins(struct walk *w)
     w->body_closed = skin_is_closed(&w->body);
     w->out->moments_open += !w->body_closed;
     for (uint32_t i = 0; i < 2; i++) {
-        skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE,
-                   i == 0 ? SIDE_RIGHT : SIDE_LEFT);
+        skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE, i == 0 ? SIDE_RIGHT : SIDE_LEFT);
         w->eye_closed[i] = skin_is_closed(&w->eye[i]);
     }
 }

@@ -14,9 +14,9 @@ static void list_json(const struct species *species)
 {
     const struct species_card *card = &species->card;
     printf("{\"id\": \"%s\", \"form\": \"%s\", \"motion\": \"%s\", \"measure\": \"%s\", "
-           "\"vertices\": [%u, %u], \"anchors\": %u, \"keys\": [", card->id,
-           form_names[card->form], motion_names[card->motion], measure_names[card->measure],
-           species->lod[0].vertex_count, species->lod[1].vertex_count,
+           "\"vertices\": [%u, %u], \"anchors\": %u, \"keys\": [",
+           card->id, form_names[card->form], motion_names[card->motion],
+           measure_names[card->measure], species->lod[0].vertex_count, species->lod[1].vertex_count,
            species->lod[0].anchor_count);
     for (uint32_t i = 0; i < card->key_count; i++) {
         printf("%s{\"name\": \"%s\", \"age_days\": %.2f, \"length_mm\": %.3f}", i > 0 ? ", " : "",

@@ -9,10 +9,10 @@
 
 void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE])
 {
-    static const char *const sides[] = { [SIDE_MIDDLE] = "", [SIDE_RIGHT] = "_right",
-                                         [SIDE_LEFT] = "_left" };
-    snprintf(out, PIECE_NAME_SIZE, "%s%s", part_names[piece->part],
-             sides[piece->side]);
+    static const char *const sides[] = {
+        [SIDE_MIDDLE] = "", [SIDE_RIGHT] = "_right", [SIDE_LEFT] = "_left"
+    };
+    snprintf(out, PIECE_NAME_SIZE, "%s%s", part_names[piece->part], sides[piece->side]);
 }
 
 /* Returns whether the front of the triangle at `at` faces in the direction of its normals. */
@@ -51,8 +51,8 @@ static bool is_spare(const struct species_mesh *mesh, uint32_t index, const vec3
     return false;
 }
 
-static void take_faces(const struct species_mesh *mesh, const vec3 *positions,
-                       const vec3 *normals, struct morph_piece *piece, struct morph_mesh *out)
+static void take_faces(const struct species_mesh *mesh, const vec3 *positions, const vec3 *normals,
+                       struct morph_piece *piece, struct morph_mesh *out)
 {
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         const uint16_t *at = &mesh->indices[i];
@@ -76,8 +76,8 @@ void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, cons
     for (uint8_t part = 0; part < PART_COUNT; part++) {
         for (uint8_t side = SIDE_MIDDLE; side <= SIDE_LEFT; side++) {
             struct morph_piece *piece = &out->pieces[out->piece_count];
-            *piece = (struct morph_piece){ .part = part, .side = side,
-                                           .face_first = out->face_count };
+            *piece =
+                (struct morph_piece){ .part = part, .side = side, .face_first = out->face_count };
             take_faces(mesh, positions, normals, piece, out);
             out->piece_count += piece->face_count > 0;
         }

@@ -6,8 +6,8 @@
 
 #include "platform/ctl/morph_pick.h"
 
-#define PIECE_MAX (3u * PART_COUNT) /* Maximum number of pieces: each part may have a middle, a
-                                       right and a left piece. */
+/* Maximum number of pieces: each part may have a middle, a right and a left piece. */
+#define PIECE_MAX (3u * PART_COUNT)
 
 struct morph_piece {
     uint8_t part, side;
@@ -17,8 +17,8 @@ struct morph_piece {
 struct morph_mesh {
     uint32_t piece_count, face_count;
     struct morph_piece pieces[PIECE_MAX];
-    uint16_t faces[MESH_INDEX_MAX / 3u][3]; /* Vertex numbers of species_mesh for each triangle,
-                                               sorted by piece. */
+    /* Vertex numbers of species_mesh for each triangle, sorted by piece. */
+    uint16_t faces[MESH_INDEX_MAX / 3u][3];
 };
 
 /* Writes the name of a piece, for example "eye_right" or "dorsal". */

@@ -37,8 +37,8 @@ static void write_vertices(FILE *file, const struct morph_pick *pick, float leng
     const struct species_mesh *mesh = &pick->fish->lod[0];
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const vec3 colour = work.paints[i].colour, at = v3_scale(work.positions[i], length_m);
-        fprintf(file, "v %.9g %.9g %.9g %.4f %.4f %.4f\n", (double)at.x, (double)at.y,
-                (double)at.z, (double)colour.x, (double)colour.y, (double)colour.z);
+        fprintf(file, "v %.9g %.9g %.9g %.4f %.4f %.4f\n", (double)at.x, (double)at.y, (double)at.z,
+                (double)colour.x, (double)colour.y, (double)colour.z);
     }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         fprintf(file, "vt %.6f %.6f\n", (double)mesh->vertices[i].u, (double)mesh->vertices[i].v);
@@ -58,8 +58,8 @@ static void write_faces(FILE *file)
         fprintf(file, "g %s\n", name);
         for (uint32_t i = 0; i < piece->face_count; i++) {
             const uint16_t *at = work.cut.faces[piece->face_first + i];
-            const unsigned a = at[0] + 1u, b = at[1] + 1u, c = at[2] + 1u; /* OBJ files count
-                                                                              vertices from 1. */
+            /* OBJ files count vertices from 1. */
+            const unsigned a = at[0] + 1u, b = at[1] + 1u, c = at[2] + 1u;
             fprintf(file, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
         }
     }

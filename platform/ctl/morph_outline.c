@@ -8,8 +8,9 @@
 
 #include "platform/key_colour.h"
 
-#define JOIN_LENGTHS 1e-5f /* Distance in body lengths below which two vertices are joined. The
-                              distance is less than a quantization step of the mesh tables. */
+/* Distance in body lengths below which two vertices are joined. The distance is less than a
+ * quantization step of the mesh tables. */
+#define JOIN_LENGTHS 1e-5f
 
 /* Layers in drawing order, from back to front. */
 enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
@@ -148,10 +149,9 @@ static void join(const struct species_mesh *mesh, const vec3 *positions,
 static void draw_contour(struct svg *svg, const struct outline *outline, const vec3 *positions,
                          const uint16_t *joined, enum layer layer)
 {
-    static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX]; /* True if a visible triangle has the
-                                                             edge. The first index is the start
-                                                             vertex and the second index the end
-                                                             vertex. */
+    /* True if a visible triangle has the edge. The first index is the start vertex and the second
+     * index the end vertex. */
+    static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX];
     const struct species_mesh *mesh = &outline->species->lod[0];
     const uint16_t *at = mesh->indices;
     memset(has, 0, sizeof has);
@@ -160,9 +160,10 @@ static void draw_contour(struct svg *svg, const struct outline *outline, const v
             has[joined[at[i + j]]][joined[at[i + (j + 1) % 3]]] = 1;
         }
     }
-    svg_put(svg, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" "
-                 "stroke-opacity=\"0.7\" stroke-linecap=\"round\" d=\"", outline->colour,
-            outline->line_px);
+    svg_put(svg,
+            "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" "
+            "stroke-opacity=\"0.7\" stroke-linecap=\"round\" d=\"",
+            outline->colour, outline->line_px);
     for (uint32_t from = 0; from < mesh->vertex_count; from++) {
         for (uint32_t to = 0; to < mesh->vertex_count; to++) {
             if (has[from][to] && !has[to][from]) {

@@ -15,8 +15,8 @@ void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZ
 /* Converts a name to readable words with a capital first letter, for example "Long leaf". */
 void outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
 
-#define MORPH_SCALE_COLOUR "#8e4bb8" /* Colour of the size curve. The size is purple as in the 2005
-                                        thesis. */
+/* Colour of the size curve. The size is purple as in the 2005 thesis. */
+#define MORPH_SCALE_COLOUR "#8e4bb8"
 
 enum outline_view {
     OUTLINE_SIDE,  /* View from the fish's left side. The head points left. */

@@ -44,8 +44,8 @@ static void print_row(const struct path_plan *plan, float progress)
     printf("%.6f,%.3f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", (double)progress,
            (double)life_age_days(card, progress), 1e3 * (double)life_length_m(card, progress),
            (double)p.x, (double)p.y, (double)p.z,
-           (double)v3_from_line(p, plan->chord.from, plan->chord.to),
-           (double)o.x, (double)o.y, (double)o.z,
+           (double)v3_from_line(p, plan->chord.from, plan->chord.to), (double)o.x, (double)o.y,
+           (double)o.z,
            (double)v3_from_line(o, plan->ordinary_chord.from, plan->ordinary_chord.to));
 }
 

@@ -8,9 +8,9 @@
 #include "platform/ctl/morph_path_view.h"
 
 #define SVG_WAY "#c8371f"
-#define STRAIGHT_LENGTHS 1e-4f /* Distance from the chord in body lengths below which a path counts
-                                  as straight. The value is less than three quantization steps of
-                                  the mesh tables. */
+/* Distance from the chord in body lengths below which a path counts as straight. The value is less
+ * than three quantization steps of the mesh tables. */
+#define STRAIGHT_LENGTHS 1e-4f
 
 static void draw_fish(struct picture *picture, const struct window *window, double opacity)
 {
@@ -55,8 +55,10 @@ static void draw_reach(struct picture *picture, const struct window *window)
         picture->plan->pick.fish->lod[0].anchor_count > 0) {
         return;
     }
-    svg_put(&picture->svg, "<polygon fill=\"#8a8580\" fill-opacity=\"0.22\" stroke=\"%s\" "
-                           "points=\"", SVG_GREY);
+    svg_put(&picture->svg,
+            "<polygon fill=\"#8a8580\" fill-opacity=\"0.22\" stroke=\"%s\" "
+            "points=\"",
+            SVG_GREY);
     for (uint32_t key = 0; key < picture->keys.key_count; key++) {
         double x, y;
         path_place(window, path_solved(picture, key), &x, &y);
@@ -66,8 +68,9 @@ static void draw_reach(struct picture *picture, const struct window *window)
 }
 
 struct label {
-    double x, y, width; /* `x` and `y` are the left end of the label's base line, and `width` is the
-                           width of its text, in pixels. */
+    /* `x` and `y` are the left end of the label's base line, and `width` is the width of its text,
+     * in pixels. */
+    double x, y, width;
 };
 
 static bool overlaps(struct label a, struct label b)
@@ -134,8 +137,8 @@ static void draw_bend(struct picture *picture, const struct window *window)
     path_place(window, picture->farthest, &x0, &y0);
     path_place(window, v3_mad(plan->chord.from, along, share), &x1, &y1);
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_INK, 1.2, NULL);
-    svg_text(&picture->svg, x1 + 10.0, y1 + 5.0, 14.0, "start", SVG_INK,
-             "%.4f", (double)picture->farthest_lengths);
+    svg_text(&picture->svg, x1 + 10.0, y1 + 5.0, 14.0, "start", SVG_INK, "%.4f",
+             (double)picture->farthest_lengths);
 }
 
 static void draw_frame(struct picture *picture, const struct window *window, const char *id)

@@ -103,9 +103,10 @@ struct window path_lens(const struct picture *picture, enum outline_view view)
     double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 };
     vec3 least = { 1e9f, 1e9f, 1e9f }, most = { -1e9f, -1e9f, -1e9f };
     for (uint32_t i = 0; i <= PATH_SAMPLES + 2u * keys; i++) {
-        const vec3 p = i <= PATH_SAMPLES           ? picture->way[i]
-                       : i <= PATH_SAMPLES + keys ? path_key(picture, i - PATH_SAMPLES - 1u)
-                                             : path_solved(picture, i - PATH_SAMPLES - keys - 1u);
+        const vec3 p = i <= PATH_SAMPLES ? picture->way[i]
+                       : i <= PATH_SAMPLES + keys
+                           ? path_key(picture, i - PATH_SAMPLES - 1u)
+                           : path_solved(picture, i - PATH_SAMPLES - keys - 1u);
         double at[2];
         path_place(&flat, p, &at[0], &at[1]);
         for (int axis = 0; axis < 2; axis++) {
@@ -116,25 +117,33 @@ struct window path_lens(const struct picture *picture, enum outline_view view)
         most = v3(f_max(most.x, p.x), f_max(most.y, p.y), f_max(most.z, p.z));
     }
     const double span = fmax(fmax(high[0] - low[0], high[1] - low[1]), 0.01);
-    return (struct window){ .x = PATH_WIDTH - PATH_LENS - 50.0, .y = 90.0, .width = PATH_LENS,
-                            .height = PATH_LENS, .length_px = PATH_LENS / (1.45 * span),
-                            .middle = v3_scale(v3_add(least, most), 0.5f), .view = view };
+    return (struct window){ .x = PATH_WIDTH - PATH_LENS - 50.0,
+                            .y = 90.0,
+                            .width = PATH_LENS,
+                            .height = PATH_LENS,
+                            .length_px = PATH_LENS / (1.45 * span),
+                            .middle = v3_scale(v3_add(least, most), 0.5f),
+                            .view = view };
 }
 
 struct window path_whole(const struct picture *picture, enum outline_view view)
 {
-    struct window window = { .x = 50.0, .y = 90.0, .width = 660.0, .height = PATH_LENS,
-                             .length_px = 1.0, .view = view };
+    struct window window = {
+        .x = 50.0, .y = 90.0, .width = 660.0, .height = PATH_LENS, .length_px = 1.0, .view = view
+    };
     double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 };
     for (uint32_t key = 0; key < picture->keys.key_count; key++) {
         const struct outline outline = {
-            .species = picture->plan->pick.fish, .rig = &picture->keys, .view = view,
-            .progress = (float)key / (float)(picture->keys.key_count - 1u), .length_px = 1.0,
+            .species = picture->plan->pick.fish,
+            .rig = &picture->keys,
+            .view = view,
+            .progress = (float)key / (float)(picture->keys.key_count - 1u),
+            .length_px = 1.0,
         };
         outline_measure(&outline, low, high);
     }
-    window.length_px = fmin(0.92 * window.width / (high[0] - low[0]),
-                            0.92 * window.height / (high[1] - low[1]));
+    window.length_px =
+        fmin(0.92 * window.width / (high[0] - low[0]), 0.92 * window.height / (high[1] - low[1]));
     window.shift_x = -0.5 * (low[0] + high[0]) * window.length_px;
     window.shift_y = -0.5 * (low[1] + high[1]) * window.length_px;
     return window;

@@ -14,8 +14,8 @@
 struct window {
     double x, y, width, height; /* Position and size of the window's frame, pixels. */
     double length_px;
-    vec3 middle;                /* Body point at the middle of the window, before `shift_x` and
-                                   `shift_y` are applied. */
+    /* Body point at the middle of the window, before `shift_x` and `shift_y` are applied. */
+    vec3 middle;
     double shift_x, shift_y;    /* Offset of `middle` from the window's middle, pixels. */
     enum outline_view view;
 };
@@ -25,8 +25,8 @@ struct picture {
     struct svg svg;
     struct morph_rig keys;         /* Rig that reaches every key completely. */
     vec3 way[PATH_SAMPLES + 1u];   /* Path of the part. */
-    vec3 drawn[PATH_SAMPLES + 1u]; /* Path that Kingyo's own method gives. Used only with
-                                      --thesis. */
+    /* Path that Kingyo's own method gives. Used only with --thesis. */
+    vec3 drawn[PATH_SAMPLES + 1u];
     vec3 farthest;                 /* Point of the path that is farthest from the chord. */
     float farthest_progress, farthest_lengths;
 };

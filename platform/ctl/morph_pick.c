@@ -8,8 +8,9 @@
 #include "platform/number.h"
 
 #define LENGTH_SAMPLES 1000u
-#define ROUNDED 1e-3 /* Tolerance for a value outside the range, because a rounded value that was
-                        printed may be entered again. */
+/* Tolerance for a value outside the range, because a rounded value that was printed may be entered
+ * again. */
+#define ROUNDED 1e-3
 
 static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
                                                             "simultaneous", "smooth" };
@@ -49,18 +50,16 @@ static enum exit_code take_own(const char *command, const struct morph_option *o
         *option->text = value;
         return value && *value ? EXIT_OK : morph_usage(command, "%s needs a value", option->name);
     }
-    if (option->count ? number_parse(value, (uint32_t)option->min, (uint32_t)option->max,
-                                     option->count)
-                      : number_parse_decimal(value, option->min, option->max, option->number)) {
+    if (option->count
+            ? number_parse(value, (uint32_t)option->min, (uint32_t)option->max, option->count)
+            : number_parse_decimal(value, option->min, option->max, option->number)) {
         return EXIT_OK;
     }
     return morph_usage(command, "%s: '%.40s' is not a %snumber from %.10g to %.10g", option->name,
-                       value ? value : "", option->count ? "whole " : "", option->min,
-                       option->max);
+                       value ? value : "", option->count ? "whole " : "", option->min, option->max);
 }
 
-static enum exit_code take_template(struct morph_pick *pick, const char *command,
-                                    const char *value)
+static enum exit_code take_template(struct morph_pick *pick, const char *command, const char *value)
 {
     for (enum graph_template i = TEMPLATE_OWN; value && i < TEMPLATE_COUNT; i++) {
         if (strcmp(value, template_names[i]) == 0) {
@@ -68,15 +67,17 @@ static enum exit_code take_template(struct morph_pick *pick, const char *command
             return EXIT_OK;
         }
     }
-    return morph_usage(command, "--template: '%.40s' is not own, ordinary, pairwise, simultaneous "
-                                "or smooth", value ? value : "");
+    return morph_usage(command,
+                       "--template: '%.40s' is not own, ordinary, pairwise, simultaneous "
+                       "or smooth",
+                       value ? value : "");
 }
 
 /* Parses one option and its value. Sets `*used` to the number of words that were read, or to 0 if
  * the option is unknown. */
-static enum exit_code take_shared(struct morph_pick *pick, struct words *words,
-                                  const char *command, enum morph_asks asks, const char *option,
-                                  const char *value, int *used)
+static enum exit_code take_shared(struct morph_pick *pick, struct words *words, const char *command,
+                                  enum morph_asks asks, const char *option, const char *value,
+                                  int *used)
 {
     *used = 2;
     if ((asks & MORPH_ASKS_CURVES) && strcmp(option, "--template") == 0) {
@@ -169,9 +170,11 @@ static enum exit_code check_drawn(const struct species_card *card, enum place pl
     if (asked >= (double)from * (1.0 - ROUNDED) && asked <= (double)to * (1.0 + ROUNDED)) {
         return EXIT_OK;
     }
-    return morph_usage(command, "%s: %.10g is outside the drawn life: %s is drawn from %.6g to "
-                                "%.6g %s", place_options[place].name, asked, card->id,
-                       (double)from, (double)to, place == PLACE_AGE_DAYS ? "days" : "mm");
+    return morph_usage(command,
+                       "%s: %.10g is outside the drawn life: %s is drawn from %.6g to "
+                       "%.6g %s",
+                       place_options[place].name, asked, card->id, (double)from, (double)to,
+                       place == PLACE_AGE_DAYS ? "days" : "mm");
 }
 
 static enum exit_code settle_place(struct morph_pick *pick, const struct words *words,
@@ -232,9 +235,8 @@ enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enu
     int used = 1;
     *pick = (struct morph_pick){ .template = TEMPLATE_OWN };
     for (int i = 0; i < argc; i += used) {
-        const enum exit_code code =
-            take_any(pick, &words, command, asks, options, option_count, argv[i],
-                     i + 1 < argc ? argv[i + 1] : NULL, &used);
+        const enum exit_code code = take_any(pick, &words, command, asks, options, option_count,
+                                             argv[i], i + 1 < argc ? argv[i + 1] : NULL, &used);
         if (code != EXIT_OK) {
             return code;
         }

@@ -27,20 +27,21 @@ struct morph_option {
 enum morph_asks {
     MORPH_ASKS_FISH = 0,   /* The subcommand takes only SPECIES|FILE. */
     MORPH_ASKS_CURVES = 1, /* The subcommand also takes --template and --thesis. */
-    MORPH_ASKS_PLACE = 2,  /* The subcommand also takes --template, --thesis, and one of --progress,
-                              --age-days and --length-mm. */
+    /* The subcommand also takes --template, --thesis, and one of --progress, --age-days and
+     * --length-mm. */
+    MORPH_ASKS_PLACE = 2,
 };
 
 struct morph_pick {
     const char *word;             /* SPECIES|FILE as the user wrote it. */
     const struct species *drawn;  /* Species with all its keys, parts and anchors. */
-    const struct species *fish;   /* Species after --thesis and --template ordinary were applied. */
-    struct morph_rig rig;         /* Rig of `fish`. */
-    enum graph_template template; /* Template of the graph. TEMPLATE_OWN unless --template selects
-                                     another. */
+    const struct species *fish; /* Species after --thesis and --template ordinary were applied. */
+    struct morph_rig rig; /* Rig of `fish`. */
+    /* Template of the graph. TEMPLATE_OWN unless --template selects another. */
+    enum graph_template template;
     bool thesis;
-    bool has_place; /* True if --progress, --age-days or --length-mm was given. Otherwise progress
-                       is 0. */
+    /* True if --progress, --age-days or --length-mm was given. Otherwise progress is 0. */
+    bool has_place;
     float progress; /* Progress of the fish's life, in [0, 1]. */
 };
 

@@ -79,8 +79,10 @@ enum exit_code morph_pick_unknown(const char *command, const char *word)
         snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
                  species_table[i]->card.id);
     }
-    return morph_usage(command, "'%.100s' is no species; there are %s, and files (NAME.txt or "
-                                "NAME.kfish)", word, list);
+    return morph_usage(command,
+                       "'%.100s' is no species; there are %s, and files (NAME.txt or "
+                       "NAME.kfish)",
+                       word, list);
 }
 
 enum exit_code morph_pick_open(struct morph_pick *pick, const char *command)

@@ -11,8 +11,9 @@
 #define HEAD_HEIGHT 132.0f
 #define CELL_FILL 0.86f      /* Share of a cell's width that the longest fish fills. */
 #define GAP 14.0f            /* Space above and below a fish, pixels. */
-#define KEY_COLUMNS_MAX 4u   /* Maximum number of keys in a row. More keys use more rows, so that
-                                each key stays large enough to examine. */
+/* Maximum number of keys in a row. More keys use more rows, so that each key stays large enough to
+ * examine. */
+#define KEY_COLUMNS_MAX 4u
 #define KEY_WORDS_PX 24.0f
 #define BETWEEN_WORDS_PX 15.0f
 
@@ -33,8 +34,8 @@ struct page {
     bool failed;
 };
 
-static struct portrait portrait; /* Static because the object is too large for a stack. Only one
-                                    portrait exists at a time. */
+/* Static because the object is too large for a stack. Only one portrait exists at a time. */
+static struct portrait portrait;
 
 /* ---- The page -------------------------------------------------------------------------------- */
 
@@ -43,8 +44,9 @@ static struct layout plan(const struct page *page, uint32_t columns, float words
     struct layout layout = { .columns = columns,
                              .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
                              .words_px = words_px };
-    float most = 0.0f; /* Greatest extent of all views. The vertical extent counts too, because a
-                          maker's fish may be higher than it is long. */
+    /* Greatest extent of all views. The vertical extent counts too, because a maker's fish may be
+     * higher than it is long. */
+    float most = 0.0f;
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
         const struct portrait_bounds *b = &page->bounds[view];
         most = f_max(most, f_max(b->right - b->left, b->high - b->low));
@@ -118,8 +120,7 @@ static void draw_stage(struct page *page, const struct layout *layout, uint32_t 
                progress);
 }
 
-static void draw_water(struct page *page, const struct layout *layout, float top,
-                       uint32_t columns)
+static void draw_water(struct page *page, const struct layout *layout, float top, uint32_t columns)
 {
     const struct canvas_box water = { MARGIN, top, (float)columns * layout->cell_width,
                                       layout->water_height };
@@ -181,7 +182,7 @@ static uint32_t key_rows(const struct morph_pick *pick)
 static void draw_page(struct page *page)
 {
     const struct canvas_box paper = { 0.0f, 0.0f, (float)page->canvas.width,
-                                     (float)page->canvas.height };
+                                      (float)page->canvas.height };
     float top = HEAD_HEIGHT;
     canvas_fill(&page->canvas, paper, PAPER, PAPER);
     draw_head(page);

@@ -6,8 +6,8 @@
 #include "platform/ctl/morph_pick.h"
 #include "platform/ctl/portrait.h"
 
-#define SHEET_WATER_ABOVE 0xa7c4cbu /* Colour of the water, dark enough to show glass larvae and
-                                       light enough to show black eels. */
+/* Colour of the water, dark enough to show glass larvae and light enough to show black eels. */
+#define SHEET_WATER_ABOVE 0xa7c4cbu
 #define SHEET_WATER_BELOW 0x6d94a1u
 
 /* Computes the bounds of the fish in each view over its whole life. `portrait` is a scratch

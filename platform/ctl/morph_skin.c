@@ -124,8 +124,7 @@ static double side_of(vec3 a, vec3 b, vec3 p)
     const bool swap = b.y < a.y || (b.y == a.y && b.z < a.z);
     const vec3 from = swap ? b : a, to = swap ? a : b;
     const double y = (double)to.y - (double)from.y, z = (double)to.z - (double)from.z;
-    const double side =
-        y * ((double)p.z - (double)from.z) - z * ((double)p.y - (double)from.y);
+    const double side = y * ((double)p.z - (double)from.z) - z * ((double)p.y - (double)from.y);
     const double never_on_it = side >= 0.0 ? fmax(side, DBL_MIN) : side;
     return swap ? -never_on_it : never_on_it;
 }
@@ -143,8 +142,8 @@ static bool lies_right(const vec3 c[3], vec3 p)
 
 bool skin_has(const struct skin *skin, vec3 p)
 {
-    if (skin->triangle_count == 0 || p.y < skin->low_y || p.y > skin->high_y ||
-        p.z < skin->low_z || p.z > skin->high_z) {
+    if (skin->triangle_count == 0 || p.y < skin->low_y || p.y > skin->high_y || p.z < skin->low_z ||
+        p.z > skin->high_z) {
         return false;
     }
     const uint32_t bin = bin_of(p.y, skin->low_y, skin->high_y, SKIN_ROWS) * SKIN_COLUMNS +
@@ -186,8 +185,7 @@ static float to_span(float x, float a, float b, float c)
  * the triangle. */
 static float to_box(vec3 p, const vec3 c[3])
 {
-    return v3_length(v3(to_span(p.x, c[0].x, c[1].x, c[2].x),
-                        to_span(p.y, c[0].y, c[1].y, c[2].y),
+    return v3_length(v3(to_span(p.x, c[0].x, c[1].x, c[2].x), to_span(p.y, c[0].y, c[1].y, c[2].y),
                         to_span(p.z, c[0].z, c[1].z, c[2].z)));
 }
 

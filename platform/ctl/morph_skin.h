@@ -12,8 +12,8 @@
 
 #define SKIN_TRIANGLE_MAX (MESH_INDEX_MAX / 3u)
 #define SKIN_ROWS 16u    /* Number of bin rows from bottom to top. */
-#define SKIN_COLUMNS 32u /* Number of bin columns from front to rear. A line to the right passes
-                            through exactly one bin. */
+/* Number of bin columns from front to rear. A line to the right passes through exactly one bin. */
+#define SKIN_COLUMNS 32u
 #define SKIN_BINS (SKIN_ROWS * SKIN_COLUMNS)
 
 struct skin { /* A surface with its bins. The size is about 3 MiB. */

@@ -19,8 +19,8 @@ struct finding {
 
 /* Greatest distance of a vertex from the straight line between its first and its last position. */
 struct curvature {
-    uint32_t vertex; /* Number of the vertex, or SURVEY_NOWHERE if the fish does not have the
-                        part. */
+    /* Number of the vertex, or SURVEY_NOWHERE if the fish does not have the part. */
+    uint32_t vertex;
     float from_chord;
 };
 
@@ -39,20 +39,21 @@ struct survey {
      * if it faces inward. A fin triangle is flipped if it reverses from one step to the next. */
     uint32_t flipped_skin, flipped_fins;
     float flipped_at; /* Progress at which the first flipped triangle was found. */
-    uint32_t moments_open; /* Number of moments at which the body has a hole. The inside of the body
-                              is undefined at these moments. */
+    /* Number of moments at which the body has a hole. The inside of the body is undefined at these
+     * moments. */
+    uint32_t moments_open;
     /* The following findings are penetration depths. */
     struct finding body_in_body; /* Depth of a body point in a fold of the body's own skin. */
-    struct finding fin_in_body;  /* Depth of a fin point below the root of its ray. */
-    struct finding eye_in_body;  /* Depth of an eye's visible part in the head. */
+    struct finding fin_in_body; /* Depth of a fin point below the root of its ray. */
+    struct finding eye_in_body; /* Depth of an eye's visible part in the head. */
     struct finding pupil_in_body; /* Depth of an eye's pupil in the head. */
-    struct finding eye_in_eye;   /* Depth of one eye in another eye on the same side. */
+    struct finding eye_in_eye; /* Depth of one eye in another eye on the same side. */
     struct finding fin_in_eye;
     struct finding root_off_skin; /* Distance of a fin's root above the skin. */
-    struct finding volume_dip;    /* Dip of the body's volume, as a share of the lesser volume of
-                                     the two neighbouring keys. */
-    float volume_first, volume_last; /* Body volume at progress 0 and at progress 1, for a fish of
-                                        length 1. */
+    /* Dip of the body's volume, as a share of the lesser volume of the two neighbouring keys. */
+    struct finding volume_dip;
+    /* Body volume at progress 0 and at progress 1, for a fish of length 1. */
+    float volume_first, volume_last;
     /* Greater of two errors of a key: the distance of the snout from z = -0.5, and the difference
      * between the measured length and 1. */
     struct finding size_error;
@@ -61,12 +62,13 @@ struct survey {
      * moment. `age_stands_at` is the progress of the first such moment. */
     uint32_t moments_not_older;
     float age_stands_at;
-    struct finding progress_lost; /* Difference between a progress and the progress that the fish's
-                                     age converts back to. */
-    struct finding length_lost;   /* Difference between a length and the length that it converts
-                                     back to, as a share of the length. */
-    struct finding off_growth;    /* Difference between the length and the growth curve, as a
-                                     share. */
+    /* Difference between a progress and the progress that the fish's age converts back to. */
+    struct finding progress_lost;
+    /* Difference between a length and the length that it converts back to, as a share of the
+     * length. */
+    struct finding length_lost;
+    /* Difference between the length and the growth curve, as a share. */
+    struct finding off_growth;
 };
 
 /* Measures `steps` + 1 moments from progress 0 to 1 and the moment of each key, at one level of

@@ -15,11 +15,12 @@ struct walk { /* State of a survey. The size is about 10 MiB. */
     struct morph_pose pose, key_pose;
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     vec3 key_positions[MESH_VERTEX_MAX];
-    vec3 facing[MESH_INDEX_MAX / 3]; /* Direction of each fin triangle at the last moment when the
-                                        triangle had an area. */
+    /* Direction of each fin triangle at the last moment when the triangle had an area. */
+    vec3 facing[MESH_INDEX_MAX / 3];
     bool flipped[MESH_INDEX_MAX / 3], doubtful[MESH_INDEX_MAX / 3];
-    float before; /* Progress of the previous moment. At the first moment this value is not less
-                     than the present progress. */
+    /* Progress of the previous moment. At the first moment this value is not less than the present
+     * progress. */
+    float before;
     uint32_t root[MESH_VERTEX_MAX]; /* Vertex at the root of the ray, for each fin vertex. */
     bool key_alone[MORPH_KEY_MAX];
     float key_volume[MORPH_KEY_MAX];

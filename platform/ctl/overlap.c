@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#define PARALLEL 1e-6 /* Sine of the angle below which two edges count as parallel and give no
-                         separating axis. */
+/* Sine of the angle below which two edges count as parallel and give no separating axis. */
+#define PARALLEL 1e-6
 
 static double dot(const double a[3], const double b[3])
 {
@@ -45,8 +45,8 @@ static double shadow_m(const struct overlap_box *box, const double axis[3])
 
 /* Keeps the least overlap of the projections onto the unit axes so far. Returns whether this axis
  * separates the boxes. */
-static int parted_along(const struct overlap_box *a, const struct overlap_box *b,
-                        const double d[3], const double axis[3], double *least_m)
+static int parted_along(const struct overlap_box *a, const struct overlap_box *b, const double d[3],
+                        const double axis[3], double *least_m)
 {
     const double overlap_m = shadow_m(a, axis) + shadow_m(b, axis) - fabs(dot(d, axis));
     *least_m = fmin(*least_m, overlap_m);
@@ -116,8 +116,7 @@ static struct floor_grid grid_over(const struct overlap *overlap, const struct t
     for (uint32_t i = 0; i < overlap->count; i++) {
         reach_m = fmax(reach_m, overlap->box[i].reach_m);
     }
-    const double side_m =
-        fmax(2.0 * reach_m, fmax(x_m, z_m) / (double)(OVERLAP_CELL_MAX - 1u));
+    const double side_m = fmax(2.0 * reach_m, fmax(x_m, z_m) / (double)(OVERLAP_CELL_MAX - 1u));
     return (struct floor_grid){ side_m, 0.5 * x_m, 0.5 * z_m, cells_along(x_m, side_m) + 1u,
                                 cells_along(z_m, side_m) + 1u };
 }

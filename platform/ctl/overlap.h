@@ -10,8 +10,9 @@
 
 #include "core/tank/tank.h"
 
-#define OVERLAP_DEEP_MM 0.5 /* Depth in mm above which a penetration counts as an overlap. A smaller
-                               penetration counts as a contact. */
+/* Depth in mm above which a penetration counts as an overlap. A smaller penetration counts as a
+ * contact. */
+#define OVERLAP_DEEP_MM 0.5
 /* Maximum number of cells along a side. In the largest tank of either build, a cell is about as
  * wide as two bounding balls. */
 #define OVERLAP_CELL_MAX (TANK_FISH_MAX > TANK_FISH_KIOSK ? 256u : 128u)

@@ -64,8 +64,7 @@ static void lay_fish(struct paper_lab *lab)
         fish_grow(fish, plan->fish_m, tank_law(&lab->tank));
         fish->stamina = 1.0f;
         fish->angles.yaw_rad = turn;
-        const vec3 place =
-            v3(away * f_cos(turn), 0.5f * fish->height_m, away * f_sin(turn));
+        const vec3 place = v3(away * f_cos(turn), 0.5f * fish->height_m, away * f_sin(turn));
         fish->position_m = v3_add(lab->poi.position_m, basis_to_world(&axes, place));
         fish->velocity_m_s = lab->poi.velocity_m_s;
     }
@@ -150,12 +149,12 @@ void paper_lab_tick(struct paper_lab *lab)
         catch_fish(lab); /* The fish lie on the paper from the start. */
     }
     lab->tick++;
-    pull_ring(poi, poi->position_m, &axes, poi->immersed); /* Computes the water forces on the
-                                                              ring. */
-    poi->velocity_m_s = carriage_m_s;                      /* The carriage keeps its speed
-                                                              regardless of the forces. */
-    const float whole = poi_whole(poi); /* Whole share of the paper at the moment when the force was
-                                           computed. */
+    /* Computes the water forces on the ring. */
+    pull_ring(poi, poi->position_m, &axes, poi->immersed);
+    /* The carriage keeps its speed regardless of the forces. */
+    poi->velocity_m_s = carriage_m_s;
+    /* Whole share of the paper at the moment when the force was computed. */
+    const float whole = poi_whole(poi);
     const struct obstacle ring = poi_obstacle(poi);
     poi_give_way(poi, &ring);
     note(lab, force_n(poi, &axes, whole));

@@ -17,10 +17,11 @@ struct paper_lab {
     float wetness[SHEET_CELL_COUNT]; /* Wetness of each cell, which is held constant. */
     uint32_t tick;
     /* Results so far. */
-    float force_n, tension_n_m, water_kg; /* Greatest force, tension and mass of carried water so
-                                             far. */
-    uint32_t tore_tick;                   /* Tick in which the paper first tore, counted from 1. A
-                                             value of 0 means that the paper has not torn. */
+    /* Greatest force, tension and mass of carried water so far. */
+    float force_n, tension_n_m, water_kg;
+    /* Tick in which the paper first tore, counted from 1. A value of 0 means that the paper has not
+     * torn. */
+    uint32_t tore_tick;
 };
 
 /* Initializes the lab. `plan` must outlive the lab. */

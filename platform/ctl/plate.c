@@ -43,8 +43,10 @@ void plate_name(char out[PLATE_WORDS_SIZE], const char *name)
 
 const char *plate_measure(const struct species_card *card)
 {
-    static const char *const names[] = { [MEASURE_TOTAL] = "TL", [MEASURE_STANDARD] = "SL",
-                                         [MEASURE_FORK] = "FL", [MEASURE_DISC] = "DW" };
+    static const char *const names[] = { [MEASURE_TOTAL] = "TL",
+                                         [MEASURE_STANDARD] = "SL",
+                                         [MEASURE_FORK] = "FL",
+                                         [MEASURE_DISC] = "DW" };
     return names[card->measure];
 }
 

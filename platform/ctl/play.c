@@ -33,11 +33,11 @@ struct evening {
     struct round_plan *plans;
     struct round_result *results;
     char (*paths)[PATH_MAX_CHARS]; /* Paths of the recordings. */
-    uint32_t *caught;              /* Fish caught in each round. The array is sorted for the
-                                      summary. */
-    uint32_t played, told;         /* `played` is the number of finished rounds in any order. `told`
-                                      is the number of rounds that were printed in order without a
-                                      gap. */
+    /* Fish caught in each round. The array is sorted for the summary. */
+    uint32_t *caught;
+    /* `played` is the number of finished rounds in any order. `told` is the number of rounds that
+     * were printed in order without a gap. */
+    uint32_t played, told;
     int shows_progress;
 };
 

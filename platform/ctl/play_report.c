@@ -57,8 +57,8 @@ static void tell_json(const struct round_result *result, int is_first)
     } else {
         fputs("null", stdout);
     }
-    printf(", \"sheets\": %u, \"hole_area_mm2\": %u, \"state_hash\": \"%016llx\"}",
-           result->sheets, result->hole_area_mm2, (unsigned long long)result->state_hash);
+    printf(", \"sheets\": %u, \"hole_area_mm2\": %u, \"state_hash\": \"%016llx\"}", result->sheets,
+           result->hole_area_mm2, (unsigned long long)result->state_hash);
 }
 
 void play_report_json(const struct round_result *results, uint32_t count,

@@ -6,11 +6,12 @@
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
 #define FIN_RAYS 13.0f       /* Number of rays, the same as for the kiosk's fish. */
-#define RAY_HIDES 0.22f      /* Reduction of the opacity of the skin between two rays, compared with
-                                a ray. */
+/* Reduction of the opacity of the skin between two rays, compared with a ray. */
+#define RAY_HIDES 0.22f
 #define RAY_LIGHT 0.18f      /* Reduction of the brightness of the skin between two rays. */
-#define GLASS_RIM 0.55f      /* Share by which a glass body becomes opaque where it is seen edge-on,
-                                because it reflects light there. */
+/* Share by which a glass body becomes opaque where it is seen edge-on, because it reflects light
+ * there. */
+#define GLASS_RIM 0.55f
 
 const char *const portrait_view_names[VIEW_COUNT] = { "side", "above", "aslant" };
 
@@ -99,8 +100,8 @@ static float light_on(vec3 n, bool is_fin)
 
 static float gloss_on(vec3 n, float shine)
 {
-    const vec3 between = v3(-0.2373f, 0.4012f, 0.8844f); /* Direction half way between the lamp and
-                                                            the camera. */
+    /* Direction half way between the lamp and the camera. */
+    const vec3 between = v3(-0.2373f, 0.4012f, 0.8844f);
     const float turned = f_max(v3_dot(n, between), 0.0f);
     return (0.04f + 0.30f * shine) * powf(turned, 18.0f + 40.0f * shine);
 }
@@ -113,8 +114,8 @@ static struct raster_colour look(const void *triangle, const float part[3])
     const vec3 n = facing(c, part, is_fin);
     const struct paint paint = paint_at(c->portrait->species, c->portrait->pose.weight[0], &at);
     const float rim = powf(1.0f - f_clamp(n.z, 0.0f, 1.0f), 3.0f);
-    const float ray = is_fin ? f_abs(2.0f * (at.u * FIN_RAYS - floorf(at.u * FIN_RAYS)) - 1.0f)
-                             : 1.0f;
+    const float ray =
+        is_fin ? f_abs(2.0f * (at.u * FIN_RAYS - floorf(at.u * FIN_RAYS)) - 1.0f) : 1.0f;
     float hides = portrait_hides(&paint, &at) * (1.0f - RAY_HIDES * (1.0f - ray));
     hides += (1.0f - hides) * rim * (is_fin ? 0.0f : GLASS_RIM);
     const float gloss = is_fin ? 0.0f : gloss_on(n, at.part == PART_EYE ? 1.0f : paint.shine);

@@ -11,8 +11,8 @@
 enum portrait_view {
     VIEW_SIDE,   /* View of the fish's left side. */
     VIEW_ABOVE,  /* View of the fish's back from above. */
-    VIEW_ASLANT, /* View from the left, the front and above, as a visitor sees a fish in the kiosk's
-                    tank. */
+    /* View from the left, the front and above, as a visitor sees a fish in the kiosk's tank. */
+    VIEW_ASLANT,
     VIEW_COUNT,
 };
 

@@ -8,23 +8,24 @@
 #include "core/base/panic.h"
 
 #define SAMPLE_COUNT 16u
-#define PILE_MAX 32u          /* Maximum number of layers of one sample, more than a fish has. */
-#define HIDDEN 0.002f         /* Remaining light below which deeper layers are invisible: half a
-                                 step of 256 grey levels. */
+#define PILE_MAX 32u /* Maximum number of layers of one sample, more than a fish has. */
+/* Remaining light below which deeper layers are invisible: half a step of 256 grey levels. */
+#define HIDDEN 0.002f
 #define LAYERS_AT_FIRST 65536u
 
 /* Sixteen sample positions, in sixteenths of a pixel from the centre. No two positions share a row
  * or a column, so edges near the axes have sixteen grey levels and not four. */
 static const int8_t sample_at[SAMPLE_COUNT][2] = {
-    { 1, 1 },   { -1, -3 }, { -3, 2 }, { 4, -1 }, { -5, -2 }, { 2, 5 },  { 5, 3 },  { 3, -5 },
-    { -2, 6 },  { 0, -7 },  { -4, -6 }, { -6, 4 }, { -8, 0 },  { 7, -4 }, { 6, 7 },  { -7, -8 },
+    { 1, 1 },  { -1, -3 }, { -3, 2 },  { 4, -1 }, { -5, -2 }, { 2, 5 },  { 5, 3 }, { 3, -5 },
+    { -2, 6 }, { 0, -7 },  { -4, -6 }, { -6, 4 }, { -8, 0 },  { 7, -4 }, { 6, 7 }, { -7, -8 },
 };
 
 struct edge {
-    float dx, dy, at; /* Coefficients of the edge function. A point is inside if dx * x + dy * y +
-                         at > 0. */
-    bool owns;        /* True if points exactly on the edge belong to this triangle. The value is
-                         true for only one of two triangles that share the edge. */
+    /* Coefficients of the edge function. A point is inside if dx * x + dy * y + at > 0. */
+    float dx, dy, at;
+    /* True if points exactly on the edge belong to this triangle. The value is true for only one of
+     * two triangles that share the edge. */
+    bool owns;
 };
 
 static vec3 sample_offset(uint32_t s)

@@ -15,18 +15,20 @@
 struct raster_layer {
     vec3 colour;                      /* Linear colour. */
     float hides;                      /* Opacity in [0, 1]. A value of 1 is opaque. */
-    float depth, depth_dx, depth_dy;  /* `depth` is the depth at the pixel's centre, and a larger
-                                         depth is nearer. `depth_dx` and `depth_dy` are its
-                                         slopes. */
-    uint32_t below;                   /* Number of the layer that was drawn before in the same
-                                         pixel, counted from 1. A value of 0 means no layer. */
-    uint16_t samples;                 /* Mask of the covered samples of the pixel. */
+    /* `depth` is the depth at the pixel's centre, and a larger depth is nearer. `depth_dx` and
+     * `depth_dy` are its slopes. */
+    float depth, depth_dx, depth_dy;
+    /* Number of the layer that was drawn before in the same pixel, counted from 1. A value of 0
+     * means no layer. */
+    uint32_t below;
+    uint16_t samples; /* Mask of the covered samples of the pixel. */
 };
 
 struct raster {
     uint32_t width, height;
-    uint32_t *top; /* Number of the newest layer of each pixel, counted from 1. The array has width
-                      x height elements. */
+    /* Number of the newest layer of each pixel, counted from 1. The array has width x height
+     * elements. */
+    uint32_t *top;
     struct raster_layer *layers;
     size_t layer_count, layer_room;
     bool failed; /* True if memory allocation for a layer failed. */

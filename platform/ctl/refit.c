@@ -8,19 +8,20 @@
 #include "platform/ctl/refit.h"
 
 #define ROUNDS 24u
-#define SWEEPS 30u           /* Gauss-Seidel sweeps for each round. Neighbours then agree to a
-                                thousandth. */
-#define STIFF_FIRST 20.0f    /* Weight of an edge relative to the pull of a vertex in the first
-                                round. */
-#define STIFF_LAST 0.15f     /* Weight of an edge relative to the pull of a vertex in the last
-                                round. */
-#define BACK_PULL 0.5f       /* Weight of the pull from a vertex of the mesh on the nearest vertex
-                                of the template. */
-#define BACK_MAX 6000u       /* Maximum number of mesh vertices that pull. A larger mesh is sampled
-                                evenly. */
+/* Gauss-Seidel sweeps for each round. Neighbours then agree to a thousandth. */
+#define SWEEPS 30u
+/* Weight of an edge relative to the pull of a vertex in the first round. */
+#define STIFF_FIRST 20.0f
+/* Weight of an edge relative to the pull of a vertex in the last round. */
+#define STIFF_LAST 0.15f
+/* Weight of the pull from a vertex of the mesh on the nearest vertex of the template. */
+#define BACK_PULL 0.5f
+/* Maximum number of mesh vertices that pull. A larger mesh is sampled evenly. */
+#define BACK_MAX 6000u
 #define EDGE_MAX (3u * MESH_INDEX_MAX)
-#define FAR_SHARE 0.30f      /* Greatest pull distance as a share of the length. A vertex is not
-                                attracted to a surface farther away. */
+/* Greatest pull distance as a share of the length. A vertex is not attracted to a surface farther
+ * away. */
+#define FAR_SHARE 0.30f
 
 /* One level of detail during the fit. Coinciding vertices of a part share one place. */
 struct fitting {
@@ -31,9 +32,8 @@ struct fitting {
     vec3 rest[MESH_VERTEX_MAX], now[MESH_VERTEX_MAX];
     vec3 pull[MESH_VERTEX_MAX];
     float weight[MESH_VERTEX_MAX];
-    uint32_t first[MESH_VERTEX_MAX + 1], other[EDGE_MAX]; /* Neighbours of each place: the index of
-                                                             the first neighbour, and the list of
-                                                             neighbours. */
+    /* Neighbours of each place: the index of the first neighbour, and the list of neighbours. */
+    uint32_t first[MESH_VERTEX_MAX + 1], other[EDGE_MAX];
 };
 
 static struct tree target_tree, fitted_tree;
@@ -46,8 +46,7 @@ static void find_places(const vec3 *positions)
         for (uint32_t j = 0; j < i && fit.place[i] == i; j++) {
             const vec3 d = v3_sub(positions[i], positions[j]);
             if (fit.mesh->vertices[i].part == fit.mesh->vertices[j].part &&
-                fit.mesh->vertices[i].side == fit.mesh->vertices[j].side &&
-                v3_dot(d, d) < 1e-12f) {
+                fit.mesh->vertices[i].side == fit.mesh->vertices[j].side && v3_dot(d, d) < 1e-12f) {
                 fit.place[i] = fit.place[j];
             }
         }
@@ -179,8 +178,8 @@ static void make_normals(vec3 *normals)
     memset(normals, 0, MESH_VERTEX_MAX * sizeof *normals);
     for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
         const uint16_t *t = &fit.mesh->indices[i];
-        const vec3 normal = v3_cross(v3_sub(fit.now[t[1]], fit.now[t[0]]),
-                                     v3_sub(fit.now[t[2]], fit.now[t[0]]));
+        const vec3 normal =
+            v3_cross(v3_sub(fit.now[t[1]], fit.now[t[0]]), v3_sub(fit.now[t[2]], fit.now[t[0]]));
         for (uint32_t k = 0; k < 3; k++) {
             vec3 *sum = &normals[fit.place[t[k]]];
             const bool sheet = fit.mesh->vertices[t[k]].part >= PART_TAIL;
@@ -218,8 +217,7 @@ static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
         const uint8_t anchor = mesh->vertices[i].anchor;
         if (anchor != ANCHOR_NONE) {
             const struct anchor_pose *at = &pose.anchor[anchor];
-            put_point(slot, lod, key, i,
-                      quat_turn_back(at->turn, v3_sub(fit.now[i], at->position)),
+            put_point(slot, lod, key, i, quat_turn_back(at->turn, v3_sub(fit.now[i], at->position)),
                       quat_turn_back(at->turn, normals[i]));
         }
     }

@@ -48,10 +48,11 @@ struct refit_error {
 struct refit_result {
     struct refit_error to_mesh;   /* Distances of the fitted vertices from the mesh. */
     struct refit_error from_mesh; /* Distances of the mesh's vertices from the fitted surface. */
-    float mark_max;               /* Greatest distance of a fitted landmark from the mesh's
-                                     landmark. */
-    const char *stray;            /* Name of the landmark that lies farthest from the mesh, or "".
-                                     The string belongs to the landmark list. */
+    /* Greatest distance of a fitted landmark from the mesh's landmark. */
+    float mark_max;
+    /* Name of the landmark that lies farthest from the mesh, or "". The string belongs to the
+     * landmark list. */
+    const char *stray;
     float stray_gap;              /* Distance of the landmark `stray` from the mesh. */
 };
 
@@ -66,8 +67,8 @@ void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh
  * or EXIT_IO and writes a reason with the file's name to `why` after an error. */
 struct import_plan;
 enum exit_code refit_files(struct species_slot *slot, const char *const *files,
-                           const char *const *marks, uint32_t count,
-                           const struct import_plan *plan, char why[IMPORT_WHY_SIZE]);
+                           const char *const *marks, uint32_t count, const struct import_plan *plan,
+                           char why[IMPORT_WHY_SIZE]);
 
 /* ---- refit_tree.c: the nearest point of a surface ------------------------------------------- */
 
@@ -83,9 +84,9 @@ struct tree {
     struct tree_triangle triangles[TREE_TRIANGLE_MAX];
     struct tree_node {
         vec3 low, high;
-        uint32_t first, count; /* Range of triangles of a leaf. In a branch, `count` is 0 and
-                                  `first` is the number of the second child. The first child is the
-                                  next node. */
+        /* Range of triangles of a leaf. In a branch, `count` is 0 and `first` is the number of the
+         * second child. The first child is the next node. */
+        uint32_t first, count;
     } nodes[2 * TREE_TRIANGLE_MAX];
 };
 

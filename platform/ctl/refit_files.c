@@ -8,8 +8,9 @@
 #include "platform/ctl/refit.h"
 #include "platform/print.h"
 
-#define STRAY_MAX 0.1f /* Greatest distance of a landmark from the surface, as a share of the
-                          length. A landmark may lie inside the body. */
+/* Greatest distance of a landmark from the surface, as a share of the length. A landmark may lie
+ * inside the body. */
+#define STRAY_MAX 0.1f
 
 static const struct landmark *mark_of(const struct mark_list *marks, const char *name)
 {
@@ -79,14 +80,14 @@ static void tell(const char *file, const struct refit_result *result)
                "  %-24s fit to mesh: mean %.3f, RMS %.3f, max %.2f %% of length;"
                " mesh to fit: %.3f, %.3f, %.2f %%; landmarks within %.2f %%",
                file, 100.0 * (double)result->to_mesh.mean, 100.0 * (double)result->to_mesh.rms,
-           100.0 * (double)result->to_mesh.max, 100.0 * (double)result->from_mesh.mean,
-           100.0 * (double)result->from_mesh.rms, 100.0 * (double)result->from_mesh.max,
-           100.0 * (double)result->mark_max);
+               100.0 * (double)result->to_mesh.max, 100.0 * (double)result->from_mesh.mean,
+               100.0 * (double)result->from_mesh.rms, 100.0 * (double)result->from_mesh.max,
+               100.0 * (double)result->mark_max);
 }
 
 enum exit_code refit_files(struct species_slot *slot, const char *const *files,
-                           const char *const *marks, uint32_t count,
-                           const struct import_plan *plan, char why[IMPORT_WHY_SIZE])
+                           const char *const *marks, uint32_t count, const struct import_plan *plan,
+                           char why[IMPORT_WHY_SIZE])
 {
     static struct import_mesh mesh;
     static struct mark_list list;

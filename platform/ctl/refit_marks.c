@@ -202,9 +202,10 @@ bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, c
 
 #define SYSTEM_MAX MARK_LIST_MAX
 #define RIDGE 0.0005 /* Regularization of the affine fit, in squared lengths for one landmark. */
-#define REACH 0.8       /* Radius of the bump around a landmark, in lengths. */
-#define SLACK 1e-4      /* Smoothing of the bumps. Landmarks that nearly coincide may keep this
-                           share of the difference of their displacements. */
+#define REACH 0.8 /* Radius of the bump around a landmark, in lengths. */
+/* Smoothing of the bumps. Landmarks that nearly coincide may keep this share of the difference of
+ * their displacements. */
+#define SLACK 1e-4
 
 static double gap(vec3 a, vec3 b)
 {

@@ -5,8 +5,8 @@
 #include "platform/ctl/refit.h"
 
 #define LEAF_MAX 4u
-#define DEPTH_MAX 64u /* Maximum depth of the search stack. A binary tree of 131,072 triangles is
-                         about 18 levels deep. */
+/* Maximum depth of the search stack. A binary tree of 131,072 triangles is about 18 levels deep. */
+#define DEPTH_MAX 64u
 
 void tree_add(struct tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part)
 {
@@ -86,7 +86,9 @@ void tree_build(struct tree *tree)
         }
         const vec3 size = v3_sub(node->high, node->low);
         qsort(&tree->triangles[range.first], range.count, sizeof tree->triangles[0],
-              size.x >= size.y && size.x >= size.z ? by_x : size.y >= size.z ? by_y : by_z);
+              size.x >= size.y && size.x >= size.z ? by_x
+              : size.y >= size.z                   ? by_y
+                                                   : by_z);
         const uint32_t half = range.count / 2;
         node->count = 0;
         waiting[depth++] = (struct range){ range.first + half, range.count - half, index };

@@ -25,19 +25,19 @@
 #include "platform/store/ledger_backup.h"
 #include "platform/store/sql.h"
 
-#define PATH_MAX_BYTES 520u /* Maximum length in bytes of the database's path, the same as at the
-                               program start of the kiosk. */
-#define BEFORE_MAX 1000u    /* Maximum number of earlier databases beside the present one. */
+/* Maximum length in bytes of the database's path, the same as at the program start of the kiosk. */
+#define PATH_MAX_BYTES 520u
+#define BEFORE_MAX 1000u /* Maximum number of earlier databases beside the present one. */
 
 static const char command[] = "backup --restore";
 
 /* State of a restore. */
 struct swap {
-    char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's database. */
-    char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that replaces the database. */
+    char own[BOOKS_PATH_SIZE]; /* Path of the kiosk's database. */
+    char fresh[LEDGER_PATH_SIZE]; /* Path of the copy that replaces the database. */
     char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
-    struct ledger_start copied;    /* Start record of the copy, or zeros if an older version of
-                                      Kingyo wrote the copy. */
+    /* Start record of the copy, or zeros if an older version of Kingyo wrote the copy. */
+    struct ledger_start copied;
 };
 
 static enum exit_code fails(const char *path, const char *why)
@@ -57,8 +57,7 @@ static int is_locked(const char *path)
 {
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
     const int handle = plain_file_handle(path, O_RDONLY, 0);
-    const int is_held =
-        handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    const int is_held = handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
     if (handle >= 0) {
         close(handle);
     }
@@ -107,8 +106,8 @@ static int give_to_its_user(const struct swap *swap)
 static enum exit_code refuse_copy(const char *from, int code)
 {
     if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
-        fails(from, code == SQLITE_NOTFOUND ? "is no copy of a stall's file"
-                                            : ledger_file_error(code));
+        fails(from,
+              code == SQLITE_NOTFOUND ? "is no copy of a stall's file" : ledger_file_error(code));
     }
     return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
 }
@@ -170,8 +169,8 @@ static int move_one(const struct swap *swap, const char *suffix)
 static int put_in_place(const struct swap *swap)
 {
     if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_TAIL_SUFFIX) != 0 ||
-        ledger_sync_folder(swap->own) != 0 ||
-        move_one(swap, "") != 0 || ledger_sync_folder(swap->own) != 0) {
+        ledger_sync_folder(swap->own) != 0 || move_one(swap, "") != 0 ||
+        ledger_sync_folder(swap->own) != 0) {
         return -1;
     }
     return move_one(swap, "-wal") == 0 && move_one(swap, "-journal") == 0 &&
@@ -201,8 +200,7 @@ enum exit_code restore(const struct books_words *words, const char *named)
 {
     struct swap swap = { 0 };
     char resolved[PATH_MAX]; /* Follows a link that the user named. */
-    const char *from =
-        plain_file_is_other(named) && realpath(named, resolved) ? resolved : named;
+    const char *from = plain_file_is_other(named) && realpath(named, resolved) ? resolved : named;
     books_path(words, swap.own);
     if (strlen(swap.own) > PATH_MAX_BYTES) {
         return ctl_usage("backup", "the name is too long");

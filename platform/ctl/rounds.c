@@ -10,8 +10,8 @@
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder.h"
 
-#define ROUND_TICKS_MAX (700u * CORE_TICK_HZ) /* Maximum length of a round: the longest round, its
-                                                 countdown and a margin. */
+/* Maximum length of a round: the longest round, its countdown and a margin. */
+#define ROUND_TICKS_MAX (700u * CORE_TICK_HZ)
 
 /* State of one worker, which is too large for a stack. */
 struct seat {
@@ -153,8 +153,8 @@ struct hall {
     const struct rounds *rounds;
     pthread_mutex_t lock;
     uint32_t next;       /* Next plan that no worker has taken. */
-    enum exit_code code; /* Exit code of the first failure. After a failure, no worker takes another
-                            plan. */
+    /* Exit code of the first failure. After a failure, no worker takes another plan. */
+    enum exit_code code;
 };
 
 /* Returns the next plan, or `count` if there is none. */

@@ -23,35 +23,37 @@ struct round_plan {
     uint8_t mode;        /* Game mode, enum game_mode. */
     uint8_t grade;       /* Paper grade 4 .. 7. A value of 0 selects the grade of the mode. */
     uint32_t fish_count; /* Number of fish. A value of 0 selects the number of the tank preset. */
-    uint32_t round_s;    /* Length of the round in seconds, 10 .. 600. A value of 0 selects the
-                            length of the mode. */
-    const char *record;  /* Path of the recording to create, or null for no recording. The file must
-                            not exist. The caller owns the string. */
+    /* Length of the round in seconds, 10 .. 600. A value of 0 selects the length of the mode. */
+    uint32_t round_s;
+    /* Path of the recording to create, or null for no recording. The file must not exist. The
+     * caller owns the string. */
+    const char *record;
 };
 
 struct round_result {
-    enum exit_code code;    /* Exit code of the round, or EXIT_NOT_SO until the round has ended. If
-                               the code is not EXIT_OK, only `error` and `is_refused` are valid. */
-    int error;              /* errno of the recording if `code` is EXIT_IO. */
-    uint8_t is_refused;     /* 1 if `code` is EXIT_NOT_SO because the core returned
-                               CORE_ERR_FLOAT. */
-    uint32_t caught;        /* Number of caught fish that count. */
-    uint32_t scoops;        /* Number of times the ring entered the water. */
+    /* Exit code of the round, or EXIT_NOT_SO until the round has ended. If the code is not EXIT_OK,
+     * only `error` and `is_refused` are valid. */
+    enum exit_code code;
+    int error; /* errno of the recording if `code` is EXIT_IO. */
+    /* 1 if `code` is EXIT_NOT_SO because the core returned CORE_ERR_FLOAT. */
+    uint8_t is_refused;
+    uint32_t caught; /* Number of caught fish that count. */
+    uint32_t scoops; /* Number of times the ring entered the water. */
     uint32_t fouls;
-    uint8_t torn;           /* 1 if the first paper tore so far that it could not hold a fish. */
-    double torn_at_s;       /* Second of the round in which the first paper tore. */
-    uint32_t sheets;        /* Number of papers that the player used. A torn paper is replaced in a
-                               practice round. */
+    uint8_t torn; /* 1 if the first paper tore so far that it could not hold a fish. */
+    double torn_at_s; /* Second of the round in which the first paper tore. */
+    /* Number of papers that the player used. A torn paper is replaced in a practice round. */
+    uint32_t sheets;
     uint32_t hole_area_mm2; /* Hole area of the last paper at the end of the round. */
-    double length_s;        /* Length of the round in seconds. */
-    uint64_t state_hash;    /* Hash of the core (core_hash()) at the end of the round. */
+    double length_s; /* Length of the round in seconds. */
+    uint64_t state_hash; /* Hash of the core (core_hash()) at the end of the round. */
 };
 
 struct rounds {
     const struct round_plan *plans;
     struct round_result *results; /* Results, one for each plan. */
-    uint32_t count;               /* Number of rounds, at most ROUNDS_MAX. */
-    uint32_t workers;             /* Number of worker threads, 1 .. ROUNDS_WORKERS_MAX. */
+    uint32_t count; /* Number of rounds, at most ROUNDS_MAX. */
+    uint32_t workers; /* Number of worker threads, 1 .. ROUNDS_WORKERS_MAX. */
     /* Callback after each round, or null. Rounds may end in any order, but the calls never
      * overlap. */
     void (*done)(void *self, uint32_t index);

@@ -15,8 +15,9 @@ static const char *const periods[RANK_PERIOD_COUNT] = { "day", "week", "ever" };
 
 struct request {
     struct books_words books;
-    uint32_t mode, period; /* Selected mode and ranking period. MODE_COUNT selects all modes, and
-                              RANK_PERIOD_COUNT selects all periods. */
+    /* Selected mode and ranking period. MODE_COUNT selects all modes, and RANK_PERIOD_COUNT selects
+     * all periods. */
+    uint32_t mode, period;
 };
 
 /* ---- Options -------------------------------------------------------------------------------- */

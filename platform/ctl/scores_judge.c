@@ -22,8 +22,8 @@ static const char name[] = "scores";
 struct request {
     struct books_words books;
     uint32_t round_id; /* Number of the round. A value of 0 selects all rounds. */
-    const char *out;   /* Path of the file for the replay. Null selects verification. */
-    int with_pin;      /* 1 if the written replay may contain the PIN of the menu. */
+    const char *out; /* Path of the file for the replay. Null selects verification. */
+    int with_pin; /* 1 if the written replay may contain the PIN of the menu. */
 };
 
 static struct judge judge;
@@ -126,7 +126,7 @@ static void tell(const struct finding *found)
 static void tell_json(const struct finding *found, int is_first)
 {
     static const char *const verdicts[VERDICT_COUNT] = { "genuine", "not-genuine", "damaged",
-                                                          "not-checked" };
+                                                         "not-checked" };
     printf("%s\n  {\"round\": %u, \"verdict\": \"%s\", \"seconds\": %.3f, \"bytes\": %zu, "
            "\"took_s\": %.3f}",
            is_first ? "" : ",", found->round_id,
@@ -204,23 +204,21 @@ static enum exit_code take_out(const struct request *request, struct ledger_file
     }
     if (!request->with_pin && holds_pin(bytes, size)) {
         print_error("kingyoctl scores: the replay of round %u holds the PIN of the menu: "
-                            "--with-pin takes it out all the same; change the PIN then",
+                    "--with-pin takes it out all the same; change the PIN then",
                     request->round_id);
         return EXIT_NOT_SO;
     }
     int error = out_open(&out, request->out);
     if (error == 0) {
         if (!out.is_stream) {
-            fchmod(fileno(out.file), S_IRUSR | S_IWUSR); /* Only the owner may read the file,
-                                                            because it contains settings and
-                                                            books. */
+            /* Only the owner may read the file, because it contains settings and books. */
+            fchmod(fileno(out.file), S_IRUSR | S_IWUSR);
         }
         fwrite(bytes, 1, size, out.file);
         error = out_close(&out);
     }
     if (error) {
-        print_error("kingyoctl scores: %s: cannot be written: %s", request->out,
-                    strerror(-error));
+        print_error("kingyoctl scores: %s: cannot be written: %s", request->out, strerror(-error));
         return EXIT_IO;
     }
     return EXIT_OK;

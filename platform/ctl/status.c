@@ -13,8 +13,9 @@
 #include "platform/standard_streams.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE
-#define STALE_MS 10000 /* Age of the status above which it is stale. The value equals the watchdog
-                          timeout of the kiosk's service. */
+/* Age of the status above which it is stale. The value equals the watchdog timeout of the kiosk's
+ * service. */
+#define STALE_MS 10000
 
 static const char name[] = "status";
 
@@ -124,8 +125,8 @@ static void print_devices(sqlite3 *database, const char *text)
 
 static void print_text(sqlite3 *database, sqlite3_stmt *figures, const char *text)
 {
-    static const char *const parts[] = { "credits", "tickets", "ledger", "machine", "files",
-                                         "panics", "frames" };
+    static const char *const parts[] = { "credits", "tickets", "ledger", "machine",
+                                         "files",   "panics",  "frames" };
     print_line(stdout, "%s", (const char *)sqlite3_column_text(figures, 2));
     for (int i = 0; i < (int)(sizeof parts / sizeof parts[0]); i++) {
         print_line(stdout, "  %-9s %s", parts[i],
@@ -141,11 +142,12 @@ static enum exit_code judge(sqlite3_stmt *figures)
 {
     struct timespec now;
     clock_gettime(CLOCK_BOOTTIME, &now);
-    const int64_t age_ms = (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 -
-                           sqlite3_column_int64(figures, 0);
+    const int64_t age_ms =
+        (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 - sqlite3_column_int64(figures, 0);
     if (age_ms > STALE_MS || age_ms < 0) {
         print_error("kingyoctl status: the stall has said nothing for %.1f s: it has ended, or "
-                            "stands still", (double)(age_ms < 0 ? STALE_MS : age_ms) * 1e-3);
+                    "stands still",
+                    (double)(age_ms < 0 ? STALE_MS : age_ms) * 1e-3);
         return EXIT_NOT_SO;
     }
     if (!sqlite3_column_int(figures, 1)) {

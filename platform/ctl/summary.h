@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 struct summary {
-    double median, p90; /* Median and 90 % quantile. A quantile between two values is interpolated
-                           linearly. */
+    /* Median and 90 % quantile. A quantile between two values is interpolated linearly. */
+    double median, p90;
     uint32_t max;
 };
 

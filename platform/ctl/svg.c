@@ -58,8 +58,8 @@ void svg_text(struct svg *svg, double x, double y, double size, const char *anch
     va_end(arguments);
     fprintf(svg->file,
             "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" text-anchor=\"%s\" fill=\"%s\" "
-            "stroke=\"%s\" stroke-width=\"3\" stroke-opacity=\"0.8\" paint-order=\"stroke\">", x, y,
-            size, anchor, colour, SVG_PAPER);
+            "stroke=\"%s\" stroke-width=\"3\" stroke-opacity=\"0.8\" paint-order=\"stroke\">",
+            x, y, size, anchor, colour, SVG_PAPER);
     put_escaped(svg->file, text);
     fputs("</text>\n", svg->file);
 }
@@ -73,12 +73,12 @@ void svg_line(struct svg *svg, double x0, double y0, double x1, double y1, const
     svg_end_line(svg, colour, width, dashes);
 }
 
-void svg_dot(struct svg *svg, double x, double y, double radius, const char *fill,
-             const char *edge)
+void svg_dot(struct svg *svg, double x, double y, double radius, const char *fill, const char *edge)
 {
     fprintf(svg->file,
             "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%g\" fill=\"%s\" stroke=\"%s\" "
-            "stroke-width=\"1.6\"/>\n", x, y, radius, fill, edge);
+            "stroke-width=\"1.6\"/>\n",
+            x, y, radius, fill, edge);
 }
 
 void svg_begin_line(struct svg *svg)
@@ -95,8 +95,8 @@ void svg_end_line(struct svg *svg, const char *colour, double width, const char 
 {
     fprintf(svg->file,
             "\" fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linejoin=\"round\" "
-            "stroke-linecap=\"round\" stroke-dasharray=\"%s\"/>\n", colour, width,
-            dashes ? dashes : "none");
+            "stroke-linecap=\"round\" stroke-dasharray=\"%s\"/>\n",
+            colour, width, dashes ? dashes : "none");
 }
 
 bool svg_close(struct svg *svg)

@@ -24,13 +24,12 @@ struct svg {
 bool svg_open(struct svg *svg, const char *path, double width, double height, const char *title);
 
 /* Writes markup without escaping. */
-__attribute__((format(printf, 2, 3)))
-void svg_put(struct svg *svg, const char *format, ...);
+__attribute__((format(printf, 2, 3))) void svg_put(struct svg *svg, const char *format, ...);
 
 /* Writes one line of text with a background margin. `anchor` is start, middle or end. */
-__attribute__((format(printf, 7, 8)))
-void svg_text(struct svg *svg, double x, double y, double size, const char *anchor,
-              const char *colour, const char *format, ...);
+__attribute__((format(printf, 7, 8))) void svg_text(struct svg *svg, double x, double y,
+                                                    double size, const char *anchor,
+                                                    const char *colour, const char *format, ...);
 
 void svg_line(struct svg *svg, double x0, double y0, double x1, double y1, const char *colour,
               double width, const char *dashes);

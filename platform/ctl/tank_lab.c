@@ -228,9 +228,7 @@ static enum exit_code open_placed(struct tank_lab *lab, struct tank_config *conf
     }
     config->fish_count = place->count;
     code = open_or_say(lab, config);
-    return code != EXIT_OK
-               ? code
-               : tank_place_stage(place, &lab->tank, place_speaker, plan->place);
+    return code != EXIT_OK ? code : tank_place_stage(place, &lab->tank, place_speaker, plan->place);
 }
 
 static enum exit_code open_tank(struct tank_lab *lab)

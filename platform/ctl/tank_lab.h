@@ -21,15 +21,15 @@ struct lab_sums {
     uint64_t fish_ticks;
     uint64_t gait_ticks[GAIT_COUNT];
     double stamina;
-    uint64_t swim_ticks; /* Fish-ticks of swimming fish. The other fish are moved by a poi or fall
-                            through the air. */
+    /* Fish-ticks of swimming fish. The other fish are moved by a poi or fall through the air. */
+    uint64_t swim_ticks;
     double speed_m_s, speed_max_m_s;
 };
 
 struct tank_lab {
     const struct tank_plan *plan;
     struct tank tank;
-    struct poi poi;   /* Poi that follows the path. Used only if path.count > 0. */
+    struct poi poi; /* Poi that follows the path. Used only if path.count > 0. */
     struct bowl bowl; /* Absent bowl, because a poi without a game has none. */
     struct output output;
     struct tank_path path;
@@ -42,14 +42,17 @@ struct tank_lab {
     float oxygen_start_mg_l;
     uint32_t observe_every; /* Ticks from one observation to the next. */
     uint32_t observed_tick; /* Tick count at the last observation. */
-    uint32_t timed_count;   /* Number of used entries of tick_ns. */
-    float *tick_ns; /* CPU time of the tank's tick alone in nanoseconds, for each timed tick. The
-                       array has plan->tick_count elements. Every tick is timed if `observe_every`
-                       is at most CROWD_LOOK_TICKS. */
-    uint32_t *shade_count;  /* Fish within the shades at the start and after each second. The array
-                               has tank_lab_seconds() elements. */
-    uint32_t *surfacing_count; /* Fish at the surface at the start and after each second. The array
-                                  has tank_lab_seconds() elements. */
+    uint32_t timed_count; /* Number of used entries of tick_ns. */
+    /* CPU time of the tank's tick alone in nanoseconds, for each timed tick. The array has
+     * plan->tick_count elements. Every tick is timed if `observe_every` is at most
+     * CROWD_LOOK_TICKS. */
+    float *tick_ns;
+    /* Fish within the shades at the start and after each second. The array has tank_lab_seconds()
+     * elements. */
+    uint32_t *shade_count;
+    /* Fish at the surface at the start and after each second. The array has tank_lab_seconds()
+     * elements. */
+    uint32_t *surfacing_count;
 };
 
 /* Returns the number of elements of `shade_count`: the start and each whole second of the run. */

@@ -25,8 +25,7 @@ static void open_pair(struct meetings *meetings, const struct meeting *pair)
     meetings->newest[pair->low] = meetings->open_count;
 }
 
-static void forget_the_parted(struct meetings *meetings, const struct tank *tank,
-                              uint32_t ticks)
+static void forget_the_parted(struct meetings *meetings, const struct tank *tank, uint32_t ticks)
 {
     const uint32_t count = meetings->open_count;
     meetings->open_count = 0;
@@ -35,8 +34,8 @@ static void forget_the_parted(struct meetings *meetings, const struct tank *tank
         struct meeting pair = meetings->open[i];
         pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + ticks;
         if (pair.apart_ticks < MEETINGS_PART_TICKS) {
-            open_pair(meetings, &pair); /* The new pair is stored at or before index i, which has
-                                           already been read. */
+            /* The new pair is stored at or before index i, which has already been read. */
+            open_pair(meetings, &pair);
         }
     }
 }
@@ -62,8 +61,7 @@ static void begin(struct meetings *meetings, const struct fish *fish, fish_index
         open_pair(meetings, &pair);
     }
     meetings->head_on += fish->avoid_kind == MEET_HEAD_ON ? 1u : 0u;
-    meetings->side +=
-        fish->avoid_kind == MEET_SIDE || fish->avoid_kind == MEET_STRUCK ? 1u : 0u;
+    meetings->side += fish->avoid_kind == MEET_SIDE || fish->avoid_kind == MEET_STRUCK ? 1u : 0u;
     meetings->rear_end += fish->avoid_kind == MEET_REAR_END ? 1u : 0u;
 }
 

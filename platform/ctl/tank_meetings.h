@@ -6,21 +6,21 @@
 
 #include "core/tank/tank.h"
 
-#define MEETINGS_OPEN_MAX (8u * TANK_FISH_MAX) /* Maximum number of open pairs. At the density of
-                                                  the thesis, 1.4 personal spaces overlap for each
-                                                  fish. */
-#define MEETINGS_LOOK_TICKS 4u /* Minimum interval between two checks of the open pairs, in
-                                  ticks. */
-#define MEETINGS_PART_TICKS 60u /* Ticks after which a pair counts as separated. Personal spaces
-                                   that overlap again within half a second belong to the same
-                                   encounter. */
+/* Maximum number of open pairs. At the density of the thesis, 1.4 personal spaces overlap for each
+ * fish. */
+#define MEETINGS_OPEN_MAX (8u * TANK_FISH_MAX)
+/* Minimum interval between two checks of the open pairs, in ticks. */
+#define MEETINGS_LOOK_TICKS 4u
+/* Ticks after which a pair counts as separated. Personal spaces that overlap again within half a
+ * second belong to the same encounter. */
+#define MEETINGS_PART_TICKS 60u
 
 /* Two fish in an encounter. The pair is open until the fish have separated. */
 struct meeting {
     fish_index low, high;
     uint32_t apart_ticks; /* Ticks since the personal spaces last overlapped. */
-    uint32_t older;       /* Index + 1 of the next older open pair with the same `low`. A value of 0
-                             means no pair. */
+    /* Index + 1 of the next older open pair with the same `low`. A value of 0 means no pair. */
+    uint32_t older;
 };
 
 struct meetings {
@@ -33,11 +33,11 @@ struct meetings {
 
     uint32_t unlooked_ticks; /* Ticks since the open pairs were last checked for separation. */
     uint32_t open_count;
-    uint32_t newest[TANK_FISH_MAX]; /* Index + 1 of the newest open pair with this fish as `low`. A
-                                       value of 0 means no pair. */
+    /* Index + 1 of the newest open pair with this fish as `low`. A value of 0 means no pair. */
+    uint32_t newest[TANK_FISH_MAX];
     struct meeting open[MEETINGS_OPEN_MAX];
-    uint8_t avoided[TANK_FISH_MAX]; /* Avoidance state of each fish in the previous tick, enum
-                                       fish_avoiding. */
+    /* Avoidance state of each fish in the previous tick, enum fish_avoiding. */
+    uint8_t avoided[TANK_FISH_MAX];
 };
 
 /* Counts the encounters that began after the last call, which was `ticks` ticks ago. Set all fields

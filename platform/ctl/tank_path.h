@@ -15,8 +15,8 @@ struct tank_path_row {
 };
 
 struct tank_path {
-    uint32_t count, newest; /* `newest` is the row before the last requested time, because times
-                               never decrease. */
+    /* `newest` is the row before the last requested time, because times never decrease. */
+    uint32_t count, newest;
     struct tank_path_row row[TANK_PATH_MAX];
 };
 

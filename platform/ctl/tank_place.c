@@ -12,17 +12,33 @@
 #define TOUCH_M 0.0001 /* Tolerance for walls, because a trace's decimals are rounded. */
 
 enum {
-    TICK, FISH, X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, LENGTH_CM, HEIGHT_CM, WIDTH_CM,
-    SPEED_CM_S, TAIL_HZ, GAIT, STAMINA, AVOIDING, COLUMN_COUNT,
+    TICK,
+    FISH,
+    X_CM,
+    Y_CM,
+    Z_CM,
+    YAW_DEG,
+    PITCH_DEG,
+    ROLL_DEG,
+    LENGTH_CM,
+    HEIGHT_CM,
+    WIDTH_CM,
+    SPEED_CM_S,
+    TAIL_HZ,
+    GAIT,
+    STAMINA,
+    AVOIDING,
+    COLUMN_COUNT,
 };
 
 /* The gaits of the trace, and the gait with which a fish of each starts. An escaping fish starts
  * with a burst, because the cause of its escape is not in the file. GAIT_HELD is rejected, because
  * no poi or bowl can hold a fish here. */
-static const char *const gait_words[] = { "rest", "swim", "burst", "escape", "surface", "held",
-                                          NULL };
-static const uint8_t gaits[] = { GAIT_REST, GAIT_SWIM, GAIT_BURST, GAIT_BURST, GAIT_SURFACE,
-                                 GAIT_HELD };
+static const char *const gait_words[] = {
+    "rest", "swim", "burst", "escape", "surface", "held", NULL
+};
+static const uint8_t gaits[] = { GAIT_REST,  GAIT_SWIM,    GAIT_BURST,
+                                 GAIT_BURST, GAIT_SURFACE, GAIT_HELD };
 #define GAIT_BY_SPEED (-1.0)
 
 /* All columns of the trace (tank_trace.c). The box follows from the length. The phase of the tail
@@ -134,8 +150,8 @@ static void tell_left_out(const struct tank_place *place, const char *speaker, c
 {
     if (place->rows_left_out > 0) {
         print_error("%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
-                    "others are left out", speaker, file, place->count, place->tick,
-                    place->rows_left_out);
+                    "others are left out",
+                    speaker, file, place->count, place->tick, place->rows_left_out);
     }
 }
 
@@ -150,7 +166,8 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
             place->stage[i].gait == GAIT_SURFACE ? (double)fish_emerges_m(fish) : 0.0;
         if (!is_in_water(&box, tank->size_m, emerges_m)) {
             print_error("%s: %s: line %u: fish %u is not all in the water: %g x %g cm, %g cm "
-                        "deep", speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
+                        "deep",
+                        speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
                         100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
             return EXIT_BAD_DATA;
         }
@@ -158,8 +175,8 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
             const struct overlap_box other = overlap_box_of(&tank->fish[j]);
             const double depth_mm = 1000.0 * overlap_depth_m(&box, &other);
             if (depth_mm > OVERLAP_DEEP_MM) {
-                print_error("%s: %s: line %u: fish %u and %u are %.1f mm in each other",
-                            speaker, file, place->line[i], j, i, depth_mm);
+                print_error("%s: %s: line %u: fish %u and %u are %.1f mm in each other", speaker,
+                            file, place->line[i], j, i, depth_mm);
                 return EXIT_BAD_DATA;
             }
         }

@@ -10,8 +10,8 @@
 #include "platform/number.h"
 
 #define FIELD_MAX 48
-#define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f)) /* Rounds to whole centimetres, because
-                                                                0.30f is not exactly 30 cm. */
+/* Rounds to whole centimetres, because 0.30f is not exactly 30 cm. */
+#define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f))
 
 static const char name[] = "tank";
 
@@ -48,10 +48,9 @@ static const struct range ranges[FIGURE_COUNT] = {
     [FIGURE_PRESSURE_HPA] = { "--pressure-hpa", (double)OXYGEN_PRESSURE_MIN_HPA,
                               (double)OXYGEN_PRESSURE_MAX_HPA, 0 },
     [FIGURE_OXYGEN_MG_L] = { "--oxygen-mg-l", 0, (double)OXYGEN_MAX_MG_L, 0 },
-    [FIGURE_TIME_COMPRESSION] = { "--time-compression", 0, (double)OXYGEN_TIME_COMPRESSION_MAX,
-                                  0 },
-    [FIGURE_TRACE_EVERY] = { "--trace-every", 1, PLAN_SECONDS_MAX * CORE_TICK_HZ, 1 },
-    [FIGURE_OBSERVE_EVERY] = { "--observe-every", 1, PLAN_SECONDS_MAX * CORE_TICK_HZ, 1 },
+    [FIGURE_TIME_COMPRESSION] = { "--time-compression", 0, (double)OXYGEN_TIME_COMPRESSION_MAX, 0 },
+    [FIGURE_TRACE_EVERY] = { "--trace-every", 1, PLAN_SECONDS_MAX *CORE_TICK_HZ, 1 },
+    [FIGURE_OBSERVE_EVERY] = { "--observe-every", 1, PLAN_SECONDS_MAX *CORE_TICK_HZ, 1 },
 };
 
 enum pump {
@@ -68,10 +67,11 @@ struct words {
     uint8_t pump;     /* Setting of the pump, enum pump. */
     uint8_t search;   /* Method of the pair search, enum pairs_search. */
     uint8_t balls;    /* 1 for --spaces ball. */
-    double size_cm[3]; /* Width, depth and breadth of the tank. A value of 0 selects the size of the
-                          preset. */
-    const char *fish;  /* Value of --fish, or null if the option is absent. The range depends on the
-                          preset and on the floor area. */
+    /* Width, depth and breadth of the tank. A value of 0 selects the size of the preset. */
+    double size_cm[3];
+    /* Value of --fish, or null if the option is absent. The range depends on the preset and on the
+     * floor area. */
+    const char *fish;
 };
 
 static enum exit_code refuse(const char *option, const char *value, const char *expected)
@@ -215,8 +215,9 @@ static enum exit_code take_size(struct tank_plan *plan, struct words *words, con
         { "breadth", CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M), 0 },
     };
     if (!read_list(value, parts, 3, words->size_cm)) {
-        return refuse("--size-cm", value, "WIDTH,DEPTH,BREADTH of the water: 30 to 200 cm, "
-                                          "5 to 50 cm, 30 to 200 cm");
+        return refuse("--size-cm", value,
+                      "WIDTH,DEPTH,BREADTH of the water: 30 to 200 cm, "
+                      "5 to 50 cm, 30 to 200 cm");
     }
     return EXIT_OK;
 }
@@ -308,9 +309,11 @@ static enum exit_code settle_fish(struct tank_plan *plan, const struct words *wo
     }
     const double as_dense = round((double)config->fish_count * waters(config));
     if (as_dense > (double)most) {
-        return ctl_usage(name, "%s: %.0f fish at the preset's density are too many; with --fish, "
-                         "%s", words->given[FIGURE_AREA_SCALE] ? "--area-scale" : "--size-cm",
-                         as_dense, tank);
+        return ctl_usage(name,
+                         "%s: %.0f fish at the preset's density are too many; with --fish, "
+                         "%s",
+                         words->given[FIGURE_AREA_SCALE] ? "--area-scale" : "--size-cm", as_dense,
+                         tank);
     }
     config->fish_count = as_dense > 1.0 ? (uint32_t)as_dense : 1u;
     return EXIT_OK;
@@ -343,8 +346,8 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
     const double *figure = words->figure;
     *config = tank_config_of(words->preset);
     if (words->given[FIGURE_AREA_SCALE]) {
-        config->area_scale = f_clamp((float)figure[FIGURE_AREA_SCALE], TANK_AREA_SCALE_MIN,
-                                     TANK_AREA_SCALE_MAX);
+        config->area_scale =
+            f_clamp((float)figure[FIGURE_AREA_SCALE], TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX);
     }
     if (words->size_cm[0] > 0.0) {
         config->size_m = v3((float)(0.01 * words->size_cm[0]), (float)(0.01 * words->size_cm[1]),

@@ -20,11 +20,12 @@ struct tank_plan {
     uint32_t tick_count;
     uint32_t shade_count;
     struct plan_shade shade[SHADE_MAX];
-    const char *poi_path, *place, *trace; /* Paths of the poi path, the start positions and the
-                                             trace. Null if the option is absent. */
-    uint32_t trace_every;                 /* Interval of the trace in ticks. */
-    uint32_t observe_every; /* Observation interval in ticks. A value of 0 selects the default,
-                               which depends on the number of fish. */
+    /* Paths of the poi path, the start positions and the trace. Null if the option is absent. */
+    const char *poi_path, *place, *trace;
+    uint32_t trace_every; /* Interval of the trace in ticks. */
+    /* Observation interval in ticks. A value of 0 selects the default, which depends on the number
+     * of fish. */
+    uint32_t observe_every;
     uint8_t has_fish; /* 1 if --fish was given. The files must then have the same number of fish. */
     uint8_t as_json;
 };

@@ -7,8 +7,9 @@
 #include "platform/number.h"
 
 #define BAR_WIDTH 40
-#define SPARKS_MAX 60u /* Maximum number of characters in a chart. A longer run combines several
-                          seconds in each character. */
+/* Maximum number of characters in a chart. A longer run combines several seconds in each
+ * character. */
+#define SPARKS_MAX 60u
 
 /* ---- Statistics ----------------------------------------------------------------------------- */
 

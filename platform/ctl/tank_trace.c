@@ -14,9 +14,9 @@
 #define ROW_MAX 512u
 
 static const char *const gait_names[GAIT_COUNT] = {
-    [GAIT_REST] = "rest",       [GAIT_SWIM] = "swim", [GAIT_BURST] = "burst",
-    [GAIT_ESCAPE] = "escape",   [GAIT_SURFACE] = "surface",
-    [GAIT_HELD] = "held",       [GAIT_BOWL] = "held",
+    [GAIT_REST] = "rest",     [GAIT_SWIM] = "swim",       [GAIT_BURST] = "burst",
+    [GAIT_ESCAPE] = "escape", [GAIT_SURFACE] = "surface", [GAIT_HELD] = "held",
+    [GAIT_BOWL] = "held",
 };
 static const char *const avoiding_names[] = { "none", "yaw", "pitch" };
 
@@ -40,7 +40,8 @@ enum exit_code tank_trace_open(struct tank_trace *trace, const char *path)
     }
     trace->file = trace->out.file;
     fputs("tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm,"
-          "speed_cm_s,tail_hz,gait,stamina,avoiding\n", trace->file);
+          "speed_cm_s,tail_hz,gait,stamina,avoiding\n",
+          trace->file);
     return EXIT_OK;
 }
 

@@ -9,8 +9,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define TRACK_HALVINGS 14u /* Maximum number of halvings. The smallest interval is a 16,384th of the
-                              interval between two marks. */
+/* Maximum number of halvings. The smallest interval is a 16,384th of the interval between two
+ * marks. */
+#define TRACK_HALVINGS 14u
 
 struct track_function {
     uint32_t width; /* Number of values of the function at one progress. */
@@ -22,10 +23,11 @@ struct track_function {
 
 struct track {
     uint32_t count, width;
-    float *progress; /* Progress of each sample, in rising order. The array has `count` elements and
-                        belongs to the track. */
-    float *values;   /* Values of the samples. The array has `count` x `width` elements and belongs
-                        to the track. */
+    /* Progress of each sample, in rising order. The array has `count` elements and belongs to the
+     * track. */
+    float *progress;
+    /* Values of the samples. The array has `count` x `width` elements and belongs to the track. */
+    float *values;
 };
 
 /* Samples the function at every mark. There are at least two marks, in rising order from 0 to 1.

@@ -10,8 +10,8 @@ enum exit_code user_file_refuse(const char *speaker, const char *path, uint32_t 
 {
     if (error == EFBIG) {
         const int in_kib = size_max < 1u << 20;
-        print_error("%s: %s: is larger than %u %s", speaker, path,
-                    size_max >> (in_kib ? 10 : 20), in_kib ? "KiB" : "MiB");
+        print_error("%s: %s: is larger than %u %s", speaker, path, size_max >> (in_kib ? 10 : 20),
+                    in_kib ? "KiB" : "MiB");
         return EXIT_BAD_DATA;
     }
     print_error("%s: %s: %s", speaker, path, plain_file_error(error));
