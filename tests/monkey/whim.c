@@ -41,8 +41,8 @@ static int draw_key(const struct rng_key *from)
     return key;
 }
 
-/* Returns 1 in every other step after Esc, because only a second press in sequence ends the
- * kiosk. */
+/* Returns 1 with a probability of one half if the last step pressed Esc. Only a second press in
+ * sequence ends the kiosk. */
 static int repeats_escape(const struct rng_key *from)
 {
     const struct rng_key last = { from->seed, from->tick - 1u, 0, RNG_TEST };

@@ -31,8 +31,8 @@ static int is_told_back(const struct books *before, const struct ledger_entry *e
            entry->count == count && credits(&entry->purse) == credits(&before->purse) + count;
 }
 
-/* Returns 1 if no credit is refunded for the open round. The round counts because a fish was
- * caught, and its catch and tickets are taken from the stored state. */
+/* Returns 1 if `entry` ends the open round without a refund. A round that counts keeps its credit
+ * spent, and its catch and tickets are those of the stored state. */
 static int is_kept(const struct books *before, const struct ledger_entry *entry)
 {
     return (before->purse.open & OPEN_SPENT) && before->stand.value >> 16 != 0 &&

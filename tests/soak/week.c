@@ -248,8 +248,8 @@ static void tell(uint32_t hour, const struct sample *sample)
 
 /* ---- The week ------------------------------------------------------------------------------- */
 
-/* Waits for the store. The store's thread writes in real time, while the crowd plays some hundred
- * times as fast. If the store falls behind, the stall waits for about a second. */
+/* Waits until the store has committed all but LEDGER_RING / 2 entries. The store's thread writes in
+ * real time, while the crowd plays some hundred times as fast. */
 static void wait_for_store(void)
 {
     const struct ledger *ledger = &kiosk.core.game.ledger;
