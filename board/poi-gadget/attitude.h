@@ -42,8 +42,13 @@ void attitude_know(struct attitude *attitude, struct quaternion turn);
  * disables the decay. */
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds);
 
+/* Returns the rotation that applies `b` first and then `a`. */
 struct quaternion quaternion_product(struct quaternion a, struct quaternion b);
+
+/* Converts angles to a rotation. */
 struct quaternion quaternion_of(struct angles angles);
+
+/* Converts a rotation to angles. */
 struct angles quaternion_angles(struct quaternion q);
 
 #endif

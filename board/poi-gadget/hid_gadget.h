@@ -38,6 +38,7 @@ int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report);
  * there is none. */
 int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out);
 
+/* Closes the device. */
 void hid_gadget_close(struct hid_gadget *gadget);
 
 #endif

@@ -22,6 +22,7 @@ void keys_open(struct keys *keys, const char *root);
  * codes as letters. */
 uint8_t keys_held(struct keys *keys);
 
+/* Closes all input devices. */
 void keys_close(struct keys *keys);
 
 #endif

@@ -53,6 +53,8 @@ int poi_config_line(struct poi_config *config, const char *line, const char **wh
 /* Returns whether the configuration is valid for play, and sets `why` to a phrase otherwise. The
  * calibration is checked separately by poi_config_is_calibrated(). */
 int poi_config_is_sound(const struct poi_config *config, const char **why);
+
+/* Returns whether all wires are calibrated. */
 int poi_config_is_calibrated(const struct poi_config *config);
 
 /* Reads the file. Returns 1. Returns 0 and prints one line to standard error if the file is not

@@ -28,6 +28,7 @@ struct twin_source {
     struct board_pose pose;
 };
 
+/* Returns a source of simulated sensors with a hand that scoops. */
 struct pose_source twin_source(struct twin_source *source, const struct poi_config *config);
 
 #endif

@@ -32,6 +32,7 @@ int sensors_open(struct sensors *sensors, const struct poi_config *config, const
  * of the other sensors. */
 int sensors_read(struct sensors *sensors, struct readings *out);
 
+/* Closes all sensors. */
 void sensors_close(struct sensors *sensors);
 
 #endif

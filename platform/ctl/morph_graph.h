@@ -35,6 +35,8 @@ struct graph_lengths {
 /* Returns the range of the length axis. The axis is logarithmic if the lengths of a life span more
  * than a factor of ten, unless `is_even` requests the linear axis of the thesis. */
 struct graph_lengths graph_lengths(const struct species_card *card, bool is_even);
+
+/* Converts a length in mm to the height in the picture, pixels. */
 double graph_length_y(const struct graph_lengths *lengths, double mm);
 
 /* Draws the axes: shares on the left, progress below, ages with lengths under the progress, and

@@ -15,7 +15,7 @@
  * bends. */
 #include "platform/ctl/morph_walk.h"
 
-#define LIFT 2e-4f /* Distance in body lengths. */
+#define LIFT 2e-4f /* Distance of the tested point from the skin, in body lengths. */
 #define EYE_RIM 1.0f
 #define PUPIL 0.5f
 

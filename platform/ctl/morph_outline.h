@@ -45,6 +45,7 @@ void outline_project(const struct outline *outline, vec3 p, double *x, double *y
 /* Extends the box `low` .. `high`, in pixels, so that the box also contains the fish. */
 void outline_measure(const struct outline *outline, double low[2], double high[2]);
 
+/* Draws the outline into the picture. */
 void outline_draw(struct svg *svg, const struct outline *outline);
 
 #endif

@@ -33,8 +33,10 @@ void skin_build(struct skin *skin, const struct species_mesh *mesh, const vec3 *
  * the sum zero. */
 bool skin_is_closed(const struct skin *skin);
 
+/* Returns the volume inside a closed surface. */
 float skin_volume(const struct skin *skin);
 
+/* Returns whether `point` is inside the surface. */
 bool skin_has(const struct skin *skin, vec3 point);
 
 /* Returns the distance from `point` to the nearest point of the surface. The point may be inside or

@@ -38,6 +38,7 @@ struct overlap {
     uint32_t first[OVERLAP_CELL_MAX * OVERLAP_CELL_MAX + 1u];
 };
 
+/* Returns the oriented box of a fish. */
 struct overlap_box overlap_box_of(const struct fish *fish);
 
 /* Returns the penetration depth of two boxes, or 0 if they are separate. */

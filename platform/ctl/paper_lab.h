@@ -27,12 +27,17 @@ struct paper_lab {
 /* Initializes the lab. `plan` must outlive the lab. */
 void paper_lab_open(struct paper_lab *lab, const struct paper_plan *plan);
 
+/* Advances the lab by one tick and updates the results. */
 void paper_lab_tick(struct paper_lab *lab);
 
 /* Returns the time in seconds at which the paper tore, with the resolution of a tick. Returns a
  * negative value if the paper has not torn. */
 double paper_lab_tore_s(const struct paper_lab *lab);
+
+/* Returns whether the paper tore in the first 0.05 s. */
 int paper_lab_is_instant(const struct paper_lab *lab);
+
+/* Returns the present hole area of the paper in mm^2. */
 double paper_lab_hole_mm2(const struct paper_lab *lab);
 
 #endif

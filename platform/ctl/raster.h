@@ -47,6 +47,8 @@ struct raster_skin {
 /* Allocates a raster. The limits of the sides are those of a canvas. Returns false if memory
  * allocation fails. */
 bool raster_open(struct raster *raster, uint32_t width, uint32_t height);
+
+/* Frees the raster. */
 void raster_close(struct raster *raster);
 
 /* Draws a triangle. The corners are in pixels (y down), and a larger z is nearer. Only triangles

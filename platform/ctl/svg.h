@@ -31,9 +31,11 @@ __attribute__((format(printf, 7, 8))) void svg_text(struct svg *svg, double x, d
                                                     double size, const char *anchor,
                                                     const char *colour, const char *format, ...);
 
+/* Draws a straight line. */
 void svg_line(struct svg *svg, double x0, double y0, double x1, double y1, const char *colour,
               double width, const char *dashes);
 
+/* Draws a filled circle. */
 void svg_dot(struct svg *svg, double x, double y, double radius, const char *fill,
              const char *edge);
 

@@ -69,8 +69,10 @@ void tank_lab_tick(struct tank_lab *lab);
 /* Returns the dissolved oxygen of the water now, in mg/l. */
 float tank_lab_oxygen_mg_l(const struct tank_lab *lab);
 
+/* Returns the hash of the tank and of the poi, if there is one. */
 uint64_t tank_lab_hash(const struct tank_lab *lab);
 
+/* Frees the arrays of the lab. */
 void tank_lab_close(struct tank_lab *lab);
 
 #endif

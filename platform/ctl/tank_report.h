@@ -15,7 +15,10 @@ struct tank_figures {
 /* Computes the results and sorts the lab's tick times in place. */
 struct tank_figures tank_figures_of(struct tank_lab *lab);
 
+/* Prints the results as JSON to standard output. */
 void tank_report_json(const struct tank_lab *lab, const struct tank_figures *figures);
+
+/* Prints the results as text with bars to standard output. */
 void tank_report_text(const struct tank_lab *lab, const struct tank_figures *figures);
 
 #endif

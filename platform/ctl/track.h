@@ -36,6 +36,7 @@ struct track {
 bool track_fit(struct track *track, const struct track_function *function, const float *marks,
                uint32_t mark_count, float tolerance);
 
+/* Frees the samples of a track. */
 void track_free(struct track *track);
 
 #endif
