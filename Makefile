@@ -69,7 +69,7 @@ BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 # Kernels (core/base/lanes.h) are compiled once for four lanes and, where the compiler makes code for
 # x86-64, once more for eight; the platform says at the start which of the two run.
 KERNEL_SRC := $(filter %_lanes.c,$(CORE_SRC))
-WIDE_CFLAGS := -mavx2 -DLANES_WIDE
+WIDE_CFLAGS := -mavx2 -DSIMD_WIDE
 MACHINE = $(eval MACHINE := $$(shell $(CC) -dumpmachine))$(MACHINE)
 WIDE_SRC = $(if $(filter x86_64%,$(MACHINE)),$(KERNEL_SRC))
 

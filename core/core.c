@@ -32,17 +32,17 @@ _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its bud
 
 /* Initializes everything except the configuration, from the configuration. If the growth lab is the
  * only item on offer, the session starts in the lab. */
-static void open_stall(struct core *core)
+static void open_world(struct core *core)
 {
     memset(&core->game, 0, sizeof core->game);
     memset(core->poi, 0, sizeof core->poi);
     memset(core->bowl, 0, sizeof core->bowl);
     memset(&core->tank, 0, sizeof core->tank);
-    core->tick = core->config.chapter.tick;
+    core->tick = core->config.session.tick;
     game_init(&core->game, &core->config);
-    keeper_open(core);
-    if (keeper_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
-        core->config.chapter.tick == 0) {
+    table_setup_open(core);
+    if (table_setup_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
+        core->config.session.tick == 0) {
         struct output unheard = { 0 };
         lab_begin(core, &unheard);
     }
@@ -52,15 +52,15 @@ enum core_error core_init(struct core *core, const struct core_config *config)
 {
     if (config->preset >= TANK_PRESET_COUNT ||
         config->fish_count > tank_preset_fish_max(tank_preset(config->preset), 1.0f) ||
-        config->language >= LANGUAGE_COUNT ||
-        config->chapter.language.chosen >= LANGUAGE_COUNT || !lanes_built(config->lanes) ||
+        config->language >= LANGUAGE_COUNT || config->session.language.chosen >= LANGUAGE_COUNT ||
+        !simd_is_built(config->lanes) ||
         (config->round_s != 0 && (config->round_s < 10 || config->round_s > 600)) ||
         config->modes >= 1u << CHOICE_COUNT || config->players > POI_MAX ||
         (config->grade != 0 &&
          (config->grade < SHEET_GRADE_MIN || config->grade > SHEET_GRADE_MAX)) ||
         config->credit_coins > CREDIT_COINS_MAX || config->ticket_fish > CREDIT_TICKET_FISH_MAX ||
-        !lab_book_is_good(&config->book) || !ledger_memory_is_good(&config->memory) ||
-        !ledger_chapter_is_good(&config->chapter)) {
+        !lab_book_is_valid(&config->book) || !ledger_state_is_valid(&config->persistent) ||
+        !ledger_session_is_valid(&config->session)) {
         return CORE_ERR_RANGE;
     }
     if (!float_env_is_standard()) {
@@ -68,15 +68,15 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     }
     memset(core, 0, sizeof *core);
     core->config = *config;
-    settings_mend(&core->config.memory.settings);
-    open_stall(core);
+    settings_sanitize(&core->config.persistent.settings);
+    open_world(core);
     return CORE_OK;
 }
 
 /* Returns 1 if fish and other rings collide with the poi. */
 static int is_met(const struct core *core, uint32_t index)
 {
-    return hand_plays(core, index) && rest_is_met(core, index);
+    return controller_is_active(core, index) && parking_collides(core, index);
 }
 
 static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TANK_OBSTACLE_MAX])
@@ -98,7 +98,7 @@ static void keep_off_bowls(struct core *core, uint32_t index)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (i != index) {
-            poi_yield_to_bowl(&core->poi[index], &core->bowl[i]);
+            poi_constrain_to_bowl(&core->poi[index], &core->bowl[i]);
         }
     }
 }
@@ -110,9 +110,9 @@ static void part_rings(struct core *core, const uint8_t live[POI_MAX])
     for (uint32_t k = 0; k < POI_MAX * POI_MAX; k++) {
         const uint32_t a = k / POI_MAX, b = k % POI_MAX;
         if (a < b && live[a] && live[b] && is_met(core, a) && is_met(core, b) &&
-            rings_part(&core->poi[a], &core->poi[b])) {
-            poi_yield_again(&core->poi[a], &core->tank, &core->bowl[a]);
-            poi_yield_again(&core->poi[b], &core->tank, &core->bowl[b]);
+            ring_pairs_separate(&core->poi[a], &core->poi[b])) {
+            poi_constrain_again(&core->poi[a], &core->tank, &core->bowl[a]);
+            poi_constrain_again(&core->poi[b], &core->tank, &core->bowl[b]);
         }
     }
 }
@@ -124,10 +124,10 @@ static void tick_pois(struct core *core, const struct input *input,
         if (live[i]) {
             const struct poi_grip grip = {
                 .target = targets[i],
-                .has_wrist = core->poi[i].link == POI_LINK_BOT || rest_holds(core, i) ||
-                             core->poi[i].link == POI_LINK_LOST || /* A lost poi is not emptied into
-                                                                      its bowl. */
-                             (core->poi[i].link == POI_LINK_LIVE && input->poi[i].has_wrist),
+                .has_wrist = core->poi[i].link == POI_SOURCE_BOT || parking_is_parked(core, i) ||
+                             core->poi[i].link == POI_SOURCE_LOST || /* A lost poi is not emptied
+                                                                        into its bowl. */
+                             (core->poi[i].link == POI_SOURCE_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i]);
             keep_off_bowls(core, i);
@@ -135,14 +135,14 @@ static void tick_pois(struct core *core, const struct input *input,
     }
     part_rings(core, live);
     const struct stall stall = { &core->tank, core->bowl, POI_MAX };
-    afloat_tick(&stall, core->poi, live, POI_MAX);
+    bowl_buoyancy_tick(&stall, core->poi, live, POI_MAX);
 }
 
 static void tick_water(struct core *core, const uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i]) {
-            wake_tick(&core->poi[i], &core->tank.water, core->tank.size_m);
+            surface_disturbance_tick(&core->poi[i], &core->tank.water, core->tank.size_m);
         }
     }
     if (core->tick % 2u == 0) {
@@ -179,10 +179,10 @@ static void gather_shades(struct core *core, const struct input *input)
         casts[i] = fan_shade(core, &input->shade[i]);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (hand_plays(core, i)) {
+        if (controller_is_active(core, i)) {
             casts[SHADE_MAX + i] = poi_shade(&core->poi[i]);
-            casts[SHADE_MAX + i].present &= rest_shade(core, i) > 0.0f;
-            casts[SHADE_MAX + i].dark *= rest_shade(core, i);
+            casts[SHADE_MAX + i].present &= parking_shade(core, i) > 0.0f;
+            casts[SHADE_MAX + i].dark *= parking_shade(core, i);
         }
     }
     tank_cast(&core->tank, casts);
@@ -193,12 +193,12 @@ static void give_way(struct core *core, const struct obstacle *obstacles)
 {
     uint32_t at = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (hand_plays(core, i)) {
+        if (controller_is_active(core, i)) {
             const struct obstacle nothing = { 0 };
-            poi_give_way(&core->poi[i], is_met(core, i) ? &obstacles[at++] : &nothing);
+            poi_apply_reaction(&core->poi[i], is_met(core, i) ? &obstacles[at++] : &nothing);
         }
         if (core->bowl[i].present) {
-            bowl_give_way(&core->bowl[i], &obstacles[at++]);
+            bowl_apply_reaction(&core->bowl[i], &obstacles[at++]);
         }
     }
 }
@@ -222,10 +222,10 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
 {
     const struct stall stall = { &core->tank, core->bowl, POI_MAX };
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (live[i] && !rest_holds(core, i)) {
+        if (live[i] && !parking_is_parked(core, i)) {
             catch_tick(&core->poi[i], i, &stall, core->tick, output, caught);
         } else {
-            let_go_tick(&core->poi[i], i, &stall, caught);
+            release_tick(&core->poi[i], i, &stall, caught);
         }
     }
 }
@@ -236,8 +236,8 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
-        if (live[i] && !core->poi[i].spared) { /* No force feedback unless the player controls the
-                                                  poi. */
+        if (live[i] && !core->poi[i].damage_immune) { /* No force feedback unless the player
+                                                         controls the poi. */
             haptics_feel(&core->poi[i], &output->poi[i]);
         }
     }
@@ -260,16 +260,16 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     tick_catch(core, live, caught, output);
     game_score(core, caught, output);
     core->tick++;
-    if (chapter_is_over(core)) {
-        chapter_turn(core);
-        open_stall(core);
+    if (session_is_over(core)) {
+        session_restart(core);
+        open_world(core);
     }
     return CORE_OK;
 }
 
 int core_is_fresh(const struct core *core)
 {
-    return core->tick == core->config.chapter.tick;
+    return core->tick == core->config.session.tick;
 }
 
 uint64_t core_hash_quick(const struct core *core)
@@ -295,11 +295,11 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
     hash = hash_u32(hash, config->players);
     hash = hash_u32(hash, config->credit_coins);
     hash = hash_u32(hash, config->ticket_fish);
-    hash = ledger_start_hash(hash, &config->memory.ledger);
-    hash = audits_hash(hash, &config->memory.audits);
-    hash = ranking_hash(hash, &config->memory.ranking);
-    hash = settings_hash(hash, &config->memory.settings, config->rules_7);
-    hash = chapter_hash(hash, &config->chapter, config->rules_7);
+    hash = ledger_start_hash(hash, &config->persistent.ledger);
+    hash = audits_hash(hash, &config->persistent.audits);
+    hash = ranking_hash(hash, &config->persistent.ranking);
+    hash = settings_hash(hash, &config->persistent.settings, config->rules_7);
+    hash = session_hash(hash, &config->session, config->rules_7);
     return lab_book_hash(hash, &config->book);
 }
 
@@ -308,7 +308,7 @@ uint64_t core_hash(const struct core *core)
     uint64_t hash = config_hash(core_hash_quick(core), &core->config);
     hash = audits_hash(hash, &core->game.audits);
     hash = ranking_hash(hash, &core->game.ranking);
-    hash = adjust_hash(hash, &core->game.adjust, core->config.rules_7);
+    hash = settings_edit_hash(hash, &core->game.settings_edit, core->config.rules_7);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         hash = poi_hash(hash, &core->poi[i]);
         hash = bowl_hash(hash, &core->bowl[i]);

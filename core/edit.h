@@ -9,16 +9,16 @@
 
 /* Edited curves of one species. 540 bytes; the core keeps one per species. */
 struct lab_edit {
-    uint8_t template;         /* enum graph_template that the graph started from. Under TEMPLATE_OWN
-                                 each body part keeps its own curve; under any other template every
-                                 part follows `graph`. */
+    uint8_t template_id;      /* enum graph_template that the graph started from. Under
+                                 TEMPLATE_OWN each body part keeps its own curve; under any other
+                                 template every part follows `graph`. */
     uint8_t scale_knot_count; /* Number of entries in `scale_knots`, as in struct species_card; 0:
                                  the growth curve gives the scale. */
     struct graph graph;       /* Graph of the whole fish. */
     struct scale_knot scale_knots[GRAPH_KNOT_MAX];
 };
 
-struct edit_record {
+struct graph_edit_record {
     uint32_t id;       /* Id of the record, one higher with each record; 0: nothing to save. */
     uint8_t is_own;    /* 1: the species returns to its original curves, and the store deletes the
                           saved edit. */

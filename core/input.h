@@ -46,14 +46,14 @@ enum input_button {
  * names; the shell adds names to the scene (scene.h). */
 enum controller_state {
     CONTROLLER_NONE = 0,
-    CONTROLLER_FREE,    /* Another driver uses the controller and keeps it unless the operator
-                           selects the controller. */
-    CONTROLLER_PLAYS,   /* Attached: the controller supplies, or can supply, the pose of a poi. */
-    CONTROLLER_LOST,    /* The controller was a poi and is disconnected. */
-    CONTROLLER_BARRED,  /* Never usable: a boot keyboard, a hub, or a device without input
-                           fields. */
-    CONTROLLER_DENIED,  /* The operator selected the controller, but the process has no permission
-                           to open it. */
+    CONTROLLER_FREE,   /* Another driver uses the controller and keeps it unless the operator
+                          selects the controller. */
+    CONTROLLER_ACTIVE, /* Attached: the controller supplies, or can supply, the pose of a poi. */
+    CONTROLLER_LOST,   /* The controller was a poi and is disconnected. */
+    CONTROLLER_UNSUPPORTED, /* Never usable: a boot keyboard, a hub, or a device without input
+                               fields. */
+    CONTROLLER_DENIED, /* The operator selected the controller, but the process has no permission
+                          to open it. */
     CONTROLLER_STATE_COUNT,
 };
 
@@ -67,14 +67,14 @@ enum learn_step {
     LEARN_FAR,
     LEARN_NEAR,
     LEARN_DIP,
-    LEARN_TRY,      /* The poi follows the learned mapping; the operator saves the mapping or starts
-                       again. */
-    LEARN_FAILED,   /* The controller's reports cannot be mapped to a poi. */
-    LEARN_UNKEPT,   /* The poi follows the learned mapping, but the mapping could not be saved. */
+    LEARN_TRY,    /* The poi follows the learned mapping; the operator saves the mapping or starts
+                     again. */
+    LEARN_FAILED, /* The controller's reports cannot be mapped to a poi. */
+    LEARN_NOT_SAVED, /* The poi follows the learned mapping, but the mapping could not be saved. */
     LEARN_STEP_COUNT,
 };
 
-struct desk_input {
+struct controller_status {
     uint8_t state[CONTROLLER_MAX]; /* enum controller_state of each row. A controller keeps its row
                                       while it is plugged in. */
     uint8_t learn_step;            /* enum learn_step */
@@ -84,12 +84,12 @@ struct desk_input {
                                       text of each row. */
 };
 
-enum poi_link {
-    POI_LINK_ABSENT = 0, /* No controller is assigned. */
-    POI_LINK_LOST = 1,   /* The controller was connected before; the poi moves out of the water and
-                            waits. */
-    POI_LINK_LIVE = 2,   /* `target` is up to date. */
-    POI_LINK_BOT = 3,    /* The core's own bot controls this poi. */
+enum poi_source {
+    POI_SOURCE_ABSENT = 0, /* No controller is assigned. */
+    POI_SOURCE_LOST = 1, /* The controller was connected before; the poi moves out of the water
+                            and waits. */
+    POI_SOURCE_LIVE = 2, /* `target` is up to date. */
+    POI_SOURCE_BOT = 3,  /* The core's own bot controls this poi. */
 };
 
 /* Target pose of the ring's centre. A spring pulls the poi to this pose, so the poi may lag. */
@@ -102,15 +102,15 @@ struct poi_target {
 };
 
 struct poi_input {
-    uint8_t link;             /* enum poi_link */
+    uint8_t link;             /* enum poi_source */
     uint8_t has_wrist;        /* 0: the controller cannot tilt the poi, so the core tilts the poi at
                                  the bowl. */
     uint8_t trembles;         /* 1: the sensor is noisy, so bit-identical values in a row mean a
                                  frozen sensor. */
     uint16_t age_ticks;       /* Ticks since the newest report. A pointer that does not move keeps
                                  age 0. */
-    struct poi_target target; /* Ignored unless `link` is POI_LINK_LIVE. Any bits are accepted: NaN,
-                                 an absurd value or a jump faster than an arm stops only this
+    struct poi_target target; /* Ignored unless `link` is POI_SOURCE_LIVE. Any bits are accepted:
+                                 NaN, an absurd value or a jump faster than an arm stops only this
                                  player's input (core/game/trust.h), not the game. */
 };
 
@@ -146,14 +146,14 @@ struct input {
                                  reports each pulse as finished at once. */
     uint32_t edit_saved_id;   /* Id of the newest output.edit that is confirmed on disk. */
     uint8_t edit_refused;     /* 1: the store saves no edits, or its last attempt failed. */
-    uint8_t upright;          /* 1: portrait screen, narrower than OVERLAY_UPRIGHT_ASPECT. */
-    struct desk_input desk;   /* State of the controllers for the operator's menu. */
+    uint8_t upright;          /* 1: portrait screen, narrower than POINTER_UPRIGHT_ASPECT. */
+    struct controller_status controllers; /* State of the controllers for the operator's menu. */
     struct poi_input poi[POI_MAX];
     struct shade_input shade[SHADE_MAX];
 };
 
 /* Returns the sum of the pulses of all coin lines, saturated at UINT32_MAX. */
-static inline uint32_t coin_pulses(const struct input *input)
+static inline uint32_t input_coin_pulses(const struct input *input)
 {
     uint32_t sum = 0;
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {

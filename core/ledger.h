@@ -15,10 +15,11 @@
 
 /* Capacity of the ring of entries that are not yet on disk. The ring holds more coins than a
  * cabinet takes in the second that a card needs for a sync, and the ends of a round. When the ring
- * is full, coins are added to the balance's `untold`, and the coin slot closes. */
+ * is full, coins are added to the balance's `unlogged`, and the coin slot closes. */
 #define LEDGER_RING 32u
-#define LEDGER_SPARE 4u /* Ring entries reserved for the start and the end of rounds, so that a
-                           started round can always be finished. */
+/* Ring entries reserved for the start and the end of rounds, so that a started round can always
+ * be finished. */
+#define LEDGER_RESERVE 4u
 #define LEDGER_NAME_SIZE 32u /* Ten kana of three bytes each and a terminating zero. */
 
 /* Largest entry id and largest start count, so that neither wraps. At one entry per second a kiosk
@@ -38,7 +39,8 @@ enum ledger_kind {
     LEDGER_ROUND,     /* A round ended, see `round`. `value`: tickets won; `detail`: ROUND_CUT_OFF
                          if a power cut ended the round, else 0. */
     LEDGER_REFUND,    /* A round was cancelled. `count`: credits returned, 0 for free play;
-                         `detail`: enum refund_cause; `value`: enum purse_open before the refund. */
+                         `detail`: enum refund_cause; `value`: enum round_payment before the
+                         refund. */
     LEDGER_EXPIRED,   /* `count` credits expired, together with the units inserted towards the next
                          credit. */
     LEDGER_TEST_COIN, /* `count` test pulses in the operator's menu: counted by the meter, not added
@@ -75,33 +77,33 @@ enum refund_cause {
 #define ROUND_CUT_OFF 1u
 
 /* Kind of credit that paid for the open round. */
-enum purse_open {
-    OPEN_NONE = 0,
-    OPEN_FREE,
-    OPEN_PAID,    /* Paid credit, from purse.paid. */
-    OPEN_SERVICE, /* Service credit, from purse.service. */
-    OPEN_KIND = 3, /* Mask of the values above. */
-    OPEN_SPENT = 4, /* Flag: the credit is not refundable, because two thirds of the round were
-                       played or the credit was already refunded once. */
+enum round_payment {
+    PAYMENT_NONE = 0,
+    PAYMENT_FREE,
+    PAYMENT_PAID,          /* Paid credit, from purse.paid. */
+    PAYMENT_SERVICE,       /* Service credit, from purse.service. */
+    PAYMENT_KIND_MASK = 3, /* Mask of the values above. */
+    PAYMENT_SPENT = 4, /* Flag: the credit is not refundable, because two thirds of the round
+                          were played or the credit was already refunded once. */
 };
 
-struct purse {
+struct balance {
     uint32_t units;       /* Units inserted towards the next credit. */
     uint32_t bonus_units; /* Units inserted since the last bonus or the last round. */
     uint32_t paid;        /* Credits that were bought and not yet played. */
     uint32_t service;     /* Credits from the SERVICE button that were not yet played. */
-    uint32_t untold;      /* Units inserted while the ledger ring was full, not yet logged. */
-    uint8_t open;         /* enum purse_open */
-    uint8_t returned;     /* OPEN_PAID or OPEN_SERVICE: a credit of that kind was refunded. The next
-                             round uses this credit and cannot be refunded again. OPEN_NONE: no
-                             refunded credit. */
-    uint16_t tickets;     /* Tickets won and not yet sent to the dispenser, 0 ..
-                             PURSE_TICKETS_MAX. */
+    uint32_t unlogged;    /* Units inserted while the ledger ring was full, not yet logged. */
+    uint8_t open;         /* enum round_payment */
+    uint8_t returned; /* PAYMENT_PAID or PAYMENT_SERVICE: a credit of that kind was refunded. The
+                         next round uses this credit and cannot be refunded again. PAYMENT_NONE: no
+                         refunded credit. */
+    uint16_t tickets; /* Tickets won and not yet sent to the dispenser, 0 ..
+                         BALANCE_TICKETS_MAX. */
 };
 
-#define PURSE_TICKETS_MAX 60000u /* Fits 16 bits. Tickets beyond this number are dropped. */
-#define PURSE_MAX 1000000u /* Upper limit of each count in the balance; no coin box holds so many
-                              coins. */
+#define BALANCE_TICKETS_MAX 60000u /* Fits 16 bits. Tickets beyond this number are dropped. */
+/* Upper limit of each count in the balance; no coin box holds so many coins. */
+#define BALANCE_MAX 1000000u
 
 /* Machine faults since the previous LEDGER_HEALTH entry. */
 struct health {
@@ -150,7 +152,7 @@ struct ledger_entry {
     uint8_t detail;
     uint32_t count;
     int32_t value;
-    struct purse purse; /* Balance after this entry. */
+    struct balance balance; /* Balance after this entry. */
     struct health health;
     struct round_record round;
     char name[LEDGER_NAME_SIZE]; /* UTF-8, padded with zeros. */
@@ -167,8 +169,8 @@ struct ledger_stand {
 struct ledger_start {
     uint32_t last_id; /* Id of the newest entry. */
     uint32_t boots;   /* Number of starts, including the current one; 0: the kiosk has no store. */
-    struct purse purse;
-    struct ledger_stand stand; /* State of the open round if purse.open has OPEN_SPENT. */
+    struct balance balance;
+    struct ledger_stand stand; /* State of the open round if purse.open has PAYMENT_SPENT. */
 };
 
 #endif

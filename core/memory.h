@@ -8,9 +8,9 @@
 #include "core/ledger.h"
 #include "core/settings.h"
 
-struct memory {
+struct persistent_state {
     struct ledger_start ledger;
-    struct settings settings; /* A value that setting_allows() rejects is replaced by its
+    struct settings settings; /* A value that settings_allows() rejects is replaced by its
                                  default. */
     struct audits audits;
     struct ranking ranking;

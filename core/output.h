@@ -54,31 +54,31 @@ struct poi_force {
                                     withstands. */
 
 /* Commands of the operator for a controller. */
-enum desk_order_kind {
-    DESK_NOTHING = 0,
-    DESK_CHOOSE,     /* Detach the controller from its driver; the controller is a poi from now
+enum controller_command_kind {
+    COMMAND_NONE = 0,
+    COMMAND_CHOOSE,  /* Detach the controller from its driver; the controller is a poi from now
                         on. */
-    DESK_RELEASE,    /* Return the controller to its driver and delete the learned mapping. */
-    DESK_LEARN,      /* Start the learn wizard; the controller is attached while the wizard runs. */
-    DESK_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
-    DESK_LEARN_KEEP, /* Save the learned mapping for this vendor:product:serial. */
-    DESK_LEARN_END,  /* Discard the learned mapping, and return the controller to its driver if it
-                        was not attached before. */
-    DESK_RESTART,    /* Restart the kiosk; applies to no controller. */
-    DESK_REPLAY,     /* Show the replay of round `round_id`; applies to no controller. */
-    DESK_SEEN,       /* The operator has read which databases were quarantined; applies to no
-                        controller. */
+    COMMAND_RELEASE, /* Return the controller to its driver and delete the learned mapping. */
+    COMMAND_LEARN,   /* Start the learn wizard; the controller is attached while the wizard runs. */
+    COMMAND_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
+    COMMAND_LEARN_KEEP, /* Save the learned mapping for this vendor:product:serial. */
+    COMMAND_LEARN_END, /* Discard the learned mapping, and return the controller to its driver if
+                          it was not attached before. */
+    COMMAND_RESTART,   /* Restart the kiosk; applies to no controller. */
+    COMMAND_REPLAY,    /* Show the replay of round `round_id`; applies to no controller. */
+    COMMAND_SEEN,      /* The operator has read which databases were quarantined; applies to no
+                          controller. */
 };
 
-struct desk_order {
-    uint8_t kind; /* enum desk_order_kind */
-    uint8_t row;  /* Row < CONTROLLER_MAX, as in struct desk_input. */
-    uint32_t round_id; /* Ledger id of the round, for DESK_REPLAY only. */
+struct controller_command {
+    uint8_t kind;      /* enum controller_command_kind */
+    uint8_t row;       /* Row < CONTROLLER_MAX, as in struct controller_status. */
+    uint32_t round_id; /* Ledger id of the round, for COMMAND_REPLAY only. */
 };
 
-#define DESK_ORDER_MAX 8u /* More commands than a person gives in the longest frame
-                             (PACE_TICKS_MAX), so that the shell reads the oldest command before it
-                             is overwritten. */
+/* More commands than a person gives in the longest frame (FRAME_PACER_TICKS_MAX), so that the
+ * shell reads the oldest command before it is overwritten. */
+#define CONTROLLER_COMMAND_MAX 8u
 
 struct output {
     uint32_t sound_count; /* <= OUTPUT_SOUND_MAX; further sounds of the frame are dropped. */
@@ -91,21 +91,21 @@ struct output {
     uint32_t tickets;       /* Tickets requested since the start; the dispenser receives one pulse
                                for each. The next ticket is requested when input.tickets_done
                                reaches this number. */
-    uint32_t order_count;   /* Commands since the start; command n, from 0, is in orders[n %
-                               DESK_ORDER_MAX]. */
-    struct desk_order orders[DESK_ORDER_MAX];
+    uint32_t command_count; /* Commands since the start; command n, from 0, is in orders[n %
+                               CONTROLLER_COMMAND_MAX]. */
+    struct controller_command commands[CONTROLLER_COMMAND_MAX];
     uint32_t entry_id;      /* Id of the newest entry; entry n is in entries[n % LEDGER_RING]. */
     struct ledger_entry entries[LEDGER_RING];
     struct round_record record; /* The newest finished round, for readers that do not need the
                                    ledger. */
-    struct edit_record edit;    /* The newest edit of a species. An edit that the store did not
-                                   read before the next edit is not saved, and is lost at the
-                                   next start. */
+    struct graph_edit_record edit; /* The newest edit of a species. An edit that the store did
+                                      not read before the next edit is not saved, and is lost at
+                                      the next start. */
 };
 
 /* Merges the force of one tick into the force of its frame, which the frame loop clears. The device
  * receives the strongest impact and tear of the frame; without an impact, the latest force. */
-static inline void output_feel(struct poi_force *frame, const struct poi_force *tick)
+static inline void output_merge_force(struct poi_force *frame, const struct poi_force *tick)
 {
     const struct poi_force before = *frame;
     if (tick->slap >= before.slap) {

@@ -18,9 +18,9 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->bend_rad = fish->bend_rad;
     out->gape = surface_gape(fish, tick);
     out->gulp = surface_gulp(fish, tick);
-    out->maturity = show_maturity(fish->age_days);
+    out->maturity = scene_maturity(fish->age_days);
     out->look = fish->look;
-    out->place = show_place(fish->gait);
+    out->place = scene_place_of(fish->gait);
     out->age_days = fish->age_days;
     out->progress = life_progress(&species_wakin.card, fish->age_days);
 }
@@ -51,8 +51,8 @@ static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_CO
 static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
 {
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
-        out->wetness[i] = show_wetness(sheet, i);
-        out->integrity[i] = show_integrity(sheet, i);
+        out->wetness[i] = scene_wetness(sheet, i);
+        out->integrity[i] = scene_integrity(sheet, i);
         out->stress[i] = sheet->state[i] == CELL_PAPER ? sheet->stress[i] : 0;
     }
     spread_to_rim(sheet, out->wetness);
@@ -63,7 +63,7 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
 static void show_poi(const struct core *core, uint32_t index, struct scene_poi *out)
 {
     const struct poi *poi = &core->poi[index];
-    out->present = (uint8_t)hand_plays(core, index);
+    out->present = (uint8_t)controller_is_active(core, index);
     out->owner = (uint8_t)index;
     if (!out->present) {
         return;
@@ -75,7 +75,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     out->paper_left = sheet_left(&poi->sheet);
     const struct shade_cast *cast = &core->tank.shade[SHADE_MAX + index].cast;
     out->shade_dark = cast->present ? cast->dark : 0.0f;
-    out->water_m = poi_water_m(poi);
+    out->water_m = carried_water_m(poi);
     out->shows_stress =
         core->game.phase == PHASE_ROUND && rules_of(core->game.mode)->shows_stress;
     show_sheet(&poi->sheet, out);
@@ -114,9 +114,8 @@ static void show_players(const struct core *core, struct scene *scene)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &core->game.player[i];
         const int in_round = core->game.phase == PHASE_ROUND;
-        const struct board_place place =
-            board_best_place(&core->game.ranking, core->game.mode, core->game.name.round_id,
-                             (uint8_t)i);
+        const struct leaderboard_place place = leaderboard_best_place(
+            &core->game.ranking, core->game.mode, core->game.name.round_id, (uint8_t)i);
         scene->caught[i] = player->caught;
         scene->player[i] = (struct scene_player){
             .plays = player->plays,
@@ -135,8 +134,8 @@ static void show_players(const struct core *core, struct scene *scene)
 static void show_offer(const struct core *core, uint8_t mode, struct scene_offer *out)
 {
     const struct core_config *config = &core->config;
-    out->round_s = (uint16_t)keeper_round_s(config, mode);
-    out->grade = keeper_grade(config, mode);
+    out->round_s = (uint16_t)table_setup_round_s(config, mode);
+    out->grade = table_setup_grade(config, mode);
 }
 
 static void show_game(const struct core *core, struct scene *scene)
@@ -146,14 +145,14 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->language = game->language;
     scene->hint = game->hints.shown;
     scene->phase_s = (float)(core->tick - game->phase_tick) * CORE_TICK_S;
-    scene->veil = chapter_veil(core);
+    scene->veil = session_fade(core);
     scene->seconds_left = game_seconds_left(game, core->tick);
     scene->best_today = game->ranking.row[game->mode][RANK_DAY][0].caught;
     scene->by_bot = game->bot_played;
     scene->mode = game->mode;
     scene->choice = game->lab_chosen ? CHOICE_LAB : game->mode;
-    scene->modes = keeper_modes(&core->config);
-    scene->grade = keeper_grade(&core->config, game->mode);
+    scene->modes = table_setup_modes(&core->config);
+    scene->grade = table_setup_grade(&core->config, game->mode);
     scene->paused = game->paused;
     scene->call = game->call;
     scene->call_s = (float)(core->tick - game->call_tick) * CORE_TICK_S;
@@ -169,7 +168,7 @@ static void show_game(const struct core *core, struct scene *scene)
     }
     album_show(core, &scene->album);
     name_show(core, &scene->name);
-    board_show(core, &scene->board);
+    leaderboard_show(core, &scene->leaderboard);
 }
 
 void core_scene(const struct core *core, struct scene *scene)

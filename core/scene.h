@@ -91,8 +91,8 @@ struct scene {
     struct scene_lab lab;
     struct scene_album album;
     struct scene_name name;
-    struct scene_board board;
-    uint8_t encore;          /* enum scene_encore; the shell fills in this field. */
+    struct scene_leaderboard leaderboard;
+    uint8_t playback;        /* enum scene_encore; the shell fills in this field. */
     float encore_progress;   /* [0, 1] progress of the fast playback up to the round. */
 };
 

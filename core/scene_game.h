@@ -7,16 +7,16 @@
 
 enum scene_phase {
     PHASE_ATTRACT = 0,
-    PHASE_READY = 1,  /* A few seconds in which the player takes the poi. */
+    PHASE_READY = 1, /* A few seconds in which the player takes the poi. */
     PHASE_ROUND = 2,
     PHASE_RESULT = 3,
-    PHASE_WORDLESS = 4, /* No phase of a game: the tank alone, without text. */
-    PHASE_CHOOSE = 5,   /* Selection of the mode. */
-    PHASE_LAB = 6,      /* The growth lab. */
-    PHASE_ALBUM = 7,    /* Album: the caught fish grow up. */
-    PHASE_MENU = 8,     /* The operator's menu. */
-    PHASE_NAME = 9,     /* A ranked player enters a name. */
-    PHASE_BOARD = 10,   /* The leaderboard with the new name. */
+    PHASE_WORDLESS = 4,     /* No phase of a game: the tank alone, without text. */
+    PHASE_MODE_SELECT = 5,  /* Selection of the mode. */
+    PHASE_LAB = 6,          /* The growth lab. */
+    PHASE_ALBUM = 7,        /* Album: the caught fish grow up. */
+    PHASE_MENU = 8,         /* The operator's menu. */
+    PHASE_NAME = 9,         /* A ranked player enters a name. */
+    PHASE_LEADERBOARD = 10, /* The leaderboard with the new name. */
 };
 
 enum game_mode {

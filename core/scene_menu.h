@@ -33,7 +33,7 @@ struct scene_menu {
     uint8_t file_first;      /* First row shown of desk.file_count; 0 if the list is empty. */
     uint8_t upright, has_hand, presses;
     float x, y;              /* Pointer position on the canvas (core/game/overlay.h). */
-    struct desk_input desk;
+    struct controller_status controllers;
     uint32_t held;           /* enum input_button */
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses since the menu was opened. */
     uint32_t test_coins;     /* Coins since the menu was opened, for the page of the input lines. */
@@ -50,7 +50,7 @@ struct scene_menu {
                                 included. */
     uint8_t calibrate_step;  /* enum calibrate_step of the calibration. */
     uint8_t calibrate_fault; /* enum calibration_fault of the last attempt. */
-    float calibrate_progress; /* [0, 1] progress of holding still. */
+    float menu_calibrate_progress; /* [0, 1] progress of holding still. */
     vec3 calibrated_m;       /* Calibrated position of the poi. */
     uint8_t from;            /* Page of the statistics that requests confirmation of a reset. */
     uint8_t pin_count;       /* Number of digits typed. */
@@ -96,7 +96,7 @@ struct scene_devices {
                                           missing. */
     char about[ABOUT_COUNT][SCENE_LINE_SIZE]; /* Name of each component, or its fault. */
     struct scene_axes {                /* Raw report of the controller of each slot. */
-        uint8_t link;                  /* enum poi_link */
+        uint8_t link;                  /* enum poi_source */
         vec3 position_m;
         struct angles angles;
         uint32_t report_count;         /* Reports in the last full second. */

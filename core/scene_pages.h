@@ -15,7 +15,7 @@ enum scene_keeping { LAB_NOT_SAVED = 0, LAB_SAVING, LAB_SAVED, LAB_UNSAVED /* Sa
 struct scene_lab {
     uint8_t species, species_count; /* The built-in species, followed by the custom species. */
     uint8_t refused;         /* Number of species files that were rejected. */
-    uint8_t template;        /* enum graph_template that the graph started from. */
+    uint8_t template_id;     /* enum graph_template that the graph started from. */
     uint8_t layer;           /* Key shape whose curve is edited; from MORPH_KEY_MAX on, the
                                 scale. */
     uint8_t playing, compare, path;
@@ -67,11 +67,11 @@ struct scene_name {
     float x, y;              /* Pointer position on the canvas (core/game/overlay.h). */
 };
 
-#define SCENE_BOARD_ROWS 10u /* Equal to RANK_ROWS. */
+#define SCENE_LEADERBOARD_ROWS 10u /* Equal to RANK_ROWS. */
 
-/* The leaderboard in PHASE_BOARD, in attract mode at intervals, and on its pages of the operator's
- * menu. */
-struct scene_board {
+/* The leaderboard in PHASE_LEADERBOARD, in attract mode at intervals, and on its pages of the
+ * operator's menu. */
+struct scene_leaderboard {
     uint8_t shown;
     uint8_t mode;            /* enum game_mode */
     uint8_t period;          /* enum rank_period */
@@ -83,7 +83,7 @@ struct scene_board {
         uint8_t is_sealed;   /* 1: a replay of the row is stored; the shell fills in this field. */
         uint32_t round_id;
         char name[LEDGER_NAME_SIZE]; /* UTF-8; "": no name was entered. */
-    } row[SCENE_BOARD_ROWS];
+    } row[SCENE_LEADERBOARD_ROWS];
 };
 
 #endif

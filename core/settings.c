@@ -55,7 +55,7 @@ static const struct setting table[SETTING_COUNT] = {
 };
 /* clang-format on */
 
-const struct setting *setting_of(uint32_t id)
+const struct setting *settings_entry(uint32_t id)
 {
     CORE_ASSERT(id < SETTING_COUNT);
     return &table[id];
@@ -67,9 +67,9 @@ static int is_grade(int32_t value)
     return value == 0 || (value >= (int32_t)SHEET_GRADE_MIN && value <= (int32_t)SHEET_GRADE_MAX);
 }
 
-int setting_allows(uint32_t id, int32_t value)
+int settings_allows(uint32_t id, int32_t value)
 {
-    const struct setting *setting = setting_of(id);
+    const struct setting *setting = settings_entry(id);
     if (id == SET_PIN && value < 0) {
         return 1;
     }
@@ -93,13 +93,13 @@ static int were_never_set(const struct settings *settings)
     return any == 0;
 }
 
-void settings_mend(struct settings *settings)
+void settings_sanitize(struct settings *settings)
 {
     if (were_never_set(settings)) {
         settings_reset(settings);
     }
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        if (!setting_allows(id, settings->value[id])) {
+        if (!settings_allows(id, settings->value[id])) {
             settings->value[id] = table[id].standard;
         }
     }

@@ -95,18 +95,18 @@ struct settings {
 
 /* Returns the table row of setting `id`. `id` must be < SETTING_COUNT, else the function
  * asserts. */
-const struct setting *setting_of(uint32_t id);
+const struct setting *settings_entry(uint32_t id);
 
 /* Returns 1 if setting `id` may have `value`: in range, on a step, and with at least one bit set
  * for KIND_BITS. A hashed PIN (core/pin.h) is allowed although the range covers only its digits. */
-int setting_allows(uint32_t id, int32_t value);
+int settings_allows(uint32_t id, int32_t value);
 
 /* Sets every setting to its default. */
 void settings_reset(struct settings *settings);
 
 /* Resets every out-of-range setting to its default. Resets all settings if all values are 0,
  * because a price of 0 is invalid and the struct was therefore never set. */
-void settings_mend(struct settings *settings);
+void settings_sanitize(struct settings *settings);
 
 /* Returns `hash` continued over the settings. The PIN counts as 0 unless `rules_7` (core/core.h),
  * so that the replay of a score verifies without the PIN. */

@@ -9,7 +9,7 @@
 #include "core/tank/fish.h"
 
 /* Returns the enum scene_place of a fish in enum fish_gait `gait`. */
-static inline uint8_t show_place(uint8_t gait)
+static inline uint8_t scene_place_of(uint8_t gait)
 {
     switch (gait) {
     case GAIT_HELD:
@@ -23,20 +23,20 @@ static inline uint8_t show_place(uint8_t gait)
 
 /* Returns the position along the colour keys, [0, 1]. Fish keepers report the first red at 50 to 60
  * days and clear red within three to four months. */
-static inline float show_maturity(float age_days)
+static inline float scene_maturity(float age_days)
 {
     return f_smoothstep(50.0f, 120.0f, age_days);
 }
 
 /* Return the scene values of a cell < SHEET_CELL_COUNT. Integrity: 255 whole .. 1 nearly torn, 0 no
  * paper. Wetness: 0 dry .. 255 wet, 0 outside the ring. */
-static inline uint8_t show_integrity(const struct sheet *sheet, uint32_t cell)
+static inline uint8_t scene_integrity(const struct sheet *sheet, uint32_t cell)
 {
     const float whole = f_clamp(1.0f - sheet->damage[cell], 0.0f, 1.0f);
     return sheet->state[cell] == CELL_PAPER ? (uint8_t)(1 + (int32_t)(whole * 254.0f)) : 0;
 }
 
-static inline uint8_t show_wetness(const struct sheet *sheet, uint32_t cell)
+static inline uint8_t scene_wetness(const struct sheet *sheet, uint32_t cell)
 {
     const float wet = f_clamp(sheet->wetness[cell], 0.0f, 1.0f);
     return sheet->state[cell] == CELL_OUTSIDE ? 0 : (uint8_t)(int32_t)(wet * 255.0f);

@@ -21,8 +21,8 @@ vec3 view_point_on_plane(const struct view *view, float aspect, float x, float y
     const struct basis axes = view_basis(view);
     const float tan_y = view_half_height_tan(view, aspect);
     const vec3 ray = v3_normalize_or(
-        basis_to_world(&axes, v3(x * tan_y * aspect, y * tan_y, -1.0f)), axes.back);
+        vec_basis_to_world(&axes, v3(x * tan_y * aspect, y * tan_y, -1.0f)), axes.back);
     const float drop = view->eye_m.y - height_m;
     const float reach = ray.y < -1e-4f ? f_min(drop / -ray.y, RAY_LENGTH_MAX_M) : RAY_LENGTH_MAX_M;
-    return v3_mad(view->eye_m, ray, reach);
+    return v3_muladd(view->eye_m, ray, reach);
 }

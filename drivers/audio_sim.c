@@ -5,7 +5,7 @@ static int audio_sim_open(void *self)
 {
     struct audio_sim *sim = self;
     sim->open_count++;
-    return sim->gone ? HAL_ERR_NONE : HAL_OK;
+    return sim->gone ? HAL_ERR_ABSENT : HAL_OK;
 }
 
 static int audio_sim_play(void *self, const struct sound_event *event)

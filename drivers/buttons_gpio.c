@@ -35,7 +35,7 @@ static uint32_t line_of(uint32_t role)
 }
 
 /* Fills the raw level, edge count and faults of every line, for the operator's test page. */
-static void sample_lines(struct gpio_reader *reader, struct button_sample *out)
+static void sample_lines(struct gpio_thread *reader, struct button_sample *out)
 {
     const uint32_t raw = atomic_load(&reader->raw);
     for (uint32_t role = 0; role < GPIO_INPUT_COUNT; role++) {
@@ -50,7 +50,7 @@ static void sample_lines(struct gpio_reader *reader, struct button_sample *out)
 
 static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
-    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
     /* Read before `held`, because the reader stores `held` first. */
     const uint32_t pressed = atomic_exchange(&reader->pressed, 0);
     const uint32_t missing = atomic_load(&reader->missing);
@@ -84,17 +84,17 @@ void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[H
     pthread_mutex_unlock(&gpio->reader.mutex);
 }
 
-static int is_wired(const struct gpio_reader *reader, enum hal_switch which)
+static int is_wired(const struct gpio_thread *reader, enum hal_switch which)
 {
     return reader->wires[GPIO_INPUT_COUNT + which].wired;
 }
 
 static int buttons_gpio_set(void *self, enum hal_switch which, int active)
 {
-    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
     const uint32_t bit = 1u << (GPIO_INPUT_COUNT + which);
     if (!is_wired(reader, which)) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (active) {
         atomic_fetch_or(&reader->wanted, bit);
@@ -106,9 +106,9 @@ static int buttons_gpio_set(void *self, enum hal_switch which, int active)
 
 static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
 {
-    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
     if (!is_wired(reader, which)) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     atomic_fetch_add(&reader->pulses[which], count);
     return HAL_OK;
@@ -118,7 +118,7 @@ static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
  * `pending` before it subtracts from `pulses`. */
 static uint32_t buttons_gpio_pending(void *self, enum hal_switch which)
 {
-    struct gpio_reader *reader = &((struct buttons_gpio *)self)->reader;
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
     const uint32_t asked = atomic_load(&reader->pulses[which]);
     return asked + atomic_load(&reader->pending[which]);
 }
@@ -126,17 +126,17 @@ static uint32_t buttons_gpio_pending(void *self, enum hal_switch which)
 int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
                        const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
 {
-    gpio_reader_open(&gpio->reader, lines, wires, clock);
-    const int result = gpio_reader_start(&gpio->reader);
+    gpio_thread_open(&gpio->reader, lines, wires, clock);
+    const int result = gpio_thread_start(&gpio->reader);
     if (result != HAL_OK) {
-        gpio_reader_close(&gpio->reader);
+        gpio_thread_close(&gpio->reader);
     }
     return result;
 }
 
 void buttons_gpio_stop(struct buttons_gpio *gpio)
 {
-    gpio_reader_stop(&gpio->reader);
+    gpio_thread_stop(&gpio->reader);
 }
 
 struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio)

@@ -6,7 +6,7 @@
 #include "drivers/gpio_reader.h"
 
 struct buttons_gpio {
-    struct gpio_reader reader;
+    struct gpio_thread reader;
     char text[HAL_TEXT_SIZE]; /* Buffer for the result of describe(). */
 };
 
@@ -20,14 +20,14 @@ int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
 /* Returns the input device. Each press and each coin is in exactly one sample. */
 struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio);
 
-/* Returns the output device. Roles that are not wired return HAL_ERR_NONE. Lamps and locks
+/* Returns the output device. Roles that are not wired return HAL_ERR_ABSENT. Lamps and locks
  * change within GPIO_WAIT_MS_MAX. */
 struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio);
 
 /* Copies to `out` why the line of `role` is missing, or "" if the line is held or not wired. */
 void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 
-/* Stops the reader as gpio_reader_stop(): coins are locked out, lamps go off, and the lines are
+/* Stops the reader as gpio_thread_stop(): coins are locked out, lamps go off, and the lines are
  * released to their bias (gpio_wires.h). */
 void buttons_gpio_stop(struct buttons_gpio *gpio);
 

@@ -6,17 +6,17 @@
 
 #include "core/base/panic.h"
 
-int buttons_join_add(struct buttons_join *join, struct hal_buttons part)
+int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part)
 {
     CORE_ASSERT(part.ops);
-    if (join->part_count == BUTTONS_JOIN_MAX) {
+    if (join->part_count == BUTTONS_MUX_MAX) {
         return -1;
     }
     join->part[join->part_count++] = part;
     return 0;
 }
 
-static void add(struct button_sample *sum, const struct button_sample *part)
+static void buttons_mux_merge(struct button_sample *sum, const struct button_sample *part)
 {
     sum->held |= part->held;
     sum->pressed |= part->pressed;
@@ -37,15 +37,15 @@ static void add(struct button_sample *sum, const struct button_sample *part)
 /* Returns HAL_OK if any part exists. A part that fails still contributes its sample. */
 static int join_poll(void *self, struct button_sample *out)
 {
-    const struct buttons_join *join = self;
-    int result = HAL_ERR_NONE;
+    const struct buttons_mux *join = self;
+    int result = HAL_ERR_ABSENT;
     *out = (struct button_sample){ 0 };
     for (uint32_t i = 0; i < join->part_count; i++) {
         struct button_sample part = { 0 };
-        if (join->part[i].ops->poll(join->part[i].self, &part) != HAL_ERR_NONE) {
+        if (join->part[i].ops->poll(join->part[i].self, &part) != HAL_ERR_ABSENT) {
             result = HAL_OK;
         }
-        add(out, &part);
+        buttons_mux_merge(out, &part);
     }
     return result;
 }
@@ -54,7 +54,7 @@ static int join_poll(void *self, struct button_sample *out)
  * once. */
 static const char *join_describe(void *self)
 {
-    struct buttons_join *join = self;
+    struct buttons_mux *join = self;
     const char *before = "";
     size_t length = 0;
     join->text[0] = '\0';
@@ -70,7 +70,7 @@ static const char *join_describe(void *self)
     return join->text;
 }
 
-struct hal_buttons buttons_join_device(struct buttons_join *join)
+struct hal_buttons buttons_mux_device(struct buttons_mux *join)
 {
     static const struct hal_buttons_ops ops = { .poll = join_poll, .describe = join_describe };
     return (struct hal_buttons){ .ops = &ops, .self = join };

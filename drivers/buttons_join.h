@@ -6,18 +6,18 @@
 
 #include "platform/hal.h"
 
-#define BUTTONS_JOIN_MAX 12u /* Keyboard, cabinet lines, and one part for each controller. */
+#define BUTTONS_MUX_MAX 12u /* Keyboard, cabinet lines, and one part for each controller. */
 
-struct buttons_join {
-    struct hal_buttons part[BUTTONS_JOIN_MAX];
+struct buttons_mux {
+    struct hal_buttons part[BUTTONS_MUX_MAX];
     uint32_t part_count;
     char text[3u * HAL_TEXT_SIZE]; /* Descriptions of the parts, truncated to fit. */
 };
 
-/* Adds a part, which is polled in this order. Returns 0, or -1 if there are BUTTONS_JOIN_MAX
+/* Adds a part, which is polled in this order. Returns 0, or -1 if there are BUTTONS_MUX_MAX
  * parts already; the part is then ignored. */
-int buttons_join_add(struct buttons_join *join, struct hal_buttons part);
+int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part);
 
-struct hal_buttons buttons_join_device(struct buttons_join *join);
+struct hal_buttons buttons_mux_device(struct buttons_mux *join);
 
 #endif

@@ -43,8 +43,8 @@ static const struct key *find_key(SDL_Keycode code)
     return &unknown;
 }
 
-static void take_event(struct buttons_keyboard *keyboard, const SDL_Event *event,
-                       struct button_sample *out)
+static void buttons_keyboard_take_event(struct buttons_keyboard *keyboard, const SDL_Event *event,
+                                        struct button_sample *out)
 {
     if (event->type != SDL_KEYDOWN && event->type != SDL_KEYUP) {
         return;
@@ -72,7 +72,7 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
     do { /* The range also removes text input events, which no other code reads. */
         taken = SDL_PeepEvents(events, EVENT_BATCH, SDL_GETEVENT, SDL_KEYDOWN, SDL_MOUSEMOTION - 1);
         for (int i = 0; i < taken; i++) {
-            take_event(keyboard, &events[i], out);
+            buttons_keyboard_take_event(keyboard, &events[i], out);
         }
     } while (taken == EVENT_BATCH);
     out->held = out->raw = keyboard->held;

@@ -13,7 +13,7 @@ struct coin_mech coin_mech_begin(uint64_t width_min_ns, uint64_t width_max_ns, b
     };
 }
 
-static void judge(struct coin_mech *mech)
+static void coin_mech_classify(struct coin_mech *mech)
 {
     const uint64_t width_ns = mech->end_ns - mech->begin_ns;
     if (!mech->spoilt && !mech->sticks) {
@@ -46,14 +46,14 @@ void coin_mech_settle(struct coin_mech *mech, uint64_t now_ns)
         return;
     }
     if (mech->state == COIN_FELL) {
-        judge(mech);
+        coin_mech_classify(mech);
     } else {
         mech->sticks = true;
         mech->stuck++;
     }
 }
 
-void coin_mech_turn(struct coin_mech *mech, uint64_t time_ns, bool active)
+void coin_mech_edge(struct coin_mech *mech, uint64_t time_ns, bool active)
 {
     coin_mech_settle(mech, time_ns);
     if (active && mech->state == COIN_IDLE) {
@@ -70,7 +70,7 @@ void coin_mech_turn(struct coin_mech *mech, uint64_t time_ns, bool active)
 void coin_mech_lose(struct coin_mech *mech)
 {
     if (mech->state == COIN_FELL) {
-        judge(mech);
+        coin_mech_classify(mech);
         return;
     }
     mech->cut += mech->state == COIN_FALLS && !mech->spoilt && !mech->sticks;

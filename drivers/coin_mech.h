@@ -37,7 +37,7 @@ struct coin_mech coin_mech_begin(uint64_t width_min_ns, uint64_t width_max_ns, b
                                  uint64_t now_ns);
 
 /* Processes a transition of the debounced line; transitions must come in order of time. */
-void coin_mech_turn(struct coin_mech *mech, uint64_t time_ns, bool active);
+void coin_mech_edge(struct coin_mech *mech, uint64_t time_ns, bool active);
 
 /* Evaluates the state at `now_ns`, before which no further transition may follow. */
 void coin_mech_settle(struct coin_mech *mech, uint64_t now_ns);

@@ -11,18 +11,18 @@ struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns)
     };
 }
 
-bool debounce_settle(struct debounce *debounce, uint64_t now_ns, struct debounce_turn *out)
+bool debounce_settle(struct debounce *debounce, uint64_t now_ns, struct debounce_edge_time *out)
 {
     if (debounce->raw == debounce->stable || now_ns < debounce_due_ns(debounce)) {
         return false;
     }
     debounce->stable = debounce->raw;
-    *out = (struct debounce_turn){ .time_ns = debounce->since_ns, .active = debounce->stable };
+    *out = (struct debounce_edge_time){ .time_ns = debounce->since_ns, .active = debounce->stable };
     return true;
 }
 
 bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
-                   struct debounce_turn *out)
+                   struct debounce_edge_time *out)
 {
     const bool turned = debounce_settle(debounce, time_ns, out);
     if (active != debounce->raw) {

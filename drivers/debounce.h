@@ -17,7 +17,7 @@ struct debounce {
 };
 
 /* A debounced transition. */
-struct debounce_turn {
+struct debounce_edge_time {
     uint64_t time_ns;
     bool active;
 };
@@ -28,11 +28,11 @@ struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns)
 /* Processes an edge to `active`; edges must come in order of time. Returns true if a transition
  * was completed. */
 bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
-                   struct debounce_turn *out);
+                   struct debounce_edge_time *out);
 
 /* Evaluates the state at `now_ns`, before which no further edge may follow. Returns true if a
  * transition was completed. */
-bool debounce_settle(struct debounce *debounce, uint64_t now_ns, struct debounce_turn *out);
+bool debounce_settle(struct debounce *debounce, uint64_t now_ns, struct debounce_edge_time *out);
 
 /* Returns when debounce_settle() must be called, or UINT64_MAX if only an edge requires it. */
 uint64_t debounce_due_ns(const struct debounce *debounce);

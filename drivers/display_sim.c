@@ -41,10 +41,10 @@ static int display_sim_present(void *self, const struct scene *scene)
     return HAL_OK;
 }
 
-static void display_sim_place(void *self, const struct showing *showing)
+static void display_sim_set_transform(void *self, const struct display_settings *display_settings)
 {
     struct display_sim *sim = self;
-    sim->showing = *showing;
+    sim->display_settings = *display_settings;
 }
 
 static int display_sim_toggle(void *self)
@@ -87,7 +87,7 @@ struct hal_display display_sim_device(struct display_sim *sim)
         .open = display_sim_open,
         .poll = display_sim_poll,
         .present = display_sim_present,
-        .place = display_sim_place,
+        .set_transform = display_sim_set_transform,
         .toggle_full_screen = display_sim_toggle,
         .capture = display_sim_capture,
         .close = display_sim_close,

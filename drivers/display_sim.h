@@ -8,7 +8,7 @@
 
 struct display_sim {
     struct scene scene;         /* Scene presented last. */
-    struct showing showing;     /* Image geometry set last. */
+    struct display_settings display_settings; /* Image geometry set last. */
     uint32_t present_count;
     uint32_t full_screen_count; /* Number of full-screen toggles. */
     uint32_t gone_at;           /* Permanently lost from this present on; 0: never. */

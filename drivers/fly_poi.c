@@ -21,14 +21,14 @@
 
 #define LAP_M 0.35f /* Distance beyond the near edge at which the fan rests. */
 
-static float share_of(float value)
+static float stick_motion_share_of(float value)
 {
     return f_is_finite(value) ? f_clamp(value, -1.0f, 1.0f) : 0.0f;
 }
 
 static vec3 shares_of(vec3 v)
 {
-    return v3(share_of(v.x), share_of(v.y), share_of(v.z));
+    return v3(stick_motion_share_of(v.x), stick_motion_share_of(v.y), stick_motion_share_of(v.z));
 }
 
 static vec3 kept_within(vec3 v, vec3 low, vec3 high)
@@ -39,47 +39,48 @@ static vec3 kept_within(vec3 v, vec3 low, vec3 high)
 
 /* Limits a position to the visible part at its height. A higher ring appears farther up in the
  * image and can move less far before it leaves the image. */
-static vec3 seen_m(const struct fly_poi *fly, vec3 at_m)
+static vec3 seen_m(const struct stick_motion *fly, vec3 at_m)
 {
-    const float height = f_clamp((at_m.y - FLY_LOW_M) / (FLY_HIGH_M - FLY_LOW_M), 0.0f, 1.0f);
+    const float height = f_clamp(
+        (at_m.y - STICK_MOTION_LOW_M) / (STICK_MOTION_HIGH_M - STICK_MOTION_LOW_M), 0.0f, 1.0f);
     return kept_within(at_m, v3_lerp(fly->low_m[0], fly->low_m[1], height),
                        v3_lerp(fly->high_m[0], fly->high_m[1], height));
 }
 
-static void look_at_height(struct fly_poi *fly, uint32_t index, float height_m)
+static void look_at_height(struct stick_motion *fly, uint32_t index, float height_m)
 {
     const struct view *view = &fly->view;
     const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, height_m);
     const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, height_m);
     const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, height_m);
-    fly->low_m[index] = v3(-f_abs(right.x), FLY_LOW_M, f_min(far.z, near.z));
-    fly->high_m[index] = v3(f_abs(right.x), FLY_HIGH_M, f_max(far.z, near.z));
+    fly->low_m[index] = v3(-f_abs(right.x), STICK_MOTION_LOW_M, f_min(far.z, near.z));
+    fly->high_m[index] = v3(f_abs(right.x), STICK_MOTION_HIGH_M, f_max(far.z, near.z));
 }
 
-void fly_poi_look(struct fly_poi *fly, const struct view *view)
+void stick_motion_set_view(struct stick_motion *fly, const struct view *view)
 {
     fly->view = *view;
-    look_at_height(fly, 0, FLY_LOW_M);
-    look_at_height(fly, 1, FLY_HIGH_M);
+    look_at_height(fly, 0, STICK_MOTION_LOW_M);
+    look_at_height(fly, 1, STICK_MOTION_HIGH_M);
     fly->place_m = seen_m(fly, fly->place_m);
 }
 
-void fly_poi_init(struct fly_poi *fly, const struct view *view)
+void stick_motion_init(struct stick_motion *fly, const struct view *view)
 {
-    *fly = (struct fly_poi){ .place_m = { 0.0f, DIP_HOVER_M, 0.0f } };
+    *fly = (struct stick_motion){ .place_m = { 0.0f, DIP_HOVER_M, 0.0f } };
     dip_init(&fly->dip);
-    fly_poi_look(fly, view);
+    stick_motion_set_view(fly, view);
 }
 
 /* Returns the ring's height over the still water: the flight height minus the depth of the dip. */
-static float height_m(const struct fly_poi *fly, uint64_t time_ns)
+static float height_m(const struct stick_motion *fly, uint64_t time_ns)
 {
     return fly->place_m.y - DIP_HOVER_M + dip_at(&fly->dip, time_ns).height_m;
 }
 
 static float pace_m_s(float at_m)
 {
-    return f_lerp(FLY_WATER_M_S, FLY_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
+    return f_lerp(STICK_MOTION_WATER_M_S, STICK_MOTION_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
 }
 
 /* Applies a response curve: the cubic part makes small deflections fine. */
@@ -88,7 +89,7 @@ static float eased(float push)
     return push * (0.35f + 0.65f * push * push);
 }
 
-static vec3 wanted_m_s(const struct fly_poi *fly, uint64_t time_ns)
+static vec3 wanted_m_s(const struct stick_motion *fly, uint64_t time_ns)
 {
     const vec3 push = fly->report.push;
     const float pace = pace_m_s(height_m(fly, time_ns));
@@ -96,36 +97,36 @@ static vec3 wanted_m_s(const struct fly_poi *fly, uint64_t time_ns)
         return v3(0.0f, 0.0f, 0.0f);
     }
     const float climb = fly->report.buttons & POINTER_LEVEL
-                            ? share_of((DIP_HOVER_M - fly->place_m.y) / LEVEL_FROM_M)
+                            ? stick_motion_share_of((DIP_HOVER_M - fly->place_m.y) / LEVEL_FROM_M)
                             : eased(push.y);
-    return v3(pace * eased(push.x), FLY_HEIGHT_M_S * climb, pace * eased(push.z));
+    return v3(pace * eased(push.x), STICK_MOTION_HEIGHT_M_S * climb, pace * eased(push.z));
 }
 
-static void lead_fan(struct fly_poi *fly, float dt_s)
+static void lead_fan(struct stick_motion *fly, float dt_s)
 {
     const vec3 push = fly->report.push;
     const int fans = (fly->report.buttons & POINTER_FAN) != 0;
     const float swing = dt_s / POINTER_FAN_SWING_S;
     if (fans) {
         const vec3 way = v3(eased(push.x), 0.0f, eased(push.z));
-        const vec3 led = v3_mad(fly->shade_m, way, FLY_AIR_M_S * dt_s);
+        const vec3 led = v3_muladd(fly->shade_m, way, STICK_MOTION_AIR_M_S * dt_s);
         fly->shade_m = seen_m(fly, led);
     }
     fly->swing = f_clamp(fly->swing + (fans ? swing : -swing), 0.0f, 1.0f);
 }
 
-static void fly_step(struct fly_poi *fly, uint64_t time_ns, float dt_s)
+static void fly_step(struct stick_motion *fly, uint64_t time_ns, float dt_s)
 {
     const vec3 goal = wanted_m_s(fly, time_ns);
     fly->speed_m_s = v3_lerp(fly->speed_m_s, goal, 1.0f - f_exp(-dt_s / PUSH_TAU_S));
-    const vec3 next = v3_mad(fly->place_m, fly->speed_m_s, dt_s);
+    const vec3 next = v3_muladd(fly->place_m, fly->speed_m_s, dt_s);
     fly->place_m = seen_m(fly, next);
-    const vec3 twist = v3_scale(fly->report.twist, FLY_TILT_MAX_RAD);
+    const vec3 twist = v3_scale(fly->report.twist, STICK_MOTION_TILT_MAX_RAD);
     fly->twist_rad = v3_lerp(fly->twist_rad, twist, 1.0f - f_exp(-dt_s / TWIST_TAU_S));
     lead_fan(fly, dt_s);
 }
 
-static void fly_to_time(struct fly_poi *fly, uint64_t time_ns)
+static void fly_to_time(struct stick_motion *fly, uint64_t time_ns)
 {
     if (time_ns <= fly->time_ns) {
         return;
@@ -142,7 +143,7 @@ static void fly_to_time(struct fly_poi *fly, uint64_t time_ns)
     fly->time_ns = time_ns;
 }
 
-void fly_poi_report(struct fly_poi *fly, const struct fly_report *report)
+void stick_motion_report(struct stick_motion *fly, const struct stick_report *report)
 {
     fly_to_time(fly, report->time_ns);
     const uint32_t changed = fly->report.buttons ^ report->buttons;
@@ -159,14 +160,14 @@ void fly_poi_report(struct fly_poi *fly, const struct fly_report *report)
 
 /* Moves the ring away from the player along the line of sight as it goes down. The slanted ring
  * then moves more edge-on through the water. */
-static vec3 slid_m(const struct fly_poi *fly, float down_m)
+static vec3 slid_m(const struct stick_motion *fly, float down_m)
 {
     const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);
     const float slope = sight.y < -0.1f ? f_clamp(sight.z / sight.y, 0.0f, 1.5f) : 0.0f;
     return v3(0.0f, -down_m, -slope * down_m);
 }
 
-struct poi_target fly_poi_target(struct fly_poi *fly, uint64_t time_ns)
+struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns)
 {
     fly_to_time(fly, time_ns);
     const struct dip_state stroke = dip_at(&fly->dip, fly->time_ns);
@@ -181,7 +182,7 @@ struct poi_target fly_poi_target(struct fly_poi *fly, uint64_t time_ns)
     };
 }
 
-struct shade_input fly_poi_fan(struct fly_poi *fly, uint64_t time_ns)
+struct shade_input stick_motion_fan(struct stick_motion *fly, uint64_t time_ns)
 {
     fly_to_time(fly, time_ns);
     const float share = f_smoothstep(0.0f, 1.0f, fly->swing);

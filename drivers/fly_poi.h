@@ -13,26 +13,27 @@
 #include "drivers/dip.h"
 #include "drivers/pointer_poi.h"
 
-#define FLY_AIR_M_S 0.55f    /* At full deflection: across the kiosk's tank in 1.5 s. */
-#define FLY_WATER_M_S 0.26f  /* Under water; wet paper bears 0.4 m/s broadside. */
-#define FLY_HEIGHT_M_S 0.30f /* Vertical velocity, equal to the fastest part of a dip. */
-#define FLY_HIGH_M 0.12f     /* Upper limit, above the rim of the tank. */
-#define FLY_LOW_M (-0.11f)   /* Lower limit, the floor of the kiosk's tank. */
-#define FLY_TILT_MAX_RAD (60.0f * F_DEG)
+#define STICK_MOTION_AIR_M_S 0.55f    /* At full deflection: across the kiosk's tank in 1.5 s. */
+#define STICK_MOTION_WATER_M_S 0.26f  /* Under water; wet paper bears 0.4 m/s broadside. */
+#define STICK_MOTION_HEIGHT_M_S 0.30f /* Vertical velocity, equal to the fastest part of a dip. */
+#define STICK_MOTION_HIGH_M 0.12f     /* Upper limit, above the rim of the tank. */
+#define STICK_MOTION_LOW_M (-0.11f)   /* Lower limit, the floor of the kiosk's tank. */
+#define STICK_MOTION_TILT_MAX_RAD (60.0f * F_DEG)
 
 /* The complete state of the controls at one moment. */
-struct fly_report {
+struct stick_report {
     uint64_t time_ns;
     vec3 push;         /* Components in -1 .. 1; non-finite components count as 0. */
-    vec3 twist;        /* Pitch, yaw, roll as shares of FLY_TILT_MAX_RAD; checked likewise. */
+    vec3 twist; /* Pitch, yaw, roll as shares of STICK_MOTION_TILT_MAX_RAD; checked likewise. */
     uint32_t buttons;  /* enum pointer_button bits that are down. */
 };
 
-struct fly_poi {
+struct stick_motion {
     struct view view;
-    /* Limits of the motion by what the view shows, at FLY_LOW_M and at FLY_HIGH_M. */
+    /* Limits of the motion by what the view shows, at STICK_MOTION_LOW_M and at
+     * STICK_MOTION_HIGH_M. */
     vec3 low_m[2], high_m[2];
-    struct fly_report report;
+    struct stick_report report;
     struct dip dip;
     vec3 place_m;        /* Position over the still water, before the dip. */
     vec3 speed_m_s;      /* Velocity, smoothed like the motion of an arm. */
@@ -43,18 +44,18 @@ struct fly_poi {
 };
 
 /* Initializes the poi to hover over the middle of the water. `view` is copied. */
-void fly_poi_init(struct fly_poi *fly, const struct view *view);
+void stick_motion_init(struct stick_motion *fly, const struct view *view);
 
 /* Sets the camera view; the poi stays within the visible part. */
-void fly_poi_look(struct fly_poi *fly, const struct view *view);
+void stick_motion_set_view(struct stick_motion *fly, const struct view *view);
 
 /* Processes one report. A report older than the last one is processed as current. */
-void fly_poi_report(struct fly_poi *fly, const struct fly_report *report);
+void stick_motion_report(struct stick_motion *fly, const struct stick_report *report);
 
 /* Returns the pose at `time_ns`, which must never decrease. The pose is always finite. */
-struct poi_target fly_poi_target(struct fly_poi *fly, uint64_t time_ns);
+struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns);
 
 /* Returns the fan. While POINTER_FAN is held the sticks move the fan and the poi waits. */
-struct shade_input fly_poi_fan(struct fly_poi *fly, uint64_t time_ns);
+struct shade_input stick_motion_fan(struct stick_motion *fly, uint64_t time_ns);
 
 #endif

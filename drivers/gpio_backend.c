@@ -24,8 +24,8 @@ static void let_go(struct gpio_backend *backend, enum gpio_role role)
     }
 }
 
-static bool find(const struct gpio_backend *backend, const struct gpio_wire *wire,
-                 enum gpio_role role, char why[HAL_TEXT_SIZE])
+static bool gpio_backend_find(const struct gpio_backend *backend, const struct gpio_wire *wire,
+                              enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     const struct gpio_backend_ops *ops = backend->ops;
     struct gpio_dev_walk walk = { 0 };
@@ -47,8 +47,8 @@ static bool find(const struct gpio_backend *backend, const struct gpio_wire *wir
     return false;
 }
 
-static void refuse(const struct gpio_backend *backend, const struct gpio_wire *wire,
-                   enum gpio_role role, int error, char why[HAL_TEXT_SIZE])
+static void gpio_backend_error(const struct gpio_backend *backend, const struct gpio_wire *wire,
+                               enum gpio_role role, int error, char why[HAL_TEXT_SIZE])
 {
     char consumer[GPIO_TEXT_SIZE] = "";
     backend->ops->consumer(role, consumer);
@@ -61,7 +61,7 @@ static void hold(struct gpio_backend *backend, const struct gpio_wire *wire, enu
 {
     const struct gpio_backend_ops *ops = backend->ops;
     bool has_edges = gpio_role_is_input(role);
-    if (!find(backend, wire, role, why)) {
+    if (!gpio_backend_find(backend, wire, role, why)) {
         return;
     }
     int failed = ops->request(role, wire, has_edges);
@@ -70,14 +70,14 @@ static void hold(struct gpio_backend *backend, const struct gpio_wire *wire, enu
         failed = ops->request(role, wire, has_edges);
     }
     if (failed) {
-        refuse(backend, wire, role, errno, why);
+        gpio_backend_error(backend, wire, role, errno, why);
         return;
     }
     backend->held |= bit_of(role);
     if (has_edges) {
         backend->fds[role] = ops->edges_fd(role);
     } else if (gpio_role_is_input(role)) {
-        gpio_dev_look_from_now(&backend->looks, role, ops->get(role));
+        gpio_dev_poll_begin(&backend->looks, role, ops->get(role));
     }
 }
 
@@ -93,7 +93,7 @@ static int backend_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT
         }
     }
     if (backend->held == 0 && !gpio_dev_next(&walk)) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     gpio_dev_end(&walk);
     return (int)backend->held;
@@ -146,19 +146,21 @@ static int backend_debounces(void *self, enum gpio_role role)
 /* ---- Waiting for edges ---------------------------------------------------------------------- */
 
 /* Polls a line without edge detection. Returns 1 and one edge if the level changed. */
-static uint32_t look(struct gpio_backend *backend, enum gpio_role role, struct gpio_edge *out)
+static uint32_t gpio_backend_poll_level(struct gpio_backend *backend, enum gpio_role role,
+                                        struct gpio_edge *out)
 {
     const int level = backend_level(backend, role);
     backend->went |= level == HAL_ERR_GONE;
-    return gpio_dev_look(&backend->looks, role, level, out);
+    return gpio_dev_poll_level(&backend->looks, role, level, out);
 }
 
 /* Reads the edges of `role`. Returns their number. */
-static uint32_t hear(struct gpio_backend *backend, const struct gpio_dev_ready *ready,
-                     enum gpio_role role, struct gpio_edge *out, uint32_t max)
+static uint32_t gpio_backend_read_edges(struct gpio_backend *backend,
+                                        const struct gpio_dev_ready *ready, enum gpio_role role,
+                                        struct gpio_edge *out, uint32_t max)
 {
     if (backend->looks.roles & bit_of(role) && max > 0) {
-        return look(backend, role, out);
+        return gpio_backend_poll_level(backend, role, out);
     }
     int taken = ready->gone & bit_of(role) ? -1 : 0;
     if (ready->readable & bit_of(role) && max > 0) {
@@ -175,10 +177,10 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
 {
     struct gpio_backend *backend = self;
     const struct gpio_dev_ready ready = gpio_dev_wait(
-        backend->fds, backend->went ? 0 : gpio_dev_look_ms(&backend->looks, timeout_ms));
+        backend->fds, backend->went ? 0 : gpio_dev_poll_ms(&backend->looks, timeout_ms));
     uint32_t count = 0;
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
-        count += hear(backend, &ready, role, out + count, max - count);
+        count += gpio_backend_read_edges(backend, &ready, role, out + count, max - count);
     }
     if (backend->went && count == 0) { /* Edges of the other chips are returned first. */
         backend->went = 0;
@@ -199,7 +201,7 @@ static int backend_list(void *self,
     while (gpio_dev_next(&walk)) {
         count += backend->ops->tell_chip(walk.path, tell, context);
     }
-    return walk.count > 0 ? (int)count : HAL_ERR_NONE;
+    return walk.count > 0 ? (int)count : HAL_ERR_ABSENT;
 }
 
 static const char *backend_describe(void *self)

@@ -25,7 +25,7 @@ struct gpio_backend_ops {
     int (*debounces)(enum gpio_role role);
     /* Releases the line, if it was requested, and closes the chip. */
     void (*release)(enum gpio_role role);
-    /* Lists the lines of a chip, like gpio_chips_tell(). */
+    /* Lists the lines of a chip, like gpio_chips_list(). */
     uint32_t (*tell_chip)(const char *path,
                           void (*tell)(void *context, const struct gpio_line_info *line),
                           void *context);
@@ -36,7 +36,7 @@ struct gpio_backend {
     const struct gpio_backend_ops *ops;
     uint32_t held;             /* Requested lines, one bit for each role. */
     int fds[GPIO_INPUT_COUNT]; /* Edge event descriptors, or -1 for a line without edges. */
-    struct gpio_dev_looks looks;
+    struct gpio_dev_poll_state looks;
     uint8_t went;              /* 1 after a chip was removed, until wait() reports it. */
     char text[HAL_TEXT_SIZE];
 };

@@ -8,7 +8,7 @@
 
 /* Calls `tell` for every line of the chip at `path`. Returns the number of lines, or 0 if the
  * chip cannot be opened. */
-uint32_t gpio_chips_tell(const char *path,
+uint32_t gpio_chips_list(const char *path,
                          void (*tell)(void *context, const struct gpio_line_info *line),
                          void *context);
 

@@ -31,7 +31,7 @@ static uint32_t tell_lines(struct gpiod_chip *chip,
     return count;
 }
 
-uint32_t gpio_chips_tell(const char *path,
+uint32_t gpio_chips_list(const char *path,
                          void (*tell)(void *context, const struct gpio_line_info *line),
                          void *context)
 {

@@ -80,25 +80,25 @@ bool gpio_dev_lacks_edges(int error)
     return error == ENODEV || error == ENXIO; /* Errors of gpiod_to_irq() in the kernel. */
 }
 
-void gpio_dev_look_from_now(struct gpio_dev_looks *looks, enum gpio_role role, int level)
+void gpio_dev_poll_begin(struct gpio_dev_poll_state *looks, enum gpio_role role, int level)
 {
     looks->roles |= 1u << role;
     looks->active = level == 1 ? looks->active | 1u << role : looks->active & ~(1u << role);
 }
 
-uint32_t gpio_dev_look_ms(const struct gpio_dev_looks *looks, uint32_t timeout_ms)
+uint32_t gpio_dev_poll_ms(const struct gpio_dev_poll_state *looks, uint32_t timeout_ms)
 {
-    return looks->roles && timeout_ms > GPIO_LOOK_MS ? GPIO_LOOK_MS : timeout_ms;
+    return looks->roles && timeout_ms > GPIO_POLL_MS ? GPIO_POLL_MS : timeout_ms;
 }
 
-bool gpio_dev_look(struct gpio_dev_looks *looks, enum gpio_role role, int level,
-                   struct gpio_edge *out)
+bool gpio_dev_poll_level(struct gpio_dev_poll_state *looks, enum gpio_role role, int level,
+                         struct gpio_edge *out)
 {
     struct timespec now;
     if (level < 0 || level == (int)(looks->active >> role & 1u)) {
         return false;
     }
-    gpio_dev_look_from_now(looks, role, level);
+    gpio_dev_poll_begin(looks, role, level);
     clock_gettime(CLOCK_MONOTONIC, &now);
     *out = (struct gpio_edge){
         .time_ns = (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec,

@@ -36,8 +36,8 @@ struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t ti
 
 /* Polling interval of lines without interrupts, such as port expanders whose INT pin is not
  * connected. A coin pulse of 20 ms is five times as long. */
-#define GPIO_LOOK_MS 4u
-struct gpio_dev_looks {
+#define GPIO_POLL_MS 4u
+struct gpio_dev_poll_state {
     uint32_t roles;  /* Lines that are polled, one bit for each role. */
     uint32_t active; /* Last level of each polled line. */
 };
@@ -46,13 +46,13 @@ struct gpio_dev_looks {
 bool gpio_dev_lacks_edges(int error);
 
 /* Starts polling the line of `role`, whose current level is `level`. */
-void gpio_dev_look_from_now(struct gpio_dev_looks *looks, enum gpio_role role, int level);
-/* Returns the longest wait in ms, which is limited to GPIO_LOOK_MS if lines are polled. */
-uint32_t gpio_dev_look_ms(const struct gpio_dev_looks *looks, uint32_t timeout_ms);
+void gpio_dev_poll_begin(struct gpio_dev_poll_state *looks, enum gpio_role role, int level);
+/* Returns the longest wait in ms, which is limited to GPIO_POLL_MS if lines are polled. */
+uint32_t gpio_dev_poll_ms(const struct gpio_dev_poll_state *looks, uint32_t timeout_ms);
 /* Returns true if `level` differs from the last one, and fills `out` with an edge stamped with
  * the current time. */
-bool gpio_dev_look(struct gpio_dev_looks *looks, enum gpio_role role, int level,
-                   struct gpio_edge *out);
+bool gpio_dev_poll_level(struct gpio_dev_poll_state *looks, enum gpio_role role, int level,
+                         struct gpio_edge *out);
 
 /* Writes why an existing line was refused. `error` is the errno value; `consumer` is the current
  * user of the line or "". */

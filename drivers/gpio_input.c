@@ -3,11 +3,11 @@
 
 #define NEVER UINT64_MAX
 
-static const struct gpio_looks no_looks = { NEVER, NEVER, NEVER };
+static const struct gpio_poll_edges no_looks = { NEVER, NEVER, NEVER };
 
-struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t now_ns)
+struct gpio_edge_filter gpio_edge_filter_begin(uint64_t debounce_ns, bool active, uint64_t now_ns)
 {
-    return (struct gpio_input){
+    return (struct gpio_edge_filter){
         .debounce = debounce_begin(debounce_ns, active, now_ns),
         .blinked_ns = NEVER,
         .other = no_looks,
@@ -17,22 +17,22 @@ struct gpio_input gpio_input_begin(uint64_t debounce_ns, bool active, uint64_t n
 /* ---- Polled levels -------------------------------------------------------------------------- */
 
 /* Returns true while the polled level differs from the edges. */
-static bool is_doubted(const struct gpio_looks *other)
+static bool is_doubted(const struct gpio_poll_edges *other)
 {
     return other->since_ns != NEVER && other->back_ns == NEVER;
 }
 
 /* Returns true if two polls prove a different level: the kernel is late by more than a glitch
  * lasts. */
-static bool is_proof(const struct gpio_looks *other)
+static bool is_proof(const struct gpio_poll_edges *other)
 {
     return other->since_ns != NEVER && other->last_ns - other->since_ns >= GPIO_PROOF_NS;
 }
 
 /* Discards the polls. A proven level that no edge explained counts as a lost edge. */
-static void end_looks(struct gpio_input *input, bool is_explained)
+static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 {
-    const struct gpio_looks *other = &input->other;
+    const struct gpio_poll_edges *other = &input->other;
     input->lost += !is_explained && is_proof(other) && !is_doubted(other);
     input->other = no_looks;
 }
@@ -40,7 +40,8 @@ static void end_looks(struct gpio_input *input, bool is_explained)
 /* ---- Edges ---------------------------------------------------------------------------------- */
 
 /* Applies a late edge to the level that was polled after it. */
-static bool take_late(struct gpio_input *input, uint64_t time_ns, struct debounce_turn *out)
+static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
+                      struct debounce_edge_time *out)
 {
     struct debounce *debounce = &input->debounce;
     const bool before = debounce->raw;
@@ -55,8 +56,8 @@ static bool take_late(struct gpio_input *input, uint64_t time_ns, struct debounc
 }
 
 /* Processes a null edge: the line changed and changed back, so the debounce time starts again. */
-static bool take_blink(struct gpio_input *input, const struct gpio_edge *edge,
-                       struct debounce_turn *out)
+static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *edge,
+                       struct debounce_edge_time *out)
 {
     struct debounce *debounce = &input->debounce;
     if (debounce->period_ns == 0) {
@@ -72,17 +73,17 @@ static bool take_blink(struct gpio_input *input, const struct gpio_edge *edge,
     input->doubtful += is_pair;
     input->blinked_ns = rests && !is_pair ? edge->time_ns : NEVER;
     input->told_ns = edge->taken_ns;
-    struct debounce_turn none;
+    struct debounce_edge_time none;
     const bool turned = debounce_edge(debounce, edge->time_ns, !active, out);
     /* Immediately after the edge, so it cannot settle. */
     debounce_edge(debounce, edge->time_ns, active, &none);
     return turned;
 }
 
-bool gpio_input_edge(struct gpio_input *input, const struct gpio_edge *edge,
-                     struct debounce_turn *out)
+bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edge *edge,
+                           struct debounce_edge_time *out)
 {
-    const struct gpio_looks *other = &input->other;
+    const struct gpio_poll_edges *other = &input->other;
     const bool active = edge->active != 0;
     const bool changes = active != input->debounce.raw;
     input->lost += edge->lost_before;
@@ -105,9 +106,9 @@ bool gpio_input_edge(struct gpio_input *input, const struct gpio_edge *edge,
 
 /* Records a poll with an unexpected level. Returns true if that level has lasted long enough to
  * be accepted. */
-static bool doubt(struct gpio_input *input, uint64_t now_ns)
+static bool doubt(struct gpio_edge_filter *input, uint64_t now_ns)
 {
-    struct gpio_looks *other = &input->other;
+    struct gpio_poll_edges *other = &input->other;
     if (!is_doubted(other)) {
         end_looks(input, false);
         other->since_ns = now_ns;
@@ -116,8 +117,8 @@ static bool doubt(struct gpio_input *input, uint64_t now_ns)
     return now_ns - other->since_ns >= GPIO_UNDER_WAY_NS;
 }
 
-bool gpio_input_level(struct gpio_input *input, uint64_t now_ns, bool active,
-                      struct debounce_turn *out)
+bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, bool active,
+                            struct debounce_edge_time *out)
 {
     bool turned = false;
     if (active != input->debounce.raw) {
@@ -138,13 +139,13 @@ bool gpio_input_level(struct gpio_input *input, uint64_t now_ns, bool active,
     return turned || debounce_settle(&input->debounce, now_ns, out);
 }
 
-uint64_t gpio_input_due_ns(const struct gpio_input *input)
+uint64_t gpio_edge_filter_due_ns(const struct gpio_edge_filter *input)
 {
     return is_doubted(&input->other) ? input->other.since_ns + GPIO_UNDER_WAY_NS
                                      : debounce_due_ns(&input->debounce);
 }
 
-uint64_t gpio_input_known_ns(const struct gpio_input *input, uint64_t now_ns)
+uint64_t gpio_edge_filter_known_ns(const struct gpio_edge_filter *input, uint64_t now_ns)
 {
     const struct debounce *debounce = &input->debounce;
     const uint64_t pending_ns = debounce->raw != debounce->stable ? debounce->since_ns : now_ns;

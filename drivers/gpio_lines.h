@@ -109,7 +109,7 @@ struct gpio_lines_ops {
     /* Requests every wired line that is not held yet. Outputs are driven at once, as
      * gpio_role_begins_active() defines. `why[role]` gets one line with the fault and its remedy
      * ("BTN_START is held by 'gpio-keys': remove its overlay"), or "". Returns the held lines,
-     * one bit for each role, or HAL_ERR_NONE if there is no GPIO chip. */
+     * one bit for each role, or HAL_ERR_ABSENT if there is no GPIO chip. */
     int (*open)(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
     /* Waits for edges at most `timeout_ms`, even if no line is held. Returns the number of
@@ -125,7 +125,7 @@ struct gpio_lines_ops {
     /* Returns 1 if the kernel debounces this line. */
     int (*debounces)(void *self, enum gpio_role role);
     /* Calls `tell` for every line of every accessible chip. Returns the number of lines, or
-     * HAL_ERR_NONE if there is no chip. */
+     * HAL_ERR_ABSENT if there is no chip. */
     int (*list)(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                 void *context);
     void (*close)(void *self);

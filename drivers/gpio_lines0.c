@@ -14,7 +14,7 @@ static int none_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
         snprintf(why[i], HAL_TEXT_SIZE, "%s", wires[i].wired
                  ? "built without libgpiod: install libgpiod-dev and build again" : "");
     }
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static int none_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms)
@@ -49,7 +49,7 @@ static int none_list(void *self, void (*tell)(void *context, const struct gpio_l
     (void)self;
     (void)tell;
     (void)context;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static void none_close(void *self)

@@ -43,7 +43,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
     return held->line != NULL;
 }
 
-static void release(enum gpio_role role)
+static void gpio_lines1_release(enum gpio_role role)
 {
     gpiod_chip_close(lines[role].chip); /* Closing the chip releases its line. */
     lines[role] = (struct held){ 0 };
@@ -119,7 +119,7 @@ static int get(enum gpio_role role)
     return gpiod_line_get_value(lines[role].line);
 }
 
-static int set(enum gpio_role role, int active)
+static int gpio_lines1_set(enum gpio_role role, int active)
 {
     return gpiod_line_set_value(lines[role].line, active != 0);
 }
@@ -141,10 +141,10 @@ struct gpio_lines gpio_lines_device(void)
         .edges_fd = edges_fd,
         .read_edges = read_edges,
         .get = get,
-        .set = set,
+        .set = gpio_lines1_set,
         .debounces = debounces,
-        .release = release,
-        .tell_chip = gpio_chips_tell,
+        .release = gpio_lines1_release,
+        .tell_chip = gpio_chips_list,
         .version = gpiod_version_string,
     };
     static struct gpio_backend backend;

@@ -48,7 +48,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 
 /* ---- Requesting lines ----------------------------------------------------------------------- */
 
-static void release(enum gpio_role role)
+static void gpio_lines2_release(enum gpio_role role)
 {
     struct held *held = &lines[role];
     if (held->request) {
@@ -183,7 +183,7 @@ static int get(enum gpio_role role)
     return value == GPIOD_LINE_VALUE_ERROR ? -1 : value == GPIOD_LINE_VALUE_ACTIVE;
 }
 
-static int set(enum gpio_role role, int active)
+static int gpio_lines2_set(enum gpio_role role, int active)
 {
     return gpiod_line_request_set_value(
         lines[role].request, lines[role].offset,
@@ -205,10 +205,10 @@ struct gpio_lines gpio_lines_device(void)
         .edges_fd = edges_fd,
         .read_edges = read_edges,
         .get = get,
-        .set = set,
+        .set = gpio_lines2_set,
         .debounces = debounces,
-        .release = release,
-        .tell_chip = gpio_chips_tell,
+        .release = gpio_lines2_release,
+        .tell_chip = gpio_chips_list,
         .version = gpiod_api_version,
     };
     static struct gpio_backend backend;

@@ -30,8 +30,8 @@ static bool has_edges(const struct gpio_lines_sim *sim)
 
 /* ---- The device ----------------------------------------------------------------------------- */
 
-static void ask(struct gpio_lines_sim *sim, const struct gpio_wire *wire, enum gpio_role role,
-                char why[HAL_TEXT_SIZE])
+static void gpio_lines_sim_open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire,
+                                     enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     if (sim->chip_is_away) {
         snprintf(why, HAL_TEXT_SIZE, "%u: the chip is away", role);
@@ -55,13 +55,14 @@ static int sim_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         why[role][0] = '\0';
         if (wires[role].wired && !(sim->held & 1u << role)) {
-            ask(sim, &wires[role], role, why[role]);
+            gpio_lines_sim_open_line(sim, &wires[role], role, why[role]);
         }
     }
-    return sim->chip_is_away ? HAL_ERR_NONE : (int)sim->held;
+    return sim->chip_is_away ? HAL_ERR_ABSENT : (int)sim->held;
 }
 
-static struct gpio_edge take(struct gpio_lines_sim *sim, enum gpio_role role, bool was_full)
+static struct gpio_edge gpio_lines_sim_take_edge(struct gpio_lines_sim *sim, enum gpio_role role,
+                                                 bool was_full)
 {
     struct gpio_sim_line *line = &sim->lines[role];
     const uint32_t at = line->first++ % GPIO_SIM_QUEUE_MAX;
@@ -88,7 +89,7 @@ static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct
     const bool is_full = line->count == sim->queue_size;
     uint32_t count = 0;
     while (line->count > 0 && count < max) {
-        out[count] = take(sim, role, line->was_full && count == 0);
+        out[count] = gpio_lines_sim_take_edge(sim, role, line->was_full && count == 0);
         count++;
     }
     if (count > 0) {
@@ -196,7 +197,7 @@ struct gpio_lines gpio_lines_sim_device(struct gpio_lines_sim *sim)
     return (struct gpio_lines){ .ops = &ops, .self = sim };
 }
 
-static uint64_t sim_now_ns(void *self)
+static uint64_t gpio_lines_sim_now_ns(void *self)
 {
     const struct gpio_lines_sim *sim = self;
     return sim->now_ns;
@@ -204,7 +205,7 @@ static uint64_t sim_now_ns(void *self)
 
 struct hal_clock gpio_lines_sim_clock(struct gpio_lines_sim *sim)
 {
-    static const struct hal_clock_ops ops = { .now_ns = sim_now_ns };
+    static const struct hal_clock_ops ops = { .now_ns = gpio_lines_sim_now_ns };
     return (struct hal_clock){ .ops = &ops, .self = sim };
 }
 
@@ -220,7 +221,7 @@ static bool next_of_events(void *self, struct gpio_sim_event *out)
     return true;
 }
 
-struct gpio_sim_script gpio_sim_events_script(struct gpio_sim_events *events)
+struct gpio_sim_script gpio_lines_sim_events_script(struct gpio_sim_events *events)
 {
     return (struct gpio_sim_script){ .next = next_of_events, .self = events };
 }

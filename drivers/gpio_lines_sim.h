@@ -86,7 +86,7 @@ struct gpio_sim_events {
     const struct gpio_sim_event *events;
     uint32_t count, next;
 };
-struct gpio_sim_script gpio_sim_events_script(struct gpio_sim_events *events);
+struct gpio_sim_script gpio_lines_sim_events_script(struct gpio_sim_events *events);
 
 /* Advances time without reading edges, as if the reader thread did not run. */
 void gpio_lines_sim_pass(struct gpio_lines_sim *sim, uint64_t ns);

@@ -16,7 +16,7 @@
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
 /* Longest delay of an output change, and of a level change without an edge event. */
 #define GPIO_WAIT_MS_MAX 20u
-#define GPIO_COIN_LOOK_NS 5000000u /* Polling interval of a coin line: three times in a pulse. */
+#define GPIO_COIN_POLL_NS 5000000u /* Polling interval of a coin line: three times in a pulse. */
 
 /* Counts since the lines were first requested. */
 struct gpio_total {
@@ -26,7 +26,7 @@ struct gpio_total {
     uint32_t lost_edges, lost_chips;
 };
 
-struct gpio_reader {
+struct gpio_thread {
     struct gpio_lines lines;
     struct hal_clock clock;
     struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring with all default times filled in. */
@@ -37,11 +37,11 @@ struct gpio_reader {
     uint64_t retry_ns;                       /* Time of the next request of missing lines. */
     uint64_t watch_ns;                       /* Next time at which all levels are read. */
     uint64_t coin_look_ns[COIN_LINE_COUNT];  /* Next time at which each coin line is read. */
-    struct gpio_input inputs[GPIO_INPUT_COUNT];
+    struct gpio_edge_filter inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin[COIN_LINE_COUNT];
     struct pulse_train trains[GPIO_OUTPUT_COUNT];
     uint32_t levels;                         /* Debounced levels, one bit for each role. */
-    struct gpio_total total;                 /* Totals for the caller of gpio_reader_step(). */
+    struct gpio_total total;                 /* Totals for the caller of gpio_thread_step(). */
 
     /* The following fields are shared by both threads. */
     /* Buttons that are down, and press edges, one bit for each role. */
@@ -67,22 +67,22 @@ struct gpio_reader {
     char text[HAL_TEXT_SIZE];
 };
 
-/* Requests the lines once, without a thread; the caller then calls gpio_reader_step(). Returns
+/* Requests the lines once, without a thread; the caller then calls gpio_thread_step(). Returns
  * the result of gpio_lines_ops.open. The caller owns `reader`, which must not move. */
-int gpio_reader_open(struct gpio_reader *reader, struct gpio_lines lines,
+int gpio_thread_open(struct gpio_thread *reader, struct gpio_lines lines,
                      const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock);
 
 /* Runs one iteration: waits for edges at most GPIO_WAIT_MS_MAX, processes them, and sets the
  * outputs. */
-void gpio_reader_step(struct gpio_reader *reader);
+void gpio_thread_step(struct gpio_thread *reader);
 
 /* Closes the lines: locks out coins, switches lamps off, and drops unfinished pulses. */
-void gpio_reader_close(struct gpio_reader *reader);
+void gpio_thread_close(struct gpio_thread *reader);
 
 /* Starts the thread. Returns HAL_OK, or HAL_ERR_IO if there is no thread. */
-int gpio_reader_start(struct gpio_reader *reader);
+int gpio_thread_start(struct gpio_thread *reader);
 
 /* Waits at most two seconds for unfinished pulses, ends the thread and closes the lines. */
-void gpio_reader_stop(struct gpio_reader *reader);
+void gpio_thread_stop(struct gpio_thread *reader);
 
 #endif

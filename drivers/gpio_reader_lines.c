@@ -8,7 +8,7 @@
 
 #define RETRY_NS 1000000000u /* A returned chip is in use again within a second. */
 
-uint32_t gpio_reader_begin_bits(void)
+uint32_t gpio_thread_begin_bits(void)
 {
     uint32_t bits = 0;
     for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
@@ -17,7 +17,7 @@ uint32_t gpio_reader_begin_bits(void)
     return bits;
 }
 
-uint32_t gpio_reader_missing_bits(const struct gpio_reader *reader)
+uint32_t gpio_thread_missing_bits(const struct gpio_thread *reader)
 {
     uint32_t bits = 0;
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
@@ -26,15 +26,15 @@ uint32_t gpio_reader_missing_bits(const struct gpio_reader *reader)
     return bits & ~reader->had;
 }
 
-static void begin_input(struct gpio_reader *reader, enum gpio_role role)
+static void begin_input(struct gpio_thread *reader, enum gpio_role role)
 {
     const struct gpio_wire *wire = &reader->wires[role];
     const struct gpio_lines *lines = &reader->lines;
     const bool active = lines->ops->level(lines->self, role) == 1;
-    const uint64_t now = gpio_reader_now_ns(reader);
+    const uint64_t now = gpio_thread_now_ns(reader);
     const uint32_t period_us =
         lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
-    reader->inputs[role] = gpio_input_begin(period_us * 1000ull, active, now);
+    reader->inputs[role] = gpio_edge_filter_begin(period_us * 1000ull, active, now);
     if (gpio_role_is_coin(role)) {
         reader->coin[role - GPIO_COIN] = coin_mech_begin(
             wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull, active, now);
@@ -45,17 +45,17 @@ static void begin_input(struct gpio_reader *reader, enum gpio_role role)
 
 /* Completes a coin whose pulse had ended when the line was lost, even if its end was not
  * debounced yet. An unfinished pulse is cut. */
-static void lose_coin(struct gpio_reader *reader, enum gpio_role role)
+static void lose_coin(struct gpio_thread *reader, enum gpio_role role)
 {
     const struct debounce *debounce = &reader->inputs[role].debounce;
     struct coin_mech *coin = &reader->coin[role - GPIO_COIN];
     if (debounce->stable && !debounce->raw) {
-        coin_mech_turn(coin, debounce->since_ns, false);
+        coin_mech_edge(coin, debounce->since_ns, false);
     }
     coin_mech_lose(coin);
 }
 
-static void lose_line(struct gpio_reader *reader, enum gpio_role role)
+static void lose_line(struct gpio_thread *reader, enum gpio_role role)
 {
     reader->had &= ~gpio_role_bit(role);
     reader->levels &= ~gpio_role_bit(role);
@@ -64,7 +64,7 @@ static void lose_line(struct gpio_reader *reader, enum gpio_role role)
     }
 }
 
-void gpio_reader_lose_lines(struct gpio_reader *reader)
+void gpio_thread_lose_lines(struct gpio_thread *reader)
 {
     const uint32_t before = reader->had;
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
@@ -77,7 +77,7 @@ void gpio_reader_lose_lines(struct gpio_reader *reader)
         reader->total.lost_chips++;
         atomic_fetch_add(&reader->faults, 1);
         atomic_store(&reader->held, reader->levels);
-        atomic_store(&reader->missing, gpio_reader_missing_bits(reader));
+        atomic_store(&reader->missing, gpio_thread_missing_bits(reader));
     }
 }
 
@@ -109,19 +109,20 @@ static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZ
 }
 
 /* Updates the one-line description of held and missing lines. */
-static void say(struct gpio_reader *reader, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
+static void gpio_thread_lines_describe(struct gpio_thread *reader,
+                                       char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
 {
     char missing[HAL_TEXT_SIZE];
-    say_missing(gpio_reader_missing_bits(reader), why, missing);
+    say_missing(gpio_thread_missing_bits(reader), why, missing);
     pthread_mutex_lock(&reader->mutex);
     memcpy(reader->why, why, sizeof reader->why);
     snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%.110s",
              reader->lines.ops->describe(reader->lines.self), count_bits(reader->had),
-             gpio_wires_count(reader->wires), missing);
+             gpio_config_count(reader->wires), missing);
     pthread_mutex_unlock(&reader->mutex);
 }
 
-int gpio_reader_ask(struct gpio_reader *reader)
+int gpio_thread_request_lines(struct gpio_thread *reader)
 {
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE] = { { 0 } };
     const int result = reader->lines.ops->open(reader->lines.self, reader->wires, why);
@@ -132,10 +133,10 @@ int gpio_reader_ask(struct gpio_reader *reader)
         }
     }
     reader->had |= fresh;
-    reader->lit = (reader->lit & ~fresh) | (fresh & gpio_reader_begin_bits());
-    reader->retry_ns = gpio_reader_now_ns(reader) + RETRY_NS;
+    reader->lit = (reader->lit & ~fresh) | (fresh & gpio_thread_begin_bits());
+    reader->retry_ns = gpio_thread_now_ns(reader) + RETRY_NS;
     atomic_store(&reader->held, reader->levels);
-    atomic_store(&reader->missing, gpio_reader_missing_bits(reader));
-    say(reader, why);
+    atomic_store(&reader->missing, gpio_thread_missing_bits(reader));
+    gpio_thread_lines_describe(reader, why);
     return result;
 }

@@ -5,7 +5,7 @@
 
 #include "drivers/gpio_reader.h"
 
-static inline uint64_t gpio_reader_now_ns(const struct gpio_reader *reader)
+static inline uint64_t gpio_thread_now_ns(const struct gpio_thread *reader)
 {
     return reader->clock.ops->now_ns(reader->clock.self);
 }
@@ -16,15 +16,15 @@ static inline uint32_t gpio_role_bit(enum gpio_role role)
 }
 
 /* Returns the outputs that start active. */
-uint32_t gpio_reader_begin_bits(void);
+uint32_t gpio_thread_begin_bits(void);
 
 /* Returns the wired lines that are not held. */
-uint32_t gpio_reader_missing_bits(const struct gpio_reader *reader);
+uint32_t gpio_thread_missing_bits(const struct gpio_thread *reader);
 
 /* Requests missing lines. Returns the result of gpio_lines_ops.open. */
-int gpio_reader_ask(struct gpio_reader *reader);
+int gpio_thread_request_lines(struct gpio_thread *reader);
 
 /* Releases the lines of removed chips and counts one fault. */
-void gpio_reader_lose_lines(struct gpio_reader *reader);
+void gpio_thread_lose_lines(struct gpio_thread *reader);
 
 #endif

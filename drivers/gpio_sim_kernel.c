@@ -16,7 +16,7 @@ static uint64_t lateness_ns(struct gpio_lines_sim *sim)
     return sim->late_min_ns + sim->seed % range_ns;
 }
 
-static void push(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
+static void gpio_sim_kernel_push(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
 {
     line->number++;
     if (line->count == sim->queue_size) {
@@ -37,7 +37,7 @@ static void push(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
 static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
 {
     const uint64_t time_ns = line->busy_until_ns;
-    push(sim, line);
+    gpio_sim_kernel_push(sim, line);
     line->busy_until_ns = 0;
     if (line->pending) { /* The masked edge gets the current time stamp. */
         line->pending = 0;

@@ -39,10 +39,10 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE]);
 
 /* Returns false if two roles use the same line, which `why` names. */
-bool gpio_wires_agree(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE]);
+bool gpio_config_agrees(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE]);
 
 /* Returns the number of wired roles. */
-uint32_t gpio_wires_count(const struct gpio_wire wires[GPIO_ROLE_COUNT]);
+uint32_t gpio_config_count(const struct gpio_wire wires[GPIO_ROLE_COUNT]);
 
 /* Writes the name of a line for messages: "BTN_START" or "gpio-sim.0:4". */
 #define GPIO_WIRE_TEXT_SIZE (2u * GPIO_TEXT_SIZE + 12u)

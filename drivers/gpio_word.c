@@ -6,32 +6,32 @@
 
 #include "drivers/gpio_wires.h"
 
-bool gpio_word_is(struct gpio_word word, const char *text)
+bool gpio_config_token_is(struct gpio_config_token word, const char *text)
 {
     return word.length == strlen(text) && memcmp(word.at, text, word.length) == 0;
 }
 
-bool gpio_word_takes_off(struct gpio_word *word, const char *prefix)
+bool gpio_config_token_parse_off(struct gpio_config_token *word, const char *prefix)
 {
     const size_t length = strlen(prefix);
     if (word->length < length || memcmp(word->at, prefix, length) != 0) {
         return false;
     }
-    *word = (struct gpio_word){ word->at + length, word->length - length };
+    *word = (struct gpio_config_token){ word->at + length, word->length - length };
     return true;
 }
 
-struct gpio_word gpio_word_split(struct gpio_word *rest, char mark)
+struct gpio_config_token gpio_config_token_split(struct gpio_config_token *rest, char mark)
 {
     const char *at = rest->length ? memchr(rest->at, mark, rest->length) : NULL;
     const size_t length = at ? (size_t)(at - rest->at) : rest->length;
     const size_t taken = at ? length + 1u : length;
-    const struct gpio_word first = { rest->at, length };
-    *rest = (struct gpio_word){ rest->at + taken, rest->length - taken };
+    const struct gpio_config_token first = { rest->at, length };
+    *rest = (struct gpio_config_token){ rest->at + taken, rest->length - taken };
     return first;
 }
 
-bool gpio_word_takes_number(struct gpio_word *word, uint32_t max, uint32_t *out)
+bool gpio_config_token_parse_number(struct gpio_config_token *word, uint32_t max, uint32_t *out)
 {
     uint64_t value = 0;
     size_t i = 0;
@@ -42,23 +42,23 @@ bool gpio_word_takes_number(struct gpio_word *word, uint32_t max, uint32_t *out)
         }
         i++;
     }
-    *word = (struct gpio_word){ word->at + i, word->length - i };
+    *word = (struct gpio_config_token){ word->at + i, word->length - i };
     *out = (uint32_t)value;
     return i > 0;
 }
 
-bool gpio_word_reads_time(struct gpio_word word, uint32_t *out_us)
+bool gpio_config_token_parse_time(struct gpio_config_token word, uint32_t *out_us)
 {
     static const struct {
         const char *unit;
         uint32_t us;
     } units[] = { { "us", 1 }, { "ms", 1000 }, { "s", 1000000 } };
     uint32_t number;
-    if (!gpio_word_takes_number(&word, GPIO_TIME_US_MAX, &number)) {
+    if (!gpio_config_token_parse_number(&word, GPIO_TIME_US_MAX, &number)) {
         return false;
     }
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        if (gpio_word_is(word, units[i].unit)) {
+        if (gpio_config_token_is(word, units[i].unit)) {
             *out_us = number * units[i].us;
             return number >= 1 && number <= GPIO_TIME_US_MAX / units[i].us;
         }
@@ -66,9 +66,10 @@ bool gpio_word_reads_time(struct gpio_word word, uint32_t *out_us)
     return false;
 }
 
-bool gpio_word_reads_times(struct gpio_word word, char mark, uint32_t *first_us,
-                           uint32_t *second_us)
+bool gpio_config_token_parse_times(struct gpio_config_token word, char mark, uint32_t *first_us,
+                                   uint32_t *second_us)
 {
-    const struct gpio_word first = gpio_word_split(&word, mark);
-    return gpio_word_reads_time(first, first_us) && gpio_word_reads_time(word, second_us);
+    const struct gpio_config_token first = gpio_config_token_split(&word, mark);
+    return gpio_config_token_parse_time(first, first_us) &&
+           gpio_config_token_parse_time(word, second_us);
 }

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-int hid_book_file_open(const char *path)
+int hid_mapping_store_file_open(const char *path)
 {
     struct stat about;
     const int fd = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
@@ -20,22 +20,22 @@ int hid_book_file_open(const char *path)
     return fd;
 }
 
-int hid_book_file_read(const char *path, char text[HID_BOOK_TEXT_SIZE])
+int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE])
 {
-    const int fd = hid_book_file_open(path);
+    const int fd = hid_mapping_store_file_open(path);
     size_t used = 0;
     ssize_t got = 0;
     if (fd < 0) {
         return errno;
     }
-    while (used < HID_BOOK_TEXT_SIZE &&
-           ((got = read(fd, text + used, HID_BOOK_TEXT_SIZE - used)) > 0 ||
+    while (used < HID_MAPPING_STORE_TEXT_SIZE &&
+           ((got = read(fd, text + used, HID_MAPPING_STORE_TEXT_SIZE - used)) > 0 ||
             (got < 0 && errno == EINTR))) {
         used += got > 0 ? (size_t)got : 0u;
     }
-    const int error = got < 0 ? errno : used == HID_BOOK_TEXT_SIZE ? EFBIG : 0;
+    const int error = got < 0 ? errno : used == HID_MAPPING_STORE_TEXT_SIZE ? EFBIG : 0;
     close(fd);
-    text[used < HID_BOOK_TEXT_SIZE ? used : 0u] = '\0';
+    text[used < HID_MAPPING_STORE_TEXT_SIZE ? used : 0u] = '\0';
     return error;
 }
 
@@ -53,7 +53,7 @@ static int write_all(int fd, const char *text)
     return fsync(fd) == 0 ? 0 : errno;
 }
 
-int hid_book_file_sync(const char *folder)
+int hid_mapping_store_file_sync(const char *folder)
 {
     const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     const int error = fd < 0 || fsync(fd) != 0 ? errno : 0;
@@ -63,9 +63,9 @@ int hid_book_file_sync(const char *folder)
     return error;
 }
 
-int hid_book_file_replace(const char *path, const char *text)
+int hid_mapping_store_file_replace(const char *path, const char *text)
 {
-    char beside[HID_BOOK_PATH_SIZE + 8u];
+    char beside[HID_MAPPING_STORE_PATH_SIZE + 8u];
     snprintf(beside, sizeof beside, "%s.new", path);
     unlink(beside); /* An earlier power loss or another process can have left this file. */
     const int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);

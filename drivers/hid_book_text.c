@@ -58,28 +58,32 @@ static int unescape(const char *text, char *out, size_t size)
     return 1;
 }
 
-void hid_book_name(const struct hid_book_entry *entry, char name[HID_BOOK_NAME_SIZE])
+void hid_mapping_store_name(const struct hid_mapping_store_entry *entry,
+                            char name[HID_MAPPING_STORE_NAME_SIZE])
 {
     char serial[3u * HID_TEXT_SIZE];
     escape(entry->serial, serial, sizeof serial);
-    snprintf(name, HID_BOOK_NAME_SIZE, "%04x-%04x-%s.poi", entry->vendor, entry->product, serial);
+    snprintf(name, HID_MAPPING_STORE_NAME_SIZE, "%04x-%04x-%s.poi", entry->vendor, entry->product,
+             serial);
 }
 
-int hid_book_write(const struct hid_book_entry *entry, char text[HID_BOOK_TEXT_SIZE])
+int hid_mapping_store_write(const struct hid_mapping_store_entry *entry,
+                            char text[HID_MAPPING_STORE_TEXT_SIZE])
 {
-    char serial[3u * HID_TEXT_SIZE], map[HID_MAP_TEXT_SIZE];
-    if (hid_map_write(&entry->map, map) != 0) {
+    char serial[3u * HID_TEXT_SIZE], map[HID_MAPPING_TEXT_SIZE];
+    if (hid_mapping_write(&entry->map, map) != 0) {
         return -1;
     }
     escape(entry->serial, serial, sizeof serial);
-    const int length = snprintf(text, HID_BOOK_TEXT_SIZE, FIRST_LINE "\n%04x:%04x:%s\n%s\n",
-                                entry->vendor, entry->product, serial, map);
-    return (size_t)length < HID_BOOK_TEXT_SIZE ? 0 : -1;
+    const int length =
+        snprintf(text, HID_MAPPING_STORE_TEXT_SIZE, FIRST_LINE "\n%04x:%04x:%s\n%s\n",
+                 entry->vendor, entry->product, serial, map);
+    return (size_t)length < HID_MAPPING_STORE_TEXT_SIZE ? 0 : -1;
 }
 
 /* Copies the next line into `line` and advances `*text`. Returns 0 if no complete line is left
  * or if the line does not fit into `size`. */
-static int next_line(const char **text, char *line, size_t size)
+static int hid_mapping_store_text_next_line(const char **text, char *line, size_t size)
 {
     const size_t length = strcspn(*text, "\n");
     if ((*text)[length] != '\n' || length >= size) {
@@ -100,28 +104,30 @@ static int read_hex4(const char *text, uint16_t *out)
     return 1;
 }
 
-static int read_key(struct hid_book_entry *out, const char *line)
+static int read_key(struct hid_mapping_store_entry *out, const char *line)
 {
     return strlen(line) >= 10 && line[4] == ':' && line[9] == ':' &&
            read_hex4(line, &out->vendor) && read_hex4(line + 5, &out->product) &&
            unescape(line + 10, out->serial, sizeof out->serial);
 }
 
-int hid_book_read(struct hid_book_entry *out, const char *text, char error[HAL_TEXT_SIZE])
+int hid_mapping_store_read(struct hid_mapping_store_entry *out, const char *text,
+                           char error[HAL_TEXT_SIZE])
 {
-    char line[HID_BOOK_TEXT_SIZE];
+    char line[HID_MAPPING_STORE_TEXT_SIZE];
     memset(out, 0, sizeof *out);
-    if (!next_line(&text, line, sizeof line) || strcmp(line, FIRST_LINE) != 0) {
+    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) ||
+        strcmp(line, FIRST_LINE) != 0) {
         snprintf(error, HAL_TEXT_SIZE, "not \"" FIRST_LINE "\"");
         return 1;
     }
-    if (!next_line(&text, line, sizeof line) || !read_key(out, line)) {
+    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) || !read_key(out, line)) {
         snprintf(error, HAL_TEXT_SIZE, "not vendor:product:serial");
         return 2;
     }
-    if (!next_line(&text, line, sizeof line) || *text) {
+    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) || *text) {
         snprintf(error, HAL_TEXT_SIZE, "not one line of a map");
         return 3;
     }
-    return hid_map_read(&out->map, line, error) == 0 ? 0 : 3;
+    return hid_mapping_read(&out->map, line, error) == 0 ? 0 : 3;
 }

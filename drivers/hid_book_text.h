@@ -6,28 +6,31 @@
 
 #include "drivers/hid_map.h"
 
-#define HID_BOOK_TEXT_SIZE (HID_MAP_TEXT_SIZE + 256u)
+#define HID_MAPPING_STORE_TEXT_SIZE (HID_MAPPING_TEXT_SIZE + 256u)
 
-struct hid_book_entry {
+struct hid_mapping_store_entry {
     uint16_t vendor, product;
     /* "": every device of this product that reports no serial number. */
     char serial[HID_TEXT_SIZE];
-    struct hid_map map;
+    struct hid_mapping map;
 };
 
 /* Fits the longest serial number with three characters for each byte. */
-#define HID_BOOK_NAME_SIZE 224u
+#define HID_MAPPING_STORE_NAME_SIZE 224u
 
 /* Writes the file name "054c-09cc-SERIAL.poi". Characters with a meaning in paths are written as
  * %XX. */
-void hid_book_name(const struct hid_book_entry *entry, char name[HID_BOOK_NAME_SIZE]);
+void hid_mapping_store_name(const struct hid_mapping_store_entry *entry,
+                            char name[HID_MAPPING_STORE_NAME_SIZE]);
 
 /* Writes three lines: the format version, vendor:product:serial, and the mapping. Returns 0, or
  * -1 if the mapping cannot be written as text. */
-int hid_book_write(const struct hid_book_entry *entry, char text[HID_BOOK_TEXT_SIZE]);
+int hid_mapping_store_write(const struct hid_mapping_store_entry *entry,
+                            char text[HID_MAPPING_STORE_TEXT_SIZE]);
 
 /* Parses a mapping file. Returns 0, or the number (from 1) of the first invalid line and its
  * fault in `error`. */
-int hid_book_read(struct hid_book_entry *out, const char *text, char error[HAL_TEXT_SIZE]);
+int hid_mapping_store_read(struct hid_mapping_store_entry *out, const char *text,
+                           char error[HAL_TEXT_SIZE]);
 
 #endif

@@ -234,7 +234,8 @@ static enum hid_error read_item(struct reader *reader, const struct hid_item *it
     }
 }
 
-static enum hid_error fail(struct hid_descriptor *out, enum hid_error error, size_t offset)
+static enum hid_error hid_descriptor_fail(struct hid_descriptor *out, enum hid_error error,
+                                          size_t offset)
 {
     out->error = error;
     out->error_offset = offset;
@@ -247,18 +248,18 @@ enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *by
     /* The lists behind it have 61 KB and need no clearing. */
     memset(out, 0, offsetof(struct hid_descriptor, group));
     if (size > HID_DESCRIPTOR_SIZE_MAX) {
-        return fail(out, HID_ERR_TOO_LONG, HID_DESCRIPTOR_SIZE_MAX);
+        return hid_descriptor_fail(out, HID_ERR_TOO_LONG, HID_DESCRIPTOR_SIZE_MAX);
     }
     for (size_t offset = 0; offset < size;) {
         struct hid_item item;
         const size_t taken = hid_item_read(&item, bytes, size, offset);
         const enum hid_error error = taken ? read_item(&reader, &item) : HID_ERR_CUT_OFF;
         if (error) {
-            return fail(out, error, offset);
+            return hid_descriptor_fail(out, error, offset);
         }
         offset += taken;
     }
-    return reader.depth > 0 ? fail(out, HID_ERR_OPEN_COLLECTION, size) : HID_OK;
+    return reader.depth > 0 ? hid_descriptor_fail(out, HID_ERR_OPEN_COLLECTION, size) : HID_OK;
 }
 
 const char *hid_error_text(enum hid_error error)

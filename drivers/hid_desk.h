@@ -12,9 +12,9 @@
 #include "drivers/poi_hid.h"
 #include "platform/hal.h"
 
-struct hid_desk {
-    struct hid_roster roster;
-    struct hid_book *book;             /* Mapping store, owned by the caller. */
+struct controller_manager {
+    struct hid_device_list device_list;
+    struct hid_mapping_store *book; /* Mapping store, owned by the caller. */
     struct poi_hid *seat[POI_MAX]; /* Owned by the caller; null if the transport has fewer slots. */
     struct hid_row row[CONTROLLER_MAX]; /* Device list at the last poll. */
     struct hid_learn learn;
@@ -31,10 +31,10 @@ struct hid_desk {
     char name[HAL_CONTROLLER_TEXT];
 };
 
-/* Initializes `desk`. `seats` are POI_MAX pointers, which are copied. */
-void hid_desk_init(struct hid_desk *desk, struct hid_roster roster, struct hid_book *book,
-                   struct poi_hid *const seats[POI_MAX]);
+/* Initializes `manager`. `seats` are POI_MAX pointers, which are copied. */
+void controller_manager_init(struct controller_manager *manager, struct hid_device_list device_list,
+                             struct hid_mapping_store *book, struct poi_hid *const seats[POI_MAX]);
 
-struct hal_controllers hid_desk_device(struct hid_desk *desk);
+struct hal_controllers controller_manager_device(struct controller_manager *manager);
 
 #endif

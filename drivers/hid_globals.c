@@ -26,7 +26,7 @@ int64_t hid_limit_max(struct hid_limit limit, int64_t min)
     return min < 0 ? hid_limit_min(limit) : (int64_t)limit.data;
 }
 
-static enum hid_error push(struct hid_global_stack *stack)
+static enum hid_error hid_globals_push(struct hid_global_stack *stack)
 {
     if (stack->pushed_count == HID_PUSH_MAX) {
         return HID_ERR_PUSH;
@@ -97,7 +97,7 @@ enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid
         now->report_count = item->data;
         break;
     case GLOBAL_PUSH:
-        return push(stack);
+        return hid_globals_push(stack);
     case GLOBAL_POP:
         return pop(stack);
     default: /* Reserved tags are skipped because section 6.2.2.7 reserves them for extensions. */

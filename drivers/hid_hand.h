@@ -19,14 +19,14 @@
 /* A pen out of range for longer than this time lies beside its tablet and counts as absent. */
 #define HID_PEN_AWAY_NS 3000000000ull
 
-struct hid_hand {
+struct hid_pose_decoder {
     struct hid_descriptor descriptor;
-    struct hid_map map;
+    struct hid_mapping map;
     struct pointer_poi pointer; /* State of the pointer, used by HID_STYLE_POINTER. */
     struct pointer_fan fan;
     struct pointer_report report;
-    struct fly_poi fly;         /* State of the stick motion, used by HID_STYLE_FLY. */
-    struct pose_fan pose;       /* Pose of the newest report, used by HID_STYLE_POSE. */
+    struct stick_motion fly; /* State of the stick motion, used by HID_STYLE_FLY. */
+    struct poi_fan pose;     /* Pose of the newest report, used by HID_STYLE_POSE. */
     /* Newest value of each binding. An axis has [-1, 1], a STEP has counts, a press has 0 or 1.
      * A hat has its direction 0 .. 7, or -1 for none. */
     float value[HID_BINDING_MAX];
@@ -47,25 +47,26 @@ struct hid_hand {
 
 /* Initializes the decoder. `face` is only read; `map` and `view` are copied. Returns 0, or -1 if
  * the descriptor cannot be parsed or if the mapping is not valid for it. */
-int hid_hand_init(struct hid_hand *hand, const struct hid_face *face, const struct hid_map *map,
-                  const struct view *view);
+int hid_pose_decoder_init(struct hid_pose_decoder *hand, const struct hid_device_info *face,
+                          const struct hid_mapping *map, const struct view *view);
 
 /* Sets the camera view that pointer motion and stick motion refer to. */
-void hid_hand_look(struct hid_hand *hand, const struct view *view);
+void hid_pose_decoder_set_view(struct hid_pose_decoder *hand, const struct view *view);
 
 /* Decodes one report. Returns 1 if the pose may have changed. Returns 0 if the report was
  * refused or if the mapping uses no field of it. */
-int hid_hand_report(struct hid_hand *hand, const struct hid_raw *raw);
+int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw *raw);
 
 /* Writes the pose at `time_ns`, which must never decrease. For sticks and dips the pose is
  * extrapolated to `time_ns`; for HID_STYLE_POSE it is the pose of the newest report. Returns 1,
  * or 0 if the controller is absent (no report yet, or a pen put aside). */
-int hid_hand_sample(struct hid_hand *hand, uint64_t time_ns, struct poi_sample *out);
+int hid_pose_decoder_sample(struct hid_pose_decoder *hand, uint64_t time_ns,
+                            struct poi_sample *out);
 
 /* Adds the buttons that are down and the press edges since the last call. */
-void hid_hand_buttons(struct hid_hand *hand, struct button_sample *out);
+void hid_pose_decoder_buttons(struct hid_pose_decoder *hand, struct button_sample *out);
 
 /* Returns the fan that a FAN button holds up, or an inactive fan. */
-struct shade_input hid_hand_fan(struct hid_hand *hand, uint64_t time_ns);
+struct shade_input hid_pose_decoder_fan(struct hid_pose_decoder *hand, uint64_t time_ns);
 
 #endif

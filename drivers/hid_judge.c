@@ -15,18 +15,18 @@
 #define PAGE_OF(usage) ((usage) >> 16)
 #define PAGE_VENDOR 0xff00u
 
-const struct hid_group *hid_judge_group(const struct hid_learn *learn,
-                                        const struct learn_field *field)
+const struct hid_group *hid_mapping_infer_group(const struct hid_learn *learn,
+                                                const struct learn_field *field)
 {
     return &learn->descriptor.group[field->group];
 }
 
-int hid_judge_is_relative(const struct hid_group *group)
+int hid_mapping_infer_is_relative(const struct hid_group *group)
 {
     return (group->flags & HID_RELATIVE) && group->application != USAGE_MULTI_AXIS;
 }
 
-int64_t hid_judge_high(const struct hid_group *group)
+int64_t hid_mapping_infer_high(const struct hid_group *group)
 {
     const uint32_t bits = group->bit_size - (group->logical_min < 0);
     const int64_t most = ((int64_t)1 << bits) - 1;
@@ -35,8 +35,9 @@ int64_t hid_judge_high(const struct hid_group *group)
 
 static float span_of(const struct hid_group *group)
 {
-    return hid_judge_is_relative(group) ? STEP_WAY
-                                        : (float)(hid_judge_high(group) - group->logical_min);
+    return hid_mapping_infer_is_relative(group)
+               ? STEP_WAY
+               : (float)(hid_mapping_infer_high(group) - group->logical_min);
 }
 
 /* ---- Evaluating the recording --------------------------------------------------------------- */
@@ -56,7 +57,7 @@ static int64_t way_in(const struct learn_field *field, enum learn_step step)
 
 static float worth_of(const struct hid_learn *learn, const struct learn_field *field)
 {
-    const struct hid_group *group = hid_judge_group(learn, field);
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const float noise = (float)(field->rest_high - field->rest_low) / span_of(group);
     const hid_usage usage = hid_usage_at(&learn->descriptor, group, field->index);
     if (!field->heard || noise > NOISE_MAX) {
@@ -65,9 +66,10 @@ static float worth_of(const struct hid_learn *learn, const struct learn_field *f
     return PAGE_OF(usage) >= PAGE_VENDOR ? VENDOR_WORTH : 1.0f;
 }
 
-static float share_of(const struct hid_learn *learn, const struct learn_field *field, int64_t way)
+static float hid_mapping_infer_share_of(const struct hid_learn *learn,
+                                        const struct learn_field *field, int64_t way)
 {
-    const float share = f_abs((float)way) / span_of(hid_judge_group(learn, field));
+    const float share = f_abs((float)way) / span_of(hid_mapping_infer_group(learn, field));
     return f_min(share, 1.0f) * worth_of(learn, field);
 }
 
@@ -93,8 +95,9 @@ static float axis_share(const struct hid_learn *learn, const struct learn_field 
                         enum learn_step one, enum learn_step other)
 {
     const struct ways ways = ways_of(field, one, other);
-    const int is_wide = hid_judge_group(learn, field)->bit_size >= 4;
-    return is_wide ? f_min(share_of(learn, field, ways.there), share_of(learn, field, ways.back))
+    const int is_wide = hid_mapping_infer_group(learn, field)->bit_size >= 4;
+    return is_wide ? f_min(hid_mapping_infer_share_of(learn, field, ways.there),
+                           hid_mapping_infer_share_of(learn, field, ways.back))
                    : 0.0f;
 }
 
@@ -117,9 +120,9 @@ static const struct learn_field *best_axis(const struct hid_learn *learn, enum l
 
 static float press_share(const struct hid_learn *learn, const struct learn_field *field)
 {
-    return hid_judge_is_relative(hid_judge_group(learn, field))
+    return hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field))
                ? 0.0f
-               : share_of(learn, field, way_in(field, LEARN_DIP));
+               : hid_mapping_infer_share_of(learn, field, way_in(field, LEARN_DIP));
 }
 
 static const struct learn_field *best_press(const struct hid_learn *learn,
@@ -148,14 +151,16 @@ static const struct learn_key *best_key(const struct hid_learn *learn)
     return NULL;
 }
 
-float hid_judge_clearness(const struct hid_learn *learn)
+float hid_mapping_infer_clarity(const struct hid_learn *learn)
 {
     float best = 0.0f;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
         const enum learn_step step = (enum learn_step)learn->step;
-        const int counts = step == LEARN_DIP || hid_judge_group(learn, field)->bit_size >= 4;
-        best = counts ? f_max(best, share_of(learn, field, way_in(field, step))) : best;
+        const int counts =
+            step == LEARN_DIP || hid_mapping_infer_group(learn, field)->bit_size >= 4;
+        best = counts ? f_max(best, hid_mapping_infer_share_of(learn, field, way_in(field, step)))
+                      : best;
     }
     return best_key(learn) ? 1.0f : f_min(1.0f, best / CLEAR_WAY);
 }
@@ -165,7 +170,7 @@ float hid_judge_clearness(const struct hid_learn *learn)
 static struct hid_binding binding_of(const struct hid_learn *learn,
                                      const struct learn_field *field, enum hid_role role)
 {
-    const struct hid_group *group = hid_judge_group(learn, field);
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
     return (struct hid_binding){
         .role = (uint8_t)role,
         .report_id = group->report_id,
@@ -180,7 +185,7 @@ static struct hid_binding binding_of(const struct hid_learn *learn,
 static int is_stick(const struct hid_learn *learn, const struct learn_field *field,
                     enum learn_step one, enum learn_step other)
 {
-    const struct hid_group *group = hid_judge_group(learn, field);
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const float near = MIDDLE_SHARE * span_of(group);
     switch (group->application) {
     case USAGE_JOYSTICK:
@@ -202,50 +207,50 @@ static int is_stick(const struct hid_learn *learn, const struct learn_field *fie
 static void bind_axis(struct hid_learn *learn, const struct learn_field *field,
                       enum hid_role role, enum learn_step one, enum learn_step other)
 {
-    const struct hid_group *group = hid_judge_group(learn, field);
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const struct ways ways = ways_of(field, one, other);
     struct hid_binding binding = binding_of(learn, field, role);
-    if (hid_judge_is_relative(group)) {
-        binding.manner = HID_MANNER_STEP;
+    if (hid_mapping_infer_is_relative(group)) {
+        binding.manner = HID_BINDING_STEP;
         binding.full = ways.back > 0 ? 1 : -1;
     } else if (is_stick(learn, field, one, other)) {
-        binding.manner = HID_MANNER_RATE;
+        binding.manner = HID_BINDING_RATE;
         binding.rest = rest_of(field);
         binding.full = rest_of(field) + ways.back;
         binding.dead = (int64_t)(DEAD_SHARE * f_abs((float)ways.back)) +
                        (field->rest_high - field->rest_low);
     } else {
-        binding.manner = HID_MANNER_PLACE;
+        binding.manner = HID_BINDING_POSITION;
         binding.rest = rest_of(field) + ways.there;
         binding.full = rest_of(field) + ways.back;
     }
-    hid_offer_bits(&learn->map, binding);
+    hid_mapping_auto_bits(&learn->map, binding);
 }
 
 static void bind_press(struct hid_learn *learn, const struct learn_field *field)
 {
     struct hid_binding binding = binding_of(learn, field, HID_ROLE_DIP);
-    binding.manner = HID_MANNER_PRESS;
+    binding.manner = HID_BINDING_PRESS;
     binding.rest = rest_of(field);
     binding.full = rest_of(field) + way_in(field, LEARN_DIP);
-    hid_offer_bits(&learn->map, binding);
+    hid_mapping_auto_bits(&learn->map, binding);
 }
 
 static void bind_key(struct hid_learn *learn, const struct learn_key *key)
 {
     const struct hid_group *group = &learn->descriptor.group[key->group];
-    hid_offer_bits(&learn->map, (struct hid_binding){
-                                    .role = HID_ROLE_DIP,
-                                    .manner = HID_MANNER_PRESS,
-                                    .report_id = group->report_id,
-                                    .bit_offset = group->bit_offset,
-                                    .bit_size = (uint8_t)group->bit_size,
-                                    .usage = key->usage,
-                                    .full = 1,
-                                });
+    hid_mapping_auto_bits(&learn->map, (struct hid_binding){
+                                           .role = HID_ROLE_DIP,
+                                           .manner = HID_BINDING_PRESS,
+                                           .report_id = group->report_id,
+                                           .bit_offset = group->bit_offset,
+                                           .bit_size = (uint8_t)group->bit_size,
+                                           .usage = key->usage,
+                                           .full = 1,
+                                       });
 }
 
-static int is_taken(const struct hid_map *map, const struct hid_binding *binding)
+static int is_taken(const struct hid_mapping *map, const struct hid_binding *binding)
 {
     for (uint32_t i = 0; i < map->count; i++) {
         const struct hid_binding *taken = &map->binding[i];
@@ -282,12 +287,12 @@ static void keep_offered(struct hid_learn *learn)
                               binding->role == HID_ROLE_Z || binding->role == HID_ROLE_DIP;
         const int is_false = binding->role == HID_ROLE_IN_RANGE && never_said(learn, binding);
         if (!was_shown && !is_false && !is_taken(&learn->map, binding)) {
-            hid_offer_bits(&learn->map, *binding);
+            hid_mapping_auto_bits(&learn->map, *binding);
         }
     }
 }
 
-int hid_judge_map(struct hid_learn *learn)
+int hid_mapping_infer_map(struct hid_learn *learn)
 {
     const struct learn_field *x = best_axis(learn, LEARN_LEFT, LEARN_RIGHT, NULL);
     const struct learn_field *z = best_axis(learn, LEARN_FAR, LEARN_NEAR, x);
@@ -296,16 +301,16 @@ int hid_judge_map(struct hid_learn *learn)
     if (!x || !z || (!press && !key)) {
         return 0;
     }
-    learn->map = (struct hid_map){ .source = HID_MAP_LEARNED };
+    learn->map = (struct hid_mapping){ .source = HID_MAPPING_LEARNED };
     bind_axis(learn, x, HID_ROLE_X, LEARN_LEFT, LEARN_RIGHT);
     bind_axis(learn, z, HID_ROLE_Z, LEARN_FAR, LEARN_NEAR);
-    learn->map.style = learn->map.binding[0].manner == HID_MANNER_RATE ? HID_STYLE_FLY
-                                                                       : HID_STYLE_POINTER;
+    learn->map.style =
+        learn->map.binding[0].manner == HID_BINDING_RATE ? HID_STYLE_FLY : HID_STYLE_POINTER;
     if (press) {
         bind_press(learn, press);
     } else {
         bind_key(learn, key);
     }
     keep_offered(learn);
-    return hid_map_is_sound(&learn->map, &learn->descriptor);
+    return hid_mapping_is_sound(&learn->map, &learn->descriptor);
 }

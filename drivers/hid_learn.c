@@ -15,7 +15,7 @@ static void add_fields(struct hid_learn *learn, uint32_t group_index)
 {
     const struct hid_group *group = &learn->descriptor.group[group_index];
     if ((group->flags & HID_CONSTANT) || !(group->flags & HID_VARIABLE) || group->bit_size > 32u ||
-        hid_judge_high(group) <= group->logical_min) {
+        hid_mapping_infer_high(group) <= group->logical_min) {
         return;
     }
     for (uint32_t i = 0; i < group->count && learn->field_count < LEARN_FIELD_MAX; i++) {
@@ -30,24 +30,24 @@ static void begin_step(struct hid_learn *learn, enum learn_step step)
     learn->report_count = 0;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         struct learn_field *field = &learn->field[i];
-        if (hid_judge_is_relative(hid_judge_group(learn, field))) {
+        if (hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field))) {
             field->now = 0;
         }
         field->low[step] = field->high[step] = field->now;
     }
 }
 
-void hid_learn_begin(struct hid_learn *learn, const struct hid_face *face)
+void hid_learn_begin(struct hid_learn *learn, const struct hid_device_info *face)
 {
     const uint32_t size =
         face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
     memset(learn, 0, sizeof *learn);
     learn->step = LEARN_FAILED;
     if (hid_descriptor_read(&learn->descriptor, face->descriptor, size) != HID_OK ||
-        hid_map_has_keyboard(&learn->descriptor)) {
+        hid_mapping_has_keyboard(&learn->descriptor)) {
         return;
     }
-    hid_map_choose(&learn->offered, &face->identity, &learn->descriptor);
+    hid_mapping_choose(&learn->offered, &face->identity, &learn->descriptor);
     for (uint32_t i = 0; i < learn->descriptor.group_count; i++) {
         add_fields(learn, i);
     }
@@ -72,9 +72,9 @@ static void hear_rest(struct learn_field *field, int64_t value)
 static void hear_field(struct hid_learn *learn, struct learn_field *field,
                        struct hid_report report)
 {
-    const struct hid_group *group = hid_judge_group(learn, field);
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);
-    const int relative = hid_judge_is_relative(group);
+    const int relative = hid_mapping_infer_is_relative(group);
     field->now = relative ? field->now + value : value;
     /* A field that is reported only when it changes has its first value as its rest value. */
     if (!field->heard) {
@@ -139,7 +139,7 @@ void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw)
     learn->now_ns = raw->time_ns;
     learn->report_count++;
     for (uint32_t i = 0; i < learn->field_count; i++) {
-        if (hid_judge_group(learn, &learn->field[i])->report_id == id) {
+        if (hid_mapping_infer_group(learn, &learn->field[i])->report_id == id) {
             hear_field(learn, &learn->field[i], report);
         }
     }
@@ -160,7 +160,7 @@ void hid_learn_next(struct hid_learn *learn)
         begin_step(learn, (enum learn_step)(learn->step + 1));
         return;
     }
-    learn->step = hid_judge_map(learn) ? LEARN_TRY : LEARN_FAILED;
+    learn->step = hid_mapping_infer_map(learn) ? LEARN_TRY : LEARN_FAILED;
 }
 
 /* ---- Progress ------------------------------------------------------------------------------- */
@@ -182,7 +182,7 @@ uint8_t hid_learn_progress(const struct hid_learn *learn)
     case LEARN_FAR:
     case LEARN_NEAR:
     case LEARN_DIP:
-        return (uint8_t)(255.0f * hid_judge_clearness(learn));
+        return (uint8_t)(255.0f * hid_mapping_infer_clarity(learn));
     default:
         return 0;
     }

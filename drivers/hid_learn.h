@@ -35,8 +35,8 @@ struct learn_key {
 
 struct hid_learn {
     struct hid_descriptor descriptor;
-    struct hid_map offered;    /* The mapping without learning, whose buttons are kept. */
-    struct hid_map map;        /* The learned mapping, valid in LEARN_TRY. */
+    struct hid_mapping offered; /* The mapping without learning, whose buttons are kept. */
+    struct hid_mapping map;     /* The learned mapping, valid in LEARN_TRY. */
     uint8_t step;              /* enum learn_step */
     uint32_t report_count;     /* Number of reports in the current step. */
     uint64_t begun_ns, now_ns; /* Time of the first and the newest report of the current step. */
@@ -47,7 +47,7 @@ struct hid_learn {
 
 /* Starts with LEARN_REST. The step is LEARN_FAILED if the descriptor cannot be parsed, belongs
  * to a keyboard or has no usable fields. */
-void hid_learn_begin(struct hid_learn *learn, const struct hid_face *face);
+void hid_learn_begin(struct hid_learn *learn, const struct hid_device_info *face);
 
 /* Records one report. Incomplete and undeclared reports are ignored. */
 void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw);

@@ -22,7 +22,7 @@ static const struct place own_places[] = {
     { USAGE_RX, 56, 16 }, { USAGE_RY, 72, 16 }, { USAGE_RZ, 88, 16 },
 };
 
-static int is_at(const struct hid_spot *spot, const struct place *place)
+static int is_at(const struct hid_field_location *spot, const struct place *place)
 {
     const struct hid_group *group = spot->group;
     return group && group->bit_size == place->bit_size && group->logical_min == -32767 &&
@@ -30,15 +30,15 @@ static int is_at(const struct hid_spot *spot, const struct place *place)
            group->bit_offset + spot->index * group->bit_size == place->bit_offset;
 }
 
-int hid_map_is_own(const struct hid_descriptor *descriptor)
+int hid_mapping_is_own(const struct hid_descriptor *descriptor)
 {
     if (!descriptor->has_report_ids ||
         descriptor->report_bits[POI_REPORT_ID] != 8u * (POI_REPORT_SIZE - 1u)) {
         return 0;
     }
     for (uint32_t i = 0; i < sizeof own_places / sizeof own_places[0]; i++) {
-        const struct hid_spot spot =
-            hid_offer_find(descriptor, 0, POI_REPORT_ID, 1, own_places[i].usage);
+        const struct hid_field_location spot =
+            hid_mapping_auto_find(descriptor, 0, POI_REPORT_ID, 1, own_places[i].usage);
         if (!is_at(&spot, &own_places[i])) {
             return 0;
         }
@@ -47,44 +47,44 @@ int hid_map_is_own(const struct hid_descriptor *descriptor)
 }
 
 /* Binds the buttons in the order of enum poi_button. */
-static void bind_own_buttons(struct hid_map *map)
+static void bind_own_buttons(struct hid_mapping *map)
 {
     static const uint8_t roles[] = { HID_ROLE_OK, HID_ROLE_START, HID_ROLE_LEFT, HID_ROLE_RIGHT };
     for (uint32_t i = 0; i < sizeof roles; i++) {
-        hid_offer_bits(map, (struct hid_binding){
-                                .role = roles[i],
-                                .manner = HID_MANNER_PRESS,
-                                .report_id = POI_REPORT_ID,
-                                .bit_offset = 8u * 13u + i,
-                                .bit_size = 1,
-                                .full = 1,
-                            });
+        hid_mapping_auto_bits(map, (struct hid_binding){
+                                       .role = roles[i],
+                                       .manner = HID_BINDING_PRESS,
+                                       .report_id = POI_REPORT_ID,
+                                       .bit_offset = 8u * 13u + i,
+                                       .bit_size = 1,
+                                       .full = 1,
+                                   });
     }
 }
 
-static void map_own(struct hid_map *map)
+static void map_own(struct hid_mapping *map)
 {
     static const uint8_t roles[] = { HID_ROLE_X,     HID_ROLE_Y,   HID_ROLE_Z,
                                      HID_ROLE_PITCH, HID_ROLE_YAW, HID_ROLE_ROLL };
-    *map = (struct hid_map){ .source = HID_MAP_OWN, .style = HID_STYLE_POSE, .feels = 1 };
+    *map = (struct hid_mapping){ .source = HID_MAPPING_OWN, .style = HID_STYLE_POSE, .feels = 1 };
     for (uint32_t i = 0; i < sizeof roles; i++) {
-        hid_offer_bits(map, (struct hid_binding){
-                                .role = roles[i],
-                                .manner = HID_MANNER_PLACE,
-                                .report_id = POI_REPORT_ID,
-                                .bit_offset = own_places[i].bit_offset,
-                                .bit_size = (uint8_t)own_places[i].bit_size,
-                                .is_signed = 1,
-                                .rest = -32767,
-                                .full = 32767,
-                            });
+        hid_mapping_auto_bits(map, (struct hid_binding){
+                                       .role = roles[i],
+                                       .manner = HID_BINDING_POSITION,
+                                       .report_id = POI_REPORT_ID,
+                                       .bit_offset = own_places[i].bit_offset,
+                                       .bit_size = (uint8_t)own_places[i].bit_size,
+                                       .is_signed = 1,
+                                       .rest = -32767,
+                                       .full = 32767,
+                                   });
     }
     bind_own_buttons(map);
 }
 
 /* ---- Selection ------------------------------------------------------------------------------ */
 
-int hid_map_has_keyboard(const struct hid_descriptor *descriptor)
+int hid_mapping_has_keyboard(const struct hid_descriptor *descriptor)
 {
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
@@ -96,43 +96,43 @@ int hid_map_has_keyboard(const struct hid_descriptor *descriptor)
     return 0;
 }
 
-void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
-                    const struct hid_descriptor *descriptor)
+void hid_mapping_choose(struct hid_mapping *out, const struct hid_identity *identity,
+                        const struct hid_descriptor *descriptor)
 {
     memset(out, 0, sizeof *out);
-    if (descriptor->error != HID_OK || hid_map_has_keyboard(descriptor)) {
+    if (descriptor->error != HID_OK || hid_mapping_has_keyboard(descriptor)) {
         return;
     }
-    if (hid_map_is_own(descriptor)) {
+    if (hid_mapping_is_own(descriptor)) {
         map_own(out);
-    } else if (!hid_known_map(out, identity, descriptor)) {
-        hid_offer_map(out, descriptor);
+    } else if (!hid_mapping_known(out, identity, descriptor)) {
+        hid_mapping_auto_build(out, descriptor);
     }
-    if (!hid_map_is_sound(out, descriptor)) {
+    if (!hid_mapping_is_sound(out, descriptor)) {
         memset(out, 0, sizeof *out);
     }
 }
 
-uint32_t hid_map_worth(const struct hid_identity *identity,
-                       const struct hid_descriptor *descriptor)
+uint32_t hid_mapping_score(const struct hid_identity *identity,
+                           const struct hid_descriptor *descriptor)
 {
-    struct hid_map map;
-    hid_map_choose(&map, identity, descriptor);
+    struct hid_mapping map;
+    hid_mapping_choose(&map, identity, descriptor);
     switch (map.source) {
-    case HID_MAP_NONE:
+    case HID_MAPPING_NONE:
         return 0;
-    case HID_MAP_OFFERED:
-        return hid_offer_worth(descriptor);
+    case HID_MAPPING_AUTO:
+        return hid_mapping_auto_score(descriptor);
     default:
         return WORTH_KNOWN;
     }
 }
 
-const char *hid_map_why_none(const struct hid_descriptor *of)
+const char *hid_mapping_absence_reason(const struct hid_descriptor *of)
 {
-    const int has_x = hid_offer_find(of, 0, -1, 0, USAGE_X).group != NULL;
-    const int has_y = hid_offer_find(of, 0, -1, 0, USAGE_Y).group != NULL;
-    if (hid_map_has_keyboard(of)) {
+    const int has_x = hid_mapping_auto_find(of, 0, -1, 0, USAGE_X).group != NULL;
+    const int has_y = hid_mapping_auto_find(of, 0, -1, 0, USAGE_Y).group != NULL;
+    if (hid_mapping_has_keyboard(of)) {
         return "it has the keys of a keyboard, which is left alone";
     }
     return !has_x && !has_y ? "no axis of it is called X or Y; it may be learned in the menu"
@@ -151,16 +151,16 @@ static int is_axis_role(uint8_t role)
 static int manner_fits(const struct hid_binding *binding)
 {
     switch (binding->manner) {
-    case HID_MANNER_PLACE:
-    case HID_MANNER_RATE:
+    case HID_BINDING_POSITION:
+    case HID_BINDING_RATE:
         return is_axis_role(binding->role) ||
-               (binding->role == HID_ROLE_SEQUENCE && binding->manner == HID_MANNER_PLACE);
-    case HID_MANNER_STEP:
+               (binding->role == HID_ROLE_SEQUENCE && binding->manner == HID_BINDING_POSITION);
+    case HID_BINDING_STEP:
         return is_axis_role(binding->role);
-    case HID_MANNER_PRESS:
+    case HID_BINDING_PRESS:
         return !is_axis_role(binding->role) && binding->role != HID_ROLE_HAT &&
                binding->role != HID_ROLE_SEQUENCE;
-    case HID_MANNER_HAT:
+    case HID_BINDING_HAT:
         return binding->role == HID_ROLE_HAT || binding->role == HID_ROLE_X ||
                binding->role == HID_ROLE_Z;
     default:
@@ -168,7 +168,7 @@ static int manner_fits(const struct hid_binding *binding)
     }
 }
 
-int hid_map_is_array_of(const struct hid_group *group, const struct hid_binding *binding)
+int hid_mapping_is_array_of(const struct hid_group *group, const struct hid_binding *binding)
 {
     return !(group->flags & HID_VARIABLE) && group->count <= HID_ARRAY_MAX &&
            group->report_id == binding->report_id && group->bit_offset == binding->bit_offset &&
@@ -178,7 +178,7 @@ int hid_map_is_array_of(const struct hid_group *group, const struct hid_binding 
 static int is_array_at(const struct hid_descriptor *descriptor, const struct hid_binding *binding)
 {
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
-        if (hid_map_is_array_of(&descriptor->group[i], binding)) {
+        if (hid_mapping_is_array_of(&descriptor->group[i], binding)) {
             return 1;
         }
     }
@@ -204,10 +204,10 @@ static int binding_is_sound(const struct hid_binding *binding,
            binding->is_signed <= 1 && end <= descriptor->report_bits[binding->report_id] &&
            span != 0 && binding->dead >= 0 && binding->dead < width &&
            (binding->usage == 0 ||
-            (binding->manner == HID_MANNER_PRESS && is_array_at(descriptor, binding)));
+            (binding->manner == HID_BINDING_PRESS && is_array_at(descriptor, binding)));
 }
 
-static int has(const struct hid_map *map, enum hid_role role, enum hid_manner manner)
+static int has(const struct hid_mapping *map, enum hid_role role, enum hid_binding_kind manner)
 {
     for (uint32_t i = 0; i < map->count; i++) {
         if (map->binding[i].role == role && map->binding[i].manner == manner) {
@@ -217,31 +217,31 @@ static int has(const struct hid_map *map, enum hid_role role, enum hid_manner ma
     return 0;
 }
 
-static int has_plane(const struct hid_map *map, enum hid_manner manner)
+static int has_plane(const struct hid_mapping *map, enum hid_binding_kind manner)
 {
     return has(map, HID_ROLE_X, manner) && has(map, HID_ROLE_Z, manner);
 }
 
-static int style_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor)
+static int style_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
 {
-    const int dips = has(map, HID_ROLE_DIP, HID_MANNER_PRESS);
+    const int dips = has(map, HID_ROLE_DIP, HID_BINDING_PRESS);
     switch (map->style) {
     case HID_STYLE_POSE:
-        return hid_map_is_own(descriptor);
+        return hid_mapping_is_own(descriptor);
     case HID_STYLE_POINTER:
-        return dips && (has_plane(map, HID_MANNER_PLACE) || has_plane(map, HID_MANNER_STEP));
+        return dips && (has_plane(map, HID_BINDING_POSITION) || has_plane(map, HID_BINDING_STEP));
     case HID_STYLE_FLY:
-        return (has_plane(map, HID_MANNER_RATE) || has_plane(map, HID_MANNER_HAT)) &&
-               (dips || has(map, HID_ROLE_Y, HID_MANNER_RATE));
+        return (has_plane(map, HID_BINDING_RATE) || has_plane(map, HID_BINDING_HAT)) &&
+               (dips || has(map, HID_ROLE_Y, HID_BINDING_RATE));
     default:
         return 0;
     }
 }
 
-int hid_map_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor)
+int hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
 {
-    if (descriptor->error != HID_OK || map->source == HID_MAP_NONE ||
-        map->source > HID_MAP_LEARNED || map->count > HID_BINDING_MAX || map->trembles > 1 ||
+    if (descriptor->error != HID_OK || map->source == HID_MAPPING_NONE ||
+        map->source > HID_MAPPING_LEARNED || map->count > HID_BINDING_MAX || map->trembles > 1 ||
         map->feels > 1) {
         return 0;
     }

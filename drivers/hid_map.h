@@ -44,19 +44,19 @@ enum hid_role {
 };
 
 /* How the value of a field is interpreted. */
-enum hid_manner {
-    HID_MANNER_PLACE = 0, /* Value is a position: tablets, tracked pois. */
-    HID_MANNER_RATE,      /* Value is a velocity: sticks, pucks. */
-    HID_MANNER_STEP,      /* Value is a displacement since the last report: mice, wheels. */
-    HID_MANNER_PRESS,     /* Pressed from halfway between `rest` and `full`. */
+enum hid_binding_kind {
+    HID_BINDING_POSITION = 0, /* Value is a position: tablets, tracked pois. */
+    HID_BINDING_RATE,         /* Value is a velocity: sticks, pucks. */
+    HID_BINDING_STEP,         /* Value is a displacement since the last report: mice, wheels. */
+    HID_BINDING_PRESS,        /* Pressed from halfway between `rest` and `full`. */
     /* Eight directions from `rest`, clockwise from up; values out of range mean released. Bound
      * to X and Z, a hat is a four-switch joystick with full deflection only. */
-    HID_MANNER_HAT,
-    HID_MANNER_COUNT,
+    HID_BINDING_HAT,
+    HID_BINDING_KIND_COUNT,
 };
 
 struct hid_binding {
-    uint8_t role, manner;   /* enum hid_role, enum hid_manner */
+    uint8_t role, manner; /* enum hid_role, enum hid_binding_kind */
     uint8_t report_id;
     uint32_t bit_offset; /* Offset in the payload, behind the report id. */
     uint8_t bit_size;    /* 1 .. 32 */
@@ -77,16 +77,16 @@ enum hid_style {
     HID_STYLE_FLY,     /* Velocity control by sticks or a puck; dip by button or by the Y axis. */
 };
 
-enum hid_map_source {
-    HID_MAP_NONE = 0, /* The controller has no usable mapping. */
-    HID_MAP_OWN,      /* The reports have the layout of our own poi. */
-    HID_MAP_KNOWN,
-    HID_MAP_OFFERED,
-    HID_MAP_LEARNED,
+enum hid_mapping_source {
+    HID_MAPPING_NONE = 0, /* The controller has no usable mapping. */
+    HID_MAPPING_OWN,      /* The reports have the layout of our own poi. */
+    HID_MAPPING_KNOWN,
+    HID_MAPPING_AUTO,
+    HID_MAPPING_LEARNED,
 };
 
-struct hid_map {
-    uint8_t source, style; /* enum hid_map_source, enum hid_style */
+struct hid_mapping {
+    uint8_t source, style; /* enum hid_mapping_source, enum hid_style */
     uint8_t trembles;      /* 1 if the sensor has noise; see struct poi_input. */
     uint8_t feels;         /* 1 if the device accepts our haptic output report. */
     uint32_t count;        /* <= HID_BINDING_MAX */
@@ -96,38 +96,38 @@ struct hid_map {
 /* Returns 1 if the reports have the layout of our own poi: every axis of drivers/poi_report.h at
  * its position. Unlike poi_descriptor_is(), this function also accepts a device with additional
  * reports, which can play after the operator chose it. */
-int hid_map_is_own(const struct hid_descriptor *descriptor);
+int hid_mapping_is_own(const struct hid_descriptor *descriptor);
 
 /* Returns 1 if the descriptor declares the keys of a keyboard. Such a device is never used. */
-int hid_map_has_keyboard(const struct hid_descriptor *descriptor);
+int hid_mapping_has_keyboard(const struct hid_descriptor *descriptor);
 
 /* Finds the best mapping for a controller: our own poi, a known device, or what the descriptor
- * offers. `out->source` names the source. Source HID_MAP_NONE means that no mapping is possible,
- * for example for a keyboard or a device without axes. */
-void hid_map_choose(struct hid_map *out, const struct hid_identity *identity,
-                    const struct hid_descriptor *descriptor);
+ * offers. `out->source` names the source. Source HID_MAPPING_NONE means that no mapping is
+ * possible, for example for a keyboard or a device without axes. */
+void hid_mapping_choose(struct hid_mapping *out, const struct hid_identity *identity,
+                        const struct hid_descriptor *descriptor);
 
-/* Returns why hid_map_choose() finds no mapping, as part of a sentence in static memory. */
-const char *hid_map_why_none(const struct hid_descriptor *descriptor);
+/* Returns why hid_mapping_choose() finds no mapping, as part of a sentence in static memory. */
+const char *hid_mapping_absence_reason(const struct hid_descriptor *descriptor);
 
-/* Returns a rating of the mapping that hid_map_choose() finds, to compare the interfaces of a
+/* Returns a rating of the mapping that hid_mapping_choose() finds, to compare the interfaces of a
  * device; 0 if there is no mapping. */
-uint32_t hid_map_worth(const struct hid_identity *identity,
-                       const struct hid_descriptor *descriptor);
+uint32_t hid_mapping_score(const struct hid_identity *identity,
+                           const struct hid_descriptor *descriptor);
 
 /* Returns 1 if `group` is the array that the binding's usage belongs to. An array of more than
  * HID_ARRAY_MAX elements never is. */
-int hid_map_is_array_of(const struct hid_group *group, const struct hid_binding *binding);
+int hid_mapping_is_array_of(const struct hid_group *group, const struct hid_binding *binding);
 
 /* Validates a mapping, which can come from a file. Returns 1 if the style has its axes, every
  * binding lies inside its declared report, and every number is in range. */
-int hid_map_is_sound(const struct hid_map *map, const struct hid_descriptor *descriptor);
+int hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor);
 
 /* Write a mapping as one line of text without a newline, and parse such a line. Both return 0 or
- * -1; hid_map_read() then describes the fault in `error`. hid_book.h stores the line with its
+ * -1; hid_mapping_read() then describes the fault in `error`. hid_book.h stores the line with its
  * vendor:product:serial. */
-#define HID_MAP_TEXT_SIZE 3072u /* Fits HID_BINDING_MAX bindings of the longest text. */
-int hid_map_write(const struct hid_map *map, char text[HID_MAP_TEXT_SIZE]);
-int hid_map_read(struct hid_map *out, const char *text, char error[HAL_TEXT_SIZE]);
+#define HID_MAPPING_TEXT_SIZE 3072u /* Fits HID_BINDING_MAX bindings of the longest text. */
+int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_SIZE]);
+int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_TEXT_SIZE]);
 
 #endif

@@ -16,27 +16,28 @@ struct known {
 /* clang-format off */
 #define STICK(role_, bit)                                                                        \
     {                                                                                             \
-        .role = role_, .manner = HID_MANNER_RATE, .report_id = 1, .bit_offset = bit,              \
+        .role = role_, .manner = HID_BINDING_RATE, .report_id = 1, .bit_offset = bit,              \
         .bit_size = 8, .rest = 128, .full = 255, .dead = STICK_DEAD                               \
     }
 #define TURN(role_, bit)                                                                         \
     {                                                                                             \
-        .role = role_, .manner = HID_MANNER_PLACE, .report_id = 1, .bit_offset = bit,             \
+        .role = role_, .manner = HID_BINDING_POSITION, .report_id = 1,                             \
+            .bit_offset = bit, \
         .bit_size = 8, .rest = 0, .full = 255, .dead = STICK_DEAD                                 \
     }
 #define BUTTON(role_, bit)                                                                       \
     {                                                                                             \
-        .role = role_, .manner = HID_MANNER_PRESS, .report_id = 1, .bit_offset = bit,             \
+        .role = role_, .manner = HID_BINDING_PRESS, .report_id = 1, .bit_offset = bit,             \
         .bit_size = 1, .rest = 0, .full = 1                                                       \
     }
 #define TRIGGER(role_, bit)                                                                      \
     {                                                                                             \
-        .role = role_, .manner = HID_MANNER_PRESS, .report_id = 1, .bit_offset = bit,             \
+        .role = role_, .manner = HID_BINDING_PRESS, .report_id = 1, .bit_offset = bit,             \
         .bit_size = 8, .rest = 0, .full = 255                                                     \
     }
 #define HAT(bit)                                                                                 \
     {                                                                                             \
-        .role = HID_ROLE_HAT, .manner = HID_MANNER_HAT, .report_id = 1, .bit_offset = bit,        \
+        .role = HID_ROLE_HAT, .manner = HID_BINDING_HAT, .report_id = 1, .bit_offset = bit,        \
         .bit_size = 4, .rest = 0, .full = 7                                                       \
     }
 
@@ -67,17 +68,17 @@ static const struct known knowns[] = {
     ROW(0x0df2, dualsense),  /* DualSense Edge */
 };
 
-int hid_known_map(struct hid_map *out, const struct hid_identity *identity,
-                  const struct hid_descriptor *descriptor)
+int hid_mapping_known(struct hid_mapping *out, const struct hid_identity *identity,
+                      const struct hid_descriptor *descriptor)
 {
     for (uint32_t i = 0; i < sizeof knowns / sizeof knowns[0]; i++) {
         const struct known *known = &knowns[i];
         if (known->vendor == identity->vendor && known->product == identity->product) {
-            struct hid_map map = { .source = HID_MAP_KNOWN, .style = HID_STYLE_FLY };
+            struct hid_mapping map = { .source = HID_MAPPING_KNOWN, .style = HID_STYLE_FLY };
             for (uint32_t j = 0; j < known->count; j++) {
-                hid_offer_bits(&map, known->bindings[j]);
+                hid_mapping_auto_bits(&map, known->bindings[j]);
             }
-            if (hid_map_is_sound(&map, descriptor)) {
+            if (hid_mapping_is_sound(&map, descriptor)) {
                 *out = map;
                 return 1;
             }

@@ -22,8 +22,8 @@ static const char *const role_words[] = {
 
 #define COUNT(words) ((uint32_t)(sizeof words / sizeof words[0]))
 _Static_assert(COUNT(role_words) == HID_ROLE_COUNT, "every role has a word");
-_Static_assert(COUNT(manner_words) == HID_MANNER_COUNT, "every manner has a word");
-_Static_assert(COUNT(source_words) == HID_MAP_LEARNED + 1, "every source has a word");
+_Static_assert(COUNT(manner_words) == HID_BINDING_KIND_COUNT, "every manner has a word");
+_Static_assert(COUNT(source_words) == HID_MAPPING_LEARNED + 1, "every source has a word");
 _Static_assert(COUNT(style_words) == HID_STYLE_FLY + 1, "every style has a word");
 
 #define WORD_SIZE 96u
@@ -45,22 +45,22 @@ static int write_binding(const struct hid_binding *binding, char *text, size_t s
                     binding->rest, binding->full, dead, usage);
 }
 
-int hid_map_write(const struct hid_map *map, char text[HID_MAP_TEXT_SIZE])
+int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_SIZE])
 {
     if (map->source >= COUNT(source_words) || map->style >= COUNT(style_words) ||
         map->count > HID_BINDING_MAX) {
         return -1;
     }
-    int used = snprintf(text, HID_MAP_TEXT_SIZE, "%s %s%s%s", source_words[map->source],
+    int used = snprintf(text, HID_MAPPING_TEXT_SIZE, "%s %s%s%s", source_words[map->source],
                         style_words[map->style], map->trembles ? " trembles" : "",
                         map->feels ? " feels" : "");
     for (uint32_t i = 0; i < map->count; i++) {
         const struct hid_binding *binding = &map->binding[i];
-        if (binding->role >= HID_ROLE_COUNT || binding->manner >= HID_MANNER_COUNT) {
+        if (binding->role >= HID_ROLE_COUNT || binding->manner >= HID_BINDING_KIND_COUNT) {
             return -1;
         }
-        used += write_binding(binding, text + used, HID_MAP_TEXT_SIZE - (size_t)used);
-        if ((uint32_t)used >= HID_MAP_TEXT_SIZE) {
+        used += write_binding(binding, text + used, HID_MAPPING_TEXT_SIZE - (size_t)used);
+        if ((uint32_t)used >= HID_MAPPING_TEXT_SIZE) {
             return -1;
         }
     }
@@ -69,7 +69,7 @@ int hid_map_write(const struct hid_map *map, char text[HID_MAP_TEXT_SIZE])
 
 /* ---- Reading -------------------------------------------------------------------------------- */
 
-static int fail(char error[HAL_TEXT_SIZE], const char *what, const char *word)
+static int hid_mapping_text_fail(char error[HAL_TEXT_SIZE], const char *what, const char *word)
 {
     snprintf(error, HAL_TEXT_SIZE, "%s: '%.60s'", what, word);
     return -1;
@@ -176,7 +176,8 @@ static int read_binding(char *word, struct hid_binding *out)
     return role > 0 && how >= 0 && read_field(field, out);
 }
 
-static int read_words(struct hid_map *out, const char *text, char error[HAL_TEXT_SIZE])
+static int hid_mapping_text_read_words(struct hid_mapping *out, const char *text,
+                                       char error[HAL_TEXT_SIZE])
 {
     char word[WORD_SIZE], kept[WORD_SIZE];
     int more;
@@ -187,31 +188,32 @@ static int read_words(struct hid_map *out, const char *text, char error[HAL_TEXT
         } else if (strcmp(word, "feels") == 0) {
             out->feels = 1;
         } else if (out->count == HID_BINDING_MAX) {
-            return fail(error, "more bindings than a map holds", kept);
+            return hid_mapping_text_fail(error, "more bindings than a map holds", kept);
         } else if (!read_binding(word, &out->binding[out->count])) {
-            return fail(error, "not role=manner:report:bits@offset:rest..full", kept);
+            return hid_mapping_text_fail(error, "not role=manner:report:bits@offset:rest..full",
+                                         kept);
         } else {
             out->count++;
         }
     }
-    return more < 0 ? fail(error, "a word too long", text) : 0;
+    return more < 0 ? hid_mapping_text_fail(error, "a word too long", text) : 0;
 }
 
-int hid_map_read(struct hid_map *out, const char *text, char error[HAL_TEXT_SIZE])
+int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_TEXT_SIZE])
 {
     char word[WORD_SIZE] = "";
     memset(out, 0, sizeof *out);
     const int source =
         next_word(&text, word) > 0 ? index_of(source_words, COUNT(source_words), word) : -1;
     if (source <= 0) {
-        return fail(error, "begins with no word for where a map is from", word);
+        return hid_mapping_text_fail(error, "begins with no word for where a map is from", word);
     }
     const int style =
         next_word(&text, word) > 0 ? index_of(style_words, COUNT(style_words), word) : -1;
     if (style <= 0) {
-        return fail(error, "no style of play behind its source", word);
+        return hid_mapping_text_fail(error, "no style of play behind its source", word);
     }
     out->source = (uint8_t)source;
     out->style = (uint8_t)style;
-    return read_words(out, text, error);
+    return hid_mapping_text_read_words(out, text, error);
 }

@@ -7,14 +7,14 @@
 #define DEAD_SHARE_STICK 12 /* A stick that is released stops within 1/12 of half its range. */
 #define DEAD_SHARE_PUCK 50  /* Divisor for a puck, which has stiffer springs. */
 
-int hid_offer_is_axis(const struct hid_group *group)
+int hid_mapping_auto_is_axis(const struct hid_group *group)
 {
     return (group->flags & HID_VARIABLE) && group->bit_size <= 32u &&
            group->logical_max - group->logical_min >= AXIS_STEPS_MIN;
 }
 
-int32_t hid_offer_place(const struct hid_descriptor *descriptor, const struct hid_group *group,
-                        hid_usage usage)
+int32_t hid_mapping_auto_place(const struct hid_descriptor *descriptor,
+                               const struct hid_group *group, hid_usage usage)
 {
     uint32_t first = 0;
     for (uint32_t i = 0; i < group->range_count; i++) {
@@ -30,8 +30,8 @@ int32_t hid_offer_place(const struct hid_descriptor *descriptor, const struct hi
     return -1;
 }
 
-static struct hid_spot find_in(const struct hid_descriptor *descriptor, hid_usage application,
-                               int report_id, hid_usage usage)
+static struct hid_field_location find_in(const struct hid_descriptor *descriptor,
+                                         hid_usage application, int report_id, hid_usage usage)
 {
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
@@ -40,22 +40,23 @@ static struct hid_spot find_in(const struct hid_descriptor *descriptor, hid_usag
             (report_id >= 0 && group->report_id != report_id)) {
             continue;
         }
-        const int32_t index = hid_offer_place(descriptor, group, usage);
+        const int32_t index = hid_mapping_auto_place(descriptor, group, usage);
         if (index >= 0) {
-            return (struct hid_spot){ group, (uint32_t)index, usage };
+            return (struct hid_field_location){ group, (uint32_t)index, usage };
         }
     }
-    return (struct hid_spot){ 0 };
+    return (struct hid_field_location){ 0 };
 }
 
-struct hid_spot hid_offer_find(const struct hid_descriptor *descriptor, hid_usage application,
-                               int report_id, int report_only, hid_usage usage)
+struct hid_field_location hid_mapping_auto_find(const struct hid_descriptor *descriptor,
+                                                hid_usage application, int report_id,
+                                                int report_only, hid_usage usage)
 {
-    const struct hid_spot here = find_in(descriptor, application, report_id, usage);
+    const struct hid_field_location here = find_in(descriptor, application, report_id, usage);
     return here.group || report_only ? here : find_in(descriptor, application, -1, usage);
 }
 
-int hid_offer_bits(struct hid_map *map, struct hid_binding binding)
+int hid_mapping_auto_bits(struct hid_mapping *map, struct hid_binding binding)
 {
     if (map->count == HID_BINDING_MAX) {
         return 0;
@@ -79,11 +80,11 @@ static void set_ends(struct hid_binding *binding, const struct hid_group *group,
         group->logical_max < most && !is_bare_button(group) ? group->logical_max : most;
     const int64_t middle = low + (high - low + 1) / 2;
     switch (binding->manner) {
-    case HID_MANNER_RATE:
+    case HID_BINDING_RATE:
         binding->rest = middle;
         binding->full = turned ? low : high;
         break;
-    case HID_MANNER_STEP:
+    case HID_BINDING_STEP:
         binding->rest = 0;
         binding->full = turned ? -1 : 1;
         break;
@@ -98,24 +99,24 @@ static int64_t dead_of(const struct hid_group *group, uint8_t role, uint8_t mann
 {
     const int64_t half = (group->logical_max - group->logical_min) / 2;
     const int is_turn = role >= HID_ROLE_PITCH && role <= HID_ROLE_ROLL;
-    if (manner == HID_MANNER_RATE || (manner == HID_MANNER_PLACE && is_turn)) {
+    if (manner == HID_BINDING_RATE || (manner == HID_BINDING_POSITION && is_turn)) {
         const int is_puck = group->application == USAGE_MULTI_AXIS;
         return half / (is_puck ? DEAD_SHARE_PUCK : DEAD_SHARE_STICK);
     }
     return 0;
 }
 
-int hid_offer_bind(struct hid_map *map, struct hid_spot spot, enum hid_role role,
-                   enum hid_manner manner, int turned)
+int hid_mapping_auto_bind(struct hid_mapping *map, struct hid_field_location spot,
+                          enum hid_role role, enum hid_binding_kind manner, int turned)
 {
     const struct hid_group *group = spot.group;
-    const int is_switch = manner == HID_MANNER_PRESS || manner == HID_MANNER_HAT;
-    if (!group || (!is_switch && !hid_offer_is_axis(group)) ||
+    const int is_switch = manner == HID_BINDING_PRESS || manner == HID_BINDING_HAT;
+    if (!group || (!is_switch && !hid_mapping_auto_is_axis(group)) ||
         (group->logical_min >= group->logical_max && !is_bare_button(group))) {
         return 0;
     }
     const int is_array = !(group->flags & HID_VARIABLE);
-    if (is_array && (manner != HID_MANNER_PRESS || group->count > HID_ARRAY_MAX)) {
+    if (is_array && (manner != HID_BINDING_PRESS || group->count > HID_ARRAY_MAX)) {
         return 0;
     }
     struct hid_binding binding = {
@@ -129,5 +130,5 @@ int hid_offer_bind(struct hid_map *map, struct hid_spot spot, enum hid_role role
         .dead = dead_of(group, (uint8_t)role, (uint8_t)manner),
     };
     set_ends(&binding, group, turned);
-    return hid_offer_bits(map, binding);
+    return hid_mapping_auto_bits(map, binding);
 }

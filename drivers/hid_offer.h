@@ -36,7 +36,7 @@ enum {
 };
 
 /* A field of a report. */
-struct hid_spot {
+struct hid_field_location {
     const struct hid_group *group; /* Null if no field was found. */
     uint32_t index;                /* < group->count */
     hid_usage usage;
@@ -44,39 +44,40 @@ struct hid_spot {
 
 /* Returns 1 if a field has more values than a hat and so can be an axis. An "X" of one bit is a
  * button, for example. */
-int hid_offer_is_axis(const struct hid_group *group);
+int hid_mapping_auto_is_axis(const struct hid_group *group);
 
 /* Returns the index of a usage in a group, or -1 if the group lacks it. In an array, index 0
  * stands for all elements. */
-int32_t hid_offer_place(const struct hid_descriptor *descriptor, const struct hid_group *group,
-                        hid_usage usage);
+int32_t hid_mapping_auto_place(const struct hid_descriptor *descriptor,
+                               const struct hid_group *group, hid_usage usage);
 
 /* Returns the first field with this usage in reports of `application` (0: any). The report
  * `report_id` (-1: any) is searched first, then, if `report_only` is 0, all others. Constant
  * fields are skipped. In an array, the first element stands for all. */
-struct hid_spot hid_offer_find(const struct hid_descriptor *descriptor, hid_usage application,
-                               int report_id, int report_only, hid_usage usage);
+struct hid_field_location hid_mapping_auto_find(const struct hid_descriptor *descriptor,
+                                                hid_usage application, int report_id,
+                                                int report_only, hid_usage usage);
 
 /* Adds a binding of the field. Returns 1, or 0 if `spot` is empty or unsuitable or if the
  * mapping is full. An axis ranges from its logical minimum to its maximum, or for a RATE from
  * its middle. `turned` reverses the direction. */
-int hid_offer_bind(struct hid_map *map, struct hid_spot spot, enum hid_role role,
-                   enum hid_manner manner, int turned);
+int hid_mapping_auto_bind(struct hid_mapping *map, struct hid_field_location spot,
+                          enum hid_role role, enum hid_binding_kind manner, int turned);
 
 /* Adds a binding that refers to bits instead of a usage. Returns 1, or 0 if the mapping is full. */
-int hid_offer_bits(struct hid_map *map, struct hid_binding binding);
+int hid_mapping_auto_bits(struct hid_mapping *map, struct hid_binding binding);
 
-/* Fills `out` with the best mapping that the descriptor allows. The source is HID_MAP_NONE if
+/* Fills `out` with the best mapping that the descriptor allows. The source is HID_MAPPING_NONE if
  * there is none. */
-void hid_offer_map(struct hid_map *out, const struct hid_descriptor *descriptor);
+void hid_mapping_auto_build(struct hid_mapping *out, const struct hid_descriptor *descriptor);
 
-/* Returns how well the mapping of hid_offer_map() controls the poi: 0 .. 60, where 0 means no
- * mapping. */
-uint32_t hid_offer_worth(const struct hid_descriptor *descriptor);
+/* Returns how well the mapping of hid_mapping_auto_build() controls the poi: 0 .. 60, where 0 means
+ * no mapping. */
+uint32_t hid_mapping_auto_score(const struct hid_descriptor *descriptor);
 
 /* Fills `out` from the table of known controllers. Returns 1, or 0 if the controller is not
  * known; `out` is then unchanged. */
-int hid_known_map(struct hid_map *out, const struct hid_identity *identity,
-                  const struct hid_descriptor *descriptor);
+int hid_mapping_known(struct hid_mapping *out, const struct hid_identity *identity,
+                      const struct hid_descriptor *descriptor);
 
 #endif

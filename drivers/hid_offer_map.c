@@ -14,14 +14,16 @@ struct surface {
     int relative;
 };
 
-static struct hid_spot of(const struct surface *surface, hid_usage usage)
+static struct hid_field_location of(const struct surface *surface, hid_usage usage)
 {
-    return hid_offer_find(surface->descriptor, surface->application, surface->report_id, 0, usage);
+    return hid_mapping_auto_find(surface->descriptor, surface->application, surface->report_id, 0,
+                                 usage);
 }
 
-static struct hid_spot here(const struct surface *surface, hid_usage usage)
+static struct hid_field_location here(const struct surface *surface, hid_usage usage)
 {
-    return hid_offer_find(surface->descriptor, surface->application, surface->report_id, 1, usage);
+    return hid_mapping_auto_find(surface->descriptor, surface->application, surface->report_id, 1,
+                                 usage);
 }
 
 /* Returns the rating of a surface; 0 means that the poi cannot be controlled with it. Multi-axis
@@ -63,8 +65,9 @@ static int is_switch_stick(const struct surface *surface)
 static int is_surface(const struct hid_descriptor *descriptor, const struct hid_group *group,
                       struct surface *out)
 {
-    const int has_x = hid_offer_is_axis(group) && hid_offer_place(descriptor, group, USAGE_X) >= 0;
-    const int has_hat = hid_offer_place(descriptor, group, USAGE_HAT) >= 0;
+    const int has_x =
+        hid_mapping_auto_is_axis(group) && hid_mapping_auto_place(descriptor, group, USAGE_X) >= 0;
+    const int has_hat = hid_mapping_auto_place(descriptor, group, USAGE_HAT) >= 0;
     if ((group->flags & HID_CONSTANT) || (!has_x && !has_hat)) {
         return 0;
     }
@@ -74,34 +77,35 @@ static int is_surface(const struct hid_descriptor *descriptor, const struct hid_
         .report_id = group->report_id,
         .relative = (group->flags & HID_RELATIVE) != 0,
     };
-    const struct hid_spot y = of(out, USAGE_Y);
-    return (has_x && y.group && hid_offer_is_axis(y.group)) || (has_hat && is_switch_stick(out));
+    const struct hid_field_location y = of(out, USAGE_Y);
+    return (has_x && y.group && hid_mapping_auto_is_axis(y.group)) ||
+           (has_hat && is_switch_stick(out));
 }
 
 /* ---- Mappings ------------------------------------------------------------------------------- */
 
-static struct hid_spot button(const struct surface *surface, uint32_t number)
+static struct hid_field_location button(const struct surface *surface, uint32_t number)
 {
     return of(surface, USAGE_BUTTON + number);
 }
 
-static void press(struct hid_map *map, const struct surface *surface, uint32_t number,
+static void press(struct hid_mapping *map, const struct surface *surface, uint32_t number,
                   enum hid_role role)
 {
-    hid_offer_bind(map, button(surface, number), role, HID_MANNER_PRESS, 0);
+    hid_mapping_auto_bind(map, button(surface, number), role, HID_BINDING_PRESS, 0);
 }
 
 /* Maps a puck: X is right, Y is toward the user, Z is down, and RX, RY, RZ rotate about them.
  * Some descriptors declare the axes relative although the values are deflections. */
-static void map_puck(struct hid_map *map, const struct surface *surface)
+static void map_puck(struct hid_mapping *map, const struct surface *surface)
 {
     map->style = HID_STYLE_FLY;
-    hid_offer_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_MANNER_RATE, 0);
-    hid_offer_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_RATE, 0);
-    hid_offer_bind(map, of(surface, USAGE_Z), HID_ROLE_Y, HID_MANNER_RATE, 1);
-    hid_offer_bind(map, of(surface, USAGE_RX), HID_ROLE_PITCH, HID_MANNER_PLACE, 0);
-    hid_offer_bind(map, of(surface, USAGE_RY), HID_ROLE_ROLL, HID_MANNER_PLACE, 1);
-    hid_offer_bind(map, of(surface, USAGE_RZ), HID_ROLE_YAW, HID_MANNER_PLACE, 1);
+    hid_mapping_auto_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_BINDING_RATE, 0);
+    hid_mapping_auto_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_BINDING_RATE, 0);
+    hid_mapping_auto_bind(map, of(surface, USAGE_Z), HID_ROLE_Y, HID_BINDING_RATE, 1);
+    hid_mapping_auto_bind(map, of(surface, USAGE_RX), HID_ROLE_PITCH, HID_BINDING_POSITION, 0);
+    hid_mapping_auto_bind(map, of(surface, USAGE_RY), HID_ROLE_ROLL, HID_BINDING_POSITION, 1);
+    hid_mapping_auto_bind(map, of(surface, USAGE_RZ), HID_ROLE_YAW, HID_BINDING_POSITION, 1);
     press(map, surface, 1, HID_ROLE_START);
     press(map, surface, 1, HID_ROLE_OK);
     press(map, surface, 2, HID_ROLE_LEVEL);
@@ -110,16 +114,16 @@ static void map_puck(struct hid_map *map, const struct surface *surface)
 
 /* Maps the right stick. X and Y are the left stick. The right stick is Z and RZ if both exist,
  * and otherwise RX and RY, because Z then belongs to the triggers. */
-static void map_right_stick(struct hid_map *map, const struct surface *surface)
+static void map_right_stick(struct hid_mapping *map, const struct surface *surface)
 {
     const int by_z = of(surface, USAGE_Z).group && of(surface, USAGE_RZ).group;
-    const struct hid_spot across = of(surface, by_z ? USAGE_Z : USAGE_RX);
-    const struct hid_spot along = of(surface, by_z ? USAGE_RZ : USAGE_RY);
+    const struct hid_field_location across = of(surface, by_z ? USAGE_Z : USAGE_RX);
+    const struct hid_field_location along = of(surface, by_z ? USAGE_RZ : USAGE_RY);
     if (across.group && along.group) {
-        hid_offer_bind(map, across, HID_ROLE_ROLL, HID_MANNER_PLACE, 0);
-        hid_offer_bind(map, along, HID_ROLE_PITCH, HID_MANNER_PLACE, 0);
+        hid_mapping_auto_bind(map, across, HID_ROLE_ROLL, HID_BINDING_POSITION, 0);
+        hid_mapping_auto_bind(map, along, HID_ROLE_PITCH, HID_BINDING_POSITION, 0);
     } else {
-        hid_offer_bind(map, of(surface, USAGE_RZ), HID_ROLE_YAW, HID_MANNER_PLACE, 1);
+        hid_mapping_auto_bind(map, of(surface, USAGE_RZ), HID_ROLE_YAW, HID_BINDING_POSITION, 1);
     }
 }
 
@@ -127,7 +131,7 @@ static void map_right_stick(struct hid_map *map, const struct surface *surface)
  * 1-4 are face buttons, 5-8 shoulder buttons, and 9 and 10 are in the middle. With fewer, 5 and
  * 6 are shoulder buttons and 7 and 8 are in the middle. Button 1 is the trigger of a joystick in
  * both. */
-static void map_pad_buttons(struct hid_map *map, const struct surface *surface)
+static void map_pad_buttons(struct hid_mapping *map, const struct surface *surface)
 {
     const int is_long = button(surface, 12).group != NULL;
     press(map, surface, 1, HID_ROLE_DIP);
@@ -142,60 +146,63 @@ static void map_pad_buttons(struct hid_map *map, const struct surface *surface)
     }
 }
 
-static void map_pad(struct hid_map *map, const struct surface *surface)
+static void map_pad(struct hid_mapping *map, const struct surface *surface)
 {
-    const struct hid_spot hat = of(surface, USAGE_HAT);
+    const struct hid_field_location hat = of(surface, USAGE_HAT);
     map->style = HID_STYLE_FLY;
     if (is_switch_stick(surface)) {
-        hid_offer_bind(map, hat, HID_ROLE_X, HID_MANNER_HAT, 0);
-        hid_offer_bind(map, hat, HID_ROLE_Z, HID_MANNER_HAT, 0);
+        hid_mapping_auto_bind(map, hat, HID_ROLE_X, HID_BINDING_HAT, 0);
+        hid_mapping_auto_bind(map, hat, HID_ROLE_Z, HID_BINDING_HAT, 0);
     } else {
-        hid_offer_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_MANNER_RATE, 0);
-        hid_offer_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_RATE, 0);
+        hid_mapping_auto_bind(map, of(surface, USAGE_X), HID_ROLE_X, HID_BINDING_RATE, 0);
+        hid_mapping_auto_bind(map, of(surface, USAGE_Y), HID_ROLE_Z, HID_BINDING_RATE, 0);
         map_right_stick(map, surface);
-        hid_offer_bind(map, hat, HID_ROLE_HAT, HID_MANNER_HAT, 0);
+        hid_mapping_auto_bind(map, hat, HID_ROLE_HAT, HID_BINDING_HAT, 0);
     }
-    hid_offer_bind(map, of(surface, USAGE_ACCELERATOR), HID_ROLE_DIP, HID_MANNER_PRESS, 0);
+    hid_mapping_auto_bind(map, of(surface, USAGE_ACCELERATOR), HID_ROLE_DIP, HID_BINDING_PRESS, 0);
     map_pad_buttons(map, surface);
 }
 
-static void map_tip(struct hid_map *map, const struct surface *surface)
+static void map_tip(struct hid_mapping *map, const struct surface *surface)
 {
-    if (!hid_offer_bind(map, here(surface, USAGE_TIP), HID_ROLE_DIP, HID_MANNER_PRESS, 0) &&
-        !hid_offer_bind(map, here(surface, USAGE_BUTTON + 1u), HID_ROLE_DIP, HID_MANNER_PRESS,
-                        0) &&
-        hid_offer_bind(map, here(surface, USAGE_TIP_PRESSURE), HID_ROLE_DIP, HID_MANNER_PRESS,
-                       0)) {
+    if (!hid_mapping_auto_bind(map, here(surface, USAGE_TIP), HID_ROLE_DIP, HID_BINDING_PRESS, 0) &&
+        !hid_mapping_auto_bind(map, here(surface, USAGE_BUTTON + 1u), HID_ROLE_DIP,
+                               HID_BINDING_PRESS, 0) &&
+        hid_mapping_auto_bind(map, here(surface, USAGE_TIP_PRESSURE), HID_ROLE_DIP,
+                              HID_BINDING_PRESS, 0)) {
         struct hid_binding *pressure = &map->binding[map->count - 1u];
         pressure->full = pressure->rest + (pressure->full - pressure->rest) / 8 + 1;
     }
 }
 
-static void map_pen(struct hid_map *map, const struct surface *surface)
+static void map_pen(struct hid_mapping *map, const struct surface *surface)
 {
     map->style = HID_STYLE_POINTER;
-    hid_offer_bind(map, here(surface, USAGE_X), HID_ROLE_X, HID_MANNER_PLACE, 0);
-    hid_offer_bind(map, here(surface, USAGE_Y), HID_ROLE_Z, HID_MANNER_PLACE, 0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_X), HID_ROLE_X, HID_BINDING_POSITION, 0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_Y), HID_ROLE_Z, HID_BINDING_POSITION, 0);
     map_tip(map, surface);
-    hid_offer_bind(map, here(surface, USAGE_IN_RANGE), HID_ROLE_IN_RANGE, HID_MANNER_PRESS, 0);
-    hid_offer_bind(map, here(surface, USAGE_BARREL), HID_ROLE_FAN, HID_MANNER_PRESS, 0);
-    hid_offer_bind(map, here(surface, USAGE_X_TILT), HID_ROLE_ROLL, HID_MANNER_PLACE, 0);
-    hid_offer_bind(map, here(surface, USAGE_Y_TILT), HID_ROLE_PITCH, HID_MANNER_PLACE, 0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_IN_RANGE), HID_ROLE_IN_RANGE, HID_BINDING_PRESS,
+                          0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_BARREL), HID_ROLE_FAN, HID_BINDING_PRESS, 0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_X_TILT), HID_ROLE_ROLL, HID_BINDING_POSITION, 0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_Y_TILT), HID_ROLE_PITCH, HID_BINDING_POSITION,
+                          0);
 }
 
-static void map_mouse(struct hid_map *map, const struct surface *surface)
+static void map_mouse(struct hid_mapping *map, const struct surface *surface)
 {
-    const enum hid_manner manner = surface->relative ? HID_MANNER_STEP : HID_MANNER_PLACE;
+    const enum hid_binding_kind manner =
+        surface->relative ? HID_BINDING_STEP : HID_BINDING_POSITION;
     map->style = HID_STYLE_POINTER;
-    hid_offer_bind(map, here(surface, USAGE_X), HID_ROLE_X, manner, 0);
-    hid_offer_bind(map, here(surface, USAGE_Y), HID_ROLE_Z, manner, 0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_X), HID_ROLE_X, manner, 0);
+    hid_mapping_auto_bind(map, here(surface, USAGE_Y), HID_ROLE_Z, manner, 0);
     map_tip(map, surface);
-    hid_offer_bind(map, of(surface, USAGE_WHEEL), HID_ROLE_TILT, HID_MANNER_STEP, 0);
+    hid_mapping_auto_bind(map, of(surface, USAGE_WHEEL), HID_ROLE_TILT, HID_BINDING_STEP, 0);
     press(map, surface, 2, HID_ROLE_LEVEL);
     press(map, surface, 3, HID_ROLE_FAN);
 }
 
-static void map_surface(struct hid_map *map, const struct surface *surface)
+static void map_surface(struct hid_mapping *map, const struct surface *surface)
 {
     switch (surface->application) {
     case USAGE_MULTI_AXIS:
@@ -229,17 +236,17 @@ static uint32_t best_surface(const struct hid_descriptor *descriptor, struct sur
     return best_worth;
 }
 
-void hid_offer_map(struct hid_map *out, const struct hid_descriptor *descriptor)
+void hid_mapping_auto_build(struct hid_mapping *out, const struct hid_descriptor *descriptor)
 {
     struct surface best = { 0 };
     memset(out, 0, sizeof *out);
     if (best_surface(descriptor, &best) > 0) {
         map_surface(out, &best);
-        out->source = HID_MAP_OFFERED;
+        out->source = HID_MAPPING_AUTO;
     }
 }
 
-uint32_t hid_offer_worth(const struct hid_descriptor *descriptor)
+uint32_t hid_mapping_auto_score(const struct hid_descriptor *descriptor)
 {
     struct surface best = { 0 };
     return best_surface(descriptor, &best);

@@ -42,7 +42,7 @@ static inline int hid_text_fit(const char *text, int max)
 
 /* Identity and report descriptor of an attached device, copied whole so that a decoder can be
  * initialized. */
-struct hid_face {
+struct hid_device_info {
     struct hid_identity identity;
     uint32_t descriptor_size;
     uint8_t descriptor[HID_DESCRIPTOR_MAX];
@@ -57,9 +57,9 @@ struct hid_raw {
 
 struct hid_port_ops {
     /* Opens the slot. Returns HAL_OK and fills `out` if a controller is attached, HAL_ERR_GONE
-     * if none is attached now, or HAL_ERR_NONE if none can ever be. After take() returned
+     * if none is attached now, or HAL_ERR_ABSENT if none can ever be. After take() returned
      * HAL_ERR_GONE, open() checks again. */
-    int (*open)(void *self, struct hid_face *out);
+    int (*open)(void *self, struct hid_device_info *out);
     /* Removes the oldest report. Returns 1 and fills `out`, or 0 if the queue is empty. Returns
      * HAL_ERR_GONE after the controller was unplugged and all earlier reports were taken. When
      * the queue is full, the newest report is always kept, because many controllers report only

@@ -6,7 +6,7 @@
 #include "core/base/rng.h"
 
 void hid_port_sim_init(struct hid_port_sim *sim, struct hal_clock clock,
-                       const struct hid_face *face)
+                       const struct hid_device_info *face)
 {
     memset(sim, 0, sizeof *sim);
     sim->clock = clock;
@@ -14,7 +14,7 @@ void hid_port_sim_init(struct hid_port_sim *sim, struct hal_clock clock,
     sim->unplug_at = HID_SIM_NEVER;
 }
 
-static uint64_t sim_now_ns(const struct hid_port_sim *sim)
+static uint64_t hid_port_sim_now_ns(const struct hid_port_sim *sim)
 {
     return sim->clock.ops->now_ns(sim->clock.self);
 }
@@ -121,14 +121,14 @@ static void say_at(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size
     }
 }
 
-void hid_port_sim_say(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size)
+void hid_port_sim_report(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size)
 {
-    say_at(sim, bytes, size, sim_now_ns(sim));
+    say_at(sim, bytes, size, hid_port_sim_now_ns(sim));
 }
 
 static void say_script(struct hid_port_sim *sim)
 {
-    const uint64_t now_ns = sim_now_ns(sim);
+    const uint64_t now_ns = hid_port_sim_now_ns(sim);
     while (sim->script_next < sim->script_count &&
            sim->script[sim->script_next].time_ns <= now_ns) {
         const struct hid_raw *raw = &sim->script[sim->script_next++];
@@ -138,15 +138,15 @@ static void say_script(struct hid_port_sim *sim)
 
 /* ---- The port ------------------------------------------------------------------------------- */
 
-static int hid_port_sim_open(void *self, struct hid_face *out)
+static int hid_port_sim_open(void *self, struct hid_device_info *out)
 {
     struct hid_port_sim *sim = self;
     sim->open_count++;
     if (!sim->face) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     say_script(sim);
-    if (sim->absent || (sim->gone && sim_now_ns(sim) < sim->replug_ns)) {
+    if (sim->absent || (sim->gone && hid_port_sim_now_ns(sim) < sim->replug_ns)) {
         return HAL_ERR_GONE;
     }
     if (sim->gone) { /* Plugged in again; reports in between are lost. */

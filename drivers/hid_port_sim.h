@@ -1,6 +1,6 @@
 /* hid_port_sim.h -- the simulated twin of a HID transport, which delivers raw reports.
  *
- * A test sends reports with hid_port_sim_say() or by a script of timestamps. Faults are selected
+ * A test sends reports with hid_port_sim_report() or by a script of timestamps. Faults are selected
  * by report number: unplug, garbage, duplicates, jumps, silence, and reports that are short,
  * long, empty or of an undeclared id. The caller owns the state. */
 #ifndef KINGYO_DRIVERS_HID_PORT_SIM_H
@@ -34,7 +34,7 @@ struct hid_sim_fault {
 struct hid_port_sim {
     struct hal_clock clock;
     /* Attached device, owned by the caller; null for a slot that is never used. */
-    const struct hid_face *face;
+    const struct hid_device_info *face;
     /* Reports sorted by time and owned by the caller, sent when their time comes. */
     const struct hid_raw *script;
     uint32_t script_count, script_next;
@@ -58,10 +58,10 @@ struct hid_port_sim {
 
 /* Initializes a port without faults, to which `face` is attached (null: no device). */
 void hid_port_sim_init(struct hid_port_sim *sim, struct hal_clock clock,
-                       const struct hid_face *face);
+                       const struct hid_device_info *face);
 
 /* Sends a report now. A report is lost while the port is not open. */
-void hid_port_sim_say(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size);
+void hid_port_sim_report(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size);
 
 /* Returns the port of the simulated slot. */
 struct hid_port hid_port_sim_port(struct hid_port_sim *sim);

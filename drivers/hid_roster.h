@@ -14,19 +14,22 @@ struct hid_row {
     uint8_t seat;  /* Slot of the controller, or POI_MAX if it has none. */
 };
 
-struct hid_roster_ops {
+struct hid_device_list_ops {
     /* Copies the list. A controller keeps its row from plugging in until unplugging, and while
      * it is LOST. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
     /* Lets the controller play now and after each reconnection. HAL_OK means that the command
      * was accepted; the row shows the result later. Returns HAL_ERR_BUSY if POI_MAX controllers
-     * play already, or HAL_ERR_NONE if there is no such row or the controller is barred. */
+     * play already, or HAL_ERR_ABSENT if there is no such row or the controller is barred. */
     int (*choose)(void *self, uint32_t row);
     int (*release)(void *self, uint32_t row);
     /* Returns one line with the number of controllers, or with a problem and its remedy. */
     const char *(*describe)(void *self);
 };
 
-struct hid_roster { const struct hid_roster_ops *ops; void *self; };
+struct hid_device_list {
+    const struct hid_device_list_ops *ops;
+    void *self;
+};
 
 #endif

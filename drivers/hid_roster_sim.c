@@ -3,13 +3,14 @@
 
 #include <string.h>
 
-void hid_roster_sim_init(struct hid_roster_sim *sim, struct hid_port_sim *const seats[POI_MAX])
+void hid_device_list_sim_init(struct hid_device_list_sim *sim,
+                              struct hid_port_sim *const seats[POI_MAX])
 {
     memset(sim, 0, sizeof *sim);
     memcpy(sim->seat, seats, sizeof sim->seat);
 }
 
-static int is_seated(const struct hid_roster_sim *sim, uint32_t seat)
+static int is_seated(const struct hid_device_list_sim *sim, uint32_t seat)
 {
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         if (sim->taken[i] == seat + 1u) {
@@ -19,7 +20,7 @@ static int is_seated(const struct hid_roster_sim *sim, uint32_t seat)
     return 0;
 }
 
-static int sit_down(struct hid_roster_sim *sim, uint32_t row)
+static int sit_down(struct hid_device_list_sim *sim, uint32_t row)
 {
     for (uint32_t i = 0; i < POI_MAX && !sim->taken[row]; i++) {
         if (sim->seat[i] && !is_seated(sim, i)) {
@@ -35,7 +36,8 @@ static int sit_down(struct hid_roster_sim *sim, uint32_t row)
     return 1;
 }
 
-void hid_roster_sim_plug(struct hid_roster_sim *sim, uint32_t row, const struct hid_face *face)
+void hid_device_list_sim_plug(struct hid_device_list_sim *sim, uint32_t row,
+                              const struct hid_device_info *face)
 {
     if (!face && sim->taken[row]) {
         sim->seat[sim->taken[row] - 1u]->absent = 1;
@@ -50,20 +52,20 @@ void hid_roster_sim_plug(struct hid_roster_sim *sim, uint32_t row, const struct 
     }
 }
 
-static uint8_t state_of(const struct hid_roster_sim *sim, uint32_t row)
+static uint8_t state_of(const struct hid_device_list_sim *sim, uint32_t row)
 {
     if (!sim->face[row]) {
         return sim->chosen[row] ? CONTROLLER_LOST : CONTROLLER_NONE;
     }
-    return sim->barred[row]                        ? CONTROLLER_BARRED
-           : !sim->chosen[row]                     ? CONTROLLER_FREE
-           : sim->denied[row] || !sim->taken[row]  ? CONTROLLER_DENIED
-                                                   : CONTROLLER_PLAYS;
+    return sim->barred[row]                       ? CONTROLLER_UNSUPPORTED
+           : !sim->chosen[row]                    ? CONTROLLER_FREE
+           : sim->denied[row] || !sim->taken[row] ? CONTROLLER_DENIED
+                                                  : CONTROLLER_ACTIVE;
 }
 
 static void rows(void *self, struct hid_row out[CONTROLLER_MAX])
 {
-    const struct hid_roster_sim *sim = self;
+    const struct hid_device_list_sim *sim = self;
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         out[i] = (struct hid_row){ .state = state_of(sim, i), .seat = POI_MAX };
         if (out[i].state != CONTROLLER_NONE) {
@@ -75,12 +77,12 @@ static void rows(void *self, struct hid_row out[CONTROLLER_MAX])
     }
 }
 
-static int choose(void *self, uint32_t row)
+static int hid_device_list_sim_select(void *self, uint32_t row)
 {
-    struct hid_roster_sim *sim = self;
+    struct hid_device_list_sim *sim = self;
     sim->choose_count++;
     if (row >= CONTROLLER_MAX || !sim->face[row] || sim->barred[row]) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (!sim->denied[row] && !sit_down(sim, row)) {
         return HAL_ERR_BUSY;
@@ -89,12 +91,12 @@ static int choose(void *self, uint32_t row)
     return HAL_OK;
 }
 
-static int release(void *self, uint32_t row)
+static int hid_device_list_sim_release(void *self, uint32_t row)
 {
-    struct hid_roster_sim *sim = self;
+    struct hid_device_list_sim *sim = self;
     sim->release_count++;
     if (row >= CONTROLLER_MAX || !sim->chosen[row]) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (sim->taken[row]) {
         sim->seat[sim->taken[row] - 1u]->absent = 1;
@@ -109,11 +111,11 @@ static const char *describe(void *self)
     return "controllers made of memory";
 }
 
-struct hid_roster hid_roster_sim_device(struct hid_roster_sim *sim)
+struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *sim)
 {
-    static const struct hid_roster_ops ops = { .rows = rows,
-                                              .choose = choose,
-                                              .release = release,
-                                              .describe = describe };
-    return (struct hid_roster){ .ops = &ops, .self = sim };
+    static const struct hid_device_list_ops ops = { .rows = rows,
+                                                    .choose = hid_device_list_sim_select,
+                                                    .release = hid_device_list_sim_release,
+                                                    .describe = describe };
+    return (struct hid_device_list){ .ops = &ops, .self = sim };
 }

@@ -8,10 +8,10 @@
 #include "drivers/hid_port_sim.h"
 #include "drivers/hid_roster.h"
 
-struct hid_roster_sim {
+struct hid_device_list_sim {
     struct hid_port_sim *seat[POI_MAX]; /* Owned by the caller; null if there are fewer slots. */
     /* Connected device, owned by the caller; null for an empty row. */
-    const struct hid_face *face[CONTROLLER_MAX];
+    const struct hid_device_info *face[CONTROLLER_MAX];
     uint8_t chosen[CONTROLLER_MAX];
     uint8_t barred[CONTROLLER_MAX]; /* 1 if the device may not play, such as a keyboard. */
     /* Last device of each row, which names a LOST controller. */
@@ -22,12 +22,14 @@ struct hid_roster_sim {
 };
 
 /* Initializes the list with empty rows. `seats` are POI_MAX pointers, which are copied. */
-void hid_roster_sim_init(struct hid_roster_sim *sim, struct hid_port_sim *const seats[POI_MAX]);
+void hid_device_list_sim_init(struct hid_device_list_sim *sim,
+                              struct hid_port_sim *const seats[POI_MAX]);
 
 /* Plugs a controller into an empty row, or unplugs it if `face` is null. A chosen controller is
  * attached again when it returns. */
-void hid_roster_sim_plug(struct hid_roster_sim *sim, uint32_t row, const struct hid_face *face);
+void hid_device_list_sim_plug(struct hid_device_list_sim *sim, uint32_t row,
+                              const struct hid_device_info *face);
 
-struct hid_roster hid_roster_sim_device(struct hid_roster_sim *sim);
+struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *sim);
 
 #endif

@@ -37,7 +37,7 @@ static float dead_share(const struct hid_binding *binding, float steps)
 static float stick_of(const struct hid_binding *binding, int64_t raw)
 {
     const float span = (float)(binding->full - binding->rest);
-    return binding->manner == HID_MANNER_RATE
+    return binding->manner == HID_BINDING_RATE
                ? past_dead(f_clamp(way_of(binding, raw), -1.0f, 1.0f), dead_share(binding, span))
                : past_dead(f_clamp(2.0f * way_of(binding, raw) - 1.0f, -1.0f, 1.0f),
                            dead_share(binding, 0.5f * span));
@@ -55,7 +55,7 @@ static float hat_of(const struct hid_binding *binding, int64_t raw)
 }
 
 /* Releases every key binding of the arrays in report `report_id`. */
-static void let_keys_go(struct hid_hand *hand, uint8_t report_id)
+static void let_keys_go(struct hid_pose_decoder *hand, uint8_t report_id)
 {
     for (uint32_t i = 0; i < hand->map.count; i++) {
         if (hand->map.binding[i].usage && hand->map.binding[i].report_id == report_id) {
@@ -64,7 +64,7 @@ static void let_keys_go(struct hid_hand *hand, uint8_t report_id)
     }
 }
 
-static void press_key(struct hid_hand *hand, const struct hid_group *array, hid_usage usage)
+static void press_key(struct hid_pose_decoder *hand, const struct hid_group *array, hid_usage usage)
 {
     for (uint32_t i = 0; i < hand->map.count; i++) {
         const struct hid_binding *binding = &hand->map.binding[i];
@@ -76,7 +76,7 @@ static void press_key(struct hid_hand *hand, const struct hid_group *array, hid_
 }
 
 /* Reads each bound array once for each report, independent of the number of bindings. */
-static void read_arrays(struct hid_hand *hand, uint8_t report_id, struct hid_report report)
+static void read_arrays(struct hid_pose_decoder *hand, uint8_t report_id, struct hid_report report)
 {
     const struct hid_descriptor *descriptor = &hand->descriptor;
     let_keys_go(hand, report_id);
@@ -92,17 +92,17 @@ static void read_arrays(struct hid_hand *hand, uint8_t report_id, struct hid_rep
     }
 }
 
-static int is_bound(const struct hid_map *map, const struct hid_group *array)
+static int is_bound(const struct hid_mapping *map, const struct hid_group *array)
 {
     for (uint32_t i = 0; i < map->count; i++) {
-        if (map->binding[i].usage && hid_map_is_array_of(array, &map->binding[i])) {
+        if (map->binding[i].usage && hid_mapping_is_array_of(array, &map->binding[i])) {
             return 1;
         }
     }
     return 0;
 }
 
-void hid_hand_find_arrays(struct hid_hand *hand)
+void hid_axis_decoder_find_arrays(struct hid_pose_decoder *hand)
 {
     hand->array_count = 0;
     for (uint32_t i = 0; i < hand->descriptor.group_count; i++) {
@@ -117,11 +117,11 @@ void hid_hand_find_arrays(struct hid_hand *hand)
  * there. */
 static int has_rest(const struct hid_binding *binding)
 {
-    return binding->manner == HID_MANNER_RATE ||
-           (binding->manner == HID_MANNER_PLACE && binding->dead > 0);
+    return binding->manner == HID_BINDING_RATE ||
+           (binding->manner == HID_BINDING_POSITION && binding->dead > 0);
 }
 
-static float stick_if_awake(struct hid_hand *hand, uint32_t index, int64_t raw)
+static float stick_if_awake(struct hid_pose_decoder *hand, uint32_t index, int64_t raw)
 {
     const float share = stick_of(&hand->map.binding[index], raw);
     if (!has_rest(&hand->map.binding[index])) {
@@ -133,19 +133,19 @@ static float stick_if_awake(struct hid_hand *hand, uint32_t index, int64_t raw)
     return hand->awake & 1u << index ? share : 0.0f;
 }
 
-static void read_binding(struct hid_hand *hand, uint32_t index, struct hid_report report)
+static void read_binding(struct hid_pose_decoder *hand, uint32_t index, struct hid_report report)
 {
     const struct hid_binding *binding = &hand->map.binding[index];
     const int64_t raw = raw_of(binding, report.bytes + hand->descriptor.has_report_ids);
     float *value = &hand->value[index];
     switch (binding->manner) {
-    case HID_MANNER_STEP:
+    case HID_BINDING_STEP:
         *value = binding->full < binding->rest ? -(float)raw : (float)raw;
         break;
-    case HID_MANNER_PRESS:
+    case HID_BINDING_PRESS:
         *value = pressed_of(way_of(binding, raw), *value);
         break;
-    case HID_MANNER_HAT:
+    case HID_BINDING_HAT:
         *value = hat_of(binding, raw);
         break;
     default:
@@ -154,7 +154,8 @@ static void read_binding(struct hid_hand *hand, uint32_t index, struct hid_repor
     }
 }
 
-int hid_hand_read(struct hid_hand *hand, uint8_t report_id, struct hid_report report)
+int hid_axis_decoder_read(struct hid_pose_decoder *hand, uint8_t report_id,
+                          struct hid_report report)
 {
     int knows = 0;
     read_arrays(hand, report_id, report);
@@ -164,7 +165,7 @@ int hid_hand_read(struct hid_hand *hand, uint8_t report_id, struct hid_report re
                 read_binding(hand, i, report);
             }
             knows = 1;
-        } else if (hand->map.binding[i].manner == HID_MANNER_STEP) {
+        } else if (hand->map.binding[i].manner == HID_BINDING_STEP) {
             hand->value[i] = 0.0f;
         }
     }

@@ -1,15 +1,17 @@
-/* hid_value.h -- decodes the bits of a report for each binding of a mapping. A part of hid_hand. */
+/* hid_value.h -- decodes the bits of a report for each binding of a mapping. A part of
+ * hid_pose_decoder. */
 #ifndef KINGYO_DRIVERS_HID_VALUE_H
 #define KINGYO_DRIVERS_HID_VALUE_H
 
 #include "drivers/hid_hand.h"
 
 /* Finds the arrays that the mapping binds. Must be called once, after the mapping was set. */
-void hid_hand_find_arrays(struct hid_hand *hand);
+void hid_axis_decoder_find_arrays(struct hid_pose_decoder *hand);
 
 /* Decodes a complete report of id `report_id` into hand->value. Returns 1, or 0 if the mapping
  * uses no field of this report. STEP values apply to one report only and are cleared by other
  * reports. */
-int hid_hand_read(struct hid_hand *hand, uint8_t report_id, struct hid_report report);
+int hid_axis_decoder_read(struct hid_pose_decoder *hand, uint8_t report_id,
+                          struct hid_report report);
 
 #endif

@@ -1,4 +1,4 @@
-/* null.c -- null drivers, which do nothing and report HAL_ERR_NONE. */
+/* null.c -- null drivers, which do nothing and report HAL_ERR_ABSENT. */
 #include "drivers/null.h"
 
 /* `self` of a null device is its line of text, which is never written. */
@@ -15,7 +15,7 @@ static void *line_self(const char *line)
 static int null_open(void *self)
 {
     (void)self;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static void null_close(void *self)
@@ -27,27 +27,27 @@ static int null_display_poll(void *self, struct display_events *out)
 {
     (void)self;
     *out = (struct display_events){ 0 };
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static int null_present(void *self, const struct scene *scene)
 {
     (void)self;
     (void)scene;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static int null_capture(void *self, struct hal_image *image)
 {
     (void)self;
     (void)image;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
-static void null_place(void *self, const struct showing *showing)
+static void null_set_transform(void *self, const struct display_settings *display_settings)
 {
     (void)self;
-    (void)showing;
+    (void)display_settings;
 }
 
 struct hal_display null_display(const char *line)
@@ -56,7 +56,7 @@ struct hal_display null_display(const char *line)
         .open = null_open,
         .poll = null_display_poll,
         .present = null_present,
-        .place = null_place,
+        .set_transform = null_set_transform,
         .toggle_full_screen = null_open,
         .capture = null_capture,
         .close = null_close,
@@ -70,21 +70,22 @@ static int null_poi_poll(void *self, struct poi_sample *out, uint32_t max)
     (void)self;
     (void)out;
     (void)max;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
-static void null_look(void *self, const struct view *view, const struct showing *showing)
+static void null_set_view(void *self, const struct view *view,
+                          const struct display_settings *display_settings)
 {
     (void)self;
     (void)view;
-    (void)showing;
+    (void)display_settings;
 }
 
-static int null_feel(void *self, const struct poi_force *force)
+static int null_set_force(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 struct hal_poi null_poi(const char *line)
@@ -92,8 +93,8 @@ struct hal_poi null_poi(const char *line)
     static const struct hal_poi_ops ops = {
         .open = null_open,
         .poll = null_poi_poll,
-        .feel = null_feel,
-        .look = null_look,
+        .set_force = null_set_force,
+        .set_view = null_set_view,
         .describe = null_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = line_self(line) };
@@ -103,17 +104,17 @@ static int null_shade_poll(void *self, struct shade_input *out)
 {
     (void)self;
     (void)out;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
-struct hal_shade null_shade(const char *line)
+struct hal_fan null_fan(const char *line)
 {
-    static const struct hal_shade_ops ops = {
+    static const struct hal_fan_ops ops = {
         .open = null_open,
         .poll = null_shade_poll,
         .describe = null_describe,
     };
-    return (struct hal_shade){ .ops = &ops, .self = line_self(line) };
+    return (struct hal_fan){ .ops = &ops, .self = line_self(line) };
 }
 
 static uint32_t null_arrange(void *self, int may_move)
@@ -133,7 +134,7 @@ static int null_buttons_poll(void *self, struct button_sample *out)
 {
     (void)self;
     *out = (struct button_sample){ 0 };
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 struct hal_buttons null_buttons(const char *line)
@@ -150,7 +151,7 @@ static int null_set(void *self, enum hal_switch which, int active)
     (void)self;
     (void)which;
     (void)active;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static int null_pulse(void *self, enum hal_switch which, uint32_t count)
@@ -158,7 +159,7 @@ static int null_pulse(void *self, enum hal_switch which, uint32_t count)
     (void)self;
     (void)which;
     (void)count;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static uint32_t null_pending(void *self, enum hal_switch which)
@@ -179,11 +180,11 @@ struct hal_switches null_switches(const char *line)
     return (struct hal_switches){ .ops = &ops, .self = line_self(line) };
 }
 
-static int null_desk(void *self, struct desk_input *out)
+static int null_desk(void *self, struct controller_status *out)
 {
     (void)self;
-    *out = (struct desk_input){ 0 };
-    return HAL_ERR_NONE;
+    *out = (struct controller_status){ 0 };
+    return HAL_ERR_ABSENT;
 }
 
 static const char *null_name(void *self, uint32_t row)
@@ -193,11 +194,11 @@ static const char *null_name(void *self, uint32_t row)
     return "";
 }
 
-static int null_order(void *self, const struct desk_order *order)
+static int null_command(void *self, const struct controller_command *order)
 {
     (void)self;
     (void)order;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 struct hal_controllers null_controllers(const char *line)
@@ -205,7 +206,7 @@ struct hal_controllers null_controllers(const char *line)
     static const struct hal_controllers_ops ops = {
         .poll = null_desk,
         .name = null_name,
-        .order = null_order,
+        .command = null_command,
         .describe = null_describe,
     };
     return (struct hal_controllers){ .ops = &ops, .self = line_self(line) };
@@ -215,7 +216,7 @@ static int null_play(void *self, const struct sound_event *event)
 {
     (void)self;
     (void)event;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 struct hal_audio null_audio(const char *line)
@@ -229,27 +230,27 @@ struct hal_audio null_audio(const char *line)
     return (struct hal_audio){ .ops = &ops, .self = line_self(line) };
 }
 
-static int null_remember(void *self, struct memory *out)
+static int null_load(void *self, struct persistent_state *out)
 {
     (void)self;
     (void)out;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
-static int null_keep(void *self, const struct ledger_entry *entry)
+static int null_append(void *self, const struct ledger_entry *entry)
 {
     (void)self;
     (void)entry;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
-static int null_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
+static int null_store_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
 {
     (void)self;
     (void)round_id;
     (void)bytes;
     (void)size;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static int null_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
@@ -260,13 +261,13 @@ static int null_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size
     (void)bytes;
     (void)size;
     (void)round;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static int null_replay_fetched(void *self)
 {
     (void)self;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static int null_has_replay(void *self, uint32_t round_id)
@@ -276,20 +277,20 @@ static int null_has_replay(void *self, uint32_t round_id)
     return 0;
 }
 
-static int null_keep_edit(void *self, const struct edit_record *edit)
+static int null_store_edit(void *self, const struct graph_edit_record *edit)
 {
     (void)self;
     (void)edit;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
-static int null_refuses_edits(void *self)
+static int null_edits_failed(void *self)
 {
     (void)self;
     return 1;
 }
 
-static int null_is_well(void *self)
+static int null_is_healthy(void *self)
 {
     (void)self;
     return 0;
@@ -302,41 +303,41 @@ static uint32_t null_none(void *self)
     return 0;
 }
 
-static int null_hand_over(void *self, const struct purse_step *step,
-                          const struct ledger_entry *entries, uint32_t count)
+static int null_merge_offline(void *self, const struct balance_change *step,
+                              const struct ledger_entry *entries, uint32_t count)
 {
     (void)self;
     (void)step;
     (void)entries;
     (void)count;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
-static int null_handed_over(void *self)
+static int null_offline_merged(void *self)
 {
     (void)self;
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 struct hal_storage null_storage(const char *line)
 {
     static const struct hal_storage_ops ops = {
         .open = null_open,
-        .remember = null_remember,
-        .keep = null_keep,
-        .keep_replay = null_keep_replay,
-        .replay_kept_id = null_none,
+        .load = null_load,
+        .append = null_append,
+        .store_replay = null_store_replay,
+        .stored_replay_id = null_none,
         .fetch_replay = null_fetch_replay,
         .replay_fetched = null_replay_fetched,
         .has_replay = null_has_replay,
         .saved_id = null_none,
-        .keep_edit = null_keep_edit,
-        .kept_edit_id = null_none,
-        .refuses_edits = null_refuses_edits,
-        .is_well = null_is_well,
-        .wants_restart = null_is_well,
-        .hand_over = null_hand_over,
-        .handed_over = null_handed_over,
+        .store_edit = null_store_edit,
+        .stored_edit_id = null_none,
+        .edits_failed = null_edits_failed,
+        .is_healthy = null_is_healthy,
+        .wants_restart = null_is_healthy,
+        .merge_offline = null_merge_offline,
+        .offline_merged = null_offline_merged,
         .refused_count = null_none,
         .describe = null_describe,
         .close = null_none,
@@ -384,7 +385,7 @@ struct hal null_hal(void)
         hal.poi[i] = null_poi(NULL);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        hal.shade[i] = null_shade(NULL);
+        hal.fan[i] = null_fan(NULL);
     }
     return hal;
 }

@@ -14,83 +14,83 @@
 #include "drivers/pad_tilt.h"
 #include "platform/hal.h"
 
-enum pad_axis {
-    PAD_LEAD_X = 0, /* Left stick, positive to the right. */
-    PAD_LEAD_Y,     /* Left stick, positive toward the player. */
-    PAD_TILT_X,
-    PAD_TILT_Y,
-    PAD_TRIGGER_LEFT,  /* 0 .. 32,767 */
-    PAD_TRIGGER_RIGHT,
-    PAD_AXIS_COUNT,
+enum gamepad_axis {
+    GAMEPAD_LEAD_X = 0, /* Left stick, positive to the right. */
+    GAMEPAD_LEAD_Y,     /* Left stick, positive toward the player. */
+    GAMEPAD_TILT_X,
+    GAMEPAD_TILT_Y,
+    GAMEPAD_TRIGGER_LEFT, /* 0 .. 32,767 */
+    GAMEPAD_TRIGGER_RIGHT,
+    GAMEPAD_AXIS_COUNT,
 };
 
-/* Buttons by position: PAD_SOUTH is A of an Xbox pad, the cross of a DualShock, and B of a
+/* Buttons by position: GAMEPAD_SOUTH is A of an Xbox pad, the cross of a DualShock, and B of a
  * Switch Pro pad. */
-enum pad_button {
-    PAD_SOUTH = 1u << 0,
-    PAD_EAST = 1u << 1,
-    PAD_WEST = 1u << 2,
-    PAD_NORTH = 1u << 3,
-    PAD_BACK = 1u << 4,
-    PAD_START = 1u << 6,
-    PAD_STICK_RIGHT = 1u << 8,
-    PAD_SHOULDER_LEFT = 1u << 9,
-    PAD_SHOULDER_RIGHT = 1u << 10,
-    PAD_UP = 1u << 11,
-    PAD_DOWN = 1u << 12,
-    PAD_LEFT = 1u << 13,
-    PAD_RIGHT = 1u << 14,
+enum gamepad_button {
+    GAMEPAD_SOUTH = 1u << 0,
+    GAMEPAD_EAST = 1u << 1,
+    GAMEPAD_WEST = 1u << 2,
+    GAMEPAD_NORTH = 1u << 3,
+    GAMEPAD_BACK = 1u << 4,
+    GAMEPAD_START = 1u << 6,
+    GAMEPAD_STICK_RIGHT = 1u << 8,
+    GAMEPAD_SHOULDER_LEFT = 1u << 9,
+    GAMEPAD_SHOULDER_RIGHT = 1u << 10,
+    GAMEPAD_UP = 1u << 11,
+    GAMEPAD_DOWN = 1u << 12,
+    GAMEPAD_LEFT = 1u << 13,
+    GAMEPAD_RIGHT = 1u << 14,
 };
 
-#define PAD_DEAD 4915          /* Dead zone, 15 % of an axis, for worn sticks. */
-#define PAD_TRIGGER_ON 16384   /* Press threshold of a trigger, at half travel. */
+#define GAMEPAD_DEAD 4915        /* Dead zone, 15 % of an axis, for worn sticks. */
+#define GAMEPAD_TRIGGER_ON 16384 /* Press threshold of a trigger, at half travel. */
 /* Release threshold of a trigger at 30 %; the hysteresis prevents repeated dips. */
-#define PAD_TRIGGER_OFF 9830
-#define PAD_TILT_RAD (45.0f * F_DEG) /* Tilt at full deflection of the right stick. */
+#define GAMEPAD_TRIGGER_OFF 9830
+#define GAMEPAD_TILT_RAD (45.0f * F_DEG) /* Tilt at full deflection of the right stick. */
 
 /* The complete state of a pad at one moment. */
-struct pad_report {
+struct gamepad_report {
     uint64_t time_ns;
-    int16_t axis[PAD_AXIS_COUNT];
-    uint32_t buttons;             /* enum pad_button bits that are down; other bits are ignored. */
+    int16_t axis[GAMEPAD_AXIS_COUNT];
+    uint32_t buttons; /* enum gamepad_button bits that are down; other bits are ignored. */
     uint8_t has_turn, has_weight; /* 1 if new motion data follow, in SDL's axes. */
     vec3 turn_rad_s, weight_m_s2;
 };
 
-struct pad_hand {
-    struct fly_poi fly;
-    struct pad_tilt tilt;
-    struct pad_report now;  /* The newest report. */
-    vec3 stick_twist;       /* Pitch, yaw, roll from the right stick, as in fly_report. */
+struct gamepad_decoder {
+    struct stick_motion fly;
+    struct gamepad_imu_filter tilt;
+    struct gamepad_report now; /* The newest report. */
+    vec3 stick_twist;          /* Pitch, yaw, roll from the right stick, as in stick_report. */
     uint64_t time_ns;       /* Time of the last report or sample. */
     uint8_t trigger_down;
     uint32_t held, pressed; /* Buttons that are down, and press edges, enum input_button. */
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */
-void pad_hand_init(struct pad_hand *hand, const struct view *view);
+void gamepad_decoder_init(struct gamepad_decoder *hand, const struct view *view);
 
 /* Processes one report with any content. A report older than the last one is processed as
  * current. */
-void pad_hand_report(struct pad_hand *hand, const struct pad_report *report);
+void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_report *report);
 
 /* Returns the pose at `time_ns`, which must never decrease. The pose is always finite. */
-struct poi_sample pad_hand_sample(struct pad_hand *hand, uint64_t time_ns);
+struct poi_sample gamepad_decoder_sample(struct gamepad_decoder *hand, uint64_t time_ns);
 
 /* Writes the buttons that are down and the press edges since the last call. */
-void pad_hand_buttons(struct pad_hand *hand, struct button_sample *out);
+void gamepad_decoder_buttons(struct gamepad_decoder *hand, struct button_sample *out);
 
-/* Returns the fan, which the left stick moves while PAD_SHOULDER_LEFT is held. */
-struct shade_input pad_hand_fan(struct pad_hand *hand, uint64_t time_ns);
+/* Returns the fan, which the left stick moves while GAMEPAD_SHOULDER_LEFT is held. */
+struct shade_input gamepad_decoder_fan(struct gamepad_decoder *hand, uint64_t time_ns);
 
 /* Sets the camera view. */
-void pad_hand_look(struct pad_hand *hand, const struct view *view);
+void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *view);
 
 /* Motor levels of a pad, 0 .. 65,535. The slow motor follows the drag of the water. The fast
  * motor follows tail slaps and tearing paper. */
-struct pad_rumble {
+struct gamepad_rumble {
     uint16_t slow, fast;
 };
-struct pad_rumble pad_rumble_of(const struct poi_force *force);
+struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force);
 
 #endif

@@ -5,31 +5,31 @@
 
 #include "core/base/rng.h"
 
-void pad_sim_init(struct pad_sim *sim, struct hal_clock clock, const struct view *view)
+void gamepad_sim_init(struct gamepad_sim *sim, struct hal_clock clock, const struct view *view)
 {
-    *sim = (struct pad_sim){
+    *sim = (struct gamepad_sim){
         .clock = clock,
-        .unplug_at = PAD_SIM_NEVER,
-        .jump_at = PAD_SIM_NEVER,
+        .unplug_at = GAMEPAD_SIM_NEVER,
+        .jump_at = GAMEPAD_SIM_NEVER,
     };
-    pad_track_init(&sim->track, view, clock.ops->now_ns(clock.self));
+    gamepad_queue_init(&sim->track, view, clock.ops->now_ns(clock.self));
 }
 
-static uint64_t sim_now_ns(const struct pad_sim *sim)
+static uint64_t gamepad_sim_now_ns(const struct gamepad_sim *sim)
 {
     return sim->clock.ops->now_ns(sim->clock.self);
 }
 
 static int pad_sim_open(void *self)
 {
-    struct pad_sim *sim = self;
+    struct gamepad_sim *sim = self;
     sim->open_count++;
-    if (sim->gone && sim_now_ns(sim) >= sim->replug_ns) {
+    if (sim->gone && gamepad_sim_now_ns(sim) >= sim->replug_ns) {
         const struct view view = sim->track.hand.fly.view;
         /* A replugged pad starts with a new state, as with SDL. */
-        pad_track_init(&sim->track, &view, sim_now_ns(sim));
+        gamepad_queue_init(&sim->track, &view, gamepad_sim_now_ns(sim));
         sim->gone = 0;
-        sim->unplug_at = PAD_SIM_NEVER;
+        sim->unplug_at = GAMEPAD_SIM_NEVER;
     }
     return sim->gone ? HAL_ERR_GONE : HAL_OK;
 }
@@ -48,9 +48,9 @@ static vec3 any_vec3(uint32_t index, uint32_t what)
 }
 
 /* Fills a report with random bits, because SDL does not validate values either. */
-static void spoil(struct pad_report *report, uint32_t index)
+static void spoil(struct gamepad_report *report, uint32_t index)
 {
-    for (uint32_t i = 0; i < PAD_AXIS_COUNT; i++) {
+    for (uint32_t i = 0; i < GAMEPAD_AXIS_COUNT; i++) {
         report->axis[i] = (int16_t)rng_u32((struct rng_key){ 83, index, i, RNG_TEST });
     }
     report->buttons = rng_u32((struct rng_key){ 83, index, 7, RNG_TEST });
@@ -59,12 +59,12 @@ static void spoil(struct pad_report *report, uint32_t index)
     report->weight_m_s2 = any_vec3(index, 20);
 }
 
-static struct pad_report next_report(struct pad_sim *sim)
+static struct gamepad_report next_report(struct gamepad_sim *sim)
 {
-    struct pad_report report = sim->reports[sim->next];
+    struct gamepad_report report = sim->reports[sim->next];
     if (sim->next == sim->jump_at) {
-        report.axis[PAD_LEAD_X] = report.axis[PAD_TILT_X] = INT16_MAX;
-        report.axis[PAD_LEAD_Y] = report.axis[PAD_TILT_Y] = INT16_MIN;
+        report.axis[GAMEPAD_LEAD_X] = report.axis[GAMEPAD_TILT_X] = INT16_MAX;
+        report.axis[GAMEPAD_LEAD_Y] = report.axis[GAMEPAD_TILT_Y] = INT16_MIN;
     }
     if (sim->next >= sim->spoil_from && sim->next < sim->spoil_to) {
         spoil(&report, sim->next);
@@ -74,9 +74,9 @@ static struct pad_report next_report(struct pad_sim *sim)
 }
 
 /* Queues the reports that arrived by now. Returns HAL_ERR_GONE after the pad was unplugged. */
-static int arrive(struct pad_sim *sim)
+static int arrive(struct gamepad_sim *sim)
 {
-    const uint64_t now_ns = sim_now_ns(sim);
+    const uint64_t now_ns = gamepad_sim_now_ns(sim);
     if (sim->gone || (now_ns >= sim->silent_from_ns && now_ns < sim->silent_to_ns)) {
         return sim->gone ? (int)HAL_ERR_GONE : (int)HAL_OK;
     }
@@ -86,9 +86,9 @@ static int arrive(struct pad_sim *sim)
             return HAL_ERR_GONE;
         }
         const int twice = sim->double_every > 0 && sim->next % sim->double_every == 0;
-        const struct pad_report report = next_report(sim);
+        const struct gamepad_report report = next_report(sim);
         for (int i = 0; i <= twice; i++) {
-            pad_track_keep(&sim->track, &report);
+            gamepad_queue_push(&sim->track, &report);
         }
     }
     return HAL_OK;
@@ -96,23 +96,25 @@ static int arrive(struct pad_sim *sim)
 
 static int pad_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
-    struct pad_sim *sim = self;
+    struct gamepad_sim *sim = self;
     const int result = arrive(sim);
-    return result == HAL_OK ? (int)pad_track_take(&sim->track, sim_now_ns(sim), out, max) : result;
+    return result == HAL_OK ? (int)gamepad_queue_pop(&sim->track, gamepad_sim_now_ns(sim), out, max)
+                            : result;
 }
 
-static int pad_sim_feel(void *self, const struct poi_force *force)
+static int pad_sim_set_force(void *self, const struct poi_force *force)
 {
-    struct pad_sim *sim = self;
-    sim->felt = pad_rumble_of(force);
+    struct gamepad_sim *sim = self;
+    sim->felt = gamepad_decoder_rumble(force);
     return sim->gone ? HAL_ERR_GONE : HAL_OK;
 }
 
-static void pad_sim_look(void *self, const struct view *view, const struct showing *showing)
+static void pad_sim_set_view(void *self, const struct view *view,
+                             const struct display_settings *display_settings)
 {
-    struct pad_sim *sim = self;
-    (void)showing; /* A stick refers to the water, not to the screen. */
-    pad_hand_look(&sim->track.hand, view);
+    struct gamepad_sim *sim = self;
+    (void)display_settings; /* A stick refers to the water, not to the screen. */
+    gamepad_decoder_set_view(&sim->track.hand, view);
 }
 
 static const char *pad_sim_describe(void *self)
@@ -121,59 +123,59 @@ static const char *pad_sim_describe(void *self)
     return "simulated pad";
 }
 
-static int fan_open(void *self)
+static int gamepad_sim_fan_open(void *self)
 {
-    const struct pad_sim *sim = self;
+    const struct gamepad_sim *sim = self;
     return sim->gone ? HAL_ERR_GONE : HAL_OK;
 }
 
-static int fan_poll(void *self, struct shade_input *out)
+static int gamepad_sim_fan_poll(void *self, struct shade_input *out)
 {
-    struct pad_sim *sim = self;
+    struct gamepad_sim *sim = self;
     if (sim->gone) {
         return HAL_ERR_GONE;
     }
-    *out = pad_hand_fan(&sim->track.hand, sim_now_ns(sim));
+    *out = gamepad_decoder_fan(&sim->track.hand, gamepad_sim_now_ns(sim));
     return HAL_OK;
 }
 
-static int buttons_poll(void *self, struct button_sample *out)
+static int gamepad_sim_buttons_poll(void *self, struct button_sample *out)
 {
-    struct pad_sim *sim = self;
+    struct gamepad_sim *sim = self;
     *out = (struct button_sample){ 0 };
     if (arrive(sim) != HAL_OK) {
         return HAL_ERR_GONE;
     }
-    pad_track_buttons(&sim->track, out);
+    gamepad_queue_buttons(&sim->track, out);
     return HAL_OK;
 }
 
-struct hal_poi pad_sim_device(struct pad_sim *sim)
+struct hal_poi gamepad_sim_device(struct gamepad_sim *sim)
 {
     static const struct hal_poi_ops ops = {
         .open = pad_sim_open,
         .poll = pad_sim_poll,
-        .feel = pad_sim_feel,
-        .look = pad_sim_look,
+        .set_force = pad_sim_set_force,
+        .set_view = pad_sim_set_view,
         .describe = pad_sim_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = sim };
 }
 
-struct hal_shade pad_sim_fan(struct pad_sim *sim)
+struct hal_fan gamepad_sim_fan(struct gamepad_sim *sim)
 {
-    static const struct hal_shade_ops ops = {
-        .open = fan_open,
-        .poll = fan_poll,
+    static const struct hal_fan_ops ops = {
+        .open = gamepad_sim_fan_open,
+        .poll = gamepad_sim_fan_poll,
         .describe = pad_sim_describe,
     };
-    return (struct hal_shade){ .ops = &ops, .self = sim };
+    return (struct hal_fan){ .ops = &ops, .self = sim };
 }
 
-struct hal_buttons pad_sim_buttons(struct pad_sim *sim)
+struct hal_buttons gamepad_sim_buttons(struct gamepad_sim *sim)
 {
     static const struct hal_buttons_ops ops = {
-        .poll = buttons_poll,
+        .poll = gamepad_sim_buttons_poll,
         .describe = pad_sim_describe,
     };
     return (struct hal_buttons){ .ops = &ops, .self = sim };

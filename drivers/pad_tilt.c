@@ -17,17 +17,18 @@ static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 }
 
 /* Rotates `up` opposite to the pad's rotation, because the direction is fixed in the world. */
-static void turn_to(struct pad_tilt *tilt, uint64_t time_ns)
+static void turn_to(struct gamepad_imu_filter *tilt, uint64_t time_ns)
 {
     const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
     if (tilt->turn_ns > 0 && tilt->knows_down) {
-        const vec3 turned = v3_mad(tilt->up, v3_cross(tilt->up, tilt->rate_rad_s), dt_s);
+        const vec3 turned = v3_muladd(tilt->up, v3_cross(tilt->up, tilt->rate_rad_s), dt_s);
         tilt->up = v3_normalize_or(turned, tilt->up);
     }
     tilt->turn_ns = time_ns > tilt->turn_ns ? time_ns : tilt->turn_ns;
 }
 
-int pad_tilt_turns(struct pad_tilt *tilt, uint64_t time_ns, vec3 rate_rad_s)
+int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t time_ns,
+                                    vec3 rate_rad_s)
 {
     if (!v3_is_finite(rate_rad_s)) {
         return -1;
@@ -39,7 +40,7 @@ int pad_tilt_turns(struct pad_tilt *tilt, uint64_t time_ns, vec3 rate_rad_s)
 
 /* Corrects `up` by gravity, unless shaking or free fall makes the acceleration differ from 1 g
  * by more than 30 %. */
-int pad_tilt_weighs(struct pad_tilt *tilt, uint64_t time_ns, vec3 up_m_s2)
+int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2)
 {
     if (!v3_is_finite(up_m_s2)) {
         return -1;
@@ -68,7 +69,7 @@ static float roll_of(vec3 up)
     return f_atan2(-up.x, f_sqrt(up.y * up.y + up.z * up.z));
 }
 
-void pad_tilt_level(struct pad_tilt *tilt)
+void gamepad_imu_filter_level(struct gamepad_imu_filter *tilt)
 {
     tilt->knows_rest = tilt->knows_down;
     tilt->rest_pitch_rad = pitch_of(tilt->up);
@@ -78,17 +79,18 @@ void pad_tilt_level(struct pad_tilt *tilt)
 static float beyond_band(float angle_rad)
 {
     const float size = f_max(0.0f, f_abs(angle_rad) - REST_BAND_RAD);
-    return f_clamp(angle_rad < 0.0f ? -size : size, -PAD_TILT_MAX_RAD, PAD_TILT_MAX_RAD);
+    return f_clamp(angle_rad < 0.0f ? -size : size, -GAMEPAD_IMU_FILTER_MAX_RAD,
+                   GAMEPAD_IMU_FILTER_MAX_RAD);
 }
 
-struct angles pad_tilt_at(struct pad_tilt *tilt, uint64_t time_ns, int hovers)
+struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, int hovers)
 {
     turn_to(tilt, time_ns);
     if (!tilt->knows_down) {
         return (struct angles){ 0 };
     }
     if (!tilt->knows_rest) {
-        pad_tilt_level(tilt);
+        gamepad_imu_filter_level(tilt);
         tilt->rest_ns = time_ns;
     }
     const float pitch_rad = pitch_of(tilt->up);

@@ -11,10 +11,10 @@
 
 #include "core/base/vec.h"
 
-#define PAD_TILT_MAX_RAD (45.0f * F_DEG) /* Largest tilt in play. */
+#define GAMEPAD_IMU_FILTER_MAX_RAD (45.0f * F_DEG) /* Largest tilt in play. */
 
 /* State of the filter. Axes are SDL's: +x right, +y up out of the buttons, +z toward the player. */
-struct pad_tilt {
+struct gamepad_imu_filter {
     vec3 up;             /* Upward direction in the pad's axes. */
     uint8_t knows_down;  /* 1 after the first valid acceleration. */
     uint8_t knows_rest;
@@ -27,18 +27,19 @@ struct pad_tilt {
 
 /* Sets the rotation rate from `time_ns` on. Returns 0, or -1 if a component is not finite;
  * nothing then changes. */
-int pad_tilt_turns(struct pad_tilt *tilt, uint64_t time_ns, vec3 rate_rad_s);
+int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t time_ns,
+                                    vec3 rate_rad_s);
 
 /* Processes an acceleration including gravity, which is 9.8 m/s2 upward at rest. Returns 0, or
  * -1 as above. */
-int pad_tilt_weighs(struct pad_tilt *tilt, uint64_t time_ns, vec3 up_m_s2);
+int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2);
 
 /* Makes the current attitude the rest attitude. */
-void pad_tilt_level(struct pad_tilt *tilt);
+void gamepad_imu_filter_level(struct gamepad_imu_filter *tilt);
 
-/* Returns pitch and roll at `time_ns` as angles of the poi, within PAD_TILT_MAX_RAD. Both are 0
- * before the first acceleration. While `hovers` is set the rest attitude follows the current
+/* Returns pitch and roll at `time_ns` as angles of the poi, within GAMEPAD_IMU_FILTER_MAX_RAD. Both
+ * are 0 before the first acceleration. While `hovers` is set the rest attitude follows the current
  * one. */
-struct angles pad_tilt_at(struct pad_tilt *tilt, uint64_t time_ns, int hovers);
+struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, int hovers);
 
 #endif

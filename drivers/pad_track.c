@@ -5,16 +5,16 @@
 
 #define SAMPLE_NS 8333333ull /* One tick. */
 
-void pad_track_init(struct pad_track *track, const struct view *view, uint64_t time_ns)
+void gamepad_queue_init(struct gamepad_queue *track, const struct view *view, uint64_t time_ns)
 {
-    *track = (struct pad_track){ .sampled_ns = time_ns };
-    pad_hand_init(&track->hand, view);
+    *track = (struct gamepad_queue){ .sampled_ns = time_ns };
+    gamepad_decoder_init(&track->hand, view);
 }
 
-void pad_track_keep(struct pad_track *track, const struct pad_report *report)
+void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report *report)
 {
-    if (track->report_count == PAD_REPORTS_MAX) {
-        pad_hand_report(&track->hand, &track->report[0]);
+    if (track->report_count == GAMEPAD_REPORTS_MAX) {
+        gamepad_decoder_report(&track->hand, &track->report[0]);
         memmove(&track->report[0], &track->report[1],
                 sizeof track->report - sizeof track->report[0]);
         track->report_count--;
@@ -23,19 +23,19 @@ void pad_track_keep(struct pad_track *track, const struct pad_report *report)
 }
 
 /* Writes a sample each `step_ns` before `until_ns`. Returns their number. */
-static uint32_t sample_until(struct pad_track *track, uint64_t until_ns, uint64_t step_ns,
+static uint32_t sample_until(struct gamepad_queue *track, uint64_t until_ns, uint64_t step_ns,
                              struct poi_sample *out, uint32_t max)
 {
     uint32_t count = 0;
     while (count < max && track->sampled_ns + step_ns < until_ns) {
         track->sampled_ns += step_ns;
-        out[count++] = pad_hand_sample(&track->hand, track->sampled_ns);
+        out[count++] = gamepad_decoder_sample(&track->hand, track->sampled_ns);
     }
     return count;
 }
 
-uint32_t pad_track_take(struct pad_track *track, uint64_t now_ns, struct poi_sample *out,
-                        uint32_t max)
+uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct poi_sample *out,
+                           uint32_t max)
 {
     if (max == 0) {
         return 0;
@@ -46,22 +46,22 @@ uint32_t pad_track_take(struct pad_track *track, uint64_t now_ns, struct poi_sam
     const uint64_t step_ns = even_ns > SAMPLE_NS ? even_ns : SAMPLE_NS;
     uint32_t count = 0;
     for (uint32_t i = 0; i < track->report_count; i++) {
-        const struct pad_report *report = &track->report[i];
+        const struct gamepad_report *report = &track->report[i];
         count += sample_until(track, report->time_ns, step_ns, out + count, max - 1u - count);
-        pad_hand_report(&track->hand, report);
+        gamepad_decoder_report(&track->hand, report);
     }
     track->report_count = 0;
     count += sample_until(track, now_ns, step_ns, out + count, max - 1u - count);
     track->sampled_ns = now_ns;
-    out[count++] = pad_hand_sample(&track->hand, now_ns);
+    out[count++] = gamepad_decoder_sample(&track->hand, now_ns);
     return count;
 }
 
-void pad_track_buttons(struct pad_track *track, struct button_sample *out)
+void gamepad_queue_buttons(struct gamepad_queue *track, struct button_sample *out)
 {
     for (uint32_t i = 0; i < track->report_count; i++) {
-        pad_hand_report(&track->hand, &track->report[i]);
+        gamepad_decoder_report(&track->hand, &track->report[i]);
     }
     track->report_count = 0;
-    pad_hand_buttons(&track->hand, out);
+    gamepad_decoder_buttons(&track->hand, out);
 }

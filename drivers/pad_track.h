@@ -8,28 +8,28 @@
 
 #include "drivers/pad_hand.h"
 
-#define PAD_REPORTS_MAX 64u /* Queue capacity, the same as HAL_POI_SAMPLES_MAX. */
+#define GAMEPAD_REPORTS_MAX 64u /* Queue capacity, the same as HAL_POI_SAMPLES_MAX. */
 
-struct pad_track {
-    struct pad_hand hand;
-    struct pad_report report[PAD_REPORTS_MAX]; /* Pending reports, oldest first. */
+struct gamepad_queue {
+    struct gamepad_decoder hand;
+    struct gamepad_report report[GAMEPAD_REPORTS_MAX]; /* Pending reports, oldest first. */
     uint32_t report_count;
     uint64_t sampled_ns;
 };
 
 /* Initializes the track with the poi over the middle of the water at `time_ns`. */
-void pad_track_init(struct pad_track *track, const struct view *view, uint64_t time_ns);
+void gamepad_queue_init(struct gamepad_queue *track, const struct view *view, uint64_t time_ns);
 
 /* Appends a report. If the queue is full, the oldest report is decoded now. The buttons of that
  * report count, but the motion is not sampled. */
-void pad_track_keep(struct pad_track *track, const struct pad_report *report);
+void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report *report);
 
 /* Samples the motion from the last call to `now_ns`. Writes at most `max` samples, of which the
  * last is at `now_ns`. Returns their number. */
-uint32_t pad_track_take(struct pad_track *track, uint64_t now_ns, struct poi_sample *out,
-                        uint32_t max);
+uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct poi_sample *out,
+                           uint32_t max);
 
 /* Decodes all pending reports and writes the buttons. */
-void pad_track_buttons(struct pad_track *track, struct button_sample *out);
+void gamepad_queue_buttons(struct gamepad_queue *track, struct button_sample *out);
 
 #endif

@@ -1,10 +1,10 @@
 /* pads.h -- game pads with hot-plug, through SDL's game controller API and its mapping database.
  *
  * Needs SDL's video subsystem for the event queue; the owner of the window pumps the queue.
- * Removes joystick and controller events from the queue and no others. At most PADS_MAX pads are
- * used, and a replugged pad returns to its own place. A pad without an SDL mapping is ignored. A
- * mapping file or $SDL_GAMECONTROLLERCONFIG can add a mapping, or the pad can be learned as a
- * HID device. Devices of another driver are barred first, so that each device has one owner. */
+ * Removes joystick and controller events from the queue and no others. At most GAMEPADS_MAX pads
+ * are used, and a replugged pad returns to its own place. A pad without an SDL mapping is ignored.
+ * A mapping file or $SDL_GAMECONTROLLERCONFIG can add a mapping, or the pad can be learned as a HID
+ * device. Devices of another driver are barred first, so that each device has one owner. */
 #ifndef KINGYO_DRIVERS_PADS_H
 #define KINGYO_DRIVERS_PADS_H
 
@@ -12,41 +12,41 @@
 #include "drivers/pad_track.h"
 #include "platform/hal.h"
 
-#define PADS_MAX POI_MAX
+#define GAMEPADS_MAX POI_MAX
 /* 32 keys chosen for USB, and eight devices that play there without being chosen. */
-#define PADS_BAR_MAX 40u
-#define PAD_GUID_SIZE 33u
+#define GAMEPADS_EXCLUSION_MAX 40u
+#define GAMEPAD_GUID_SIZE 33u
 
 struct _SDL_GameController;
 
-struct pad {
-    struct pads *pads;
+struct gamepad {
+    struct gamepads *gamepads;
     struct _SDL_GameController *controller; /* Null while no pad is plugged in. */
     int32_t instance;                       /* SDL's id, new at each connection. */
-    char guid[PAD_GUID_SIZE];               /* SDL's GUID of the last device. */
+    char guid[GAMEPAD_GUID_SIZE];           /* SDL's GUID of the last device. */
     char serial[32];                        /* Serial number from SDL, or "". */
     uint16_t vendor, product;               /* USB vendor and product id. */
     char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys; "": not known. */
     uint8_t was_here;
-    struct pad_report now;
-    struct pad_track track;
-    struct pad_rumble rumble;               /* Motor levels sent last. */
+    struct gamepad_report now;
+    struct gamepad_queue track;
+    struct gamepad_rumble rumble;           /* Motor levels sent last. */
     uint64_t rumble_ns;                     /* Time at which `rumble` was sent. */
     uint8_t cannot_rumble;
     char text[HAL_TEXT_SIZE];
 };
 
 /* A USB device of another driver: the one with this serial number, or all of its product. */
-struct pad_bar {
+struct gamepad_exclusion {
     uint16_t vendor, product;
     char serial[HID_TEXT_SIZE]; /* "": all devices of the product. */
 };
 
-struct pads {
+struct gamepads {
     struct hal_clock clock;
     struct view view;
-    struct pad pad[PADS_MAX];
-    struct pad_bar bar[PADS_BAR_MAX];
+    struct gamepad pad[GAMEPADS_MAX];
+    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX];
     uint32_t bar_count;
     uint8_t is_open;
     uint64_t pumped_ns;
@@ -54,29 +54,30 @@ struct pads {
 };
 
 /* Initializes the state without starting SDL. `view` is copied. */
-void pads_init(struct pads *pads, struct hal_clock clock, const struct view *view);
+void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const struct view *view);
 
 /* Replaces the list of barred devices, which other drivers own. Barred devices are not opened,
  * and a barred pad that is open is closed. A product without serial numbers is also given to
- * SDL's ignore hint, which does not support serial numbers. Must be called before pads_open()
- * for devices that are already plugged in. At most PADS_BAR_MAX entries are used; bytes after
- * the end of a serial number must be 0. An unchanged list has no effect. */
-void pads_bar(struct pads *pads, const struct pad_bar *bar, uint32_t count);
+ * SDL's ignore hint, which does not support serial numbers. Must be called before gamepads_open()
+ * for devices that are already plugged in. At most GAMEPADS_EXCLUSION_MAX entries are used; bytes
+ * after the end of a serial number must be 0. An unchanged list has no effect. */
+void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion *bar,
+                      uint32_t count);
 
 /* Returns 1 if the pad is barred. A pad with unknown serial number matches any serial number. */
-int pads_are_barred(const struct pads *pads, uint16_t vendor, uint16_t product,
-                    const char *serial);
+int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
+                         const char *serial);
 
 /* Starts SDL's game controllers. `database` is a file of further mappings, which may be null or
- * missing. Returns HAL_OK, or HAL_ERR_NONE with the reason in pads->text; there are then no
+ * missing. Returns HAL_OK, or HAL_ERR_ABSENT with the reason in pads->text; there are then no
  * pads. */
-int pads_open(struct pads *pads, const char *database);
+int gamepads_open(struct gamepads *gamepads, const char *database);
 
 /* Closes all pads and stops SDL's game controllers. */
-void pads_close(struct pads *pads);
+void gamepads_close(struct gamepads *gamepads);
 
 /* Processes SDL's pending pad events. */
-void pads_pump(struct pads *pads);
-uint64_t pads_now_ns(const struct pads *pads);
+void gamepads_poll(struct gamepads *gamepads);
+uint64_t gamepads_now_ns(const struct gamepads *gamepads);
 
 #endif

@@ -19,7 +19,7 @@ void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock cl
     snprintf(poi->text, sizeof poi->text, "controller not opened yet");
 }
 
-void poi_hid_show(struct poi_hid *poi, struct hid_watch watch)
+void poi_hid_set_observer(struct poi_hid *poi, struct hid_watch watch)
 {
     poi->watch = watch;
 }
@@ -34,13 +34,13 @@ static uint64_t poi_now_ns(const struct poi_hid *poi)
 static const char *source_text(uint8_t source)
 {
     static const char *const texts[] = {
-        [HID_MAP_NONE] = "cannot be a poi as it is: learn it in the operator's menu",
-        [HID_MAP_OWN] = "our own poi",
-        [HID_MAP_KNOWN] = "a known controller",
-        [HID_MAP_OFFERED] = "played by what it offers",
-        [HID_MAP_LEARNED] = "played as learned",
+        [HID_MAPPING_NONE] = "cannot be a poi as it is: learn it in the operator's menu",
+        [HID_MAPPING_OWN] = "our own poi",
+        [HID_MAPPING_KNOWN] = "a known controller",
+        [HID_MAPPING_AUTO] = "played by what it offers",
+        [HID_MAPPING_LEARNED] = "played as learned",
     };
-    return texts[source <= HID_MAP_LEARNED ? source : HID_MAP_NONE];
+    return texts[source <= HID_MAPPING_LEARNED ? source : HID_MAPPING_NONE];
 }
 
 static void say_who(struct poi_hid *poi, uint8_t source)
@@ -52,10 +52,10 @@ static void say_who(struct poi_hid *poi, uint8_t source)
              source_text(source));
 }
 
-static void choose_map(struct poi_hid *poi, struct hid_map *out)
+static void choose_map(struct poi_hid *poi, struct hid_mapping *out)
 {
-    const struct hid_face *face = &poi->face;
-    /* Only scratch memory here, because hid_hand_init() parses it again. */
+    const struct hid_device_info *face = &poi->face;
+    /* Only scratch memory here, because hid_pose_decoder_init() parses it again. */
     struct hid_descriptor *descriptor = &poi->hand.descriptor;
     const uint32_t size =
         face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
@@ -63,13 +63,13 @@ static void choose_map(struct poi_hid *poi, struct hid_map *out)
     if (poi->mapper.choose) {
         poi->mapper.choose(poi->mapper.self, face, descriptor, out);
     } else {
-        hid_map_choose(out, &face->identity, descriptor);
+        hid_mapping_choose(out, &face->identity, descriptor);
     }
 }
 
-int poi_hid_remap(struct poi_hid *poi, const struct hid_map *map)
+int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map)
 {
-    struct hid_map chosen;
+    struct hid_mapping chosen;
     if (!poi->is_open) {
         return 0;
     }
@@ -78,8 +78,8 @@ int poi_hid_remap(struct poi_hid *poi, const struct hid_map *map)
     } else {
         choose_map(poi, &chosen);
     }
-    poi->plays = hid_hand_init(&poi->hand, &poi->face, &chosen, &poi->view) == 0;
-    say_who(poi, poi->plays ? chosen.source : (uint8_t)HID_MAP_NONE);
+    poi->plays = hid_pose_decoder_init(&poi->hand, &poi->face, &chosen, &poi->view) == 0;
+    say_who(poi, poi->plays ? chosen.source : (uint8_t)HID_MAPPING_NONE);
     return poi->plays;
 }
 
@@ -107,22 +107,23 @@ struct basket {
 
 /* Appends a sample. In a full buffer the newest sample is replaced, because the last pose must
  * arrive. */
-static void keep(struct basket *basket, const struct poi_sample *sample)
+static void poi_hid_add_sample(struct basket *basket, const struct poi_sample *sample)
 {
     basket->count -= basket->count == basket->max;
     basket->out[basket->count++] = *sample;
 }
 
-static void hear(struct poi_hid *poi, const struct hid_raw *raw, struct basket *basket)
+static void poi_hid_decode_raw(struct poi_hid *poi, const struct hid_raw *raw,
+                               struct basket *basket)
 {
     struct poi_sample sample;
     if (poi->watch.report) {
         poi->watch.report(poi->watch.self, raw);
     }
-    if (poi->plays && hid_hand_report(&poi->hand, raw) &&
-        hid_hand_sample(&poi->hand, raw->time_ns, &sample)) {
+    if (poi->plays && hid_pose_decoder_report(&poi->hand, raw) &&
+        hid_pose_decoder_sample(&poi->hand, raw->time_ns, &sample)) {
         sample.was_stamped = 1;
-        keep(basket, &sample);
+        poi_hid_add_sample(basket, &sample);
     }
 }
 
@@ -155,20 +156,20 @@ static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
         if (result <= 0) {
             break;
         }
-        hear(poi, &raw, &basket);
+        poi_hid_decode_raw(poi, &raw, &basket);
     }
-    if (goes_on(poi) && hid_hand_sample(&poi->hand, poi_now_ns(poi), &now)) {
-        keep(&basket, &now);
+    if (goes_on(poi) && hid_pose_decoder_sample(&poi->hand, poi_now_ns(poi), &now)) {
+        poi_hid_add_sample(&basket, &now);
     }
     return (int)basket.count;
 }
 
-static int poi_hid_feel(void *self, const struct poi_force *force)
+static int poi_hid_set_force(void *self, const struct poi_force *force)
 {
     struct poi_hid *poi = self;
     uint8_t bytes[POI_FEEL_SIZE];
     if (!poi->is_open || !poi->plays || !poi->hand.map.feels) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     poi_feel_encode(force, poi->feel_sequence, bytes);
     const int result = poi->port.ops->send(poi->port.self, bytes, sizeof bytes);
@@ -178,12 +179,13 @@ static int poi_hid_feel(void *self, const struct poi_force *force)
     return result;
 }
 
-static void poi_hid_look(void *self, const struct view *view, const struct showing *showing)
+static void poi_hid_set_view(void *self, const struct view *view,
+                             const struct display_settings *display_settings)
 {
     struct poi_hid *poi = self;
-    (void)showing; /* The pose refers to the water, not to the screen. */
+    (void)display_settings; /* The pose refers to the water, not to the screen. */
     poi->view = *view;
-    hid_hand_look(&poi->hand, view);
+    hid_pose_decoder_set_view(&poi->hand, view);
 }
 
 static const char *poi_hid_describe(void *self)
@@ -194,32 +196,32 @@ static const char *poi_hid_describe(void *self)
 
 /* ---- Fan and buttons ------------------------------------------------------------------------ */
 
-static int fan_open(void *self)
+static int poi_hid_fan_open(void *self)
 {
     (void)self;
     return HAL_OK; /* A controller without a fan button never activates the fan. */
 }
 
-static int fan_poll(void *self, struct shade_input *out)
+static int poi_hid_fan_poll(void *self, struct shade_input *out)
 {
     struct poi_hid *poi = self;
-    *out = poi->is_open && poi->plays ? hid_hand_fan(&poi->hand, poi_now_ns(poi))
+    *out = poi->is_open && poi->plays ? hid_pose_decoder_fan(&poi->hand, poi_now_ns(poi))
                                       : (struct shade_input){ 0 };
     return HAL_OK;
 }
 
-static const char *fan_describe(void *self)
+static const char *poi_hid_fan_describe(void *self)
 {
     (void)self;
     return "the controller's fan button";
 }
 
-static int buttons_poll(void *self, struct button_sample *out)
+static int poi_hid_buttons_poll(void *self, struct button_sample *out)
 {
     struct poi_hid *poi = self;
     *out = (struct button_sample){ 0 };
     if (poi->is_open && poi->plays) {
-        hid_hand_buttons(&poi->hand, out);
+        hid_pose_decoder_buttons(&poi->hand, out);
     }
     return HAL_OK;
 }
@@ -235,27 +237,27 @@ struct hal_poi poi_hid_device(struct poi_hid *poi)
     static const struct hal_poi_ops ops = {
         .open = poi_hid_open,
         .poll = poi_hid_poll,
-        .feel = poi_hid_feel,
-        .look = poi_hid_look,
+        .set_force = poi_hid_set_force,
+        .set_view = poi_hid_set_view,
         .describe = poi_hid_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = poi };
 }
 
-struct hal_shade poi_hid_fan(struct poi_hid *poi)
+struct hal_fan poi_hid_fan(struct poi_hid *poi)
 {
-    static const struct hal_shade_ops ops = {
-        .open = fan_open,
-        .poll = fan_poll,
-        .describe = fan_describe,
+    static const struct hal_fan_ops ops = {
+        .open = poi_hid_fan_open,
+        .poll = poi_hid_fan_poll,
+        .describe = poi_hid_fan_describe,
     };
-    return (struct hal_shade){ .ops = &ops, .self = poi };
+    return (struct hal_fan){ .ops = &ops, .self = poi };
 }
 
 struct hal_buttons poi_hid_buttons(struct poi_hid *poi)
 {
     static const struct hal_buttons_ops ops = {
-        .poll = buttons_poll,
+        .poll = poi_hid_buttons_poll,
         .describe = buttons_describe,
     };
     return (struct hal_buttons){ .ops = &ops, .self = poi };

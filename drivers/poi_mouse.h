@@ -14,43 +14,44 @@
 #include "drivers/touch_fingers.h"
 #include "platform/hal.h"
 
-enum pointer_heed {
-    POINTER_HEEDS_MOUSE = 1u << 0,
-    POINTER_HEEDS_FINGERS = 1u << 1,
+enum pointer_filter {
+    POINTER_FILTER_MOUSE = 1u << 0,
+    POINTER_FILTER_TOUCH = 1u << 1,
 };
 
-struct poi_mouse {
+struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
     struct pointer_fan fan;
     uint8_t fan_key;              /* 1 while the key F is down. */
-    uint8_t heeds;                /* enum pointer_heed, the enabled devices. */
+    uint8_t heeds;                /* enum pointer_filter, the enabled devices. */
     uint32_t mouse_buttons;       /* enum pointer_button bits that are down. */
     struct touch_fingers fingers;
     uint64_t used_ns;             /* Time of the last use by a person; 0: never. */
     float crept_px;               /* Motion in pixels since `used_ns`. */
-    struct showing showing; /* Image geometry set by look(); zero: the image fills the window. */
+    struct display_settings
+        display_settings; /* Image geometry set by look(); zero: the image fills the window. */
     struct pointer_report report; /* Last pointer state; the wheel is reset for each event. */
     uint64_t last_poll_ns;
     char text[HAL_TEXT_SIZE];
 };
 
 /* Initializes the device. `width` and `height` are the window's size until the first event gives
- * the true size. `heeds` is a set of enum pointer_heed. */
-void poi_mouse_init(struct poi_mouse *mouse, struct hal_clock clock, const struct view *view,
+ * the true size. `heeds` is a set of enum pointer_filter. */
+void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds);
 
-struct hal_poi poi_mouse_device(struct poi_mouse *mouse);
+struct hal_poi mouse_poi_device(struct mouse_poi *mouse);
 
 /* Returns the fan that the same mouse controls while F is held. */
-struct hal_shade poi_mouse_fan(struct poi_mouse *mouse);
+struct hal_fan mouse_poi_fan(struct mouse_poi *mouse);
 
 /* Returns 1 if a person moved, pressed or touched the device within POINTER_USED_NS. The motion
- * event of a window that opens under the pointer does not count. `mouse` is a struct poi_mouse. */
+ * event of a window that opens under the pointer does not count. `mouse` is a struct mouse_poi. */
 #define POINTER_USED_NS 120000000000ull
-int poi_mouse_is_used(void *mouse);
+int mouse_poi_is_used(void *mouse);
 
 /* Returns a button device that reports START for three fingers. */
-struct hal_buttons poi_mouse_buttons(struct poi_mouse *mouse);
+struct hal_buttons mouse_poi_buttons(struct mouse_poi *mouse);
 
 #endif

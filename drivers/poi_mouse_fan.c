@@ -3,39 +3,39 @@
 
 #include "drivers/poi_mouse.h"
 
-static int fan_open(void *self)
+static int mouse_poi_fan_open(void *self)
 {
     (void)self;
     /* open() of the poi has initialized the rest. */
-    return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_NONE;
+    return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_ABSENT;
 }
 
-static int fan_poll(void *self, struct shade_input *out)
+static int mouse_poi_fan_poll(void *self, struct shade_input *out)
 {
-    struct poi_mouse *mouse = self;
+    struct mouse_poi *mouse = self;
     *out = pointer_fan_shade(&mouse->fan, mouse->clock.ops->now_ns(mouse->clock.self));
     return HAL_OK;
 }
 
-static const char *fan_describe(void *self)
+static const char *mouse_poi_fan_describe(void *self)
 {
     (void)self;
     return "the mouse while F is held";
 }
 
-struct hal_shade poi_mouse_fan(struct poi_mouse *mouse)
+struct hal_fan mouse_poi_fan(struct mouse_poi *mouse)
 {
-    static const struct hal_shade_ops ops = {
-        .open = fan_open,
-        .poll = fan_poll,
-        .describe = fan_describe,
+    static const struct hal_fan_ops ops = {
+        .open = mouse_poi_fan_open,
+        .poll = mouse_poi_fan_poll,
+        .describe = mouse_poi_fan_describe,
     };
-    return (struct hal_shade){ .ops = &ops, .self = mouse };
+    return (struct hal_fan){ .ops = &ops, .self = mouse };
 }
 
-static int buttons_poll(void *self, struct button_sample *out)
+static int mouse_poi_buttons_poll(void *self, struct button_sample *out)
 {
-    struct poi_mouse *mouse = self;
+    struct mouse_poi *mouse = self;
     const uint32_t count = mouse->fingers.count;
     *out = (struct button_sample){
         .held = count >= TOUCH_START_FINGERS ? (uint32_t)INPUT_START : 0u,
@@ -46,14 +46,14 @@ static int buttons_poll(void *self, struct button_sample *out)
 
 static const char *buttons_describe(void *self)
 {
-    const struct poi_mouse *mouse = self;
-    return mouse->heeds & POINTER_HEEDS_FINGERS ? "three fingers start" : "";
+    const struct mouse_poi *mouse = self;
+    return mouse->heeds & POINTER_FILTER_TOUCH ? "three fingers start" : "";
 }
 
-struct hal_buttons poi_mouse_buttons(struct poi_mouse *mouse)
+struct hal_buttons mouse_poi_buttons(struct mouse_poi *mouse)
 {
     static const struct hal_buttons_ops ops = {
-        .poll = buttons_poll,
+        .poll = mouse_poi_buttons_poll,
         .describe = buttons_describe,
     };
     return (struct hal_buttons){ .ops = &ops, .self = mouse };

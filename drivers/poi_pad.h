@@ -5,13 +5,13 @@
 #include "drivers/pads.h"
 #include "platform/hal.h"
 
-/* Return the poi and the fan of pad `index` < PADS_MAX. */
-struct hal_poi pads_poi(struct pads *pads, uint32_t index);
-struct hal_shade pads_fan(struct pads *pads, uint32_t index);
+/* Return the poi and the fan of pad `index` < GAMEPADS_MAX. */
+struct hal_poi gamepad_poi_device(struct gamepads *gamepads, uint32_t index);
+struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index);
 /* Returns 1 if the pad `pad` (&pads->pad[index]) is plugged in. Processes pending events first. */
-int pads_is_there(void *pad);
+int gamepad_poi_is_present(void *pad);
 
 /* Returns START, LEFT, RIGHT, OK and LANGUAGE of all pads. Must be polled after the pois. */
-struct hal_buttons pads_buttons(struct pads *pads);
+struct hal_buttons gamepad_poi_buttons(struct gamepads *gamepads);
 
 #endif

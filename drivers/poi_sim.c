@@ -5,34 +5,34 @@
 
 #include "core/base/rng.h"
 
-void poi_sim_init(struct poi_sim *sim, struct hal_clock clock, const struct view *view)
+void pointer_sim_init(struct pointer_sim *sim, struct hal_clock clock, const struct view *view)
 {
-    *sim = (struct poi_sim){
+    *sim = (struct pointer_sim){
         .clock = clock,
-        .unplug_at = POI_SIM_NEVER,
-        .jump_at = POI_SIM_NEVER,
+        .unplug_at = POINTER_SIM_NEVER,
+        .jump_at = POINTER_SIM_NEVER,
     };
     pointer_poi_init(&sim->pointer, view);
     pointer_fan_init(&sim->fan, view);
 }
 
-static uint64_t sim_now_ns(const struct poi_sim *sim)
+static uint64_t pointer_sim_now_ns(const struct pointer_sim *sim)
 {
     return sim->clock.ops->now_ns(sim->clock.self);
 }
 
 static int poi_sim_open(void *self)
 {
-    struct poi_sim *sim = self;
+    struct pointer_sim *sim = self;
     sim->open_count++;
-    if (sim->gone && sim_now_ns(sim) >= sim->replug_ns) {
+    if (sim->gone && pointer_sim_now_ns(sim) >= sim->replug_ns) {
         sim->gone = 0;
-        sim->unplug_at = POI_SIM_NEVER;
+        sim->unplug_at = POINTER_SIM_NEVER;
     }
     return sim->gone ? HAL_ERR_GONE : HAL_OK;
 }
 
-static struct poi_sample sample_now(struct poi_sim *sim, uint64_t time_ns)
+static struct poi_sample sample_now(struct pointer_sim *sim, uint64_t time_ns)
 {
     return (struct poi_sample){
         .time_ns = time_ns,
@@ -58,7 +58,7 @@ static void spoil(struct pointer_report *report, uint32_t index)
     report->width_px = index % 3u ? report->width_px : 0u;
 }
 
-static struct pointer_report take_report(struct poi_sim *sim)
+static struct pointer_report take_report(struct pointer_sim *sim)
 {
     struct pointer_report report = sim->reports[sim->next];
     if (sim->next == sim->jump_at) {
@@ -76,8 +76,8 @@ static struct pointer_report take_report(struct poi_sim *sim)
  * continues between reports and a resting pointer is still valid. */
 static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
-    struct poi_sim *sim = self;
-    const uint64_t now_ns = sim_now_ns(sim);
+    struct pointer_sim *sim = self;
+    const uint64_t now_ns = pointer_sim_now_ns(sim);
     uint32_t count = 0;
     if (sim->gone) {
         return HAL_ERR_GONE;
@@ -106,16 +106,17 @@ static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-static void poi_sim_look(void *self, const struct view *view, const struct showing *showing)
+static void poi_sim_set_view(void *self, const struct view *view,
+                             const struct display_settings *display_settings)
 {
-    struct poi_sim *sim = self;
-    (void)showing; /* The simulated image fills the window. */
+    struct pointer_sim *sim = self;
+    (void)display_settings; /* The simulated image fills the window. */
     sim->pointer.view = sim->fan.view = *view;
 }
 
-static int poi_sim_feel(void *self, const struct poi_force *force)
+static int poi_sim_set_force(void *self, const struct poi_force *force)
 {
-    struct poi_sim *sim = self;
+    struct pointer_sim *sim = self;
     sim->felt = *force;
     return sim->gone ? HAL_ERR_GONE : HAL_OK;
 }
@@ -126,45 +127,45 @@ static const char *poi_sim_describe(void *self)
     return "simulated mouse";
 }
 
-static int fan_open(void *self)
+static int pointer_sim_fan_open(void *self)
 {
-    const struct poi_sim *sim = self;
+    const struct pointer_sim *sim = self;
     return sim->gone ? HAL_ERR_GONE : HAL_OK;
 }
 
-static int fan_poll(void *self, struct shade_input *out)
+static int pointer_sim_fan_poll(void *self, struct shade_input *out)
 {
-    struct poi_sim *sim = self;
+    struct pointer_sim *sim = self;
     if (sim->gone) {
         return HAL_ERR_GONE;
     }
-    *out = pointer_fan_shade(&sim->fan, sim_now_ns(sim));
+    *out = pointer_fan_shade(&sim->fan, pointer_sim_now_ns(sim));
     return HAL_OK;
 }
 
-static const char *fan_describe(void *self)
+static const char *pointer_sim_fan_describe(void *self)
 {
     (void)self;
     return "simulated fan";
 }
 
-struct hal_shade poi_sim_fan(struct poi_sim *sim)
+struct hal_fan pointer_sim_fan(struct pointer_sim *sim)
 {
-    static const struct hal_shade_ops ops = {
-        .open = fan_open,
-        .poll = fan_poll,
-        .describe = fan_describe,
+    static const struct hal_fan_ops ops = {
+        .open = pointer_sim_fan_open,
+        .poll = pointer_sim_fan_poll,
+        .describe = pointer_sim_fan_describe,
     };
-    return (struct hal_shade){ .ops = &ops, .self = sim };
+    return (struct hal_fan){ .ops = &ops, .self = sim };
 }
 
-struct hal_poi poi_sim_device(struct poi_sim *sim)
+struct hal_poi pointer_sim_device(struct pointer_sim *sim)
 {
     static const struct hal_poi_ops ops = {
         .open = poi_sim_open,
         .poll = poi_sim_poll,
-        .feel = poi_sim_feel,
-        .look = poi_sim_look,
+        .set_force = poi_sim_set_force,
+        .set_view = poi_sim_set_view,
         .describe = poi_sim_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = sim };

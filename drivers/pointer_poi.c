@@ -37,7 +37,7 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
 
 /* Estimates the pointer's velocity over the still water, without the dip. The velocity is reset
  * after a pause of more than one second. */
-static void follow_hand(struct pointer_poi *pointer, vec3 hand_m)
+static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
 {
     const float dt = seconds_between(pointer->hand_ns, pointer->time_ns);
     if (pointer->hand_ns == 0 || dt > 1.0f) {
@@ -69,15 +69,15 @@ int pointer_report_is_usable(const struct pointer_report *report)
 }
 
 struct pointer_report pointer_report_on(const struct pointer_report *report,
-                                        const struct showing *showing)
+                                        const struct display_settings *display_settings)
 {
     struct pointer_report on = *report;
     if (pointer_report_is_usable(report)) {
-        const struct placing placing =
-            placing_of(showing, (float)report->width_px, (float)report->height_px);
-        placing_look_back(&placing, &on.x_px, &on.y_px);
-        on.width_px = (uint32_t)placing.width;
-        on.height_px = (uint32_t)placing.height;
+        const struct display_transform transform = display_transform_of(
+            display_settings, (float)report->width_px, (float)report->height_px);
+        display_to_picture(&transform, &on.x_px, &on.y_px);
+        on.width_px = (uint32_t)transform.width;
+        on.height_px = (uint32_t)transform.height;
     }
     return on;
 }
@@ -153,7 +153,8 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
     const float y = pointer->ndc_y + left * pointer->lag_y;
     const vec3 hand_m =
         view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
-    follow_hand(pointer, view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
+    pointer_poi_update_speed(pointer,
+                             view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
     const vec3 lean = v3_limit(v3_scale(pointer->hand_m_s, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
     const float pitch_max_rad = POINTER_TILT_MAX_RAD + DIP_SLANT_MAX_RAD;
     return (struct poi_target){

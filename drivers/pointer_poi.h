@@ -70,7 +70,7 @@ int pointer_report_is_usable(const struct pointer_report *report);
 /* Returns the report converted from the window to the image, which may be rotated or smaller. A
  * report that is not usable is returned unchanged. */
 struct pointer_report pointer_report_on(const struct pointer_report *report,
-                                        const struct showing *showing);
+                                        const struct display_settings *display_settings);
 
 /* Processes one report. A report older than the last one is processed as current. Returns 1, or
  * 0 if the report is not usable; nothing then changes. */

@@ -5,12 +5,12 @@
 
 #define LAP_Z_M 0.75f /* In front of the player, beyond the near edge of any tank. */
 
-void pose_fan_init(struct pose_fan *fan)
+void poi_fan_init(struct poi_fan *fan)
 {
-    *fan = (struct pose_fan){ .back = 1.0f };
+    *fan = (struct poi_fan){ .back = 1.0f };
 }
 
-static void go_to_time(struct pose_fan *fan, uint64_t time_ns)
+static void go_to_time(struct poi_fan *fan, uint64_t time_ns)
 {
     if (time_ns <= fan->time_ns) {
         return;
@@ -18,7 +18,7 @@ static void go_to_time(struct pose_fan *fan, uint64_t time_ns)
     const float dt_s = fan->time_ns > 0 ? (float)(time_ns - fan->time_ns) * 1e-9f : 0.0f;
     const float swing = dt_s / POINTER_FAN_SWING_S;
     fan->swing = f_clamp(fan->swing + (fan->held ? swing : -swing), 0.0f, 1.0f);
-    fan->back = fan->held ? fan->back : f_min(1.0f, fan->back + dt_s / POSE_FAN_BACK_S);
+    fan->back = fan->held ? fan->back : f_min(1.0f, fan->back + dt_s / POI_FAN_BACK_S);
     fan->time_ns = time_ns;
 }
 
@@ -32,7 +32,7 @@ static float turned(float from_rad, float to_rad, float share)
                : to_rad;
 }
 
-struct poi_target pose_fan_poi(const struct pose_fan *fan)
+struct poi_target poi_fan_pose(const struct poi_fan *fan)
 {
     const float share = f_smoothstep(0.0f, 1.0f, fan->back);
     const struct poi_target *from = &fan->waits, *to = &fan->hand;
@@ -47,18 +47,18 @@ struct poi_target pose_fan_poi(const struct pose_fan *fan)
     };
 }
 
-void pose_fan_move(struct pose_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns)
+void poi_fan_move(struct poi_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns)
 {
     go_to_time(fan, time_ns);
     if (held && !fan->held) {
-        fan->waits = pose_fan_poi(fan); /* The pose before this report, which may have moved too. */
+        fan->waits = poi_fan_pose(fan); /* The pose before this report, which may have moved too. */
         fan->back = 0.0f;
     }
     fan->held = held != 0;
     fan->hand = *hand;
 }
 
-struct shade_input pose_fan_shade(struct pose_fan *fan, uint64_t time_ns)
+struct shade_input poi_fan_shade(struct poi_fan *fan, uint64_t time_ns)
 {
     go_to_time(fan, time_ns);
     const float share = f_smoothstep(0.0f, 1.0f, fan->swing);

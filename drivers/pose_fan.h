@@ -9,9 +9,9 @@
 
 #include "platform/hal.h"
 
-#define POSE_FAN_BACK_S 0.5f /* Time of the poi's return to the controller. */
+#define POI_FAN_BACK_S 0.5f /* Time of the poi's return to the controller. */
 
-struct pose_fan {
+struct poi_fan {
     struct poi_target hand;   /* Newest pose of the controller. */
     struct poi_target waits;  /* Pose at which the poi waits, or from which it returns. */
     uint8_t held;
@@ -21,13 +21,13 @@ struct pose_fan {
 };
 
 /* Initializes the state with the poi at the controller. */
-void pose_fan_init(struct pose_fan *fan);
+void poi_fan_init(struct poi_fan *fan);
 
 /* Sets the controller's pose, and whether FAN is held, at `time_ns`, which must never decrease. */
-void pose_fan_move(struct pose_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns);
+void poi_fan_move(struct poi_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns);
 
 /* Return the pose of the poi, and the shadow of the fan. */
-struct poi_target pose_fan_poi(const struct pose_fan *fan);
-struct shade_input pose_fan_shade(struct pose_fan *fan, uint64_t time_ns);
+struct poi_target poi_fan_pose(const struct poi_fan *fan);
+struct shade_input poi_fan_shade(struct poi_fan *fan, uint64_t time_ns);
 
 #endif

@@ -10,7 +10,7 @@
 #define TREMBLE_RAD 2e-4f
 #define JUMP_M 1.0f
 
-static uint64_t sim_now_ns(const struct sensor_sim *sim)
+static uint64_t sensor_sim_now_ns(const struct sensor_sim *sim)
 {
     return sim->clock.ops->now_ns(sim->clock.self);
 }
@@ -18,7 +18,7 @@ static uint64_t sim_now_ns(const struct sensor_sim *sim)
 void sensor_sim_init(struct sensor_sim *sim, struct hal_clock clock, uint32_t rate_hz)
 {
     *sim = (struct sensor_sim){ .clock = clock, .period_ns = NS_PER_S / rate_hz };
-    sim->next_ns = sim_now_ns(sim);
+    sim->next_ns = sensor_sim_now_ns(sim);
 }
 
 static int fails_at(const struct sensor_sim *sim, enum sensor_fault fault, uint64_t time_ns)
@@ -26,7 +26,7 @@ static int fails_at(const struct sensor_sim *sim, enum sensor_fault fault, uint6
     return sim->fault == (uint8_t)fault && time_ns >= sim->from_ns && time_ns < sim->to_ns;
 }
 
-static float draw(const struct sensor_sim *sim, uint32_t what, float spread)
+static float sensor_sim_draw(const struct sensor_sim *sim, uint32_t what, float spread)
 {
     return rng_range((struct rng_key){ 77, sim->count, what, RNG_TEST }, -spread, spread);
 }
@@ -34,12 +34,12 @@ static float draw(const struct sensor_sim *sim, uint32_t what, float spread)
 static struct poi_target true_target(const struct sensor_sim *sim)
 {
     struct poi_target target = sim->hand;
-    target.position_m.x += draw(sim, 0, TREMBLE_M);
-    target.position_m.y += draw(sim, 1, TREMBLE_M);
-    target.position_m.z += draw(sim, 2, TREMBLE_M);
-    target.angles.yaw_rad += draw(sim, 3, TREMBLE_RAD);
-    target.angles.pitch_rad += draw(sim, 4, TREMBLE_RAD);
-    target.angles.roll_rad += draw(sim, 5, TREMBLE_RAD);
+    target.position_m.x += sensor_sim_draw(sim, 0, TREMBLE_M);
+    target.position_m.y += sensor_sim_draw(sim, 1, TREMBLE_M);
+    target.position_m.z += sensor_sim_draw(sim, 2, TREMBLE_M);
+    target.angles.yaw_rad += sensor_sim_draw(sim, 3, TREMBLE_RAD);
+    target.angles.pitch_rad += sensor_sim_draw(sim, 4, TREMBLE_RAD);
+    target.angles.roll_rad += sensor_sim_draw(sim, 5, TREMBLE_RAD);
     return target;
 }
 
@@ -59,7 +59,7 @@ static void spoil_one(const struct sensor_sim *sim, struct poi_target *target)
     memcpy(bytes + sim->count % 6u * sizeof(float), &none[sim->count / 6u % 4u], sizeof(float));
 }
 
-static struct poi_target say(struct sensor_sim *sim, uint64_t time_ns)
+static struct poi_target sensor_sim_reading(struct sensor_sim *sim, uint64_t time_ns)
 {
     struct poi_target target = true_target(sim);
     if (fails_at(sim, SENSOR_STUCK, time_ns)) {
@@ -113,13 +113,13 @@ static uint32_t let_go(struct sensor_sim *sim, struct poi_sample *out, uint32_t 
 static int sensor_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct sensor_sim *sim = self;
-    const uint64_t now_ns = sim_now_ns(sim);
+    const uint64_t now_ns = sensor_sim_now_ns(sim);
     if (fails_at(sim, SENSOR_GONE, now_ns)) {
         return HAL_ERR_GONE;
     }
     uint32_t count = fails_at(sim, SENSOR_HELD_BACK, now_ns) ? 0 : let_go(sim, out, max, now_ns);
     for (; sim->next_ns <= now_ns; sim->next_ns += sim->period_ns) {
-        const struct poi_target target = say(sim, sim->next_ns);
+        const struct poi_target target = sensor_sim_reading(sim, sim->next_ns);
         const uint32_t copies = fails_at(sim, SENSOR_TWICE, sim->next_ns) ? 2u : 1u;
         if (fails_at(sim, SENSOR_HELD_BACK, sim->next_ns)) {
             hold_back(sim, target);
@@ -136,7 +136,7 @@ static int sensor_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 static int sensor_sim_open(void *self)
 {
     struct sensor_sim *sim = self;
-    const uint64_t now_ns = sim_now_ns(sim);
+    const uint64_t now_ns = sensor_sim_now_ns(sim);
     sim->open_count++;
     if (fails_at(sim, SENSOR_GONE, now_ns)) {
         return HAL_ERR_GONE;
@@ -146,17 +146,18 @@ static int sensor_sim_open(void *self)
     return HAL_OK;
 }
 
-static int sensor_sim_feel(void *self, const struct poi_force *force)
+static int sensor_sim_set_force(void *self, const struct poi_force *force)
 {
     struct sensor_sim *sim = self;
     sim->felt = *force;
-    return fails_at(sim, SENSOR_GONE, sim_now_ns(sim)) ? HAL_ERR_GONE : HAL_OK;
+    return fails_at(sim, SENSOR_GONE, sensor_sim_now_ns(sim)) ? HAL_ERR_GONE : HAL_OK;
 }
 
-static void sensor_sim_look(void *self, const struct view *view, const struct showing *showing)
+static void sensor_sim_set_view(void *self, const struct view *view,
+                                const struct display_settings *display_settings)
 {
     struct sensor_sim *sim = self;
-    (void)showing; /* A pose refers to the water, not to the screen. */
+    (void)display_settings; /* A pose refers to the water, not to the screen. */
     sim->view = *view;
 }
 
@@ -171,8 +172,8 @@ struct hal_poi sensor_sim_device(struct sensor_sim *sim)
     static const struct hal_poi_ops ops = {
         .open = sensor_sim_open,
         .poll = sensor_sim_poll,
-        .feel = sensor_sim_feel,
-        .look = sensor_sim_look,
+        .set_force = sensor_sim_set_force,
+        .set_view = sensor_sim_set_view,
         .describe = sensor_sim_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = sim };

@@ -9,18 +9,19 @@ static int storage_sim_open(void *self)
     return HAL_OK;
 }
 
-static int storage_sim_remember(void *self, struct memory *out)
+static int storage_sim_load(void *self, struct persistent_state *out)
 {
     const struct storage_sim *sim = self;
     *out = sim->memory;
     return HAL_OK;
 }
 
-static int storage_sim_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
+static int storage_sim_store_replay(void *self, uint32_t round_id, const uint8_t *bytes,
+                                    size_t size)
 {
     struct storage_sim *sim = self;
     if (sim->replay == NULL) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (size > sim->replay_room) {
         return HAL_ERR_IO;
@@ -37,7 +38,7 @@ static int is_replay_done(struct storage_sim *sim)
     return sim->replay_polls_left == 0;
 }
 
-static uint32_t storage_sim_replay_kept_id(void *self)
+static uint32_t storage_sim_stored_replay_id(void *self)
 {
     struct storage_sim *sim = self;
     return is_replay_done(sim) ? sim->replay_id : 0;
@@ -48,7 +49,7 @@ static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *byte
 {
     struct storage_sim *sim = self;
     if (sim->replay == NULL) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     sim->replay_asked_id = round_id;
     *round = round_id == sim->round.id ? sim->round : (struct ledger_entry){ 0 };
@@ -62,10 +63,10 @@ static int storage_sim_replay_fetched(void *self)
 {
     struct storage_sim *sim = self;
     const int is_there = sim->replay_id != 0 && sim->replay_asked_id == sim->replay_id;
-    return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_NONE;
+    return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_ABSENT;
 }
 
-static int storage_sim_keep(void *self, const struct ledger_entry *entry)
+static int storage_sim_append(void *self, const struct ledger_entry *entry)
 {
     struct storage_sim *sim = self;
     if (sim->busy_left > 0) {
@@ -95,7 +96,7 @@ static uint32_t storage_sim_saved_id(void *self)
 }
 
 /* Uses the same fault counters as for entries. */
-static int storage_sim_keep_edit(void *self, const struct edit_record *edit)
+static int storage_sim_store_edit(void *self, const struct graph_edit_record *edit)
 {
     struct storage_sim *sim = self;
     if (sim->busy_left > 0) {
@@ -111,21 +112,21 @@ static int storage_sim_keep_edit(void *self, const struct edit_record *edit)
     return HAL_OK;
 }
 
-static uint32_t storage_sim_kept_edit_id(void *self)
+static uint32_t storage_sim_stored_edit_id(void *self)
 {
     const struct storage_sim *sim = self;
     return sim->edit.id;
 }
 
-static int storage_sim_refuses_edits(void *self)
+static int storage_sim_edits_failed(void *self)
 {
     const struct storage_sim *sim = self;
     return sim->edit_failed;
 }
 
-static int storage_sim_is_well(void *self)
+static int storage_sim_is_healthy(void *self)
 {
-    return !storage_sim_refuses_edits(self);
+    return !storage_sim_edits_failed(self);
 }
 
 static const char *storage_sim_describe(void *self)
@@ -159,8 +160,8 @@ static int storage_sim_wants_restart(void *self)
     return sim->wants_restart;
 }
 
-static int storage_sim_hand_over(void *self, const struct purse_step *step,
-                                 const struct ledger_entry *entries, uint32_t count)
+static int storage_sim_merge_offline(void *self, const struct balance_change *step,
+                                     const struct ledger_entry *entries, uint32_t count)
 {
     struct storage_sim *sim = self;
     if (sim->late_polls_left > 0) {
@@ -173,12 +174,12 @@ static int storage_sim_hand_over(void *self, const struct purse_step *step,
     sim->late_purse.bonus_units += step->to.bonus_units - step->from.bonus_units;
     sim->late_purse.paid += step->to.paid - step->from.paid;
     sim->late_purse.service += step->to.service - step->from.service;
-    sim->late_purse.untold += step->to.untold - step->from.untold;
+    sim->late_purse.unlogged += step->to.unlogged - step->from.unlogged;
     sim->late_polls_left = sim->late_polls;
     return HAL_OK;
 }
 
-static int storage_sim_handed_over(void *self)
+static int storage_sim_offline_merged(void *self)
 {
     struct storage_sim *sim = self;
     sim->late_polls_left -= sim->late_polls_left > 0;
@@ -189,22 +190,22 @@ struct hal_storage storage_sim_device(struct storage_sim *sim)
 {
     static const struct hal_storage_ops ops = {
         .open = storage_sim_open,
-        .remember = storage_sim_remember,
-        .keep = storage_sim_keep,
-        .keep_replay = storage_sim_keep_replay,
-        .replay_kept_id = storage_sim_replay_kept_id,
+        .load = storage_sim_load,
+        .append = storage_sim_append,
+        .store_replay = storage_sim_store_replay,
+        .stored_replay_id = storage_sim_stored_replay_id,
         .fetch_replay = storage_sim_fetch_replay,
         .replay_fetched = storage_sim_replay_fetched,
         .has_replay = storage_sim_has_replay,
         .saved_id = storage_sim_saved_id,
-        .keep_edit = storage_sim_keep_edit,
-        .kept_edit_id = storage_sim_kept_edit_id,
-        .refuses_edits = storage_sim_refuses_edits,
+        .store_edit = storage_sim_store_edit,
+        .stored_edit_id = storage_sim_stored_edit_id,
+        .edits_failed = storage_sim_edits_failed,
         .refused_count = storage_sim_refused_count,
-        .is_well = storage_sim_is_well,
+        .is_healthy = storage_sim_is_healthy,
         .wants_restart = storage_sim_wants_restart,
-        .hand_over = storage_sim_hand_over,
-        .handed_over = storage_sim_handed_over,
+        .merge_offline = storage_sim_merge_offline,
+        .offline_merged = storage_sim_offline_merged,
         .describe = storage_sim_describe,
         .close = storage_sim_close,
     };

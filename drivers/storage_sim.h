@@ -9,7 +9,7 @@ struct storage_sim {
     struct ledger_entry entry;  /* Entry that was accepted last. */
     struct round_record record; /* Record of the last round. */
     struct ledger_entry round;  /* Entry of the last round. */
-    struct edit_record edit;    /* Edit that was accepted last. */
+    struct graph_edit_record edit; /* Edit that was accepted last. */
     uint32_t accepted_count;
     uint32_t refused_count;
     /* Result of refused_count(): entries that the writer could not write. */
@@ -26,10 +26,10 @@ struct storage_sim {
     /* Calls of replay_kept_id() or replay_fetched() until the replay is done. */
     uint32_t replay_polls_left;
     uint32_t replay_asked_id;   /* Id in the last call of fetch_replay(). */
-    struct memory memory;       /* State at the start, from earlier runs. */
+    struct persistent_state memory; /* State at the start, from earlier runs. */
     int wants_restart;          /* 1: the store appeared late and is not empty. */
     struct audits late;         /* Sums of the entries passed to hand_over(). */
-    struct purse late_purse;    /* Balance change passed to hand_over(). */
+    struct balance late_purse;  /* Balance change passed to hand_over(). */
     uint32_t late_polls;        /* Calls of handed_over() until the data are on disk. */
     uint32_t late_polls_left;   /* Remaining calls of handed_over() until then. */
 };

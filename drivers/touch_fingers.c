@@ -3,7 +3,7 @@
 
 #include "core/base/fmath.h"
 
-static uint32_t find(const struct touch_fingers *fingers, int64_t id)
+static uint32_t touch_fingers_find(const struct touch_fingers *fingers, int64_t id)
 {
     uint32_t i = 0;
     while (i < fingers->count && fingers->id[i] != id) {
@@ -30,7 +30,7 @@ static int move(struct touch_fingers *fingers, const struct touch_event *event)
 
 static int put_down(struct touch_fingers *fingers, const struct touch_event *event)
 {
-    if (find(fingers, event->id) < fingers->count) {
+    if (touch_fingers_find(fingers, event->id) < fingers->count) {
         return move(fingers, event); /* The event of its lifting was lost. */
     }
     if (fingers->count == TOUCH_FINGER_MAX) {
@@ -48,7 +48,7 @@ static int put_down(struct touch_fingers *fingers, const struct touch_event *eve
 
 static int lift(struct touch_fingers *fingers, const struct touch_event *event)
 {
-    const uint32_t place = find(fingers, event->id);
+    const uint32_t place = touch_fingers_find(fingers, event->id);
     if (place == fingers->count) {
         return 0;
     }

@@ -19,7 +19,7 @@ void touch_sim_init(struct touch_sim *sim, struct hal_clock clock, const struct 
     pointer_poi_init(&sim->pointer, view);
 }
 
-static uint64_t sim_now_ns(const struct touch_sim *sim)
+static uint64_t touch_sim_now_ns(const struct touch_sim *sim)
 {
     return sim->clock.ops->now_ns(sim->clock.self);
 }
@@ -29,7 +29,7 @@ static int touch_sim_open(void *self)
 {
     struct touch_sim *sim = self;
     sim->open_count++;
-    if (sim->gone && sim_now_ns(sim) >= sim->replug_ns) {
+    if (sim->gone && touch_sim_now_ns(sim) >= sim->replug_ns) {
         sim->gone = 0;
         sim->unplug_at = TOUCH_SIM_NEVER;
         sim->fingers = (struct touch_fingers){ 0 };
@@ -71,7 +71,7 @@ static int is_mute(const struct touch_sim *sim)
            sim->events[sim->next].kind == TOUCH_UP;
 }
 
-static void hear(struct touch_sim *sim)
+static void touch_sim_read_events(struct touch_sim *sim)
 {
     const struct touch_event event = next_event(sim);
     const int twice = sim->double_every > 0 && sim->next % sim->double_every == 0;
@@ -96,7 +96,7 @@ static struct poi_sample sample_at(struct touch_sim *sim, uint64_t time_ns)
 static int touch_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct touch_sim *sim = self;
-    const uint64_t now_ns = sim_now_ns(sim);
+    const uint64_t now_ns = touch_sim_now_ns(sim);
     uint32_t count = 0;
     if (sim->gone) {
         return HAL_ERR_GONE;
@@ -109,7 +109,7 @@ static int touch_sim_poll(void *self, struct poi_sample *out, uint32_t max)
             sim->gone = 1;
             return HAL_ERR_GONE;
         }
-        hear(sim);
+        touch_sim_read_events(sim);
         if (count + 1u < max) {
             out[count++] = sample_at(sim, sim->report.time_ns);
         }
@@ -120,18 +120,19 @@ static int touch_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-static void touch_sim_look(void *self, const struct view *view, const struct showing *showing)
+static void touch_sim_set_view(void *self, const struct view *view,
+                               const struct display_settings *display_settings)
 {
     struct touch_sim *sim = self;
-    (void)showing; /* The simulated image fills the window. */
+    (void)display_settings; /* The simulated image fills the window. */
     sim->pointer.view = *view;
 }
 
-static int touch_sim_feel(void *self, const struct poi_force *force)
+static int touch_sim_set_force(void *self, const struct poi_force *force)
 {
     (void)self;
     (void)force;
-    return HAL_ERR_NONE; /* A touch screen has no force feedback. */
+    return HAL_ERR_ABSENT; /* A touch screen has no force feedback. */
 }
 
 static const char *touch_sim_describe(void *self)
@@ -145,8 +146,8 @@ struct hal_poi touch_sim_device(struct touch_sim *sim)
     static const struct hal_poi_ops ops = {
         .open = touch_sim_open,
         .poll = touch_sim_poll,
-        .feel = touch_sim_feel,
-        .look = touch_sim_look,
+        .set_force = touch_sim_set_force,
+        .set_view = touch_sim_set_view,
         .describe = touch_sim_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = sim };

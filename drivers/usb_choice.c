@@ -70,21 +70,21 @@ static void forget_wish(struct usb_choice *choice, uint32_t index)
             (choice->wish_count - index) * sizeof choice->wish[0]);
 }
 
-void usb_choice_wish(struct usb_choice *choice, const struct usb_key *key, int plays, int kept)
+void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, int plays, int kept)
 {
     for (uint32_t i = 0; i < choice->wish_count; i++) {
-        const struct usb_wish *old = &choice->wish[i];
+        const struct usb_request *old = &choice->wish[i];
         if (is_same_key(&old->key, key)) {
             kept |= old->kept && !old->plays == !plays;
             forget_wish(choice, i);
             break;
         }
     }
-    if (choice->wish_count == USB_WISH_MAX) {
+    if (choice->wish_count == USB_REQUEST_MAX) {
         forget_wish(choice, 0u);
     }
     choice->wish[choice->wish_count++] =
-        (struct usb_wish){ .key = *key, .plays = plays != 0, .kept = kept != 0 };
+        (struct usb_request){ .key = *key, .plays = plays != 0, .kept = kept != 0 };
 }
 
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE])
@@ -110,7 +110,7 @@ int usb_choice_read_line(struct usb_choice *choice, const char *line, char error
         snprintf(error, USB_ERROR_SIZE, "'%.40s' is no VVVV:PPPP or VVVV:PPPP:SERIAL", text + 6);
         return -1;
     }
-    usb_choice_wish(choice, &key, plays, 1);
+    usb_choice_request(choice, &key, plays, 1);
     return 0;
 }
 
@@ -119,7 +119,7 @@ int usb_choice_line(const struct usb_choice *choice, uint32_t index,
 {
     char text[USB_KEY_TEXT_SIZE];
     for (uint32_t i = 0; i < choice->wish_count; i++) {
-        const struct usb_wish *wish = &choice->wish[i];
+        const struct usb_request *wish = &choice->wish[i];
         if (wish->kept && index-- == 0u) {
             usb_key_write(&wish->key, text);
             snprintf(line, USB_CHOICE_LINE_SIZE, "%s %s", wish->plays ? "plays" : "rests", text);
@@ -129,7 +129,7 @@ int usb_choice_line(const struct usb_choice *choice, uint32_t index,
     return 0;
 }
 
-uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_WISH_MAX])
+uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX])
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < choice->wish_count; i++) {
@@ -141,12 +141,12 @@ uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[U
 }
 
 /* Returns the most specific rule for a controller, or null if there is none. */
-static const struct usb_wish *find_wish(const struct usb_choice *choice,
-                                        const struct hid_identity *identity)
+static const struct usb_request *find_wish(const struct usb_choice *choice,
+                                           const struct hid_identity *identity)
 {
-    const struct usb_wish *found = NULL;
+    const struct usb_request *found = NULL;
     for (uint32_t i = 0; i < choice->wish_count; i++) {
-        const struct usb_wish *wish = &choice->wish[i];
+        const struct usb_request *wish = &choice->wish[i];
         if (wish->key.vendor != identity->vendor || wish->key.product != identity->product) {
             continue;
         }
@@ -185,7 +185,7 @@ static enum usb_kind kind_by_fields(const struct hid_descriptor *descriptor)
     return others > 0 ? USB_KIND_LEARNABLE : keys > 0 ? USB_KIND_KEYS : USB_KIND_NOTHING;
 }
 
-void usb_choice_read(struct usb_subject *subject, const uint8_t *bytes, uint32_t size,
+void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32_t size,
                      struct hid_descriptor *scratch)
 {
     subject->kind = USB_KIND_UNKNOWN;
@@ -197,11 +197,11 @@ void usb_choice_read(struct usb_subject *subject, const uint8_t *bytes, uint32_t
         subject->kind = USB_KIND_NOTHING;
         return;
     }
-    subject->worth = (uint8_t)hid_map_worth(subject->identity, scratch);
-    subject->kind = (uint8_t)(poi_descriptor_is(bytes, size)    ? USB_KIND_OWN
-                              : hid_map_has_keyboard(scratch) ? USB_KIND_KEYS
-                              : subject->worth > 0            ? USB_KIND_HAND
-                                                              : kind_by_fields(scratch));
+    subject->worth = (uint8_t)hid_mapping_score(subject->identity, scratch);
+    subject->kind = (uint8_t)(poi_descriptor_is(bytes, size)      ? USB_KIND_OWN
+                              : hid_mapping_has_keyboard(scratch) ? USB_KIND_KEYS
+                              : subject->worth > 0                ? USB_KIND_HAND
+                                                                  : kind_by_fields(scratch));
 }
 
 static int is_bench(const struct hid_identity *identity)
@@ -209,14 +209,14 @@ static int is_bench(const struct hid_identity *identity)
     return identity->vendor == USB_BENCH_VENDOR && identity->product == USB_BENCH_PRODUCT;
 }
 
-enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
-                                  const struct usb_subject *subject)
+enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
+                                     const struct usb_candidate *subject)
 {
     if (subject->is_boot_keyboard || subject->kind == USB_KIND_NOTHING ||
         subject->kind == USB_KIND_KEYS) {
         return USB_BARRED;
     }
-    const struct usb_wish *wish = find_wish(choice, subject->identity);
+    const struct usb_request *wish = find_wish(choice, subject->identity);
     if (wish && !wish->plays) {
         return USB_FREE;
     }
@@ -226,9 +226,9 @@ enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
     return wish || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
 }
 
-static uint32_t rank_of(const struct usb_choice *choice, const struct usb_subject *subject)
+static uint32_t rank_of(const struct usb_choice *choice, const struct usb_candidate *subject)
 {
-    switch (usb_choice_judge(choice, subject)) {
+    switch (usb_choice_evaluate(choice, subject)) {
     case USB_PLAYS:
         return subject->kind == USB_KIND_LEARNABLE ? 2u : 4u;
     case USB_ASK:
@@ -240,8 +240,8 @@ static uint32_t rank_of(const struct usb_choice *choice, const struct usb_subjec
     }
 }
 
-int usb_choice_is_better(const struct usb_choice *choice, const struct usb_subject *a,
-                         const struct usb_subject *b)
+int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
+                         const struct usb_candidate *b)
 {
     const uint32_t rank = rank_of(choice, a), other = rank_of(choice, b);
     return rank != other         ? rank > other
@@ -252,7 +252,7 @@ int usb_choice_is_better(const struct usb_choice *choice, const struct usb_subje
 
 /* ---- Slots ---------------------------------------------------------------------------------- */
 
-uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_identity *b)
+uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_identity *b)
 {
     if (a->vendor != b->vendor || a->product != b->product) {
         return 0u;
@@ -275,7 +275,7 @@ static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid
     uint32_t best = POI_MAX, most = 0u, equals = 0u;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t likeness = place[i].was_taken && !place[i].is_taken
-                                      ? usb_choice_likeness(&place[i].identity, identity)
+                                      ? usb_choice_similarity(&place[i].identity, identity)
                                       : 0u;
         if (likeness > most) {
             best = i;
@@ -288,8 +288,7 @@ static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid
     return most == 1u && equals > 0u ? POI_MAX : best;
 }
 
-uint32_t usb_choice_seat(const struct usb_place place[POI_MAX],
-                         const struct hid_identity *identity)
+uint32_t usb_choice_slot(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
 {
     const uint32_t own = own_seat(place, identity);
     if (own < POI_MAX) {

@@ -18,7 +18,7 @@
 #define USB_BENCH_VENDOR 0x1209u  /* pid.codes' test id, which no product may be sold with. */
 #define USB_BENCH_PRODUCT 0x0001u
 #define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* Size of "057e:2009:" with a serial number. */
-#define USB_WISH_MAX 32u /* Capacity of the rules: four pois, each replaced seven times. */
+#define USB_REQUEST_MAX 32u /* Capacity of the rules: four pois, each replaced seven times. */
 #define USB_ERROR_SIZE 96u
 
 /* A controller, or all controllers of a product. */
@@ -37,7 +37,7 @@ void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE]);
 /* Returns the key of a controller, including its serial number if it has one. */
 struct usb_key usb_key_of(const struct hid_identity *identity);
 
-struct usb_wish {
+struct usb_request {
     struct usb_key key;
     uint8_t plays; /* 0: the controller must not play, even if it would without this rule. */
     uint8_t kept;  /* 1 if the rule is stored in the file. */
@@ -46,15 +46,15 @@ struct usb_wish {
 /* The list of rules. The zero value accepts only our own poi. */
 struct usb_choice {
     uint32_t wish_count;
-    struct usb_wish wish[USB_WISH_MAX];
+    struct usb_request wish[USB_REQUEST_MAX];
 };
 
 /* Adds a rule and removes an older rule for the same key. When the list is full, the oldest rule
  * is dropped. */
-void usb_choice_wish(struct usb_choice *choice, const struct usb_key *key, int plays, int kept);
+void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, int plays, int kept);
 
 /* Copies the keys of all rules that allow playing. Returns their number. */
-uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_WISH_MAX]);
+uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX]);
 
 /* Parses one line of the choices file: "plays KEY", "rests KEY", or a comment that starts with
  * '#'. Returns 0, or -1 and one sentence in `error`. */
@@ -73,22 +73,22 @@ enum usb_kind {
     /* Typing keys in addition to any other fields, or only fields that cannot control a poi,
      * such as media keys or a power supply. */
     USB_KIND_KEYS,
-    USB_KIND_LEARNABLE,   /* Input fields without a mapping; the controller must be learned. */
-    USB_KIND_HAND,        /* A mapping exists: hid_map_choose() finds one. */
-    USB_KIND_OWN,         /* Exactly the descriptor of our own poi. */
+    USB_KIND_LEARNABLE, /* Input fields without a mapping; the controller must be learned. */
+    USB_KIND_HAND,      /* A mapping exists: hid_mapping_choose() finds one. */
+    USB_KIND_OWN,       /* Exactly the descriptor of our own poi. */
 };
 
 /* An interface of a device. */
-struct usb_subject {
+struct usb_candidate {
     const struct hid_identity *identity;
     uint8_t is_boot_keyboard; /* From the interface descriptor, HID 1.11 section 4.2. */
     uint8_t kind;             /* enum usb_kind */
-    uint8_t worth;            /* Rating by hid_map_worth(). */
+    uint8_t worth;            /* Rating by hid_mapping_score(). */
 };
 
 /* Sets the kind and worth of `subject` from its report descriptor. Size 0 means that the
  * descriptor was not read yet. */
-void usb_choice_read(struct usb_subject *subject, const uint8_t *bytes, uint32_t size,
+void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32_t size,
                      struct hid_descriptor *scratch);
 
 enum usb_verdict {
@@ -99,14 +99,14 @@ enum usb_verdict {
 };
 
 /* Returns whether an interface may be claimed, by its kind and by the most specific rule. */
-enum usb_verdict usb_choice_judge(const struct usb_choice *choice,
-                                  const struct usb_subject *subject);
+enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
+                                     const struct usb_candidate *subject);
 
 /* Returns 1 if interface `a` of a device is to be claimed rather than `b`. A playable interface
  * comes first, then one whose descriptor must be read, then one that must be learned. Ties are
- * decided by kind, by hid_map_worth(), and then by the lower interface number. */
-int usb_choice_is_better(const struct usb_choice *choice, const struct usb_subject *a,
-                         const struct usb_subject *b);
+ * decided by kind, by hid_mapping_score(), and then by the lower interface number. */
+int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
+                         const struct usb_candidate *b);
 
 /* The controller that has a slot, or that had it last. */
 struct usb_place {
@@ -120,10 +120,10 @@ struct usb_place {
 /* Returns the slot for a new controller, or POI_MAX if there is none. The controller's former
  * slot comes first, found by serial number or port. A slot that was never used is next, then one
  * that is not held. */
-uint32_t usb_choice_seat(const struct usb_place place[POI_MAX],
+uint32_t usb_choice_slot(const struct usb_place place[POI_MAX],
                          const struct hid_identity *identity);
 
 /* Returns how likely two identities are the same controller, 0 (different) .. 4 (certain). */
-uint32_t usb_choice_likeness(const struct hid_identity *a, const struct hid_identity *b);
+uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_identity *b);
 
 #endif

@@ -10,8 +10,8 @@
 
 #include "drivers/hid_book_file.h"
 
-static int read_lines(struct usb_choice *choice, const char *path, FILE *file,
-                      char why[HAL_TEXT_SIZE])
+static int usb_choice_file_read_lines(struct usb_choice *choice, const char *path, FILE *file,
+                                      char why[HAL_TEXT_SIZE])
 {
     char line[2u * USB_CHOICE_LINE_SIZE], error[USB_ERROR_SIZE];
     uint32_t number = 0;
@@ -28,10 +28,10 @@ static int read_lines(struct usb_choice *choice, const char *path, FILE *file,
 
 int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
 {
-    const int handle = path[0] ? hid_book_file_open(path) : -1;
+    const int handle = path[0] ? hid_mapping_store_file_open(path) : -1;
     FILE *file = handle >= 0 ? fdopen(handle, "r") : NULL;
     const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
-    const int result = file ? read_lines(choice, path, file, why) : error;
+    const int result = file ? usb_choice_file_read_lines(choice, path, file, why) : error;
     /* open() of a socket fails with ENXIO. */
     if (result == -ENOTSUP || result == -ELOOP || result == -ENXIO) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: is not a regular file", path);

@@ -73,9 +73,9 @@ static uint32_t declared_size(const struct libusb_interface_descriptor *interfac
     return HID_DESCRIPTOR_MAX;
 }
 
-static struct usb_subject subject_of(const struct usb_device *device)
+static struct usb_candidate subject_of(const struct usb_device *device)
 {
-    return (struct usb_subject){
+    return (struct usb_candidate){
         .identity = &device->face.identity,
         .is_boot_keyboard = device->is_boot_keyboard,
         .kind = device->kind,
@@ -83,23 +83,23 @@ static struct usb_subject subject_of(const struct usb_device *device)
     };
 }
 
-void usb_device_judge(struct usb_device *device, const struct usb_judge *judge)
+void usb_device_evaluate(struct usb_device *device, const struct usb_evaluation *judge)
 {
-    struct usb_subject subject = subject_of(device);
+    struct usb_candidate subject = subject_of(device);
     usb_choice_read(&subject, device->face.descriptor, device->face.descriptor_size,
                     judge->scratch);
     device->kind = subject.kind;
     device->worth = subject.worth;
-    device->verdict = (uint8_t)usb_choice_judge(judge->choice, &subject);
+    device->verdict = (uint8_t)usb_choice_evaluate(judge->choice, &subject);
 }
 
 /* Classifies `device` by one interface. A descriptor that was read from the device is kept.
  * While the interface is claimed, /sys shows no descriptor, and a kernel driver may show a
  * corrected one. */
-static void look_at(struct usb_device *device, const struct usb_judge *judge,
+static void look_at(struct usb_device *device, const struct usb_evaluation *judge,
                     const struct libusb_interface_descriptor *interface)
 {
-    struct hid_face *face = &device->face;
+    struct hid_device_info *face = &device->face;
     uint8_t bytes[HID_DESCRIPTOR_MAX];
     const uint32_t size =
         usb_sysfs_descriptor(judge->sysfs, face->identity.port, device->configuration,
@@ -114,20 +114,20 @@ static void look_at(struct usb_device *device, const struct usb_judge *judge,
     device->is_boot = interface->bInterfaceSubClass == HID_BOOT;
     device->is_boot_keyboard = (uint8_t)is_boot_keyboard(interface);
     device->declared_size = declared_size(interface);
-    usb_device_judge(device, judge);
+    usb_device_evaluate(device, judge);
 }
 
 static int is_better(const struct usb_device *a, const struct usb_device *b,
-                     const struct usb_judge *judge)
+                     const struct usb_evaluation *judge)
 {
-    const struct usb_subject first = subject_of(a), second = subject_of(b);
+    const struct usb_candidate first = subject_of(a), second = subject_of(b);
     return usb_choice_is_better(judge->choice, &first, &second);
 }
 
 /* Selects the best HID interface of a device by the first alternate setting of each, which is
  * the active one; HID devices have no other. Returns 0, or -1 if there is no usable HID
  * interface. */
-static int pick_interface(struct usb_device *device, const struct usb_judge *judge,
+static int pick_interface(struct usb_device *device, const struct usb_evaluation *judge,
                           const struct libusb_config_descriptor *config)
 {
     struct usb_device best = { .device = NULL };
@@ -151,7 +151,8 @@ static int pick_interface(struct usb_device *device, const struct usb_judge *jud
     return 0;
 }
 
-static int look(struct usb_device *device, const struct usb_judge *judge)
+static int usb_device_read_descriptors(struct usb_device *device,
+                                       const struct usb_evaluation *judge)
 {
     struct libusb_config_descriptor *config;
     if (libusb_get_active_config_descriptor(device->device, &config) != LIBUSB_SUCCESS) {
@@ -163,15 +164,16 @@ static int look(struct usb_device *device, const struct usb_judge *judge)
     return result;
 }
 
-void usb_device_look(struct usb_device *device, const struct usb_judge *judge)
+void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *judge)
 {
-    if (look(device, judge)) {
+    if (usb_device_read_descriptors(device, judge)) {
         /* The configuration changed, or the device is being unplugged. */
         device->verdict = USB_BARRED;
     }
 }
 
-int usb_device_meet(struct usb_device *out, libusb_device *device, const struct usb_judge *judge)
+int usb_device_add(struct usb_device *out, libusb_device *device,
+                   const struct usb_evaluation *judge)
 {
     struct libusb_device_descriptor descriptor;
     if (libusb_get_device_descriptor(device, &descriptor) != LIBUSB_SUCCESS ||
@@ -192,7 +194,7 @@ int usb_device_meet(struct usb_device *out, libusb_device *device, const struct 
     name_port(device, identity->port);
     usb_sysfs_text(judge->sysfs, identity->port, "serial", identity->serial);
     usb_sysfs_text(judge->sysfs, identity->port, "product", identity->name);
-    if (look(out, judge)) {
+    if (usb_device_read_descriptors(out, judge)) {
         out->device = NULL;
         return -1;
     }
@@ -200,7 +202,7 @@ int usb_device_meet(struct usb_device *out, libusb_device *device, const struct 
     return 0;
 }
 
-void usb_device_forget(struct usb_device *device)
+void usb_device_remove(struct usb_device *device)
 {
     libusb_unref_device(device->device);
     device->device = NULL;

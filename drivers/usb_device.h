@@ -15,7 +15,7 @@
 #include "drivers/usb_link.h"
 
 /* Reason why a controller that may play does not. */
-enum usb_trouble {
+enum usb_device_fault {
     USB_FINE = 0,
     USB_DENIED, /* The kiosk has no permission to open the device. */
     USB_HELD,   /* Another program has claimed the interface. */
@@ -33,13 +33,13 @@ struct usb_device {
     uint8_t is_read;        /* 1 if `face.descriptor` was read from the device itself. */
     uint8_t verdict;        /* enum usb_verdict */
     uint8_t kind;           /* enum usb_kind */
-    uint8_t worth;          /* Rating by hid_map_worth(). */
+    uint8_t worth;          /* Rating by hid_mapping_score(). */
     struct usb_pipe pipe;
-    struct hid_face face;   /* Identity and descriptor; descriptor_size 0: not known yet. */
+    struct hid_device_info face; /* Identity and descriptor; descriptor_size 0: not known yet. */
 };
 
 /* Inputs to the classification other than the device. */
-struct usb_judge {
+struct usb_evaluation {
     const char *sysfs;
     const struct usb_choice *choice;
     struct hid_descriptor *scratch;
@@ -47,23 +47,24 @@ struct usb_judge {
 
 /* Takes a reference and classifies the device by kernel data, without opening it. Returns 0, or
  * -1 if the device has no usable HID interface. */
-int usb_device_meet(struct usb_device *out, libusb_device *device, const struct usb_judge *judge);
+int usb_device_add(struct usb_device *out, libusb_device *device,
+                   const struct usb_evaluation *judge);
 
 /* Classifies the device again, because a driver may have bound it or the choices may have
  * changed. */
-void usb_device_look(struct usb_device *device, const struct usb_judge *judge);
+void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *judge);
 
 /* Sets the kind, worth and verdict from what is known. */
-void usb_device_judge(struct usb_device *device, const struct usb_judge *judge);
+void usb_device_evaluate(struct usb_device *device, const struct usb_evaluation *judge);
 
 /* Opens and claims the interface, reads its report descriptor and switches it to the report
  * protocol. The verdict must be USB_ASK or USB_PLAYS. Returns USB_FINE and sets `out`, or
  * returns the reason. If the new verdict is not USB_PLAYS, the result is USB_FINE and `out` is
  * null. */
-enum usb_trouble usb_device_open(struct usb_device *device, const struct usb_judge *judge,
-                                 libusb_device_handle **out);
+enum usb_device_fault usb_device_open(struct usb_device *device, const struct usb_evaluation *judge,
+                                      libusb_device_handle **out);
 
 /* Releases the reference to the libusb device. */
-void usb_device_forget(struct usb_device *device);
+void usb_device_remove(struct usb_device *device);
 
 #endif

@@ -1,8 +1,8 @@
 /* usb_link.h -- the USB transfers of one open controller.
  *
  * Used only by the event thread. libusb callbacks only record results and submit transfers
- * again. All requests to the device, and closing it, happen in usb_link_tend(), outside of the
- * callbacks. Closing has a fixed order: cancel all transfers, wait until each has returned,
+ * again. All requests to the device, and closing it, happen in usb_transfers_service(), outside of
+ * the callbacks. Closing has a fixed order: cancel all transfers, wait until each has returned,
  * release the interface, close the handle. */
 #ifndef KINGYO_DRIVERS_USB_LINK_H
 #define KINGYO_DRIVERS_USB_LINK_H
@@ -13,11 +13,11 @@
 
 #include "drivers/usb_seat.h"
 
-#define USB_IN_FLIGHT 4u       /* At 1,000 Hz the thread may be delayed by 3 ms without loss. */
+#define USB_IN_TRANSFER_COUNT 4u /* At 1,000 Hz the thread may be delayed by 3 ms without loss. */
 #define USB_TRANSFER_MAX 1024u /* Largest packet of an interrupt endpoint, USB 2.0 5.7.3. */
 #define USB_ERRORS_MAX 8u      /* Consecutive errors before the device is opened again. */
 /* Time after cancelling in which returning transfers still deliver reports. */
-#define USB_LEAVE_MS 50u
+#define USB_DETACH_MS 50u
 /* Timeout of an output report, after which force feedback would be late. */
 #define USB_OUT_TIMEOUT_MS 100u
 
@@ -31,24 +31,24 @@ struct usb_pipe {
     uint32_t report_size_max; /* Bytes of the longest input report, including its id. */
 };
 
-enum usb_link_state {
-    USB_LINK_NONE = 0,
-    USB_LINK_LIVE,     /* The device is open and its transfers are in use. */
-    USB_LINK_DRAINING, /* The transfers are cancelled and some have not returned yet. */
+enum usb_transfers_state {
+    USB_TRANSFERS_NONE = 0,
+    USB_TRANSFERS_LIVE,     /* The device is open and its transfers are in use. */
+    USB_TRANSFERS_DRAINING, /* The transfers are cancelled and some have not returned yet. */
 };
 
-struct usb_link;
+struct usb_transfers;
 
-struct usb_flight {
-    struct usb_link *link;
+struct usb_transfer_slot {
+    struct usb_transfers *link;
     struct libusb_transfer *transfer;
-    uint8_t is_flying;
+    uint8_t is_submitted;
     uint8_t is_due; /* To be submitted again after an error or a halt. */
     uint8_t buffer[USB_TRANSFER_MAX];
 };
 
-struct usb_link {
-    uint8_t state;        /* enum usb_link_state */
+struct usb_transfers {
+    uint8_t state;        /* enum usb_transfers_state */
     uint8_t is_gone;      /* 1 if the device was unplugged and accepts no requests. */
     uint8_t has_halted;   /* 1 after the endpoint stalled. */
     uint8_t has_left;     /* 1 after the slot was detached. */
@@ -57,39 +57,40 @@ struct usb_link {
     uint64_t leave_ns;    /* Deadline for detaching the slot, even if transfers are in flight. */
     struct hal_clock clock;
     libusb_device_handle *handle;
-    struct usb_seat *seat;
+    struct usb_slot *seat;
     struct usb_pipe pipe;
-    struct usb_flight in[USB_IN_FLIGHT];
-    struct usb_flight out;
+    struct usb_transfer_slot in[USB_IN_TRANSFER_COUNT];
+    struct usb_transfer_slot out;
 };
 
-/* Allocates the transfers once. Returns 0, or -1 if there is no memory; usb_link_free() is then
- * still needed. */
-int usb_link_init(struct usb_link *link, struct hal_clock clock);
+/* Allocates the transfers once. Returns 0, or -1 if there is no memory; usb_transfers_free() is
+ * then still needed. */
+int usb_transfers_init(struct usb_transfers *link, struct hal_clock clock);
 
 /* Frees the transfers. No transfer may be in flight. */
-void usb_link_free(struct usb_link *link);
+void usb_transfers_free(struct usb_transfers *link);
 
 /* Starts reading an open device whose interface is claimed. The link owns `handle` from now on.
- * `seat` must already be attached (usb_seat_sit()). */
-void usb_link_begin(struct usb_link *link, libusb_device_handle *handle,
-                    const struct usb_pipe *pipe, struct usb_seat *seat);
+ * `seat` must already be attached (usb_slot_attach()). */
+void usb_transfers_begin(struct usb_transfers *link, libusb_device_handle *handle,
+                         const struct usb_pipe *pipe, struct usb_slot *seat);
 
 /* Sends the pending output report of the slot if the previous one is finished. */
-void usb_link_send(struct usb_link *link);
+void usb_transfers_send(struct usb_transfers *link);
 
 /* Starts closing. `is_gone` means that the device was unplugged. The slot is detached when all
- * transfers have returned, or after USB_LEAVE_MS. */
-void usb_link_drain(struct usb_link *link, int is_gone);
+ * transfers have returned, or after USB_DETACH_MS. */
+void usb_transfers_drain(struct usb_transfers *link, int is_gone);
 
 /* Detaches the slot now, because another controller needs it. */
-void usb_link_leave(struct usb_link *link);
+void usb_transfers_detach(struct usb_transfers *link);
 
 /* Performs the actions that callbacks must not: submits again, clears a halt, and closes a
- * drained link. Returns 0, or 1 if the link failed and usb_link_drain() must follow. */
-int usb_link_tend(struct usb_link *link);
+ * drained link. Returns 0, or 1 if the link failed and usb_transfers_drain() must follow. */
+int usb_transfers_service(struct usb_transfers *link);
 
-/* Returns when usb_link_tend() must be called next, or UINT64_MAX if only an event requires it. */
-uint64_t usb_link_due_ns(const struct usb_link *link);
+/* Returns when usb_transfers_service() must be called next, or UINT64_MAX if only an event requires
+ * it. */
+uint64_t usb_transfers_due_ns(const struct usb_transfers *link);
 
 #endif

@@ -8,19 +8,19 @@
 
 static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
 {
-    struct usb_flight *flight = transfer->user_data;
-    flight->is_flying = 0;
+    struct usb_transfer_slot *transfer_slot = transfer->user_data;
+    transfer_slot->is_submitted = 0;
     if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
-        flight->link->is_gone = 1;
+        transfer_slot->link->is_gone = 1;
     }
     /* A lost report is not repeated, because the next one is newer. */
-    usb_seat_sent(flight->link->seat);
+    usb_slot_sent(transfer_slot->link->seat);
 }
 
 /* Fills a SET_REPORT request for devices without an output endpoint. */
-static void fill_set_report(struct usb_link *link, uint32_t size)
+static void fill_set_report(struct usb_transfers *link, uint32_t size)
 {
-    struct usb_flight *out = &link->out;
+    struct usb_transfer_slot *out = &link->out;
     const uint8_t request_type = LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS |
                                  LIBUSB_RECIPIENT_INTERFACE;
     const uint8_t id = link->pipe.has_report_ids ? link->seat->out_bytes[0] : 0u;
@@ -32,13 +32,13 @@ static void fill_set_report(struct usb_link *link, uint32_t size)
                                  USB_OUT_TIMEOUT_MS);
 }
 
-void usb_link_send(struct usb_link *link)
+void usb_transfers_send(struct usb_transfers *link)
 {
-    struct usb_flight *out = &link->out;
-    if (link->state != USB_LINK_LIVE || link->is_gone || out->is_flying) {
+    struct usb_transfer_slot *out = &link->out;
+    if (link->state != USB_TRANSFERS_LIVE || link->is_gone || out->is_submitted) {
         return;
     }
-    const uint32_t size = usb_seat_outgoing(link->seat);
+    const uint32_t size = usb_slot_outgoing(link->seat);
     if (size == 0u) {
         return;
     }
@@ -49,8 +49,8 @@ void usb_link_send(struct usb_link *link)
     } else {
         fill_set_report(link, size);
     }
-    out->is_flying = libusb_submit_transfer(out->transfer) == LIBUSB_SUCCESS;
-    if (!out->is_flying) {
-        usb_seat_sent(link->seat);
+    out->is_submitted = libusb_submit_transfer(out->transfer) == LIBUSB_SUCCESS;
+    if (!out->is_submitted) {
+        usb_slot_sent(link->seat);
     }
 }

@@ -9,11 +9,11 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-#define USB_MAIL_SLOTS 3u
+#define TRIPLE_BUFFER_SLOTS 3u
 /* Flag beside the index of the middle slot: the value was not read yet. */
-#define USB_MAIL_FRESH 4u
+#define TRIPLE_BUFFER_FRESH 4u
 
-struct usb_mail {
+struct triple_buffer {
     uint32_t writing;   /* Slot index, used only by the writer. */
     uint32_t reading;   /* Slot index, used only by the reader. */
     atomic_uint middle;
@@ -21,7 +21,7 @@ struct usb_mail {
 
 /* Initializes the buffer. Until the first post the reader sees slot 1, which the owner has
  * filled. */
-static inline void usb_mail_init(struct usb_mail *mail)
+static inline void triple_buffer_init(struct triple_buffer *mail)
 {
     mail->writing = 0u;
     mail->reading = 1u;
@@ -30,23 +30,23 @@ static inline void usb_mail_init(struct usb_mail *mail)
 
 /* For the writer: publishes slot `mail->writing` and selects another slot for the next value.
  * Returns 1 if the previous value was never read. */
-static inline int usb_mail_post(struct usb_mail *mail)
+static inline int triple_buffer_post(struct triple_buffer *mail)
 {
-    const unsigned old = atomic_exchange_explicit(&mail->middle, mail->writing | USB_MAIL_FRESH,
-                                                  memory_order_acq_rel);
-    mail->writing = old & (USB_MAIL_FRESH - 1u);
-    return (old & USB_MAIL_FRESH) != 0;
+    const unsigned old = atomic_exchange_explicit(
+        &mail->middle, mail->writing | TRIPLE_BUFFER_FRESH, memory_order_acq_rel);
+    mail->writing = old & (TRIPLE_BUFFER_FRESH - 1u);
+    return (old & TRIPLE_BUFFER_FRESH) != 0;
 }
 
 /* For the reader: makes slot `mail->reading` the newest value. Returns 1 if the value is new. */
-static inline int usb_mail_fetch(struct usb_mail *mail)
+static inline int triple_buffer_fetch(struct triple_buffer *mail)
 {
-    if (!(atomic_load_explicit(&mail->middle, memory_order_relaxed) & USB_MAIL_FRESH)) {
+    if (!(atomic_load_explicit(&mail->middle, memory_order_relaxed) & TRIPLE_BUFFER_FRESH)) {
         return 0;
     }
     const unsigned old =
         atomic_exchange_explicit(&mail->middle, mail->reading, memory_order_acq_rel);
-    mail->reading = old & (USB_MAIL_FRESH - 1u);
+    mail->reading = old & (TRIPLE_BUFFER_FRESH - 1u);
     return 1;
 }
 

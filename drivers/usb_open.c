@@ -12,7 +12,7 @@
 #define DESCRIPTOR_MS 1000u
 #define REQUEST_MS 250u
 
-static enum usb_trouble trouble_of(int error)
+static enum usb_device_fault trouble_of(int error)
 {
     switch (error) {
     case LIBUSB_SUCCESS:
@@ -37,7 +37,7 @@ static void read_text(libusb_device_handle *handle, uint8_t index, char out[HID_
                          : libusb_get_string_descriptor_ascii(handle, index, text, sizeof text);
     if (size > 0) {
         snprintf(out, HID_TEXT_SIZE, "%.*s", size, (const char *)text);
-        usb_clean_text(out);
+        usb_sysfs_clean_text(out);
     }
 }
 
@@ -53,7 +53,8 @@ static int interface_request(libusb_device_handle *handle, const struct usb_devi
 /* Reads the report descriptor with GET_DESCRIPTOR, HID 1.11 section 7.1.1. A kernel driver may
  * show a corrected descriptor in /sys and correct the reports to match, but our reports come
  * unmodified. The descriptor of /sys is used if the device does not respond. */
-static enum usb_trouble read_descriptor(libusb_device_handle *handle, struct usb_device *device)
+static enum usb_device_fault read_descriptor(libusb_device_handle *handle,
+                                             struct usb_device *device)
 {
     const uint8_t type = LIBUSB_ENDPOINT_IN | LIBUSB_REQUEST_TYPE_STANDARD |
                          LIBUSB_RECIPIENT_INTERFACE;
@@ -88,7 +89,7 @@ static void measure_reports(struct usb_device *device, struct hid_descriptor *sc
 
 /* Sends the requests of section 7.2 to a claimed interface. A device may refuse requests that it
  * does not support, so only its disconnection is an error. */
-static enum usb_trouble make_ready(libusb_device_handle *handle, struct usb_device *device)
+static enum usb_device_fault make_ready(libusb_device_handle *handle, struct usb_device *device)
 {
     if (device->is_boot &&
         interface_request(handle, device, HID_SET_PROTOCOL, 1u) == LIBUSB_ERROR_NO_DEVICE) {
@@ -99,16 +100,16 @@ static enum usb_trouble make_ready(libusb_device_handle *handle, struct usb_devi
                : USB_FINE;
 }
 
-static enum usb_trouble learn(libusb_device_handle *handle, struct usb_device *device,
-                              const struct usb_judge *judge)
+static enum usb_device_fault learn(libusb_device_handle *handle, struct usb_device *device,
+                                   const struct usb_evaluation *judge)
 {
     read_text(handle, device->serial_index, device->face.identity.serial);
     read_text(handle, device->product_index, device->face.identity.name);
-    const enum usb_trouble trouble = read_descriptor(handle, device);
+    const enum usb_device_fault trouble = read_descriptor(handle, device);
     if (trouble != USB_FINE) {
         return trouble;
     }
-    usb_device_judge(device, judge);
+    usb_device_evaluate(device, judge);
     if (device->verdict != USB_PLAYS) {
         return USB_FINE;
     }
@@ -116,12 +117,12 @@ static enum usb_trouble learn(libusb_device_handle *handle, struct usb_device *d
     return make_ready(handle, device);
 }
 
-enum usb_trouble usb_device_open(struct usb_device *device, const struct usb_judge *judge,
-                                 libusb_device_handle **out)
+enum usb_device_fault usb_device_open(struct usb_device *device, const struct usb_evaluation *judge,
+                                      libusb_device_handle **out)
 {
     libusb_device_handle *handle;
     *out = NULL;
-    enum usb_trouble trouble = trouble_of(libusb_open(device->device, &handle));
+    enum usb_device_fault trouble = trouble_of(libusb_open(device->device, &handle));
     if (trouble != USB_FINE) {
         return trouble;
     }

@@ -18,136 +18,141 @@
  * its controller. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
 
-static struct usb_judge judge_of(struct usb_pump *pump)
+static struct usb_evaluation judge_of(struct usb_event_thread *usb_thread)
 {
-    return (struct usb_judge){
-        .sysfs = pump->sysfs,
-        .choice = &pump->choice,
-        .scratch = &pump->scratch,
+    return (struct usb_evaluation){
+        .sysfs = usb_thread->sysfs,
+        .choice = &usb_thread->choice,
+        .scratch = &usb_thread->scratch,
     };
 }
 
-void usb_pump_show(struct usb_pump *pump, struct usb_entry *entry, uint8_t state)
+void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
+                                 struct usb_device_entry *entry, uint8_t state)
 {
     if (entry->row >= CONTROLLER_MAX) { /* No row was free when the device was added. */
-        entry->row = usb_rows_enter(&pump->rows, &entry->device.face.identity,
-                                    state == CONTROLLER_BARRED);
+        entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
+                                        state == CONTROLLER_UNSUPPORTED);
     }
     if (entry->row < CONTROLLER_MAX) {
-        struct hid_row *row = &pump->rows.row[entry->row];
+        struct hid_row *row = &usb_thread->rows.row[entry->row];
         row->identity = entry->device.face.identity;
         row->state = state;
         row->seat = (uint8_t)(entry->seat < POI_MAX ? entry->seat : POI_MAX);
-        pump->rows_changed = 1;
+        usb_thread->rows_changed = 1;
     }
 }
 
 /* ---- Slots ---------------------------------------------------------------------------------- */
 
-void usb_pump_unseat(struct usb_pump *pump, struct usb_entry *entry, int is_gone)
+void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
+                             int is_gone)
 {
-    if (entry->link == USB_NOBODY) {
+    if (entry->link == USB_INDEX_NONE) {
         return;
     }
-    usb_link_drain(&pump->link[entry->link], is_gone);
-    pump->place[entry->seat].is_taken = 0;
-    pump->lost_ns[entry->seat] = usb_pump_now_ns(pump);
-    usb_pump_show(pump, entry, CONTROLLER_LOST);
+    usb_transfers_drain(&usb_thread->link[entry->link], is_gone);
+    usb_thread->place[entry->seat].is_taken = 0;
+    usb_thread->lost_ns[entry->seat] = usb_event_thread_now_ns(usb_thread);
+    usb_event_thread_update_row(usb_thread, entry, CONTROLLER_LOST);
     entry->drains = entry->link;
-    entry->link = entry->seat = USB_NOBODY;
-    entry->due_ns = usb_pump_now_ns(pump) + SOON_NS;
+    entry->link = entry->seat = USB_INDEX_NONE;
+    entry->due_ns = usb_event_thread_now_ns(usb_thread) + SOON_NS;
 }
 
-static uint32_t find_seat(struct usb_pump *pump, const struct hid_identity *identity)
+static uint32_t find_seat(struct usb_event_thread *usb_thread, const struct hid_identity *identity)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        pump->place[i].is_held = usb_pump_now_ns(pump) - pump->lost_ns[i] < HOLD_NS;
+        usb_thread->place[i].is_held =
+            usb_event_thread_now_ns(usb_thread) - usb_thread->lost_ns[i] < HOLD_NS;
     }
-    return usb_choice_seat(pump->place, identity);
+    return usb_choice_slot(usb_thread->place, identity);
 }
 
-static uint32_t find_link(const struct usb_pump *pump)
+static uint32_t find_link(const struct usb_event_thread *usb_thread)
 {
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        if (pump->link[i].state == USB_LINK_NONE) {
+        if (usb_thread->link[i].state == USB_TRANSFERS_NONE) {
             return i;
         }
     }
-    return USB_NOBODY;
+    return USB_INDEX_NONE;
 }
 
 /* Clears the row of a lost controller whose slot a different controller gets. */
-static void forget_former(struct usb_pump *pump, const struct usb_entry *entry, uint32_t seat)
+static void forget_former(struct usb_event_thread *usb_thread, const struct usb_device_entry *entry,
+                          uint32_t seat)
 {
-    const struct usb_place *place = &pump->place[seat];
-    const uint32_t row = place->was_taken ? usb_rows_find(&pump->rows, &place->identity)
-                                          : CONTROLLER_MAX;
+    const struct usb_place *place = &usb_thread->place[seat];
+    const uint32_t row =
+        place->was_taken ? device_table_find(&usb_thread->rows, &place->identity) : CONTROLLER_MAX;
     if (row < CONTROLLER_MAX && row != entry->row &&
-        pump->rows.row[row].state == CONTROLLER_LOST) {
-        usb_rows_clear(&pump->rows, row);
+        usb_thread->rows.row[row].state == CONTROLLER_LOST) {
+        device_table_clear(&usb_thread->rows, row);
     }
 }
 
 /* Detaches links that are still closing from this slot. */
-static void clear_seat(struct usb_pump *pump, uint32_t seat)
+static void clear_seat(struct usb_event_thread *usb_thread, uint32_t seat)
 {
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        if (pump->link[i].seat == &pump->seat[seat]) {
-            usb_link_leave(&pump->link[i]);
+        if (usb_thread->link[i].seat == &usb_thread->seat[seat]) {
+            usb_transfers_detach(&usb_thread->link[i]);
         }
     }
 }
 
-static void seat_it(struct usb_pump *pump, struct usb_entry *entry, libusb_device_handle *handle,
-                    uint32_t seat, uint32_t link)
+static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
+                    libusb_device_handle *handle, uint32_t seat, uint32_t link)
 {
-    forget_former(pump, entry, seat);
-    clear_seat(pump, seat);
-    pump->place[seat] = (struct usb_place){
-        .was_taken = 1, .is_taken = 1, .identity = entry->device.face.identity
-    };
+    forget_former(usb_thread, entry, seat);
+    clear_seat(usb_thread, seat);
+    usb_thread->place[seat] = (struct usb_place){ .was_taken = 1,
+                                                  .is_taken = 1,
+                                                  .identity = entry->device.face.identity };
     entry->seat = seat;
     entry->link = link;
-    usb_seat_sit(&pump->seat[seat], &entry->device.face);
-    usb_link_begin(&pump->link[link], handle, &entry->device.pipe, &pump->seat[seat]);
-    usb_pump_show(pump, entry, CONTROLLER_PLAYS);
+    usb_slot_attach(&usb_thread->seat[seat], &entry->device.face);
+    usb_transfers_begin(&usb_thread->link[link], handle, &entry->device.pipe,
+                        &usb_thread->seat[seat]);
+    usb_event_thread_update_row(usb_thread, entry, CONTROLLER_ACTIVE);
 }
 
 /* ---- Examining and opening ------------------------------------------------------------------ */
 
 /* Returns 1 if the controller had a slot and is only lost. */
-static int was_here(const struct usb_pump *pump, const struct usb_entry *entry)
+static int was_here(const struct usb_event_thread *usb_thread, const struct usb_device_entry *entry)
 {
-    return entry->row < CONTROLLER_MAX && pump->rows.row[entry->row].state == CONTROLLER_LOST;
+    return entry->row < CONTROLLER_MAX && usb_thread->rows.row[entry->row].state == CONTROLLER_LOST;
 }
 
-static uint64_t retry_ns(const struct usb_entry *entry)
+static uint64_t retry_ns(const struct usb_device_entry *entry)
 {
     const uint32_t doublings = entry->failures > 0u ? entry->failures - 1u : 0u;
     const uint64_t wait_ns = RETRY_NS << doublings;
     return wait_ns < RETRY_NS_MAX ? wait_ns : RETRY_NS_MAX;
 }
 
-static void say_trouble(struct usb_pump *pump, struct usb_entry *entry)
+static void say_trouble(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
-    usb_pump_tell_trouble(pump, entry);
+    usb_event_thread_report_fault(usb_thread, entry);
     const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
-    usb_pump_show(pump, entry,
-                  (uint8_t)(is_denied                 ? CONTROLLER_DENIED
-                            : was_here(pump, entry) ? CONTROLLER_LOST
-                                                      : CONTROLLER_FREE));
-    entry->due_ns = usb_pump_now_ns(pump) + retry_ns(entry);
+    usb_event_thread_update_row(usb_thread, entry,
+                                (uint8_t)(is_denied                     ? CONTROLLER_DENIED
+                                          : was_here(usb_thread, entry) ? CONTROLLER_LOST
+                                                                        : CONTROLLER_FREE));
+    entry->due_ns = usb_event_thread_now_ns(usb_thread) + retry_ns(entry);
 }
 
-static void open_it(struct usb_pump *pump, struct usb_entry *entry)
+static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
-    const struct usb_judge judge = judge_of(pump);
-    const uint32_t seat = find_seat(pump, &entry->device.face.identity);
-    const uint32_t link = find_link(pump);
+    const struct usb_evaluation judge = judge_of(usb_thread);
+    const uint32_t seat = find_seat(usb_thread, &entry->device.face.identity);
+    const uint32_t link = find_link(usb_thread);
     libusb_device_handle *handle;
-    if (seat >= POI_MAX || link == USB_NOBODY) {
-        usb_pump_show(pump, entry, CONTROLLER_FREE);
-        entry->due_ns = usb_pump_now_ns(pump) + RETRY_NS;
+    if (seat >= POI_MAX || link == USB_INDEX_NONE) {
+        usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
+        entry->due_ns = usb_event_thread_now_ns(usb_thread) + RETRY_NS;
         return;
     }
     entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
@@ -156,96 +161,101 @@ static void open_it(struct usb_pump *pump, struct usb_entry *entry)
                                                                  : FAILURES_MAX);
     if (handle) {
         entry->told_trouble = USB_FINE;
-        seat_it(pump, entry, handle, seat, link);
+        seat_it(usb_thread, entry, handle, seat, link);
     } else if (entry->trouble != USB_FINE) {
-        say_trouble(pump, entry);
+        say_trouble(usb_thread, entry);
     } else {
-        entry->due_ns = usb_pump_now_ns(pump); /* The descriptor changed the verdict. */
+        entry->due_ns =
+            usb_event_thread_now_ns(usb_thread); /* The descriptor changed the verdict. */
     }
 }
 
 /* Returns when to examine a device again. /sys shows no descriptor until a driver binds the
  * device, and after SETTLE_NS none will bind. */
-static uint64_t next_look_ns(const struct usb_pump *pump, const struct usb_entry *entry)
+static uint64_t next_look_ns(const struct usb_event_thread *usb_thread,
+                             const struct usb_device_entry *entry)
 {
-    const uint64_t now_ns = usb_pump_now_ns(pump);
+    const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
     return entry->device.kind == USB_KIND_UNKNOWN && now_ns - entry->met_ns < SETTLE_NS
                ? now_ns + SOON_NS
                : UINT64_MAX;
 }
 
-static void look_at(struct usb_pump *pump, struct usb_entry *entry)
+static void look_at(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
-    const struct usb_judge judge = judge_of(pump);
-    usb_device_look(&entry->device, &judge);
-    entry->due_ns = next_look_ns(pump, entry);
+    const struct usb_evaluation judge = judge_of(usb_thread);
+    usb_device_refresh(&entry->device, &judge);
+    entry->due_ns = next_look_ns(usb_thread, entry);
     if (entry->device.verdict <= USB_FREE) {
         entry->trouble = entry->told_trouble = USB_FINE;
     }
     switch (entry->device.verdict) {
     case USB_BARRED:
-        usb_pump_show(pump, entry, CONTROLLER_BARRED);
+        usb_event_thread_update_row(usb_thread, entry, CONTROLLER_UNSUPPORTED);
         break;
     case USB_FREE:
-        usb_pump_show(pump, entry, CONTROLLER_FREE);
+        usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
         break;
     default:
-        open_it(pump, entry);
+        open_it(usb_thread, entry);
     }
 }
 
 /* Returns 1 while the old handle is open, since its interface cannot be claimed again until
  * then. */
-static int is_draining(const struct usb_pump *pump, const struct usb_entry *entry)
+static int is_draining(const struct usb_event_thread *usb_thread,
+                       const struct usb_device_entry *entry)
 {
-    return entry->drains != USB_NOBODY && pump->link[entry->drains].state == USB_LINK_DRAINING;
+    return entry->drains != USB_INDEX_NONE &&
+           usb_thread->link[entry->drains].state == USB_TRANSFERS_DRAINING;
 }
 
 /* Detaches the device of a failed link, and closes the link at once if all transfers have
  * returned. */
-static void unseat_link(struct usb_pump *pump, uint32_t link)
+static void unseat_link(struct usb_event_thread *usb_thread, uint32_t link)
 {
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        struct usb_entry *entry = &pump->entry[i];
+        struct usb_device_entry *entry = &usb_thread->entry[i];
         if (entry->device.device && entry->link == link) {
-            usb_pump_unseat(pump, entry, pump->link[link].is_gone);
+            usb_event_thread_detach(usb_thread, entry, usb_thread->link[link].is_gone);
         }
     }
-    usb_link_tend(&pump->link[link]);
+    usb_transfers_service(&usb_thread->link[link]);
 }
 
-void usb_pump_tend(struct usb_pump *pump)
+void usb_event_thread_service(struct usb_event_thread *usb_thread)
 {
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        struct usb_entry *entry = &pump->entry[i];
+        struct usb_device_entry *entry = &usb_thread->entry[i];
         if (!entry->device.device) {
             continue;
         }
-        if (entry->link != USB_NOBODY) {
-            usb_link_send(&pump->link[entry->link]);
-        } else if (!is_draining(pump, entry) && usb_pump_now_ns(pump) >= entry->due_ns) {
-            look_at(pump, entry);
+        if (entry->link != USB_INDEX_NONE) {
+            usb_transfers_send(&usb_thread->link[entry->link]);
+        } else if (!is_draining(usb_thread, entry) &&
+                   usb_event_thread_now_ns(usb_thread) >= entry->due_ns) {
+            look_at(usb_thread, entry);
         }
     }
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        if (usb_link_tend(&pump->link[i])) {
-            unseat_link(pump, i);
+        if (usb_transfers_service(&usb_thread->link[i])) {
+            unseat_link(usb_thread, i);
         }
     }
 }
 
-uint64_t usb_pump_due_ns(const struct usb_pump *pump)
+uint64_t usb_event_thread_due_ns(const struct usb_event_thread *usb_thread)
 {
-    uint64_t due_ns = pump->compare_ns;
+    uint64_t due_ns = usb_thread->compare_ns;
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        const struct usb_entry *entry = &pump->entry[i];
-        if (entry->device.device && entry->link == USB_NOBODY && !is_draining(pump, entry) &&
-            entry->due_ns < due_ns) {
+        const struct usb_device_entry *entry = &usb_thread->entry[i];
+        if (entry->device.device && entry->link == USB_INDEX_NONE &&
+            !is_draining(usb_thread, entry) && entry->due_ns < due_ns) {
             due_ns = entry->due_ns;
         }
     }
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        const uint64_t link_ns = usb_link_due_ns(&pump->link[i]);
+        const uint64_t link_ns = usb_transfers_due_ns(&usb_thread->link[i]);
         due_ns = link_ns < due_ns ? link_ns : due_ns;
     }
     return due_ns;

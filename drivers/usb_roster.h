@@ -12,34 +12,36 @@
 #include "drivers/usb_mail.h"
 #include "drivers/usb_rows.h"
 
-#define USB_ORDER_MAX 8u /* Capacity of the command queue, which is emptied within a frame. */
+#define USB_COMMAND_MAX 8u /* Capacity of the command queue, which is emptied within a frame. */
 
 /* A command with a copy of the identity, because rows can change before the command is executed. */
-struct usb_order {
+struct usb_command {
     uint8_t plays; /* 1 to choose the controller, 0 to release it. */
     struct hid_identity identity;
 };
 
-struct usb_roster {
-    struct usb_mail mail;
-    struct usb_rows rows[USB_MAIL_SLOTS];
+struct usb_device_list {
+    struct triple_buffer mail;
+    struct device_table rows[TRIPLE_BUFFER_SLOTS];
     atomic_uint pushed, taken; /* Counters of the commands. */
-    struct usb_order order[USB_ORDER_MAX];
+    struct usb_command order[USB_COMMAND_MAX];
     void (*wake)(void *self);
     void *wake_self;
 };
 
 /* Initializes an empty list. `wake` is called for each command. */
-void usb_roster_init(struct usb_roster *roster, void (*wake)(void *self), void *wake_self);
+void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void *self),
+                          void *wake_self);
 
-/* For the event thread: copies and publishes `rows`; takes the next command. usb_roster_order()
- * returns 1, or 0 if there is no command. */
-void usb_roster_post(struct usb_roster *roster, const struct usb_rows *rows);
-int usb_roster_order(struct usb_roster *roster, struct usb_order *out);
+/* For the event thread: copies and publishes `rows`; takes the next command.
+ * usb_device_list_take_command() returns 1, or 0 if there is no command. */
+void usb_device_list_publish(struct usb_device_list *device_list, const struct device_table *rows);
+int usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out);
 
 /* For the frame loop: copies the chosen keys and returns their number; returns the device list
  * interface. */
-uint32_t usb_roster_wanted(struct usb_roster *roster, struct usb_key out[USB_WISH_MAX]);
-struct hid_roster usb_roster_face(struct usb_roster *roster);
+uint32_t usb_device_list_wanted(struct usb_device_list *device_list,
+                                struct usb_key out[USB_REQUEST_MAX]);
+struct hid_device_list usb_device_list_device(struct usb_device_list *device_list);
 
 #endif

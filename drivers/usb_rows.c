@@ -5,20 +5,20 @@
 
 #include "drivers/usb_choice.h"
 
-void usb_rows_clear(struct usb_rows *rows, uint32_t index)
+void device_table_clear(struct device_table *rows, uint32_t index)
 {
     rows->row[index] = (struct hid_row){ .state = CONTROLLER_NONE, .seat = POI_MAX };
 }
 
-void usb_rows_init(struct usb_rows *rows)
+void device_table_init(struct device_table *rows)
 {
     memset(rows, 0, sizeof *rows);
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        usb_rows_clear(rows, i);
+        device_table_clear(rows, i);
     }
 }
 
-static uint32_t first_of(const struct usb_rows *rows, uint8_t state)
+static uint32_t first_of(const struct device_table *rows, uint8_t state)
 {
     uint32_t i = 0;
     while (i < CONTROLLER_MAX && rows->row[i].state != state) {
@@ -27,7 +27,7 @@ static uint32_t first_of(const struct usb_rows *rows, uint8_t state)
     return i;
 }
 
-static uint32_t count_of(const struct usb_rows *rows, uint8_t state)
+static uint32_t count_of(const struct device_table *rows, uint8_t state)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
@@ -36,12 +36,12 @@ static uint32_t count_of(const struct usb_rows *rows, uint8_t state)
     return count;
 }
 
-static uint32_t lost_row(const struct usb_rows *rows, const struct hid_identity *identity)
+static uint32_t lost_row(const struct device_table *rows, const struct hid_identity *identity)
 {
     uint32_t best = CONTROLLER_MAX, most = 0;
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         const uint32_t likeness = rows->row[i].state == CONTROLLER_LOST
-                                      ? usb_choice_likeness(&rows->row[i].identity, identity)
+                                      ? usb_choice_similarity(&rows->row[i].identity, identity)
                                       : 0u;
         if (likeness > most) {
             best = i;
@@ -51,7 +51,7 @@ static uint32_t lost_row(const struct usb_rows *rows, const struct hid_identity 
     return best;
 }
 
-static uint32_t place_for(const struct usb_rows *rows, const struct hid_identity *identity,
+static uint32_t place_for(const struct device_table *rows, const struct hid_identity *identity,
                           int is_barred)
 {
     const uint32_t lost = lost_row(rows, identity);
@@ -61,7 +61,7 @@ static uint32_t place_for(const struct usb_rows *rows, const struct hid_identity
     if (is_barred && count_of(rows, CONTROLLER_NONE) <= POI_MAX) {
         return CONTROLLER_MAX;
     }
-    static const uint8_t yields[] = { CONTROLLER_NONE, CONTROLLER_BARRED, CONTROLLER_LOST };
+    static const uint8_t yields[] = { CONTROLLER_NONE, CONTROLLER_UNSUPPORTED, CONTROLLER_LOST };
     uint32_t index = CONTROLLER_MAX;
     for (uint32_t i = 0; i < sizeof yields && index == CONTROLLER_MAX; i++) {
         index = first_of(rows, yields[i]);
@@ -69,20 +69,21 @@ static uint32_t place_for(const struct usb_rows *rows, const struct hid_identity
     return index;
 }
 
-uint32_t usb_rows_enter(struct usb_rows *rows, const struct hid_identity *identity, int is_barred)
+uint32_t device_table_enter(struct device_table *rows, const struct hid_identity *identity,
+                            int is_barred)
 {
     const uint32_t index = place_for(rows, identity, is_barred);
     if (index < CONTROLLER_MAX) {
         rows->row[index] = (struct hid_row){
             .identity = *identity,
-            .state = (uint8_t)(is_barred ? CONTROLLER_BARRED : CONTROLLER_FREE),
+            .state = (uint8_t)(is_barred ? CONTROLLER_UNSUPPORTED : CONTROLLER_FREE),
             .seat = POI_MAX,
         };
     }
     return index;
 }
 
-uint32_t usb_rows_find(const struct usb_rows *rows, const struct hid_identity *identity)
+uint32_t device_table_find(const struct device_table *rows, const struct hid_identity *identity)
 {
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         const struct hid_row *row = &rows->row[i];

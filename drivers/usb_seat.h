@@ -15,22 +15,22 @@
 
 /* State of the slot's output report. */
 enum usb_outgoing {
-    USB_OUT_NONE = 0, /* The frame loop may write the next report. */
-    USB_OUT_READY,    /* The event thread may send the report. */
-    USB_OUT_FLYING,   /* The transfer of the report is in flight. */
+    USB_OUT_NONE = 0,  /* The frame loop may write the next report. */
+    USB_OUT_READY,     /* The event thread may send the report. */
+    USB_OUT_SUBMITTED, /* The transfer of the report is in flight. */
 };
 
-struct usb_sitting {
+struct usb_attachment {
     uint32_t generation;
-    struct hid_face face;
+    struct hid_device_info face;
 };
 
-struct usb_seat {
+struct usb_slot {
     /* The following fields are shared by both threads. */
-    struct usb_ring ring;
+    struct report_ring ring;
     atomic_uint generation; /* Number of the attachment; odd while a controller is attached. */
-    struct usb_mail mail;
-    struct usb_sitting sitting[USB_MAIL_SLOTS];
+    struct triple_buffer mail;
+    struct usb_attachment attachment[TRIPLE_BUFFER_SLOTS];
     /* enum usb_outgoing; selects the thread that owns the next three fields. */
     atomic_uint outgoing;
     uint32_t out_size, out_generation;
@@ -47,30 +47,30 @@ struct usb_seat {
 };
 
 /* Initializes an empty slot. `wake` is called for each output report. */
-void usb_seat_init(struct usb_seat *seat, void (*wake)(void *self), void *wake_self);
+void usb_slot_init(struct usb_slot *seat, void (*wake)(void *self), void *wake_self);
 
 /* ---- Event thread --------- */
 
 /* Attaches a controller to an empty slot. `face` is copied. */
-void usb_seat_sit(struct usb_seat *seat, const struct hid_face *face);
+void usb_slot_attach(struct usb_slot *seat, const struct hid_device_info *face);
 
 /* Detaches the controller. The queued reports can still be read. */
-void usb_seat_leave(struct usb_seat *seat);
+void usb_slot_detach(struct usb_slot *seat);
 
 /* Queues a report of the attached controller, received at `now_ns`. Size 0 is ignored, and a
  * report of more than HID_REPORT_MAX bytes counts as lost. */
-void usb_seat_report(struct usb_seat *seat, uint64_t now_ns, const uint8_t *bytes, uint32_t size);
+void usb_slot_report(struct usb_slot *seat, uint64_t now_ns, const uint8_t *bytes, uint32_t size);
 
 /* Returns the size of the output report to send now, or 0. The event thread owns `out_bytes`
- * until usb_seat_sent(). */
-uint32_t usb_seat_outgoing(struct usb_seat *seat);
+ * until usb_slot_sent(). */
+uint32_t usb_slot_outgoing(struct usb_slot *seat);
 
 /* Releases the output report, so that the frame loop may write the next one. */
-void usb_seat_sent(struct usb_seat *seat);
+void usb_slot_sent(struct usb_slot *seat);
 
 /* ---- Frame loop --------------- */
 
 /* Returns the port of the slot for poi_hid.h. */
-struct hid_port usb_seat_port(struct usb_seat *seat);
+struct hid_port usb_slot_port(struct usb_slot *seat);
 
 #endif

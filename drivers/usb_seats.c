@@ -10,7 +10,7 @@
 #define PATH_SIZE 1100u /* Fits a data folder and a file name. */
 
 struct usb_seats {
-    struct usb_pump pump;
+    struct usb_event_thread usb_thread;
     uint8_t is_running;
     char choices[PATH_SIZE], sysfs[PATH_SIZE];
 };
@@ -20,57 +20,58 @@ static struct usb_seats one;
 /* Publishes an empty device list with the reason why there is no USB. */
 static void be_dead(struct usb_seats *seats, const char *why)
 {
-    struct usb_rows *rows = &seats->pump.rows;
+    struct device_table *rows = &seats->usb_thread.rows;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        seats->pump.seat[i].is_never = 1;
+        seats->usb_thread.seat[i].is_never = 1;
     }
     snprintf(rows->text, sizeof rows->text, "%s", why);
     rows->wanted_count = 0; /* Other drivers may use these controllers. */
-    usb_roster_post(&seats->pump.roster, rows);
+    usb_device_list_publish(&seats->usb_thread.device_list, rows);
 }
 
-struct usb_seats *usb_seats_start(const struct usb_seats_config *config, char why[HAL_TEXT_SIZE])
+struct usb_seats *usb_transport_start(const struct usb_transport_config *config,
+                                      char why[HAL_TEXT_SIZE])
 {
-    struct usb_pump *pump = &one.pump;
+    struct usb_event_thread *usb_thread = &one.usb_thread;
     memset(&one, 0, sizeof one);
     why[0] = '\0';
     snprintf(one.choices, sizeof one.choices, "%s", config->choices ? config->choices : "");
     snprintf(one.sysfs, sizeof one.sysfs, "%s", config->sysfs ? config->sysfs : "/sys");
-    pump->clock = config->clock;
-    pump->choices_path = one.choices;
-    pump->sysfs = one.sysfs;
-    pump->tell = config->tell;
-    pump->tell_self = config->tell_self;
-    pump->is_unread = usb_choice_load(&pump->choice, one.choices, why) < 0;
+    usb_thread->clock = config->clock;
+    usb_thread->choices_path = one.choices;
+    usb_thread->sysfs = one.sysfs;
+    usb_thread->tell = config->tell;
+    usb_thread->tell_self = config->tell_self;
+    usb_thread->is_unread = usb_choice_load(&usb_thread->choice, one.choices, why) < 0;
     for (uint32_t i = 0; i < config->listed_count; i++) {
-        usb_choice_wish(&pump->choice, &config->listed[i], 1, 0);
+        usb_choice_request(&usb_thread->choice, &config->listed[i], 1, 0);
     }
-    one.is_running = usb_pump_begin(pump, why) == 0;
+    one.is_running = usb_event_thread_begin(usb_thread, why) == 0;
     if (!one.is_running) {
         be_dead(&one, why);
     }
     return &one;
 }
 
-struct hid_port usb_seats_port(struct usb_seats *seats, uint32_t index)
+struct hid_port usb_transport_port(struct usb_seats *seats, uint32_t index)
 {
-    return usb_seat_port(&seats->pump.seat[index]);
+    return usb_slot_port(&seats->usb_thread.seat[index]);
 }
 
-struct hid_roster usb_seats_roster(struct usb_seats *seats)
+struct hid_device_list usb_transport_roster(struct usb_seats *seats)
 {
-    return usb_roster_face(&seats->pump.roster);
+    return usb_device_list_device(&seats->usb_thread.device_list);
 }
 
-uint32_t usb_seats_wanted(struct usb_seats *seats, struct usb_key out[USB_WISH_MAX])
+uint32_t usb_transport_wanted(struct usb_seats *seats, struct usb_key out[USB_REQUEST_MAX])
 {
-    return usb_roster_wanted(&seats->pump.roster, out);
+    return usb_device_list_wanted(&seats->usb_thread.device_list, out);
 }
 
-void usb_seats_stop(struct usb_seats *seats)
+void usb_transport_stop(struct usb_seats *seats)
 {
     if (seats->is_running) {
-        usb_pump_end(&seats->pump);
+        usb_event_thread_end(&seats->usb_thread);
         seats->is_running = 0;
     }
 }

@@ -17,35 +17,36 @@
 struct usb_seats;
 
 /* Configuration; everything is copied except the objects behind `clock` and the callback. */
-struct usb_seats_config {
+struct usb_transport_config {
     struct hal_clock clock;       /* Clock, which the event thread uses too. */
     const char *choices;          /* File of chosen controllers; null: choices are not stored. */
     const struct usb_key *listed; /* Controllers that play regardless of the file (--usb). */
     uint32_t listed_count;
     const char *sysfs;            /* Null: "/sys". Tests use a folder of their own. */
     /* Reports in one line that a controller which should play cannot be opened. Called from the
-     * event thread. If null, only hid_roster_ops.describe() reports it. */
+     * event thread. If null, only hid_device_list_ops.describe() reports it. */
     void (*tell)(void *self, const char *line);
     void *tell_self;
 };
 
 /* Starts the event thread and returns the only instance, which is a static object. `why` is ""
- * or gets one line. Without USB the slots return HAL_ERR_NONE. An invalid line of the choices
+ * or gets one line. Without USB the slots return HAL_ERR_ABSENT. An invalid line of the choices
  * file is reported too, and a file that cannot be read is reported and not overwritten. */
-struct usb_seats *usb_seats_start(const struct usb_seats_config *config, char why[HAL_TEXT_SIZE]);
+struct usb_seats *usb_transport_start(const struct usb_transport_config *config,
+                                      char why[HAL_TEXT_SIZE]);
 
 /* Returns slot `index` < POI_MAX. A controller gets the same slot after it was unplugged, by
  * vendor:product:serial or else by port. */
-struct hid_port usb_seats_port(struct usb_seats *seats, uint32_t index);
+struct hid_port usb_transport_port(struct usb_seats *seats, uint32_t index);
 
 /* Returns the device list for the controller manager. */
-struct hid_roster usb_seats_roster(struct usb_seats *seats);
+struct hid_device_list usb_transport_roster(struct usb_seats *seats);
 
 /* Copies the keys chosen by the file or --usb, whether plugged in or not, so that no other
  * driver opens these controllers first. Returns their number, or 0 without USB. */
-uint32_t usb_seats_wanted(struct usb_seats *seats, struct usb_key out[USB_WISH_MAX]);
+uint32_t usb_transport_wanted(struct usb_seats *seats, struct usb_key out[USB_REQUEST_MAX]);
 
 /* Cancels all transfers, closes all devices, reattaches kernel drivers and ends the thread. */
-void usb_seats_stop(struct usb_seats *seats);
+void usb_transport_stop(struct usb_seats *seats);
 
 #endif

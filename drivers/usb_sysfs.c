@@ -15,7 +15,7 @@
 
 /* Reads at most `size` bytes of a file. Returns the number of bytes, or 0 if the file cannot be
  * read. */
-static uint32_t read_file(const char *path, void *out, uint32_t size)
+static uint32_t usb_sysfs_read_file(const char *path, void *out, uint32_t size)
 {
     const int fd = open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
@@ -46,7 +46,7 @@ static void drop_cut_character(char *text, size_t length)
     }
 }
 
-void usb_clean_text(char text[HID_TEXT_SIZE])
+void usb_sysfs_clean_text(char text[HID_TEXT_SIZE])
 {
     size_t length = strnlen(text, HID_TEXT_SIZE - 1u);
     text[length] = '\0';
@@ -62,9 +62,9 @@ void usb_sysfs_text(const char *root, const char *port, const char *name,
 {
     char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/bus/usb/devices/%s/%s", root, port, name);
-    const uint32_t size = read_file(path, out, HID_TEXT_SIZE - 1u);
+    const uint32_t size = usb_sysfs_read_file(path, out, HID_TEXT_SIZE - 1u);
     out[size] = '\0';
-    usb_clean_text(out);
+    usb_sysfs_clean_text(out);
 }
 
 /* Removes the last component of a path. Returns 0 if there is none left. */
@@ -95,8 +95,8 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
         snprintf(path, sizeof path, "%s/idVendor", folder);
         if (access(path, F_OK) == 0) {
             snprintf(path, sizeof path, "%s/serial", folder);
-            out[read_file(path, out, HID_TEXT_SIZE - 1u)] = '\0';
-            usb_clean_text(out);
+            out[usb_sysfs_read_file(path, out, HID_TEXT_SIZE - 1u)] = '\0';
+            usb_sysfs_clean_text(out);
             return;
         }
     }
@@ -122,7 +122,7 @@ uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t config
     while (dir && size == 0u && (entry = readdir(dir))) {
         if (is_hid_folder(entry->d_name)) {
             snprintf(path, sizeof path, "%s/%.32s/report_descriptor", folder, entry->d_name);
-            size = read_file(path, out, HID_DESCRIPTOR_MAX);
+            size = usb_sysfs_read_file(path, out, HID_DESCRIPTOR_MAX);
         }
     }
     if (dir) {

@@ -26,6 +26,6 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
 
 /* Trims a device's text in place, drops a truncated character at the end, and applies
  * printable(). */
-void usb_clean_text(char text[HID_TEXT_SIZE]);
+void usb_sysfs_clean_text(char text[HID_TEXT_SIZE]);
 
 #endif

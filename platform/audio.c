@@ -45,7 +45,7 @@ static void quiet_alsa(void)
     }
 }
 
-static uint64_t now_ns(void)
+static uint64_t audio_now_ns(void)
 {
     const struct hal_clock clock = clock_device();
     return clock.ops->now_ns(clock.self);
@@ -65,7 +65,7 @@ static uint64_t cards_changed_ns(const struct audio *audio)
  * 5 ms. */
 static bool is_worth_a_look(struct audio *audio)
 {
-    const uint64_t now = now_ns(), changed = cards_changed_ns(audio);
+    const uint64_t now = audio_now_ns(), changed = cards_changed_ns(audio);
     const bool is_due = now - audio->tried_ns >= AUDIO_TRY_S * 1000000000ull;
     if (audio->tried_ns > 0 && !is_due && changed == audio->cards_ns) {
         return false;
@@ -82,7 +82,7 @@ static int audio_open(void *self)
         return HAL_OK;
     }
     if (!is_worth_a_look(audio)) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     const SDL_AudioSpec wanted = {
         .freq = (int)SYNTH_RATE_HZ,
@@ -110,7 +110,7 @@ static int audio_open(void *self)
     }
     snprintf(audio->text, sizeof audio->text,
              "no sound: %.70s; plug a sound device in or set SDL_AUDIODRIVER", SDL_GetError());
-    return HAL_ERR_NONE;
+    return HAL_ERR_ABSENT;
 }
 
 static void audio_close(void *self)
@@ -127,7 +127,7 @@ static int audio_play(void *self, const struct sound_event *event)
 {
     struct audio *audio = self;
     if (!audio->device) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (SDL_GetAudioDeviceStatus(audio->device) == SDL_AUDIO_STOPPED) {
         audio_close(audio); /* The next open() then searches for a card. */

@@ -23,14 +23,14 @@ enum board_keyboard {
     BOARD_KEYBOARD_OFF,      /* Ignores all keys: no key acts as a button, a coin or quit. */
 };
 
-#define BOARD_USB_MAX 8u     /* Controllers that can be named: the number of rows in struct
-                                desk_input. */
+/* Controllers that can be named: the number of rows in struct controller_status. */
+#define BOARD_USB_MAX 8u
 #define BOARD_USB_SIZE 74u   /* "VVVV:PPPP:" and a serial number of 63 bytes. */
 #define BOARD_LINE_MAX 32u   /* GPIO line options: every role once, and again as override. */
 #define BOARD_LINE_SIZE 128u /* "coin-counter=LABEL:OFFSET,low,up,pulse=100ms/100ms" and some
                                 reserve. */
 
-struct shelf;
+struct library;
 
 struct board_options {
     uint8_t poi;               /* enum board_poi */
@@ -49,8 +49,8 @@ struct board_options {
     uint8_t mute;
     const char *data_dir;      /* Folder of the store; null stores nothing. */
     struct view view;          /* View from which the rays of a pointer device start. */
-    const struct shelf *shelf; /* Species files of makers to show (platform/species/shelf.h); null:
-                                  none. */
+    const struct library *library; /* Species files of makers to show (platform/species/shelf.h);
+                                      null: none. */
     /* Called when the display is lost for good, from inside the display call that detected the
      * loss. The callback must end the program, because memory below the display may not survive the
      * return of that call. Null: no callback. */
@@ -65,11 +65,10 @@ struct board_options {
 
 /* Returns 0 if every text is a valid GPIO line option and no two roles share a line. Otherwise
  * returns -1 and writes the reason to `why`. */
-int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count,
-                      char why[HAL_TEXT_SIZE]);
+int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE]);
 
 /* Returns 1 if `text` names a USB controller: "VVVV:PPPP" or "VVVV:PPPP:SERIAL". */
-int board_reads_usb(const char *text);
+int board_check_usb(const char *text);
 
 /* Connects real drivers where there are devices and null drivers where there are none. Never fails;
  * describe() of each device states what is missing. */
@@ -78,9 +77,9 @@ void board_open(struct hal *hal, const struct board_options *options);
 /* Releases every device except the display, which may already be lost. Afterwards coins pass
  * through to the return slot, kernel drivers have their controllers again, and all driver threads
  * have ended. */
-void board_let_go(struct hal *hal);
+void board_release_store(struct hal *hal);
 
-/* Releases every device as board_let_go() and closes the display. */
+/* Releases every device as board_release_store() and closes the display. */
 void board_close(struct hal *hal);
 
 /* Opens the board's display off screen with START pressed once at `start_ns`, without controllers,

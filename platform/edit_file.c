@@ -58,7 +58,7 @@ static int replace(const char *path, const char *text, size_t size)
     char beside[PATH_SIZE + SPECIES_NAME_SIZE + 32u];
     snprintf(beside, sizeof beside, "%s.new", path);
     unlink(beside); /* Remove the remains of an earlier power cut or a foreign file. */
-    const int fd = plain_file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
+    const int fd = regular_file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
     if (fd < 0) {
         return -errno;
     }
@@ -75,66 +75,66 @@ static int replace(const char *path, const char *text, size_t size)
     return error;
 }
 
-int edit_file_keep(const char *data, const struct edit_record *record)
+int graph_file_write(const char *data, const struct graph_edit_record *record)
 {
-    char folder[PATH_SIZE], path[PATH_SIZE + SPECIES_NAME_SIZE + 16u], text[EDIT_TEXT_MAX];
-    const int length = snprintf(folder, sizeof folder, "%s/" EDIT_FOLDER, data);
+    char folder[PATH_SIZE], path[PATH_SIZE + SPECIES_NAME_SIZE + 16u], text[GRAPH_FILE_TEXT_MAX];
+    const int length = snprintf(folder, sizeof folder, "%s/" GRAPH_FILE_FOLDER, data);
     if (!is_plain_name(record->species) || length < 0 || (size_t)length >= sizeof folder) {
         return -ENAMETOOLONG;
     }
-    int error = folder_make(folder);
+    int error = directory_make(folder);
     if (error != 0) {
         return error;
     }
-    snprintf(path, sizeof path, "%s/%s" EDIT_SUFFIX, folder, record->species);
+    snprintf(path, sizeof path, "%s/%s" GRAPH_FILE_SUFFIX, folder, record->species);
     if (record->is_own) {
         error = unlink(path) != 0 && errno != ENOENT ? -errno : 0;
     } else {
-        error = replace(path, text, edit_file_format(record, text));
+        error = replace(path, text, graph_file_format(record, text));
     }
     return error != 0 ? error : sync_folder(folder);
 }
 
-static void tell(struct edit_warn warn, const char *path, const char *why)
+static void graph_file_print_warning(struct graph_file_warn warn, const char *path, const char *why)
 {
-    char line[PATH_SIZE + EDIT_WHY_SIZE];
+    char line[PATH_SIZE + GRAPH_FILE_WHY_SIZE];
     if (warn.tell != NULL) {
         snprintf(line, sizeof line, "%s:%s", path, why);
         warn.tell(warn.context, line);
     }
 }
 
-/* Reads one edit. A file longer than EDIT_TEXT_MAX is rejected. */
+/* Reads one edit. A file longer than GRAPH_FILE_TEXT_MAX is rejected. */
 static void fill_one(const char *path, const struct species_card *card, uint8_t *has,
-                     struct lab_edit *edit, struct edit_warn warn)
+                     struct lab_edit *edit, struct graph_file_warn warn)
 {
-    char text[EDIT_TEXT_MAX + 1u], why[EDIT_WHY_SIZE];
-    const int fd = plain_file_handle(path, O_RDONLY, 0);
+    char text[GRAPH_FILE_TEXT_MAX + 1u], why[GRAPH_FILE_WHY_SIZE];
+    const int fd = regular_file_handle(path, O_RDONLY, 0);
     if (fd < 0) {
         if (errno != ENOENT && errno != ENOTDIR) {
-            snprintf(why, sizeof why, " cannot open: %.80s", plain_file_error(errno));
-            tell(warn, path, why);
+            snprintf(why, sizeof why, " cannot open: %.80s", regular_file_error(errno));
+            graph_file_print_warning(warn, path, why);
         }
         return;
     }
     const ssize_t size = read(fd, text, sizeof text);
     close(fd);
-    if (size < 0 || (size_t)size > EDIT_TEXT_MAX) {
-        tell(warn, path, size < 0 ? " cannot read" : " longer than any graph");
-    } else if (edit_file_parse(text, (size_t)size, card, edit, why)) {
+    if (size < 0 || (size_t)size > GRAPH_FILE_TEXT_MAX) {
+        graph_file_print_warning(warn, path, size < 0 ? " cannot read" : " longer than any graph");
+    } else if (graph_file_parse(text, (size_t)size, card, edit, why)) {
         *has = 1;
     } else {
-        tell(warn, path, why);
+        graph_file_print_warning(warn, path, why);
     }
 }
 
-void edit_file_fill(const char *data, struct lab_book *book, struct edit_warn warn)
+void graph_file_load(const char *data, struct lab_book *book, struct graph_file_warn warn)
 {
     char path[PATH_SIZE];
     for (uint32_t i = 0; i < lab_book_count(book) && data != NULL && data[0] != 0; i++) {
         const struct species_card *card = lab_book_card(book, i);
-        const int length = snprintf(path, sizeof path, "%s/" EDIT_FOLDER "/%s" EDIT_SUFFIX, data,
-                                    card->id);
+        const int length = snprintf(
+            path, sizeof path, "%s/" GRAPH_FILE_FOLDER "/%s" GRAPH_FILE_SUFFIX, data, card->id);
         if (length > 0 && (size_t)length < sizeof path && is_plain_name(card->id)) {
             fill_one(path, card, &book->has_edit[i], &book->edits[i], warn);
         }

@@ -23,34 +23,34 @@
 #include "core/game/lab_book.h"
 #include "core/output.h"
 
-#define EDIT_FILE_VERSION 1u
-#define EDIT_FOLDER "graphs"
-#define EDIT_SUFFIX ".graph"
-#define EDIT_WHY_SIZE 160u
-#define EDIT_TEXT_MAX 4096u /* The longest graph takes 2.2 KB. */
+#define GRAPH_FILE_VERSION 1u
+#define GRAPH_FILE_FOLDER "graphs"
+#define GRAPH_FILE_SUFFIX ".graph"
+#define GRAPH_FILE_WHY_SIZE 160u
+#define GRAPH_FILE_TEXT_MAX 4096u /* The longest graph takes 2.2 KB. */
 
 /* ---- Implemented in edit_text.c ---- */
 
-/* Formats `record` into `out`. Returns the length, which is < EDIT_TEXT_MAX. */
-size_t edit_file_format(const struct edit_record *record, char out[EDIT_TEXT_MAX]);
+/* Formats `record` into `out`. Returns the length, which is < GRAPH_FILE_TEXT_MAX. */
+size_t graph_file_format(const struct graph_edit_record *record, char out[GRAPH_FILE_TEXT_MAX]);
 
 /* Parses `size` bytes of any content as a graph of `card`. Returns 1, or 0 with "LINE: reason" in
  * `why`. */
-int edit_file_parse(const char *text, size_t size, const struct species_card *card,
-                    struct lab_edit *edit, char why[EDIT_WHY_SIZE]);
+int graph_file_parse(const char *text, size_t size, const struct species_card *card,
+                     struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE]);
 
 /* ---- Implemented in edit_file.c ---- */
 
 /* Saves the edit in `data`/graphs, or deletes the saved file if the edit restores the species' own
  * graph. The change is on disk when the call returns. Returns 0 or a negative errno. */
-int edit_file_keep(const char *data, const struct edit_record *record);
+int graph_file_write(const char *data, const struct graph_edit_record *record);
 
 /* Loads the saved graphs of all species into `book`. A file that cannot be used is reported through
  * `warn` as "PATH:LINE: reason", and the species keeps its own graph. */
-struct edit_warn {
+struct graph_file_warn {
     void (*tell)(void *context, const char *line); /* Null: no report. */
     void *context;
 };
-void edit_file_fill(const char *data, struct lab_book *book, struct edit_warn warn);
+void graph_file_load(const char *data, struct lab_book *book, struct graph_file_warn warn);
 
 #endif

@@ -25,37 +25,37 @@ struct text_out {
     size_t used;
 };
 
-__attribute__((format(printf, 2, 3)))
-static void put(struct text_out *text, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void graph_text_put(struct text_out *text,
+                                                                 const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
     const int length =
-        vsnprintf(text->out + text->used, EDIT_TEXT_MAX - text->used, format, arguments);
+        vsnprintf(text->out + text->used, GRAPH_FILE_TEXT_MAX - text->used, format, arguments);
     va_end(arguments);
     text->used += (size_t)length;
 }
 
-size_t edit_file_format(const struct edit_record *record, char out[EDIT_TEXT_MAX])
+size_t graph_file_format(const struct graph_edit_record *record, char out[GRAPH_FILE_TEXT_MAX])
 {
     const struct graph *graph = &record->edit.graph;
     struct text_out text = { .out = out };
-    put(&text, "kingyo-graph %u\nspecies %s\nkeys %u\n", EDIT_FILE_VERSION, record->species,
-        record->key_count);
-    put(&text, "template %s\nline %s\nsolved %u\n", templates[record->edit.template],
-        lines[graph->line], graph->solved);
+    graph_text_put(&text, "kingyo-graph %u\nspecies %s\nkeys %u\n", GRAPH_FILE_VERSION,
+                   record->species, record->key_count);
+    graph_text_put(&text, "template %s\nline %s\nsolved %u\n", templates[record->edit.template_id],
+                   lines[graph->line], graph->solved);
     for (uint32_t i = 0; i < graph->knot_count; i++) {
-        put(&text, "knot %.9g", (double)graph->knots[i].progress);
+        graph_text_put(&text, "knot %.9g", (double)graph->knots[i].progress);
         for (uint32_t key = 0; key < record->key_count; key++) {
-            put(&text, " %.9g", (double)graph->knots[i].weight[key]);
+            graph_text_put(&text, " %.9g", (double)graph->knots[i].weight[key]);
         }
-        put(&text, "\n");
+        graph_text_put(&text, "\n");
     }
     for (uint32_t i = 0; i < record->edit.scale_knot_count; i++) {
         const struct scale_knot *knot = &record->edit.scale_knots[i];
-        put(&text, "scale %.9g %.9g\n", (double)knot->progress, (double)knot->length_m);
+        graph_text_put(&text, "scale %.9g %.9g\n", (double)knot->progress, (double)knot->length_m);
     }
-    put(&text, "end\n");
+    graph_text_put(&text, "end\n");
     return text.used;
 }
 
@@ -72,10 +72,10 @@ struct reading {
                               checks are skipped. */
 };
 
-__attribute__((format(printf, 2, 3)))
-static int refuse(struct reading *reading, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading *reading,
+                                                                  const char *format, ...)
 {
-    char what[EDIT_WHY_SIZE - 12u];
+    char what[GRAPH_FILE_WHY_SIZE - 12u];
     va_list arguments;
     if (reading->is_unreadable) {
         return 0;
@@ -83,20 +83,20 @@ static int refuse(struct reading *reading, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
-    snprintf(reading->why, EDIT_WHY_SIZE, "%u: %s", reading->line, what);
+    snprintf(reading->why, GRAPH_FILE_WHY_SIZE, "%u: %s", reading->line, what);
     return 0;
 }
 
 static int end_reading(struct reading *reading, const char *what)
 {
     reading->line += reading->line == 0; /* An empty file reports line 1. */
-    refuse(reading, "%s", what);
+    graph_text_error(reading, "%s", what);
     reading->is_unreadable = 1;
     return 0;
 }
 
 /* Returns the next line with content, or 0 at the end or at a malformed line. */
-static int next_line(struct reading *reading)
+static int graph_text_next_line(struct reading *reading)
 {
     while (reading->at < reading->size) {
         size_t length = 0, end = reading->at;
@@ -137,14 +137,14 @@ static const char *after(const struct reading *reading, const char *word)
 /* Reads a line "`word` VALUE" and returns the index of VALUE in `names`, or -1. */
 static int named(struct reading *reading, const char *word, const char *const *names, int count)
 {
-    const char *rest = next_line(reading) ? after(reading, word) : NULL;
+    const char *rest = graph_text_next_line(reading) ? after(reading, word) : NULL;
     for (int i = 0; rest != NULL && i < count; i++) {
         if (*rest == ' ' && strcmp(rest + 1, names[i]) == 0) {
             return i;
         }
     }
     if (reading->why[0] == 0) {
-        refuse(reading, "expected '%s' and one of its words", word);
+        graph_text_error(reading, "expected '%s' and one of its words", word);
     }
     return -1;
 }
@@ -156,14 +156,14 @@ static int numbers(struct reading *reading, const char *rest, float *out, uint32
         char *end;
         out[i] = strtof(rest, &end);
         if (end == rest || !isfinite(out[i])) {
-            return refuse(reading, "expected %u numbers", count);
+            return graph_text_error(reading, "expected %u numbers", count);
         }
         rest = end;
     }
     while (*rest == ' ') {
         rest++;
     }
-    return *rest == 0 ? 1 : refuse(reading, "more than %u numbers", count);
+    return *rest == 0 ? 1 : graph_text_error(reading, "more than %u numbers", count);
 }
 
 static int read_head(struct reading *reading, const struct species_card *card,
@@ -176,21 +176,21 @@ static int read_head(struct reading *reading, const struct species_card *card,
     const char *const keys[] = { count };
     snprintf(count, sizeof count, "%u", (unsigned)card->key_count % 100u);
     if (named(reading, "kingyo-graph", first, 1) < 0) {
-        return refuse(reading, "not a graph of version %u", EDIT_FILE_VERSION);
+        return graph_text_error(reading, "not a graph of version %u", GRAPH_FILE_VERSION);
     }
     if (named(reading, "species", id, 1) < 0) {
-        return refuse(reading, "not of the species %s", card->id);
+        return graph_text_error(reading, "not of the species %s", card->id);
     }
     if (named(reading, "keys", keys, 1) < 0) {
-        return refuse(reading, "%s has %u keys", card->id, card->key_count);
+        return graph_text_error(reading, "%s has %u keys", card->id, card->key_count);
     }
-    const int template = named(reading, "template", templates, TEMPLATE_COUNT);
-    const int line = template < 0 ? -1 : named(reading, "line", lines, 2);
+    const int template_id = named(reading, "template", templates, TEMPLATE_COUNT);
+    const int line = template_id < 0 ? -1 : named(reading, "line", lines, 2);
     const int solved = line < 0 ? -1 : named(reading, "solved", yes_or_no, 2);
     if (solved < 0) {
         return 0;
     }
-    edit->template = (uint8_t)template;
+    edit->template_id = (uint8_t)template_id;
     edit->graph.line = (uint8_t)line;
     edit->graph.solved = (uint8_t)solved;
     return 1;
@@ -201,7 +201,7 @@ static int read_knot(struct reading *reading, const char *rest, const struct spe
 {
     float values[1u + MORPH_KEY_MAX] = { 0 };
     if (graph->knot_count == GRAPH_KNOT_MAX) {
-        return refuse(reading, "more than %u knots", GRAPH_KNOT_MAX);
+        return graph_text_error(reading, "more than %u knots", GRAPH_KNOT_MAX);
     }
     if (!numbers(reading, rest, values, 1u + card->key_count)) {
         return 0;
@@ -217,7 +217,7 @@ static int read_scale(struct reading *reading, const char *rest, struct lab_edit
 {
     float values[2] = { 0 };
     if (edit->scale_knot_count == GRAPH_KNOT_MAX) {
-        return refuse(reading, "more than %u scale knots", GRAPH_KNOT_MAX);
+        return graph_text_error(reading, "more than %u scale knots", GRAPH_KNOT_MAX);
     }
     if (!numbers(reading, rest, values, 2)) {
         return 0;
@@ -242,13 +242,14 @@ static int judge_graph(struct reading *reading, const struct species_card *card,
     case GRAPH_GOOD:
         return 1;
     case GRAPH_KNOT_COUNT:
-        return refuse(reading, "fewer than 2 knots");
+        return graph_text_error(reading, "fewer than 2 knots");
     case GRAPH_UNSOLVABLE:
-        return refuse(reading, "the key '%s' is hardly seen at its own progress: no shape to solve",
-                      card->key_names[verdict.key]);
+        return graph_text_error(
+            reading, "the key '%s' is hardly seen at its own progress: no shape to solve",
+            card->key_names[verdict.key]);
     default:
         reading->line = reading->knot_line[verdict.knot];
-        return refuse(reading, "knot %u: %s", verdict.knot + 1u, faults[verdict.fault]);
+        return graph_text_error(reading, "knot %u: %s", verdict.knot + 1u, faults[verdict.fault]);
     }
 }
 
@@ -261,26 +262,27 @@ static int judge_scale(struct reading *reading, const struct lab_edit *edit)
         reading->line = reading->scale_line[i];
         if (count == 1u || knot->progress != end ||
             (i > 0 && knot->progress <= knot[-1].progress)) {
-            return refuse(reading, "scale knot %u: they do not rise from 0 to 1", i + 1u);
+            return graph_text_error(reading, "scale knot %u: they do not rise from 0 to 1", i + 1u);
         }
         if (!(knot->length_m >= LAB_LENGTH_MIN_M && knot->length_m <= LAB_LENGTH_MAX_M)) {
-            return refuse(reading, "scale knot %u: not of 0.2 mm to 20 m", i + 1u);
+            return graph_text_error(reading, "scale knot %u: not of 0.2 mm to 20 m", i + 1u);
         }
     }
     return 1;
 }
 
-static int judge(struct reading *reading, const struct species_card *card,
-                 const struct lab_edit *edit)
+static int graph_text_validate(struct reading *reading, const struct species_card *card,
+                               const struct lab_edit *edit)
 {
     if (!judge_graph(reading, card, &edit->graph) || !judge_scale(reading, edit)) {
         return 0;
     }
-    return lab_edit_is_good(edit, card) ? 1 : refuse(reading, "no graph of %s", card->id);
+    return lab_edit_is_valid(edit, card) ? 1
+                                         : graph_text_error(reading, "no graph of %s", card->id);
 }
 
-int edit_file_parse(const char *text, size_t size, const struct species_card *card,
-                    struct lab_edit *edit, char why[EDIT_WHY_SIZE])
+int graph_file_parse(const char *text, size_t size, const struct species_card *card,
+                     struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE])
 {
     struct reading reading = { .text = text, .size = size, .why = why };
     struct lab_edit read = { 0 };
@@ -288,17 +290,17 @@ int edit_file_parse(const char *text, size_t size, const struct species_card *ca
     if (!read_head(&reading, card, &read)) {
         return 0;
     }
-    while (next_line(&reading)) {
+    while (graph_text_next_line(&reading)) {
         const char *knot = after(&reading, "knot"), *scale = after(&reading, "scale");
         if (strcmp(reading.words, "end") == 0) {
-            if (!judge(&reading, card, &read)) {
+            if (!graph_text_validate(&reading, card, &read)) {
                 return 0;
             }
             *edit = read;
             return 1;
         }
         if (knot == NULL && scale == NULL) {
-            return refuse(&reading, "expected 'knot', 'scale' or 'end'");
+            return graph_text_error(&reading, "expected 'knot', 'scale' or 'end'");
         }
         if (!(knot != NULL ? read_knot(&reading, knot, card, &read.graph)
                            : read_scale(&reading, scale, &read))) {

@@ -27,9 +27,9 @@ static int make_all(char *path)
     return error ? error : make_one(path);
 }
 
-int folder_make(const char *path)
+int directory_make(const char *path)
 {
-    char copy[FOLDER_PATH_MAX];
+    char copy[DIRECTORY_PATH_MAX];
     struct stat status;
     const size_t length = strlen(path);
     if (length == 0 || length >= sizeof copy) {
@@ -46,7 +46,7 @@ int folder_make(const char *path)
     return access(path, W_OK | X_OK) != 0 ? -errno : 0;
 }
 
-int folder_hold(const char *path)
+int directory_lock(const char *path)
 {
     const int handle = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (handle >= 0 && flock(handle, LOCK_EX | LOCK_NB) != 0) {
@@ -57,14 +57,14 @@ int folder_hold(const char *path)
     return handle >= 0 ? handle : -errno;
 }
 
-void folder_default_data(char out[FOLDER_PATH_MAX])
+void directory_default_data(char out[DIRECTORY_PATH_MAX])
 {
     const char *data = getenv("XDG_DATA_HOME");
     const char *home = getenv("HOME");
     out[0] = '\0';
     if (data && data[0] == '/') {
-        snprintf(out, FOLDER_PATH_MAX, "%s/kingyo", data);
+        snprintf(out, DIRECTORY_PATH_MAX, "%s/kingyo", data);
     } else if (home && home[0] == '/') {
-        snprintf(out, FOLDER_PATH_MAX, "%s/.local/share/kingyo", home);
+        snprintf(out, DIRECTORY_PATH_MAX, "%s/.local/share/kingyo", home);
     }
 }

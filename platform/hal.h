@@ -18,17 +18,17 @@
 
 enum hal_error {
     HAL_OK = 0,
-    HAL_ERR_IO = -1,   /* The call failed this time; retry next frame. */
-    HAL_ERR_GONE = -2, /* The device was unplugged; retry with open(). */
-    HAL_ERR_BUSY = -3, /* The device is busy; repeat the call next frame. */
-    HAL_ERR_NONE = -4, /* This kiosk has no such device (null driver). */
+    HAL_ERR_IO = -1,     /* The call failed this time; retry next frame. */
+    HAL_ERR_GONE = -2,   /* The device was unplugged; retry with open(). */
+    HAL_ERR_BUSY = -3,   /* The device is busy; repeat the call next frame. */
+    HAL_ERR_ABSENT = -4, /* This kiosk has no such device (null driver). */
 };
 
-/* Returns 1 if `result` is a device fault. HAL_ERR_NONE (null driver) and HAL_ERR_BUSY (retry next
- * frame) are no faults. */
+/* Returns 1 if `result` is a device fault. HAL_ERR_ABSENT (null driver) and HAL_ERR_BUSY (retry
+ * next frame) are no faults. */
 static inline int hal_is_fault(int result)
 {
-    return result < 0 && result != HAL_ERR_NONE && result != HAL_ERR_BUSY;
+    return result < 0 && result != HAL_ERR_ABSENT && result != HAL_ERR_BUSY;
 }
 
 /* Size in bytes of a describe() text. Each device describes itself in one line, or states what is
@@ -54,7 +54,7 @@ struct hal_image {
 struct display_events {
     uint8_t quit;        /* 1 if the user closed the window or the session ends. */
     uint8_t lost;        /* Level: 1 if the display is lost for good and can show nothing more. */
-    uint8_t upright;     /* Level: 1 if width / height is below OVERLAY_UPRIGHT_ASPECT. */
+    uint8_t upright;     /* Level: 1 if width / height is below POINTER_UPRIGHT_ASPECT. */
 };
 
 /* Smallest window size in points; below this size the text is unreadable. A window manager may
@@ -70,8 +70,8 @@ struct hal_display_ops {
     /* Draws a scene and presents it. May wait for the screen's vertical sync. */
     int (*present)(void *self, const struct scene *scene);
     /* Sets how the picture is transformed to the screen from the next present() on. Copies
-     * `showing`. */
-    void (*place)(void *self, const struct showing *showing);
+     * `display_settings`. */
+    void (*set_transform)(void *self, const struct display_settings *display_settings);
     /* Switches between window and full screen. */
     int (*toggle_full_screen)(void *self);
     /* Copies the picture presented last. Returns HAL_ERR_IO if there is no picture, or if `image`
@@ -100,16 +100,17 @@ struct hal_poi_ops {
      * number. */
     int (*poll)(void *self, struct poi_sample *out, uint32_t max);
     /* Sets the force feedback. Called once a frame with the strongest force of its ticks; see
-     * output_feel(). */
-    int (*feel)(void *self, const struct poi_force *force);
+     * output_merge_force(). */
+    int (*set_force)(void *self, const struct poi_force *force);
     /* Sets the camera view and the display transform from now on. A pointer device needs both to
      * map a screen position to the tank. Copies both. */
-    void (*look)(void *self, const struct view *view, const struct showing *showing);
+    void (*set_view)(void *self, const struct view *view,
+                     const struct display_settings *display_settings);
     const char *(*describe)(void *self);
 };
 
 /* A fan: a device that a player holds over the water beside the poi or in place of a poi. */
-struct hal_shade_ops {
+struct hal_fan_ops {
     int (*open)(void *self);  /* Opens the device, and reopens it after HAL_ERR_GONE. */
     /* Writes the current position. Called after all pois were polled because a fan may share its
      * device with a poi. */
@@ -165,7 +166,7 @@ enum hal_switch {
 };
 
 /* Switched outputs. A call that fails has no effect. The caller repeats it next frame after
- * HAL_ERR_BUSY, after one second on a fault, and never after HAL_ERR_NONE. */
+ * HAL_ERR_BUSY, after one second on a fault, and never after HAL_ERR_ABSENT. */
 struct hal_switches_ops {
     /* Sets the level of a lamp or of the coin lockout. */
     int (*set)(void *self, enum hal_switch which, int active);
@@ -184,12 +185,12 @@ struct hal_switches_ops {
 struct hal_controllers_ops {
     /* Writes the connected controllers and the state of mapping learning (levels). Called once a
      * frame. */
-    int (*poll)(void *self, struct desk_input *out);
+    int (*poll)(void *self, struct controller_status *out);
     /* Returns a UTF-8 name, for example "057e:2009 Pro Controller, port 3-1.2", or "" for an empty
      * row. */
     const char *(*name)(void *self, uint32_t row);
     /* Executes a command of the operator on a controller. */
-    int (*order)(void *self, const struct desk_order *order);
+    int (*command)(void *self, const struct controller_command *command);
     const char *(*describe)(void *self);
 };
 
@@ -202,11 +203,11 @@ struct hal_audio_ops {
     void (*close)(void *self);
 };
 
-struct memory; /* Defined in core/memory.h. */
+struct persistent_state; /* Defined in core/memory.h. */
 
 /* Change of the balance. Units that were due may have become credits in between. */
-struct purse_step {
-    struct purse from, to;
+struct balance_change {
+    struct balance from, to;
 };
 
 struct hal_storage_ops {
@@ -214,35 +215,36 @@ struct hal_storage_ops {
     /* Loads the persistent state at start, with ledger.boots of this start. A setting that was
      * never changed in the menu keeps its value in `out`. Without a store, all of `out` is left
      * unchanged. */
-    int (*remember)(void *self, struct memory *out);
+    int (*load)(void *self, struct persistent_state *out);
     /* Queues the next ledger entry; ids must rise. Copies `entry`. Returns HAL_ERR_BUSY if the
      * queue is full; the caller retries next frame. */
-    int (*keep)(void *self, const struct ledger_entry *entry);
+    int (*append)(void *self, const struct ledger_entry *entry);
     uint32_t (*saved_id)(void *self); /* Returns the id of the newest entry known to be on disk. The
                                          value never decreases. */
     /* Stores the replay of the round whose entry is `round_id`; only ranked rounds have a
-     * replay. The caller must keep `bytes` unchanged until replay_kept_id() returns this id, or
-     * until a later keep_replay() is accepted. Returns HAL_ERR_BUSY while another replay is
+     * replay. The caller must keep `bytes` unchanged until stored_replay_id() returns this id, or
+     * until a later store_replay() is accepted. Returns HAL_ERR_BUSY while another replay is
      * being written. */
-    int (*keep_replay)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
-    uint32_t (*replay_kept_id)(void *self); /* Returns the newest round id whose replay was written
-                                               or abandoned. */
+    int (*store_replay)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
+    uint32_t (*stored_replay_id)(void *self); /* Returns the newest round id whose replay was
+                                                 written or abandoned. */
     /* Starts to load the replay of a round and its ledger entry. The buffers `bytes` (of `size`
      * bytes) and `round` must stay valid while replay_fetched() returns HAL_ERR_BUSY. Afterwards
-     * replay_fetched() returns the replay's size in bytes, or HAL_ERR_NONE if there is no replay.
+     * replay_fetched() returns the replay's size in bytes, or HAL_ERR_ABSENT if there is no replay.
      * The entry's id is 0 if the ledger no longer has the entry. */
     int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
                         struct ledger_entry *round);
     int (*replay_fetched)(void *self);
     int (*has_replay)(void *self, uint32_t round_id); /* Returns 1 if the replay of this ranked
                                                          round is on disk. */
-    int (*keep_edit)(void *self, const struct edit_record *edit); /* As keep(). */
-    uint32_t (*kept_edit_id)(void *self);                      /* As saved_id(). */
-    int (*refuses_edits)(void *self); /* Returns 1 if edits cannot be stored, or if the last attempt
-                                         failed. */
+    int (*store_edit)(void *self, const struct graph_edit_record *edit); /* As append(). */
+    uint32_t (*stored_edit_id)(void *self);                              /* As saved_id(). */
+    int (*edits_failed)(void *self); /* Returns 1 if edits cannot be stored, or if the last
+                                        attempt failed. */
     uint32_t (*refused_count)(void *self);      /* Returns the number of writes that failed since
                                                    open(). */
-    int (*is_well)(void *self); /* Returns 1 if entries are stored and the last write succeeded. */
+    int (*is_healthy)(
+        void *self); /* Returns 1 if entries are stored and the last write succeeded. */
     /* Returns 1 if there was no store at the start and a store has appeared since. Only a restart
      * can use the new store. */
     int (*wants_restart)(void *self);
@@ -250,13 +252,13 @@ struct hal_storage_ops {
      * without a store, and the change of the balance. The store fills in the ids, boot and balance
      * of the entries. Copies all arguments. Returns HAL_ERR_BUSY while earlier entries are being
      * written. */
-    int (*hand_over)(void *self, const struct purse_step *step,
-                     const struct ledger_entry *entries, uint32_t count);
-    int (*handed_over)(void *self); /* Returns HAL_OK if all entries accepted by hand_over() are on
-                                       disk, else HAL_ERR_BUSY. */
+    int (*merge_offline)(void *self, const struct balance_change *step,
+                         const struct ledger_entry *entries, uint32_t count);
+    int (*offline_merged)(void *self); /* Returns HAL_OK if all entries accepted by
+                                          merge_offline() are on disk, else HAL_ERR_BUSY. */
     const char *(*describe)(void *self);
-    /* Writes the entries accepted by keep() and keep_edit(), and closes the store. May block for a
-     * few seconds. Returns the number of entries and edits that could not be written. */
+    /* Writes the entries accepted by append() and store_edit(), and closes the store. May block for
+     * a few seconds. Returns the number of entries and edits that could not be written. */
     uint32_t (*close)(void *self);
 };
 
@@ -272,7 +274,7 @@ struct hal_watchdog_ops {
 struct hal_clock { const struct hal_clock_ops *ops; void *self; };
 struct hal_display { const struct hal_display_ops *ops; void *self; };
 struct hal_poi { const struct hal_poi_ops *ops; void *self; };
-struct hal_shade { const struct hal_shade_ops *ops; void *self; };
+struct hal_fan { const struct hal_fan_ops *ops; void *self; };
 struct hal_seats { const struct hal_seats_ops *ops; void *self; };
 struct hal_buttons { const struct hal_buttons_ops *ops; void *self; };
 struct hal_switches { const struct hal_switches_ops *ops; void *self; };
@@ -292,7 +294,7 @@ struct hal {
     struct hal_clock clock;
     struct hal_display display;
     struct hal_poi poi[POI_MAX];
-    struct hal_shade shade[SHADE_MAX];
+    struct hal_fan fan[SHADE_MAX];
     struct hal_seats seats;
     struct hal_buttons buttons;
     struct hal_switches switches;

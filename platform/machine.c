@@ -25,12 +25,12 @@
 
 /* ---- The folder ----------------------------------------------------------------------------- */
 
-static bool has_folder(const struct machine *machine)
+static bool has_folder(const struct system_health *machine)
 {
     return machine->data && machine->data[0];
 }
 
-static bool path_in(const struct machine *machine, const char *name, char out[PATH_SIZE])
+static bool path_in(const struct system_health *machine, const char *name, char out[PATH_SIZE])
 {
     const int length = snprintf(out, PATH_SIZE, "%s/%s", machine->data, name);
     return length > 0 && (unsigned)length < PATH_SIZE;
@@ -38,10 +38,10 @@ static bool path_in(const struct machine *machine, const char *name, char out[PA
 
 /* Returns the result that check-data wrote at this start, or KEEPS_UNKNOWN if there is no
  * result. */
-static uint8_t keeps_as_checked(const struct machine *machine)
+static uint8_t keeps_as_checked(const struct system_health *machine)
 {
     char line[16] = "";
-    FILE *const file = fopen(machine->checked ? machine->checked : MACHINE_CHECKED, "re");
+    FILE *const file = fopen(machine->checked ? machine->checked : SYSTEM_HEALTH_CHECK_PATH, "re");
     if (file && !fgets(line, sizeof line, file)) {
         line[0] = '\0';
     }
@@ -53,7 +53,7 @@ static uint8_t keeps_as_checked(const struct machine *machine)
                                                 : KEEPS_UNKNOWN;
 }
 
-static uint8_t keeps_of(const struct machine *machine)
+static uint8_t keeps_of(const struct system_health *machine)
 {
     struct statfs about;
     if (!has_folder(machine) || statfs(machine->data, &about) != 0) {
@@ -66,7 +66,7 @@ static uint8_t keeps_of(const struct machine *machine)
     return checked != KEEPS_UNKNOWN ? checked : (uint8_t)KEEPS_FOLDER;
 }
 
-static uint32_t room_of(const struct machine *machine)
+static uint32_t room_of(const struct system_health *machine)
 {
     struct statvfs about;
     if (!has_folder(machine) || statvfs(machine->data, &about) != 0) {
@@ -88,7 +88,7 @@ static int64_t seconds_on(clockid_t clock)
 /* Updates the age of the backup. The civil clock is used once, when the file is first seen.
  * Afterwards the age is measured by the monotonic clock, because the civil clock may jump. A clock
  * that was set in between does not change the age of a backup made by this process. */
-static void look_at_backup(struct machine *machine, struct scene_machine *out)
+static void look_at_backup(struct system_health *machine, struct scene_machine *out)
 {
     char path[PATH_SIZE];
     struct stat about;
@@ -115,7 +115,7 @@ static void look_at_backup(struct machine *machine, struct scene_machine *out)
 
 /* Returns the newest modification time of the store's files. A file written before this start must
  * have a time in the past. */
-static int64_t newest_file_s(const struct machine *machine)
+static int64_t newest_file_s(const struct system_health *machine)
 {
     static const char *const names[] = { STORAGE_FILE, STORAGE_FILE STORAGE_BACKUP_SUFFIX };
     char path[PATH_SIZE];
@@ -132,20 +132,20 @@ static int64_t newest_file_s(const struct machine *machine)
 
 /* ---- Quarantined files ----------------------------------------------------------------------- */
 
-enum machine_aside machine_aside_of(const char *file)
+enum system_health_quarantine system_health_quarantine_of(const char *file)
 {
     static const struct {
         const char *start;
-        enum machine_aside aside;
+        enum system_health_quarantine aside;
     } names[] = {
-        { STORAGE_FILE STORAGE_ASIDE_SUFFIX, MACHINE_ASIDE_DAMAGED },
-        { STORAGE_FILE STORAGE_MISSING_SUFFIX, MACHINE_ASIDE_MISSING },
-        { STORAGE_FILE STORAGE_LEFT_SUFFIX, MACHINE_ASIDE_LEFT },
-        { STORAGE_FILE "-wal" STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
-        { STORAGE_FILE "-shm" STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
-        { STORAGE_FILE "-journal" STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
-        { STORAGE_FILE STORAGE_TAIL_SUFFIX STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
-        { STORAGE_FILE STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX, MACHINE_ASIDE_OTHER },
+        { STORAGE_FILE STORAGE_QUARANTINE_SUFFIX, SYSTEM_HEALTH_QUARANTINE_DAMAGED },
+        { STORAGE_FILE STORAGE_MISSING_SUFFIX, SYSTEM_HEALTH_QUARANTINE_MISSING },
+        { STORAGE_FILE STORAGE_LEFT_SUFFIX, SYSTEM_HEALTH_QUARANTINE_LEFT },
+        { STORAGE_FILE "-wal" STORAGE_OTHER_SUFFIX, SYSTEM_HEALTH_QUARANTINE_OTHER },
+        { STORAGE_FILE "-shm" STORAGE_OTHER_SUFFIX, SYSTEM_HEALTH_QUARANTINE_OTHER },
+        { STORAGE_FILE "-journal" STORAGE_OTHER_SUFFIX, SYSTEM_HEALTH_QUARANTINE_OTHER },
+        { STORAGE_FILE STORAGE_MIRROR_SUFFIX STORAGE_OTHER_SUFFIX, SYSTEM_HEALTH_QUARANTINE_OTHER },
+        { STORAGE_FILE STORAGE_BACKUP_SUFFIX STORAGE_OTHER_SUFFIX, SYSTEM_HEALTH_QUARANTINE_OTHER },
     };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         const size_t length = strlen(names[i].start);
@@ -155,7 +155,7 @@ enum machine_aside machine_aside_of(const char *file)
             return names[i].aside;
         }
     }
-    return MACHINE_ASIDE_NOT;
+    return SYSTEM_HEALTH_QUARANTINE_NONE;
 }
 
 static bool seen_path(const char *folder, const char *file, char out[PATH_SIZE])
@@ -164,35 +164,34 @@ static bool seen_path(const char *folder, const char *file, char out[PATH_SIZE])
     return length > 0 && (unsigned)length < PATH_SIZE;
 }
 
-bool machine_is_seen(const char *folder, const char *file)
+bool system_health_is_seen(const char *folder, const char *file)
 {
     char path[PATH_SIZE];
     return seen_path(folder, file, path) && access(path, F_OK) == 0;
 }
 
 /* Creates an empty marker file. If a power cut loses the marker, the operator is asked again. */
-static int mark(const char *folder, const char *file)
+static int system_health_create_mark(const char *folder, const char *file)
 {
     char path[PATH_SIZE];
-    const int fd = seen_path(folder, file, path)
-                       ? plain_file_handle(path, O_WRONLY | O_CREAT, 0644)
-                       : -1;
+    const int fd =
+        seen_path(folder, file, path) ? regular_file_handle(path, O_WRONLY | O_CREAT, 0644) : -1;
     return fd < 0 ? -errno : close(fd) != 0 ? -errno : 0;
 }
 
 /* Counts the quarantined files that are not acknowledged. With `marks`, marks them as
  * acknowledged. */
-static uint32_t walk_aside(const struct machine *machine, bool marks, int *error)
+static uint32_t walk_aside(const struct system_health *machine, bool marks, int *error)
 {
     DIR *const folder = has_folder(machine) ? opendir(machine->data) : NULL;
     const struct dirent *entry;
     uint32_t count = 0;
-    while (folder && count < MACHINE_ASIDE_MAX && (entry = readdir(folder)) != NULL) {
-        if (machine_aside_of(entry->d_name) == MACHINE_ASIDE_NOT ||
-            machine_is_seen(machine->data, entry->d_name)) {
+    while (folder && count < SYSTEM_HEALTH_QUARANTINE_MAX && (entry = readdir(folder)) != NULL) {
+        if (system_health_quarantine_of(entry->d_name) == SYSTEM_HEALTH_QUARANTINE_NONE ||
+            system_health_is_seen(machine->data, entry->d_name)) {
             continue;
         }
-        const int result = marks ? mark(machine->data, entry->d_name) : 0;
+        const int result = marks ? system_health_create_mark(machine->data, entry->d_name) : 0;
         *error = result != 0 ? result : *error;
         count++;
     }
@@ -202,7 +201,7 @@ static uint32_t walk_aside(const struct machine *machine, bool marks, int *error
     return count;
 }
 
-int machine_mark_seen(const struct machine *machine)
+int system_health_mark_seen(const struct system_health *machine)
 {
     int error = 0;
     walk_aside(machine, true, &error);
@@ -211,7 +210,7 @@ int machine_mark_seen(const struct machine *machine)
 
 /* ---- Panics ---------------------------------------------------------------------------------- */
 
-static void look_at_panics(const struct machine *machine, struct scene_machine *out)
+static void look_at_panics(const struct system_health *machine, struct scene_machine *out)
 {
     struct panics panics = { 0 };
     const int folder =
@@ -227,7 +226,7 @@ static void look_at_panics(const struct machine *machine, struct scene_machine *
 /* ---- One check
  * -------------------------------------------------------------------------------- */
 
-void machine_look(struct machine *machine, struct scene_machine *out)
+void system_health_sample(struct system_health *machine, struct scene_machine *out)
 {
     const char *heat = machine->heat ? machine->heat : "/sys/class/thermal";
     int ignored = 0;
@@ -238,7 +237,7 @@ void machine_look(struct machine *machine, struct scene_machine *out)
     out->room_mib = room_of(machine);
     look_at_backup(machine, out);
     out->is_clock_back =
-        machine->written_s > seconds_on(CLOCK_REALTIME) + MACHINE_CLOCK_SLACK_S;
+        machine->written_s > seconds_on(CLOCK_REALTIME) + SYSTEM_HEALTH_CLOCK_SLACK_S;
     const int32_t margin_mdeg = thermal_read(heat);
     out->has_heat = margin_mdeg != THERMAL_UNKNOWN_MDEG;
     out->heat_margin_c = out->has_heat ? margin_mdeg / 1000 : 0;
@@ -252,19 +251,19 @@ void machine_look(struct machine *machine, struct scene_machine *out)
 
 /* Waits on the monotonic clock. A civil clock that is set back by years would block the thread for
  * years. */
-static void wait_a_while(struct machine *machine)
+static void wait_a_while(struct system_health *machine)
 {
     struct timespec until;
     clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_sec += MACHINE_LOOK_S;
+    until.tv_sec += SYSTEM_HEALTH_PERIOD_S;
     while (!machine->ends && !machine->acknowledges &&
            pthread_cond_timedwait(&machine->bell, &machine->lock, &until) == 0) {
     }
 }
 
-static void *run(void *self)
+static void *system_health_thread(void *self)
 {
-    struct machine *machine = self;
+    struct system_health *machine = self;
     struct scene_machine look = { 0 };
     pthread_mutex_lock(&machine->lock);
     while (!machine->ends) {
@@ -272,9 +271,9 @@ static void *run(void *self)
         machine->acknowledges = false;
         pthread_mutex_unlock(&machine->lock);
         if (marks) {
-            machine_mark_seen(machine);
+            system_health_mark_seen(machine);
         }
-        machine_look(machine, &look);
+        system_health_sample(machine, &look);
         pthread_mutex_lock(&machine->lock);
         machine->newest = look;
         wait_a_while(machine);
@@ -285,18 +284,18 @@ static void *run(void *self)
 
 /* Starts the thread with all signals blocked, because the main thread handles the signals that end
  * the kiosk. */
-static bool start_thread(struct machine *machine)
+static bool start_thread(struct system_health *machine)
 {
     sigset_t all, before;
     sigfillset(&all);
     panic_leave_open(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    const bool runs = pthread_create(&machine->thread, NULL, run, machine) == 0;
+    const bool runs = pthread_create(&machine->thread, NULL, system_health_thread, machine) == 0;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return runs;
 }
 
-void machine_start(struct machine *machine)
+void system_health_start(struct system_health *machine)
 {
     if (machine->runs) {
         return;
@@ -311,7 +310,7 @@ void machine_start(struct machine *machine)
     machine->runs = start_thread(machine);
 }
 
-void machine_stop(struct machine *machine)
+void system_health_stop(struct system_health *machine)
 {
     if (!machine->runs) {
         return;
@@ -329,7 +328,7 @@ void machine_stop(struct machine *machine)
 /* ---- Called by the frame loop
  * ----------------------------------------------------------------- */
 
-void machine_read(struct machine *machine, struct scene_machine *out)
+void system_health_read(struct system_health *machine, struct scene_machine *out)
 {
     if (machine->runs && pthread_mutex_trylock(&machine->lock) == 0) {
         const struct scene_machine before = *out;
@@ -340,7 +339,7 @@ void machine_read(struct machine *machine, struct scene_machine *out)
     }
 }
 
-bool machine_acknowledge(struct machine *machine)
+bool system_health_acknowledge(struct system_health *machine)
 {
     if (!machine->runs || pthread_mutex_trylock(&machine->lock) != 0) {
         return !machine->runs;

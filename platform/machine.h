@@ -12,18 +12,18 @@
 
 #include "core/scene_machine.h"
 
-#define MACHINE_LOOK_S 5u
-#define MACHINE_CHECKED "/run/kingyo-data" /* File in which board/kiosk/check-data writes its
-                                              result. */
-#define MACHINE_CLOCK_SLACK_S 7200  /* A file time less than this in the future is explained by
-                                       daylight saving time. */
-#define MACHINE_ASIDE_MAX 64u       /* Files that are counted; further files are ignored. */
+#define SYSTEM_HEALTH_PERIOD_S 5u
+/* File in which board/kiosk/check-data writes its result. */
+#define SYSTEM_HEALTH_CHECK_PATH "/run/kingyo-data"
+/* A file time less than this in the future is explained by daylight saving time. */
+#define SYSTEM_HEALTH_CLOCK_SLACK_S 7200
+#define SYSTEM_HEALTH_QUARANTINE_MAX 64u /* Files that are counted; further files are ignored. */
 
 /* State of the monitor. The caller owns the structure, sets the first three fields and clears the
  * rest. The address must not change while the thread runs. */
-struct machine {
+struct system_health {
     const char *data;    /* Folder of the store; null or "": none. */
-    const char *checked; /* Null: MACHINE_CHECKED. */
+    const char *checked; /* Null: SYSTEM_HEALTH_CHECK_PATH. */
     const char *heat;    /* Null: /sys/class/thermal. */
 
     pthread_t thread;
@@ -42,39 +42,41 @@ struct machine {
 };
 
 /* Checks once on the caller's thread. Fills all of `out` except `watch` and `missed`. */
-void machine_look(struct machine *machine, struct scene_machine *out);
+void system_health_sample(struct system_health *machine, struct scene_machine *out);
 
 /* Marks all quarantined files as acknowledged. Returns 0, or the negative errno of the last file
  * that could not be marked. */
-int machine_mark_seen(const struct machine *machine);
+int system_health_mark_seen(const struct system_health *machine);
 
 /* Kinds of quarantined files of the store. */
-enum machine_aside {
-    MACHINE_ASIDE_NOT = 0, /* Another file: a journal, a marker, a foreign file. */
-    MACHINE_ASIDE_DAMAGED, /* "kingyo.db.damaged-3": a database. */
-    MACHINE_ASIDE_MISSING, /* "kingyo.db.missing-3": the marker for a missing database. */
-    MACHINE_ASIDE_LEFT,    /* "kingyo.db.left-out-3": the database before a part was deleted. */
-    MACHINE_ASIDE_OTHER,   /* "kingyo.db.tail.other-3": a file of a foreign ledger. */
+enum system_health_quarantine {
+    SYSTEM_HEALTH_QUARANTINE_NONE = 0, /* Another file: a journal, a marker, a foreign file. */
+    SYSTEM_HEALTH_QUARANTINE_DAMAGED,  /* "kingyo.db.damaged-3": a database. */
+    SYSTEM_HEALTH_QUARANTINE_MISSING,  /* "kingyo.db.missing-3": the marker for a missing
+                                          database. */
+    SYSTEM_HEALTH_QUARANTINE_LEFT,     /* "kingyo.db.left-out-3": the database before a part was
+                                          deleted. */
+    SYSTEM_HEALTH_QUARANTINE_OTHER,    /* "kingyo.db.tail.other-3": a file of a foreign ledger. */
 };
 
 /* Returns the kind of a file, given its name without the folder. */
-enum machine_aside machine_aside_of(const char *file);
+enum system_health_quarantine system_health_quarantine_of(const char *file);
 
 /* Returns true if the file was acknowledged. */
-bool machine_is_seen(const char *folder, const char *file);
+bool system_health_is_seen(const char *folder, const char *file);
 
 /* Starts the thread. If no thread can be created, all values remain unknown. */
-void machine_start(struct machine *machine);
+void system_health_start(struct system_health *machine);
 
 /* Stops the thread and waits for its end. */
-void machine_stop(struct machine *machine);
+void system_health_stop(struct system_health *machine);
 
 /* Copies the newest result, except `watch` and `missed`. Leaves `out` unchanged while the thread
  * holds the lock. Never blocks. */
-void machine_read(struct machine *machine, struct scene_machine *out);
+void system_health_read(struct system_health *machine, struct scene_machine *out);
 
 /* Requests that the thread marks the quarantined files as acknowledged. Never blocks. Returns false
  * if the request was not accepted; the caller retries. */
-bool machine_acknowledge(struct machine *machine);
+bool system_health_acknowledge(struct system_health *machine);
 
 #endif

@@ -29,7 +29,7 @@ static int find_place(const char *path, char place[PATH_MAX], mode_t *mode)
     return snprintf(place, PATH_MAX, "%s", path) < PATH_MAX ? 0 : -ENAMETOOLONG;
 }
 
-static int take(struct out_file *out, int fd)
+static int atomic_file_use_descriptor(struct atomic_file *out, int fd)
 {
     out->file = fd < 0 ? NULL : fdopen(fd, "wb");
     const int error = out->file ? 0 : -errno;
@@ -40,21 +40,21 @@ static int take(struct out_file *out, int fd)
 }
 
 /* Opens a device or a pipe. Without a reader the open fails with ENXIO instead of blocking. */
-static int open_stream(struct out_file *out)
+static int open_stream(struct atomic_file *out)
 {
     const int fd = open(out->place, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     out->is_stream = true;
     if (fd >= 0) {
         fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
     }
-    return take(out, fd);
+    return atomic_file_use_descriptor(out, fd);
 }
 
 /* Opens the temporary file. An existing temporary file is deleted, whether it is left by a power
  * cut or foreign. A link is never followed. */
-static int open_part(struct out_file *out, mode_t mode)
+static int open_part(struct atomic_file *out, mode_t mode)
 {
-    const int length = snprintf(out->part, sizeof out->part, "%s" OUT_FILE_PART, out->place);
+    const int length = snprintf(out->part, sizeof out->part, "%s" ATOMIC_FILE_PART, out->place);
     if (length < 0 || (size_t)length >= sizeof out->part) {
         return -ENAMETOOLONG;
     }
@@ -66,10 +66,10 @@ static int open_part(struct out_file *out, mode_t mode)
     if (fd >= 0 && mode != 0) {
         fchmod(fd, mode & 0777);
     }
-    return take(out, fd);
+    return atomic_file_use_descriptor(out, fd);
 }
 
-static int open_any(struct out_file *out, const char *path, bool lasts)
+static int open_any(struct atomic_file *out, const char *path, bool lasts)
 {
     mode_t mode;
     out->file = NULL;
@@ -88,12 +88,12 @@ static int open_any(struct out_file *out, const char *path, bool lasts)
     return lasts || !(S_ISCHR(mode) || S_ISFIFO(mode)) ? -ENOTSUP : open_stream(out);
 }
 
-int out_open(struct out_file *out, const char *path)
+int atomic_file_open(struct atomic_file *out, const char *path)
 {
     return open_any(out, path, false);
 }
 
-int out_open_lasting(struct out_file *out, const char *path)
+int atomic_file_open_durable(struct atomic_file *out, const char *path)
 {
     return open_any(out, path, true);
 }
@@ -117,7 +117,7 @@ static int sync_folder(char place[PATH_MAX])
 }
 
 /* Closes the stream. Returns its first error since it was opened. */
-static int finish(struct out_file *out)
+static int finish(struct atomic_file *out)
 {
     /* errno is still that of the failed write because successful calls do not change it. */
     const bool failed = ferror(out->file) != 0;
@@ -135,7 +135,7 @@ static int finish(struct out_file *out)
     return -why;
 }
 
-int out_close(struct out_file *out)
+int atomic_file_close(struct atomic_file *out)
 {
     int error = finish(out);
     if (out->is_stream) {

@@ -11,9 +11,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#define OUT_FILE_PART ".part"
+#define ATOMIC_FILE_PART ".part"
 
-struct out_file {
+struct atomic_file {
     FILE *file;
     bool is_stream;       /* 1: a terminal, pipe or /dev/null that is written without a temporary
                              file. */
@@ -23,14 +23,14 @@ struct out_file {
 };
 
 /* Opens `path` for writing, empty. Returns 0 or a negative errno. */
-int out_open(struct out_file *out, const char *path);
+int atomic_file_open(struct atomic_file *out, const char *path);
 
-/* Opens as out_open(), and out_close() then blocks until the content is on disk. Only a regular
- * file is accepted: returns -ENOTSUP otherwise. */
-int out_open_lasting(struct out_file *out, const char *path);
+/* Opens as atomic_file_open(), and atomic_file_close() then blocks until the content is on disk.
+ * Only a regular file is accepted: returns -ENOTSUP otherwise. */
+int atomic_file_open_durable(struct atomic_file *out, const char *path);
 
 /* Closes the file. Returns 0, or the negative errno of the first failed write since the opening. In
  * that case the temporary file is removed and the old file is unchanged. */
-int out_close(struct out_file *out);
+int atomic_file_close(struct atomic_file *out);
 
 #endif

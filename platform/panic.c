@@ -32,7 +32,7 @@ static atomic_int panicking; /* Id of the thread that panicked first; 0: none. *
 
 /* Handles the first panic only. A second thread waits while the first thread writes its evidence. A
  * panic inside the handler ends the process. */
-void panic_tell(const char *reason)
+void panic_report(const char *reason)
 {
     int first = 0;
     if (atomic_compare_exchange_strong(&panicking, &first, (int)gettid())) {
@@ -42,7 +42,7 @@ void panic_tell(const char *reason)
             struct panic_text text = { 0 };
             panic_put(&text, "panic: ");
             panic_put(&text, reason);
-            say_plain(SAY_CRITICAL, text.out);
+            log_print_raw(LOG_LEVEL_CRITICAL, text.out);
         }
     } else if (first != (int)gettid()) {
         poll(NULL, 0, OTHER_WAIT_MS);
@@ -55,7 +55,7 @@ static void on_fatal(int number)
     for (size_t i = 0; i < FATAL_COUNT; i++) {
         name = fatal[i].number == number ? fatal[i].name : name;
     }
-    panic_tell(name);
+    panic_report(name);
     signal(number, SIG_DFL);
     raise(number); /* Delivered when this handler returns. */
 }

@@ -15,7 +15,7 @@ void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self
 
 /* Calls the handler of panic_prepare(), or writes one line if there is none. Only the first panic
  * of a process is reported. Async-signal-safe. */
-void panic_tell(const char *reason);
+void panic_report(const char *reason);
 
 /* Removes the signals of a panic from a set that a thread will block. A blocked signal would end
  * the process without evidence. */

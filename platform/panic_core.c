@@ -14,6 +14,6 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     panic_put_number(&text, (uint32_t)line);
     panic_put(&text, ": not so: ");
     panic_put(&text, condition);
-    panic_tell(text.out);
+    panic_report(text.out);
     abort();
 }

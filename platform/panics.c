@@ -73,14 +73,14 @@ enum panics_left panics_try(struct panics *panics)
     return (enum panics_left)panics->attempt;
 }
 
-void panics_leave(struct panics *panics, uint64_t boot)
+void panics_set_left_out(struct panics *panics, uint64_t boot)
 {
     panics->left = panics->attempt;
     panics->left_boot = boot;
-    panics_forget(panics);
+    panics_clear(panics);
 }
 
-void panics_forget(struct panics *panics)
+void panics_clear(struct panics *panics)
 {
     panics->attempt = panics->is_early = panics->count = 0;
     memset(panics->recent, 0, sizeof panics->recent);
@@ -147,8 +147,10 @@ static int set_strange_aside(int folder)
                 return 0;
             }
             fsync(folder);
-            say(SAY_WARNING, PANICS_FILE " in the data folder: is not a regular file, and is now"
-                " %s; panics are counted from zero", name);
+            log_print(LOG_LEVEL_WARNING,
+                      PANICS_FILE " in the data folder: is not a regular file, and is now"
+                                  " %s; panics are counted from zero",
+                      name);
             return 1;
         }
     }

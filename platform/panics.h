@@ -51,10 +51,10 @@ int panics_is_due(const struct panics *panics);
 enum panics_left panics_try(struct panics *panics);
 
 /* Records that the attempt succeeded on this boot, and clears the recent panics. */
-void panics_leave(struct panics *panics, uint64_t boot);
+void panics_set_left_out(struct panics *panics, uint64_t boot);
 
 /* Clears the attempt and the recent panics, so that the next start leaves nothing out. */
-void panics_forget(struct panics *panics);
+void panics_clear(struct panics *panics);
 
 /* Returns "settings", "settings and replays" and so on; "nothing" for 0 and for values above
  * LEFT_NAMES. */

@@ -55,7 +55,7 @@ static FILE *bounded_open(int handle, uint32_t size_max)
 }
 
 /* Opens without blocking first, and then checks the type of the open file. */
-FILE *plain_file_open(const char *path, uint32_t size_max)
+FILE *regular_file_open(const char *path, uint32_t size_max)
 {
     struct stat about = { 0 };
     const int handle = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
@@ -77,7 +77,7 @@ FILE *plain_file_open(const char *path, uint32_t size_max)
 }
 
 /* The type is read from the descriptor, so that the file cannot be exchanged after the check. */
-int plain_file_handle(const char *path, int flags, mode_t mode)
+int regular_file_handle(const char *path, int flags, mode_t mode)
 {
     const int added = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
     struct stat about = { 0 };
@@ -100,13 +100,13 @@ int plain_file_handle(const char *path, int flags, mode_t mode)
     return error == 0 ? handle : -1;
 }
 
-int plain_file_is_other(const char *path)
+int regular_file_is_other(const char *path)
 {
     struct stat about;
     return lstat(path, &about) == 0 && !S_ISREG(about.st_mode);
 }
 
-const char *plain_file_error(int error)
+const char *regular_file_error(int error)
 {
     return error == ELOOP     ? "is a symbolic link"
            : error == ENOTSUP ? "is not a regular file"

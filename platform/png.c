@@ -20,13 +20,13 @@
 
 static int write_all(const char *path, const uint8_t *bytes, size_t size)
 {
-    struct out_file out;
-    const int error = out_open(&out, path);
+    struct atomic_file out;
+    const int error = atomic_file_open(&out, path);
     if (error) {
         return error;
     }
-    fwrite(bytes, 1, size, out.file); /* out_close() reports a failed write. */
-    return out_close(&out);
+    fwrite(bytes, 1, size, out.file); /* atomic_file_close() reports a failed write. */
+    return atomic_file_close(&out);
 }
 
 int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height)

@@ -7,8 +7,8 @@
 
 #include "core/base/printable.h"
 
-__attribute__((format(printf, 3, 0)))
-static void put(FILE *file, const char *end, const char *format, va_list arguments)
+__attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const char *end,
+                                                            const char *format, va_list arguments)
 {
     char line[PRINT_LINE_MAX];
     vsnprintf(line, sizeof line - 1u, format, arguments);
@@ -21,7 +21,7 @@ void print_part(FILE *file, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    put(file, "", format, arguments);
+    print_put(file, "", format, arguments);
     va_end(arguments);
 }
 
@@ -29,7 +29,7 @@ void print_line(FILE *file, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    put(file, "\n", format, arguments);
+    print_put(file, "\n", format, arguments);
     va_end(arguments);
 }
 
@@ -37,6 +37,6 @@ void print_error(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    put(stderr, "\n", format, arguments);
+    print_put(stderr, "\n", format, arguments);
     va_end(arguments);
 }

@@ -60,13 +60,13 @@
  * controllers' mask and bytes, the poses and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
     (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES +            \
-     REPLAY_HANDS_BYTES + 4u)
+     REPLAY_POSE_DELTA_BYTES + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
 /* Buffer for the largest chunk, or for the header with the largest start and book; plus an end
  * mark. */
 #define REPLAY_HEADER_MAX                                                                          \
-    (REPLAY_HEADER_SIZE + REPLAY_START_MAX + REPLAY_BOOK_MAX + 2u * REPLAY_SUM_SIZE)
+    (REPLAY_HEADER_SIZE + REPLAY_INITIAL_STATE_MAX + REPLAY_CATALOG_MAX + 2u * REPLAY_SUM_SIZE)
 #define REPLAY_BUFFER_SIZE                                                                         \
     (REPLAY_HEADER_MAX + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE)
 

@@ -10,13 +10,13 @@
 #include "core/game/lab_book.h"
 
 /* Eight species and fifteen graphs take 25 KB. */
-#define REPLAY_BOOK_MAX (32u * 1024u)
+#define REPLAY_CATALOG_MAX (32u * 1024u)
 
 /* Returns the number of bytes written; 0 for an empty catalog. */
-size_t replay_book_encode(const struct lab_book *book, uint8_t out[REPLAY_BOOK_MAX]);
+size_t replay_catalog_encode(const struct lab_book *book, uint8_t out[REPLAY_CATALOG_MAX]);
 
 /* Parses exactly `size` bytes of any content. Returns 1, or 0 with an empty `book` if the bytes are
  * no valid catalog for this program's species. */
-int replay_book_decode(struct lab_book *book, const uint8_t *bytes, size_t size);
+int replay_catalog_decode(struct lab_book *book, const uint8_t *bytes, size_t size);
 
 #endif

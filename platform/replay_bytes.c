@@ -25,7 +25,7 @@ void replay_put_u64(uint8_t *bytes, uint64_t value)
     replay_put_u32(bytes + 4, (uint32_t)(value >> 32));
 }
 
-size_t replay_put_if(int wanted, uint32_t value, uint8_t *out)
+size_t replay_put_optional(int wanted, uint32_t value, uint8_t *out)
 {
     if (!wanted) {
         return 0;

@@ -11,8 +11,8 @@ uint64_t replay_get_u64(const uint8_t *bytes);
 void replay_put_u32(uint8_t *bytes, uint32_t value);
 void replay_put_u64(uint8_t *bytes, uint64_t value);
 
-/* Return the number of bytes written. replay_put_if() writes nothing if `wanted` is 0. */
-size_t replay_put_if(int wanted, uint32_t value, uint8_t *out);
+/* Return the number of bytes written. replay_put_optional() writes nothing if `wanted` is 0. */
+size_t replay_put_optional(int wanted, uint32_t value, uint8_t *out);
 size_t replay_put_u16(uint16_t value, uint8_t *out);
 
 /* Bytes that are still to be read. Reading beyond the end returns 0 and sets `bad`. */

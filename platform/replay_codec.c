@@ -52,7 +52,7 @@ enum {
     DESK_BYTES,
 };
 _Static_assert(DESK_BYTES == REPLAY_DESK_BYTES && DESK_BYTES <= 16, "each has its bit in a u16");
-_Static_assert(sizeof(struct desk_input) == DESK_BYTES, "the desk's bytes are all of it");
+_Static_assert(sizeof(struct controller_status) == DESK_BYTES, "the desk's bytes are all of it");
 
 /* ---- Encoding ---- */
 
@@ -84,8 +84,8 @@ static size_t encode_machine(const struct input *before, const struct input *inp
     const uint32_t mask = machine_mask(before, input);
     size_t size = 1;
     out[0] = (uint8_t)mask;
-    size += replay_put_if((mask & MACHINE_SAVED_ID) != 0, input->record_saved_id, out + size);
-    size += replay_put_if((mask & MACHINE_EDIT_ID) != 0, input->edit_saved_id, out + size);
+    size += replay_put_optional((mask & MACHINE_SAVED_ID) != 0, input->record_saved_id, out + size);
+    size += replay_put_optional((mask & MACHINE_EDIT_ID) != 0, input->edit_saved_id, out + size);
     if (mask & MACHINE_LEVELS) {
         out[size++] = levels_of(input);
     }
@@ -95,13 +95,13 @@ static size_t encode_machine(const struct input *before, const struct input *inp
     if (mask & MACHINE_MINUTE) {
         size += replay_put_u16(input->minute, out + size);
     }
-    size += replay_put_if((mask & MACHINE_DROPPED) != 0, input->dropped_ticks, out + size);
-    size += replay_put_if((mask & MACHINE_FAULTS) != 0, input->device_faults, out + size);
-    size += replay_put_if((mask & MACHINE_TICKETS) != 0, input->tickets_done, out + size);
+    size += replay_put_optional((mask & MACHINE_DROPPED) != 0, input->dropped_ticks, out + size);
+    size += replay_put_optional((mask & MACHINE_FAULTS) != 0, input->device_faults, out + size);
+    size += replay_put_optional((mask & MACHINE_TICKETS) != 0, input->tickets_done, out + size);
     return mask ? size : 0;
 }
 
-static void list_desk(const struct desk_input *desk, uint8_t out[DESK_BYTES])
+static void list_desk(const struct controller_status *desk, uint8_t out[DESK_BYTES])
 {
     memcpy(out, desk->state, CONTROLLER_MAX);
     out[DESK_STEP] = desk->learn_step;
@@ -111,8 +111,8 @@ static void list_desk(const struct desk_input *desk, uint8_t out[DESK_BYTES])
 }
 
 /* Returns 0 if nothing changed. */
-static size_t encode_desk(const struct desk_input *before, const struct desk_input *desk,
-                          uint8_t *out)
+static size_t encode_desk(const struct controller_status *before,
+                          const struct controller_status *desk, uint8_t *out)
 {
     uint8_t old[DESK_BYTES], new[DESK_BYTES];
     uint32_t mask = 0;
@@ -133,20 +133,20 @@ size_t replay_encode_input(const struct input *before, const struct input *input
 {
     const int held = input->held != before->held;
     const int pressed = input->pressed != 0;
-    const int coins = coin_pulses(input) != 0;
+    const int coins = input_coin_pulses(input) != 0;
     const uint32_t mask =
         (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) | (coins ? HAS_COINS : 0u);
     size_t size = 1;
-    size += replay_put_if(held, input->held, out + size);
-    size += replay_put_if(pressed, input->pressed, out + size);
+    size += replay_put_optional(held, input->held, out + size);
+    size += replay_put_optional(pressed, input->pressed, out + size);
     for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
-        size += replay_put_if(coins, input->coin_count[i], out + size);
+        size += replay_put_optional(coins, input->coin_count[i], out + size);
     }
     const size_t machine_size = encode_machine(before, input, out + size);
     size += machine_size;
-    const size_t desk_size = encode_desk(&before->desk, &input->desk, out + size);
+    const size_t desk_size = encode_desk(&before->controllers, &input->controllers, out + size);
     size += desk_size;
-    const size_t hands_size = replay_encode_hands(before, input, out + size);
+    const size_t hands_size = replay_pose_delta_encode(before, input, out + size);
     out[0] = (uint8_t)(mask | (machine_size > 0 ? HAS_MACHINE : 0u) |
                        (desk_size > 0 ? HAS_DESK : 0u) | (hands_size > 0 ? HAS_HANDS : 0u));
     return size + hands_size;
@@ -194,7 +194,7 @@ static void decode_machine(struct input *input, struct replay_rest *rest)
     }
 }
 
-static void decode_desk(struct desk_input *desk, struct replay_rest *rest)
+static void decode_desk(struct controller_status *desk, struct replay_rest *rest)
 {
     uint8_t bytes[DESK_BYTES];
     const uint32_t mask = replay_take_u16(rest);
@@ -233,10 +233,10 @@ size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t siz
         decode_machine(&next, &rest);
     }
     if (mask & HAS_DESK) {
-        decode_desk(&next.desk, &rest);
+        decode_desk(&next.controllers, &rest);
     }
     if (mask & HAS_HANDS) {
-        replay_decode_hands(&next, &rest);
+        replay_pose_delta_decode(&next, &rest);
     }
     rest.bad |= mask > HAS_ALL || (next.held | next.pressed) > INPUT_BUTTON_ALL;
     if (rest.bad) {

@@ -65,7 +65,7 @@ static size_t encode_held(const struct held *before, const struct held *held, ui
     for (unsigned i = 0; i < held->float_count; i++) {
         const int changed = before->bits[i] != held->bits[i];
         mask |= (uint8_t)(changed ? (uint32_t)HELD_HAS_FLOAT << i : 0u);
-        size += replay_put_if(changed, held->bits[i], out + size);
+        size += replay_put_optional(changed, held->bits[i], out + size);
     }
     if (held->age != before->age) {
         mask |= POI_HAS_AGE;
@@ -75,7 +75,7 @@ static size_t encode_held(const struct held *before, const struct held *held, ui
     return mask ? size : 0;
 }
 
-size_t replay_encode_hands(const struct input *before, const struct input *input, uint8_t *out)
+size_t replay_pose_delta_encode(const struct input *before, const struct input *input, uint8_t *out)
 {
     uint32_t mask = 0;
     size_t size = 1;
@@ -140,7 +140,7 @@ static void decode_shade(struct shade_input *shade, struct replay_rest *rest)
     *shade = (struct shade_input){ held.byte, floats[0], floats[1], floats[2] };
 }
 
-void replay_decode_hands(struct input *input, struct replay_rest *rest)
+void replay_pose_delta_decode(struct input *input, struct replay_rest *rest)
 {
     const uint8_t mask = replay_take_u8(rest);
     rest->bad |= mask == 0;

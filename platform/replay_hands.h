@@ -12,14 +12,16 @@
 
 /* Largest size: a mask of devices; each poi with a mask, a link, six floats and an age; each fan
  * with a mask, its presence and three floats. */
-#define REPLAY_HANDS_BYTES                                                                         \
+#define REPLAY_POSE_DELTA_BYTES                                                                    \
     (1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u))
 
-/* Writes at most REPLAY_HANDS_BYTES to `out`. Returns the number of bytes, 0 if no pose changed. */
-size_t replay_encode_hands(const struct input *before, const struct input *input, uint8_t *out);
+/* Writes at most REPLAY_POSE_DELTA_BYTES to `out`. Returns the number of bytes, 0 if no pose
+ * changed. */
+size_t replay_pose_delta_encode(const struct input *before, const struct input *input,
+                                uint8_t *out);
 
 /* Updates the fields that the bytes name. Sets `rest->bad` if the bytes contain values that no
  * recorder writes. */
-void replay_decode_hands(struct input *input, struct replay_rest *rest);
+void replay_pose_delta_decode(struct input *input, struct replay_rest *rest);
 
 #endif

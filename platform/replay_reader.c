@@ -16,8 +16,9 @@
 #define TICK_SIZE_MIN 1u /* A mask without any change. */
 
 /* Fills `problem`, closes the file and returns -1. */
-__attribute__((format(printf, 4, 5)))
-static int refuse(struct replay_reader *reader, int is_io, uint64_t offset, const char *format, ...)
+__attribute__((format(printf, 4, 5))) static int replay_reader_error(struct replay_reader *reader,
+                                                                     int is_io, uint64_t offset,
+                                                                     const char *format, ...)
 {
     va_list arguments;
     reader->problem = (struct replay_problem){ .is_io = is_io, .offset = offset };
@@ -53,13 +54,13 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
             continue;
         }
         if (got < 0) {
-            return refuse(reader, 1, begin + done, "cannot read: %s", strerror(errno));
+            return replay_reader_error(reader, 1, begin + done, "cannot read: %s", strerror(errno));
         }
         if (got == 0) {
-            return refuse(reader, 0, begin + done,
-                          "the file ends in the middle of %s; "
-                          "%u whole seconds before that are good",
-                          what, reader->tick / CORE_TICK_HZ);
+            return replay_reader_error(reader, 0, begin + done,
+                                       "the file ends in the middle of %s; "
+                                       "%u whole seconds before that are good",
+                                       what, reader->tick / CORE_TICK_HZ);
         }
         done += (size_t)got;
     }
@@ -90,7 +91,7 @@ static int read_part_of_header(struct replay_reader *reader, size_t size, const 
     }
     reader->sum = hash_bytes(reader->sum, reader->bytes, size);
     if (reader->sum != replay_get_u64(reader->bytes + size)) {
-        return refuse(reader, 0, reader->offset, "%s was altered", what);
+        return replay_reader_error(reader, 0, reader->offset, "%s was altered", what);
     }
     return 0;
 }
@@ -100,9 +101,10 @@ static int read_start(struct replay_reader *reader, size_t size)
     if (read_part_of_header(reader, size, "its start")) {
         return -1;
     }
-    if (!replay_start_decode(&reader->header.config, reader->bytes, size,
-                             reader->header.version)) {
-        return refuse(reader, 0, reader->offset, "the start says what this program never writes");
+    if (!replay_initial_state_decode(&reader->header.config, reader->bytes, size,
+                                     reader->header.version)) {
+        return replay_reader_error(reader, 0, reader->offset,
+                                   "the start says what this program never writes");
     }
     reader->offset += size + REPLAY_SUM_SIZE;
     return 0;
@@ -117,8 +119,8 @@ static int read_book(struct replay_reader *reader, size_t size)
     if (read_part_of_header(reader, size, "its book of species")) {
         return -1;
     }
-    if (!replay_book_decode(&reader->header.config.book, reader->bytes, size)) {
-        return refuse(reader, 0, reader->offset, "its species are not this program's");
+    if (!replay_catalog_decode(&reader->header.config.book, reader->bytes, size)) {
+        return replay_reader_error(reader, 0, reader->offset, "its species are not this program's");
     }
     reader->offset += size + REPLAY_SUM_SIZE;
     return 0;
@@ -132,8 +134,8 @@ static int is_possible(const uint8_t *header)
            replay_get_u32(header + HEADER_TICK_HZ) == CORE_TICK_HZ &&
            is_program_name(header + HEADER_PROGRAM) && digest_ticks >= 1 &&
            digest_ticks <= REPLAY_CHUNK_TICKS &&
-           replay_get_u32(header + HEADER_START) <= REPLAY_START_MAX &&
-           replay_get_u32(header + HEADER_BOOK) <= REPLAY_BOOK_MAX;
+           replay_get_u32(header + HEADER_START) <= REPLAY_INITIAL_STATE_MAX &&
+           replay_get_u32(header + HEADER_BOOK) <= REPLAY_CATALOG_MAX;
 }
 
 static int read_header(struct replay_reader *reader)
@@ -143,22 +145,22 @@ static int read_header(struct replay_reader *reader)
         return -1;
     }
     if (memcmp(bytes, REPLAY_MAGIC, 8) != 0) {
-        return refuse(reader, 0, 0, "not a recording of Kingyo");
+        return replay_reader_error(reader, 0, 0, "not a recording of Kingyo");
     }
     const uint32_t version = replay_get_u32(bytes + HEADER_VERSION) & 0xffffu;
     if (version < REPLAY_VERSION_MIN || version > REPLAY_VERSION) {
-        return refuse(reader, 0, HEADER_VERSION,
-                      "format version %u; this program reads versions %u to %u", version,
-                      REPLAY_VERSION_MIN, REPLAY_VERSION);
+        return replay_reader_error(reader, 0, HEADER_VERSION,
+                                   "format version %u; this program reads versions %u to %u",
+                                   version, REPLAY_VERSION_MIN, REPLAY_VERSION);
     }
     reader->header.version = version;
     reader->sum = hash_bytes(HASH_START, bytes, HEADER_SUM);
     if (reader->sum != replay_get_u64(bytes + HEADER_SUM)) {
-        return refuse(reader, 0, HEADER_SUM, "the header was altered");
+        return replay_reader_error(reader, 0, HEADER_SUM, "the header was altered");
     }
     if (!is_possible(bytes)) {
-        return refuse(reader, 0, HEADER_SIZE_FIELD,
-                      "the header says what this program never writes");
+        return replay_reader_error(reader, 0, HEADER_SIZE_FIELD,
+                                   "the header says what this program never writes");
     }
     const uint32_t book_size = replay_get_u32(bytes + HEADER_BOOK);
     reader->digest_ticks = replay_get_u32(bytes + HEADER_DIGEST_TICKS);
@@ -176,17 +178,17 @@ int replay_open(struct replay_reader *reader, const char *path)
     /* Non-blocking, so that a pipe without a writer cannot block. */
     reader->fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (reader->fd < 0) {
-        return refuse(reader, 1, 0, "cannot open: %s", strerror(errno));
+        return replay_reader_error(reader, 1, 0, "cannot open: %s", strerror(errno));
     }
     if (fstat(reader->fd, &status) != 0) {
-        return refuse(reader, 1, 0, "cannot read: %s", strerror(errno));
+        return replay_reader_error(reader, 1, 0, "cannot read: %s", strerror(errno));
     }
     if (!S_ISREG(status.st_mode)) {
-        return refuse(reader, 1, 0, "not a recording of Kingyo but a %s",
-                      S_ISDIR(status.st_mode) ? "folder" : "device or pipe");
+        return replay_reader_error(reader, 1, 0, "not a recording of Kingyo but a %s",
+                                   S_ISDIR(status.st_mode) ? "folder" : "device or pipe");
     }
     if (status.st_size == 0) {
-        return refuse(reader, 0, 0, "the file is empty");
+        return replay_reader_error(reader, 0, 0, "the file is empty");
     }
     return read_header(reader);
 }
@@ -208,7 +210,7 @@ static int read_end(struct replay_reader *reader)
         return -1;
     }
     if (hash_bytes(reader->sum, end, END_SUM) != replay_get_u64(end + END_SUM)) {
-        return refuse(reader, 0, reader->offset, "the end mark was altered");
+        return replay_reader_error(reader, 0, reader->offset, "the end mark was altered");
     }
     const struct replay_totals totals = {
         .ticks = replay_get_u32(end + END_TICKS),
@@ -221,12 +223,13 @@ static int read_end(struct replay_reader *reader)
     };
     if (!replay_totals_agree(&totals, &reader->totals) || totals.ticks != reader->tick ||
         (reader->tick != 0 && totals.hash != reader->totals.hash)) {
-        return refuse(reader, 0, reader->offset, "the end mark does not agree with the "
-                                                 "last second");
+        return replay_reader_error(reader, 0, reader->offset,
+                                   "the end mark does not agree with the "
+                                   "last second");
     }
     const uint64_t size = reader->offset + REPLAY_END_SIZE;
     if (read_some(reader, &beyond, 1, size) != 0) {
-        return refuse(reader, 0, size, "there is more after the end mark");
+        return replay_reader_error(reader, 0, size, "there is more after the end mark");
     }
     reader->totals = totals;
     reader->ended = 1;
@@ -250,8 +253,8 @@ static int read_chunk(struct replay_reader *reader)
     const uint32_t tick_count = replay_get_u32(head + CHUNK_TICK_COUNT);
     reader->payload_size = replay_get_u32(head + CHUNK_PAYLOAD_SIZE);
     if (!chunk_head_is_possible(reader, tick_count)) {
-        return refuse(reader, 0, reader->offset, "the head of second %u was altered",
-                      reader->tick / CORE_TICK_HZ);
+        return replay_reader_error(reader, 0, reader->offset, "the head of second %u was altered",
+                                   reader->tick / CORE_TICK_HZ);
     }
     const size_t summed = REPLAY_CHUNK_HEAD_SIZE + reader->payload_size;
     if (read_bytes(reader, head + REPLAY_CHUNK_HEAD_SIZE, reader->payload_size + REPLAY_SUM_SIZE,
@@ -260,8 +263,8 @@ static int read_chunk(struct replay_reader *reader)
     }
     reader->sum = hash_bytes(reader->sum, head, summed);
     if (reader->sum != replay_get_u64(head + summed)) {
-        return refuse(reader, 0, reader->offset, "second %u was altered",
-                      reader->tick / CORE_TICK_HZ);
+        return replay_reader_error(reader, 0, reader->offset, "second %u was altered",
+                                   reader->tick / CORE_TICK_HZ);
     }
     reader->totals = (struct replay_totals){
         .ticks = reader->tick + tick_count,
@@ -290,7 +293,8 @@ static int read_part(struct replay_reader *reader)
     if (memcmp(tag, REPLAY_CHUNK_TAG, sizeof tag) == 0) {
         return read_chunk(reader);
     }
-    return refuse(reader, 0, reader->offset, "neither a second nor the end mark stands here");
+    return replay_reader_error(reader, 0, reader->offset,
+                               "neither a second nor the end mark stands here");
 }
 
 int replay_next(struct replay_reader *reader, struct input *input)
@@ -311,7 +315,8 @@ int replay_next(struct replay_reader *reader, struct input *input)
     const size_t digest_size = (reader->tick + 1u) % reader->digest_ticks == 0 ? 4 : 0;
     const uint64_t at = reader->offset + REPLAY_CHUNK_HEAD_SIZE + reader->payload_used;
     if (used == 0 || left - used < digest_size) {
-        return refuse(reader, 0, at, "tick %u says what no recorder writes", reader->tick);
+        return replay_reader_error(reader, 0, at, "tick %u says what no recorder writes",
+                                   reader->tick);
     }
     reader->has_digest = digest_size > 0;
     if (reader->has_digest) {
@@ -322,8 +327,8 @@ int replay_next(struct replay_reader *reader, struct input *input)
     reader->chunk_left--;
     if (reader->chunk_left == 0) {
         if (reader->payload_used != reader->payload_size) {
-            return refuse(reader, 0, at, "second %u holds more than its ticks",
-                          (reader->tick - 1) / CORE_TICK_HZ);
+            return replay_reader_error(reader, 0, at, "second %u holds more than its ticks",
+                                       (reader->tick - 1) / CORE_TICK_HZ);
         }
         reader->offset += REPLAY_CHUNK_HEAD_SIZE + reader->payload_size + REPLAY_SUM_SIZE;
     }

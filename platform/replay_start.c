@@ -18,70 +18,70 @@
 
 /* Largest size of all serialized fields. Compression adds at most one byte for each PLAIN_MAX
  * bytes. */
-#define FIELDS_MAX (REPLAY_START_MAX / 2u)
-_Static_assert(sizeof(struct memory) + sizeof(struct chapter) + 256u <= FIELDS_MAX,
+#define FIELDS_MAX (REPLAY_INITIAL_STATE_MAX / 2u)
+_Static_assert(sizeof(struct persistent_state) + sizeof(struct game_session) + 256u <= FIELDS_MAX,
                "the fields are no more than they hold");
 
 /* ---- The fields ----------------------------------------------------------------------------- */
 
-static void walk_purse(struct replay_walk *walk, struct purse *purse)
+static void walk_purse(struct replay_serializer *walk, struct balance *balance)
 {
-    walk_u32(walk, &purse->units);
-    walk_u32(walk, &purse->bonus_units);
-    walk_u32(walk, &purse->paid);
-    walk_u32(walk, &purse->service);
-    walk_u32(walk, &purse->untold);
-    walk_u8(walk, &purse->open);
+    replay_serialize_u32(walk, &balance->units);
+    replay_serialize_u32(walk, &balance->bonus_units);
+    replay_serialize_u32(walk, &balance->paid);
+    replay_serialize_u32(walk, &balance->service);
+    replay_serialize_u32(walk, &balance->unlogged);
+    replay_serialize_u8(walk, &balance->open);
     if (walk->version > 7u) {
-        walk_u8(walk, &purse->returned);
-        walk_u16(walk, &purse->tickets);
+        replay_serialize_u8(walk, &balance->returned);
+        replay_serialize_u16(walk, &balance->tickets);
     }
 }
-_Static_assert(sizeof(struct purse) == 24, "the walk knows all of a purse");
+_Static_assert(sizeof(struct balance) == 24, "the walk knows all of a purse");
 
-static void walk_ledger(struct replay_walk *walk, struct ledger_start *ledger)
+static void walk_ledger(struct replay_serializer *walk, struct ledger_start *ledger)
 {
-    walk_u32(walk, &ledger->last_id);
-    walk_u32(walk, &ledger->boots);
-    walk_purse(walk, &ledger->purse);
+    replay_serialize_u32(walk, &ledger->last_id);
+    replay_serialize_u32(walk, &ledger->boots);
+    walk_purse(walk, &ledger->balance);
     if (walk->version > 7u) {
         uint32_t value = (uint32_t)ledger->stand.value;
-        walk_u32(walk, &ledger->stand.count);
-        walk_u32(walk, &value);
-        walk_u8(walk, &ledger->stand.detail);
+        replay_serialize_u32(walk, &ledger->stand.count);
+        replay_serialize_u32(walk, &value);
+        replay_serialize_u8(walk, &ledger->stand.detail);
         ledger->stand.value = (int32_t)value;
     }
 }
 _Static_assert(sizeof(struct ledger_start) == 44, "the walk knows all of it");
 
 /* Stores each setting as the difference from its default. */
-static void walk_settings(struct replay_walk *walk, struct settings *settings)
+static void walk_settings(struct replay_serializer *walk, struct settings *settings)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const uint32_t standard = (uint32_t)setting_of(id)->standard;
+        const uint32_t standard = (uint32_t)settings_entry(id)->standard;
         uint32_t away = (uint32_t)settings->value[id] - standard;
-        walk_u32(walk, &away);
+        replay_serialize_u32(walk, &away);
         settings->value[id] = (int32_t)(away + standard);
     }
 }
 
-static void walk_row(struct replay_walk *walk, struct rank_row *row)
+static void walk_row(struct replay_serializer *walk, struct rank_row *row)
 {
-    walk_u32(walk, &row->caught);
-    walk_u32(walk, &row->round_id);
-    walk_u16(walk, &row->day);
-    walk_u8(walk, &row->seat);
-    walk_bytes(walk, row->name, sizeof row->name);
+    replay_serialize_u32(walk, &row->caught);
+    replay_serialize_u32(walk, &row->round_id);
+    replay_serialize_u16(walk, &row->day);
+    replay_serialize_u8(walk, &row->seat);
+    replay_serialize_bytes(walk, row->name, sizeof row->name);
     walk->bad |= row->seat >= POI_MAX || row->name[sizeof row->name - 1u] != '\0';
 }
 _Static_assert(sizeof(struct rank_row) == 44, "the walk knows all of a row");
 
-static void walk_ranking(struct replay_walk *walk, struct ranking *ranking)
+static void walk_ranking(struct replay_serializer *walk, struct ranking *ranking)
 {
-    walk_u32(walk, &ranking->boot);
-    walk_u16(walk, &ranking->day);
-    walk_u16(walk, &ranking->week);
-    walk_u32(walk, &ranking->week_boot);
+    replay_serialize_u32(walk, &ranking->boot);
+    replay_serialize_u16(walk, &ranking->day);
+    replay_serialize_u16(walk, &ranking->week);
+    replay_serialize_u32(walk, &ranking->week_boot);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
             walk_row(walk, &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS]);
@@ -89,13 +89,13 @@ static void walk_ranking(struct replay_walk *walk, struct ranking *ranking)
     }
 }
 
-static void walk_memory(struct replay_walk *walk, struct memory *memory)
+static void walk_memory(struct replay_serializer *walk, struct persistent_state *memory)
 {
     walk_ledger(walk, &memory->ledger);
     walk_settings(walk, &memory->settings);
     const uint32_t audit_count = walk->version > 7u ? AUDIT_COUNT : AUDIT_FORMAT_7_COUNT;
     for (uint32_t id = 0; id < audit_count; id++) {
-        walk_u32(walk, &memory->audits.count[id]);
+        replay_serialize_u32(walk, &memory->audits.count[id]);
     }
     walk_ranking(walk, &memory->ranking);
 }
@@ -103,67 +103,68 @@ static void walk_memory(struct replay_walk *walk, struct memory *memory)
 /* Clears the bytes that are padding in the balances of format 7. */
 static void clear_later_fields(struct ledger *ledger)
 {
-    struct purse *const purses[] = { &ledger->purse, &ledger->kept };
+    struct balance *const purses[] = { &ledger->balance, &ledger->committed };
     for (uint32_t i = 0; i < LEDGER_RING + 2u; i++) {
-        struct purse *purse = i < LEDGER_RING ? &ledger->after[i] : purses[i - LEDGER_RING];
-        purse->returned = 0;
-        purse->tickets = 0;
+        struct balance *balance = i < LEDGER_RING ? &ledger->after[i] : purses[i - LEDGER_RING];
+        balance->returned = 0;
+        balance->tickets = 0;
     }
 }
 
 /* Serializes the session. Ledger, credit and settings are copied as in memory: integers only, with
  * the same layout on every supported board. */
-static void walk_chapter(struct replay_walk *walk, struct chapter *chapter)
+static void walk_chapter(struct replay_serializer *walk, struct game_session *session)
 {
-    walk_u32(walk, &chapter->tick);
-    walk_u32(walk, &chapter->order_count);
-    walk_u32(walk, &chapter->edit_save_id);
-    walk_u32(walk, &chapter->edit_saved_id);
+    replay_serialize_u32(walk, &session->tick);
+    replay_serialize_u32(walk, &session->command_count);
+    replay_serialize_u32(walk, &session->edit_save_id);
+    replay_serialize_u32(walk, &session->edit_saved_id);
     const int is_7 = walk->version == 7u;
-    walk_bytes(walk, &chapter->ledger, sizeof chapter->ledger);
-    walk_bytes(walk, &chapter->credit,
-               is_7 ? offsetof(struct credit, stand_id) : sizeof chapter->credit);
-    walk_bytes(walk, &chapter->upkeep,
-               is_7 ? offsetof(struct upkeep, away_ticks) : sizeof chapter->upkeep);
+    replay_serialize_bytes(walk, &session->ledger, sizeof session->ledger);
+    replay_serialize_bytes(walk, &session->credit,
+                           is_7 ? offsetof(struct credit, stand_id) : sizeof session->credit);
+    replay_serialize_bytes(walk, &session->health_log,
+                           is_7 ? offsetof(struct health_log, away_ticks)
+                                : sizeof session->health_log);
     if (is_7) {
-        clear_later_fields(&chapter->ledger);
+        clear_later_fields(&session->ledger);
     }
-    walk_bytes(walk, &chapter->adjust, sizeof chapter->adjust);
+    replay_serialize_bytes(walk, &session->settings_edit, sizeof session->settings_edit);
     if (walk->version == 7u) {
-        chapter->language = (struct language_choice){ 0 };
+        session->language = (struct language_choice){ 0 };
         return;
     }
-    walk_u32(walk, &chapter->language.chosen);
-    walk_u32(walk, &chapter->language.until_tick);
+    replay_serialize_u32(walk, &session->language.chosen);
+    replay_serialize_u32(walk, &session->language.until_tick);
 }
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes of a board are those of a file");
 
 /* Serializes the rule version. The rules of format 7 stay in force for games that began with
  * them. */
-static void walk_rules(struct replay_walk *walk, uint8_t *rules_7)
+static void walk_rules(struct replay_serializer *walk, uint8_t *rules_7)
 {
     if (walk->version == 7u) {
         *rules_7 = 1;
         return;
     }
-    walk_u8(walk, rules_7);
+    replay_serialize_u8(walk, rules_7);
     walk->bad |= *rules_7 > 1u;
 }
 
-static void walk_config(struct replay_walk *walk, struct core_config *config)
+static void walk_config(struct replay_serializer *walk, struct core_config *config)
 {
-    walk_u32(walk, &config->seed);
-    walk_u8(walk, &config->preset);
-    walk_u32(walk, &config->fish_count);
-    walk_u8(walk, &config->language);
-    walk_u32(walk, &config->round_s);
-    walk_u8(walk, &config->modes);
-    walk_u8(walk, &config->grade);
-    walk_u8(walk, &config->players);
-    walk_u8(walk, &config->credit_coins);
-    walk_u8(walk, &config->ticket_fish);
-    walk_memory(walk, &config->memory);
-    walk_chapter(walk, &config->chapter);
+    replay_serialize_u32(walk, &config->seed);
+    replay_serialize_u8(walk, &config->preset);
+    replay_serialize_u32(walk, &config->fish_count);
+    replay_serialize_u8(walk, &config->language);
+    replay_serialize_u32(walk, &config->round_s);
+    replay_serialize_u8(walk, &config->modes);
+    replay_serialize_u8(walk, &config->grade);
+    replay_serialize_u8(walk, &config->players);
+    replay_serialize_u8(walk, &config->credit_coins);
+    replay_serialize_u8(walk, &config->ticket_fish);
+    walk_memory(walk, &config->persistent);
+    walk_chapter(walk, &config->session);
     walk_rules(walk, &config->rules_7);
 }
 
@@ -228,26 +229,29 @@ static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max
 
 /* ---- Encode and decode ----------------------------------------------------------------------- */
 
-size_t replay_start_encode(const struct core_config *config, uint8_t out[REPLAY_START_MAX])
+size_t replay_initial_state_encode(const struct core_config *config,
+                                   uint8_t out[REPLAY_INITIAL_STATE_MAX])
 {
     struct core_config copy = *config; /* Copy, because the serializer takes a non-const pointer. */
     uint8_t fields[FIELDS_MAX];
-    struct replay_walk walk = { .out = fields, .size = sizeof fields, .version = REPLAY_VERSION };
+    struct replay_serializer walk = { .out = fields,
+                                      .size = sizeof fields,
+                                      .version = REPLAY_VERSION };
     walk_config(&walk, &copy);
     CORE_ASSERT(!walk.bad);
     return pack(fields, walk.at, out);
 }
 
-int replay_start_decode(struct core_config *config, const uint8_t *bytes, size_t size,
-                        uint32_t version)
+int replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
+                                uint32_t version)
 {
     uint8_t fields[FIELDS_MAX];
-    config->memory = (struct memory){ 0 };
-    config->chapter = (struct chapter){ 0 };
-    struct replay_walk walk = { .in = fields,
-                                .size = unpack(bytes, size, fields, FIELDS_MAX),
-                                .version = version };
+    config->persistent = (struct persistent_state){ 0 };
+    config->session = (struct game_session){ 0 };
+    struct replay_serializer walk = { .in = fields,
+                                      .size = unpack(bytes, size, fields, FIELDS_MAX),
+                                      .version = version };
     walk_config(&walk, config);
-    return !walk.bad && ledger_memory_is_good(&config->memory) &&
-           ledger_chapter_is_good(&config->chapter) && walk.at == walk.size;
+    return !walk.bad && ledger_state_is_valid(&config->persistent) &&
+           ledger_session_is_valid(&config->session) && walk.at == walk.size;
 }

@@ -10,16 +10,18 @@
 
 #include "core/core.h"
 
-#define REPLAY_START_MAX (16u * 1024u) /* Twice the size of a full ranking with all audits. */
+/* Twice the size of a full ranking with all audits. */
+#define REPLAY_INITIAL_STATE_MAX (16u * 1024u)
 
 /* Returns the number of bytes written, never 0. */
-size_t replay_start_encode(const struct core_config *config, uint8_t out[REPLAY_START_MAX]);
+size_t replay_initial_state_encode(const struct core_config *config,
+                                   uint8_t out[REPLAY_INITIAL_STATE_MAX]);
 
 /* Parses exactly `size` bytes of any content, written in format `version` (REPLAY_VERSION_MIN ..
  * REPLAY_VERSION of replay.h). The catalog and the lanes of `config` are unchanged. Fields that
  * `version` lacks become 0, and version 7 sets rules_7. Returns 1, or 0 with an invalid `config` if
  * no recorder writes these bytes. */
-int replay_start_decode(struct core_config *config, const uint8_t *bytes, size_t size,
-                        uint32_t version);
+int replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
+                                uint32_t version);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "platform/replay_bytes.h"
 
-void walk_bytes(struct replay_walk *walk, void *bytes, size_t count)
+void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t count)
 {
     if (walk->bad || walk->at + count > walk->size) {
         walk->bad = 1;
@@ -19,32 +19,32 @@ void walk_bytes(struct replay_walk *walk, void *bytes, size_t count)
     walk->at += count;
 }
 
-void walk_u8(struct replay_walk *walk, uint8_t *value)
+void replay_serialize_u8(struct replay_serializer *walk, uint8_t *value)
 {
-    walk_bytes(walk, value, 1);
+    replay_serialize_bytes(walk, value, 1);
 }
 
-void walk_u16(struct replay_walk *walk, uint16_t *value)
+void replay_serialize_u16(struct replay_serializer *walk, uint16_t *value)
 {
     uint8_t bytes[2] = { (uint8_t)*value, (uint8_t)(*value >> 8) };
-    walk_bytes(walk, bytes, sizeof bytes);
+    replay_serialize_bytes(walk, bytes, sizeof bytes);
     *value = (uint16_t)(bytes[0] | (uint32_t)bytes[1] << 8);
 }
 
-void walk_u32(struct replay_walk *walk, uint32_t *value)
+void replay_serialize_u32(struct replay_serializer *walk, uint32_t *value)
 {
     uint8_t bytes[4];
     replay_put_u32(bytes, *value);
-    walk_bytes(walk, bytes, sizeof bytes);
+    replay_serialize_bytes(walk, bytes, sizeof bytes);
     *value = replay_get_u32(bytes);
 }
 
-void walk_floats(struct replay_walk *walk, float *values, size_t count)
+void replay_serialize_floats(struct replay_serializer *walk, float *values, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         uint32_t bits;
         memcpy(&bits, &values[i], sizeof bits);
-        walk_u32(walk, &bits);
+        replay_serialize_u32(walk, &bits);
         memcpy(&values[i], &bits, sizeof bits);
     }
 }

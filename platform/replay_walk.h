@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-struct replay_walk {
+struct replay_serializer {
     uint8_t *out;      /* Destination, or null to read. */
     const uint8_t *in; /* Source if `out` is null. */
     size_t size, at;   /* Size of the buffer in use, and the position in it. */
@@ -17,10 +17,10 @@ struct replay_walk {
 };
 
 /* Write or read one field, or an array of `count` elements. */
-void walk_bytes(struct replay_walk *walk, void *bytes, size_t count);
-void walk_u8(struct replay_walk *walk, uint8_t *value);
-void walk_u16(struct replay_walk *walk, uint16_t *value);
-void walk_u32(struct replay_walk *walk, uint32_t *value);
-void walk_floats(struct replay_walk *walk, float *values, size_t count);
+void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t count);
+void replay_serialize_u8(struct replay_serializer *walk, uint8_t *value);
+void replay_serialize_u16(struct replay_serializer *walk, uint16_t *value);
+void replay_serialize_u32(struct replay_serializer *walk, uint32_t *value);
+void replay_serialize_floats(struct replay_serializer *walk, float *values, size_t count);
 
 #endif

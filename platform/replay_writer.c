@@ -83,9 +83,9 @@ static size_t put_header(struct replay_writer *writer, const struct core_config 
     replay_put_u32(out + HEADER_DIGEST_TICKS, writer->digest_ticks);
 
     uint8_t *start = out + REPLAY_HEADER_SIZE;
-    const size_t start_size = replay_start_encode(config, start);
+    const size_t start_size = replay_initial_state_encode(config, start);
     uint8_t *book = start + start_size + REPLAY_SUM_SIZE;
-    const size_t book_size = replay_book_encode(&config->book, book);
+    const size_t book_size = replay_catalog_encode(&config->book, book);
     replay_put_u32(out + HEADER_START, (uint32_t)start_size);
     replay_put_u32(out + HEADER_BOOK, (uint32_t)book_size);
 
@@ -134,8 +134,8 @@ int replay_is_open(const struct replay_writer *writer)
 }
 
 /* Starts a recording. The destination and the digest interval of `writer` are set by the caller. */
-static int begin(struct replay_writer *writer, const struct core_config *config,
-                 uint64_t first_hash)
+static int replay_writer_begin(struct replay_writer *writer, const struct core_config *config,
+                               uint64_t first_hash)
 {
     writer->totals.hash = first_hash;
     writer->saved = writer->totals;
@@ -155,7 +155,7 @@ int replay_create(struct replay_writer *writer, const char *path, const struct c
     memset(writer, 0, sizeof *writer);
     writer->digest_ticks = 1;
     writer->fd = open_empty(path);
-    return writer->fd < 0 ? writer->fd : begin(writer, config, first_hash);
+    return writer->fd < 0 ? writer->fd : replay_writer_begin(writer, config, first_hash);
 }
 
 int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
@@ -166,7 +166,7 @@ int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
     writer->fd = -1;
     writer->memory = memory;
     writer->memory_size = size;
-    return begin(writer, config, first_hash);
+    return replay_writer_begin(writer, config, first_hash);
 }
 
 /* Restores the old end mark at its old offset, which needs no new space on a full disk. Memory is
@@ -312,10 +312,10 @@ size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *o
 size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
                             const struct core_config *config, struct replay_seal *seal)
 {
-    uint8_t start[REPLAY_START_MAX];
+    uint8_t start[REPLAY_INITIAL_STATE_MAX];
     const size_t old_size = replay_get_u32(recording + HEADER_START);
     const size_t book_size = replay_get_u32(recording + HEADER_BOOK);
-    const size_t new_size = replay_start_encode(config, start);
+    const size_t new_size = replay_initial_state_encode(config, start);
     const size_t behind = REPLAY_HEADER_SIZE + old_size; /* First byte after the start. */
     if (size - old_size + new_size > size_max) {
         return 0;
@@ -332,9 +332,9 @@ size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
 
 int replay_seal_next(struct replay_seal *seal, size_t size)
 {
-    const uint8_t *begin = seal->part;
+    const uint8_t *replay_writer_begin = seal->part;
     while (memcmp(seal->part, REPLAY_CHUNK_TAG, 4) == 0) {
-        if ((size_t)(seal->part - begin) >= size) {
+        if ((size_t)(seal->part - replay_writer_begin) >= size) {
             return 0;
         }
         const size_t payload_size = replay_get_u32(seal->part + CHUNK_PAYLOAD_SIZE);

@@ -14,7 +14,7 @@
 
 static int has_journal; /* Set once, before threads start. */
 
-int say_is_journal(const char *journal, int fd)
+int log_is_journal(const char *journal, int fd)
 {
     char here[64];
     struct stat about;
@@ -26,12 +26,12 @@ int say_is_journal(const char *journal, int fd)
     return strcmp(here, journal) == 0;
 }
 
-void say_prepare(void)
+void log_open(void)
 {
-    has_journal = say_is_journal(getenv("JOURNAL_STREAM"), fileno(stderr));
+    has_journal = log_is_journal(getenv("JOURNAL_STREAM"), fileno(stderr));
 }
 
-void say_plain(enum say_level level, const char *words)
+void log_print_raw(enum log_level level, const char *words)
 {
     struct panic_text line = { 0 };
     if (has_journal) {
@@ -45,9 +45,9 @@ void say_plain(enum say_level level, const char *words)
     panic_write(STDERR_FILENO, line.out, line.used);
 }
 
-void say(enum say_level level, const char *format, ...)
+void log_print(enum log_level level, const char *format, ...)
 {
-    char line[SAY_LINE_MAX], words[SAY_LINE_MAX - 32u];
+    char line[LOG_LINE_MAX], words[LOG_LINE_MAX - 32u];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);

@@ -121,7 +121,7 @@ static int parse_minute(const char *text, int32_t *out)
 
 static int parse_kind(uint32_t id, const char *text, int32_t *out)
 {
-    const struct setting *setting = setting_of(id);
+    const struct setting *setting = settings_entry(id);
     const struct words words = words_of(id);
     switch (setting->kind) {
     case KIND_CHOICE:
@@ -139,8 +139,8 @@ static int parse_kind(uint32_t id, const char *text, int32_t *out)
 int setting_parse(uint32_t id, const char *text, int32_t *out)
 {
     int32_t value = 0;
-    assert(setting_section(setting_of(id)->group)); /* No setting in a file is signed. */
-    if (!parse_kind(id, text, &value) || !setting_allows(id, value)) {
+    assert(setting_section(settings_entry(id)->group)); /* No setting in a file is signed. */
+    if (!parse_kind(id, text, &value) || !settings_allows(id, value)) {
         return 0;
     }
     *out = value;
@@ -149,8 +149,8 @@ int setting_parse(uint32_t id, const char *text, int32_t *out)
 
 /* ---- Writing -------------------------------------------------------------------------------- */
 
-__attribute__((format(printf, 3, 4)))
-static void put(char *out, size_t size, const char *format, ...)
+__attribute__((format(printf, 3, 4))) static void setting_text_put(char *out, size_t size,
+                                                                   const char *format, ...)
 {
     const size_t length = strlen(out);
     va_list arguments;
@@ -163,23 +163,25 @@ void setting_print(uint32_t id, int32_t value, char out[SETTING_TEXT_MAX])
 {
     const struct words words = words_of(id);
     out[0] = '\0';
-    assert(setting_allows(id, value));
-    switch (setting_of(id)->kind) {
+    assert(settings_allows(id, value));
+    switch (settings_entry(id)->kind) {
     case KIND_CHOICE:
-        put(out, SETTING_TEXT_MAX, "%s", words.word[value]);
+        setting_text_put(out, SETTING_TEXT_MAX, "%s", words.word[value]);
         break;
     case KIND_BITS:
         for (uint32_t bit = 0; bit < words.count; bit++) {
             if ((uint32_t)value >> bit & 1u) {
-                put(out, SETTING_TEXT_MAX, "%s%s", out[0] ? ", " : "", words.word[bit]);
+                setting_text_put(out, SETTING_TEXT_MAX, "%s%s", out[0] ? ", " : "",
+                                 words.word[bit]);
             }
         }
         break;
     case KIND_MINUTE:
-        put(out, SETTING_TEXT_MAX, "%02d:%02d", value / MINUTES_PER_HOUR, value % MINUTES_PER_HOUR);
+        setting_text_put(out, SETTING_TEXT_MAX, "%02d:%02d", value / MINUTES_PER_HOUR,
+                         value % MINUTES_PER_HOUR);
         break;
     default:
-        put(out, SETTING_TEXT_MAX, "%d", value);
+        setting_text_put(out, SETTING_TEXT_MAX, "%d", value);
     }
 }
 
@@ -189,14 +191,14 @@ static void list_words(const struct words *words, const char *last, char *out)
     for (uint32_t i = 0; i < words->count; i++) {
         if (words->word[i][0]) {
             const char *gap = !out[0] ? "" : i + 1 == words->count ? last : ", ";
-            put(out, SETTING_RANGE_MAX, "%s%s", gap, words->word[i]);
+            setting_text_put(out, SETTING_RANGE_MAX, "%s%s", gap, words->word[i]);
         }
     }
 }
 
 void setting_range(uint32_t id, char out[SETTING_RANGE_MAX])
 {
-    const struct setting *setting = setting_of(id);
+    const struct setting *setting = settings_entry(id);
     const struct words words = words_of(id);
     out[0] = '\0';
     switch (setting->kind) {
@@ -205,15 +207,16 @@ void setting_range(uint32_t id, char out[SETTING_RANGE_MAX])
         break;
     case KIND_BITS:
         list_words(&words, " and ", out);
-        put(out, SETTING_RANGE_MAX, ", one or more, with commas between them");
+        setting_text_put(out, SETTING_RANGE_MAX, ", one or more, with commas between them");
         break;
     case KIND_MINUTE:
-        put(out, SETTING_RANGE_MAX, "00:00 to 23:45 in steps of %d minutes", setting->step);
+        setting_text_put(out, SETTING_RANGE_MAX, "00:00 to 23:45 in steps of %d minutes",
+                         setting->step);
         break;
     default:
-        put(out, SETTING_RANGE_MAX, "%d to %d", setting->min, setting->max);
+        setting_text_put(out, SETTING_RANGE_MAX, "%d to %d", setting->min, setting->max);
         if (setting->step > 1) {
-            put(out, SETTING_RANGE_MAX, " in steps of %d", setting->step);
+            setting_text_put(out, SETTING_RANGE_MAX, " in steps of %d", setting->step);
         }
     }
 }
@@ -268,7 +271,7 @@ const char *setting_section(uint32_t group)
 uint32_t setting_find(const char *name, size_t length)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const struct setting *setting = setting_of(id);
+        const struct setting *setting = settings_entry(id);
         if (sections[setting->group] && strlen(setting->name) == length &&
             memcmp(setting->name, name, length) == 0) {
             return id;

@@ -19,13 +19,13 @@
  * accepted here because the card may be remounted at any time. */
 static bool folder_is_there(struct storage *storage)
 {
-    const int error = folder_make(storage->dir);
+    const int error = directory_make(storage->dir);
     struct stat about;
     const bool is_there = stat(storage->dir, &about) == 0 && S_ISDIR(about.st_mode);
     if (error && !is_there) {
         char what[HAL_TEXT_SIZE / 2];
         snprintf(what, sizeof what, "no store: %.56s", storage->dir);
-        storage_say(storage, what, strerror(-error), "make that folder and restart");
+        storage_log(storage, what, strerror(-error), "make that folder and restart");
     }
     return is_there;
 }
@@ -34,14 +34,14 @@ static bool folder_is_there(struct storage *storage)
 static bool find_file(struct storage *storage)
 {
     if (!storage->dir) {
-        storage_say(storage, "no store", "no folder was named", "give one with --data DIR");
+        storage_log(storage, "no store", "no folder was named", "give one with --data DIR");
         return false;
     }
     const int length =
         snprintf(storage->path, sizeof storage->path, "%s/" STORAGE_FILE, storage->dir);
     if (length < 0 || (size_t)length >= sizeof storage->path) {
         storage->path[0] = '\0';
-        storage_say(storage, "no store", "the folder's path is too long", "name a shorter one");
+        storage_log(storage, "no store", "the folder's path is too long", "name a shorter one");
         return false;
     }
     return storage->how.vfs || folder_is_there(storage);
@@ -71,7 +71,7 @@ static void note_start(struct storage *storage)
     storage->saved_tick = storage->start.tick;
     storage->prunes = true;
     if (storage->file.db) {
-        storage_note_seals(storage);
+        storage_update_sealed(storage);
     }
     atomic_store(&storage->has_file, true);
 }
@@ -85,26 +85,26 @@ static int storage_open(void *self)
         return atomic_load(&storage->has_file) ? HAL_OK : HAL_ERR_IO;
     }
     if (!find_file(storage)) {
-        return storage->dir ? HAL_ERR_IO : HAL_ERR_NONE;
+        return storage->dir ? HAL_ERR_IO : HAL_ERR_ABSENT;
     }
     sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
-    int code = storage_open_alone(storage);
-    if (code != SQLITE_OK && storage->has_to_rebuild && storage_read_remains(storage, code)) {
+    int code = storage_open_exclusive(storage);
+    if (code != SQLITE_OK && storage->has_to_rebuild && storage_read_remnants(storage, code)) {
         code = SQLITE_OK;
     }
     atomic_store(&storage->error, code == SQLITE_OK ? storage->file.refusal : code);
     if (code == SQLITE_OK) {
         note_start(storage);
-        storage_let_others_read(storage);
+        storage_share_file(storage);
     } else {
-        storage_say_no_file(storage, ledger_file_error(code));
+        storage_log_no_file(storage, ledger_file_error(code));
     }
     sem_init(&storage->wake, 0, 0);
     storage->running = true;
     if (!storage->by_hand && !start_thread(storage)) {
-        storage_say_no_file(storage, "no thread to be had");
+        storage_log_no_file(storage, "no thread to be had");
         storage_close_file(storage);
-        storage_leave(storage);
+        storage_unlock(storage);
         atomic_store(&storage->has_file, false);
         storage->running = false;
         return HAL_ERR_IO;
@@ -112,13 +112,13 @@ static int storage_open(void *self)
     return code == SQLITE_OK ? HAL_OK : HAL_ERR_IO;
 }
 
-static int storage_remember(void *self, struct memory *out)
+static int storage_load(void *self, struct persistent_state *out)
 {
     const struct storage *storage = self;
     if (!storage->running || !storage->start.has_read) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
-    ledger_content_remember(&storage->start, out);
+    ledger_content_load(&storage->start, out);
     /* Count this start; the first entry of this start stores the number. */
     out->ledger.boots += out->ledger.boots < LEDGER_BOOTS_MAX;
     return HAL_OK;
@@ -126,11 +126,11 @@ static int storage_remember(void *self, struct memory *out)
 
 /* ---- Entries and graphs --------------------------------------------------------------------- */
 
-static int storage_keep(void *self, const struct ledger_entry *entry)
+static int storage_append(void *self, const struct ledger_entry *entry)
 {
     struct storage *storage = self;
     if (!atomic_load(&storage->has_file)) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (entry->id <= storage->accepted_id) {
         return HAL_OK;
@@ -152,11 +152,11 @@ static uint32_t storage_saved_id(void *self)
     return atomic_load(&storage->is_unproven) ? 0u : atomic_load(&storage->saved_id);
 }
 
-static int storage_keep_edit(void *self, const struct edit_record *edit)
+static int storage_store_edit(void *self, const struct graph_edit_record *edit)
 {
     struct storage *storage = self;
     if (!storage->running) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (edit->id <= storage->accepted_edit_id) {
         return HAL_OK;
@@ -172,14 +172,14 @@ static int storage_keep_edit(void *self, const struct edit_record *edit)
     return HAL_OK;
 }
 
-static uint32_t storage_kept_edit_id(void *self)
+static uint32_t storage_stored_edit_id(void *self)
 {
     struct storage *storage = self;
-    return atomic_load(&storage->kept_edit_id);
+    return atomic_load(&storage->stored_edit_id);
 }
 
 /* Returns 1 if the last write of an edit failed, or if no more can be written. */
-static int storage_refuses_edits(void *self)
+static int storage_edits_failed(void *self)
 {
     struct storage *storage = self;
     return !storage->running || atomic_load(&storage->edit_error) != 0;
@@ -195,7 +195,7 @@ int64_t storage_stuck_ms(const struct storage *storage)
     return busy_ms >= STORAGE_STUCK_MS ? busy_ms : 0;
 }
 
-static int storage_is_well(void *self)
+static int storage_is_healthy(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
@@ -206,7 +206,7 @@ static int storage_is_well(void *self)
 static int storage_wants_restart(void *self)
 {
     struct storage *storage = self;
-    return !storage->start.has_read && atomic_load(&storage->error) == LEDGER_FILE_ANOTHERS;
+    return !storage->start.has_read && atomic_load(&storage->error) == LEDGER_FILE_FOREIGN;
 }
 
 static uint32_t storage_refused_count(void *self)
@@ -252,17 +252,17 @@ static uint32_t storage_close(void *self)
     storage->closes = true; /* A power cut from now on finds the previous backup. */
     ledger_backup_drop(&storage->backup);
     storage_work(storage); /* Writes entries that arrived meanwhile, and retries the rest once. */
-    storage_rescue(storage);
+    storage_save_deleted(storage);
     const uint32_t lost = lost_entries(storage), lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {
-        storage_say_refused(storage, atomic_load(&storage->error), "they are lost");
+        storage_log_refused(storage, atomic_load(&storage->error), "they are lost");
     } else if (lost_edits > 0) {
-        storage_say(storage, "store: a graph was not written",
+        storage_log(storage, "store: a graph was not written",
                     strerror(atomic_load(&storage->edit_error)), "it is lost");
     }
     sem_destroy(&storage->wake);
     storage_close_file(storage);
-    storage_leave(storage);
+    storage_unlock(storage);
     storage->running = storage->closes = false;
     atomic_store(&storage->has_file, false);
     return lost + lost_edits;
@@ -272,21 +272,21 @@ struct hal_storage storage_device(struct storage *storage)
 {
     static const struct hal_storage_ops ops = {
         .open = storage_open,
-        .remember = storage_remember,
-        .keep = storage_keep,
-        .keep_replay = storage_keep_replay,
-        .replay_kept_id = storage_replay_kept_id,
+        .load = storage_load,
+        .append = storage_append,
+        .store_replay = storage_store_replay,
+        .stored_replay_id = storage_stored_replay_id,
         .fetch_replay = storage_fetch_replay,
         .replay_fetched = storage_replay_fetched,
         .has_replay = storage_has_replay,
         .saved_id = storage_saved_id,
-        .keep_edit = storage_keep_edit,
-        .kept_edit_id = storage_kept_edit_id,
-        .refuses_edits = storage_refuses_edits,
-        .is_well = storage_is_well,
+        .store_edit = storage_store_edit,
+        .stored_edit_id = storage_stored_edit_id,
+        .edits_failed = storage_edits_failed,
+        .is_healthy = storage_is_healthy,
         .wants_restart = storage_wants_restart,
-        .hand_over = storage_hand_over,
-        .handed_over = storage_handed_over,
+        .merge_offline = offline_credits_merge,
+        .offline_merged = offline_credits_result,
         .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,

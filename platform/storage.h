@@ -45,14 +45,15 @@
 
 #define STORAGE_FILE "kingyo.db"
 #define STORAGE_BACKUP_SUFFIX ".backup"
-#define STORAGE_TAIL_SUFFIX ".tail"
+#define STORAGE_MIRROR_SUFFIX ".tail"
 #define STORAGE_NEW_SUFFIX ".new"       /* Finished replacement of a damaged file, until it is
                                            renamed. */
 #define STORAGE_BEFORE_SUFFIX ".before-restore" /* Backup of a database that the operator replaced
                                                    by a copy. */
 #define STORAGE_REPLACED_SUFFIX ".before-" /* Followed by a number: the database that the operator
                                               replaced by a copy. */
-#define STORAGE_ASIDE_SUFFIX ".damaged-" /* Followed by a number: a quarantined damaged file. */
+/* Followed by a number: a quarantined damaged file. */
+#define STORAGE_QUARANTINE_SUFFIX ".damaged-"
 #define STORAGE_MISSING_SUFFIX ".missing-" /* Followed by a number: an empty marker for a missing
                                               file. */
 #define STORAGE_OTHER_SUFFIX ".other-"  /* After the name of a backup or mirror of a foreign ledger;
@@ -65,14 +66,14 @@
                                  unhealthy. The worst internal pause of good cards is one second. */
 /* Interval between two complete reads of an unusable file. The interval doubles from the first
  * value up to the second. */
-#define STORAGE_LOOK_MS 1000
-#define STORAGE_LOOK_MS_MAX 60000
+#define STORAGE_RETRY_MS 1000
+#define STORAGE_RETRY_MS_MAX 60000
 /* Growth of the free space in bytes that triggers an early retry on a full card. The margin is
  * needed because other programs write to the card, too. */
 #define STORAGE_ROOM_MORE (256u * 1024u)
 #define STORAGE_BACKUP_S 3600 /* Longest interval between two backups. */
-#define STORAGE_BACKUP_ENTRIES (LEDGER_TAIL_SLOTS / 2u) /* Entries after which a backup is made
-                                                           earlier. */
+/* Entries after which a backup is made earlier. */
+#define STORAGE_BACKUP_ENTRIES (LEDGER_MIRROR_SLOTS / 2u)
 #define STORAGE_PATH_SIZE 512u
 /* Twice the number of entries that the core can have unwritten, so that a slot is always free while
  * the card responds. */
@@ -81,7 +82,8 @@
                                 second. */
 #define STORAGE_REPLAY_MS 10000 /* Time after which a replay that the card rejects is given up. */
 /* Limit in bytes for all memory of SQLite. The highest measured use was 4.2 MiB, with 100,000
- * entries, a backup and a replay of maximum length (CHAPTERS_SIZE) for each ranked round. */
+ * entries, a backup and a replay of maximum length (SESSION_RECORDER_SIZE) for each ranked round.
+ */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
 
 #define STORAGE_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
@@ -99,7 +101,7 @@ struct storage_replay {
     atomic_int state;      /* enum storage_replay_state */
 };
 
-#define STORAGE_LATE_MAX 16u /* One entry for each coin line and each other credit kind. */
+#define OFFLINE_CREDITS_MAX 16u /* One entry for each coin line and each other credit kind. */
 
 #define STORAGE_PLACES 3u /* The database file, its log (-wal) and the log's index (-shm). */
 
@@ -110,13 +112,17 @@ struct storage_place {
 
 /* State of the offline credits: credits of a kiosk that started without a store, for a database
  * that appears later. */
-enum storage_late_state { STORAGE_LATE_NONE = 0, STORAGE_LATE_NEW, STORAGE_LATE_WAITS };
-struct storage_late {
-    struct ledger_entry entries[STORAGE_LATE_MAX];
+enum offline_credits_state {
+    OFFLINE_CREDITS_NONE = 0,
+    OFFLINE_CREDITS_NEW,
+    OFFLINE_CREDITS_PENDING
+};
+struct offline_credits {
+    struct ledger_entry entries[OFFLINE_CREDITS_MAX];
     uint32_t count;
     uint32_t boot;       /* Boot number of the entries in that database; 0: none assigned yet. */
-    struct purse_step step; /* Change of the balance in that database. */
-    atomic_int state;    /* enum storage_late_state; NEW is handled at once. */
+    struct balance_change step; /* Change of the balance in that database. */
+    atomic_int state;           /* enum offline_credits_state; NEW is handled at once. */
 };
 
 /* Background work on the open file, without a deadline. The thread calls `step` for at most
@@ -134,7 +140,7 @@ struct storage_chore {
  * rest. The address must not change while the store is open. */
 struct storage {
     const char *dir;      /* Folder of the file; must outlive the store. Null: nothing is stored. */
-    struct ledger_file_how how; /* Zero: defaults. With a custom vfs there is no backup. */
+    struct ledger_file_options how; /* Zero: defaults. With a custom vfs there is no backup. */
     uint8_t by_hand;      /* 1: no thread is started; the caller calls storage_work() instead. */
     struct storage_chore chore;
 
@@ -156,8 +162,8 @@ struct storage {
                              no regular file; 0: none. */
     bool was_missing;     /* 1: the replaced file was missing; 0: it was damaged. */
     uint32_t from_backup; /* Newest entry id in the backup that replaced a file. */
-    struct ledger_salvaged salvaged; /* Newer entries recovered from the damaged file and the
-                                        mirror. */
+    struct ledger_recovered salvaged; /* Newer entries recovered from the damaged file and the
+                                         mirror. */
     atomic_int error;     /* SQLite code of the last failed write; 0: the last write succeeded. */
     atomic_int edit_error; /* errno of the last failed edit; 0: the last write of an edit
                               succeeded. */
@@ -170,10 +176,10 @@ struct storage {
     struct ledger_entry queue[STORAGE_QUEUE_MAX];
     atomic_uint pushed, written;
     /* Queue of edits from the growth lab. Each edit becomes a text file (edit_file.h). */
-    struct edit_record edits[STORAGE_EDITS_MAX];
+    struct graph_edit_record edits[STORAGE_EDITS_MAX];
     atomic_uint edits_pushed, edits_written;
     uint32_t accepted_edit_id;
-    atomic_uint kept_edit_id;
+    atomic_uint stored_edit_id;
 
     int hold;             /* Handle of the locked folder + 1, which excludes other kiosk processes;
                              0: not locked. */
@@ -196,8 +202,8 @@ struct storage {
     bool prunes;                     /* Entries, rounds or replays may exceed their limits, and
                                         must be deleted (ledger_file_prune()). Used by the thread
                                         only. */
-    struct ledger_tail tail;         /* Ledger mirror: a second copy of the newest entries. Used by
-                                        the thread only. */
+    struct ledger_mirror tail;       /* Ledger mirror: a second copy of the newest entries. Used
+                                        by the thread only. */
     uint32_t tail_from;              /* First entry id that the mirror lacks; 0: none. Used by the
                                         thread only. */
     atomic_int tail_error;           /* errno of the last mirror write; 0: the write succeeded. */
@@ -205,7 +211,7 @@ struct storage {
     uint32_t backup_id;              /* Newest entry id when the last backup started. */
     int64_t backup_due_s;            /* Time of the next backup on the monotonic clock. */
 
-    struct storage_late late;
+    struct offline_credits late;
     struct storage_replay put, get;
     int64_t put_since_ms; /* Time of the first rejection of the replay; 0: none. */
     atomic_uint put_id;   /* Round id of the newest replay that was written or given up. */

@@ -81,16 +81,16 @@ static bool has_more_room(const struct storage *storage)
 static bool is_worth_a_look(const struct storage *storage)
 {
     return storage_now_ms() >= storage->look_due_ms ||
-           atomic_load(&storage->late.state) == STORAGE_LATE_NEW ||
+           atomic_load(&storage->late.state) == OFFLINE_CREDITS_NEW ||
            sight_of(storage) != storage->sight || has_more_room(storage);
 }
 
 /* Returns true if this result required a read of the whole file. */
 static bool was_dear(int code)
 {
-    return code == LEDGER_FILE_ANOTHERS || code == LEDGER_FILE_NEWER ||
-           code == LEDGER_FILE_MOVED || code == SQLITE_READONLY ||
-           code == SQLITE_FULL || code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
+    return code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
+           code == SQLITE_READONLY || code == SQLITE_FULL || code == SQLITE_CORRUPT ||
+           code == SQLITE_NOTADB;
 }
 
 static void note_look(struct storage *storage, int code)
@@ -100,9 +100,9 @@ static void note_look(struct storage *storage, int code)
     if (!was_dear(code)) {
         storage->look_wait_ms = 0;
     } else if (storage->look_wait_ms == 0 || sight != storage->sight) {
-        storage->look_wait_ms = STORAGE_LOOK_MS;
+        storage->look_wait_ms = STORAGE_RETRY_MS;
     } else {
-        storage->look_wait_ms = longer_ms < STORAGE_LOOK_MS_MAX ? longer_ms : STORAGE_LOOK_MS_MAX;
+        storage->look_wait_ms = longer_ms < STORAGE_RETRY_MS_MAX ? longer_ms : STORAGE_RETRY_MS_MAX;
     }
     storage->sight = sight;
     storage->room = room_of(storage);
@@ -137,23 +137,23 @@ static bool is_anothers(struct storage *storage)
 static bool is_alone(struct storage *storage)
 {
     if (storage->hold == 0 && !storage->how.vfs) {
-        const int handle = folder_hold(storage->dir);
+        const int handle = directory_lock(storage->dir);
         storage->hold = handle >= 0 ? handle + 1 : 0;
         return handle != -EWOULDBLOCK;
     }
     return true;
 }
 
-int storage_open_alone(struct storage *storage)
+int storage_open_exclusive(struct storage *storage)
 {
-    const int code = is_alone(storage) ? storage_open_file(storage) : LEDGER_FILE_HELD;
+    const int code = is_alone(storage) ? storage_open_file(storage) : LEDGER_FILE_LOCKED;
     if (code == SQLITE_OK && !storage->moved) {
         storage_note_place(storage);
     }
     return code;
 }
 
-void storage_leave(struct storage *storage)
+void storage_unlock(struct storage *storage)
 {
     if (storage->hold > 0) {
         close(storage->hold - 1);
@@ -167,29 +167,29 @@ static bool lacks_entries(const struct storage *storage)
     return storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id);
 }
 
-static int look(struct storage *storage)
+static int storage_card_probe(struct storage *storage)
 {
-    int code = storage_open_alone(storage);
+    int code = storage_open_exclusive(storage);
     if (code == SQLITE_OK && storage->moved && lacks_entries(storage)) {
         storage_close_file(storage);
-        storage_leave(storage);
+        storage_unlock(storage);
         return LEDGER_FILE_MOVED;
     }
     if (code == SQLITE_OK && is_anothers(storage)) {
-        storage_take_over(storage);
+        offline_credits_apply(storage);
         storage_close_file(storage);
-        return LEDGER_FILE_ANOTHERS;
+        return LEDGER_FILE_FOREIGN;
     }
     if (code == SQLITE_OK) {
         atomic_store(&storage->has_file, true);
         atomic_store(&storage->is_unproven, storage->file.is_suspect);
         if (storage->moved) {
-            storage_log_back(storage);
+            storage_restore_log(storage);
         }
         storage_note_place(storage);
         code = storage->file.refusal;
     }
-    storage_let_others_read(storage);
+    storage_share_file(storage);
     return code;
 }
 
@@ -200,7 +200,7 @@ static bool leave_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
     if (is_first) {
-        storage_log_left(storage);
+        storage_mark_log_removed(storage);
     }
     storage->moved = true;
     if ((is_first && !storage->closes) || !storage_may_follow(storage)) {
@@ -209,7 +209,7 @@ static bool leave_moved(struct storage *storage)
     }
     if (storage->file.db) {
         storage_close_file(storage);
-        storage_leave(storage);
+        storage_unlock(storage);
     }
     return true;
 }
@@ -220,7 +220,7 @@ bool storage_has_card(struct storage *storage)
         if (storage->moved) { /* The file was put back. */
             storage->moved = false;
             storage_note_result(storage, SQLITE_OK);
-            storage_log_back(storage);
+            storage_restore_log(storage);
         }
         return true;
     }
@@ -232,7 +232,7 @@ bool storage_has_card(struct storage *storage)
         return false;
     }
     storage_close_file(storage);
-    const int code = look(storage);
+    const int code = storage_card_probe(storage);
     note_look(storage, code);
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
         storage_note_result(storage, code); /* If entries wait, the next write sets the status

@@ -19,7 +19,7 @@
  * those files are identified by the inode seen first. */
 static const char *const suffixes[STORAGE_PLACES] = { "", "-wal", "-shm" };
 
-static bool is_same(const struct stat *about, const struct storage_place *place)
+static bool storage_moved_is_same(const struct stat *about, const struct storage_place *place)
 {
     return (uint64_t)about->st_dev == place->device && (uint64_t)about->st_ino == place->inode;
 }
@@ -37,12 +37,12 @@ static bool has_left(struct storage *storage, size_t index)
     struct storage_place *place = &storage->places[index];
     struct stat about;
     char path[LEDGER_PATH_SIZE];
-    storage_beside(storage, suffixes[index], "", path);
+    storage_sibling_path(storage, suffixes[index], "", path);
     const bool is_there = lstat(path, &about) == 0;
     if (place->inode == 0 && is_there) {
         *place = (struct storage_place){ (uint64_t)about.st_dev, (uint64_t)about.st_ino };
     }
-    return place->inode != 0 && !(is_there && is_same(&about, place));
+    return place->inode != 0 && !(is_there && storage_moved_is_same(&about, place));
 }
 
 static bool has_folder_left(const struct storage *storage)
@@ -88,7 +88,7 @@ static bool is_deleted(const struct storage *storage)
     }
     /* A file in a folder that was renamed or mounted over still has its name. */
     return !has_folder_left(storage) &&
-           !(lstat(storage->path, &about) == 0 && is_same(&about, place));
+           !(lstat(storage->path, &about) == 0 && storage_moved_is_same(&about, place));
 }
 
 bool storage_may_follow(struct storage *storage)
@@ -98,36 +98,41 @@ bool storage_may_follow(struct storage *storage)
 
 static bool has_any(const struct storage *storage)
 {
-    static const char *const names[] = { "", STORAGE_BACKUP_SUFFIX, STORAGE_TAIL_SUFFIX,
+    static const char *const names[] = { "", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
                                          STORAGE_NEW_SUFFIX };
     bool has = false;
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         char path[LEDGER_PATH_SIZE];
-        storage_beside(storage, names[i], "", path);
+        storage_sibling_path(storage, names[i], "", path);
         has = has || storage_has_path(path);
     }
     return has;
 }
 
-void storage_log_left(const struct storage *storage)
+void storage_mark_log_removed(const struct storage *storage)
 {
     struct stat about;
     if (has_folder_left(storage)) {
-        say(SAY_ERROR, "%s: the data folder was removed, renamed or replaced; nothing is stored"
-            " until it is back", storage->dir);
-    } else if (lstat(storage->path, &about) == 0 && is_same(&about, &storage->places[0])) {
-        say(SAY_ERROR, "%s: its log (-wal or -shm) was removed or replaced; the database is"
-            " opened again", storage->path);
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: the data folder was removed, renamed or replaced; nothing is stored"
+                  " until it is back",
+                  storage->dir);
+    } else if (lstat(storage->path, &about) == 0 &&
+               storage_moved_is_same(&about, &storage->places[0])) {
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: its log (-wal or -shm) was removed or replaced; the database is"
+                  " opened again",
+                  storage->path);
     } else {
-        say(SAY_ERROR, "%s: was removed or replaced; nothing is stored until it is back",
-            storage->path);
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: was removed or replaced; nothing is stored until it is back", storage->path);
     }
 }
 
-void storage_log_back(const struct storage *storage)
+void storage_restore_log(const struct storage *storage)
 {
-    say(SAY_WARNING, "%s: is in use again, with entries up to %u", storage->path,
-        storage->file.content.memory.ledger.last_id);
+    log_print(LOG_LEVEL_WARNING, "%s: is in use again, with entries up to %u", storage->path,
+              storage->file.content.memory.ledger.last_id);
 }
 
 /* Writes all queued entries, in at most two parts because the queue is a ring. */
@@ -146,11 +151,11 @@ static int write_queue(struct storage *storage)
     return code;
 }
 
-bool storage_rescue(struct storage *storage)
+bool storage_save_deleted(struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE];
     if (!storage->moved || !storage->file.db || !is_deleted(storage) ||
-        folder_make(storage->dir) != 0 || has_any(storage)) {
+        directory_make(storage->dir) != 0 || has_any(storage)) {
         return false;
     }
     storage_backup_path(storage, backup);
@@ -158,11 +163,12 @@ bool storage_rescue(struct storage *storage)
                           ledger_backup_make(&storage->file, backup, false) == SQLITE_OK;
     if (is_saved) {
         atomic_store(&storage->written, atomic_load(&storage->pushed));
-        say(SAY_WARNING, "%s: was deleted while it was open; all entries are saved in %s",
-            storage->path, backup);
+        log_print(LOG_LEVEL_WARNING,
+                  "%s: was deleted while it was open; all entries are saved in %s", storage->path,
+                  backup);
     } else {
-        say(SAY_ERROR, "%s: was deleted while it was open, and %s could not be written",
-            storage->path, backup);
+        log_print(LOG_LEVEL_ERROR, "%s: was deleted while it was open, and %s could not be written",
+                  storage->path, backup);
     }
     return is_saved;
 }

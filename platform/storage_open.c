@@ -15,27 +15,27 @@
 #include "platform/storage_parts.h"
 #include "platform/store/ledger_backup.h"
 
-void storage_beside(const struct storage *storage, const char *suffix, const char *more,
-                    char out[LEDGER_PATH_SIZE])
+void storage_sibling_path(const struct storage *storage, const char *suffix, const char *more,
+                          char out[LEDGER_PATH_SIZE])
 {
     snprintf(out, LEDGER_PATH_SIZE, "%.520s%.40s%.20s", storage->path, suffix, more);
 }
 
 void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
 {
-    storage_beside(storage, STORAGE_BACKUP_SUFFIX, "", out);
+    storage_sibling_path(storage, STORAGE_BACKUP_SUFFIX, "", out);
 }
 
-void storage_tail_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
+void storage_mirror_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
 {
-    storage_beside(storage, STORAGE_TAIL_SUFFIX, "", out);
+    storage_sibling_path(storage, STORAGE_MIRROR_SUFFIX, "", out);
 }
 
-struct ledger_tail storage_look_at_tail(const struct storage *storage)
+struct ledger_mirror storage_inspect_mirror(const struct storage *storage)
 {
     char path[LEDGER_PATH_SIZE];
-    storage_tail_path(storage, path);
-    return ledger_tail_look(path);
+    storage_mirror_path(storage, path);
+    return ledger_mirror_inspect(path);
 }
 
 /* Returns true if the path exists. An I/O error counts as existing, so that no file is replaced by
@@ -45,8 +45,8 @@ bool storage_has_path(const char *path)
     return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
 }
 
-const char *const storage_suffixes[STORAGE_BESIDE_COUNT] = {
-    "-wal", "-shm", "-journal", STORAGE_BACKUP_SUFFIX, STORAGE_TAIL_SUFFIX,
+const char *const storage_suffixes[STORAGE_SIBLING_COUNT] = {
+    "-wal", "-shm", "-journal", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
 };
 
 static bool has_bytes(const char *path)
@@ -57,9 +57,9 @@ static bool has_bytes(const char *path)
 
 static bool has_tail(const struct storage *storage)
 {
-    struct ledger_tail tail = storage_look_at_tail(storage);
-    const uint32_t last_id = ledger_tail_last_id(&tail);
-    ledger_tail_close(&tail);
+    struct ledger_mirror tail = storage_inspect_mirror(storage);
+    const uint32_t last_id = ledger_mirror_last_id(&tail);
+    ledger_mirror_close(&tail);
     return last_id > 0;
 }
 
@@ -84,11 +84,12 @@ static enum others backup_is(struct storage *storage)
     struct ledger_file backup;
     char path[LEDGER_PATH_SIZE];
     storage_backup_path(storage, path);
-    if (!storage_has_path(path) || ledger_file_look(&backup, path) != SQLITE_OK) {
+    if (!storage_has_path(path) || ledger_file_inspect(&backup, path) != SQLITE_OK) {
         return OTHERS_NOT;
     }
     enum others result = OTHERS_NOT;
-    if (ledger_kin_of_file(&storage->file, last_id, &backup) == LEDGER_KIN_OTHER) {
+    if (ledger_recovery_relation_of_file(&storage->file, last_id, &backup) ==
+        LEDGER_RELATION_OTHER) {
         result = OTHERS_STRANGE;
     } else if (last_id < backup.content.memory.ledger.last_id &&
                ledger_check(backup.db) == SQLITE_OK) {
@@ -103,12 +104,13 @@ static enum others backup_is(struct storage *storage)
 static enum others tail_is(struct storage *storage)
 {
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    struct ledger_tail tail = storage_look_at_tail(storage);
-    const uint32_t tails_last_id = ledger_tail_last_id(&tail);
-    const enum ledger_kin kin = ledger_kin_of_tail(&storage->file, last_id, &tail);
-    ledger_tail_close(&tail);
-    if (kin == LEDGER_KIN_OTHER ||
-        (kin == LEDGER_KIN_UNKNOWN && last_id > 0 && tails_last_id > last_id)) {
+    struct ledger_mirror tail = storage_inspect_mirror(storage);
+    const uint32_t tails_last_id = ledger_mirror_last_id(&tail);
+    const enum ledger_relation kin =
+        ledger_recovery_relation_of_mirror(&storage->file, last_id, &tail);
+    ledger_mirror_close(&tail);
+    if (kin == LEDGER_RELATION_OTHER ||
+        (kin == LEDGER_RELATION_UNKNOWN && last_id > 0 && tails_last_id > last_id)) {
         return OTHERS_STRANGE;
     }
     return tails_last_id > last_id ? OTHERS_NEWER : OTHERS_NOT;
@@ -128,7 +130,7 @@ static bool is_emptied(const struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
     storage_backup_path(storage, backup);
-    storage_beside(storage, "-wal", "", log);
+    storage_sibling_path(storage, "-wal", "", log);
     struct stat about;
     return stat(storage->path, &about) == 0 && about.st_size == 0 &&
            (has_bytes(backup) || has_bytes(log) || has_tail(storage));
@@ -140,12 +142,12 @@ static bool is_emptied(const struct storage *storage)
 static int take_copy(struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE], tail[LEDGER_PATH_SIZE];
-    storage_tail_path(storage, tail);
+    storage_mirror_path(storage, tail);
     if (unlink(tail) != 0 && errno != ENOENT) {
         return SQLITE_IOERR;
     }
     storage_backup_path(storage, backup);
-    storage_beside(storage, STORAGE_BEFORE_SUFFIX, "", before);
+    storage_sibling_path(storage, STORAGE_BEFORE_SUFFIX, "", before);
     if (backup_is(storage) != OTHERS_NOT &&
         (rename(backup, before) != 0 || ledger_sync_folder(before) != 0)) {
         return SQLITE_IOERR;
@@ -165,11 +167,11 @@ static bool is_link(const struct storage *storage)
  * that the start continues without it. On a read-only card the object stays and is not opened. */
 static void set_strange_aside(struct storage *storage)
 {
-    for (unsigned i = 0; i < STORAGE_BESIDE_COUNT; i++) {
+    for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
         char path[LEDGER_PATH_SIZE];
-        storage_beside(storage, storage_suffixes[i], "", path);
-        if (plain_file_is_other(path) &&
-            storage_set_other_aside(storage, storage_suffixes[i]) == 0) {
+        storage_sibling_path(storage, storage_suffixes[i], "", path);
+        if (regular_file_is_other(path) &&
+            storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
             atomic_store(&storage->strange, i + 1u);
         }
     }
@@ -185,11 +187,11 @@ static int compare(struct storage *storage)
         return SQLITE_CORRUPT;
     }
     if (!storage->file.refusal && backup == OTHERS_STRANGE &&
-        storage_set_other_aside(storage, STORAGE_BACKUP_SUFFIX) != 0) {
+        storage_quarantine_other(storage, STORAGE_BACKUP_SUFFIX) != 0) {
         return SQLITE_IOERR;
     }
     if (!storage->file.refusal && tail == OTHERS_STRANGE &&
-        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX) != 0) {
+        storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0) {
         return SQLITE_IOERR;
     }
     return SQLITE_OK;
@@ -197,10 +199,10 @@ static int compare(struct storage *storage)
 
 static int open_whole(struct storage *storage)
 {
-    int code = plain_file_is_other(storage->path) ? SQLITE_NOTADB
-               : is_emptied(storage) ? SQLITE_CORRUPT
-                                     : ledger_file_open(&storage->file, storage->path,
-                                                        &storage->how);
+    int code = regular_file_is_other(storage->path) ? SQLITE_NOTADB
+               : is_emptied(storage)
+                   ? SQLITE_CORRUPT
+                   : ledger_file_open(&storage->file, storage->path, &storage->how);
     if (code != SQLITE_OK) {
         return code;
     }

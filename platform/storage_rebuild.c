@@ -43,7 +43,7 @@ static unsigned number_in(const char *name, const char *suffix)
  * left a marker with its number, which would hide a new file of the same number. */
 static unsigned next_number(const struct storage *storage)
 {
-    static const char *const kinds[] = { STORAGE_ASIDE_SUFFIX, STORAGE_MISSING_SUFFIX,
+    static const char *const kinds[] = { STORAGE_QUARANTINE_SUFFIX, STORAGE_MISSING_SUFFIX,
                                          STORAGE_OTHER_SUFFIX };
     DIR *const folder = opendir(storage->dir);
     const struct dirent *entry;
@@ -60,12 +60,12 @@ static unsigned next_number(const struct storage *storage)
     return newest + 1u;
 }
 
-int storage_set_other_aside(struct storage *storage, const char *suffix)
+int storage_quarantine_other(struct storage *storage, const char *suffix)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], number[40];
     snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
-    storage_beside(storage, suffix, "", from);
-    storage_beside(storage, suffix, number, to);
+    storage_sibling_path(storage, suffix, "", from);
+    storage_sibling_path(storage, suffix, number, to);
     return rename(from, to) == 0 ? ledger_sync_folder(to) : -1;
 }
 
@@ -74,14 +74,14 @@ int storage_set_other_aside(struct storage *storage, const char *suffix)
 static bool set_aside(struct storage *storage, unsigned number)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
-    snprintf(suffix, sizeof suffix, STORAGE_ASIDE_SUFFIX "%u", number);
-    storage_beside(storage, suffix, "", to);
+    snprintf(suffix, sizeof suffix, STORAGE_QUARANTINE_SUFFIX "%u", number);
+    storage_sibling_path(storage, suffix, "", to);
     if (storage_has_path(storage->path) && rename(storage->path, to) != 0) {
         return false;
     }
     for (size_t i = 0; i < SUFFIX_COUNT; i++) {
-        storage_beside(storage, suffixes[i], "", from);
-        storage_beside(storage, suffix, suffixes[i], to);
+        storage_sibling_path(storage, suffixes[i], "", from);
+        storage_sibling_path(storage, suffix, suffixes[i], to);
         if (rename(from, to) != 0 && errno != ENOENT) {
             return false;
         }
@@ -94,8 +94,8 @@ static bool leave_note(struct storage *storage, unsigned number)
 {
     char path[LEDGER_PATH_SIZE], suffix[40];
     snprintf(suffix, sizeof suffix, STORAGE_MISSING_SUFFIX "%u", number);
-    storage_beside(storage, suffix, "", path);
-    const int handle = plain_file_handle(path, O_WRONLY | O_CREAT, 0600);
+    storage_sibling_path(storage, suffix, "", path);
+    const int handle = regular_file_handle(path, O_WRONLY | O_CREAT, 0600);
     return handle >= 0 && close(handle) == 0 && ledger_sync_folder(path) == 0;
 }
 
@@ -104,10 +104,10 @@ static bool leave_note(struct storage *storage, unsigned number)
 static void remove_all(const struct storage *storage, const char *suffix)
 {
     char path[LEDGER_PATH_SIZE];
-    storage_beside(storage, suffix, "", path);
+    storage_sibling_path(storage, suffix, "", path);
     unlink(path);
     for (size_t i = 0; i < SUFFIX_COUNT; i++) {
-        storage_beside(storage, suffix, suffixes[i], path);
+        storage_sibling_path(storage, suffix, suffixes[i], path);
         unlink(path);
     }
 }
@@ -131,17 +131,17 @@ static int salvage_into(struct storage *storage, struct ledger_file *to)
 {
     struct stat about;
     const bool has_bytes = stat(storage->path, &about) == 0 && about.st_size > 0;
-    struct ledger_tail tail = storage_look_at_tail(storage);
+    struct ledger_mirror tail = storage_inspect_mirror(storage);
     storage->from_backup = to->content.memory.ledger.last_id;
-    const int code = ledger_salvage(has_bytes ? storage->path : NULL, &tail, to,
-                                    &storage->salvaged);
-    ledger_tail_close(&tail);
+    const int code =
+        ledger_recover(has_bytes ? storage->path : NULL, &tail, to, &storage->salvaged);
+    ledger_mirror_close(&tail);
     return code;
 }
 
 static int sync_file(const char *path)
 {
-    const int handle = plain_file_handle(path, O_RDWR, 0);
+    const int handle = regular_file_handle(path, O_RDWR, 0);
     const int result = handle < 0 ? -1 : fsync(handle);
     if (handle >= 0) {
         close(handle);
@@ -153,7 +153,7 @@ static int sync_file(const char *path)
  * before it is complete. One sync at the end saves time on a slow card. */
 static int make_part(struct storage *storage, const char *part)
 {
-    static const struct ledger_file_how unsynced = { .journal = "MEMORY OFF" };
+    static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
     struct ledger_file file;
     char backup[LEDGER_PATH_SIZE];
     int code = SQLITE_OK;
@@ -180,8 +180,8 @@ static int make_part(struct storage *storage, const char *part)
 static int make_new(struct storage *storage, bool is_missing, unsigned number)
 {
     char part[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
-    storage_beside(storage, PART_SUFFIX, "", part);
-    storage_beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    storage_sibling_path(storage, PART_SUFFIX, "", part);
+    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     remove_all(storage, PART_SUFFIX);
     int code = make_part(storage, part);
     if (code == SQLITE_OK &&
@@ -200,7 +200,7 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
 static bool put_new(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
-    storage_beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     return rename(fresh, storage->path) == 0 && ledger_sync_folder(storage->path) == 0;
 }
 
@@ -212,7 +212,7 @@ int storage_rebuild(struct storage *storage, bool is_missing)
         return code;
     }
     if (storage->salvaged.has_others_tail &&
-        storage_set_other_aside(storage, STORAGE_TAIL_SUFFIX) != 0) {
+        storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0) {
         return SQLITE_IOERR;
     }
     if (!set_aside(storage, number) || ledger_sync_folder(storage->path) != 0 ||
@@ -229,7 +229,7 @@ int storage_rebuild(struct storage *storage, bool is_missing)
 int storage_end_rebuilding(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
-    storage_beside(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     if (storage_has_path(storage->path)) {
         remove_all(storage, STORAGE_NEW_SUFFIX);
     } else if (storage_has_path(fresh) &&
@@ -241,12 +241,12 @@ int storage_end_rebuilding(struct storage *storage)
 
 /* ---- Read-only fallback ---------------------------------------------------------------------- */
 
-bool storage_read_remains(struct storage *storage, int refusal)
+bool storage_read_remnants(struct storage *storage, int refusal)
 {
     char backup[LEDGER_PATH_SIZE];
     storage_backup_path(storage, backup);
     struct ledger_file *file = &storage->file;
-    if (ledger_file_look(file, backup) != SQLITE_OK || ledger_check(file->db) != SQLITE_OK) {
+    if (ledger_file_inspect(file, backup) != SQLITE_OK || ledger_check(file->db) != SQLITE_OK) {
         ledger_file_close(file);
     }
     file->refusal = refusal;

@@ -5,11 +5,11 @@
 
 /* ---- Called by the frame loop --------------------------------------------------------------- */
 
-int storage_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
+int storage_store_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
 {
     struct storage *storage = self;
     if (!atomic_load(&storage->has_file)) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (atomic_load(&storage->put.state) != STORAGE_REPLAY_IDLE) {
         return HAL_ERR_BUSY;
@@ -22,7 +22,7 @@ int storage_keep_replay(void *self, uint32_t round_id, const uint8_t *bytes, siz
     return HAL_OK;
 }
 
-uint32_t storage_replay_kept_id(void *self)
+uint32_t storage_stored_replay_id(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->put_id);
@@ -33,7 +33,7 @@ int storage_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t s
 {
     struct storage *storage = self;
     if (!atomic_load(&storage->has_file)) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     if (atomic_load(&storage->get.state) != STORAGE_REPLAY_IDLE) {
         return HAL_ERR_BUSY;
@@ -97,7 +97,7 @@ static bool gives_up(struct storage *storage)
     return now_ms - storage->put_since_ms >= STORAGE_REPLAY_MS;
 }
 
-void storage_note_seals(struct storage *storage)
+void storage_update_sealed(struct storage *storage)
 {
     if (!storage->file.db) {
         return; /* A failed write has just closed the file. */
@@ -124,7 +124,7 @@ void storage_put_replay(struct storage *storage)
                    ? ledger_file_put_replay(&storage->file, put->round_id, put->bytes, put->size)
                    : SQLITE_OK;
         storage_note_write(storage, code);
-        storage_note_seals(storage);
+        storage_update_sealed(storage);
     }
     if (code == SQLITE_OK || gives_up(storage)) {
         end_put(storage);
@@ -145,6 +145,6 @@ void storage_get_replay(struct storage *storage)
     if (code == SQLITE_OK) {
         ledger_file_round(&storage->file, get->round_id, get->round);
     }
-    atomic_store(&storage->got, code == SQLITE_OK ? (int)size : HAL_ERR_NONE);
+    atomic_store(&storage->got, code == SQLITE_OK ? (int)size : HAL_ERR_ABSENT);
     atomic_store(&get->state, STORAGE_REPLAY_IDLE);
 }

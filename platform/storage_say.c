@@ -6,23 +6,23 @@
 
 #include "platform/storage_parts.h"
 
-void storage_say(struct storage *storage, const char *what, const char *why, const char *advice)
+void storage_log(struct storage *storage, const char *what, const char *why, const char *advice)
 {
     snprintf(storage->text, sizeof storage->text, "%.68s: %.44s; %.40s", what, why, advice);
 }
 
-void storage_say_no_file(struct storage *storage, const char *why)
+void storage_log_no_file(struct storage *storage, const char *why)
 {
     char what[HAL_TEXT_SIZE / 2];
     snprintf(what, sizeof what, "no store: %.56s", storage->path);
-    storage_say(storage, what, why, "nothing is kept");
+    storage_log(storage, what, why, "nothing is kept");
 }
 
-void storage_say_refused(struct storage *storage, int error, const char *advice)
+void storage_log_refused(struct storage *storage, int error, const char *advice)
 {
     char what[HAL_TEXT_SIZE / 2];
     snprintf(what, sizeof what, "store: %u entries not written", storage_unwritten(storage));
-    storage_say(storage, what, ledger_file_error(error), advice);
+    storage_log(storage, what, ledger_file_error(error), advice);
 }
 
 static const char *advice_for(int error)
@@ -35,7 +35,7 @@ static const char *advice_for(int error)
         return "free some space; it is retried";
     case SQLITE_READONLY:
         return "the card is read-only; it is retried";
-    case LEDGER_FILE_ANOTHERS:
+    case LEDGER_FILE_FOREIGN:
         return "restart to use this one";
     default:
         return "it is retried each second";
@@ -47,7 +47,7 @@ static void say_rebuilt(struct storage *storage, unsigned number)
     char what[80] = "missing", lost[24] = "unknown how many";
     if (!storage->was_missing) {
         snprintf(what, sizeof what,
-                 "damaged and is now " STORAGE_FILE STORAGE_ASIDE_SUFFIX "%u", number);
+                 "damaged and is now " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u", number);
     }
     if (!storage->salvaged.is_open_ended) {
         snprintf(lost, sizeof lost, "%u", storage->salvaged.lost);
@@ -64,9 +64,9 @@ const char *storage_describe(void *self)
     const int edit_error = atomic_load(&storage->edit_error);
     const unsigned aside = atomic_load(&storage->aside);
     if (!atomic_load(&storage->has_file)) {
-        if (error == LEDGER_FILE_ANOTHERS) {
-            storage_say(storage, "no store", "the card is there now, and not empty",
-                "a restart, once nobody plays");
+        if (error == LEDGER_FILE_FOREIGN) {
+            storage_log(storage, "no store", "the card is there now, and not empty",
+                        "a restart, once nobody plays");
         }
         return storage->text[0] ? storage->text : "no store: not opened";
     }
@@ -75,15 +75,15 @@ const char *storage_describe(void *self)
                  "store: the card has not answered for %u s; %u entries wait",
                  (unsigned)(storage_stuck_ms(storage) / 1000), storage_unwritten(storage));
     } else if (error == LEDGER_FILE_MOVED) {
-        storage_say(storage, "store: the data folder or " STORAGE_FILE " was removed or replaced",
+        storage_log(storage, "store: the data folder or " STORAGE_FILE " was removed or replaced",
                     "nothing is kept", "put it back, or restart the kiosk");
     } else if (error != SQLITE_OK) {
-        storage_say_refused(storage, error, advice_for(error));
+        storage_log_refused(storage, error, advice_for(error));
     } else if (edit_error != 0) {
-        storage_say(storage, "store: a graph was not written", strerror(edit_error),
+        storage_log(storage, "store: a graph was not written", strerror(edit_error),
                     "it is retried");
     } else if (atomic_load(&storage->tail_error) != 0) {
-        storage_say(storage, "store: the second copy is not written",
+        storage_log(storage, "store: the second copy is not written",
                     strerror(atomic_load(&storage->tail_error)), "it is retried");
     } else if (aside > 0) {
         say_rebuilt(storage, aside);

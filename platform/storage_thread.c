@@ -25,11 +25,11 @@ uint32_t storage_unwritten_edits(const struct storage *storage)
 void storage_close_file(struct storage *storage)
 {
     ledger_backup_drop(&storage->backup);
-    ledger_tail_close(&storage->tail);
+    ledger_mirror_close(&storage->tail);
     ledger_file_close(&storage->file);
 }
 
-void storage_let_others_read(struct storage *storage)
+void storage_share_file(struct storage *storage)
 {
     if (storage->file.refusal == SQLITE_FULL) {
         storage_close_file(storage);
@@ -63,7 +63,7 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     const struct ledger_entry *entries = &storage->queue[first];
     atomic_store(&storage->busy_since_ms, storage_now_ms());
     const int code = storage_write_entries(storage, entries, count);
-    const int tail = code == SQLITE_OK ? storage_write_tail(storage, entries, count) : -1;
+    const int tail = code == SQLITE_OK ? storage_mirror_write(storage, entries, count) : -1;
     atomic_store(&storage->busy_since_ms, 0);
     storage_note_write(storage, code);
     if (code != SQLITE_OK || tail != 0) {
@@ -92,7 +92,7 @@ static void drain(struct storage *storage)
         if (storage_needs_reopening(code)) {
             storage_note_write(storage, code);
         }
-        storage_note_seals(storage);
+        storage_update_sealed(storage);
     }
 }
 
@@ -150,14 +150,14 @@ static void drain_edits(struct storage *storage)
 {
     unsigned written = atomic_load(&storage->edits_written);
     while (written != atomic_load(&storage->edits_pushed)) {
-        const struct edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
-        const int error = edit_file_keep(storage->dir, edit);
+        const struct graph_edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
+        const int error = graph_file_write(storage->dir, edit);
         atomic_store(&storage->edit_error, -error);
         if (error != 0) {
             atomic_fetch_add(&storage->refused, 1);
             return;
         }
-        atomic_store(&storage->kept_edit_id, edit->id);
+        atomic_store(&storage->stored_edit_id, edit->id);
         atomic_store(&storage->edits_written, ++written);
     }
 }
@@ -209,7 +209,7 @@ void storage_work(struct storage *storage)
     prove_log(storage);
     if (storage_has_card(storage)) {
         drain(storage);
-        storage_mend_tail(storage);
+        storage_mirror_repair(storage);
     }
     storage_put_replay(storage);
     storage_get_replay(storage);

@@ -15,8 +15,8 @@
 /* ---- The kernel's files --------------------------------------------------------------------- */
 
 /* Reads the first line of a zone's file, or "" if there is none. */
-static void read_line(char *line, int line_size, const char *root, const char *zone,
-                      const char *name)
+static void thermal_read_line(char *line, int line_size, const char *root, const char *zone,
+                              const char *name)
 {
     char path[PATH_SIZE];
     const int length = snprintf(path, sizeof path, "%s/%s/%s", root, zone, name);
@@ -35,7 +35,7 @@ static void read_line(char *line, int line_size, const char *root, const char *z
 static int read_mdeg(const char *root, const char *zone, const char *name, int32_t *out)
 {
     char line[32], *end;
-    read_line(line, sizeof line, root, zone, name);
+    thermal_read_line(line, sizeof line, root, zone, name);
     const long value = strtol(line, &end, 10);
     *out = (int32_t)value;
     return end != line && *end == '\0' && value > SANE_MIN_MDEG && value < SANE_MAX_MDEG;
@@ -50,7 +50,7 @@ static int32_t limit_of(const char *root, const char *zone)
         char name[32], kind[32];
         int32_t at_mdeg;
         snprintf(name, sizeof name, "trip_point_%u_type", trip);
-        read_line(kind, sizeof kind, root, zone, name);
+        thermal_read_line(kind, sizeof kind, root, zone, name);
         snprintf(name, sizeof name, "trip_point_%u_temp", trip);
         if (strcmp(kind, "passive") == 0 && read_mdeg(root, zone, name, &at_mdeg) &&
             at_mdeg < limit) {
@@ -90,7 +90,7 @@ static void wait_a_while(struct thermal *thermal)
     pthread_cond_timedwait(&thermal->bell, &thermal->lock, &until);
 }
 
-static void *look(void *self)
+static void *thermal_thread(void *self)
 {
     struct thermal *thermal = self;
     const char *root = thermal->root ? thermal->root : "/sys/class/thermal";
@@ -121,7 +121,7 @@ void thermal_start(struct thermal *thermal)
     pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC);
     pthread_cond_init(&thermal->bell, &monotonic);
     pthread_condattr_destroy(&monotonic);
-    thermal->runs = pthread_create(&thermal->thread, NULL, look, thermal) == 0;
+    thermal->runs = pthread_create(&thermal->thread, NULL, thermal_thread, thermal) == 0;
 }
 
 void thermal_stop(struct thermal *thermal)

@@ -15,7 +15,7 @@ static int notify_address(struct sockaddr_un *address, socklen_t *size, const ch
 {
     const size_t length = path ? strlen(path) : 0;
     if (length < 2 || length >= sizeof address->sun_path || (path[0] != '/' && path[0] != '@')) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     memset(address, 0, sizeof *address);
     address->sun_family = AF_UNIX;
@@ -34,7 +34,7 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
     socklen_t size;
     *watchdog = (struct watchdog){ .clock = clock, .socket_fd = -1 };
     if (notify_address(&address, &size, notify_socket) != HAL_OK) {
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     watchdog->socket_fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (watchdog->socket_fd < 0 ||
@@ -43,7 +43,7 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
             close(watchdog->socket_fd);
         }
         watchdog->socket_fd = -1;
-        return HAL_ERR_NONE;
+        return HAL_ERR_ABSENT;
     }
     watchdog->has_limit = usec > 0;
     watchdog->period_ns = usec > 0 ? usec * 1000u / KICKS_PER_DEADLINE : PERIOD_DEFAULT_NS;

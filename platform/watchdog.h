@@ -19,7 +19,7 @@ struct watchdog {
 };
 
 /* Connects to `notify_socket` ("/path" or "@abstract"), which expects a notification each `usec`
- * microseconds (0: no limit). Returns 0, or HAL_ERR_NONE if there is no manager. */
+ * microseconds (0: no limit). Returns 0, or HAL_ERR_ABSENT if there is no manager. */
 int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,
                   uint64_t usec);
 

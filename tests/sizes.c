@@ -13,7 +13,7 @@ int main(void)
     ROW(core, "1: the whole state of the stall");
     ROW(tank, "1");
     ROW(fish, "TANK_FISH_MAX, in the tank");
-    ROW(grid, "1, in the tank");
+    ROW(spatial_grid, "1, in the tank");
     ROW(water, "1, in the tank");
     ROW(poi, "POI_MAX");
     ROW(sheet, "POI_MAX, in the poi");

@@ -120,7 +120,7 @@ static double seconds_now(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static void say(const char *asset, const char *path, double start_s)
+static void bake_print_asset(const char *asset, const char *path, double start_s)
 {
     printf("  BAKE  %s (%s, %.1f s)\n", path, asset, seconds_now() - start_s);
 }
@@ -178,11 +178,11 @@ int main(int count, char **arguments)
         return EXIT_SUCCESS;
     }
     if (count == 3 && bake_texture(arguments[1], arguments[2])) {
-        say(arguments[1], arguments[2], start_s);
+        bake_print_asset(arguments[1], arguments[2], start_s);
         return EXIT_SUCCESS;
     }
     if (bake_words(count, arguments)) {
-        say(arguments[1], arguments[3], start_s);
+        bake_print_asset(arguments[1], arguments[3], start_s);
         return EXIT_SUCCESS;
     }
     fputs("usage: bake caustics|patterns|environment|wood|paper FILE\n"

@@ -68,7 +68,7 @@ void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *
 
 /* Returns the next code point of zero-terminated UTF-8 and advances `*at`. Returns 0 at the end and
  * -1 for malformed bytes. */
-int32_t utf8_next(const char **at);
+int32_t text_utf8_next(const char **at);
 
 /* Output files of font_bake(), which reads `directory`/fonts.txt and writes the atlas, its glyph
  * tables and the ids of its fonts. */

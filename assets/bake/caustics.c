@@ -39,12 +39,12 @@ static void choose_waves(struct wave waves[WAVES])
     for (uint32_t i = 0; i < WAVES; i++) {
         float k;
         do {
-            waves[i].kx = (int32_t)(random01(&random) * 15.0f) - 7;
-            waves[i].ky = (int32_t)(random01(&random) * 15.0f) - 7;
+            waves[i].kx = (int32_t)(noise_random01(&random) * 15.0f) - 7;
+            waves[i].ky = (int32_t)(noise_random01(&random) * 15.0f) - 7;
             k = sqrtf((float)(waves[i].kx * waves[i].kx + waves[i].ky * waves[i].ky));
         } while (k < WAVE_NUMBER_MIN || k > WAVE_NUMBER_MAX);
         waves[i].turns = i % 2u == 0 ? 1 : -1;
-        waves[i].phase = (uint32_t)(random01(&random) * (float)RAYS);
+        waves[i].phase = (uint32_t)(noise_random01(&random) * (float)RAYS);
         const float slope = powf(k, -1.15f);
         waves[i].slope_x = slope * (float)waves[i].kx / k;
         waves[i].slope_y = slope * (float)waves[i].ky / k;
@@ -110,7 +110,7 @@ void bake_caustics(uint8_t *r8)
         }
         for (uint32_t i = 0; i < texels; i++) {
             const float flat = light[i] / (float)(RAYS_PER_TEXEL * RAYS_PER_TEXEL);
-            r8[frame * texels + i] = to_u8(1.0f - expf(-EXPOSURE * flat));
+            r8[frame * texels + i] = noise_to_u8(1.0f - expf(-EXPOSURE * flat));
         }
     }
     free(light);

@@ -32,12 +32,13 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
         for (int32_t i = 0; i < count; i++) {
             const float t = ((float)i + 0.5f) / (float)count * 2.0f - 1.0f;
             const float lx = t * 1.1f, lz = rows[row][0];
-            const float ly = rows[row][1] - 0.16f * (1.0f - t * t) + 0.03f * hash01(i, 1, row);
+            const float ly =
+                rows[row][1] - 0.16f * (1.0f - t * t) + 0.03f * noise_hash01(i, 1, row);
             const float inv = 1.0f / sqrtf(lx * lx + ly * ly + lz * lz);
             const float dx = x - lx * inv, dy = (y - ly * inv) * 0.82f, dz = z - lz * inv;
             const float d2 = dx * dx + dy * dy + dz * dz;
-            const struct colour light = hash01(i, 7, row) < 0.35f ? red : paper;
-            glow(at, light, 1.25f * ramp(0.0105f, 0.0045f, d2));
+            const struct colour light = noise_hash01(i, 7, row) < 0.35f ? red : paper;
+            glow(at, light, 1.25f * noise_ramp(0.0105f, 0.0045f, d2));
             glow(at, light, 0.26f * expf(-d2 * 26.0f));
         }
     }
@@ -46,10 +47,11 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
 static struct colour sky(float x, float y, float z)
 {
     const float low = expf(-3.2f * y);
-    const float cloud = noise2_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
+    const float cloud = noise_2d_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
     struct colour at = { 0.018f, 0.030f, 0.085f };
     glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low);            /* Light of the fair. */
-    glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f }, ramp(0.45f, 0.75f, cloud) * (1.0f - low));
+    glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f },
+         noise_ramp(0.45f, 0.75f, cloud) * (1.0f - low));
     return at;
 }
 
@@ -57,11 +59,12 @@ static struct colour sky(float x, float y, float z)
 static void add_awning(struct colour *at, float x, float y, float z)
 {
     const float up = y / fmaxf(-z, 0.02f); /* Tangent of the elevation angle, straight ahead. */
-    const float inside = z < 0.0f ? ramp(0.22f, 0.25f, up) * ramp(0.42f, 0.39f, up) : 0.0f;
-    const float stripe = ramp(-0.12f, 0.12f, sinf(x / fmaxf(-z, 0.02f) * 14.0f));
-    at->r = mix(at->r, mix(0.30f, 0.34f, stripe), inside);
-    at->g = mix(at->g, mix(0.045f, 0.27f, stripe), inside);
-    at->b = mix(at->b, mix(0.04f, 0.20f, stripe), inside);
+    const float inside =
+        z < 0.0f ? noise_ramp(0.22f, 0.25f, up) * noise_ramp(0.42f, 0.39f, up) : 0.0f;
+    const float stripe = noise_ramp(-0.12f, 0.12f, sinf(x / fmaxf(-z, 0.02f) * 14.0f));
+    at->r = noise_mix(at->r, noise_mix(0.30f, 0.34f, stripe), inside);
+    at->g = noise_mix(at->g, noise_mix(0.045f, 0.27f, stripe), inside);
+    at->b = noise_mix(at->b, noise_mix(0.04f, 0.20f, stripe), inside);
 }
 
 void bake_environment(uint8_t *rgb8)
@@ -76,9 +79,9 @@ void bake_environment(uint8_t *rgb8)
             add_awning(&at, x, y, z);
             add_lanterns(&at, x, y, z);
             uint8_t *texel = rgb8 + (row * ENVIRONMENT_SIZE + column) * 3u;
-            texel[0] = to_u8(at.r);
-            texel[1] = to_u8(at.g);
-            texel[2] = to_u8(at.b);
+            texel[0] = noise_to_u8(at.r);
+            texel[1] = noise_to_u8(at.g);
+            texel[2] = noise_to_u8(at.b);
         }
     }
 }

@@ -159,7 +159,7 @@ static void add_words(struct face *face, const struct text_file *file)
             continue;
         }
         const char *at = line->words, *start = at;
-        for (int32_t code = utf8_next(&at); code != 0; code = utf8_next(&at)) {
+        for (int32_t code = text_utf8_next(&at); code != 0; code = text_utf8_next(&at)) {
             if (!add_glyph(face, (uint32_t)code)) {
                 bake_fail("font %s (%s) lacks `%.*s` (U+%04X), which %s:%u uses", face->name,
                           face->path, (int)(at - start), start, (unsigned)code, file->path,

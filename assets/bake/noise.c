@@ -10,37 +10,37 @@ static uint32_t scramble(uint32_t h)
     return h ^ (h >> 16);
 }
 
-float hash01(int32_t x, int32_t y, uint32_t seed)
+float noise_hash01(int32_t x, int32_t y, uint32_t seed)
 {
     const uint32_t h = scramble((uint32_t)x + scramble((uint32_t)y + scramble(seed + 1u)));
     return (float)(h >> 8) / 16777216.0f;
 }
 
-float random01(uint32_t *state)
+float noise_random01(uint32_t *state)
 {
     *state += 0x9e3779b9u;
     return (float)(scramble(*state) >> 8) / 16777216.0f;
 }
 
-float clamp01(float x)
+float noise_clamp01(float x)
 {
     return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x;
 }
 
-float mix(float a, float b, float t)
+float noise_mix(float a, float b, float t)
 {
     return a + (b - a) * t;
 }
 
-float ramp(float from, float to, float x)
+float noise_ramp(float from, float to, float x)
 {
-    const float t = clamp01((x - from) / (to - from));
+    const float t = noise_clamp01((x - from) / (to - from));
     return t * t * (3.0f - 2.0f * t);
 }
 
-uint8_t to_u8(float x01)
+uint8_t noise_to_u8(float x01)
 {
-    return (uint8_t)(clamp01(x01) * 255.0f + 0.5f);
+    return (uint8_t)(noise_clamp01(x01) * 255.0f + 0.5f);
 }
 
 static int32_t wrap(int32_t x, int32_t period)
@@ -49,22 +49,24 @@ static int32_t wrap(int32_t x, int32_t period)
     return rest < 0 ? rest + period : rest;
 }
 
-float noise2(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed)
+float noise_2d(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed)
 {
     const int32_t x0 = (int32_t)floorf(x), y0 = (int32_t)floorf(y);
-    const float tx = ramp(0.0f, 1.0f, x - (float)x0), ty = ramp(0.0f, 1.0f, y - (float)y0);
+    const float tx = noise_ramp(0.0f, 1.0f, x - (float)x0),
+                ty = noise_ramp(0.0f, 1.0f, y - (float)y0);
     const int32_t left = wrap(x0, period_x), right = wrap(x0 + 1, period_x);
     const int32_t top = wrap(y0, period_y), bottom = wrap(y0 + 1, period_y);
-    return mix(mix(hash01(left, top, seed), hash01(right, top, seed), tx),
-               mix(hash01(left, bottom, seed), hash01(right, bottom, seed), tx), ty);
+    return noise_mix(
+        noise_mix(noise_hash01(left, top, seed), noise_hash01(right, top, seed), tx),
+        noise_mix(noise_hash01(left, bottom, seed), noise_hash01(right, bottom, seed), tx), ty);
 }
 
-float noise2_sum(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed,
-                 uint32_t octaves)
+float noise_2d_sum(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed,
+                   uint32_t octaves)
 {
     float sum = 0.0f, weight = 0.5f, total = 0.0f;
     for (uint32_t i = 0; i < octaves; i++) {
-        sum += weight * noise2(x, y, period_x, period_y, seed + i);
+        sum += weight * noise_2d(x, y, period_x, period_y, seed + i);
         total += weight;
         weight *= 0.5f;
         x *= 2.0f, y *= 2.0f;

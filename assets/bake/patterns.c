@@ -89,8 +89,9 @@ static float patch_depth(const struct design *design, float u, float v)
 static float redness(uint32_t layer, float u, float v)
 {
     const struct design *design = &designs[layer];
-    const float coarse = noise2_sum(u * 5.0f + 0.5f, v * 5.0f, 64, 5, 100u + layer * 8u, 3) - 0.5f;
-    const float fine = noise2_sum(u * 19.0f, v * 16.0f, 64, 16, 104u + layer * 8u, 2) - 0.5f;
+    const float coarse =
+        noise_2d_sum(u * 5.0f + 0.5f, v * 5.0f, 64, 5, 100u + layer * 8u, 3) - 0.5f;
+    const float fine = noise_2d_sum(u * 19.0f, v * 16.0f, 64, 16, 104u + layer * 8u, 2) - 0.5f;
     const float edge = design->ragged * (2.2f * coarse + 0.55f * fine);
     float depth = fmaxf(patch_depth(design, u, v), design->base > 0.0f ? 0.5f : -1.0f) + edge;
     const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f; /* 0 belly .. 1 back */
@@ -98,7 +99,7 @@ static float redness(uint32_t layer, float u, float v)
     if (design->belly <= 0.0f) {
         depth = fmaxf(depth, design->base - 0.5f);
     }
-    return ramp(-0.030f, 0.035f, depth);
+    return noise_ramp(-0.030f, 0.035f, depth);
 }
 
 /* Returns the brightness of a scale. Scales overlap toward the tail: bright in the middle, dark
@@ -115,14 +116,15 @@ static float scale_light(float u, float v)
         dv -= floorf(dv) + 0.5f;
         const float du = row - centre;
         const float d = sqrtf(du * du * 0.55f + dv * dv * 2.4f);
-        best = fmaxf(best, ramp(1.02f, 0.62f, d) * (1.0f - 0.16f * (float)i) *
-                               (0.78f + 0.22f * ramp(-0.2f, 0.9f, du)));
+        best = fmaxf(best, noise_ramp(1.02f, 0.62f, d) * (1.0f - 0.16f * (float)i) *
+                               (0.78f + 0.22f * noise_ramp(-0.2f, 0.9f, du)));
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
-    const float fade = ramp(GILL - 0.01f, GILL + 0.06f, u) * ramp(0.05f, 0.35f, back);
+    const float fade = noise_ramp(GILL - 0.01f, GILL + 0.06f, u) * noise_ramp(0.05f, 0.35f, back);
     const float flank = 0.25f - fabsf(v - 0.5f); /* 0 in the middle of either flank. */
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
-    return mix(0.80f, 0.46f + 0.54f * best, fade) - 0.26f * gill * ramp(0.13f, 0.05f, fabsf(flank));
+    return noise_mix(0.80f, 0.46f + 0.54f * best, fade) -
+           0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));
 }
 
 void bake_patterns(uint8_t *rg8)
@@ -133,8 +135,8 @@ void bake_patterns(uint8_t *rg8)
                 const float u = ((float)x + 0.5f) / (float)PATTERN_WIDTH;
                 const float v = ((float)y + 0.5f) / (float)PATTERN_HEIGHT;
                 uint8_t *texel = rg8 + ((layer * PATTERN_HEIGHT + y) * PATTERN_WIDTH + x) * 2u;
-                texel[0] = to_u8(redness(layer, u, v));
-                texel[1] = to_u8(scale_light(u, v));
+                texel[0] = noise_to_u8(redness(layer, u, v));
+                texel[1] = noise_to_u8(scale_light(u, v));
             }
         }
     }

@@ -10,7 +10,7 @@
 
 static const char *const language_names[TEXT_LANGUAGES] = { "ja", "en" };
 
-int32_t utf8_next(const char **at)
+int32_t text_utf8_next(const char **at)
 {
     const unsigned char *s = (const unsigned char *)*at;
     if (s[0] == 0) {
@@ -33,7 +33,7 @@ int32_t utf8_next(const char **at)
     return code;
 }
 
-static char *trim(char *s)
+static char *text_trim(char *s)
 {
     while (isspace((unsigned char)*s)) {
         s++;
@@ -67,7 +67,7 @@ static void add_line(struct text_file *file, char *line, uint32_t number)
         bake_fail("%s:%u: expected `key = words`", file->path, number);
     }
     *equals = 0;
-    char *key = trim(line), *words = trim(equals + 1);
+    char *key = text_trim(line), *words = text_trim(equals + 1);
     if (!is_key(key)) {
         bake_fail("%s:%u: `%s` is not a key (a-z, 0-9 and _)", file->path, number, key);
     }
@@ -87,7 +87,7 @@ static void add_line(struct text_file *file, char *line, uint32_t number)
 static void check_line(const struct text_file *file, const struct text_line *line)
 {
     const char *at = line->words;
-    for (int32_t code = utf8_next(&at); code != 0; code = utf8_next(&at)) {
+    for (int32_t code = text_utf8_next(&at); code != 0; code = text_utf8_next(&at)) {
         if (code < 0x20) {
             bake_fail("%s:%u: `%s` holds bytes that are not UTF-8 text", file->path, line->line,
                       line->key);
@@ -96,7 +96,7 @@ static void check_line(const struct text_file *file, const struct text_line *lin
 }
 
 /* Reads a file. The lines point into the file's bytes, which are never freed. */
-static void read_file(struct text_file *file, const char *directory, const char *language)
+static void text_read_file(struct text_file *file, const char *directory, const char *language)
 {
     char path[1024];
     snprintf(path, sizeof path, "%s/%s.txt", directory, language);
@@ -111,7 +111,7 @@ static void read_file(struct text_file *file, const char *directory, const char 
         if (end != NULL) {
             *end++ = 0;
         }
-        char *line = trim(at);
+        char *line = text_trim(at);
         if (*line != 0 && *line != '#') {
             add_line(file, line, number);
             check_line(file, &file->lines[file->count - 1]);
@@ -133,7 +133,7 @@ static void check_same_keys(const struct text_file *has, const struct text_file 
 void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory)
 {
     for (uint32_t i = 0; i < TEXT_LANGUAGES; i++) {
-        read_file(&files[i], directory, language_names[i]);
+        text_read_file(&files[i], directory, language_names[i]);
     }
     for (uint32_t i = 1; i < TEXT_LANGUAGES; i++) {
         check_same_keys(&files[0], &files[i]);

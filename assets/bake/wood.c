@@ -17,9 +17,9 @@ struct knot {
 static struct knot knot_of(uint32_t plank, uint32_t i)
 {
     const int32_t id = (int32_t)(plank * KNOTS + i);
-    return (struct knot){ .x = hash01(id, 0, 5) * (float)WOOD_SIZE,
-                          .y = (0.2f + 0.6f * hash01(id, 1, 5)) * (float)PLANK_HEIGHT,
-                          .radius = 2.5f + 3.5f * hash01(id, 2, 5) };
+    return (struct knot){ .x = noise_hash01(id, 0, 5) * (float)WOOD_SIZE,
+                          .y = (0.2f + 0.6f * noise_hash01(id, 1, 5)) * (float)PLANK_HEIGHT,
+                          .radius = 2.5f + 3.5f * noise_hash01(id, 2, 5) };
 }
 
 /* Returns how far the grain bends around the knots, and writes how deep inside a knot the texel
@@ -46,13 +46,13 @@ static float grain(uint32_t plank, float x, float y, float *core)
 {
     const float shifted = y - bend(plank, x, y, core);
     const float u = x / (float)WOOD_SIZE, seed = (float)plank * 37.0f;
-    const float wander = 4.5f * noise2_sum(u * 3.0f, shifted / 30.0f + seed, 3, 4096, 21, 3);
+    const float wander = 4.5f * noise_2d_sum(u * 3.0f, shifted / 30.0f + seed, 3, 4096, 21, 3);
     const float ring = shifted * 0.15f + wander + seed;
     const float season = ring - floorf(ring);
-    const float late = ramp(0.15f, 0.86f, season) * ramp(1.0f, 0.86f, season);
-    const float pores = noise2(u * 30.0f, y * 0.9f + seed, 30, 4096, 33);
-    const float fibre = noise2_sum(u * 10.0f, y * 0.55f + seed, 10, 4096, 27, 2);
-    return 0.66f - 0.21f * late + 0.24f * (fibre - 0.5f) - 0.10f * ramp(0.66f, 0.95f, pores);
+    const float late = noise_ramp(0.15f, 0.86f, season) * noise_ramp(1.0f, 0.86f, season);
+    const float pores = noise_2d(u * 30.0f, y * 0.9f + seed, 30, 4096, 33);
+    const float fibre = noise_2d_sum(u * 10.0f, y * 0.55f + seed, 10, 4096, 27, 2);
+    return 0.66f - 0.21f * late + 0.24f * (fibre - 0.5f) - 0.10f * noise_ramp(0.66f, 0.95f, pores);
 }
 
 void bake_wood(uint8_t *r8)
@@ -61,12 +61,12 @@ void bake_wood(uint8_t *r8)
         const uint32_t plank = row / PLANK_HEIGHT;
         const float y = (float)(row % PLANK_HEIGHT) + 0.5f;
         const float to_edge = fminf(y, (float)PLANK_HEIGHT - y);
-        const float joint = 0.42f + 0.58f * ramp(0.4f, 3.2f, to_edge);
-        const float tone = 0.18f * (hash01((int32_t)plank, 9, 3) - 0.5f);
+        const float joint = 0.42f + 0.58f * noise_ramp(0.4f, 3.2f, to_edge);
+        const float tone = 0.18f * (noise_hash01((int32_t)plank, 9, 3) - 0.5f);
         for (uint32_t column = 0; column < WOOD_SIZE; column++) {
             float core;
             const float light = grain(plank, (float)column + 0.5f, y, &core);
-            r8[row * WOOD_SIZE + column] = to_u8((light + tone - 0.42f * core) * joint);
+            r8[row * WOOD_SIZE + column] = noise_to_u8((light + tone - 0.42f * core) * joint);
         }
     }
 }

@@ -16,7 +16,7 @@
 #define EXIT_IO 74
 #define LINE_SIZE 256
 
-static void fail(const char *path, unsigned line, const char *what)
+static void words_fail(const char *path, unsigned line, const char *what)
 {
     fprintf(stderr, "%s:%u: %s\n", path, line, what);
     exit(EXIT_BAD_DATA);
@@ -24,14 +24,14 @@ static void fail(const char *path, unsigned line, const char *what)
 
 static void write_word(FILE *out, const char *word, const char *path, unsigned line)
 {
-    uint16_t letters[NAME_FOLD_MAX];
+    uint16_t letters[NAME_NORMALIZE_MAX];
     const int is_whole = word[0] == '=';
-    const uint32_t count = name_fold(word + is_whole, NAME_ENDS_KEPT, letters);
+    const uint32_t count = name_normalize(word + is_whole, NAME_ENDS_KEPT, letters);
     if (count == 0 || count > REFUSED_LETTERS_MAX) {
-        fail(path, line, "a word has 1 to 16 letters, of kana or the Latin alphabet");
+        words_fail(path, line, "a word has 1 to 16 letters, of kana or the Latin alphabet");
     }
     if (count < 3 && !is_whole) {
-        fail(path, line, "a word of one or two letters is in too many names: write =word");
+        words_fail(path, line, "a word of one or two letters is in too many names: write =word");
     }
     fprintf(out, "    { %d, %u, { ", is_whole, count);
     for (uint32_t i = 0; i < count; i++) {
@@ -45,7 +45,7 @@ static uint32_t write_words(FILE *in, FILE *out, const char *path)
     uint32_t count = 0;
     for (unsigned line = 1; fgets(text, sizeof text, in) != NULL; line++) {
         if (strchr(text, '\n') == NULL && !feof(in)) {
-            fail(path, line, "this line is too long");
+            words_fail(path, line, "this line is too long");
         }
         text[strcspn(text, "\n")] = 0;
         if (text[0] != 0 && text[0] != '#') {
@@ -80,7 +80,7 @@ int main(int count, char **arguments)
     fprintf(out, "};\nconst uint32_t refused_word_count = %uu;\n", words);
     fclose(in);
     if (words == 0) {
-        fail(arguments[1], 1, "there is no word in it");
+        words_fail(arguments[1], 1, "there is no word in it");
     }
     if (ferror(out) || fclose(out) != 0) {
         fprintf(stderr, "bake_words: %s: cannot be written\n", arguments[2]);

@@ -18,10 +18,10 @@ void board_open(struct hal *hal, const struct board_options *options)
         panel_open(hal, options);
     }
     store_open(hal, options);
-    watchdog_open(hal);
+    store_open_watchdog(hal);
 }
 
-void board_let_go(struct hal *hal)
+void board_release_store(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
     hal->storage.ops->close(hal->storage.self); /* The store may already be closed; a second close
@@ -33,6 +33,6 @@ void board_let_go(struct hal *hal)
 
 void board_close(struct hal *hal)
 {
-    board_let_go(hal);
+    board_release_store(hal);
     hal->display.ops->close(hal->display.self);
 }

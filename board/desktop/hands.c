@@ -8,9 +8,9 @@
 #include "drivers/seats.h"
 
 static struct {
-    struct seats seats;
-    struct poi_mouse mouse;
-    struct pads pads;
+    struct input_mux seats;
+    struct mouse_poi mouse;
+    struct gamepads gamepads;
     uint8_t has_pointer;
 } devices;
 
@@ -32,42 +32,42 @@ static void ignore_pointers(void)
  * counts. */
 static uint32_t pointers(const struct board_options *options)
 {
-    return (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_HEEDS_MOUSE : 0u) |
-           (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_HEEDS_FINGERS : 0u);
+    return (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
+           (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
 }
 
 static void add_pointer(struct hal *hal, const struct board_options *options, uint32_t heeds)
 {
     const uint32_t width = options->width ? options->width : 1280;
     const uint32_t height = options->height ? options->height : 720;
-    poi_mouse_init(&devices.mouse, hal->clock, &options->view, width, height, heeds);
+    mouse_poi_init(&devices.mouse, hal->clock, &options->view, width, height, heeds);
     devices.has_pointer = 1;
-    const struct seat_source mouse = {
-        .poi = poi_mouse_device(&devices.mouse),
-        .fan = poi_mouse_fan(&devices.mouse),
-        .is_there = poi_mouse_is_used,
+    const struct input_source mouse = {
+        .poi = mouse_poi_device(&devices.mouse),
+        .fan = mouse_poi_fan(&devices.mouse),
+        .is_there = mouse_poi_is_used,
         .self = &devices.mouse,
-        .kind = SEAT_POINTER,
+        .kind = INPUT_KIND_POINTER,
         .stands_in = 1,
     };
-    seats_add(&devices.seats, &mouse);
+    input_mux_add(&devices.seats, &mouse);
 }
 
 /* Excludes USB devices from SDL, so that each device has one owner. */
 static void bar_pads(void)
 {
-    struct pad_bar bar[PADS_BAR_MAX] = { 0 };
-    pads_bar(&devices.pads, bar, usb_bars(bar));
+    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX] = { 0 };
+    gamepads_exclude(&devices.gamepads, bar, usb_exclusions(bar));
 }
 
 /* Returns 1 if the gamepad is connected. The operator may choose controllers while the kiosk runs,
  * so that the choice is checked once a frame. */
 static int pad_is_there(void *self)
 {
-    if (self == &devices.pads.pad[0]) {
+    if (self == &devices.gamepads.pad[0]) {
         bar_pads();
     }
-    return pads_is_there(self);
+    return gamepad_poi_is_present(self);
 }
 
 /* Adds the gamepads. Unknown gamepads can be described in a file in the data folder. */
@@ -77,18 +77,18 @@ static void add_pads(struct hal *hal, const struct board_options *options)
     if (options->data_dir) {
         snprintf(database, sizeof database, "%.1024s/gamecontrollerdb.txt", options->data_dir);
     }
-    pads_init(&devices.pads, hal->clock, &options->view);
+    gamepads_init(&devices.gamepads, hal->clock, &options->view);
     bar_pads();
-    pads_open(&devices.pads, database[0] ? database : NULL);
-    for (uint32_t i = 0; i < PADS_MAX; i++) {
-        const struct seat_source pad = {
-            .poi = pads_poi(&devices.pads, i),
-            .fan = pads_fan(&devices.pads, i),
+    gamepads_open(&devices.gamepads, database[0] ? database : NULL);
+    for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
+        const struct input_source pad = {
+            .poi = gamepad_poi_device(&devices.gamepads, i),
+            .fan = gamepad_poi_fan(&devices.gamepads, i),
             .is_there = pad_is_there,
-            .self = &devices.pads.pad[i],
-            .kind = SEAT_PAD,
+            .self = &devices.gamepads.pad[i],
+            .kind = INPUT_KIND_GAMEPAD,
         };
-        seats_add(&devices.seats, &pad);
+        input_mux_add(&devices.seats, &pad);
     }
 }
 
@@ -110,7 +110,7 @@ void hands_open(struct hal *hal, const struct board_options *options)
     if (options->poi == BOARD_POI_BOT) {
         return;
     }
-    seats_init(&devices.seats, missing_poi(options->poi));
+    input_mux_init(&devices.seats, missing_poi(options->poi));
     usb_add_seats(&devices.seats);
     if (wants(options, BOARD_POI_PAD)) {
         add_pads(hal, options);
@@ -118,24 +118,24 @@ void hands_open(struct hal *hal, const struct board_options *options)
     if (heeds) {
         add_pointer(hal, options, heeds);
     }
-    hal->seats = seats_device(&devices.seats);
+    hal->seats = input_mux_device(&devices.seats);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        hal->poi[i] = seats_poi(&devices.seats, i);
-        hal->shade[i] = seats_fan(&devices.seats, i);
+        hal->poi[i] = input_mux_poi(&devices.seats, i);
+        hal->fan[i] = input_mux_fan(&devices.seats, i);
     }
 }
 
-void hands_add_buttons(struct buttons_join *join)
+void hands_add_buttons(struct buttons_mux *join)
 {
-    if (devices.pads.is_open) {
-        buttons_join_add(join, pads_buttons(&devices.pads));
+    if (devices.gamepads.is_open) {
+        buttons_mux_add(join, gamepad_poi_buttons(&devices.gamepads));
     }
     if (devices.has_pointer) {
-        buttons_join_add(join, poi_mouse_buttons(&devices.mouse));
+        buttons_mux_add(join, mouse_poi_buttons(&devices.mouse));
     }
 }
 
 void hands_close(void)
 {
-    pads_close(&devices.pads);
+    gamepads_close(&devices.gamepads);
 }

@@ -14,7 +14,7 @@
 #include "platform/say.h"
 
 static struct {
-    struct buttons_join join;
+    struct buttons_mux join;
     struct buttons_keyboard keyboard;
     struct buttons_gpio gpio;
     uint8_t has_gpio;
@@ -29,11 +29,10 @@ static int read_wires(struct gpio_wire wires[GPIO_ROLE_COUNT],
             return -1;
         }
     }
-    return gpio_wires_agree(wires, why) ? 0 : -1;
+    return gpio_config_agrees(wires, why) ? 0 : -1;
 }
 
-int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count,
-                      char why[HAL_TEXT_SIZE])
+int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE])
 {
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
     return read_wires(wires, line, count, why);
@@ -47,7 +46,8 @@ static void tell_missing(const struct gpio_wire wires[GPIO_ROLE_COUNT])
         if (wires[role].wired) {
             buttons_gpio_why(&devices.gpio, (enum gpio_role)role, why);
             if (why[0]) {
-                say(SAY_WARNING, "line %s: %s", gpio_role_name((enum gpio_role)role), why);
+                log_print(LOG_LEVEL_WARNING, "line %s: %s", gpio_role_name((enum gpio_role)role),
+                          why);
             }
         }
     }
@@ -59,7 +59,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
     char why[HAL_TEXT_SIZE];
     if (options->line_count == 0 ||
         read_wires(wires, options->line, options->line_count, why)) {
-        return; /* board_reads_lines() has already validated the options. */
+        return; /* board_check_lines() has already validated the options. */
     }
     devices.has_gpio = buttons_gpio_start(&devices.gpio, gpio_lines_device(), wires, hal->clock) ==
                        HAL_OK;
@@ -68,7 +68,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
         return;
     }
     tell_missing(wires);
-    buttons_join_add(&devices.join, buttons_gpio_device(&devices.gpio));
+    buttons_mux_add(&devices.join, buttons_gpio_device(&devices.gpio));
     hal->switches = buttons_gpio_switches(&devices.gpio);
 }
 
@@ -86,19 +86,19 @@ static void add_keys(const struct board_options *options)
         ignore_keys();
     } else {
         devices.keyboard = (struct buttons_keyboard){ 0 };
-        buttons_join_add(&devices.join, buttons_keyboard_device(&devices.keyboard));
+        buttons_mux_add(&devices.join, buttons_keyboard_device(&devices.keyboard));
     }
 }
 
 void panel_open(struct hal *hal, const struct board_options *options)
 {
-    devices.join = (struct buttons_join){ 0 };
+    devices.join = (struct buttons_mux){ 0 };
     add_keys(options);
     usb_add_buttons(&devices.join);
     hands_add_buttons(&devices.join);
     open_lines(hal, options); /* Last, because these texts report missing lines, and the earlier
                                  texts name the keys to press. */
-    hal->buttons = buttons_join_device(&devices.join);
+    hal->buttons = buttons_mux_device(&devices.join);
 }
 
 void panel_close(void)

@@ -22,11 +22,11 @@ void screen_ignore(const uint32_t *types, size_t count);
 void usb_open(struct hal *hal, const struct board_options *options);
 
 /* Add the USB controllers to the slots, and their buttons to the panel. */
-void usb_add_seats(struct seats *seats);
-void usb_add_buttons(struct buttons_join *join);
+void usb_add_seats(struct input_mux *seats);
+void usb_add_buttons(struct buttons_mux *join);
 
 /* Returns the number of USB devices, present or configured, that no other driver may open. */
-uint32_t usb_bars(struct pad_bar out[PADS_BAR_MAX]);
+uint32_t usb_exclusions(struct gamepad_exclusion out[GAMEPADS_EXCLUSION_MAX]);
 
 /* Returns the devices to the kernel drivers and ends the thread. */
 void usb_close(void);
@@ -35,7 +35,7 @@ void usb_close(void);
 void hands_open(struct hal *hal, const struct board_options *options);
 
 /* Adds the buttons of gamepads to the panel. */
-void hands_add_buttons(struct buttons_join *join);
+void hands_add_buttons(struct buttons_mux *join);
 
 /* Closes the devices of hands_open(). */
 void hands_close(void);
@@ -50,6 +50,6 @@ void panel_close(void);
 void store_open(struct hal *hal, const struct board_options *options);
 
 /* Connects the watchdog of the service manager, or the null watchdog. */
-void watchdog_open(struct hal *hal);
+void store_open_watchdog(struct hal *hal);
 
 #endif

@@ -47,7 +47,7 @@ void screen_open(struct hal *hal, const struct board_options *options)
         .off_screen = options->off_screen != 0,
         .on_demand = options->on_demand != 0,
         .title = "Kingyo",
-        .shelf = options->shelf,
+        .library = options->library,
     };
     display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
     hal->display = display_gl_device(display);

@@ -33,7 +33,7 @@ void store_open(struct hal *hal, const struct board_options *options)
     }
 }
 
-void watchdog_open(struct hal *hal)
+void store_open_watchdog(struct hal *hal)
 {
     const char *usec = getenv("WATCHDOG_USEC");
     if (watchdog_init(&devices.watchdog, hal->clock, getenv("NOTIFY_SOCKET"),

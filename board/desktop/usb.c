@@ -14,8 +14,8 @@
 static struct {
     struct usb_seats *usb; /* Null: not started. */
     struct poi_hid poi[POI_MAX];
-    struct hid_book book;
-    struct hid_desk desk;
+    struct hid_mapping_store book;
+    struct controller_manager desk;
     struct usb_key listed[BOARD_USB_MAX];
     uint32_t listed_count;
     char choices[PATH_SIZE];
@@ -32,7 +32,7 @@ static void read_listed(const struct board_options *options)
     }
 }
 
-int board_reads_usb(const char *text)
+int board_check_usb(const char *text)
 {
     struct usb_key key;
     return usb_key_read(&key, text) == 0;
@@ -41,7 +41,7 @@ int board_reads_usb(const char *text)
 static void complain(void *self, const char *line)
 {
     (void)self;
-    say(SAY_WARNING, "%s", line);
+    log_print(LOG_LEVEL_WARNING, "%s", line);
 }
 
 /* Reports a rejected file in the log and on the operator's screen. Called only before threads
@@ -60,11 +60,11 @@ static void open_desk(struct hal *hal, const struct board_options *options)
     struct poi_hid *seats[POI_MAX];
     for (uint32_t i = 0; i < POI_MAX; i++) {
         seats[i] = &devices.poi[i];
-        poi_hid_init(seats[i], usb_seats_port(devices.usb, i), hal->clock,
-                     hid_book_mapper(&devices.book), &options->view);
+        poi_hid_init(seats[i], usb_transport_port(devices.usb, i), hal->clock,
+                     hid_mapping_store_mapper(&devices.book), &options->view);
     }
-    hid_desk_init(&devices.desk, usb_seats_roster(devices.usb), &devices.book, seats);
-    hal->controllers = hid_desk_device(&devices.desk);
+    controller_manager_init(&devices.desk, usb_transport_roster(devices.usb), &devices.book, seats);
+    hal->controllers = controller_manager_device(&devices.desk);
 }
 
 /* Opens USB only if the poi option is automatic or USB. */
@@ -76,7 +76,7 @@ void usb_open(struct hal *hal, const struct board_options *options)
     read_listed(options);
     snprintf(devices.choices, sizeof devices.choices, "%.1000s/usb.txt",
              options->data_dir ? options->data_dir : "");
-    const struct usb_seats_config config = {
+    const struct usb_transport_config config = {
         .clock = hal->clock,
         .choices = options->data_dir ? devices.choices : NULL,
         .listed = devices.listed,
@@ -84,9 +84,9 @@ void usb_open(struct hal *hal, const struct board_options *options)
         .tell = complain,
     };
     struct board_options told = *options;
-    hid_book_open(&devices.book, options->data_dir, complain_of_file, &told);
-    hid_book_tell(&devices.book, complain, NULL);
-    devices.usb = usb_seats_start(&config, devices.text);
+    hid_mapping_store_open(&devices.book, options->data_dir, complain_of_file, &told);
+    hid_mapping_store_set_error_sink(&devices.book, complain, NULL);
+    devices.usb = usb_transport_start(&config, devices.text);
     if (devices.text[0]) {
         complain_of_file(&told, devices.text);
     }
@@ -108,55 +108,57 @@ static int is_there(void *self)
     return poi->is_open && poi->plays;
 }
 
-void usb_add_seats(struct seats *seats)
+void usb_add_seats(struct input_mux *seats)
 {
     for (uint32_t i = 0; devices.usb && i < POI_MAX; i++) {
-        const struct seat_source source = {
+        const struct input_source source = {
             .poi = poi_hid_device(&devices.poi[i]),
             .fan = poi_hid_fan(&devices.poi[i]),
             .is_there = is_there,
             .self = &devices.poi[i],
-            .kind = SEAT_USB,
+            .kind = INPUT_KIND_USB,
         };
-        seats_add(seats, &source);
+        input_mux_add(seats, &source);
     }
 }
 
-void usb_add_buttons(struct buttons_join *join)
+void usb_add_buttons(struct buttons_mux *join)
 {
     for (uint32_t i = 0; devices.usb && i < POI_MAX; i++) {
-        buttons_join_add(join, poi_hid_buttons(&devices.poi[i]));
+        buttons_mux_add(join, poi_hid_buttons(&devices.poi[i]));
     }
 }
 
-static void bar(struct pad_bar *out, uint16_t vendor, uint16_t product, const char *serial)
+static void usb_fill_exclusion(struct gamepad_exclusion *out, uint16_t vendor, uint16_t product,
+                               const char *serial)
 {
-    *out = (struct pad_bar){ .vendor = vendor, .product = product };
+    *out = (struct gamepad_exclusion){ .vendor = vendor, .product = product };
     snprintf(out->serial, sizeof out->serial, "%s", serial);
 }
 
-_Static_assert(PADS_BAR_MAX >= USB_WISH_MAX + CONTROLLER_MAX, "every one of both finds room");
+_Static_assert(GAMEPADS_EXCLUSION_MAX >= USB_REQUEST_MAX + CONTROLLER_MAX,
+               "every one of both finds room");
 
 /* Returns the controllers that were named, which SDL must skip from its start, and the controllers
  * that play or may be reconnected. */
-uint32_t usb_bars(struct pad_bar out[PADS_BAR_MAX])
+uint32_t usb_exclusions(struct gamepad_exclusion out[GAMEPADS_EXCLUSION_MAX])
 {
-    struct usb_key wanted[USB_WISH_MAX];
+    struct usb_key wanted[USB_REQUEST_MAX];
     struct hid_row rows[CONTROLLER_MAX];
     uint32_t count = 0;
     if (!devices.usb) {
         return 0;
     }
-    const struct hid_roster roster = usb_seats_roster(devices.usb);
-    const uint32_t wanted_count = usb_seats_wanted(devices.usb, wanted);
-    roster.ops->rows(roster.self, rows);
+    const struct hid_device_list device_list = usb_transport_roster(devices.usb);
+    const uint32_t wanted_count = usb_transport_wanted(devices.usb, wanted);
+    device_list.ops->rows(device_list.self, rows);
     for (uint32_t i = 0; i < wanted_count; i++) {
-        bar(&out[count++], wanted[i].vendor, wanted[i].product, wanted[i].serial);
+        usb_fill_exclusion(&out[count++], wanted[i].vendor, wanted[i].product, wanted[i].serial);
     }
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         const struct hid_identity *who = &rows[i].identity;
-        if (rows[i].state == CONTROLLER_PLAYS || rows[i].state == CONTROLLER_LOST) {
-            bar(&out[count++], who->vendor, who->product, who->serial);
+        if (rows[i].state == CONTROLLER_ACTIVE || rows[i].state == CONTROLLER_LOST) {
+            usb_fill_exclusion(&out[count++], who->vendor, who->product, who->serial);
         }
     }
     return count;
@@ -165,8 +167,8 @@ uint32_t usb_bars(struct pad_bar out[PADS_BAR_MAX])
 void usb_close(void)
 {
     if (devices.usb) {
-        usb_seats_stop(devices.usb);
-        hid_book_close(&devices.book);
+        usb_transport_stop(devices.usb);
+        hid_mapping_store_close(&devices.book);
         devices.usb = NULL;
     }
 }

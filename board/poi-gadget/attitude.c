@@ -13,7 +13,7 @@
 /* Greatest gyroscope bias: 11 degrees a second, the worst value of cheap chips. */
 #define BIAS_MAX_RAD_S 0.2f
 
-struct quaternion quaternion_product(struct quaternion a, struct quaternion b)
+struct quaternion attitude_quaternion_product(struct quaternion a, struct quaternion b)
 {
     return (struct quaternion){
         .w = a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
@@ -42,17 +42,17 @@ static struct quaternion about(float half_rad, float x, float y, float z)
 
 /* Converts angles to a rotation: yaw about +y, then pitch about +x, then roll about -z. A positive
  * roll lowers the right side. */
-struct quaternion quaternion_of(struct angles angles)
+struct quaternion attitude_quaternion_of_angles(struct angles angles)
 {
     const struct quaternion yaw = about(0.5f * angles.yaw_rad, 0.0f, 1.0f, 0.0f);
     const struct quaternion pitch = about(0.5f * angles.pitch_rad, 1.0f, 0.0f, 0.0f);
     const struct quaternion roll = about(0.5f * angles.roll_rad, 0.0f, 0.0f, -1.0f);
-    return quaternion_product(quaternion_product(yaw, pitch), roll);
+    return attitude_quaternion_product(attitude_quaternion_product(yaw, pitch), roll);
 }
 
 /* Converts a rotation to angles. The axes of the poi in the world are the columns of the rotation
  * matrix. */
-struct angles quaternion_angles(struct quaternion q)
+struct angles attitude_quaternion_angles(struct quaternion q)
 {
     const float right_y = 2.0f * (q.x * q.y + q.w * q.z);
     const float up_y = 1.0f - 2.0f * (q.x * q.x + q.z * q.z);
@@ -88,11 +88,12 @@ static void learn_bias(struct attitude *attitude, vec3 gyro_rad_s, float trust, 
         v3_length(rest) < STILL_RAD_S && trust > 0.5f ? attitude->still_s + seconds : 0.0f;
     if (attitude->still_s > STILL_S) {
         const float share = f_min(BIAS_PER_S * seconds, 1.0f);
-        attitude->bias_rad_s = v3_limit(v3_mad(attitude->bias_rad_s, rest, share), BIAS_MAX_RAD_S);
+        attitude->bias_rad_s =
+            v3_limit(v3_muladd(attitude->bias_rad_s, rest, share), BIAS_MAX_RAD_S);
     }
 }
 
-void attitude_feel(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2, float seconds)
+void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2, float seconds)
 {
     if (!v3_is_finite(gyro_rad_s) || !v3_is_finite(accel_m_s2)) {
         return;
@@ -107,14 +108,14 @@ void attitude_feel(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2, 
     }
     learn_bias(attitude, gyro_rad_s, trust, seconds);
     const vec3 off = v3_cross(up, up_of(attitude->turn));
-    const vec3 rate = v3_mad(v3_sub(gyro_rad_s, attitude->bias_rad_s), off, PULL_PER_S * trust);
+    const vec3 rate = v3_muladd(v3_sub(gyro_rad_s, attitude->bias_rad_s), off, PULL_PER_S * trust);
     const float angle = v3_length(rate) * seconds;
     const vec3 axis = v3_normalize_or(rate, v3(0.0f, 0.0f, 0.0f));
     const struct quaternion step = about(0.5f * f_min(angle, F_PI), axis.x, axis.y, axis.z);
-    attitude->turn = normalized(quaternion_product(attitude->turn, step));
+    attitude->turn = normalized(attitude_quaternion_product(attitude->turn, step));
 }
 
-void attitude_know(struct attitude *attitude, struct quaternion turn)
+void attitude_set(struct attitude *attitude, struct quaternion turn)
 {
     attitude->turn = normalized(turn);
     attitude->knows = 1;
@@ -122,7 +123,7 @@ void attitude_know(struct attitude *attitude, struct quaternion turn)
 
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds)
 {
-    struct angles angles = quaternion_angles(attitude->turn);
+    struct angles angles = attitude_quaternion_angles(attitude->turn);
     if (!attitude->has_ahead && attitude->knows) {
         attitude->ahead_rad = angles.yaw_rad;
         attitude->has_ahead = 1;

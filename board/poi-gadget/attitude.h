@@ -32,23 +32,24 @@ struct attitude {
 
 /* Updates the orientation with a rotation rate and an acceleration over the last `seconds`, in the
  * axes of the poi. */
-void attitude_feel(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2, float seconds);
+void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2,
+                         float seconds);
 
 /* Sets the orientation from a chip that computes a quaternion. The rotation is from the axes of the
  * poi to the axes of the world. */
-void attitude_know(struct attitude *attitude, struct quaternion turn);
+void attitude_set(struct attitude *attitude, struct quaternion turn);
 
 /* Returns the angles. The heading decays to 0 with a time constant of about `ahead_s`. A value of 0
  * disables the decay. */
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds);
 
 /* Returns the rotation that applies `b` first and then `a`. */
-struct quaternion quaternion_product(struct quaternion a, struct quaternion b);
+struct quaternion attitude_quaternion_product(struct quaternion a, struct quaternion b);
 
 /* Converts angles to a rotation. */
-struct quaternion quaternion_of(struct angles angles);
+struct quaternion attitude_quaternion_of_angles(struct angles angles);
 
 /* Converts a rotation to angles. */
-struct angles quaternion_angles(struct quaternion q);
+struct angles attitude_quaternion_angles(struct quaternion q);
 
 #endif

@@ -6,7 +6,7 @@
 
 /* Converts a matrix to a quaternion with the largest of the four components, which is never near 0
  * (Shepperd 1978). */
-struct quaternion quaternion_of_rows(const vec3 row[3])
+struct quaternion board_pose_quaternion_of_rows(const vec3 row[3])
 {
     const float xx = row[0].x, yy = row[1].y, zz = row[2].z;
     const float four[4] = { 1.0f + xx + yy + zz, 1.0f + xx - yy - zz, 1.0f - xx + yy - zz,
@@ -34,8 +34,9 @@ struct quaternion quaternion_of_rows(const vec3 row[3])
 
 void board_pose_init(struct board_pose *pose, const struct poi_config *config)
 {
-    assert(poi_config_is_calibrated(config) && draw_wires_can_tell(config->spool_m));
-    *pose = (struct board_pose){ .config = config, .mount = quaternion_of_rows(config->imu_row) };
+    assert(poi_config_is_calibrated(config) && draw_wires_is_determined(config->spool_m));
+    *pose = (struct board_pose){ .config = config,
+                                 .mount = board_pose_quaternion_of_rows(config->imu_row) };
     pose->attitude.bias_rad_s = config->gyro_bias_rad_s;
 }
 
@@ -48,8 +49,8 @@ static vec3 to_poi(const struct poi_config *config, vec3 chip)
 static void feel_attitude(struct board_pose *pose, const struct readings *readings, float seconds)
 {
     if (!readings->fuses) {
-        attitude_feel(&pose->attitude, to_poi(pose->config, readings->gyro_rad_s),
-                      to_poi(pose->config, readings->accel_m_s2), seconds);
+        attitude_add_motion(&pose->attitude, to_poi(pose->config, readings->gyro_rad_s),
+                            to_poi(pose->config, readings->accel_m_s2), seconds);
         return;
     }
     /* The chip's world has +z up and Kingyo's world has +y up, so the rotation is a quarter turn
@@ -57,8 +58,8 @@ static void feel_attitude(struct board_pose *pose, const struct readings *readin
     const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
     const struct quaternion back = { pose->mount.w, -pose->mount.x, -pose->mount.y,
                                      -pose->mount.z };
-    attitude_know(&pose->attitude,
-                  quaternion_product(quaternion_product(upright, readings->turn), back));
+    attitude_set(&pose->attitude, attitude_quaternion_product(
+                                      attitude_quaternion_product(upright, readings->turn), back));
 }
 
 /* Computes the eye's position from the wires. A broken or released wire is pulled to its
@@ -89,7 +90,7 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
         out->target.position_m.x = __builtin_nanf("");
         return;
     }
-    const struct basis axes = basis_from_angles(out->target.angles);
+    const struct basis axes = vec_basis_from_angles(out->target.angles);
     const vec3 eye_m = steady_step(&pose->steady, pose->eye_m, seconds);
-    out->target.position_m = v3_add(eye_m, basis_to_world(&axes, config->ring_m));
+    out->target.position_m = v3_add(eye_m, vec_basis_to_world(&axes, config->ring_m));
 }

@@ -40,6 +40,6 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
                      struct poi_report *out);
 
 /* Returns the rotation whose matrix has the given rows. */
-struct quaternion quaternion_of_rows(const vec3 row[3]);
+struct quaternion board_pose_quaternion_of_rows(const vec3 row[3]);
 
 #endif

@@ -30,7 +30,7 @@ static int mean_readings(struct sensors *sensors, struct readings *mean, float s
             spread[i] = high[i] - low[i];
         }
         mean->fuses = one.fuses;
-        mean->gyro_rad_s = v3_mad(mean->gyro_rad_s, one.gyro_rad_s, 1.0f / (float)READINGS);
+        mean->gyro_rad_s = v3_muladd(mean->gyro_rad_s, one.gyro_rad_s, 1.0f / (float)READINGS);
         nanosleep(&(struct timespec){ .tv_nsec = BETWEEN_NS }, NULL);
     }
     return 1;
@@ -78,8 +78,9 @@ static vec3 in_poi_axes(const struct poi_config *config, vec3 chip)
               v3_dot(config->imu_row[2], chip));
 }
 
-static enum exit_code tell(const struct poi_config *config, struct wire_fit fits[DRAW_WIRE_COUNT],
-                           const struct readings *rest)
+static enum exit_code calibrate_print_result(const struct poi_config *config,
+                                             struct wire_fit fits[DRAW_WIRE_COUNT],
+                                             const struct readings *rest)
 {
     enum exit_code code = EXIT_OK;
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
@@ -118,7 +119,7 @@ enum exit_code calibrate(const struct poi_config *config, const char *root)
         if (mark == config->mark_count) {
             print_error("lay the poi down, press Enter");
             code = wait_for_enter() && mean_readings(&sensors, &rest, spread)
-                       ? tell(config, fits, &rest)
+                       ? calibrate_print_result(config, fits, &rest)
                        : EXIT_IO;
         }
     }

@@ -19,7 +19,7 @@ static struct spool_axes axes_of(const vec3 spool_m[DRAW_WIRE_COUNT])
     struct spool_axes axes = { .x = v3_normalize_or(second_m, v3(1.0f, 0.0f, 0.0f)) };
     axes.second_x_m = v3_length(second_m);
     axes.third_x_m = v3_dot(axes.x, third_m);
-    const vec3 aside_m = v3_mad(third_m, axes.x, -axes.third_x_m);
+    const vec3 aside_m = v3_muladd(third_m, axes.x, -axes.third_x_m);
     axes.y = v3_normalize_or(aside_m, v3(0.0f, 0.0f, 1.0f));
     axes.third_y_m = v3_length(aside_m);
     axes.normal = v3_cross(axes.x, axes.y);
@@ -29,7 +29,7 @@ static struct spool_axes axes_of(const vec3 spool_m[DRAW_WIRE_COUNT])
     return axes;
 }
 
-int draw_wires_can_tell(const vec3 spool_m[DRAW_WIRE_COUNT])
+int draw_wires_is_determined(const vec3 spool_m[DRAW_WIRE_COUNT])
 {
     const struct spool_axes axes = axes_of(spool_m);
     return axes.second_x_m > SPOOLS_APART_M && axes.third_y_m > SPOOLS_APART_M &&
@@ -39,7 +39,7 @@ int draw_wires_can_tell(const vec3 spool_m[DRAW_WIRE_COUNT])
 enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
                                        const float length_m[DRAW_WIRE_COUNT], vec3 *out)
 {
-    assert(draw_wires_can_tell(spool_m));
+    assert(draw_wires_is_determined(spool_m));
     const struct spool_axes axes = axes_of(spool_m);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
         if (!(length_m[i] > 0.0f && length_m[i] < DRAW_WIRE_MAX_M)) {
@@ -61,8 +61,8 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
     if (below < DRAW_WIRE_NEAR_M * DRAW_WIRE_NEAR_M) {
         return DRAW_WIRES_HIGH;
     }
-    const vec3 flat_m = v3_mad(v3_mad(spool_m[0], axes.x, x_m), axes.y, y_m);
-    *out = v3_mad(flat_m, axes.normal, -f_sqrt(below));
+    const vec3 flat_m = v3_muladd(v3_muladd(spool_m[0], axes.x, x_m), axes.y, y_m);
+    *out = v3_muladd(flat_m, axes.normal, -f_sqrt(below));
     return DRAW_WIRES_OK;
 }
 

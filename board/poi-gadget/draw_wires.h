@@ -32,10 +32,10 @@ const char *draw_wires_text(enum draw_wires_result result);
 
 /* Returns whether the three spools determine a position. No two spools may be within 10 cm of each
  * other, and the spools may not lie on one line. */
-int draw_wires_can_tell(const vec3 spool_m[DRAW_WIRE_COUNT]);
+int draw_wires_is_determined(const vec3 spool_m[DRAW_WIRE_COUNT]);
 
-/* Computes the position of the eye in the world. The spools must satisfy draw_wires_can_tell().
- * `out` is unchanged if the result is not OK. */
+/* Computes the position of the eye in the world. The spools must satisfy
+ * draw_wires_is_determined(). `out` is unchanged if the result is not OK. */
 enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
                                        const float length_m[DRAW_WIRE_COUNT], vec3 *out);
 

@@ -6,7 +6,7 @@ static float die_away(float level, float seconds, float within_s)
     return level * f_exp(-seconds / within_s);
 }
 
-static void hear(struct feel_mix *mix, const struct poi_force *newest, float seconds)
+static void feel_mix_add_force(struct feel_mix *mix, const struct poi_force *newest, float seconds)
 {
     mix->silent_s = newest ? 0.0f : mix->silent_s + seconds;
     if (newest) {
@@ -24,7 +24,7 @@ struct feel_levels feel_mix_step(struct feel_mix *mix, const struct poi_force *n
 {
     mix->slap = die_away(mix->slap, seconds, FEEL_SLAP_S);
     mix->tear = die_away(mix->tear, seconds, FEEL_TEAR_S);
-    hear(mix, newest, seconds);
+    feel_mix_add_force(mix, newest, seconds);
     mix->rattle_s = mix->tear > 0.02f ? mix->rattle_s + seconds : 0.0f;
     const float beat = mix->rattle_s * FEEL_RATTLE_HZ;
     const float rattle = beat - f_floor(beat) < 0.5f ? mix->tear : 0.0f;

@@ -65,7 +65,7 @@ void keys_open(struct keys *keys, const char *root)
     }
 }
 
-static void take_event(struct keys *keys, const struct input_event *event)
+static void keys_take_event(struct keys *keys, const struct input_event *event)
 {
     if (event->type == EV_SYN && event->code == SYN_DROPPED) {
         keys->held = 0;
@@ -87,7 +87,7 @@ uint8_t keys_held(struct keys *keys)
         struct input_event events[EVENTS_MAX];
         const ssize_t size = read(keys->fd[i], events, sizeof events);
         for (ssize_t e = 0; e < size / (ssize_t)sizeof events[0]; e++) {
-            take_event(keys, &events[e]);
+            keys_take_event(keys, &events[e]);
         }
     }
     return (uint8_t)keys->held;

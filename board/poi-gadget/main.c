@@ -161,7 +161,7 @@ static enum exit_code play_sensors(const struct poi_config *config,
     }
     const struct pose_source source = sensor_source(&own, config);
     const enum exit_code code =
-        prints ? watch(&arguments->run, source) : run(&arguments->run, source, sink);
+        prints ? run_watch(&arguments->run, source) : run(&arguments->run, source, sink);
     print_error("kingyo-poi: %u readings missed", own.sensors.failed_count);
     sensors_close(&own.sensors);
     return code;
@@ -171,7 +171,7 @@ static enum exit_code play_sensors(const struct poi_config *config,
 static enum exit_code play(struct poi_config *config, const struct arguments *arguments, int prints)
 {
     static struct script_source script;
-    static struct twin_source twin;
+    static struct sensor_source_twin twin;
     static struct motor motor;
     struct feel_sink sink = { 0 };
     struct pose_source source;
@@ -191,9 +191,9 @@ static enum exit_code play(struct poi_config *config, const struct arguments *ar
         if (!poi_config_is_calibrated(config)) {
             sensor_twin_calibrate(config);
         }
-        source = twin_source(&twin, config);
+        source = sensor_source_twin(&twin, config);
     }
-    return prints ? watch(&arguments->run, source) : run(&arguments->run, source, sink);
+    return prints ? run_watch(&arguments->run, source) : run(&arguments->run, source, sink);
 }
 
 static enum exit_code command(const char *name, struct arguments *arguments)

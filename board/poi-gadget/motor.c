@@ -11,7 +11,7 @@
 /* Number of attempts of 10 ms each, because udev may set the permissions of the new files later. */
 #define EXPORT_TRIES 20
 
-static int put(const char *path, uint32_t value)
+static int motor_put(const char *path, uint32_t value)
 {
     char text[16];
     const int size = snprintf(text, sizeof text, "%u", value);
@@ -57,7 +57,7 @@ static int open_pwm(struct motor *motor, const struct poi_config *config, const 
     if (access(path, F_OK) != 0) {
         char export[PATH_SIZE + 32];
         snprintf(export, sizeof export, "%s/export", chip);
-        if (!put(export, config->pwm_channel)) {
+        if (!motor_put(export, config->pwm_channel)) {
             snprintf(why, MOTOR_WHY_SIZE, "motor: cannot write %.120s", export);
             return 0;
         }
@@ -70,9 +70,9 @@ static int open_pwm(struct motor *motor, const struct poi_config *config, const 
      * period. */
     put_again(motor->duty_fd, &motor->duty_ns, 0);
     snprintf(path, sizeof path, "%s/pwm%u/period", chip, config->pwm_channel);
-    const int period = put(path, motor->period_ns);
+    const int period = motor_put(path, motor->period_ns);
     snprintf(path, sizeof path, "%s/pwm%u/enable", chip, config->pwm_channel);
-    if (motor->duty_fd < 0 || !period || !put(path, 1)) {
+    if (motor->duty_fd < 0 || !period || !motor_put(path, 1)) {
         snprintf(why, MOTOR_WHY_SIZE, "motor: cannot set up %.110s/pwm%u", chip,
                  config->pwm_channel);
         return 0;

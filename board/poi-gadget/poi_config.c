@@ -55,7 +55,7 @@ static int read_place(const char *value, vec3 *out)
     return 1;
 }
 
-static int is_whole(float number, float most)
+static int poi_config_is_whole(float number, float most)
 {
     return number >= 0.0f && number <= most && number == f_floor(number);
 }
@@ -63,7 +63,7 @@ static int is_whole(float number, float most)
 static int read_spool(struct poi_config *config, uint32_t index, const char *value)
 {
     float n[NUMBERS_MAX];
-    if (!read_numbers(value, 4, 3000.0f, n) || !is_whole(n[0], POI_CONFIG_CHANNEL_MAX)) {
+    if (!read_numbers(value, 4, 3000.0f, n) || !poi_config_is_whole(n[0], POI_CONFIG_CHANNEL_MAX)) {
         return 0;
     }
     config->channel[index] = (uint32_t)n[0];
@@ -71,7 +71,7 @@ static int read_spool(struct poi_config *config, uint32_t index, const char *val
     return 1;
 }
 
-static int read_wire(struct poi_config *config, uint32_t index, const char *value)
+static int poi_config_read_wire(struct poi_config *config, uint32_t index, const char *value)
 {
     float n[NUMBERS_MAX];
     if (!read_numbers(value, 2, 10000.0f, n) || n[1] == 0.0f) {
@@ -145,8 +145,9 @@ static int read_motor(struct poi_config *config, uint32_t index, const char *val
         config->pwm_chip = -1;
         return 1;
     }
-    if (!read_numbers(value, 4, 100000.0f, n) || !is_whole(n[0], 63.0f) || !is_whole(n[1], 15.0f) ||
-        !is_whole(n[2], 100000.0f) || n[2] < 20.0f || n[3] < 0.0f || n[3] >= 1.0f) {
+    if (!read_numbers(value, 4, 100000.0f, n) || !poi_config_is_whole(n[0], 63.0f) ||
+        !poi_config_is_whole(n[1], 15.0f) || !poi_config_is_whole(n[2], 100000.0f) ||
+        n[2] < 20.0f || n[3] < 0.0f || n[3] >= 1.0f) {
         return 0;
     }
     config->pwm_chip = (int32_t)n[0];
@@ -204,9 +205,9 @@ static const struct setting {
     { "spool1", read_spool, 0, "a spool is a channel and X Y Z in mm" },
     { "spool2", read_spool, 1, "a spool is a channel and X Y Z in mm" },
     { "spool3", read_spool, 2, "a spool is a channel and X Y Z in mm" },
-    { "wire1", read_wire, 0, "a wire is its length at 0 and its length a step, in mm" },
-    { "wire2", read_wire, 1, "a wire is its length at 0 and its length a step, in mm" },
-    { "wire3", read_wire, 2, "a wire is its length at 0 and its length a step, in mm" },
+    { "wire1", poi_config_read_wire, 0, "a wire is its length at 0 and its length a step, in mm" },
+    { "wire2", poi_config_read_wire, 1, "a wire is its length at 0 and its length a step, in mm" },
+    { "wire3", poi_config_read_wire, 2, "a wire is its length at 0 and its length a step, in mm" },
     { "ring", read_ring, 0, "ring is X Y Z in mm" },
     { "imu_axes", read_axes, 0, "imu_axes is a turn such as +x +y +z or +x +z -y" },
     { "gyro_bias", read_bias, 0, "gyro_bias is three numbers of rad/s within +-0.2" },
@@ -216,7 +217,7 @@ static const struct setting {
 };
 
 /* Removes the comment and the blanks. Returns the first character of the rest. */
-static char *trim(char *text)
+static char *poi_config_trim(char *text)
 {
     text[strcspn(text, "#\r\n")] = '\0';
     text += strspn(text, " \t");
@@ -235,7 +236,7 @@ int poi_config_line(struct poi_config *config, const char *line, const char **wh
         return -1;
     }
     strcpy(copy, line);
-    char *name = trim(copy), *equals = strchr(name, '=');
+    char *name = poi_config_trim(copy), *equals = strchr(name, '=');
     if (*name == '\0') {
         return 0;
     }
@@ -244,8 +245,8 @@ int poi_config_line(struct poi_config *config, const char *line, const char **wh
         return -1;
     }
     *equals = '\0';
-    const char *value = trim(equals + 1);
-    name = trim(name);
+    const char *value = poi_config_trim(equals + 1);
+    name = poi_config_trim(name);
     *why = "no such name; poi.conf lists them";
     for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {
         if (strcmp(settings[i].name, name) == 0) {
@@ -258,7 +259,7 @@ int poi_config_line(struct poi_config *config, const char *line, const char **wh
 
 int poi_config_is_sound(const struct poi_config *config, const char **why)
 {
-    if (!draw_wires_can_tell(config->spool_m)) {
+    if (!draw_wires_is_determined(config->spool_m)) {
         *why = "the spools must hang apart, in a plane that is more level than steep";
         return 0;
     }
@@ -280,9 +281,9 @@ int poi_config_load(struct poi_config *config, const char *path)
     char line[POI_CONFIG_LINE_SIZE + 1];
     const char *why = NULL;
     uint32_t number = 0;
-    FILE *file = plain_file_open(path, POI_CONFIG_SIZE_MAX);
+    FILE *file = regular_file_open(path, POI_CONFIG_SIZE_MAX);
     if (!file) {
-        print_error("%s: %s", path, plain_file_error(errno));
+        print_error("%s: %s", path, regular_file_error(errno));
         return 0;
     }
     int result = 0;

@@ -39,7 +39,7 @@ struct beat {
     uint32_t late;  /* Number of due beats that were dropped because the board was too slow. */
 };
 
-static uint64_t now_ns(void)
+static uint64_t run_now_ns(void)
 {
     struct timespec time;
     clock_gettime(CLOCK_MONOTONIC, &time);
@@ -48,14 +48,14 @@ static uint64_t now_ns(void)
 
 static void beat_start(struct beat *beat, uint32_t rate_hz)
 {
-    const uint64_t now = now_ns();
+    const uint64_t now = run_now_ns();
     *beat = (struct beat){ .next_ns = now, .begin_ns = now, .period_ns = 1000000000u / rate_hz };
 }
 
 /* Sleeps until the next beat. Returns the seconds since the previous beat. */
 static float beat_wait(struct beat *beat)
 {
-    const uint64_t now = now_ns();
+    const uint64_t now = run_now_ns();
     uint64_t beats = 1;
     if (now > beat->next_ns + beat->period_ns) {
         const uint64_t late = (now - beat->next_ns) / beat->period_ns;
@@ -133,7 +133,7 @@ enum exit_code run(const struct run_options *options, struct pose_source source,
     return result == POSE_BAD ? EXIT_DATA : EXIT_OK;
 }
 
-enum exit_code watch(const struct run_options *options, struct pose_source source)
+enum exit_code run_watch(const struct run_options *options, struct pose_source source)
 {
     struct beat beat;
     struct poi_report report = { 0 };

@@ -38,6 +38,6 @@ enum exit_code run(const struct run_options *options, struct pose_source source,
                    struct feel_sink sink);
 
 /* Prints the poses as lines (pose_line.h) at a rate of `rate_hz` lines a second. */
-enum exit_code watch(const struct run_options *options, struct pose_source source);
+enum exit_code run_watch(const struct run_options *options, struct pose_source source);
 
 #endif

@@ -28,8 +28,10 @@ struct verdicts {
 };
 
 /* Prints one line with ok or FAIL, the name of the check, and the reason. */
-__attribute__((format(printf, 4, 5))) static void judge(struct verdicts *verdicts, int good,
-                                                        const char *what, const char *format, ...)
+__attribute__((format(printf, 4, 5))) static void self_test_print_verdict(struct verdicts *verdicts,
+                                                                          int good,
+                                                                          const char *what,
+                                                                          const char *format, ...)
 {
     char why[PRINT_LINE_MAX];
     va_list arguments;
@@ -55,7 +57,7 @@ struct looks {
     struct timespec began, ended;
 };
 
-static void look(struct sensors *sensors, struct looks *looks)
+static void self_test_observe_sensors(struct sensors *sensors, struct looks *looks)
 {
     *looks = (struct looks){ 0 };
     clock_gettime(CLOCK_MONOTONIC, &looks->began);
@@ -77,10 +79,11 @@ static void judge_speed(struct verdicts *verdicts, const struct looks *looks)
     const double seconds = (double)(looks->ended.tv_sec - looks->began.tv_sec) +
                            (double)(looks->ended.tv_nsec - looks->began.tv_nsec) * 1e-9;
     const double each_ms = seconds * 1000.0 / (double)LOOKS;
-    judge(verdicts, looks->missed == 0, "sensors", "%u of %u readings answered",
-          LOOKS - looks->missed, LOOKS);
-    judge(verdicts, each_ms < 4.0, "speed", "%.2f ms a reading: %.0f a second%s", each_ms,
-          1000.0 / each_ms, each_ms < 4.0 ? "" : "; raise the bus' clock, or lower --rate");
+    self_test_print_verdict(verdicts, looks->missed == 0, "sensors", "%u of %u readings answered",
+                            LOOKS - looks->missed, LOOKS);
+    self_test_print_verdict(verdicts, each_ms < 4.0, "speed", "%.2f ms a reading: %.0f a second%s",
+                            each_ms, 1000.0 / each_ms,
+                            each_ms < 4.0 ? "" : "; raise the bus' clock, or lower --rate");
 }
 
 static void judge_wires(struct verdicts *verdicts, const struct poi_config *config,
@@ -91,11 +94,12 @@ static void judge_wires(struct verdicts *verdicts, const struct poi_config *conf
         const int out = looks->low[i] >= BOARD_POSE_STEPS_MIN;
         char what[16];
         snprintf(what, sizeof what, "wire %u", i + 1);
-        judge(verdicts, noise <= NOISE_STEPS_MAX && out, what,
-              "channel %u says %.1f, within %.1f steps%s", config->channel[i],
-              (double)looks->last.wire[i], (double)noise,
-              noise > NOISE_STEPS_MAX ? "; hold the poi still, or shield the cable"
-              : out                   ? ""
+        self_test_print_verdict(verdicts, noise <= NOISE_STEPS_MAX && out, what,
+                                "channel %u says %.1f, within %.1f steps%s", config->channel[i],
+                                (double)looks->last.wire[i], (double)noise,
+                                noise > NOISE_STEPS_MAX
+                                    ? "; hold the poi still, or shield the cable"
+                                : out ? ""
                                       : "; that is its stop, or an open potentiometer");
     }
 }
@@ -106,15 +110,18 @@ static void judge_turn(struct verdicts *verdicts, const struct poi_config *confi
     const struct quaternion q = looks->last.turn;
     if (looks->last.fuses) {
         const int alive = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 0.0f;
-        judge(verdicts, alive, "inertia", "%s fuses by itself%s", config->imu,
-              alive ? "" : ", but says nothing: write a fusing mode to its operation_mode");
+        self_test_print_verdict(
+            verdicts, alive, "inertia", "%s fuses by itself%s", config->imu,
+            alive ? "" : ", but says nothing: write a fusing mode to its operation_mode");
         return;
     }
     const float off = f_abs(looks->pull_m_s2 / GRAVITY_M_S2 - 1.0f);
-    judge(verdicts, off < GRAVITY_OFF_MAX, "gravity", "%.2f m/s^2%s", (double)looks->pull_m_s2,
-          off < GRAVITY_OFF_MAX ? "" : "; lay the poi down, and look at the chip's scale");
-    judge(verdicts, looks->spin_rad_s < SPIN_REST_MAX, "gyroscope", "%.3f rad/s at rest%s",
-          (double)looks->spin_rad_s, looks->spin_rad_s < SPIN_REST_MAX ? "" : "; lay it down");
+    self_test_print_verdict(
+        verdicts, off < GRAVITY_OFF_MAX, "gravity", "%.2f m/s^2%s", (double)looks->pull_m_s2,
+        off < GRAVITY_OFF_MAX ? "" : "; lay the poi down, and look at the chip's scale");
+    self_test_print_verdict(verdicts, looks->spin_rad_s < SPIN_REST_MAX, "gyroscope",
+                            "%.3f rad/s at rest%s", (double)looks->spin_rad_s,
+                            looks->spin_rad_s < SPIN_REST_MAX ? "" : "; lay it down");
 }
 
 static void judge_place(struct verdicts *verdicts, const struct poi_config *config,
@@ -123,7 +130,8 @@ static void judge_place(struct verdicts *verdicts, const struct poi_config *conf
     struct board_pose pose;
     struct poi_report report = { 0 };
     if (!poi_config_is_calibrated(config)) {
-        judge(verdicts, 0, "place", "the wires are not calibrated: kingyo-poi calibrate");
+        self_test_print_verdict(verdicts, 0, "place",
+                                "the wires are not calibrated: kingyo-poi calibrate");
         return;
     }
     board_pose_init(&pose, config);
@@ -132,9 +140,10 @@ static void judge_place(struct verdicts *verdicts, const struct poi_config *conf
     }
     const vec3 at_m = report.target.position_m;
     const int reach = v3_is_finite(at_m) && v3_length(at_m) < POI_REPORT_REACH_M;
-    judge(verdicts, pose.wires == DRAW_WIRES_OK && reach, "place", "%s; ring at %.0f %.0f %.0f mm",
-          draw_wires_text(pose.wires), (double)(at_m.x * 1000.0f), (double)(at_m.y * 1000.0f),
-          (double)(at_m.z * 1000.0f));
+    self_test_print_verdict(verdicts, pose.wires == DRAW_WIRES_OK && reach, "place",
+                            "%s; ring at %.0f %.0f %.0f mm", draw_wires_text(pose.wires),
+                            (double)(at_m.x * 1000.0f), (double)(at_m.y * 1000.0f),
+                            (double)(at_m.z * 1000.0f));
 }
 
 static void judge_sensors(struct verdicts *verdicts, const struct poi_config *config,
@@ -144,15 +153,17 @@ static void judge_sensors(struct verdicts *verdicts, const struct poi_config *co
     struct looks looks;
     char why[SENSORS_WHY_SIZE];
     if (!sensors_open(&sensors, config, root, why)) {
-        judge(verdicts, 0, "sensors", "%s; look at dtoverlay in config.txt and at the wiring", why);
+        self_test_print_verdict(verdicts, 0, "sensors",
+                                "%s; look at dtoverlay in config.txt and at the wiring", why);
     } else {
-        look(&sensors, &looks);
+        self_test_observe_sensors(&sensors, &looks);
         judge_speed(verdicts, &looks);
         judge_wires(verdicts, config, &looks);
         judge_turn(verdicts, config, &looks);
         judge_place(verdicts, config, &looks);
-        judge(verdicts, 1, "keys", "%u device%s of gpio-keys; held now: %02x", sensors.keys.count,
-              sensors.keys.count == 1 ? "" : "s", looks.last.buttons);
+        self_test_print_verdict(verdicts, 1, "keys", "%u device%s of gpio-keys; held now: %02x",
+                                sensors.keys.count, sensors.keys.count == 1 ? "" : "s",
+                                looks.last.buttons);
     }
     sensors_close(&sensors);
 }
@@ -166,10 +177,10 @@ static void judge_motor(struct verdicts *verdicts, const struct poi_config *conf
     char why[MOTOR_WHY_SIZE];
     const int named = config->pwm_chip >= 0 || config->light[0] != '\0';
     const int works = motor_open(&motor, config, root, why);
-    judge(verdicts, works, "motor", "%s",
-          !works  ? why
-          : named ? "did it hum, and the light shine?"
-                  : "none named: the hand feels nothing");
+    self_test_print_verdict(verdicts, works, "motor", "%s",
+                            !works  ? why
+                            : named ? "did it hum, and the light shine?"
+                                    : "none named: the hand feels nothing");
     if (named) {
         motor_set(&motor, (struct feel_levels){ .motor = 0.8f, .light = 1.0f });
         nanosleep(&(struct timespec){ .tv_nsec = 500000000 }, NULL);
@@ -180,7 +191,8 @@ static void judge_motor(struct verdicts *verdicts, const struct poi_config *conf
 static void judge_cable(struct verdicts *verdicts, const char *device)
 {
     const int can = access(device, R_OK | W_OK) == 0;
-    judge(verdicts, can, "cable", "%s%s%s", device, can ? "" : ": ", can ? "" : strerror(errno));
+    self_test_print_verdict(verdicts, can, "cable", "%s%s%s", device, can ? "" : ": ",
+                            can ? "" : strerror(errno));
 }
 
 enum exit_code self_test(const struct poi_config *config, const char *root, const char *device)

@@ -23,7 +23,7 @@ struct pose_source sensor_source(struct sensor_source *source, const struct poi_
 
 static enum pose_result twin_step(void *self, float seconds, struct poi_report *out)
 {
-    struct twin_source *source = self;
+    struct sensor_source_twin *source = self;
     struct poi_report hand = { 0 };
     struct readings readings;
     scoop_step(&source->scoop, seconds, &hand);
@@ -32,9 +32,10 @@ static enum pose_result twin_step(void *self, float seconds, struct poi_report *
     return POSE_NEW;
 }
 
-struct pose_source twin_source(struct twin_source *source, const struct poi_config *config)
+struct pose_source sensor_source_twin(struct sensor_source_twin *source,
+                                      const struct poi_config *config)
 {
-    *source = (struct twin_source){
+    *source = (struct sensor_source_twin){
         .twin = { .config = config, .noise_steps = TWIN_NOISE_STEPS },
     };
     board_pose_init(&source->pose, config);

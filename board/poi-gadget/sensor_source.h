@@ -22,13 +22,14 @@ struct sensor_source {
  * and must be valid and calibrated. */
 struct pose_source sensor_source(struct sensor_source *source, const struct poi_config *config);
 
-struct twin_source {
+struct sensor_source_twin {
     struct scoop scoop;
     struct sensor_twin twin;
     struct board_pose pose;
 };
 
 /* Returns a source of simulated sensors with a hand that scoops. */
-struct pose_source twin_source(struct twin_source *source, const struct poi_config *config);
+struct pose_source sensor_source_twin(struct sensor_source_twin *source,
+                                      const struct poi_config *config);
 
 #endif

@@ -32,8 +32,8 @@ static float converted(struct sensor_twin *twin, float steps, uint32_t wire)
 
 static vec3 to_chip(const struct poi_config *config, vec3 poi)
 {
-    return v3_mad(v3_mad(v3_scale(config->imu_row[0], poi.x), config->imu_row[1], poi.y),
-                  config->imu_row[2], poi.z);
+    return v3_muladd(v3_muladd(v3_scale(config->imu_row[0], poi.x), config->imu_row[1], poi.y),
+                     config->imu_row[2], poi.z);
 }
 
 static struct quaternion back_of(struct quaternion q)
@@ -45,7 +45,7 @@ static struct quaternion back_of(struct quaternion q)
  * angle is twice the vector part of the quaternion. */
 static vec3 rate_between(struct quaternion from, struct quaternion to, float seconds)
 {
-    const struct quaternion d = quaternion_product(back_of(from), to);
+    const struct quaternion d = attitude_quaternion_product(back_of(from), to);
     const float twice = (d.w < 0.0f ? -2.0f : 2.0f) / seconds;
     return v3_scale(v3(d.x, d.y, d.z), twice);
 }
@@ -58,7 +58,7 @@ static void feel(struct sensor_twin *twin, const struct basis *axes, struct quat
     const vec3 pull = v3_add(twin->begun > 1 ? force : v3(0, 0, 0), v3(0.0f, GRAVITY_M_S2, 0.0f));
     const vec3 rate = twin->begun ? rate_between(twin->before, turn, seconds) : v3(0, 0, 0);
     out->gyro_rad_s = to_chip(twin->config, v3_add(rate, twin->gyro_bias_rad_s));
-    out->accel_m_s2 = to_chip(twin->config, basis_to_body(axes, pull));
+    out->accel_m_s2 = to_chip(twin->config, vec_basis_to_body(axes, pull));
     twin->speed_m_s = twin->begun ? speed_m_s : v3(0, 0, 0);
     twin->place_m = place_m;
     twin->before = turn;
@@ -69,9 +69,9 @@ void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, f
                       struct readings *out)
 {
     const struct poi_config *config = twin->config;
-    const struct basis axes = basis_from_angles(pose->target.angles);
-    const struct quaternion turn = quaternion_of(pose->target.angles);
-    const vec3 eye_m = v3_sub(pose->target.position_m, basis_to_world(&axes, config->ring_m));
+    const struct basis axes = vec_basis_from_angles(pose->target.angles);
+    const struct quaternion turn = attitude_quaternion_of_angles(pose->target.angles);
+    const vec3 eye_m = v3_sub(pose->target.position_m, vec_basis_to_world(&axes, config->ring_m));
     float length_m[DRAW_WIRE_COUNT];
     draw_wires_lengths(config->spool_m, eye_m, length_m);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
@@ -82,8 +82,8 @@ void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, f
     /* Converts from the chip to the poi, then to the world with +y up, and then to the world with
      * +z up. */
     const struct quaternion lying = { 0.70710678f, 0.70710678f, 0.0f, 0.0f };
-    out->turn =
-        quaternion_product(quaternion_product(lying, turn), quaternion_of_rows(config->imu_row));
+    out->turn = attitude_quaternion_product(attitude_quaternion_product(lying, turn),
+                                            board_pose_quaternion_of_rows(config->imu_row));
     out->fuses = twin->fuses;
     out->buttons = pose->buttons;
     twin->step++;

@@ -108,7 +108,7 @@ static int read_turn(struct sensors *sensors, struct readings *out)
     return 1;
 }
 
-static int read_wire(int fd, float *out)
+static int sensors_read_wire(int fd, float *out)
 {
     float sum = 0.0f, one;
     for (uint32_t i = 0; i < SENSORS_SAMPLES; i++) {
@@ -125,7 +125,7 @@ int sensors_read(struct sensors *sensors, struct readings *out)
 {
     int all = read_turn(sensors, out);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-        all &= read_wire(sensors->wire_fd[i], &out->wire[i]);
+        all &= sensors_read_wire(sensors->wire_fd[i], &out->wire[i]);
     }
     out->buttons = keys_held(&sensors->keys);
     sensors->failed_count += !all;

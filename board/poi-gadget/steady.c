@@ -2,7 +2,7 @@
 #include "board/poi-gadget/steady.h"
 
 /* Returns the weight of a new value in one step of a low-pass filter. */
-static float share_of(float corner_hz, float seconds)
+static float steady_share_of(float corner_hz, float seconds)
 {
     const float t = F_TAU * corner_hz * seconds;
     return t / (1.0f + t);
@@ -16,8 +16,9 @@ vec3 steady_step(struct steady *steady, vec3 raw_m, float seconds)
     }
     const vec3 speed_m_s = v3_scale(v3_sub(raw_m, steady->raw_m), 1.0f / seconds);
     steady->raw_m = raw_m;
-    steady->speed_m_s = v3_lerp(steady->speed_m_s, speed_m_s, share_of(STEADY_SPEED_HZ, seconds));
+    steady->speed_m_s =
+        v3_lerp(steady->speed_m_s, speed_m_s, steady_share_of(STEADY_SPEED_HZ, seconds));
     const float corner_hz = STEADY_REST_HZ + STEADY_HZ_PER_M_S * v3_length(steady->speed_m_s);
-    steady->place_m = v3_lerp(steady->place_m, raw_m, share_of(corner_hz, seconds));
+    steady->place_m = v3_lerp(steady->place_m, raw_m, steady_share_of(corner_hz, seconds));
     return steady->place_m;
 }

@@ -124,7 +124,7 @@ float f_exp(float x)
     return p * float_of((uint32_t)((int32_t)n + 127) << 23);
 }
 
-float f_ln(float x)
+float f_log(float x)
 {
     const uint32_t bits = bits_of(x);
     int32_t exponent = (int32_t)(bits >> 23) - 127;

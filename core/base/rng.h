@@ -44,25 +44,25 @@ enum rng_purpose {
     RNG_SOUND,
     RNG_TEST,
     RNG_FISH_START_GAIT,
-    RNG_FISH_START_LEFT,  /* Share left of the first gait. */
-    RNG_FISH_SHARP_TURN,  /* Turn at the start of a burst. */
+    RNG_FISH_START_LEFT, /* Share left of the first gait. */
+    RNG_FISH_SHARP_TURN, /* Turn at the start of a burst. */
     RNG_ESCAPE_STRAY,
     RNG_ESCAPE_DURATION,
-    RNG_ESCAPE_CALM,      /* Duration of swimming after an escape. */
-    RNG_RIDER_REST,       /* Time before the first slap of a newly captured fish. */
+    RNG_ESCAPE_CALM,  /* Duration of swimming after an escape. */
+    RNG_CARRIED_REST, /* Time before the first slap of a newly captured fish. */
     RNG_BOWL_ROUND,
     RNG_BOWL_POUR,
     RNG_FISH_LENGTH,
-    RNG_FISH_AIR,         /* Whether the fish rises for surface breathing. */
-    RNG_FISH_GULP,        /* Duration of a bout of gulps. */
-    RNG_ESCAPE_TURN,      /* Turn in the first stage of a C-start. */
+    RNG_FISH_AIR,    /* Whether the fish rises for surface breathing. */
+    RNG_FISH_GULP,   /* Duration of a bout of gulps. */
+    RNG_ESCAPE_TURN, /* Turn in the first stage of a C-start. */
     RNG_STARTLE_LATENCY,
-    RNG_WATER_BUBBLE,     /* Position where a bubble of the pump bursts. */
-    RNG_FISH_KICK,        /* Turn at a kick of the tail. */
-    RNG_CONTACT_LOT,      /* Which contacts a full list keeps. */
-    RNG_TANK_SEED,        /* Seed of a tank that a mode opens. */
-    RNG_CHAPTER,          /* Seed of the next session. */
-    RNG_PIN,              /* Salt of a new PIN. */
+    RNG_WATER_BUBBLE, /* Position where a bubble of the pump bursts. */
+    RNG_FISH_KICK,    /* Turn at a kick of the tail. */
+    RNG_CONTACT_LOT,  /* Which contacts a full list keeps. */
+    RNG_TANK_SEED,    /* Seed of a tank that a mode opens. */
+    RNG_SESSION,      /* Seed of the next session. */
+    RNG_PIN,          /* Salt of a new PIN. */
 };
 
 #endif

@@ -17,7 +17,7 @@ static const uint32_t constants[ROUNDS] = {
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2,
 };
 
-static uint32_t turn(uint32_t word, uint32_t bits)
+static uint32_t rotate_right(uint32_t word, uint32_t bits)
 {
     return word >> bits | word << (32u - bits);
 }
@@ -38,8 +38,8 @@ static void make_schedule(const uint8_t *message, size_t size, uint32_t w[ROUNDS
     }
     for (uint32_t i = 16; i < ROUNDS; i++) {
         const uint32_t a = w[i - 15u], b = w[i - 2u];
-        w[i] = w[i - 16u] + (turn(a, 7) ^ turn(a, 18) ^ a >> 3) + w[i - 7u] +
-               (turn(b, 17) ^ turn(b, 19) ^ b >> 10);
+        w[i] = w[i - 16u] + (rotate_right(a, 7) ^ rotate_right(a, 18) ^ a >> 3) + w[i - 7u] +
+               (rotate_right(b, 17) ^ rotate_right(b, 19) ^ b >> 10);
     }
 }
 
@@ -54,10 +54,12 @@ void sha256_short(const uint8_t *message, size_t size, uint32_t digest[SHA256_WO
         s[i] = start[i];
     }
     for (uint32_t i = 0; i < ROUNDS; i++) {
-        const uint32_t one = s[7] + (turn(s[4], 6) ^ turn(s[4], 11) ^ turn(s[4], 25)) +
-                             ((s[4] & s[5]) ^ (~s[4] & s[6])) + constants[i] + w[i];
-        const uint32_t two = (turn(s[0], 2) ^ turn(s[0], 13) ^ turn(s[0], 22)) +
-                             ((s[0] & s[1]) ^ (s[0] & s[2]) ^ (s[1] & s[2]));
+        const uint32_t one =
+            s[7] + (rotate_right(s[4], 6) ^ rotate_right(s[4], 11) ^ rotate_right(s[4], 25)) +
+            ((s[4] & s[5]) ^ (~s[4] & s[6])) + constants[i] + w[i];
+        const uint32_t two =
+            (rotate_right(s[0], 2) ^ rotate_right(s[0], 13) ^ rotate_right(s[0], 22)) +
+            ((s[0] & s[1]) ^ (s[0] & s[2]) ^ (s[1] & s[2]));
         for (uint32_t k = SHA256_WORDS - 1u; k > 0; k--) {
             s[k] = s[k - 1u];
         }

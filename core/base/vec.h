@@ -44,7 +44,7 @@ static inline vec3 v3_scale(vec3 a, float s)
 }
 
 /* Returns a + b * s. */
-static inline vec3 v3_mad(vec3 a, vec3 b, float s)
+static inline vec3 v3_muladd(vec3 a, vec3 b, float s)
 {
     return v3(a.x + b.x * s, a.y + b.y * s, a.z + b.z * s);
 }
@@ -71,7 +71,7 @@ static inline float v3_from_line(vec3 p, vec3 from, vec3 to)
     const vec3 along = v3_sub(to, from), there = v3_sub(p, from);
     const float square = v3_dot(along, along);
     return v3_length(square < 1e-12f ? there
-                                     : v3_mad(there, along, -v3_dot(there, along) / square));
+                                     : v3_muladd(there, along, -v3_dot(there, along) / square));
 }
 
 /* Returns the unit vector along `a`, or `otherwise` if `a` is shorter than 1 nm and has no
@@ -84,7 +84,7 @@ static inline vec3 v3_normalize_or(vec3 a, vec3 otherwise)
 
 static inline vec3 v3_lerp(vec3 a, vec3 b, float t)
 {
-    return v3_mad(a, v3_sub(b, a), t);
+    return v3_muladd(a, v3_sub(b, a), t);
 }
 
 /* Returns `a` shortened to at most `length_max` >= 0; the direction is kept. */
@@ -99,10 +99,10 @@ static inline int v3_is_finite(vec3 a)
     return f_is_finite(a.x) && f_is_finite(a.y) && f_is_finite(a.z);
 }
 
-struct basis basis_from_angles(struct angles angles);
+struct basis vec_basis_from_angles(struct angles angles);
 
 /* Convert a vector from body to world coordinates, and from world to body coordinates. */
-vec3 basis_to_world(const struct basis *basis, vec3 body);
-vec3 basis_to_body(const struct basis *basis, vec3 world);
+vec3 vec_basis_to_world(const struct basis *basis, vec3 body);
+vec3 vec_basis_to_body(const struct basis *basis, vec3 world);
 
 #endif

@@ -7,26 +7,26 @@
 #include "core/core.h"
 #include "core/tank/preset.h"
 
-static struct settings *live(struct core *core)
+static struct settings *live_settings(struct core *core)
 {
-    return &core->config.memory.settings;
+    return &core->config.persistent.settings;
 }
 
-void adjust_init(struct adjust *adjust, const struct core_config *config)
+void settings_edit_init(struct settings_edit *settings_edit, const struct core_config *config)
 {
-    const uint32_t wrong = config->memory.audits.count[AUDIT_WRONG_PINS];
-    *adjust = (struct adjust){
-        .told = config->memory.settings,
+    const uint32_t wrong = config->persistent.audits.count[AUDIT_WRONG_PINS];
+    *settings_edit = (struct settings_edit){
+        .told = config->persistent.settings,
         .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* The times of stored wrong PINs are
                                                                unknown, so the lockout time starts
                                                                at boot. */
     };
-    settings_mend(&adjust->told);
+    settings_sanitize(&settings_edit->told);
 }
 
-int32_t adjust_max(const struct core *core, uint32_t id)
+int32_t settings_edit_max(const struct core *core, uint32_t id)
 {
-    const struct setting *setting = setting_of(id);
+    const struct setting *setting = settings_entry(id);
     if (id != SET_FISH) {
         return setting->max;
     }
@@ -37,15 +37,15 @@ int32_t adjust_max(const struct core *core, uint32_t id)
 
 static void apply(struct core *core)
 {
-    settings_apply(live(core), &core->config);
-    core->game.adjust.turn_tick = core->tick;
+    settings_apply(live_settings(core), &core->config);
+    core->game.settings_edit.turn_tick = core->tick;
 }
 
-void adjust_set(struct core *core, uint32_t id, int32_t value)
+void settings_edit_set(struct core *core, uint32_t id, int32_t value)
 {
-    CORE_ASSERT(setting_allows(id, value));
-    CORE_ASSERT(value <= adjust_max(core, id));
-    live(core)->value[id] = value;
+    CORE_ASSERT(settings_allows(id, value));
+    CORE_ASSERT(value <= settings_edit_max(core, id));
+    live_settings(core)->value[id] = value;
     apply(core);
     if (id == SET_LANGUAGE) {
         core->game.language = (uint8_t)value;
@@ -55,12 +55,12 @@ void adjust_set(struct core *core, uint32_t id, int32_t value)
 /* Returns the next allowed value; paper grades 1 to 3 do not exist and are skipped. */
 static int32_t step_from(const struct core *core, uint32_t id, int32_t value, int is_down)
 {
-    const struct setting *setting = setting_of(id);
-    const int32_t max = adjust_max(core, id);
+    const struct setting *setting = settings_entry(id);
+    const int32_t max = settings_edit_max(core, id);
     do {
         value += is_down ? -setting->step : setting->step;
         value = value > max ? setting->min : value < setting->min ? max : value;
-    } while (!setting_allows(id, value));
+    } while (!settings_allows(id, value));
     return value;
 }
 
@@ -70,42 +70,42 @@ static int is_end(const struct core *core, uint32_t id, int32_t value, int is_do
     return is_down ? next > value : next < value;
 }
 
-int adjust_turn(struct core *core, uint32_t id, int is_down, uint32_t step_count)
+int settings_edit_step(struct core *core, uint32_t id, int is_down, uint32_t step_count)
 {
-    int32_t value = step_from(core, id, live(core)->value[id], is_down);
+    int32_t value = step_from(core, id, live_settings(core)->value[id], is_down);
     for (uint32_t i = 1; i < step_count && !is_end(core, id, value, is_down); i++) {
         value = step_from(core, id, value, is_down);
     }
-    adjust_set(core, id, value);
+    settings_edit_set(core, id, value);
     return is_end(core, id, value, is_down);
 }
 
-int adjust_factory(struct core *core, struct output *output)
+int settings_edit_factory_reset(struct core *core, struct output *output)
 {
     struct ledger *ledger = &core->game.ledger;
-    const struct purse purse = ledger->purse;
+    const struct balance balance = ledger->balance;
     const struct ledger_entry entry = { .kind = LEDGER_FACTORY,
-                                        .count = purse.paid + purse.service,
-                                        .value = purse.tickets };
-    ledger->purse = (struct purse){ 0 };
+                                        .count = balance.paid + balance.service,
+                                        .value = balance.tickets };
+    ledger->balance = (struct balance){ 0 };
     if (!ledger_write(core, &entry, output)) {
-        ledger->purse = purse;
+        ledger->balance = balance;
         return 0;
     }
-    settings_reset(live(core));
-    core->game.adjust.told = *live(core);
-    core->game.adjust.entry_id = ledger->last_id;
-    core->game.language = (uint8_t)live(core)->value[SET_LANGUAGE];
+    settings_reset(live_settings(core));
+    core->game.settings_edit.told = *live_settings(core);
+    core->game.settings_edit.entry_id = ledger->last_id;
+    core->game.language = (uint8_t)live_settings(core)->value[SET_LANGUAGE];
     apply(core);
     return 1;
 }
 
 /* Logs setting `id` if it changed. Returns 0 if the ledger had no room, else 1. */
-static int tell(struct core *core, uint32_t id, struct output *output)
+static int append_setting_entry(struct core *core, uint32_t id, struct output *output)
 {
-    struct adjust *adjust = &core->game.adjust;
-    const int32_t value = live(core)->value[id];
-    if (value == adjust->told.value[id]) {
+    struct settings_edit *settings_edit = &core->game.settings_edit;
+    const int32_t value = live_settings(core)->value[id];
+    if (value == settings_edit->told.value[id]) {
         return 1;
     }
     if (!ledger_may_write(&core->game.ledger, LEDGER_SETTING)) {
@@ -113,34 +113,34 @@ static int tell(struct core *core, uint32_t id, struct output *output)
     }
     const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu),
                                         .count = id >> 8, .value = value };
-    adjust->entry_id = ledger_write(core, &entry, output);
-    adjust->told.value[id] = value;
+    settings_edit->entry_id = ledger_write(core, &entry, output);
+    settings_edit->told.value[id] = value;
     return 1;
 }
 
-void adjust_tick(struct core *core, struct output *output)
+void settings_edit_tick(struct core *core, struct output *output)
 {
-    const struct adjust *adjust = &core->game.adjust;
-    if (core->tick - adjust->turn_tick < ADJUST_REST_TICKS) {
+    const struct settings_edit *settings_edit = &core->game.settings_edit;
+    if (core->tick - settings_edit->turn_tick < SETTINGS_EDIT_REST_TICKS) {
         return;
     }
     uint32_t id = 0;
-    while (id < SETTING_COUNT && tell(core, id, output)) {
+    while (id < SETTING_COUNT && append_setting_entry(core, id, output)) {
         id++;
     }
 }
 
-int adjust_is_saved(const struct core *core)
+int settings_edit_is_saved(const struct core *core)
 {
-    const struct adjust *adjust = &core->game.adjust;
-    const struct settings *now = &core->config.memory.settings;
-    return memcmp(now, &adjust->told, sizeof *now) == 0 &&
-           ledger_is_saved(&core->game.ledger, adjust->entry_id);
+    const struct settings_edit *settings_edit = &core->game.settings_edit;
+    const struct settings *now = &core->config.persistent.settings;
+    return memcmp(now, &settings_edit->told, sizeof *now) == 0 &&
+           ledger_is_saved(&core->game.ledger, settings_edit->entry_id);
 }
 
-uint64_t adjust_hash(uint64_t hash, const struct adjust *adjust, int rules_7)
+uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_edit, int rules_7)
 {
-    hash = settings_hash(hash, &adjust->told, rules_7);
-    hash = hash_u32(hash_u32(hash, adjust->turn_tick), adjust->entry_id);
-    return hash_u32(hash_u32(hash, adjust->pin_wrong), adjust->pin_tick);
+    hash = settings_hash(hash, &settings_edit->told, rules_7);
+    hash = hash_u32(hash_u32(hash, settings_edit->turn_tick), settings_edit->entry_id);
+    return hash_u32(hash_u32(hash, settings_edit->pin_wrong), settings_edit->pin_tick);
 }

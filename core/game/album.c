@@ -56,16 +56,16 @@ int album_begin(struct core *core)
     if (core->game.album.fish_count == 0) {
         return 0;
     }
-    phase_enter(core, PHASE_ALBUM);
+    game_enter_phase(core, PHASE_ALBUM);
     return 1;
 }
 
 void album_tick(struct core *core, const struct input *input, struct output *output)
 {
     const uint32_t elapsed = core->tick - core->game.phase_tick;
-    const int dipped = phase_dipped(core, input) < POI_MAX;
+    const int dipped = game_dipped_player(core, input) < POI_MAX;
     if (dipped || (input->pressed & INPUT_START)) {
-        choose_begin(core, output);
+        mode_select_begin(core, output);
     } else if ((input->pressed & INPUT_OK) ||
                elapsed >= album_ticks(core->game.album.fish_count)) {
         attract_begin(core);
@@ -105,7 +105,7 @@ static void show_fish(const struct album_fish *fish, float progress, struct scen
         .age_days = age_days,
         .length_m = own_length_m(card, fish, progress, age_days),
         .progress = progress,
-        .maturity = show_maturity(age_days),
+        .maturity = scene_maturity(age_days),
     };
 }
 

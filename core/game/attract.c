@@ -12,38 +12,38 @@
 
 void attract_begin(struct core *core)
 {
-    core->game.mode = keeper_first_mode(&core->config);
+    core->game.mode = table_setup_first_mode(&core->config);
     core->game.gone_tick = 0;
     language_return(core);
-    phase_enter(core, PHASE_ATTRACT);
-    keeper_pour_back(core);
-    keeper_set_up(core, core->config.preset);
+    game_enter_phase(core, PHASE_ATTRACT);
+    table_setup_empty_bowls(core);
+    table_setup_prepare(core, core->config.preset);
     core->game.turn_tick = 0;
-    chapter_ask(core);
+    session_request(core);
 }
 
 void attract_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct game *game = &core->game;
-    const int dipped = phase_dipped(core, input) < POI_MAX;
+    const int dipped = game_dipped_player(core, input) < POI_MAX;
     if ((input->pressed & INPUT_START) || dipped || credit_is_awaited(core)) {
-        choose_begin(core, output);
+        mode_select_begin(core, output);
     }
     if (game->phase != PHASE_ATTRACT) {
         hints_init(&game->hints); /* Restart the hints for a new player. */
         return;
     }
-    if (core->tick - game->phase_tick >= CHAPTER_TICKS_MAX) {
-        chapter_ask(core);
+    if (core->tick - game->phase_tick >= SESSION_TICKS_MAX) {
+        session_request(core);
     }
     const int is_full = core->bowl[0].fish_count >= BOWL_MAX;
-    const int is_free = core->poi[0].immersed <= 0.0f && core->poi[0].rider_count == 0;
+    const int is_free = core->poi[0].immersed <= 0.0f && core->poi[0].carried_count == 0;
     if (game->gone_tick == 0 && (is_full || !paper_can_hold(&core->poi[0].sheet))) {
         game->gone_tick = core->tick;
     }
     if (game->gone_tick != 0 && core->tick - game->gone_tick >= SWAP_TICKS && is_free) {
-        keeper_hand_out(core, 0, core->tick, GAME_SERIES_ATTRACT);
-        bowl_pour_back(&core->bowl[0], 0, &core->tank);
+        table_setup_replace_poi(core, 0, core->tick, GAME_SERIES_ATTRACT);
+        bowl_empty(&core->bowl[0], 0, &core->tank);
         game->gone_tick = 0;
     }
 }

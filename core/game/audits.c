@@ -57,7 +57,7 @@ static void append_number(char out[AUDIT_NAME_SIZE], uint32_t number)
     append(out, number < 10u ? digits + 1 : digits);
 }
 
-void audit_name(uint32_t id, char out[AUDIT_NAME_SIZE])
+void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE])
 {
     CORE_ASSERT(id < AUDIT_COUNT);
     out[0] = '\0';
@@ -79,7 +79,7 @@ void audit_name(uint32_t id, char out[AUDIT_NAME_SIZE])
     }
 }
 
-enum audit_group audit_group_of(uint32_t id)
+enum audit_group audits_group_of(uint32_t id)
 {
     CORE_ASSERT(id < AUDIT_COUNT);
     return id < AUDIT_PLAYS_PAID || id == AUDIT_TICKETS_OUT ? AUDIT_GROUP_MONEY
@@ -87,7 +87,7 @@ enum audit_group audit_group_of(uint32_t id)
                                  : AUDIT_GROUP_MACHINE;
 }
 
-static void add(struct audits *audits, uint32_t id, uint32_t count)
+static void add_to_audit(struct audits *audits, uint32_t id, uint32_t count)
 {
     uint32_t *sum = &audits->count[id];
     *sum = UINT32_MAX - *sum < count ? UINT32_MAX : *sum + count;
@@ -98,15 +98,15 @@ static void add(struct audits *audits, uint32_t id, uint32_t count)
 static void note_coins(struct audits *audits, const struct ledger_entry *entry)
 {
     if (entry->detail < COIN_LINE_COUNT) {
-        add(audits, AUDIT_COINS_1 + entry->detail, entry->count);
+        add_to_audit(audits, AUDIT_COINS_1 + entry->detail, entry->count);
     }
-    add(audits, AUDIT_UNITS, (uint32_t)entry->value);
+    add_to_audit(audits, AUDIT_UNITS, (uint32_t)entry->value);
 }
 
 static void note_refund(struct audits *audits, const struct ledger_entry *entry)
 {
-    add(audits, AUDIT_REFUNDS, entry->count);
-    add(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
+    add_to_audit(audits, AUDIT_REFUNDS, entry->count);
+    add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
 }
 
 /* ---- Play ----------------------------------------------------------------------------------- */
@@ -119,19 +119,21 @@ static uint32_t weekday_of(uint16_t day)
 
 static void note_begin(struct audits *audits, const struct ledger_entry *entry)
 {
-    const uint8_t kind = entry->purse.open & OPEN_KIND;
-    add(audits, kind == OPEN_PAID      ? AUDIT_PLAYS_PAID
-                : kind == OPEN_SERVICE ? AUDIT_PLAYS_SERVICE
-                                       : AUDIT_PLAYS_FREE, 1);
+    const uint8_t kind = entry->balance.open & PAYMENT_KIND_MASK;
+    add_to_audit(audits,
+                 kind == PAYMENT_PAID      ? AUDIT_PLAYS_PAID
+                 : kind == PAYMENT_SERVICE ? AUDIT_PLAYS_SERVICE
+                                           : AUDIT_PLAYS_FREE,
+                 1);
     const uint32_t grade = entry->count - SHEET_GRADE_MIN;
     if (entry->detail < MODE_COUNT && grade < AUDIT_GRADES) {
-        add(audits, AUDIT_PLAYS + entry->detail * AUDIT_GRADES + grade, 1);
+        add_to_audit(audits, AUDIT_PLAYS + entry->detail * AUDIT_GRADES + grade, 1);
     } else if (entry->detail == CHOICE_LAB) {
-        add(audits, AUDIT_PLAYS_LAB, 1);
+        add_to_audit(audits, AUDIT_PLAYS_LAB, 1);
     }
     if (entry->day != 0 && entry->minute < 24u * 60u) {
-        add(audits, AUDIT_HOUR + entry->minute / 60u, 1);
-        add(audits, AUDIT_WEEKDAY + weekday_of(entry->day), 1);
+        add_to_audit(audits, AUDIT_HOUR + entry->minute / 60u, 1);
+        add_to_audit(audits, AUDIT_WEEKDAY + weekday_of(entry->day), 1);
     }
 }
 
@@ -145,26 +147,26 @@ static uint32_t seconds(uint32_t ticks)
 static void note_player(struct audits *audits, const struct round_record *round, uint32_t seat)
 {
     const struct player_record *player = &round->player[seat];
-    add(audits, AUDIT_PLAYERS, 1);
-    add(audits, AUDIT_PAPERS, player->sheets);
-    add(audits, AUDIT_FOULS, player->fouls);
+    add_to_audit(audits, AUDIT_PLAYERS, 1);
+    add_to_audit(audits, AUDIT_PAPERS, player->sheets);
+    add_to_audit(audits, AUDIT_FOULS, player->fouls);
     if (player->torn_tick != 0) {
-        add(audits, AUDIT_PAPERS_TORN, 1);
-        add(audits, AUDIT_PAPER_LIFE_S, seconds(player->torn_tick - round->start_tick));
+        add_to_audit(audits, AUDIT_PAPERS_TORN, 1);
+        add_to_audit(audits, AUDIT_PAPER_LIFE_S, seconds(player->torn_tick - round->start_tick));
     }
 }
 
 static void note_round(struct audits *audits, const struct ledger_entry *entry)
 {
     const struct round_record *round = &entry->round;
-    add(audits, AUDIT_TICKETS, (uint32_t)entry->value);
-    add(audits, AUDIT_CRASHED_ROUNDS, entry->detail == ROUND_CUT_OFF);
+    add_to_audit(audits, AUDIT_TICKETS, (uint32_t)entry->value);
+    add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == ROUND_CUT_OFF);
     if (round->by_bot || round->unscored) {
         return;
     }
-    add(audits, AUDIT_ROUNDS, 1);
-    add(audits, AUDIT_CAUGHT, round->caught);
-    add(audits, AUDIT_PLAY_S, seconds(round->end_tick - round->start_tick));
+    add_to_audit(audits, AUDIT_ROUNDS, 1);
+    add_to_audit(audits, AUDIT_CAUGHT, round->caught);
+    add_to_audit(audits, AUDIT_PLAY_S, seconds(round->end_tick - round->start_tick));
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
         if (round->players & 1u << seat) {
             note_player(audits, round, seat);
@@ -177,22 +179,22 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
 static void note_health(struct audits *audits, const struct ledger_entry *entry)
 {
     uint32_t *longest = &audits->count[AUDIT_UP_S_MAX];
-    add(audits, AUDIT_TILTS, entry->count);
-    add(audits, AUDIT_UP_S, (uint32_t)entry->value);
-    add(audits, AUDIT_DROPPED_TICKS, entry->health.dropped_ticks);
-    add(audits, AUDIT_DEVICE_FAULTS, entry->health.device_faults);
+    add_to_audit(audits, AUDIT_TILTS, entry->count);
+    add_to_audit(audits, AUDIT_UP_S, (uint32_t)entry->value);
+    add_to_audit(audits, AUDIT_DROPPED_TICKS, entry->health.dropped_ticks);
+    add_to_audit(audits, AUDIT_DEVICE_FAULTS, entry->health.device_faults);
     *longest = *longest < entry->health.up_s ? entry->health.up_s : *longest;
 }
 
 static void note_ticket(struct audits *audits, const struct ledger_entry *entry)
 {
-    add(audits, AUDIT_TICKETS_OUT, entry->count);
+    add_to_audit(audits, AUDIT_TICKETS_OUT, entry->count);
 }
 
 static void note_loss(struct audits *audits, const struct ledger_entry *entry)
 {
     if (entry->detail < POI_MAX) {
-        add(audits, AUDIT_LOST_AGAIN + entry->detail, entry->count);
+        add_to_audit(audits, AUDIT_LOST_AGAIN + entry->detail, entry->count);
     }
 }
 
@@ -200,11 +202,11 @@ static void note_loss(struct audits *audits, const struct ledger_entry *entry)
 static void note_reset(struct audits *audits, const struct ledger_entry *entry)
 {
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
-        if (id != AUDIT_RESETS && audit_group_of(id) == entry->detail) {
+        if (id != AUDIT_RESETS && audits_group_of(id) == entry->detail) {
             audits->count[id] = 0;
         }
     }
-    add(audits, AUDIT_RESETS, 1);
+    add_to_audit(audits, AUDIT_RESETS, 1);
 }
 
 static void note_pin(struct audits *audits, const struct ledger_entry *entry)
@@ -212,7 +214,7 @@ static void note_pin(struct audits *audits, const struct ledger_entry *entry)
     if (entry->detail) {
         audits->count[AUDIT_WRONG_PINS] = 0;
     } else {
-        add(audits, AUDIT_WRONG_PINS, 1);
+        add_to_audit(audits, AUDIT_WRONG_PINS, 1);
     }
 }
 
@@ -220,30 +222,30 @@ static void note_pin(struct audits *audits, const struct ledger_entry *entry)
 
 static void note_boot(struct audits *audits, const struct ledger_entry *entry)
 {
-    add(audits, AUDIT_BOOTS, 1);
-    add(audits, AUDIT_UNITS, (uint32_t)entry->value);
+    add_to_audit(audits, AUDIT_BOOTS, 1);
+    add_to_audit(audits, AUDIT_UNITS, (uint32_t)entry->value);
 }
 
 static void note_credits(struct audits *audits, const struct ledger_entry *entry)
 {
-    add(audits, AUDIT_CREDITS_PAID, entry->count);
-    add(audits, AUDIT_CREDITS_BONUS, (uint32_t)entry->value);
+    add_to_audit(audits, AUDIT_CREDITS_PAID, entry->count);
+    add_to_audit(audits, AUDIT_CREDITS_BONUS, (uint32_t)entry->value);
 }
 
 static void note_service(struct audits *audits, const struct ledger_entry *entry)
 {
     (void)entry;
-    add(audits, AUDIT_CREDITS_SERVICE, 1);
+    add_to_audit(audits, AUDIT_CREDITS_SERVICE, 1);
 }
 
 static void note_expired(struct audits *audits, const struct ledger_entry *entry)
 {
-    add(audits, AUDIT_EXPIRED, entry->count);
+    add_to_audit(audits, AUDIT_EXPIRED, entry->count);
 }
 
 static void note_test_coin(struct audits *audits, const struct ledger_entry *entry)
 {
-    add(audits, AUDIT_TEST_COINS, entry->count);
+    add_to_audit(audits, AUDIT_TEST_COINS, entry->count);
 }
 
 /* Entries without a row in the table, such as LEDGER_NAME, LEDGER_SETTING and LEDGER_LEFT, change

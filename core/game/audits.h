@@ -76,10 +76,10 @@ struct audits {
 
 /* Writes the key of counter `id` < AUDIT_COUNT, such as "coins-1", "plays-festival-6" or "hour-13".
  * The store and kingyoctl use this key. */
-void audit_name(uint32_t id, char out[AUDIT_NAME_SIZE]);
+void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE]);
 
 /* Returns the group of counter `id`. `id` must be < AUDIT_COUNT, else the function asserts. */
-enum audit_group audit_group_of(uint32_t id);
+enum audit_group audits_group_of(uint32_t id);
 
 /* Adds one ledger entry to the counters. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry);

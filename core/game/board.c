@@ -7,17 +7,17 @@
 #include "core/game/phases.h"
 #include "core/game/rules.h"
 
-_Static_assert(SCENE_BOARD_ROWS == RANK_ROWS, "every row can be shown");
+_Static_assert(SCENE_LEADERBOARD_ROWS == RANK_ROWS, "every row can be shown");
 
-struct board_place board_best_place(const struct ranking *ranking, uint8_t mode, uint32_t round_id,
-                                    uint8_t seat)
+struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
+                                                uint32_t round_id, uint8_t seat)
 {
-    struct board_place best = { 0, 0 };
+    struct leaderboard_place best = { 0, 0 };
     for (uint8_t period = 0; period < RANK_PERIOD_COUNT && round_id != 0; period++) {
         const uint32_t place =
             ranking_place(ranking, mode, (enum rank_period)period, round_id, seat) + 1u;
         if (place <= RANK_ROWS && (best.place == 0 || place <= best.place)) {
-            best = (struct board_place){ period, (uint8_t)place };
+            best = (struct leaderboard_place){ period, (uint8_t)place };
         }
     }
     return best;
@@ -37,7 +37,7 @@ static int is_empty(const struct core *core, uint8_t mode, uint32_t period)
 
 static int is_offered(const struct core *core, uint8_t mode)
 {
-    return (keeper_modes(&core->config) >> mode & 1u) && rules_of(mode)->keeps_score;
+    return (table_setup_modes(&core->config) >> mode & 1u) && rules_of(mode)->keeps_score;
 }
 
 /* Returns the leaderboard number `turn`, modulo the number of leaderboards that have entries. */
@@ -63,21 +63,22 @@ static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ti
 static struct pick in_attract(const struct core *core)
 {
     const uint32_t elapsed = core->tick - core->game.phase_tick;
-    const uint32_t within = elapsed % BOARD_EVERY_TICKS;
-    if (within < BOARD_EVERY_TICKS - BOARD_TICKS) {
+    const uint32_t within = elapsed % LEADERBOARD_EVERY_TICKS;
+    if (within < LEADERBOARD_EVERY_TICKS - LEADERBOARD_TICKS) {
         return (struct pick){ 0 };
     }
-    return nth_board(core, elapsed / BOARD_EVERY_TICKS, within + BOARD_TICKS - BOARD_EVERY_TICKS);
+    return nth_board(core, elapsed / LEADERBOARD_EVERY_TICKS,
+                     within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS);
 }
 
 /* Returns the leaderboard with the best place of the round that just ended. */
 static struct pick after_round(const struct core *core)
 {
     const struct game *game = &core->game;
-    struct board_place best = { 0, 0 };
+    struct leaderboard_place best = { 0, 0 };
     for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-        const struct board_place place =
-            board_best_place(&game->ranking, game->mode, game->name.round_id, seat);
+        const struct leaderboard_place place =
+            leaderboard_best_place(&game->ranking, game->mode, game->name.round_id, seat);
         if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
             best = place;
         }
@@ -94,10 +95,10 @@ static struct pick in_menu(const struct core *core)
                           menu->board % RANK_PERIOD_COUNT, 0 };
 }
 
-static struct pick shown(const struct core *core)
+static struct pick shown_ranking(const struct core *core)
 {
     switch (core->game.phase) {
-    case PHASE_BOARD:
+    case PHASE_LEADERBOARD:
         return after_round(core);
     case PHASE_ATTRACT:
         return in_attract(core);
@@ -110,17 +111,17 @@ static struct pick shown(const struct core *core)
 
 /* ---- The phase ------------------------------------------------------------------------------ */
 
-void board_begin(struct core *core)
+void leaderboard_begin(struct core *core)
 {
-    phase_enter(core, PHASE_BOARD);
+    game_enter_phase(core, PHASE_LEADERBOARD);
 }
 
-void board_tick(struct core *core, const struct input *input, struct output *output)
+void leaderboard_tick(struct core *core, const struct input *input, struct output *output)
 {
-    const int dipped = phase_dipped(core, input) < POI_MAX;
-    const int is_read = core->tick - core->game.phase_tick >= BOARD_TICKS;
+    const int dipped = game_dipped_player(core, input) < POI_MAX;
+    const int is_read = core->tick - core->game.phase_tick >= LEADERBOARD_TICKS;
     if (dipped || (input->pressed & INPUT_START)) {
-        choose_begin(core, output);
+        mode_select_begin(core, output);
     } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(core)) {
         attract_begin(core);
     }
@@ -128,22 +129,25 @@ void board_tick(struct core *core, const struct input *input, struct output *out
 
 /* ---- The picture ---------------------------------------------------------------------------- */
 
-void board_show(const struct core *core, struct scene_board *out)
+void leaderboard_show(const struct core *core, struct scene_leaderboard *out)
 {
     const struct game *game = &core->game;
-    const struct pick pick = shown(core);
-    *out = (struct scene_board){ .shown = pick.shown };
+    const struct pick pick = shown_ranking(core);
+    *out = (struct scene_leaderboard){ .shown = pick.shown };
     if (!pick.shown) {
         return;
     }
     out->mode = pick.mode;
     out->period = pick.period;
     out->shown_s = (float)pick.ticks * CORE_TICK_S;
-    out->left_s = pick.ticks < BOARD_TICKS ? (float)(BOARD_TICKS - pick.ticks) * CORE_TICK_S : 0.0f;
+    out->left_s = pick.ticks < LEADERBOARD_TICKS
+                      ? (float)(LEADERBOARD_TICKS - pick.ticks) * CORE_TICK_S
+                      : 0.0f;
     for (uint32_t i = 0; i < RANK_ROWS; i++) {
         const struct rank_row *row = &game->ranking.row[pick.mode][pick.period][i];
         out->row[i].caught = row->caught;
-        out->row[i].is_new = game->phase == PHASE_BOARD && row->round_id == game->name.round_id;
+        out->row[i].is_new =
+            game->phase == PHASE_LEADERBOARD && row->round_id == game->name.round_id;
         out->row[i].seat = row->seat;
         out->row[i].round_id = row->round_id;
         memcpy(out->row[i].name, row->name, sizeof out->row[i].name);

@@ -10,13 +10,13 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define BOARD_TICKS (9u * CORE_TICK_HZ)        /* Duration of the leaderboard screen; enough to read
-                                                  ten rows. */
-#define BOARD_EVERY_TICKS (30u * CORE_TICK_HZ) /* Interval in attract mode; the tank is shown for
-                                                  the rest of it. */
+/* Duration of the leaderboard screen; enough to read ten rows. */
+#define LEADERBOARD_TICKS (9u * CORE_TICK_HZ)
+/* Interval in attract mode; the tank is shown for the rest of it. */
+#define LEADERBOARD_EVERY_TICKS (30u * CORE_TICK_HZ)
 
 /* Best place of a player over all periods; if places are equal, the longer period counts. */
-struct board_place {
+struct leaderboard_place {
     uint8_t period; /* enum rank_period */
     uint8_t place;  /* Place from 1; 0: not ranked. */
 };
@@ -25,15 +25,15 @@ struct core;
 
 /* Returns the best place of slot `seat` of the round with ledger id `round_id`. The place is 0 if
  * the slot is not ranked or `round_id` is 0. */
-struct board_place board_best_place(const struct ranking *ranking, uint8_t mode, uint32_t round_id,
-                                    uint8_t seat);
+struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
+                                                uint32_t round_id, uint8_t seat);
 
 /* Enters the leaderboard phase for the round of the latest name entry. START or a dip starts a
  * game; OK turns the page. */
-void board_begin(struct core *core);
-void board_tick(struct core *core, const struct input *input, struct output *output);
+void leaderboard_begin(struct core *core);
+void leaderboard_tick(struct core *core, const struct input *input, struct output *output);
 
 /* Fills `out` with the visible leaderboard, in attract mode too. */
-void board_show(const struct core *core, struct scene_board *out);
+void leaderboard_show(const struct core *core, struct scene_leaderboard *out);
 
 #endif

@@ -21,15 +21,15 @@ static vec3 attention_m(const struct bot *bot)
 }
 
 /* Makes the last snapshot usable, and takes the next one. */
-static void perceive(struct bot *bot, const struct sight *sight, uint32_t tick)
+static void perceive(struct bot *bot, const struct vision *vision, uint32_t tick)
 {
-    const struct look_fish followed = bot->known.prey;
+    const struct snapshot_fish followed = bot->known.prey;
     bot->known = bot->seen;
     if (bot->known.prey.fish != bot->prey) {
         bot->known.prey = followed; /* The snapshot was taken before the current target was
                                        selected, so the target's earlier data is kept. */
     }
-    look_take(&bot->seen, &bot->known, sight, bot->prey, attention_m(bot));
+    snapshot_take(&bot->seen, &bot->known, vision, bot->prey, attention_m(bot));
     bot->act_tick = tick + reaction_ticks(bot, tick);
 }
 
@@ -49,16 +49,16 @@ static void decide(struct bot *bot, uint32_t tick)
 
 void bot_init(struct bot *bot, const struct technique *technique, uint32_t seed)
 {
-    *bot = (struct bot){ .technique = *technique, .seed = seed, .prey = LOOK_NO_FISH };
+    *bot = (struct bot){ .technique = *technique, .seed = seed, .prey = SNAPSHOT_NO_FISH };
     bot->hand.pose.position_m = v3(0.0f, BOT_HOVER_Y_M, 0.0f);
-    bot->known.prey.fish = bot->seen.prey.fish = LOOK_NO_FISH;
+    bot->known.prey.fish = bot->seen.prey.fish = SNAPSHOT_NO_FISH;
 }
 
-struct poi_target bot_tick(struct bot *bot, const struct sight *sight)
+struct poi_target bot_tick(struct bot *bot, const struct vision *vision)
 {
-    const uint32_t tick = sight_game(sight).tick;
+    const uint32_t tick = vision_game(vision).tick;
     if (tick >= bot->act_tick) {
-        perceive(bot, sight, tick);
+        perceive(bot, vision, tick);
     }
     decide(bot, tick);
     bot_hand_move(&bot->hand, &bot->goal, bot->speed_m_s, bot->ease_s);
@@ -86,6 +86,6 @@ uint64_t bot_hash(uint64_t hash, const struct bot *bot)
     hash = hash_float(hash, bot->speed_m_s);
     hash = hash_float(hash, bot->ease_s);
     hash = bot_hand_hash(hash, &bot->hand);
-    hash = look_hash(hash, &bot->known);
-    return look_hash(hash, &bot->seen);
+    hash = snapshot_hash(hash, &bot->known);
+    return snapshot_hash(hash, &bot->seen);
 }

@@ -33,7 +33,7 @@ struct bot {
     struct technique technique;
     uint32_t seed;          /* Seed of the bot's random numbers. */
     uint8_t stage;          /* enum bot_stage */
-    uint16_t prey;          /* Target fish, or LOOK_NO_FISH. */
+    uint16_t prey;          /* Target fish, or SNAPSHOT_NO_FISH. */
     uint32_t stage_tick;    /* Tick at which the stage began. */
     uint32_t act_tick;      /* Tick at which `seen` becomes usable. */
     uint32_t tries;         /* Number of attempts so far. */
@@ -43,16 +43,16 @@ struct bot {
     float speed_m_s;        /* Maximum speed on the way to `goal`. */
     float ease_s;           /* Time to reach `speed_m_s`, in seconds. */
     struct bot_hand hand;
-    struct look known;      /* Snapshot on which the bot acts. */
-    struct look seen;       /* Newest snapshot; becomes `known` at `act_tick`. */
+    struct snapshot known; /* Snapshot on which the bot acts. */
+    struct snapshot seen;  /* Newest snapshot; becomes `known` at `act_tick`. */
 };
 
 /* Initializes `bot` with a copy of `technique`. The arm starts above the middle of the tank. */
 void bot_init(struct bot *bot, const struct technique *technique, uint32_t seed);
 
-/* Advances the bot by one tick, before the core's tick. `sight->player` is the player that the bot
+/* Advances the bot by one tick, before the core's tick. `vision->player` is the player that the bot
  * controls. Returns the pose of the arm, including the wrist angles. */
-struct poi_target bot_tick(struct bot *bot, const struct sight *sight);
+struct poi_target bot_tick(struct bot *bot, const struct vision *vision);
 
 uint64_t bot_hash(uint64_t hash, const struct bot *bot);
 

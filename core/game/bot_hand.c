@@ -23,7 +23,7 @@ static float reach_m_s(float way_m, float speed_m_s, float gain_m_s2)
     return f_min(speed_m_s, f_min(braking, CREEP_PER_S * way_m));
 }
 
-static float turn(float now_rad, float goal_rad, float *rate_rad_s)
+static float turn_wrist(float now_rad, float goal_rad, float *rate_rad_s)
 {
     const float wish = f_clamp(WRIST_PULL_PER_S * f_wrap_angle(goal_rad - now_rad),
                                -BOT_WRIST_RAD_S_MAX, BOT_WRIST_RAD_S_MAX);
@@ -43,11 +43,11 @@ void bot_hand_move(struct bot_hand *hand, const struct poi_target *goal, float s
     const vec3 eased = v3_scale(change, CORE_TICK_S / (0.03f + CORE_TICK_S));
     hand->velocity_m_s =
         v3_add(hand->velocity_m_s, v3_limit(eased, gain_m_s2 * CORE_TICK_S));
-    hand->pose.position_m = v3_mad(hand->pose.position_m, hand->velocity_m_s, CORE_TICK_S);
+    hand->pose.position_m = v3_muladd(hand->pose.position_m, hand->velocity_m_s, CORE_TICK_S);
     struct angles *now = &hand->pose.angles;
-    now->yaw_rad = turn(now->yaw_rad, goal->angles.yaw_rad, &hand->turning.yaw_rad);
-    now->pitch_rad = turn(now->pitch_rad, goal->angles.pitch_rad, &hand->turning.pitch_rad);
-    now->roll_rad = turn(now->roll_rad, goal->angles.roll_rad, &hand->turning.roll_rad);
+    now->yaw_rad = turn_wrist(now->yaw_rad, goal->angles.yaw_rad, &hand->turning.yaw_rad);
+    now->pitch_rad = turn_wrist(now->pitch_rad, goal->angles.pitch_rad, &hand->turning.pitch_rad);
+    now->roll_rad = turn_wrist(now->roll_rad, goal->angles.roll_rad, &hand->turning.roll_rad);
 }
 
 /* Returns piecewise linear noise in [-1, 1], with a new random value every NOISE_TICKS. */

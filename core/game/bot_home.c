@@ -36,7 +36,7 @@ static int frees_ring(struct bot *bot, uint32_t tick)
         return 0;
     }
     const vec3 ring_m = bot->known.poi.position_m;
-    vec3 back_m = v3_mad(ring_m, aim_forward(bot->yaw_rad), -STUCK_BACK_M);
+    vec3 back_m = v3_muladd(ring_m, targeting_forward(bot->yaw_rad), -STUCK_BACK_M);
     back_m.y = f_max(ring_m.y - STUCK_BACK_M, 0.02f - bot->known.tank_m.y);
     bot_want(bot, back_m, 0.0f, bot->technique.lift_m_s);
     return 1;
@@ -67,8 +67,8 @@ void bot_lift(struct bot *bot, uint32_t tick)
 static vec3 over_bowl_m(const struct bot *bot, vec3 toward)
 {
     const vec3 bowl_m = bot->known.bowl.position_m;
-    vec3 place_m = v3_mad(bowl_m, toward, -TIP_FALL_M);
-    place_m.y = bowl_m.y + TIP_EDGE_M + AIM_RING_M * f_sin(TIP_RAD);
+    vec3 place_m = v3_muladd(bowl_m, toward, -TIP_FALL_M);
+    place_m.y = bowl_m.y + TIP_EDGE_M + TARGETING_RING_M * f_sin(TIP_RAD);
     return place_m;
 }
 
@@ -81,7 +81,7 @@ static vec3 toward_bowl(const struct bot *bot)
 void bot_carry(struct bot *bot, uint32_t tick)
 {
     const vec3 toward = toward_bowl(bot);
-    if (bot->known.riders + bot->known.over == 0 && bot_saw_since(bot, -0.15f)) {
+    if (bot->known.carried_count + bot->known.over == 0 && bot_saw_since(bot, -0.15f)) {
         bot_go(bot, BOT_CHOOSE, tick);
         return;
     }
@@ -97,12 +97,12 @@ void bot_tip(struct bot *bot, uint32_t tick)
 {
     const vec3 toward = bot->miss_m;
     const struct angles held = { bot->yaw_rad, CRADLE_RAD, 0.0f };
-    const struct basis axes = basis_from_angles(held);
+    const struct basis axes = vec_basis_from_angles(held);
     const vec3 axis = v3_cross(v3(0.0f, 1.0f, 0.0f), toward);
     const struct basis turned = pose_turn(&axes, axis, TIP_RAD);
     bot_want(bot, over_bowl_m(bot, toward), 0.0f, bot->technique.carry_m_s);
     bot->goal.angles = pose_angles(&turned);
-    const int empty = bot->known.riders == 0 && bot_saw_since(bot, 0.0f);
+    const int empty = bot->known.carried_count == 0 && bot_saw_since(bot, 0.0f);
     if (bot_stage_s(bot, tick) > (empty ? TIP_HOLD_S : TIP_LAST_S)) {
         bot_go(bot, BOT_CHOOSE, tick);
     }

@@ -23,9 +23,9 @@ static float stroke_s(const struct bot *bot)
  * 0. */
 static int keep_over_entry(struct bot *bot, uint32_t tick)
 {
-    struct aim_way way;
+    struct approach_path way;
     const float reach_s = bot_way_left_m(bot) / bot->technique.arm_m_s;
-    bot->yaw_rad = aim_yaw(&bot->technique, &bot->known.prey, bot->yaw_rad);
+    bot->yaw_rad = targeting_yaw(&bot->technique, &bot->known.prey, bot->yaw_rad);
     const float longest_s = APPROACH_S_MAX + bot->technique.patience_s;
     if (!bot_prey_swims(bot) || bot_stage_s(bot, tick) > longest_s ||
         !bot_way_to_prey(bot, tick, f_min(reach_s, 0.3f) + stroke_s(bot), &way)) {
@@ -38,7 +38,7 @@ static int keep_over_entry(struct bot *bot, uint32_t tick)
 
 void bot_approach(struct bot *bot, uint32_t tick)
 {
-    if (bot->known.riders > 0 && bot_saw_since(bot, 0.0f)) {
+    if (bot->known.carried_count > 0 && bot_saw_since(bot, 0.0f)) {
         bot_go(bot, BOT_CARRY, tick); /* A fish is on the paper already. */
     } else if (keep_over_entry(bot, tick)) {
         bot_go(bot, bot->technique.hunt == HUNT_SHADE ? BOT_WATCH : BOT_DIP, tick);
@@ -57,7 +57,7 @@ void bot_watch(struct bot *bot, uint32_t tick)
 
 void bot_dip(struct bot *bot, uint32_t tick)
 {
-    struct aim_way way;
+    struct approach_path way;
     (void)bot_way_to_prey(bot, tick, 0.03f / bot->technique.glide_m_s, &way);
     bot_want(bot, way.stop_m, entry_pitch_rad(bot), bot->technique.dip_m_s);
     if (bot_way_left_m(bot) < BOT_THERE_M || bot_stage_s(bot, tick) > DIP_S_MAX) {
@@ -70,12 +70,12 @@ void bot_dip(struct bot *bot, uint32_t tick)
 static int keep_prey(struct bot *bot, uint32_t tick)
 {
     const float reach_m = bot->technique.hunt == HUNT_CHASE ? CHASE_LOST_M : LOST_M;
-    const vec3 fish_m = look_foresee(&bot->known.prey, bot_age_s(bot, tick));
+    const vec3 fish_m = snapshot_predict(&bot->known.prey, bot_age_s(bot, tick));
     const vec3 d = v3_sub(fish_m, bot_hand_m(bot));
     if (bot_prey_swims(bot) && d.x * d.x + d.z * d.z < reach_m * reach_m) {
         return 1;
     }
-    const struct look_fish *other = aim_nearest(&bot->known, bot_hand_m(bot), reach_m);
+    const struct snapshot_fish *other = targeting_nearest(&bot->known, bot_hand_m(bot), reach_m);
     if (!other) {
         return 0;
     }
@@ -88,7 +88,7 @@ void bot_glide(struct bot *bot, uint32_t tick)
 {
     const int chases = bot->technique.hunt == HUNT_CHASE;
     const float longest_s = chases ? bot->technique.patience_s : GLIDE_S_MAX;
-    struct aim_way way;
+    struct approach_path way;
     if (!keep_prey(bot, tick) || bot_stage_s(bot, tick) > longest_s) {
         bot_go(bot, BOT_LIFT, tick);
         return;

@@ -24,7 +24,7 @@ int bot_saw_since(const struct bot *bot, float after_s)
 void bot_go(struct bot *bot, uint8_t stage, uint32_t tick)
 {
     if (stage < BOT_APPROACH || stage > BOT_GLIDE) {
-        bot->prey = LOOK_NO_FISH;
+        bot->prey = SNAPSHOT_NO_FISH;
     }
     bot->stage = stage;
     bot->stage_tick = tick;
@@ -55,16 +55,17 @@ vec3 bot_hand_m(const struct bot *bot)
     return bot->hand.pose.position_m;
 }
 
-int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s, struct aim_way *way)
+int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s, struct approach_path *way)
 {
-    const struct look_fish *prey = &bot->known.prey;
-    const vec3 fish_m = v3_add(look_foresee(prey, bot_age_s(bot, tick) + ahead_s), bot->miss_m);
-    return aim_way_to(&bot->technique, &bot->known, fish_m, prey->length_m, bot->yaw_rad, way);
+    const struct snapshot_fish *prey = &bot->known.prey;
+    const vec3 fish_m = v3_add(snapshot_predict(prey, bot_age_s(bot, tick) + ahead_s), bot->miss_m);
+    return targeting_approach(&bot->technique, &bot->known, fish_m, prey->length_m, bot->yaw_rad,
+                              way);
 }
 
 int bot_prey_swims(const struct bot *bot)
 {
-    return bot->prey != LOOK_NO_FISH && bot->known.prey.place == SCENE_IN_TANK;
+    return bot->prey != SNAPSHOT_NO_FISH && bot->known.prey.place == SCENE_IN_TANK;
 }
 
 /* Returns a point beside the bowl, toward the middle of the tank. */
@@ -72,7 +73,7 @@ vec3 bot_ground_m(const struct bot *bot)
 {
     const vec3 bowl_m = bot->known.bowl.position_m;
     const vec3 inward = v3_normalize_or(v3(-bowl_m.x, 0.0f, -bowl_m.z), v3(0.0f, 0.0f, -1.0f));
-    return v3_mad(v3(bowl_m.x, 0.0f, bowl_m.z), inward, BESIDE_BOWL_M);
+    return v3_muladd(v3(bowl_m.x, 0.0f, bowl_m.z), inward, BESIDE_BOWL_M);
 }
 
 int bot_plays(const struct bot *bot)

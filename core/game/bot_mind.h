@@ -30,8 +30,8 @@ float bot_way_left_m(const struct bot *bot);
 int bot_wrist_is_there(const struct bot *bot);
 
 /* Computes the path to the predicted position of the target fish in `ahead_s` seconds, as
- * aim_way_to(). */
-int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s, struct aim_way *way);
+ * targeting_approach(). */
+int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s, struct approach_path *way);
 
 /* ---- Actions -------------------------------------------------------------------------------- */
 

@@ -29,7 +29,7 @@ void bot_rest(struct bot *bot, uint32_t tick)
 /* Returns the ring height at which `share` of its area is under water while the poi is tilted. */
 static float soak_y_m(float share)
 {
-    const float low = AIM_RING_M * f_sin(-SOAK_PITCH_RAD);
+    const float low = TARGETING_RING_M * f_sin(-SOAK_PITCH_RAD);
     return share >= 0.99f ? -low - SOAK_MARGIN_M : -(2.0f * share - 1.0f) * low;
 }
 
@@ -55,7 +55,7 @@ static float luck(const struct bot *bot, uint32_t which)
     return rng_unit((struct rng_key){ bot->seed, bot->tries, which, RNG_BOT_CHOICE });
 }
 
-static void go_for(struct bot *bot, const struct look_fish *fish, uint32_t tick)
+static void go_for(struct bot *bot, const struct snapshot_fish *fish, uint32_t tick)
 {
     bot->prey = fish->fish;
     bot->known.prey = *fish;
@@ -77,8 +77,8 @@ void bot_choose(struct bot *bot, uint32_t tick)
     if (!bot->known.paper.holds) {
         return;
     }
-    const struct look_fish *fish = aim_choose(&bot->technique, &bot->known, hand_m,
-                                              bot_age_s(bot, tick), &bot->yaw_rad);
+    const struct snapshot_fish *fish =
+        targeting_choose(&bot->technique, &bot->known, hand_m, bot_age_s(bot, tick), &bot->yaw_rad);
     if (fish) {
         go_for(bot, fish, tick);
     }

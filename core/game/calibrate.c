@@ -130,7 +130,7 @@ static int32_t millionths(float value)
 
 static int can_hold(const float value[CALIBRATION_VALUES])
 {
-    const float most = (float)setting_of(SET_CALIBRATION)->max / MILLION;
+    const float most = (float)settings_entry(SET_CALIBRATION)->max / MILLION;
     int good = 1;
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
         good &= f_is_finite(value[i]) && f_abs(value[i]) <= most;
@@ -175,7 +175,7 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
 /* A mix of old and new settings passes the check with a probability of one in ten million. */
 int32_t calibration_check(const int32_t value[CALIBRATION_VALUES])
 {
-    const uint64_t most = (uint64_t)setting_of(SET_CALIBRATION_CHECK)->max;
+    const uint64_t most = (uint64_t)settings_entry(SET_CALIBRATION_CHECK)->max;
     uint64_t hash = HASH_START;
     int32_t any = 0;
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
@@ -219,8 +219,8 @@ static float turned_yaw(const struct map *map, float yaw_rad)
 
 void calibration_apply(const struct settings *settings, uint32_t seat, struct poi_input *poi)
 {
-    if (poi->link != POI_LINK_LIVE || !calibration_is_set(settings, seat) ||
-        !trust_can_read(&poi->target)) {
+    if (poi->link != POI_SOURCE_LIVE || !calibration_is_set(settings, seat) ||
+        !input_pose_is_finite(&poi->target)) {
         return;
     }
     const int32_t *value = &settings->value[calibration_setting(seat)];

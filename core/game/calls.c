@@ -7,7 +7,7 @@
 #define TEN_TICKS (10u * CORE_TICK_HZ)
 #define LAST_TICKS (5u * CORE_TICK_HZ)
 
-enum time_call call_at(uint32_t elapsed_ticks, uint32_t total_ticks)
+enum time_call announcements_call_at(uint32_t elapsed_ticks, uint32_t total_ticks)
 {
     if (elapsed_ticks >= total_ticks) {
         return elapsed_ticks == total_ticks ? CALL_TIME : CALL_NONE;

@@ -10,6 +10,6 @@
 /* Returns the announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE. Each
  * announcement is returned for one tick. A minute announcement is omitted if the round is too short
  * or has ten seconds or less left. */
-enum time_call call_at(uint32_t elapsed_ticks, uint32_t total_ticks);
+enum time_call announcements_call_at(uint32_t elapsed_ticks, uint32_t total_ticks);
 
 #endif

@@ -20,20 +20,20 @@
 #include "core/game/upkeep.h"
 #include "core/input.h"
 
-#define CHAPTER_TICKS_MAX (600u * CORE_TICK_HZ)  /* Longest attract time of a session; a running
-                                                    game is never interrupted. */
-#define CHAPTER_FADE_TICKS (CORE_TICK_HZ / 2u)   /* Duration of the fade before the restart, and of
-                                                    the fade after it. */
+/* Longest attract time of a session; a running game is never interrupted. */
+#define SESSION_TICKS_MAX (600u * CORE_TICK_HZ)
+/* Duration of the fade before the restart, and of the fade after it. */
+#define SESSION_FADE_TICKS (CORE_TICK_HZ / 2u)
 
 /* State carried over from the previous session. All zero: the kiosk has just started. */
-struct chapter {
+struct game_session {
     uint32_t tick;  /* First tick of this session; 0 at the kiosk's start. */
-    uint32_t order_count, edit_save_id, edit_saved_id; /* Command and edit ids, as in struct menu
-                                                          and struct lab. */
+    uint32_t command_count, edit_save_id, edit_saved_id; /* Command and edit ids, as in struct
+                                                            menu and struct lab. */
     struct ledger ledger;
     struct credit credit;
-    struct upkeep upkeep;
-    struct adjust adjust;
+    struct health_log health_log;
+    struct settings_edit settings_edit;
     struct language_choice language;
 };
 
@@ -42,21 +42,21 @@ struct game;
 
 /* Requests a new session. The session starts when the picture is dark, if attract mode is still
  * active then. */
-void chapter_ask(struct core *core);
+void session_request(struct core *core);
 
 /* Returns 1 if the finished tick was the last one of the session. */
-int chapter_is_over(const struct core *core);
+int session_is_over(const struct core *core);
 
 /* Writes the configuration of the next session to core->config. The caller then rebuilds the rest
  * of `core` as core_init() does. */
-void chapter_turn(struct core *core);
+void session_restart(struct core *core);
 
 /* Copies the carried-over state to a fresh game. Does nothing at the kiosk's start. */
-void chapter_go_on(struct game *game, const struct chapter *chapter);
+void session_restore(struct game *game, const struct game_session *session);
 
 /* Returns the darkness of the picture, [0, 1]; 1 at the restart. */
-float chapter_veil(const struct core *core);
+float session_fade(const struct core *core);
 
-uint64_t chapter_hash(uint64_t hash, const struct chapter *chapter, int rules_7);
+uint64_t session_hash(uint64_t hash, const struct game_session *session, int rules_7);
 
 #endif

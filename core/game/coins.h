@@ -13,18 +13,18 @@
 struct core;
 
 /* Adds the pulses of each coin line, with the value per pulse from the settings. */
-void coins_fall(struct core *core, const struct input *input, struct output *output);
+void coins_insert(struct core *core, const struct input *input, struct output *output);
 
 /* Logs coins inserted in the operator's menu: the meter counts them, but the balance does not
  * change. */
 void coins_test(struct core *core, const struct input *input, struct output *output);
 
 /* Adds the units that were not logged before the last power cut to the balance. */
-void coins_fold_untold(struct core *core);
+void coins_convert_pending(struct core *core);
 
 /* Logs pending coins, and converts units to credits while the balance has fewer than
  * SET_CREDIT_MAX. Bonus credits may exceed that limit. */
-void coins_settle(struct core *core, struct output *output);
+void coins_convert(struct core *core, struct output *output);
 
 /* Expires credits and units after SET_CREDIT_EXPIRY_MIN without activity. Expiry happens only in
  * attract mode and only when nothing is waiting to be written. */

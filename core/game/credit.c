@@ -17,23 +17,23 @@ uint32_t credit_price(const struct core *core)
 
 static uint32_t credits_max(const struct core *core)
 {
-    return (uint32_t)core->config.memory.settings.value[SET_CREDIT_MAX];
+    return (uint32_t)core->config.persistent.settings.value[SET_CREDIT_MAX];
 }
 
-static uint32_t credits_of(const struct purse *purse)
+static uint32_t credits_of(const struct balance *balance)
 {
-    return purse->paid + purse->service;
+    return balance->paid + balance->service;
 }
 
 static uint32_t sure_credits(const struct core *core)
 {
-    const struct ledger_credits sure = ledger_sure(&core->game.ledger);
+    const struct ledger_credits sure = ledger_committed_credits(&core->game.ledger);
     return sure.paid + sure.service;
 }
 
 uint32_t credit_coming(const struct core *core)
 {
-    return credits_of(&core->game.ledger.purse) - sure_credits(core);
+    return credits_of(&core->game.ledger.balance) - sure_credits(core);
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
@@ -42,9 +42,9 @@ static void take_service(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
     const struct ledger_entry entry = { .kind = LEDGER_SERVICE };
-    if (credit_price(core) > 0 && credits_of(&game->ledger.purse) < credits_max(core) &&
+    if (credit_price(core) > 0 && credits_of(&game->ledger.balance) < credits_max(core) &&
         ledger_may_write(&game->ledger, LEDGER_SERVICE)) {
-        game->ledger.purse.service++;
+        game->ledger.balance.service++;
         game->credit.act_tick = core->tick;
         ledger_write(core, &entry, output);
         output_sound(output, SOUND_COIN, 0.5f, 0.0f);
@@ -56,7 +56,7 @@ static int has_poi(const struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint8_t link = input->poi[i].link;
-        if (core->bowl[i].present && (link == POI_LINK_LIVE || link == POI_LINK_BOT)) {
+        if (core->bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
             return 1;
         }
     }
@@ -96,9 +96,9 @@ static void close_what_is_over(struct core *core, struct output *output)
     struct game *game = &core->game;
     const int runs = game->phase == PHASE_READY || game->phase == PHASE_ROUND ||
                      game->phase == PHASE_LAB;
-    if (game->ledger.purse.open != OPEN_NONE && !runs) {
+    if (game->ledger.balance.open != PAYMENT_NONE && !runs) {
         const struct ledger_entry entry = { .kind = LEDGER_LEFT };
-        game->ledger.purse.open = OPEN_NONE;
+        game->ledger.balance.open = PAYMENT_NONE;
         ledger_write(core, &entry, output);
     }
 }
@@ -110,13 +110,13 @@ void credit_tick(struct core *core, const struct input *input, struct output *ou
     if (core->game.phase == PHASE_MENU) {
         coins_test(core, input, output);
     } else {
-        coins_fall(core, input, output);
+        coins_insert(core, input, output);
         note_tilt(core, input, output);
         if (input->pressed & INPUT_SERVICE) {
             take_service(core, output);
         }
     }
-    coins_settle(core, output);
+    coins_convert(core, output);
     coins_expire(core, output);
     tickets_tick(core, input, output);
     credit->warnings = warnings(core, input);
@@ -131,7 +131,7 @@ static int sends_coins_back(const struct core *core)
         return !menu_tries_lines(core) || self_test_shows(core);
     }
     return credit_price(core) == 0 || game->credit.warnings != 0 ||
-           credits_of(&game->ledger.purse) >= credits_max(core);
+           credits_of(&game->ledger.balance) >= credits_max(core);
 }
 
 void credit_show_outputs(const struct core *core, struct output *output)
@@ -143,21 +143,21 @@ void credit_show_outputs(const struct core *core, struct output *output)
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
 
-/* Returns the kind of credit to use next (enum purse_open), or OPEN_NONE. A refunded credit comes
- * first, because it cannot be refunded again. Service credits come next, so that an operator's test
- * leaves paid credits unused. */
+/* Returns the kind of credit to use next (enum round_payment), or PAYMENT_NONE. A refunded credit
+ * comes first, because it cannot be refunded again. Service credits come next, so that an
+ * operator's test leaves paid credits unused. */
 static uint8_t next_credit(const struct core *core)
 {
     const struct ledger *ledger = &core->game.ledger;
-    const struct ledger_credits sure = ledger_sure(ledger);
-    const struct purse *purse = &ledger->purse;
-    if (purse->returned == OPEN_PAID && purse->paid > 0) {
-        return sure.paid > 0 ? OPEN_PAID : OPEN_NONE;
+    const struct ledger_credits sure = ledger_committed_credits(ledger);
+    const struct balance *balance = &ledger->balance;
+    if (balance->returned == PAYMENT_PAID && balance->paid > 0) {
+        return sure.paid > 0 ? PAYMENT_PAID : PAYMENT_NONE;
     }
-    if (purse->returned == OPEN_SERVICE && purse->service > 0) {
-        return sure.service > 0 ? OPEN_SERVICE : OPEN_NONE;
+    if (balance->returned == PAYMENT_SERVICE && balance->service > 0) {
+        return sure.service > 0 ? PAYMENT_SERVICE : PAYMENT_NONE;
     }
-    return sure.service > 0 ? OPEN_SERVICE : sure.paid > 0 ? OPEN_PAID : OPEN_NONE;
+    return sure.service > 0 ? PAYMENT_SERVICE : sure.paid > 0 ? PAYMENT_PAID : PAYMENT_NONE;
 }
 
 /* If the ledger has no room, no round is sold, because the end of the round could not be logged
@@ -165,7 +165,7 @@ static uint8_t next_credit(const struct core *core)
 int credit_can_play(const struct core *core)
 {
     return credit_price(core) == 0 ||
-           (next_credit(core) != OPEN_NONE && ledger_has_room(&core->game.ledger, LEDGER_COINS));
+           (next_credit(core) != PAYMENT_NONE && ledger_has_room(&core->game.ledger, LEDGER_COINS));
 }
 
 void credit_ask(struct core *core, struct output *output)
@@ -188,16 +188,16 @@ int credit_is_awaited(const struct core *core)
 
 static uint8_t pay(struct core *core)
 {
-    struct purse *purse = &core->game.ledger.purse;
+    struct balance *balance = &core->game.ledger.balance;
     if (credit_price(core) == 0) {
-        return OPEN_FREE;
+        return PAYMENT_FREE;
     }
     const uint8_t kind = next_credit(core);
-    const uint8_t spent = purse->returned != OPEN_NONE ? OPEN_SPENT : 0u;
-    purse->bonus_units = 0;
-    purse->service -= kind == OPEN_SERVICE;
-    purse->paid -= kind == OPEN_PAID;
-    purse->returned = OPEN_NONE;
+    const uint8_t spent = balance->returned != PAYMENT_NONE ? PAYMENT_SPENT : 0u;
+    balance->bonus_units = 0;
+    balance->service -= kind == PAYMENT_SERVICE;
+    balance->paid -= kind == PAYMENT_PAID;
+    balance->returned = PAYMENT_NONE;
     return kind | spent;
 }
 
@@ -210,39 +210,39 @@ void credit_take(struct core *core, uint8_t what, struct output *output)
     const struct ledger_entry entry = {
         .kind = LEDGER_BEGIN,
         .detail = what,
-        .count = what < MODE_COUNT ? keeper_grade(&core->config, what) : 0u,
+        .count = what < MODE_COUNT ? table_setup_grade(&core->config, what) : 0u,
     };
     credit->came_back = 0;
     credit->await_tick = 0;
     credit->act_tick = core->tick;
     credit->stand_id = 0;
     credit->stand = (struct ledger_stand){ 0 };
-    core->game.ledger.purse.open = pay(core);
+    core->game.ledger.balance.open = pay(core);
     ledger_write(core, &entry, output);
 }
 
 /* A refund may exceed SET_CREDIT_MAX by one, because the credit belongs to a player. A round with a
  * non-refundable credit can be open at a restart if no player had joined; its LEDGER_REFUND has
  * count 0. */
-void credit_give_back(struct core *core, enum refund_cause cause, struct output *output)
+void credit_refund(struct core *core, enum refund_cause cause, struct output *output)
 {
-    struct purse *purse = &core->game.ledger.purse;
-    const uint8_t open = purse->open, kind = open & OPEN_KIND;
+    struct balance *balance = &core->game.ledger.balance;
+    const uint8_t open = balance->open, kind = open & PAYMENT_KIND_MASK;
     const int is_spent = stand_is_spent(core);
-    const int is_credit = kind == OPEN_PAID || kind == OPEN_SERVICE;
+    const int is_credit = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE;
     const uint32_t count = is_credit && !is_spent;
     core->game.credit.came_back = (uint8_t)count;
-    if (kind == OPEN_NONE || (kind == OPEN_FREE && cause == REFUND_NO_POI) ||
+    if (kind == PAYMENT_NONE || (kind == PAYMENT_FREE && cause == REFUND_NO_POI) ||
         (is_spent && cause != REFUND_RESTART)) {
         return;
     }
     const struct ledger_entry entry = {
         .kind = LEDGER_REFUND, .detail = (uint8_t)cause, .count = count, .value = open
     };
-    purse->paid += kind == OPEN_PAID ? count : 0u;
-    purse->service += kind == OPEN_SERVICE ? count : 0u;
-    purse->returned = count > 0 && !core->config.rules_7 ? kind : purse->returned;
-    purse->open = OPEN_NONE;
+    balance->paid += kind == PAYMENT_PAID ? count : 0u;
+    balance->service += kind == PAYMENT_SERVICE ? count : 0u;
+    balance->returned = count > 0 && !core->config.rules_7 ? kind : balance->returned;
+    balance->open = PAYMENT_NONE;
     ledger_write(core, &entry, output);
 }
 
@@ -260,7 +260,7 @@ uint32_t credit_tickets_won(const struct core *core)
     return won;
 }
 
-uint32_t credit_hand_out_tickets(struct core *core)
+uint32_t credit_award_tickets(struct core *core)
 {
     const uint32_t won = credit_tickets_won(core);
     tickets_owe(core, won);
@@ -277,17 +277,17 @@ static float since_s(const struct core *core, uint32_t tick)
 void credit_show(const struct core *core, struct scene_credit *out)
 {
     const struct credit *credit = &core->game.credit;
-    const struct purse *purse = &core->game.ledger.purse;
+    const struct balance *balance = &core->game.ledger.balance;
     const uint32_t price = credit_price(core);
-    const int is_event = core->config.memory.settings.value[SET_PLAY] == PLAY_EVENT;
+    const int is_event = core->config.persistent.settings.value[SET_PLAY] == PLAY_EVENT;
     *out = (struct scene_credit){
         .price = (uint8_t)price,
         .is_event = (uint8_t)(price == 0 && is_event),
         .unpaid = (uint8_t)(!credit_can_play(core) && credit_coming(core) == 0),
         .warnings = credit->warnings,
         .came_back = credit->came_back,
-        .coin_units = (uint8_t)core->config.memory.settings.value[SET_COIN_1],
-        .units = purse->units,
+        .coin_units = (uint8_t)core->config.persistent.settings.value[SET_COIN_1],
+        .units = balance->units,
         .credits = sure_credits(core),
         .coming = credit_coming(core),
         .coin_s = since_s(core, credit->coin_tick),
@@ -305,7 +305,7 @@ uint64_t credit_hash(uint64_t hash, const struct credit *credit)
         hash = hash_u32(hash, words[i]);
     }
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        const struct untold *untold = &credit->untold[line];
+        const struct pending_coins *untold = &credit->pending_coins[line];
         hash = hash_u32(hash_u32(hash_u32(hash, untold->pulses), untold->units), untold->owed);
     }
     hash = hash_later(hash_later(hash, 1, credit->stand_id), 2, credit->ticket_id);

@@ -40,7 +40,7 @@ enum credit_warning {
 };
 
 /* Coins that no ledger entry contains yet. */
-struct untold {
+struct pending_coins {
     uint32_t pulses;
     uint32_t units; /* Value of the pulses in units. */
     uint32_t owed;  /* Units that must be added to the balance; 0 for coins inserted during free
@@ -50,7 +50,7 @@ struct untold {
 struct credit {
     uint8_t came_back;   /* 1: the credit of the last round was refunded. */
     uint8_t warnings;    /* enum credit_warning */
-    struct untold untold[COIN_LINE_COUNT];
+    struct pending_coins pending_coins[COIN_LINE_COUNT];
     uint32_t metered;    /* Coins counted since the start. */
     uint32_t shakes;     /* Tilt events since the start. */
     uint32_t tickets;    /* Pulses requested from the ticket dispenser since the start. */
@@ -98,7 +98,7 @@ void credit_take(struct core *core, uint8_t what, struct output *output);
 /* Ends the running round early. The credit is refunded if one was taken and stand_is_spent() is 0;
  * otherwise the balance stays open for the caller to close. A free round that lost its pois counts
  * as a normal round. */
-void credit_give_back(struct core *core, enum refund_cause cause, struct output *output);
+void credit_refund(struct core *core, enum refund_cause cause, struct output *output);
 
 /* Returns the tickets that the round has won so far, computed from each player's catch; 0 if the
  * bot played. */
@@ -106,7 +106,7 @@ uint32_t credit_tickets_won(const struct core *core);
 
 /* Adds the tickets of a finished, not refunded round to the balance. Returns the number of
  * tickets. */
-uint32_t credit_hand_out_tickets(struct core *core);
+uint32_t credit_award_tickets(struct core *core);
 
 /* Fills `out` with the visible state of the credits. */
 void credit_show(const struct core *core, struct scene_credit *out);

@@ -50,8 +50,8 @@ static struct poi_target slip_out(struct poi_target hand)
     const struct angles goal = { hand.angles.yaw_rad, way * SLANT_RAD, 0.0f };
     hand.angles = pose_toward(hand.angles, goal, 1.0f, TURN_RAD_S * CORE_TICK_S);
     if (f_abs(hand.angles.pitch_rad - goal.pitch_rad) < SLANT_NEAR_RAD) {
-        const vec3 back = basis_from_angles(hand.angles).back;
-        hand.position_m = v3_mad(hand.position_m, back, -way * RISE_M_S * CORE_TICK_S);
+        const vec3 back = vec_basis_from_angles(hand.angles).back;
+        hand.position_m = v3_muladd(hand.position_m, back, -way * RISE_M_S * CORE_TICK_S);
     }
     return hand;
 }
@@ -59,29 +59,29 @@ static struct poi_target slip_out(struct poi_target hand)
 static struct poi_target lift_level(struct poi_target hand)
 {
     const struct angles level = { hand.angles.yaw_rad, 0.0f, 0.0f };
-    const float high_m = f_max(hand.position_m.y, DRIFT_HOVER_M);
+    const float high_m = f_max(hand.position_m.y, FAILSAFE_HOVER_M);
     hand.angles = pose_toward(hand.angles, level, 1.0f, TURN_RAD_S * CORE_TICK_S);
     hand.position_m.y = toward(hand.position_m.y, high_m, RISE_M_S * CORE_TICK_S);
     return hand;
 }
 
-struct poi_target drift_begin(const struct poi *poi, struct poi_target hand)
+struct poi_target failsafe_begin(const struct poi *poi, struct poi_target hand)
 {
     hand.position_m = poi->position_m;
     hand.angles = poi->tip > 0.0f ? hand.angles : poi->angles;
     return hand;
 }
 
-struct poi_target drift_out(const struct poi *poi, struct poi_target hand)
+struct poi_target failsafe_withdraw(const struct poi *poi, struct poi_target hand)
 {
     const float speed_m_s = v3_length(poi->velocity_m_s);
     if (speed_m_s > COAST_DONE_M_S) {
         const vec3 next = v3_limit(poi->velocity_m_s, speed_m_s - COAST_M_S2 * CORE_TICK_S);
-        hand.position_m = v3_mad(poi->position_m, next, COAST_LAG_S + CORE_TICK_S);
+        hand.position_m = v3_muladd(poi->position_m, next, COAST_LAG_S + CORE_TICK_S);
         return hand;
     }
-    const int in_water = poi->immersed > 0.0f && hand.position_m.y < DRIFT_HOVER_M;
-    return in_water && poi->rider_count == 0 ? slip_out(hand) : lift_level(hand);
+    const int in_water = poi->immersed > 0.0f && hand.position_m.y < FAILSAFE_HOVER_M;
+    return in_water && poi->carried_count == 0 ? slip_out(hand) : lift_level(hand);
 }
 
 /* Returns the remaining path. A long path leads over the water: out of the water first, then above
@@ -91,17 +91,18 @@ static vec3 way_back(vec3 from_m, vec3 to_m)
     const vec3 way_m = v3_sub(to_m, from_m);
     const float aside_m = f_sqrt(way_m.x * way_m.x + way_m.z * way_m.z);
     if (from_m.y < WET_BELOW_M) {
-        return aside_m > BACK_FAR_M ? v3(0.0f, DRIFT_HOVER_M - from_m.y, 0.0f) : way_m;
+        return aside_m > BACK_FAR_M ? v3(0.0f, FAILSAFE_HOVER_M - from_m.y, 0.0f) : way_m;
     }
     return aside_m > BACK_ASIDE_M && way_m.y < 0.0f ? v3(way_m.x, 0.0f, way_m.z) : way_m;
 }
 
 /* The return becomes faster after the immunity ends, so that the return always completes. */
-struct poi_target drift_back(struct poi_target hand, struct poi_target wanted, uint32_t ticks)
+struct poi_target failsafe_return(struct poi_target hand, struct poi_target wanted, uint32_t ticks)
 {
-    const float age = f_min((float)ticks / (float)DRIFT_BACK_TICKS_MIN, 1.0f);
-    const float late_s =
-        ticks > DRIFT_SPARE_TICKS_MAX ? (float)(ticks - DRIFT_SPARE_TICKS_MAX) * CORE_TICK_S : 0.0f;
+    const float age = f_min((float)ticks / (float)FAILSAFE_RETURN_TICKS_MIN, 1.0f);
+    const float late_s = ticks > FAILSAFE_IMMUNITY_TICKS_MAX
+                             ? (float)(ticks - FAILSAFE_IMMUNITY_TICKS_MAX) * CORE_TICK_S
+                             : 0.0f;
     const float share = age * age * f_min(BACK_SHARE + BACK_SHARE_PER_S * late_s, 1.0f);
     const vec3 way_m = way_back(hand.position_m, wanted.position_m);
     const int is_wet = hand.position_m.y < WET_BELOW_M || way_m.y < 0.0f;
@@ -114,7 +115,7 @@ struct poi_target drift_back(struct poi_target hand, struct poi_target wanted, u
     };
 }
 
-int drift_is_back(struct poi_target hand, struct poi_target wanted, uint32_t ticks)
+int failsafe_is_returned(struct poi_target hand, struct poi_target wanted, uint32_t ticks)
 {
     const vec3 way_m = v3_sub(wanted.position_m, hand.position_m);
     const float turn_rad =
@@ -122,5 +123,5 @@ int drift_is_back(struct poi_target hand, struct poi_target wanted, uint32_t tic
               f_max(f_abs(f_wrap_angle(wanted.angles.pitch_rad - hand.angles.pitch_rad)),
                     f_abs(f_wrap_angle(wanted.angles.roll_rad - hand.angles.roll_rad))));
     const int is_near = v3_length(way_m) < BACK_NEAR_M && turn_rad < BACK_NEAR_RAD;
-    return ticks >= DRIFT_BACK_TICKS_MIN && is_near;
+    return ticks >= FAILSAFE_RETURN_TICKS_MIN && is_near;
 }

@@ -3,7 +3,7 @@
 
 #include "core/core.h"
 
-void foul_commit(struct core *core, uint32_t index, enum foul kind, struct output *output)
+void fouls_commit(struct core *core, uint32_t index, enum foul kind, struct output *output)
 {
     struct player *player = &core->game.player[index];
     const uint32_t last_tick = player->offence_tick[kind];
@@ -49,10 +49,10 @@ static int has_moved(struct core *core, uint32_t index)
     const uint32_t ready_ticks = core->tick - core->game.phase_tick;
     if (!pause_holds(core, index)) {
         player->stance = STANCE_UNSEEN; /* A broken cable is no foul. */
-    } else if (core->poi[index].link == POI_LINK_LIVE) {
-        watch_stance(player, core->game.trust[index].newest.position_m, ready_ticks);
-    } else if (core->poi[index].link == POI_LINK_BOT) {
-        watch_stance(player, core->game.hand[index].position_m, ready_ticks);
+    } else if (core->poi[index].link == POI_SOURCE_LIVE) {
+        watch_stance(player, core->game.validation[index].newest.position_m, ready_ticks);
+    } else if (core->poi[index].link == POI_SOURCE_BOT) {
+        watch_stance(player, core->game.hand_pose[index].position_m, ready_ticks);
     }
     return player->stance == STANCE_MOVED;
 }
@@ -65,7 +65,7 @@ void fouls_before_start(struct core *core, struct output *output)
         const int by_fan = is_held_over_fish(core, &tank->shade[i]);
         const int by_poi = moved && is_held_over_fish(core, &tank->shade[SHADE_MAX + i]);
         if (core->bowl[i].present && (by_fan || by_poi)) {
-            foul_commit(core, i, FOUL_SHADE, output);
+            fouls_commit(core, i, FOUL_SHADE, output);
         }
     }
 }
@@ -80,10 +80,10 @@ void fouls_of_catch(struct core *core, const struct catch_result caught[POI_MAX]
             continue; /* Fish that fall off a poi without input count for no player. */
         }
         if (caught[i].poured > 0) {
-            foul_commit(core, i, FOUL_POURED, output);
+            fouls_commit(core, i, FOUL_POURED, output);
         }
         if (caught[i].walled > 0) {
-            foul_commit(core, i, FOUL_WALL, output);
+            fouls_commit(core, i, FOUL_WALL, output);
         }
     }
 }

@@ -23,7 +23,7 @@
 struct core;
 
 /* Records a foul of this kind by player `index`, and counts it if the mode judges. */
-void foul_commit(struct core *core, uint32_t index, enum foul kind, struct output *output);
+void fouls_commit(struct core *core, uint32_t index, enum foul kind, struct output *output);
 
 /* Checks before the start for shadows held over fish. A fan is a foul however it got there. A poi
  * is a foul only if its controller has moved since READY began. */

@@ -11,16 +11,16 @@
 
 #define START_LAMP_TICKS (CORE_TICK_HZ / 2u)
 
-void phase_enter(struct core *core, uint8_t phase)
+void game_enter_phase(struct core *core, uint8_t phase)
 {
     core->game.phase = phase;
     core->game.phase_tick = core->tick;
 }
 
-uint32_t phase_dipped(const struct core *core, const struct input *input)
+uint32_t game_dipped_player(const struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->bowl[i].present && hand_dips(core, input, i)) {
+        if (core->bowl[i].present && controller_dip_pressed(core, input, i)) {
             return i;
         }
     }
@@ -33,8 +33,8 @@ static void tick_phase(struct core *core, const struct input *input, struct outp
     case PHASE_ATTRACT:
         attract_tick(core, input, output);
         break;
-    case PHASE_CHOOSE:
-        choose_tick(core, input, output);
+    case PHASE_MODE_SELECT:
+        mode_select_tick(core, input, output);
         break;
     case PHASE_READY:
         ready_tick(core, output);
@@ -54,8 +54,8 @@ static void tick_phase(struct core *core, const struct input *input, struct outp
     case PHASE_NAME:
         name_tick(core, input, output);
         break;
-    case PHASE_BOARD:
-        board_tick(core, input, output);
+    case PHASE_LEADERBOARD:
+        leaderboard_tick(core, input, output);
         break;
     default:
         result_tick(core, input, output);
@@ -67,21 +67,21 @@ void game_init(struct game *game, const struct core_config *config)
 {
     memset(game, 0, sizeof *game);
     game->phase = PHASE_ATTRACT;
-    game->phase_tick = config->chapter.tick;
+    game->phase_tick = config->session.tick;
     game->language = config->language;
-    game->mode = keeper_first_mode(config);
-    game->round_s = keeper_round_s(config, game->mode);
+    game->mode = table_setup_first_mode(config);
+    game->round_s = table_setup_round_s(config, game->mode);
     ledger_init(&game->ledger, config);
-    game->audits = config->memory.audits;
-    game->ranking = config->memory.ranking;
-    adjust_init(&game->adjust, config);
+    game->audits = config->persistent.audits;
+    game->ranking = config->persistent.ranking;
+    settings_edit_init(&game->settings_edit, config);
     hints_init(&game->hints);
     lab_init(&game->lab, config);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->live_y_m[i] = -1.0f;
         bot_init(&game->bot[i], &technique_expert, config->seed + i);
     }
-    chapter_go_on(game, &config->chapter);
+    session_restore(game, &config->session);
 }
 
 /* Returns 1 if the START lamp is lit: START would begin a game, or the menu lights it. */
@@ -91,7 +91,7 @@ static int start_lamp(const struct core *core)
     if (phase == PHASE_MENU) {
         return menu_lights_start(core);
     }
-    return (phase == PHASE_ATTRACT || phase == PHASE_CHOOSE) && credit_can_play(core) &&
+    return (phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT) && credit_can_play(core) &&
            core->tick % CORE_TICK_HZ < START_LAMP_TICKS;
 }
 
@@ -99,13 +99,13 @@ void game_tick(struct core *core, const struct input *said, struct output *outpu
                struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
 {
     struct game *game = &core->game;
-    const struct input own = hand_set_right(core, said), *input = &own;
-    calibrate_tick(core, said, output);
+    const struct input own = controller_calibrate(core, said), *input = &own;
+    menu_calibrate_tick(core, said, output);
     language_tick(core, input);
     ledger_tick(core, input);
-    upkeep_tick(core, input, output);
-    hand_read(core, input);
-    hand_links(core, input);
+    health_log_tick(core, input, output);
+    controller_validate(core, input);
+    controller_assign(core, input);
     credit_tick(core, input, output);
     const uint8_t phase = game->phase;
     if (!menu_opens(core, input, output)) {
@@ -114,9 +114,10 @@ void game_tick(struct core *core, const struct input *said, struct output *outpu
         name_keep(core, output);
     }
     self_test_tick(core, said, output);
-    adjust_tick(core, output);
-    hand_links(core, input); /* A new phase may change the source of a poi in the same tick. */
-    hand_tick_all(core, input, targets, live);
+    settings_edit_tick(core, output);
+    controller_assign(core,
+                      input); /* A new phase may change the source of a poi in the same tick. */
+    controller_tick_all(core, input, targets, live);
     hints_tick(&game->hints, core);
     output->start_lamp = (uint8_t)start_lamp(core);
     credit_show_outputs(core, output);
@@ -140,15 +141,15 @@ int game_pumps(const struct game *game, uint32_t tick)
 /* Returns the timeout of the selection screen in ticks since its start. */
 static uint32_t choice_ticks(const struct game *game)
 {
-    const uint32_t pointed = game->point_tick - game->phase_tick + GAME_CHOOSE_TICKS;
-    return pointed < GAME_CHOOSE_TICKS_MAX ? pointed : GAME_CHOOSE_TICKS_MAX;
+    const uint32_t pointed = game->point_tick - game->phase_tick + GAME_MODE_SELECT_TICKS;
+    return pointed < GAME_MODE_SELECT_TICKS_MAX ? pointed : GAME_MODE_SELECT_TICKS_MAX;
 }
 
 float game_seconds_left(const struct game *game, uint32_t tick)
 {
     uint32_t total = 0;
     switch (game->phase) {
-    case PHASE_CHOOSE:
+    case PHASE_MODE_SELECT:
         total = choice_ticks(game);
         break;
     case PHASE_READY:
@@ -190,20 +191,20 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = player_hash(hash, &game->player[i]);
         hash = hash_u32(hash, game->holder[i]);
         hash = hash_u32(hash, game->grip_tick[i]);
-        hash = hash_target(hash, &game->hand[i]);
+        hash = hash_target(hash, &game->hand_pose[i]);
         hash = hash_float(hash, game->live_y_m[i]);
-        hash = trust_hash(hash, &game->trust[i]);
-        hash = hash_u32(hash, game->back_ticks[i]);
+        hash = input_validation_hash(hash, &game->validation[i]);
+        hash = hash_u32(hash, game->return_ticks[i]);
         hash = hash_u32(hash, game->was_lost[i]);
-        hash = hash_u32(hash, game->spared_ticks[i]);
-        hash = hash_u32(hash, game->doubt_ticks[i]);
+        hash = hash_u32(hash, game->immunity_ticks[i]);
+        hash = hash_u32(hash, game->outlier_ticks[i]);
         hash = hash_u32(hash, game->rest_ticks[i]);
         hash = bot_hash(hash, &game->bot[i]);
     }
     hash = ledger_hash(hash, &game->ledger);
     hash = credit_hash(hash, &game->credit);
     hash = name_hash(hash, &game->name);
-    hash = upkeep_hash(hash, &game->upkeep);
+    hash = health_log_hash(hash, &game->health_log);
     hash = menu_hash(hash, &game->menu);
     hash = album_hash(hash, &game->album);
     hash = lab_hash_quick(hash, &game->lab);

@@ -44,11 +44,12 @@
                                                          that an earlier press is ignored. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* Delay before a dip counts; longer, because
                                                          a dip happens more easily by accident. */
-#define GAME_CHOOSE_TICKS (15u * CORE_TICK_HZ)  /* Time without input after which the selection
-                                                   returns to attract mode. */
-#define GAME_CHOOSE_TICKS_MAX (120u * CORE_TICK_HZ) /* Longest selection time; motion for that long
-                                                       comes from a poi swinging on its cord. */
-#define GAME_CHOOSE_TICKS_MIN (CORE_TICK_HZ / 2u) /* Time to see the items before a press counts. */
+/* Time without input after which the selection returns to attract mode. */
+#define GAME_MODE_SELECT_TICKS (15u * CORE_TICK_HZ)
+/* Longest selection time; motion for that long comes from a poi swinging on its cord. */
+#define GAME_MODE_SELECT_TICKS_MAX (120u * CORE_TICK_HZ)
+/* Time to see the items before a press counts. */
+#define GAME_MODE_SELECT_TICKS_MIN (CORE_TICK_HZ / 2u)
 #define GAME_STALE_TICKS (115u * CORE_TICK_HZ) /* Time in attract mode for which the pump is off. */
 #define GAME_AIR_TICKS (45u * CORE_TICK_HZ)    /* Time in attract mode for which the pump bubbles,
                                                   alternating with GAME_STALE_TICKS. */
@@ -84,31 +85,31 @@ struct game {
     struct ledger ledger;
     struct audits audits;
     struct ranking ranking;
-    struct adjust adjust;
+    struct settings_edit settings_edit;
     struct name name;
     struct player player[POI_MAX];
-    uint8_t holder[POI_MAX];         /* enum poi_link of the last tick: the source that controlled
+    uint8_t holder[POI_MAX];         /* enum poi_source of the last tick: the source that controlled
                                         the poi. */
     uint32_t grip_tick[POI_MAX];     /* Tick at which the current source took control of the poi. */
-    struct poi_target hand[POI_MAX]; /* Target pose of each poi in the last tick, after smoothing
-                                        and failsafe. */
+    struct poi_target hand_pose[POI_MAX]; /* Target pose of each poi in the last tick, after
+                                             smoothing and failsafe. */
     float live_y_m[POI_MAX];         /* Height of the controller pose in the last tick; -1 if the
                                         input was invalid. A dip is a downward crossing of
                                         GAME_DIP_Y_M. */
-    struct trust trust[POI_MAX];     /* Input validation of each controller. */
-    uint32_t back_ticks[POI_MAX];    /* Ticks since the poi began to return to the controller's
+    struct input_validation validation[POI_MAX]; /* Input validation of each controller. */
+    uint32_t return_ticks[POI_MAX];  /* Ticks since the poi began to return to the controller's
                                         pose; 0: the poi follows the controller. */
     uint8_t was_lost[POI_MAX];       /* 1 while the poi returns after an input loss. Damage is
                                         disabled until the poi arrives. */
-    uint32_t spared_ticks[POI_MAX];  /* Ticks of damage immunity used so far during returns;
-                                        decreases while the player controls the poi. */
-    uint32_t doubt_ticks[POI_MAX];   /* Ticks for which the reported pose has required a motion that
-                                        no arm can make. */
+    uint32_t immunity_ticks[POI_MAX]; /* Ticks of damage immunity used so far during returns;
+                                         decreases while the player controls the poi. */
+    uint32_t outlier_ticks[POI_MAX]; /* Ticks for which the reported pose has required a motion
+                                        that no arm can make. */
     uint32_t rest_ticks[POI_MAX];    /* Ticks for which the player has not used the poi. */
     struct hints hints;
     struct bot bot[POI_MAX];
     struct credit credit;
-    struct upkeep upkeep;
+    struct health_log health_log;
     struct menu menu;
     struct album album;
     struct lab lab;

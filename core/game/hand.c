@@ -17,44 +17,44 @@
 #define FAR_LEAN 0.8f        /* Same rotation limit for a pointer; larger, because a pointer tilts
                                 its poi during fast motion. */
 #define WET_BELOW_M 0.020f   /* Height below which part of a tilted ring may be under water. */
-#define SPARE_TICKS_ALL (2u * DRIFT_SPARE_TICKS_MAX) /* Total damage immunity of several returns in
-                                                        a row. */
+/* Total damage immunity of several returns in a row. */
+#define SPARE_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
 #define REFILL_TICKS 8u      /* Ticks of normal control that restore one tick of immunity. */
 #define REACH_SIDE_M 0.20f   /* Reach of an arm beyond the walls. */
 #define REACH_HEIGHT_M 0.35f /* Reach of an arm above the water. */
 
-int hand_plays(const struct core *core, uint32_t index)
+int controller_is_active(const struct core *core, uint32_t index)
 {
-    return core->bowl[index].present && core->poi[index].link != POI_LINK_ABSENT;
+    return core->bowl[index].present && core->poi[index].link != POI_SOURCE_ABSENT;
 }
 
-int hand_is_lost(const struct core *core, uint32_t index)
+int controller_is_lost(const struct core *core, uint32_t index)
 {
-    return hand_plays(core, index) && core->poi[index].link == POI_LINK_LOST;
+    return controller_is_active(core, index) && core->poi[index].link == POI_SOURCE_LOST;
 }
 
-struct input hand_set_right(const struct core *core, const struct input *said)
+struct input controller_calibrate(const struct core *core, const struct input *said)
 {
     struct input own = *said;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        calibration_apply(&core->config.memory.settings, i, &own.poi[i]);
+        calibration_apply(&core->config.persistent.settings, i, &own.poi[i]);
     }
     return own;
 }
 
-void hand_read(struct core *core, const struct input *input)
+void controller_validate(struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        trust_tick(&core->game.trust[i], &input->poi[i]);
+        input_validation_tick(&core->game.validation[i], &input->poi[i]);
     }
 }
 
 static int is_believed(const struct core *core, uint32_t index)
 {
-    return core->game.trust[index].verdict == TRUST_BELIEVED;
+    return core->game.validation[index].verdict == INPUT_VALID;
 }
 
-int hand_dips(const struct core *core, const struct input *input, uint32_t index)
+int controller_dip_pressed(const struct core *core, const struct input *input, uint32_t index)
 {
     return is_believed(core, index) && core->game.live_y_m[index] >= GAME_DIP_Y_M &&
            input->poi[index].target.position_m.y < GAME_DIP_Y_M;
@@ -65,15 +65,15 @@ int hand_dips(const struct core *core, const struct input *input, uint32_t index
 static uint8_t link_now(const struct core *core, const struct input *input, uint32_t index)
 {
     if (core->game.phase == PHASE_ATTRACT) {
-        return index == 0 ? POI_LINK_BOT : POI_LINK_ABSENT;
+        return index == 0 ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
     }
-    const int is_lost = core->game.trust[index].verdict == TRUST_LOST;
-    return is_lost ? (uint8_t)POI_LINK_LOST : input->poi[index].link;
+    const int is_lost = core->game.validation[index].verdict == INPUT_LOST;
+    return is_lost ? (uint8_t)POI_SOURCE_LOST : input->poi[index].link;
 }
 
 static float direction(float angle_rad)
 {
-    CORE_ASSERT(f_abs(angle_rad) <= TRUST_ANGLE_RAD);
+    CORE_ASSERT(f_abs(angle_rad) <= INPUT_ANGLE_RAD_MAX);
     return f_wrap_angle(angle_rad);
 }
 
@@ -98,9 +98,9 @@ static struct poi_target within_reach(const struct core *core, struct poi_target
     return target;
 }
 
-void hand_forget_way(struct game *game, uint32_t index)
+void controller_forget_path(struct game *game, uint32_t index)
 {
-    game->back_ticks[index] = game->doubt_ticks[index] = 0;
+    game->return_ticks[index] = game->outlier_ticks[index] = 0;
     game->was_lost[index] = 0;
 }
 
@@ -110,15 +110,15 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     if (game->holder[index] == link) {
         return;
     }
-    if (link == POI_LINK_BOT) {
+    if (link == POI_SOURCE_BOT) {
         bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
-        game->bot[index].hand.pose = game->hand[index];
-        hand_forget_way(game, index); /* The bot has no controller pose to return to. */
+        game->bot[index].hand.pose = game->hand_pose[index];
+        controller_forget_path(game, index); /* The bot has no controller pose to return to. */
     }
-    if (link == POI_LINK_LIVE && game->holder[index] == POI_LINK_LOST) {
-        game->back_ticks[index] = game->was_lost[index] = 1;
-    } else if (link == POI_LINK_LOST) {
-        game->hand[index] = drift_begin(&core->poi[index], game->hand[index]);
+    if (link == POI_SOURCE_LIVE && game->holder[index] == POI_SOURCE_LOST) {
+        game->return_ticks[index] = game->was_lost[index] = 1;
+    } else if (link == POI_SOURCE_LOST) {
+        game->hand_pose[index] = failsafe_begin(&core->poi[index], game->hand_pose[index]);
     } else {
         game->grip_tick[index] = core->tick;
     }
@@ -127,7 +127,8 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
 
 /* Blends from the old target pose to the new one after a change of the source. The share per tick
  * grows from 0 to 1. */
-static struct poi_target follow(struct core *core, uint32_t index, struct poi_target wanted)
+static struct poi_target blend_to_holder(struct core *core, uint32_t index,
+                                         struct poi_target wanted)
 {
     struct game *game = &core->game;
     const int begins = game->phase == PHASE_ROUND && core->tick == game->phase_tick;
@@ -137,15 +138,15 @@ static struct poi_target follow(struct core *core, uint32_t index, struct poi_ta
     }
     const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(core, wanted, lowest_m(core, index));
-    return age < 1.0f ? pose_between(game->hand[index], wanted, age * age * age) : wanted;
+    return age < 1.0f ? pose_between(game->hand_pose[index], wanted, age * age * age) : wanted;
 }
 
 /* Returns 1 if an outlier could damage the paper or lose a fish. */
 static int is_at_stake(const struct core *core, uint32_t index, vec3 next_m)
 {
     const struct poi *poi = &core->poi[index];
-    const float low_m = f_min(core->game.hand[index].position_m.y, poi->position_m.y);
-    return f_min(low_m, next_m.y) < WET_BELOW_M || poi->rider_count > 0;
+    const float low_m = f_min(core->game.hand_pose[index].position_m.y, poi->position_m.y);
+    return f_min(low_m, next_m.y) < WET_BELOW_M || poi->carried_count > 0;
 }
 
 /* Returns the share of the motion that the speed limits permit in one tick, [0, 1]. */
@@ -153,7 +154,7 @@ static float share_in_a_tick(const struct poi_target *from, const struct poi_tar
                              float pace_m_s, float pace_rad_s)
 {
     const float way_m = v3_length(v3_sub(to->position_m, from->position_m));
-    const float turn_rad = trust_turn(from->angles, to->angles);
+    const float turn_rad = input_turn(from->angles, to->angles);
     const float pace_m = pace_m_s * CORE_TICK_S, pace_rad = pace_rad_s * CORE_TICK_S;
     return f_min(way_m > pace_m ? pace_m / way_m : 1.0f,
                  turn_rad > pace_rad ? pace_rad / turn_rad : 1.0f);
@@ -162,7 +163,7 @@ static float share_in_a_tick(const struct poi_target *from, const struct poi_tar
 static int is_far(const struct poi_target *from, const struct poi_target *to, int has_wrist)
 {
     return v3_length(v3_sub(to->position_m, from->position_m)) > FAR_M ||
-           trust_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
+           input_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
 }
 
 /* Filters outliers. A pose farther away than an arm moves in a tick may be a sensor error. The
@@ -172,19 +173,19 @@ static struct poi_target steady(struct core *core, uint32_t index, struct poi_ta
                                 int has_wrist)
 {
     struct game *game = &core->game;
-    const struct poi_target hand = game->hand[index];
+    const struct poi_target hand = game->hand_pose[index];
     const int at_stake = is_at_stake(core, index, next.position_m);
     const int is_arm = has_wrist || at_stake;
     const float share =
-        share_in_a_tick(&hand, &next, is_arm ? TRUST_ARM_M_S : TRUST_POINTER_M_S,
-                        has_wrist ? TRUST_WRIST_RAD_S : TRUST_POINTER_RAD_S);
+        share_in_a_tick(&hand, &next, is_arm ? INPUT_ARM_M_S_MAX : INPUT_POINTER_M_S_MAX,
+                        has_wrist ? INPUT_WRIST_RAD_S_MAX : INPUT_POINTER_RAD_S_MAX);
     const int is_doubted = share < 1.0f && is_arm && game_may_scoop(core, index);
-    game->doubt_ticks[index] = is_doubted ? game->doubt_ticks[index] + 1u : 0u;
-    if (is_doubted && game->doubt_ticks[index] <= DOUBT_TICKS) {
+    game->outlier_ticks[index] = is_doubted ? game->outlier_ticks[index] + 1u : 0u;
+    if (is_doubted && game->outlier_ticks[index] <= DOUBT_TICKS) {
         return hand;
     }
     if (is_doubted && at_stake && is_far(&hand, &next, has_wrist)) {
-        game->back_ticks[index] = 1;
+        game->return_ticks[index] = 1;
         return hand;
     }
     return share < 1.0f ? pose_between(hand, next, share) : next;
@@ -192,20 +193,19 @@ static struct poi_target steady(struct core *core, uint32_t index, struct poi_ta
 
 /* Advances the return to the controller's pose. The paper is immune until the return completes,
  * within the limits for one return and for all returns. */
-static struct poi_target go_back(struct core *core, uint32_t index, struct poi_target wanted)
+static struct poi_target return_to_hand(struct core *core, uint32_t index, struct poi_target wanted)
 {
     struct game *game = &core->game;
-    const uint32_t ticks = game->back_ticks[index];
+    const uint32_t ticks = game->return_ticks[index];
     wanted = within_reach(core, wanted, lowest_m(core, index));
-    const struct poi_target hand = drift_back(game->hand[index], wanted, ticks);
-    const int is_back = drift_is_back(hand, wanted, ticks);
-    core->poi[index].spared =
-        game->was_lost[index] && ticks < DRIFT_SPARE_TICKS_MAX &&
-        game->spared_ticks[index] < SPARE_TICKS_ALL;
-    game->spared_ticks[index] += core->poi[index].spared;
-    game->back_ticks[index] = is_back ? 0u : ticks + 1u;
+    const struct poi_target hand = failsafe_return(game->hand_pose[index], wanted, ticks);
+    const int is_back = failsafe_is_returned(hand, wanted, ticks);
+    core->poi[index].damage_immune = game->was_lost[index] && ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
+                                     game->immunity_ticks[index] < SPARE_TICKS_ALL;
+    game->immunity_ticks[index] += core->poi[index].damage_immune;
+    game->return_ticks[index] = is_back ? 0u : ticks + 1u;
     game->was_lost[index] &= !is_back;
-    game->doubt_ticks[index] = 0;
+    game->outlier_ticks[index] = 0;
     return hand;
 }
 
@@ -214,29 +214,29 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
 {
     struct game *game = &core->game;
     const struct poi_input *says = &input->poi[index];
-    if (game->back_ticks[index] > 0) {
-        return go_back(core, index, says->target);
+    if (game->return_ticks[index] > 0) {
+        return return_to_hand(core, index, says->target);
     }
-    if (core->tick % REFILL_TICKS == 0 && game->spared_ticks[index] > 0) {
-        game->spared_ticks[index]--;
+    if (core->tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
+        game->immunity_ticks[index]--;
     }
-    const float share = trust_share(&game->trust[index]);
-    struct poi_target next = follow(core, index, says->target);
-    next = share < 1.0f ? pose_between(game->hand[index], next, share) : next;
+    const float share = input_validation_blend(&game->validation[index]);
+    struct poi_target next = blend_to_holder(core, index, says->target);
+    next = share < 1.0f ? pose_between(game->hand_pose[index], next, share) : next;
     return steady(core, index, next, says->has_wrist);
 }
 
 /* Moves a poi without input out of the water. Restored input, or the end of the pause, starts the
  * return from there. */
-static void drift(struct core *core, uint32_t index)
+static void withdraw_hand(struct core *core, uint32_t index)
 {
     struct game *game = &core->game;
-    const struct poi_target out = drift_out(&core->poi[index], game->hand[index]);
-    game->hand[index] = within_reach(core, out, -core->tank.size_m.y);
-    if (core->poi[index].link == POI_LINK_BOT) {
-        game->bot[index].hand.pose = game->hand[index];
+    const struct poi_target out = failsafe_withdraw(&core->poi[index], game->hand_pose[index]);
+    game->hand_pose[index] = within_reach(core, out, -core->tank.size_m.y);
+    if (core->poi[index].link == POI_SOURCE_BOT) {
+        game->bot[index].hand.pose = game->hand_pose[index];
     } else {
-        game->back_ticks[index] = game->was_lost[index] = 1;
+        game->return_ticks[index] = game->was_lost[index] = 1;
     }
 }
 
@@ -246,15 +246,15 @@ static void put_away(struct core *core, uint32_t index)
 {
     struct game *game = &core->game;
     struct bot *bot = &game->bot[index];
-    core->poi[index].spared = 1;
-    game->hand[index] = rest_way(core, index, game->hand[index]);
-    if (core->poi[index].link == POI_LINK_BOT) {
-        const struct sight sight = { core, index };
-        (void)bot_tick(bot, &sight);
-        bot->hand = (struct bot_hand){ .pose = game->hand[index] };
+    core->poi[index].damage_immune = 1;
+    game->hand_pose[index] = parking_path(core, index, game->hand_pose[index]);
+    if (core->poi[index].link == POI_SOURCE_BOT) {
+        const struct vision vision = { core, index };
+        (void)bot_tick(bot, &vision);
+        bot->hand = (struct bot_hand){ .pose = game->hand_pose[index] };
     } else {
         game->grip_tick[index] = core->tick;
-        hand_forget_way(game, index);
+        controller_forget_path(game, index);
     }
 }
 
@@ -263,35 +263,35 @@ static void tick_hand(struct core *core, const struct input *input, uint32_t ind
 {
     struct game *game = &core->game;
     struct poi *poi = &core->poi[index];
-    if (rest_tick(core, index)) {
+    if (parking_tick(core, index)) {
         put_away(core, index);
         return;
     }
-    poi->spared = poi->link == POI_LINK_LOST || game->paused;
-    if (poi->spared) {
-        drift(core, index);
-    } else if (poi->link == POI_LINK_BOT) {
-        const struct sight sight = { core, index };
-        game->hand[index] = follow(core, index, bot_tick(&game->bot[index], &sight));
+    poi->damage_immune = poi->link == POI_SOURCE_LOST || game->paused;
+    if (poi->damage_immune) {
+        withdraw_hand(core, index);
+    } else if (poi->link == POI_SOURCE_BOT) {
+        const struct vision vision = { core, index };
+        game->hand_pose[index] = blend_to_holder(core, index, bot_tick(&game->bot[index], &vision));
     } else {
-        game->hand[index] = led_by_a_person(core, input, index);
+        game->hand_pose[index] = led_by_a_person(core, input, index);
     }
 }
 
-void hand_tick_all(struct core *core, const struct input *input,
-                   struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
+void controller_tick_all(struct core *core, const struct input *input,
+                         struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        live[i] = (uint8_t)hand_plays(core, i);
+        live[i] = (uint8_t)controller_is_active(core, i);
         if (live[i]) {
             take_hold(core, i, core->poi[i].link);
             tick_hand(core, input, i);
         } else {
-            core->game.holder[i] = POI_LINK_ABSENT;
+            core->game.holder[i] = POI_SOURCE_ABSENT;
             core->game.rest_ticks[i] = 0;
-            hand_forget_way(&core->game, i);
+            controller_forget_path(&core->game, i);
         }
-        targets[i] = core->game.hand[i];
+        targets[i] = core->game.hand_pose[i];
         core->game.live_y_m[i] = is_believed(core, i)
                                      ? input->poi[i].target.position_m.y
                                      : -1.0f; /* The next valid pose after invalid input is no
@@ -299,7 +299,7 @@ void hand_tick_all(struct core *core, const struct input *input,
     }
 }
 
-void hand_links(struct core *core, const struct input *input)
+void controller_assign(struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         core->poi[i].link = link_now(core, input, i);

@@ -102,7 +102,7 @@ static void observe(struct hints *hints, const struct core *core, struct view_of
     hints->learned |=
         player_of(hints, core)->caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
     hints->learned |=
-        f_abs(core->game.hand[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
+        f_abs(core->game.hand_pose[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
     if (hints->haste_cells >= HASTE_CELLS) {
         hints->haste_tick = core->tick;
     }
@@ -178,7 +178,7 @@ static uint8_t wanted_in_round(const struct hints *hints, const struct core *cor
     if (player->torn_tick != 0) {
         return HINT_TORN;
     }
-    if (player->out || poi_of(hints, core)->link == POI_LINK_BOT) {
+    if (player->out || poi_of(hints, core)->link == POI_SOURCE_BOT) {
         return HINT_NONE;
     }
     if (has_poured(hints, core)) {
@@ -194,7 +194,7 @@ static uint8_t wanted_in_ready(const struct hints *hints, const struct core *cor
     if (rules_of(core->game.mode)->judges) {
         return HINT_NO_SHADE;
     }
-    const int is_bot = poi_of(hints, core)->link == POI_LINK_BOT;
+    const int is_bot = poi_of(hints, core)->link == POI_SOURCE_BOT;
     return is_bot || (hints->learned & BIT(HINT_MOVE)) ? HINT_NONE : HINT_MOVE;
 }
 
@@ -209,13 +209,13 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     switch (game->phase) {
     case PHASE_ATTRACT:
         return want_to_play(core);
-    case PHASE_CHOOSE:
+    case PHASE_MODE_SELECT:
         return HINT_CHOOSE;
     case PHASE_LAB:
     case PHASE_ALBUM:
     case PHASE_NAME:
         return HINT_NONE; /* These pages contain their own instructions. */
-    case PHASE_BOARD:
+    case PHASE_LEADERBOARD:
         return want_to_play(core);
     case PHASE_MENU:
         return HINT_NONE;

@@ -18,14 +18,14 @@ uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game
 
 /* ---- Offer ---------------------------------------------------------------------------------- */
 
-uint8_t keeper_modes(const struct core_config *config)
+uint8_t table_setup_modes(const struct core_config *config)
 {
     return config->modes ? config->modes : 1u << MODE_FESTIVAL;
 }
 
-uint8_t keeper_first_mode(const struct core_config *config)
+uint8_t table_setup_first_mode(const struct core_config *config)
 {
-    const uint8_t modes = keeper_modes(config);
+    const uint8_t modes = table_setup_modes(config);
     uint8_t mode = 0;
     while (!(modes & (1u << mode))) {
         mode++;
@@ -33,21 +33,21 @@ uint8_t keeper_first_mode(const struct core_config *config)
     return mode < MODE_COUNT ? mode : (uint8_t)MODE_FESTIVAL;
 }
 
-uint8_t keeper_preset(const struct core_config *config, uint8_t mode)
+uint8_t table_setup_preset(const struct core_config *config, uint8_t mode)
 {
     const uint8_t preset = rules_of(mode)->tank;
     return preset == RULES_STALLS_TANK ? config->preset : preset;
 }
 
-uint8_t keeper_grade(const struct core_config *config, uint8_t mode)
+uint8_t table_setup_grade(const struct core_config *config, uint8_t mode)
 {
     const uint8_t grade = rules_of(mode)->grade;
     const uint8_t own = config->grade ? config->grade : GAME_POI_GRADE;
-    const int is_only_mode = keeper_modes(config) == 1u << mode;
+    const int is_only_mode = table_setup_modes(config) == 1u << mode;
     return grade && !(config->grade && is_only_mode) ? grade : own;
 }
 
-uint32_t keeper_round_s(const struct core_config *config, uint8_t mode)
+uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode)
 {
     return config->round_s ? config->round_s : rules_of(mode)->round_s;
 }
@@ -83,13 +83,13 @@ static void place_all(struct core *core, const struct tank_preset *preset)
         const uint32_t seed =
             game_poi_seed(core->config.seed, i, core->game.round_count, GAME_SERIES_ROUND);
         const uint8_t link = core->poi[i].link;
-        poi_init(&core->poi[i], keeper_grade(&core->config, core->game.mode),
-                 rest_place(core, i).position_m, seed);
+        poi_init(&core->poi[i], table_setup_grade(&core->config, core->game.mode),
+                 parking_place(core, i).position_m, seed);
         core->poi[i].link = link;
-        core->game.hand[i] = rest_place(core, i);
-        core->game.holder[i] = POI_LINK_ABSENT; /* The controller takes the poi over from the rest
-                                                   position. */
-        hand_forget_way(&core->game, i);
+        core->game.hand_pose[i] = parking_place(core, i);
+        core->game.holder[i] = POI_SOURCE_ABSENT; /* The controller takes the poi over from the
+                                                     rest position. */
+        controller_forget_path(&core->game, i);
         core->bowl[i] = (struct bowl){ 0 };
         if (i < player_count(&core->config)) {
             bowl_init(&core->bowl[i], preset->bowl_m[i]);
@@ -113,13 +113,13 @@ static void open_tank(struct core *core, uint8_t preset, uint32_t seed)
     }
 }
 
-void keeper_open(struct core *core)
+void table_setup_open(struct core *core)
 {
     open_tank(core, core->config.preset, core->config.seed);
     place_all(core, tank_preset(core->config.preset));
 }
 
-void keeper_set_up(struct core *core, uint8_t preset)
+void table_setup_prepare(struct core *core, uint8_t preset)
 {
     if (is_set_up(core, preset)) {
         return;
@@ -132,26 +132,27 @@ void keeper_set_up(struct core *core, uint8_t preset)
 
 /* ---- Paper and fish ------------------------------------------------------------------------- */
 
-void keeper_hand_out(struct core *core, uint32_t index, uint32_t number, enum game_series series)
+void table_setup_replace_poi(struct core *core, uint32_t index, uint32_t number,
+                             enum game_series series)
 {
     struct poi *poi = &core->poi[index];
     const uint8_t link = poi->link;
     const struct angles angles = poi->angles;
-    const uint32_t rider_count = poi->rider_count;
-    struct rider riders[POI_RIDER_MAX];
-    let_go_all(poi, &core->tank);
-    memcpy(riders, poi->riders, sizeof riders);
-    poi_init(poi, keeper_grade(&core->config, core->game.mode), poi->position_m,
+    const uint32_t carried_count = poi->carried_count;
+    struct carried_fish carried_fish[POI_CARRIED_MAX];
+    release_all(poi, &core->tank);
+    memcpy(carried_fish, poi->carried_fish, sizeof carried_fish);
+    poi_init(poi, table_setup_grade(&core->config, core->game.mode), poi->position_m,
              game_poi_seed(core->config.seed, index, number, series));
     poi->link = link;
     poi->angles = angles;
-    poi->rider_count = rider_count;
-    memcpy(poi->riders, riders, sizeof riders);
+    poi->carried_count = carried_count;
+    memcpy(poi->carried_fish, carried_fish, sizeof carried_fish);
 }
 
-void keeper_pour_back(struct core *core)
+void table_setup_empty_bowls(struct core *core)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        bowl_pour_back(&core->bowl[i], i, &core->tank);
+        bowl_empty(&core->bowl[i], i, &core->tank);
     }
 }

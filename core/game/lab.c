@@ -21,9 +21,9 @@ void lab_init(struct lab *lab, const struct core_config *config)
 void lab_begin(struct core *core, struct output *output)
 {
     struct lab *lab = &core->game.lab;
-    keeper_pour_back(core);
-    keeper_set_up(core, core->config.preset);
-    phase_enter(core, PHASE_LAB);
+    table_setup_empty_bowls(core);
+    table_setup_prepare(core, core->config.preset);
+    game_enter_phase(core, PHASE_LAB);
     lab->stir_tick = lab->act_tick = core->tick;
     lab->start_ticks = 0;
     lab->presses = 1; /* The dip that opened the lab presses nothing here. */
@@ -37,7 +37,7 @@ static void note_stir(struct core *core)
 {
     struct lab *lab = &core->game.lab;
     const float x = lab->x - lab->stir_x, y = lab->y - lab->stir_y;
-    if (x * x + y * y > OVERLAY_STIR * OVERLAY_STIR) {
+    if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         lab->stir_x = lab->x;
         lab->stir_y = lab->y;
         lab->stir_tick = core->tick;
@@ -57,10 +57,10 @@ static void change_hands(struct lab *lab, uint32_t index)
 }
 
 /* Updates the pointer's position and its press state. */
-static void follow_hand(struct core *core, const struct input *input, struct output *output)
+static void track_lab_hand(struct core *core, const struct input *input, struct output *output)
 {
     struct lab *lab = &core->game.lab;
-    const struct overlay_hand hand = overlay_first_hand(core, input, lab->upright);
+    const struct pointer_state hand = pointer_first(core, input, lab->upright);
     if (!hand.present) {
         lab->has_hand = lab->presses = 0;
         lab_release(core);
@@ -72,7 +72,7 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     lab->y = hand.at.y;
     note_stir(core);
     const int was_down = lab->presses;
-    lab->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
+    lab->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (lab->presses && !was_down) {
         lab_press(core, output);
     } else if (lab->presses) {
@@ -155,7 +155,7 @@ void lab_tick(struct core *core, const struct input *input, struct output *outpu
     lab->edit_refused = input->edit_refused != 0;
     lab->saved_id = input->edit_saved_id > lab->saved_id ? input->edit_saved_id : lab->saved_id;
     heed_buttons(core, input, output);
-    follow_hand(core, input, output);
+    track_lab_hand(core, input, output);
     play_on(lab);
     if (core->game.phase == PHASE_LAB && (ends_by_start(core, input) || is_deserted(core))) {
         attract_begin(core);
@@ -181,7 +181,7 @@ void lab_show(const struct core *core, struct scene_lab *out)
     out->species = lab->species;
     out->species_count = (uint8_t)lab_book_count(&core->config.book);
     out->refused = core->config.book.refused;
-    out->template = lab->edit.template;
+    out->template_id = lab->edit.template_id;
     out->layer = lab->layer;
     out->playing = lab->playing;
     out->compare = lab->compare;

@@ -41,7 +41,7 @@ static uint64_t scale_hash(uint64_t hash, const struct scale_knot knots[GRAPH_KN
 
 uint64_t lab_edit_hash(uint64_t hash, const struct lab_edit *edit)
 {
-    hash = hash_u32(hash, edit->template);
+    hash = hash_u32(hash, edit->template_id);
     hash = hash_u32(hash, edit->scale_knot_count);
     hash = graph_hash(hash, &edit->graph);
     return scale_hash(hash, edit->scale_knots);

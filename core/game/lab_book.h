@@ -21,7 +21,7 @@ const struct species_card *lab_book_card(const struct lab_book *book, uint32_t s
 
 /* Returns true if all data is valid (lab_vet.c). Every number of each custom card must be within
  * the range of packed species files, and every saved graph must match its species. */
-bool lab_book_is_good(const struct lab_book *book);
+bool lab_book_is_valid(const struct lab_book *book);
 
 uint64_t lab_edit_hash(uint64_t hash, const struct lab_edit *edit);
 uint64_t lab_book_hash(uint64_t hash, const struct lab_book *book);

@@ -10,21 +10,21 @@
 
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card)
 {
-    *edit = (struct lab_edit){ .template = TEMPLATE_OWN,
+    *edit = (struct lab_edit){ .template_id = TEMPLATE_OWN,
                                .scale_knot_count = card->scale_knot_count,
                                .graph = card->curves[0] };
     memcpy(edit->scale_knots, card->scale_knots, sizeof edit->scale_knots);
 }
 
 void lab_edit_template(struct lab_edit *edit, const struct species_card *card,
-                       enum graph_template template)
+                       enum graph_template template_id)
 {
-    CORE_ASSERT(template < TEMPLATE_COUNT);
-    edit->template = (uint8_t)template;
-    if (template == TEMPLATE_OWN) {
+    CORE_ASSERT(template_id < TEMPLATE_COUNT);
+    edit->template_id = (uint8_t)template_id;
+    if (template_id == TEMPLATE_OWN) {
         edit->graph = card->curves[0];
     } else {
-        graph_template(&edit->graph, template, card->key_count, SIMULTANEOUS_PEAK);
+        template_graph(&edit->graph, template_id, card->key_count, SIMULTANEOUS_PEAK);
     }
 }
 
@@ -32,7 +32,7 @@ void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card
                     struct species_card *out)
 {
     *out = *card;
-    const uint32_t curves = edit->template == TEMPLATE_OWN ? 1u : card->curve_count;
+    const uint32_t curves = edit->template_id == TEMPLATE_OWN ? 1u : card->curve_count;
     for (uint32_t i = 0; i < curves; i++) {
         out->curves[i] = edit->graph;
     }
@@ -56,9 +56,9 @@ static bool scale_is_good(const struct lab_edit *edit)
     return good;
 }
 
-bool lab_edit_is_good(const struct lab_edit *edit, const struct species_card *card)
+bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *card)
 {
-    return edit->template < TEMPLATE_COUNT && edit->graph.line <= GRAPH_SMOOTH &&
+    return edit->template_id < TEMPLATE_COUNT && edit->graph.line <= GRAPH_SMOOTH &&
            edit->graph.solved <= 1u &&
            graph_check(&edit->graph, card->key_count).fault == GRAPH_GOOD && scale_is_good(edit);
 }
@@ -73,10 +73,10 @@ static bool same_graph(const struct graph *a, const struct graph *b)
 
 bool lab_edit_same(const struct lab_edit *a, const struct lab_edit *b)
 {
-    return (a->template == TEMPLATE_OWN) == (b->template == TEMPLATE_OWN) &&
+    return (a->template_id == TEMPLATE_OWN) == (b->template_id == TEMPLATE_OWN) &&
            a->scale_knot_count == b->scale_knot_count && same_graph(&a->graph, &b->graph) &&
-           memcmp(a->scale_knots, b->scale_knots,
-                  a->scale_knot_count * sizeof a->scale_knots[0]) == 0;
+           memcmp(a->scale_knots, b->scale_knots, a->scale_knot_count * sizeof a->scale_knots[0]) ==
+               0;
 }
 
 /* ---- Weights -------------------------------------------------------------------------------- */
@@ -368,11 +368,11 @@ static struct span axis_of(const struct species_card *card)
 float lab_length_share(const struct species_card *card, float length_m)
 {
     const struct span axis = axis_of(card);
-    return f_ln(length_m / axis.low_m) / f_ln(axis.high_m / axis.low_m);
+    return f_log(length_m / axis.low_m) / f_log(axis.high_m / axis.low_m);
 }
 
 float lab_length_of_share(const struct species_card *card, float share)
 {
     const struct span axis = axis_of(card);
-    return axis.low_m * f_exp(share * f_ln(axis.high_m / axis.low_m));
+    return axis.low_m * f_exp(share * f_log(axis.high_m / axis.low_m));
 }

@@ -17,7 +17,7 @@ void lab_edit_own(struct lab_edit *edit, const struct species_card *card);
 
 /* Replaces the graph by that of a template; the scale stays unchanged. */
 void lab_edit_template(struct lab_edit *edit, const struct species_card *card,
-                       enum graph_template template);
+                       enum graph_template template_id);
 
 /* Writes the edited species to `out`, for blending and measuring. `out` must not be `card`. */
 void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card,
@@ -25,7 +25,7 @@ void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card
 
 /* Returns true if `edit` is valid for `card`: its graph is valid, its scale knots rise from 0 to 1,
  * and each length is within LAB_LENGTH_MIN_M .. LAB_LENGTH_MAX_M. */
-bool lab_edit_is_good(const struct lab_edit *edit, const struct species_card *card);
+bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *card);
 
 /* Returns true if both edits give the same shapes and lengths. */
 bool lab_edit_same(const struct lab_edit *a, const struct lab_edit *b);

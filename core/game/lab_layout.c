@@ -8,7 +8,7 @@
 #define KEY_WIDTH_MAX 262.0f
 #define PRESS_ROOM 12.0f   /* Margin around a field within which a press still selects the field. */
 
-static const struct overlay_box wide[LAB_PART_COUNT] = {
+static const struct layout_box wide[LAB_PART_COUNT] = {
     [LAB_BACK] = { 24.0f, 14.0f, 56.0f, 52.0f },
     [LAB_NAME] = { 84.0f, 14.0f, 560.0f, 52.0f },
     [LAB_NEXT] = { 648.0f, 14.0f, 56.0f, 52.0f },
@@ -35,7 +35,7 @@ static const struct overlay_box wide[LAB_PART_COUNT] = {
     [LAB_RESET] = { 1026.0f, 646.0f, 230.0f, 58.0f },
 };
 
-static const struct overlay_box upright_boxes[LAB_PART_COUNT] = {
+static const struct layout_box upright_boxes[LAB_PART_COUNT] = {
     [LAB_BACK] = { 24.0f, 20.0f, 64.0f, 60.0f },
     [LAB_NAME] = { 92.0f, 20.0f, 516.0f, 60.0f },
     [LAB_NEXT] = { 612.0f, 20.0f, 64.0f, 60.0f },
@@ -64,21 +64,21 @@ static const struct overlay_box upright_boxes[LAB_PART_COUNT] = {
 
 /* Places the key pictures in one row, as wide as the row permits, up to the width that a fish
  * needs. */
-static struct overlay_box key_box(struct overlay_box row, uint32_t key_count, uint32_t key)
+static struct layout_box key_box(struct layout_box row, uint32_t key_count, uint32_t key)
 {
     if (key >= key_count) {
-        return (struct overlay_box){ 0.0f, 0.0f, 0.0f, 0.0f };
+        return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
     const float share = (row.width + KEY_GAP) / (float)key_count;
     const float width = f_min(share - KEY_GAP, KEY_WIDTH_MAX);
     const float span = row.width - width;
     const float x = row.x + span * (float)key / (float)(key_count - 1u);
-    return (struct overlay_box){ x, row.y, width, row.height };
+    return (struct layout_box){ x, row.y, width, row.height };
 }
 
-struct overlay_box lab_box(int upright, uint32_t key_count, enum lab_part part)
+struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part)
 {
-    const struct overlay_box *boxes = upright ? upright_boxes : wide;
+    const struct layout_box *boxes = upright ? upright_boxes : wide;
     CORE_ASSERT(part < LAB_PART_COUNT);
     CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
     if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
@@ -87,12 +87,12 @@ struct overlay_box lab_box(int upright, uint32_t key_count, enum lab_part part)
     return boxes[part];
 }
 
-enum lab_part lab_part_at(int upright, uint32_t key_count, struct overlay_point at)
+enum lab_part lab_part_at(int upright, uint32_t key_count, struct layout_point at)
 {
     for (uint32_t part = LAB_NOTHING + 1u; part < LAB_PRESSED_COUNT; part++) {
         const int is_field = part == LAB_PLOT || part == LAB_CHART;
-        const struct overlay_box box = lab_box(upright, key_count, (enum lab_part)part);
-        if (overlay_is_inside(box, is_field ? PRESS_ROOM : 0.0f, at)) {
+        const struct layout_box box = lab_box(upright, key_count, (enum lab_part)part);
+        if (pointer_is_inside(box, is_field ? PRESS_ROOM : 0.0f, at)) {
             return (enum lab_part)part;
         }
     }
@@ -105,8 +105,8 @@ struct span {
 
 static struct span age_span(int upright, uint32_t key_count)
 {
-    const struct overlay_box first = lab_box(upright, key_count, LAB_KEY);
-    const struct overlay_box last =
+    const struct layout_box first = lab_box(upright, key_count, LAB_KEY);
+    const struct layout_box last =
         lab_box(upright, key_count, (enum lab_part)(LAB_KEY + key_count - 1u));
     return (struct span){ first.x + 0.5f * first.width, last.x + 0.5f * last.width };
 }

@@ -42,10 +42,10 @@ enum lab_part {
 };
 
 /* Returns the box of `part` for a species with `key_count` keys; an empty box for a missing key. */
-struct overlay_box lab_box(int upright, uint32_t key_count, enum lab_part part);
+struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part);
 
 /* Returns the part that a press at `at` selects, or LAB_NOTHING. */
-enum lab_part lab_part_at(int upright, uint32_t key_count, struct overlay_point at);
+enum lab_part lab_part_at(int upright, uint32_t key_count, struct layout_point at);
 
 /* Convert between progress and x on the age axis, which runs from below the first key's picture to
  * below the last one's. */

@@ -5,7 +5,7 @@
 #include "core/core.h"
 #include "core/game/phases.h"
 
-static const struct species_card *card_of(const struct core *core)
+static const struct species_card *edited_card(const struct core *core)
 {
     return lab_book_card(&core->config.book, core->game.lab.species);
 }
@@ -16,7 +16,7 @@ void lab_take(struct core *core, uint32_t species)
 {
     struct lab *lab = &core->game.lab;
     lab->species = (uint8_t)species;
-    const struct species_card *card = card_of(core);
+    const struct species_card *card = edited_card(core);
     if (lab->has_edit[species]) {
         lab->edit = lab->edits[species];
     } else {
@@ -34,7 +34,7 @@ void lab_take(struct core *core, uint32_t species)
 int lab_is_own(const struct core *core)
 {
     struct lab_edit own;
-    lab_edit_own(&own, card_of(core));
+    lab_edit_own(&own, edited_card(core));
     return lab_edit_same(&core->game.lab.edit, &own);
 }
 
@@ -50,20 +50,20 @@ int lab_is_kept(const struct core *core)
 static void save(struct core *core, struct output *output)
 {
     struct lab *lab = &core->game.lab;
-    const struct species_card *card = card_of(core);
+    const struct species_card *card = edited_card(core);
     lab->edits[lab->species] = lab->edit;
     lab->has_edit[lab->species] = (uint8_t)!lab_is_own(core);
     lab->asked_id = ++lab->save_id;
-    output->edit = (struct edit_record){ .id = lab->save_id,
-                                         .is_own = (uint8_t)!lab->has_edit[lab->species],
-                                         .key_count = card->key_count,
-                                         .edit = lab->edit };
+    output->edit = (struct graph_edit_record){ .id = lab->save_id,
+                                               .is_own = (uint8_t)!lab->has_edit[lab->species],
+                                               .key_count = card->key_count,
+                                               .edit = lab->edit };
     memcpy(output->edit.species, card->id, sizeof output->edit.species);
 }
 
 static void reset(struct core *core)
 {
-    lab_edit_own(&core->game.lab.edit, card_of(core));
+    lab_edit_own(&core->game.lab.edit, edited_card(core));
 }
 
 /* ---- Buttons -------------------------------------------------------------------------------- */
@@ -77,14 +77,14 @@ static void turn_page(struct core *core, uint32_t steps)
 static void add_knot(struct core *core)
 {
     struct lab *lab = &core->game.lab;
-    const struct species_card *card = card_of(core);
+    const struct species_card *card = edited_card(core);
     struct lab_edit more = lab->edit;
     if (lab->layer == LAB_LAYER_SIZE) {
         lab_edit_size_add(&more, card, lab->progress);
     } else {
         lab_edit_add(&more, card->key_count, lab->progress);
     }
-    if (lab_edit_is_good(&more, card)) {
+    if (lab_edit_is_valid(&more, card)) {
         lab->edit = more;
     }
 }
@@ -95,11 +95,11 @@ static void remove_knot(struct core *core)
     struct lab *lab = &core->game.lab;
     struct lab_edit less = lab->edit;
     if (lab->layer == LAB_LAYER_SIZE) {
-        lab_edit_size_remove(&less, card_of(core), lab->progress);
+        lab_edit_size_remove(&less, edited_card(core), lab->progress);
     } else {
         lab_edit_remove(&less, lab->progress);
     }
-    if (lab_edit_is_good(&less, card_of(core))) {
+    if (lab_edit_is_valid(&less, edited_card(core))) {
         lab->edit = less;
     }
 }
@@ -120,7 +120,7 @@ static void go_to_key(struct core *core, uint32_t key)
     lab->layer = (uint8_t)key;
     lab->playing = 0;
     lab->rest_ticks = 0;
-    lab->progress = (float)key / (float)(card_of(core)->key_count - 1u);
+    lab->progress = (float)key / (float)(edited_card(core)->key_count - 1u);
 }
 
 static void use_tool(struct core *core, enum lab_part part, struct output *output)
@@ -166,7 +166,7 @@ void lab_use(struct core *core, enum lab_part part, struct output *output)
 {
     output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
     if (part >= LAB_OWN && part <= LAB_SMOOTH) {
-        lab_edit_template(&core->game.lab.edit, card_of(core),
+        lab_edit_template(&core->game.lab.edit, edited_card(core),
                           (enum graph_template)((int)part - LAB_OWN + TEMPLATE_OWN));
     } else if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
         go_to_key(core, (uint32_t)part - LAB_KEY);
@@ -177,12 +177,12 @@ void lab_use(struct core *core, enum lab_part part, struct output *output)
 
 /* ---- Knots ---------------------------------------------------------------------------------- */
 
-static struct overlay_box plot_of(const struct lab *lab, const struct species_card *card)
+static struct layout_box plot_of(const struct lab *lab, const struct species_card *card)
 {
     return lab_box(lab->upright, card->key_count, LAB_PLOT);
 }
 
-static float away2(const struct lab *lab, struct overlay_box plot, float progress, float share)
+static float away2(const struct lab *lab, struct layout_box plot, float progress, float share)
 {
     const float x = plot.x + progress * plot.width - lab->x;
     const float y = plot.y + (1.0f - share) * plot.height - lab->y;
@@ -192,7 +192,7 @@ static float away2(const struct lab *lab, struct overlay_box plot, float progres
 /* Returns the scale knot under the pointer, or LAB_NO_KNOT. */
 static uint32_t size_knot_at(const struct lab *lab, const struct species_card *card)
 {
-    const struct overlay_box plot = plot_of(lab, card);
+    const struct layout_box plot = plot_of(lab, card);
     struct scale_knot knots[GRAPH_KNOT_MAX];
     const uint32_t count = lab_edit_scale_knots(&lab->edit, card, knots);
     uint32_t found = LAB_NO_KNOT;
@@ -213,7 +213,7 @@ static uint32_t size_knot_at(const struct lab *lab, const struct species_card *c
 static uint32_t weight_knot_at(const struct lab *lab, const struct species_card *card,
                                uint32_t *key)
 {
-    const struct overlay_box plot = plot_of(lab, card);
+    const struct layout_box plot = plot_of(lab, card);
     const struct graph *graph = &lab->edit.graph;
     uint32_t found = LAB_NO_KNOT;
     float least = LAB_GRAB * LAB_GRAB;
@@ -256,19 +256,19 @@ static void scrub_to(struct lab *lab, float progress)
 
 /* Drags a knot. The knot keeps its last valid position if the next one would make the graph
  * invalid. */
-static void drag_weight(struct lab *lab, const struct species_card *card, struct overlay_point at)
+static void drag_weight(struct lab *lab, const struct species_card *card, struct layout_point at)
 {
     const uint32_t knot = lab->held_knot;
     struct lab_edit moved = lab->edit;
     lab_edit_move(&moved, knot, at.x);
     lab_edit_weigh(&moved, card->key_count, knot, lab->layer, at.y);
-    if (lab_edit_is_good(&moved, card)) {
+    if (lab_edit_is_valid(&moved, card)) {
         lab->edit = moved;
     }
     scrub_to(lab, lab->edit.graph.knots[knot].progress);
 }
 
-static void drag_size(struct lab *lab, const struct species_card *card, struct overlay_point at)
+static void drag_size(struct lab *lab, const struct species_card *card, struct layout_point at)
 {
     const uint32_t knot = lab->held_knot;
     lab_edit_size_move(&lab->edit, card, knot, at.x);
@@ -278,25 +278,25 @@ static void drag_size(struct lab *lab, const struct species_card *card, struct o
 }
 
 /* Returns the pointer position as shares of a field, from its lower left corner. */
-static struct overlay_point share_of(const struct lab *lab, struct overlay_box field)
+static struct layout_point pointer_share_of(const struct lab *lab, struct layout_box field)
 {
-    return (struct overlay_point){ (lab->x - field.x) / field.width,
-                               1.0f - (lab->y - field.y) / field.height };
+    return (struct layout_point){ (lab->x - field.x) / field.width,
+                                  1.0f - (lab->y - field.y) / field.height };
 }
 
 /* Returns the progress at the pointer; the axis is age, from hatching to the last key's age. */
 static float charted_progress(const struct lab *lab, const struct species_card *card)
 {
-    const struct overlay_box chart = lab_box(lab->upright, card->key_count, LAB_CHART);
-    const float share = f_clamp(share_of(lab, chart).x, 0.0f, 1.0f);
+    const struct layout_box chart = lab_box(lab->upright, card->key_count, LAB_CHART);
+    const float share = f_clamp(pointer_share_of(lab, chart).x, 0.0f, 1.0f);
     return life_progress(card, share * card->key_age_days[card->key_count - 1u]);
 }
 
 void lab_drag(struct core *core)
 {
     struct lab *lab = &core->game.lab;
-    const struct species_card *card = card_of(core);
-    const struct overlay_point at = share_of(lab, plot_of(lab, card));
+    const struct species_card *card = edited_card(core);
+    const struct layout_point at = pointer_share_of(lab, plot_of(lab, card));
     switch (lab->holds) {
     case HOLD_AGE:
         scrub_to(lab, lab_age_progress(lab->upright, card->key_count, lab->x));
@@ -320,14 +320,14 @@ void lab_drag(struct core *core)
 
 static void point(struct lab *lab, const struct species_card *card)
 {
-    const struct overlay_point at = { lab->x, lab->y };
+    const struct layout_point at = { lab->x, lab->y };
     lab->points = (uint8_t)lab_part_at(lab->upright, card->key_count, at);
 }
 
 void lab_press(struct core *core, struct output *output)
 {
     struct lab *lab = &core->game.lab;
-    const struct species_card *card = card_of(core);
+    const struct species_card *card = edited_card(core);
     point(lab, card);
     lab->act_tick = lab->stir_tick = core->tick;
     lab->holds = HOLD_BUTTON;
@@ -361,7 +361,7 @@ void lab_release(struct core *core)
     lab->holds = HOLD_NOTHING;
     lab->held_knot = LAB_NO_KNOT;
     if (lab->has_hand) {
-        point(lab, card_of(core));
+        point(lab, edited_card(core));
     } else {
         lab->points = LAB_NOTHING;
     }

@@ -95,10 +95,10 @@ static bool card_is_good(const struct species_card *card)
         return false;
     }
     lab_edit_own(&own, card);
-    return lab_edit_is_good(&own, card);
+    return lab_edit_is_valid(&own, card);
 }
 
-bool lab_book_is_good(const struct lab_book *book)
+bool lab_book_is_valid(const struct lab_book *book)
 {
     if (book->card_count > SPECIES_EXTRA_MAX) {
         return false;
@@ -111,7 +111,7 @@ bool lab_book_is_good(const struct lab_book *book)
     for (uint32_t i = 0; i < SPECIES_MAX; i++) {
         const bool is_there = book->has_edit[i] != 0;
         if (is_there && (i >= lab_book_count(book) ||
-                         !lab_edit_is_good(&book->edits[i], lab_book_card(book, i)))) {
+                         !lab_edit_is_valid(&book->edits[i], lab_book_card(book, i)))) {
             return false;
         }
     }

@@ -10,8 +10,8 @@
 
 #include "core/input.h"
 
-#define LANGUAGE_TICKS (60u * CORE_TICK_HZ) /* Length of a cycle of attract mode, equal to
-                                               VOICE_SHOW_S. */
+/* Length of a cycle of attract mode, equal to AUDIO_OUTPUT_SHOW_S. */
+#define LANGUAGE_TICKS (60u * CORE_TICK_HZ)
 
 /* A visitor's choice, carried over to the next session. All zero: no choice. */
 struct language_choice {

@@ -1,8 +1,9 @@
 /* ledger.h -- the core's side of the ledger: writes entries, and tracks which of them are on disk.
  *
  * The core keeps the balance of each entry until the store reports the entry as saved. The core can
- * therefore compute the balance that would remain after a power cut in this tick: the field `kept`.
- * Credits gained since then are not playable yet; credits spent since then are spent. */
+ * therefore compute the balance that would remain after a power cut in this tick: the field
+ * `committed`. Credits gained since then are not playable yet; credits spent since then are spent.
+ */
 #ifndef KINGYO_CORE_GAME_LEDGER_H
 #define KINGYO_CORE_GAME_LEDGER_H
 
@@ -19,14 +20,14 @@ struct ledger {
     uint32_t last_id;  /* Id of the newest entry. */
     uint32_t saved_id; /* Id of the newest entry on disk. */
     uint32_t boot;
-    uint32_t unkept;   /* Entries dropped for lack of room; never payments. */
+    uint32_t uncommitted; /* Entries dropped for lack of room; never payments. */
     uint32_t wait_ticks; /* Ticks for which entries have waited without any of them being saved. */
     uint16_t day, minute;
-    uint8_t is_well;   /* 1: the store is healthy, from the last input. */
-    struct purse purse; /* Current balance. */
-    struct purse kept;  /* Balance on disk. */
-    struct purse after[LEDGER_RING]; /* Balance after each unsaved entry; entry n uses index n %
-                                        LEDGER_RING. */
+    uint8_t is_healthy;                /* 1: the store is healthy, from the last input. */
+    struct balance balance;            /* Current balance. */
+    struct balance committed;          /* Balance on disk. */
+    struct balance after[LEDGER_RING]; /* Balance after each unsaved entry; entry n uses index n
+                                          % LEDGER_RING. */
 };
 
 struct core;
@@ -54,22 +55,22 @@ uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct
 int ledger_is_saved(const struct ledger *ledger, uint32_t id);
 
 /* Returns 1 if every entry is on disk, or if the kiosk has no store. */
-int ledger_is_settled(const struct ledger *ledger);
+int ledger_is_flushed(const struct ledger *ledger);
 
 /* Returns 1 if a payment now will soon be on disk: the store is healthy, responds, and has room. */
 int ledger_is_safe(const struct ledger *ledger);
 
 /* Returns 1 if the balance differs from the one on disk and no pending entry contains it. The
  * difference arises when a store appears later, or had no room when the balance changed. */
-int ledger_owes_purse(const struct ledger *ledger);
+int ledger_needs_sync(const struct ledger *ledger);
 
 /* Credits that are on disk and not spent; only these can be played. */
 struct ledger_credits {
     uint32_t paid, service;
 };
-struct ledger_credits ledger_sure(const struct ledger *ledger);
+struct ledger_credits ledger_committed_credits(const struct ledger *ledger);
 
-uint64_t purse_hash(uint64_t hash, const struct purse *purse);
+uint64_t ledger_balance_hash(uint64_t hash, const struct balance *balance);
 uint64_t ledger_start_hash(uint64_t hash, const struct ledger_start *start);
 uint64_t ledger_hash(uint64_t hash, const struct ledger *ledger);
 

@@ -7,23 +7,24 @@
 #include "core/tank/preset.h"
 
 #define DAY_MINUTES (24u * 60u)
-#define PURSE_LIMIT (2u * PURSE_MAX) /* A refund is added without a limit, so a stored count may
-                                        exceed PURSE_MAX. */
+/* A refund is added without a limit, so a stored count may exceed BALANCE_MAX. */
+#define PURSE_LIMIT (2u * BALANCE_MAX)
 
-/* OPEN_SPENT is a flag of an open round and never stands alone. */
+/* PAYMENT_SPENT is a flag of an open round and never stands alone. */
 static int open_is_good(int32_t open)
 {
-    return open >= OPEN_NONE && open <= (int32_t)(OPEN_SERVICE | OPEN_SPENT) && open != OPEN_SPENT;
+    return open >= PAYMENT_NONE && open <= (int32_t)(PAYMENT_SERVICE | PAYMENT_SPENT) &&
+           open != PAYMENT_SPENT;
 }
 
-static int purse_is_good(const struct purse *purse)
+static int purse_is_good(const struct balance *balance)
 {
-    return purse->units <= PURSE_LIMIT && purse->bonus_units <= PURSE_LIMIT &&
-           purse->paid <= PURSE_LIMIT && purse->service <= PURSE_LIMIT &&
-           purse->untold <= PURSE_LIMIT && open_is_good(purse->open) &&
-           (purse->returned == OPEN_NONE || purse->returned == OPEN_PAID ||
-            purse->returned == OPEN_SERVICE) &&
-           purse->tickets <= PURSE_TICKETS_MAX;
+    return balance->units <= PURSE_LIMIT && balance->bonus_units <= PURSE_LIMIT &&
+           balance->paid <= PURSE_LIMIT && balance->service <= PURSE_LIMIT &&
+           balance->unlogged <= PURSE_LIMIT && open_is_good(balance->open) &&
+           (balance->returned == PAYMENT_NONE || balance->returned == PAYMENT_PAID ||
+            balance->returned == PAYMENT_SERVICE) &&
+           balance->tickets <= BALANCE_TICKETS_MAX;
 }
 
 /* A name must end within its field and contain no control character. */
@@ -80,12 +81,12 @@ static int value_is_good(const struct ledger_entry *entry)
            (entry->value >= 0 && (entry->kind != LEDGER_REFUND || open_is_good(entry->value)));
 }
 
-int ledger_entry_is_good(const struct ledger_entry *entry)
+int ledger_entry_is_valid(const struct ledger_entry *entry)
 {
     return entry->id > 0 && entry->id <= LEDGER_ID_MAX && entry->boot <= LEDGER_BOOTS_MAX &&
            entry->minute < DAY_MINUTES && entry->kind > LEDGER_NOTHING &&
            entry->kind < LEDGER_KIND_COUNT && entry->detail <= detail_max(entry->kind) &&
-           value_is_good(entry) && purse_is_good(&entry->purse) && name_is_good(entry->name) &&
+           value_is_good(entry) && purse_is_good(&entry->balance) && name_is_good(entry->name) &&
            (entry->kind != LEDGER_ROUND || round_is_good(&entry->round)) &&
            (entry->kind != LEDGER_STAND ||
             stand_is_good(&(struct ledger_stand){ entry->count, entry->value, entry->detail }));
@@ -96,30 +97,30 @@ static int row_is_good(const struct rank_row *row)
     return row->seat < POI_MAX && row->round_id <= LEDGER_ID_MAX && name_is_good(row->name);
 }
 
-int ledger_memory_is_good(const struct memory *memory)
+int ledger_state_is_valid(const struct persistent_state *memory)
 {
     const struct ledger_start *start = &memory->ledger;
     const struct rank_row *rows = &memory->ranking.row[0][0][0];
     int is_good = start->last_id <= LEDGER_ID_MAX && start->boots <= LEDGER_BOOTS_MAX &&
-                  purse_is_good(&start->purse) && stand_is_good(&start->stand);
+                  purse_is_good(&start->balance) && stand_is_good(&start->stand);
     for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
         is_good = is_good && row_is_good(&rows[i]);
     }
     return is_good;
 }
 
-int ledger_chapter_is_good(const struct chapter *chapter)
+int ledger_session_is_valid(const struct game_session *session)
 {
-    const struct ledger *ledger = &chapter->ledger;
+    const struct ledger *ledger = &session->ledger;
     int is_good = ledger->last_id <= LEDGER_ID_MAX && ledger->saved_id <= ledger->last_id &&
                   ledger->boot <= LEDGER_BOOTS_MAX && ledger->minute < DAY_MINUTES &&
-                  ledger->is_well <= 1u && purse_is_good(&ledger->purse) &&
-                  purse_is_good(&ledger->kept) && chapter->upkeep.is_told <= 1u;
+                  ledger->is_healthy <= 1u && purse_is_good(&ledger->balance) &&
+                  purse_is_good(&ledger->committed) && session->health_log.is_told <= 1u;
     for (uint32_t i = 0; i < LEDGER_RING; i++) {
         is_good = is_good && purse_is_good(&ledger->after[i]);
     }
     for (uint32_t i = 0; i < COIN_LINE_COUNT; i++) {
-        const struct untold *untold = &chapter->credit.untold[i];
+        const struct pending_coins *untold = &session->credit.pending_coins[i];
         is_good = is_good && untold->units <= PURSE_LIMIT && untold->owed <= PURSE_LIMIT;
     }
     return is_good;

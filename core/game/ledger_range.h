@@ -11,13 +11,13 @@
 #include "core/ledger.h"
 
 /* Returns 1 if every field of the entry is in its range, else 0. */
-int ledger_entry_is_good(const struct ledger_entry *entry);
+int ledger_entry_is_valid(const struct ledger_entry *entry);
 
 /* Returns 1 if the ledger start, the balance and the leaderboard are in their ranges, else 0.
- * Settings are corrected by settings_mend(), and any audit count is allowed. */
-int ledger_memory_is_good(const struct memory *memory);
+ * Settings are corrected by settings_sanitize(), and any audit count is allowed. */
+int ledger_state_is_valid(const struct persistent_state *memory);
 
 /* Returns 1 if the state carried over from the previous session is in its ranges, else 0. */
-int ledger_chapter_is_good(const struct chapter *chapter);
+int ledger_session_is_valid(const struct game_session *session);
 
 #endif

@@ -6,18 +6,18 @@
 
 #define THROW_M_S_MAX 0.3f /* Highest release speed, because a released fish must not be thrown. */
 
-void let_go_all(struct poi *poi, const struct tank *tank)
+void release_all(struct poi *poi, const struct tank *tank)
 {
-    CORE_ASSERT(poi->rider_count <= POI_RIDER_MAX);
-    for (uint32_t i = 0; i < poi->rider_count; i++) {
-        struct rider *rider = &poi->riders[i];
-        if (rider->state == RIDER_LYING) {
-            const vec3 velocity_m_s = tank->fish[rider->fish].velocity_m_s;
-            fall_begin(rider, v3_limit(velocity_m_s, THROW_M_S_MAX));
+    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
+    for (uint32_t i = 0; i < poi->carried_count; i++) {
+        struct carried_fish *carried = &poi->carried_fish[i];
+        if (carried->state == CARRIED_LYING) {
+            const vec3 velocity_m_s = tank->fish[carried->fish].velocity_m_s;
+            fall_begin(carried, v3_limit(velocity_m_s, THROW_M_S_MAX));
         }
-        rider->state = RIDER_LET_GO;
+        carried->state = CARRIED_RELEASED;
     }
-    poi->riders_kg = 0.0f;
+    poi->carried_kg = 0.0f;
     poi->load_count = 0;
 }
 
@@ -31,31 +31,31 @@ static int is_held(const struct fish *fish, uint32_t poi_index)
 static void free_the_forgotten(const struct poi *poi, uint32_t poi_index, struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
-        if (is_held(&tank->fish[i], poi_index) && !catch_has_rider(poi, i)) {
+        if (is_held(&tank->fish[i], poi_index) && !catch_has_carried(poi, i)) {
             fall_set_free(tank, &tank->fish[i], v3(0.0f, 0.0f, 0.0f));
         }
     }
 }
 
-void let_go_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
-                 struct catch_result results[POI_MAX])
+void release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
+                  struct catch_result results[POI_MAX])
 {
     struct tank *tank = stall->tank;
     uint32_t i = 0;
-    let_go_all(poi, tank);
-    while (i < poi->rider_count) {
-        struct rider *rider = &poi->riders[i];
-        const int is_ours = is_held(&tank->fish[rider->fish], poi_index);
+    release_all(poi, tank);
+    while (i < poi->carried_count) {
+        struct carried_fish *carried = &poi->carried_fish[i];
+        const int is_ours = is_held(&tank->fish[carried->fish], poi_index);
         uint32_t bowl = 0;
-        const enum fall_end end = is_ours ? fall_tick(rider, stall, &bowl) : FALL_INTO_WATER;
+        const enum fall_end end = is_ours ? fall_tick(carried, stall, &bowl) : FALL_INTO_WATER;
         if (end == FALL_INTO_BOWL) {
-            catch_count(rider, poi_index, bowl, results);
+            catch_count(carried, poi_index, bowl, results);
         }
         if (end == FALL_GOES_ON) {
             i++;
         } else {
-            poi->rider_count--;
-            *rider = poi->riders[poi->rider_count];
+            poi->carried_count--;
+            *carried = poi->carried_fish[poi->carried_count];
         }
     }
     free_the_forgotten(poi, poi_index, tank);

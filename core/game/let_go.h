@@ -9,11 +9,11 @@
 #include "core/poi/catch.h"
 
 /* Makes every fish on the poi fall, at its current velocity, limited to that of a calm arm. */
-void let_go_all(struct poi *poi, const struct tank *tank);
+void release_all(struct poi *poi, const struct tank *tank);
 
 /* Advances the released fish of an unused poi by one tick, in place of catch_tick(). Every fish
  * soon reaches the water or a bowl. Fish that land in a bowl are added to `results`. */
-void let_go_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
-                 struct catch_result results[POI_MAX]);
+void release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
+                  struct catch_result results[POI_MAX]);
 
 #endif

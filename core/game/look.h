@@ -10,12 +10,13 @@
 
 #include "core/game/sight.h"
 
-#define LOOK_NO_FISH 0xffffu
-#define LOOK_NEAR_MAX 24u /* Largest number of nearby fish, more than a person can watch; the fish
-                             nearest to the point of attention are kept. */
+#define SNAPSHOT_NO_FISH 0xffffu
+/* Largest number of nearby fish, more than a person can watch; the fish nearest to the point of
+ * attention are kept. */
+#define SNAPSHOT_NEAR_MAX 24u
 
-struct look_fish {
-    uint16_t fish; /* Index of the fish; LOOK_NO_FISH: none. */
+struct snapshot_fish {
+    uint16_t fish; /* Index of the fish; SNAPSHOT_NO_FISH: none. */
     uint8_t place; /* enum scene_place */
     uint8_t gulps;
     vec3 position_m, velocity_m_s;
@@ -24,7 +25,7 @@ struct look_fish {
 };
 
 /* State of the bot's own paper, from its picture. */
-struct look_paper {
+struct snapshot_paper {
     float wet;      /* Mean wetness of the remaining paper, [0, 1]. */
     float left;     /* Remaining share of the paper, [0, 1]. */
     uint8_t holds;  /* 1: some patch of the paper is large enough for a fish. */
@@ -32,33 +33,33 @@ struct look_paper {
     float x_m, z_m; /* Centre of that patch in the poi's plane; 0 while the paper is whole. */
 };
 
-struct look {
+struct snapshot {
     uint32_t tick;
     uint8_t phase, mode;
     float seconds_left;
     vec3 tank_m;
-    struct sight_poi poi;
-    struct sight_bowl bowl;
-    struct look_paper paper;
+    struct vision_poi poi;
+    struct vision_bowl bowl;
+    struct snapshot_paper paper;
     uint32_t rival_count;  /* Number of other players' pois. */
     vec3 rival_m[POI_MAX];
-    uint32_t riders;       /* Number of fish on the bot's paper. */
+    uint32_t carried_count; /* Number of fish on the bot's paper. */
     uint32_t over;         /* Number of fish in the water above the bot's paper. */
-    struct look_fish prey; /* Target fish of the bot. */
-    uint32_t near_count;   /* <= LOOK_NEAR_MAX */
-    struct look_fish near[LOOK_NEAR_MAX];
+    struct snapshot_fish prey; /* Target fish of the bot. */
+    uint32_t near_count;       /* <= SNAPSHOT_NEAR_MAX */
+    struct snapshot_fish near[SNAPSHOT_NEAR_MAX];
 };
 
-/* Takes a snapshot of the fish `prey` (or LOOK_NO_FISH) and of the shallow fish around
+/* Takes a snapshot of the fish `prey` (or SNAPSHOT_NO_FISH) and of the shallow fish around
  * `attention_m`. `before` is the previous snapshot, or all zero. */
-void look_take(struct look *look, const struct look *before, const struct sight *sight,
-               uint16_t prey, vec3 attention_m);
+void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
+                   const struct vision *vision, uint16_t prey, vec3 attention_m);
 
 /* Returns the predicted position of a fish `age_s` after the snapshot at constant velocity. The
- * prediction is limited to LOOK_FORESIGHT_S. */
-#define LOOK_FORESIGHT_S 0.6f
-vec3 look_foresee(const struct look_fish *seen, float age_s);
+ * prediction is limited to SNAPSHOT_PREDICT_S. */
+#define SNAPSHOT_PREDICT_S 0.6f
+vec3 snapshot_predict(const struct snapshot_fish *seen, float age_s);
 
-uint64_t look_hash(uint64_t hash, const struct look *look);
+uint64_t snapshot_hash(uint64_t hash, const struct snapshot *snapshot);
 
 #endif

@@ -10,7 +10,7 @@
 #include "core/game/phases.h"
 
 /* Asserts that the controller state from the shell is in range. */
-static void check(const struct desk_input *desk)
+static void check_controllers(const struct controller_status *desk)
 {
     CORE_ASSERT(desk->learn_step < LEARN_STEP_COUNT);
     CORE_ASSERT(desk->learn_row < CONTROLLER_MAX);
@@ -37,7 +37,7 @@ static void note_hands(struct core *core, const struct input *input)
 {
     struct menu *menu = &core->game.menu;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        menu->rest[i] = overlay_hand_of(core, input, menu->upright, i).at;
+        menu->rest[i] = pointer_of_player(core, input, menu->upright, i).at;
     }
 }
 
@@ -45,29 +45,30 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
 {
     struct menu *menu = &core->game.menu;
     *menu = (struct menu){
-        .desk = input->desk,
+        .controllers = input->controllers,
         .upright = input->upright != 0,
         .presses = 1, /* A poi that is down when the menu opens selects nothing. */
-        .order_count = menu->order_count,
+        .command_count = menu->command_count,
         .take_tick = core->tick,
         .act_tick = core->tick,
         .use_tick = core->tick,
     };
-    check(&input->desk);
+    check_controllers(&input->controllers);
     note_hands(core, input);
     if (core->game.phase == PHASE_ROUND && stand_is_spent(core)) {
         result_skip(core, output);
     } else {
-        credit_give_back(core, REFUND_OPERATOR, output);
+        credit_refund(core, REFUND_OPERATOR, output);
     }
-    upkeep_tell(core, input, output); /* Update the statistics that the menu is about to show. */
+    health_log_write(core, input,
+                     output); /* Update the statistics that the menu is about to show. */
     core->game.paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->poi[i].rider_count = 0; /* The fish return to the water. */
+        core->poi[i].carried_count = 0; /* The fish return to the water. */
     }
-    keeper_pour_back(core);
-    phase_enter(core, PHASE_MENU);
-    menu_turn(core, core->config.memory.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
+    table_setup_empty_bowls(core);
+    game_enter_phase(core, PHASE_MENU);
+    menu_turn(core, core->config.persistent.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
 }
 
 int menu_opens(struct core *core, const struct input *input, struct output *output)
@@ -100,7 +101,7 @@ static uint8_t first_tag(uint16_t offered)
  * controller was unplugged. */
 static void point_at_something(struct menu *menu)
 {
-    const uint16_t offered = menu_offers(menu);
+    const uint16_t offered = menu_enabled(menu);
     uint8_t *tag = &menu->tag[menu->page];
     *tag = offered >> *tag & 1u ? *tag : first_tag(offered);
 }
@@ -110,13 +111,13 @@ void menu_turn(struct core *core, enum menu_page page)
     struct menu *menu = &core->game.menu;
     menu->page = (uint8_t)page;
     menu->points = 0; /* An item under a resting pointer was not pointed at. */
-    if (menu_sheet_of(menu->page)->enter) {
-        menu_sheet_of(menu->page)->enter(core);
+    if (menu_page_desc_of(menu->page)->enter) {
+        menu_page_desc_of(menu->page)->enter(core);
     }
     point_at_something(menu);
 }
 
-static void point_at(struct menu *menu, uint32_t tag, struct output *output)
+static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 {
     if (menu->tag[menu->page] != tag) {
         menu->tag[menu->page] = (uint8_t)tag;
@@ -128,15 +129,15 @@ static void point_at(struct menu *menu, uint32_t tag, struct output *output)
 static void point_on(struct menu *menu, int forward, struct output *output)
 {
     const uint32_t count = menu_tag_count(menu->page);
-    const uint16_t offered = menu_offers(menu);
+    const uint16_t offered = menu_enabled(menu);
     uint32_t tag = menu->tag[menu->page];
     do {
         tag = (tag + (forward ? 1u : count - 1u)) % count;
     } while (!(offered >> tag & 1u));
-    point_at(menu, tag, output);
+    point_at_tag(menu, tag, output);
 }
 
-static void take(struct core *core, struct output *output)
+static void activate_pointed_tag(struct core *core, struct output *output)
 {
     struct menu *menu = &core->game.menu;
     if (core->tick - menu->take_tick < MENU_TAKE_TICKS) {
@@ -144,7 +145,7 @@ static void take(struct core *core, struct output *output)
     }
     menu->take_tick = menu->use_tick = core->tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
-    menu_take(core, output);
+    menu_activate(core, output);
 }
 
 static int is_way_back(const struct input *input)
@@ -152,12 +153,12 @@ static int is_way_back(const struct input *input)
     return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
 }
 
-static void go_back(struct core *core, struct output *output)
+static void activate_last_tag(struct core *core, struct output *output)
 {
     struct menu *menu = &core->game.menu;
     menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
-    CORE_ASSERT(menu_offers(menu) >> menu->tag[menu->page] & 1u);
-    take(core, output);
+    CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
+    activate_pointed_tag(core, output);
 }
 
 static void heed_buttons(struct core *core, const struct input *input, struct output *output)
@@ -165,18 +166,19 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
     struct menu *menu = &core->game.menu;
     const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
     if (is_way_back(input)) {
-        go_back(core, output);
+        activate_last_tag(core, output);
         return;
     }
     const uint32_t pressed =
-        input->pressed & (menu_sheet_of(menu->page)->watches ? inside : (uint32_t)INPUT_BUTTON_ALL);
+        input->pressed &
+        (menu_page_desc_of(menu->page)->watches ? inside : (uint32_t)INPUT_BUTTON_ALL);
     if (pressed & (INPUT_SERVICE | INPUT_RIGHT)) {
         point_on(menu, 1, output);
     } else if (pressed & INPUT_LEFT) {
         point_on(menu, 0, output);
     }
     if (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) {
-        take(core, output);
+        activate_pointed_tag(core, output);
     }
 }
 
@@ -187,21 +189,22 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
 static int is_learning(const struct menu *menu)
 {
     if (menu->page == MENU_CALIBRATION) {
-        return calibrate_runs(&menu->calibrate);
+        return menu_calibrate_is_running(&menu->calibrate);
     }
     if (menu->page == MENU_SELF_TEST) {
         return 1; /* The self-test page tests the pois, so they do not point. */
     }
-    return menu->page == MENU_LEARN && menu->desk.learn_step != LEARN_TRY &&
-           menu->desk.learn_step != LEARN_FAILED && menu->desk.learn_step != LEARN_UNKEPT;
+    return menu->page == MENU_LEARN && menu->controllers.learn_step != LEARN_TRY &&
+           menu->controllers.learn_step != LEARN_FAILED &&
+           menu->controllers.learn_step != LEARN_NOT_SAVED;
 }
 
 /* Returns the item under the pointer, from 1; 0: none. */
-static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
+static uint8_t tag_under(const struct menu *menu, struct layout_point at)
 {
-    const uint16_t offered = menu_offers(menu);
+    const uint16_t offered = menu_enabled(menu);
     for (uint32_t tag = 0; tag < menu_tag_count(menu->page); tag++) {
-        if (overlay_is_inside(menu_box(menu->upright, menu->page, offered, tag), 0.0f, at)) {
+        if (pointer_is_inside(menu_box(menu->upright, menu->page, offered, tag), 0.0f, at)) {
             return (uint8_t)(tag + 1u);
         }
     }
@@ -211,15 +214,15 @@ static uint8_t tag_under(const struct menu *menu, struct overlay_point at)
 /* Returns the pointer of the controller that moved last. The slot need not have a bowl, because the
  * operator may test a controller that was never used in a game. `*stirs` is 1 if the pointer has
  * just moved. */
-static struct overlay_hand leading_hand(struct core *core, const struct input *input, int *stirs)
+static struct pointer_state leading_hand(struct core *core, const struct input *input, int *stirs)
 {
     struct menu *menu = &core->game.menu;
-    struct overlay_hand lead = overlay_hand_of(core, input, menu->upright, menu->hand);
+    struct pointer_state lead = pointer_of_player(core, input, menu->upright, menu->hand);
     *stirs = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct overlay_hand hand = overlay_hand_of(core, input, menu->upright, i);
+        const struct pointer_state hand = pointer_of_player(core, input, menu->upright, i);
         const float x = hand.at.x - menu->rest[i].x, y = hand.at.y - menu->rest[i].y;
-        if (hand.present && x * x + y * y > OVERLAY_STIR * OVERLAY_STIR) {
+        if (hand.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
             menu->rest[i] = hand.at;
             menu->act_tick = core->tick;
             lead = hand;
@@ -231,11 +234,12 @@ static struct overlay_hand leading_hand(struct core *core, const struct input *i
 
 /* Moves the highlight when the pointer enters an item. While the pointer rests, even on a new page,
  * the buttons keep control. */
-static void follow_hand(struct core *core, const struct input *input, struct output *output)
+static void point_at_tag_by_hand(struct core *core, const struct input *input,
+                                 struct output *output)
 {
     struct menu *menu = &core->game.menu;
     int stirs;
-    const struct overlay_hand hand = leading_hand(core, input, &stirs);
+    const struct pointer_state hand = leading_hand(core, input, &stirs);
     if (!hand.present || is_learning(menu)) {
         menu->has_hand = menu->points = 0;
         menu->presses = 1; /* The next pointer selects nothing until it was above the water once. */
@@ -248,15 +252,15 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     menu->y = hand.at.y;
     const uint8_t points = tag_under(menu, hand.at);
     if (stirs && points != menu->points && points > 0) {
-        point_at(menu, points - 1u, output);
+        point_at_tag(menu, points - 1u, output);
     }
     menu->points = stirs ? points : menu->points;
-    menu->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
+    menu->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (menu->presses && !was_down && points > 0) {
         menu->points = points;
-        point_at(menu, points - 1u, output); /* A dip selects the item under the pointer, even if a
-                                                button moved the highlight since. */
-        take(core, output);
+        point_at_tag(menu, points - 1u, output); /* A dip selects the item under the pointer,
+                                                    even if a button moved the highlight since. */
+        activate_pointed_tag(core, output);
     }
 }
 
@@ -282,24 +286,25 @@ static void count_coins(struct core *core, uint32_t count, struct output *output
     }
 }
 
-static void watch(struct core *core, const struct input *input, struct output *output)
+static void watch_input_test(struct core *core, const struct input *input, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    check(&input->desk);
-    const int is_unkept = input->desk.learn_step == LEARN_UNKEPT &&
-                          menu->desk.learn_step != LEARN_UNKEPT;
-    const int has_changed = memcmp(&menu->desk, &input->desk, sizeof menu->desk) != 0;
-    menu->desk = input->desk;
+    check_controllers(&input->controllers);
+    const int is_unkept = input->controllers.learn_step == LEARN_NOT_SAVED &&
+                          menu->controllers.learn_step != LEARN_NOT_SAVED;
+    const int has_changed =
+        memcmp(&menu->controllers, &input->controllers, sizeof menu->controllers) != 0;
+    menu->controllers = input->controllers;
     menu->upright = input->upright != 0;
     menu->held = input->held;
     count_presses(menu, is_way_back(input) ? 0u : input->pressed);
-    count_coins(core, coin_pulses(input), output);
-    const int is_used = input->pressed != 0 || coin_pulses(input) > 0;
+    count_coins(core, input_coin_pulses(input), output);
+    const int is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
     menu->use_tick = is_used ? core->tick : menu->use_tick;
     menu->act_tick = is_used || has_changed ? core->tick : menu->act_tick;
     if (is_unkept && menu->page != MENU_PIN) { /* Report the failed save to the operator who saved
                                                   the mapping. */
-        menu->row = input->desk.learn_row;
+        menu->row = input->controllers.learn_row;
         menu_turn(core, MENU_LEARN);
     }
     point_at_something(menu);
@@ -325,10 +330,10 @@ static int is_deserted(const struct core *core)
 
 void menu_tick(struct core *core, const struct input *input, struct output *output)
 {
-    watch(core, input, output);
+    watch_input_test(core, input, output);
     heed_buttons(core, input, output);
     if (core->game.phase == PHASE_MENU) {
-        follow_hand(core, input, output);
+        point_at_tag_by_hand(core, input, output);
     }
     if (core->game.phase == PHASE_MENU) {
         menu_settings_tick(core, is_taking(&core->game.menu), output);

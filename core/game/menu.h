@@ -85,12 +85,19 @@ enum { LINES_BACK = 0, LINES_TAGS };
 enum { CALIBRATE_NEXT = 0, CALIBRATE_BEGIN, CALIBRATE_UNDO, CALIBRATE_NONE, CALIBRATE_BACK,
        CALIBRATE_TAGS };
 enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
-enum { RANKING_NEXT = SCENE_BOARD_ROWS, RANKING_BACK, RANKING_TAGS }; /* These items follow one item
-                                                                         for each row. */
-enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_SURE, SCORE_BACK, SCORE_TAGS };
+enum {
+    RANKING_NEXT = SCENE_LEADERBOARD_ROWS,
+    RANKING_BACK,
+    RANKING_TAGS
+}; /* These items follow one item for each row. */
+enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_CONFIRM, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
 enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
-enum { SURE_YES = 0, SURE_BACK, SURE_TAGS }; /* Items of a confirmation; the second item is
+enum {
+    CONFIRM_YES = 0,
+    CONFIRM_BACK,
+    CONFIRM_TAGS
+};                                           /* Items of a confirmation; the second item is
                                                 highlighted first. */
 enum { PIN_ERASE = 10, PIN_BACK, PIN_TAGS }; /* These items follow one key for each digit: 1, 2 ..
                                                 9, 0. */
@@ -121,12 +128,12 @@ struct menu {
     uint8_t has_hand, hand, presses;
     uint8_t points;  /* Item under the pointer, from 1; 0: none. */
     uint8_t tag[MENU_PAGE_COUNT]; /* Highlighted item of each page. */
-    struct desk_input desk;       /* State of the controllers, from the last input. */
+    struct controller_status controllers;       /* State of the controllers, from the last input. */
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
                                                    opened. */
     uint32_t held;
     uint32_t test_coins, coin_tick; /* Number of test coins, and tick of the last one. */
-    uint32_t order_count;
+    uint32_t command_count;
     uint32_t ask_tick;  /* Tick of a TEST press during a round; 0: none. */
     uint32_t take_tick; /* Tick of the last selection. */
     uint32_t act_tick;  /* Tick of the last activity. */
@@ -134,7 +141,7 @@ struct menu {
     float x, y;         /* Pointer position on the canvas. */
     struct calibrate calibrate;
     struct self_test self;
-    struct overlay_point rest[POI_MAX]; /* Pointer position of each slot at its last motion. */
+    struct layout_point rest[POI_MAX]; /* Pointer position of each slot at its last motion. */
 };
 
 struct core;

@@ -2,7 +2,7 @@
 #include "core/core.h"
 #include "core/game/menu_parts.h"
 
-void menu_book_take(struct core *core, uint32_t tag, struct output *output)
+void menu_book_activate(struct core *core, uint32_t tag, struct output *output)
 {
     (void)tag;
     (void)output;
@@ -16,16 +16,16 @@ static int32_t sum_of(const struct audits *audits, enum audit_group group)
 {
     uint32_t sum = 0;
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
-        const uint32_t count = audit_group_of(id) == group ? audits->count[id] : 0u;
+        const uint32_t count = audits_group_of(id) == group ? audits->count[id] : 0u;
         sum = (uint32_t)INT32_MAX - sum < count ? (uint32_t)INT32_MAX : sum + count;
     }
     return (int32_t)sum;
 }
 
 /* If the ledger has no room, the confirmation stays open. */
-void menu_reset_take(struct core *core, uint32_t tag, struct output *output)
+void menu_reset_activate(struct core *core, uint32_t tag, struct output *output)
 {
-    const uint8_t from = core->game.menu.from, group = menu_sheet_of(from)->about;
+    const uint8_t from = core->game.menu.from, group = menu_page_desc_of(from)->about;
     const struct ledger_entry entry = {
         .kind = LEDGER_RESET,
         .detail = group,

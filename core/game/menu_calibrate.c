@@ -8,7 +8,7 @@
 
 /* ---- Items ---------------------------------------------------------------------------------- */
 
-uint16_t menu_calibrate_offers(const struct menu *menu)
+uint16_t menu_calibrate_enabled(const struct menu *menu)
 {
     const struct calibrate *calibrate = &menu->calibrate;
     const uint32_t seat = 1u << calibrate->seat;
@@ -33,7 +33,7 @@ static void next_seat(struct calibrate *calibrate)
     } while (!(calibrate->present >> calibrate->seat & 1u));
 }
 
-void menu_calibrate_enter(struct core *core)
+void menu_calibrate_open(struct core *core)
 {
     struct calibrate *calibrate = &core->game.menu.calibrate;
     begin_anew(calibrate);
@@ -48,20 +48,20 @@ static void swap_with(struct core *core, int32_t value[CALIBRATION_VALUES])
 {
     struct calibrate *calibrate = &core->game.menu.calibrate;
     const uint32_t first = calibration_setting(calibrate->seat);
-    const struct settings *settings = &core->config.memory.settings;
+    const struct settings *settings = &core->config.persistent.settings;
     int32_t before[CALIBRATION_VALUES] = { 0 };
     if (calibration_is_set(settings, calibrate->seat)) {
         memcpy(before, &settings->value[first], sizeof before);
     }
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
-        adjust_set(core, first + i, value[i]);
+        settings_edit_set(core, first + i, value[i]);
     }
-    adjust_set(core, calibration_check_setting(calibrate->seat), calibration_check(value));
+    settings_edit_set(core, calibration_check_setting(calibrate->seat), calibration_check(value));
     memcpy(calibrate->before[calibrate->seat], before, sizeof before);
     calibrate->has_before |= (uint8_t)(1u << calibrate->seat);
 }
 
-void menu_calibrate_take(struct core *core, uint32_t tag, struct output *output)
+void menu_calibrate_activate(struct core *core, uint32_t tag, struct output *output)
 {
     struct calibrate *calibrate = &core->game.menu.calibrate;
     int32_t value[CALIBRATION_VALUES] = { 0 };
@@ -82,12 +82,12 @@ void menu_calibrate_take(struct core *core, uint32_t tag, struct output *output)
 
 /* ---- Stillness ------------------------------------------------------------------------------ */
 
-int calibrate_runs(const struct calibrate *calibrate)
+int menu_calibrate_is_running(const struct calibrate *calibrate)
 {
     return calibrate->step >= CALIBRATE_CORNER && calibrate->step <= CALIBRATE_WATER;
 }
 
-float calibrate_progress(const struct calibrate *calibrate)
+float menu_calibrate_progress(const struct calibrate *calibrate)
 {
     return (float)calibrate->still_ticks / (float)CALIBRATE_STILL_TICKS;
 }
@@ -102,7 +102,7 @@ static void rest_at(struct calibrate *calibrate, const struct poi_target *at)
 
 /* Adds the deviation from the anchor. A sum of positions would lose precision far from the
  * origin. */
-static void add(struct calibrate *calibrate, const struct poi_target *at)
+static void add_sample(struct calibrate *calibrate, const struct poi_target *at)
 {
     struct poi_target *sum = &calibrate->sum;
     const struct poi_target *anchor = &calibrate->anchor;
@@ -116,7 +116,7 @@ static struct poi_target mean(const struct calibrate *calibrate)
 {
     const float share = 1.0f / (float)CALIBRATE_STILL_TICKS;
     struct poi_target at = calibrate->anchor;
-    at.position_m = v3_mad(at.position_m, calibrate->sum.position_m, share);
+    at.position_m = v3_muladd(at.position_m, calibrate->sum.position_m, share);
     at.angles.pitch_rad += share * calibrate->sum.angles.pitch_rad;
     at.angles.roll_rad += share * calibrate->sum.angles.roll_rad;
     return at;
@@ -134,13 +134,13 @@ static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
     if (calibrate->must_move && way_m <= CALIBRATE_MOVE_M) {
         return 0;
     }
-    const float turn = poi->has_wrist ? trust_turn(calibrate->anchor.angles, at->angles) : 0.0f;
+    const float turn = poi->has_wrist ? input_turn(calibrate->anchor.angles, at->angles) : 0.0f;
     if (calibrate->must_move || way_m > CALIBRATE_STILL_M || turn > CALIBRATE_STILL_TURN) {
         calibrate->must_move = 0;
         rest_at(calibrate, at);
         return 0;
     }
-    add(calibrate, at);
+    add_sample(calibrate, at);
     return calibrate->still_ticks == CALIBRATE_STILL_TICKS;
 }
 
@@ -182,15 +182,15 @@ static void look_round(struct core *core, const struct input *said)
     struct calibrate *calibrate = &core->game.menu.calibrate;
     calibrate->present = calibrate->is_set = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const int is_there = said->poi[i].link == POI_LINK_LIVE;
-        const struct settings *settings = &core->config.memory.settings;
+        const int is_there = said->poi[i].link == POI_SOURCE_LIVE;
+        const struct settings *settings = &core->config.persistent.settings;
         const int is_set = calibration_is_set(settings, i) || calibration_is_torn(settings, i);
         calibrate->present |= (uint8_t)((uint32_t)is_there << i);
         calibrate->is_set |= (uint8_t)((uint32_t)is_set << i);
     }
 }
 
-void calibrate_tick(struct core *core, const struct input *said, struct output *output)
+void menu_calibrate_tick(struct core *core, const struct input *said, struct output *output)
 {
     struct calibrate *calibrate = &core->game.menu.calibrate;
     if (core->game.phase != PHASE_MENU) {
@@ -198,10 +198,10 @@ void calibrate_tick(struct core *core, const struct input *said, struct output *
     }
     look_round(core, said);
     const struct poi_input *poi = &said->poi[calibrate->seat];
-    if (core->game.menu.page != MENU_CALIBRATION || !calibrate_runs(calibrate)) {
+    if (core->game.menu.page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
         return;
     }
-    if (poi->link != POI_LINK_LIVE || !trust_can_read(&poi->target)) {
+    if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
         calibrate->has_anchor = 0;
         calibrate->still_ticks = 0;
     } else if (watch_still(calibrate, poi)) {
@@ -215,7 +215,7 @@ static uint64_t hash_pose(uint64_t hash, const struct poi_target *pose)
     return hash_vec3(hash, v3(pose->angles.yaw_rad, pose->angles.pitch_rad, pose->angles.roll_rad));
 }
 
-uint64_t calibrate_hash(uint64_t hash, const struct calibrate *calibrate)
+uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate)
 {
     const uint32_t words[] = { calibrate->seat,       calibrate->step,
                                calibrate->fault,      calibrate->present,

@@ -47,15 +47,15 @@ struct calibrate {
 struct core;
 
 /* Returns 1 while a poi moves from mark to mark, so that the poi does not point at items. */
-int calibrate_runs(const struct calibrate *calibrate);
+int menu_calibrate_is_running(const struct calibrate *calibrate);
 
 /* Returns the progress of holding still, [0, 1]. */
-float calibrate_progress(const struct calibrate *calibrate);
+float menu_calibrate_progress(const struct calibrate *calibrate);
 
 /* Evaluates the uncorrected poses of the controllers. Call once per tick; the function acts only
  * while its page of the menu is open. */
-void calibrate_tick(struct core *core, const struct input *said, struct output *output);
+void menu_calibrate_tick(struct core *core, const struct input *said, struct output *output);
 
-uint64_t calibrate_hash(uint64_t hash, const struct calibrate *calibrate);
+uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate);
 
 #endif

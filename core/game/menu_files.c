@@ -11,17 +11,17 @@ uint32_t menu_files_shown(int upright)
 
 static int is_long(const struct menu *menu)
 {
-    return menu->desk.file_count > menu_files_shown(menu->upright);
+    return menu->controllers.file_count > menu_files_shown(menu->upright);
 }
 
-uint16_t menu_files_offers(const struct menu *menu)
+uint16_t menu_files_enabled(const struct menu *menu)
 {
     return (uint16_t)((is_long(menu) ? MENU_TAG(FILES_MORE) : 0u) | MENU_TAG(FILES_SEEN) |
                       MENU_TAG(FILES_BACK));
 }
 
 /* Highlights an item that is harmless if selected by accident. */
-void menu_files_enter(struct core *core)
+void menu_files_open(struct core *core)
 {
     struct menu *menu = &core->game.menu;
     menu->file_first = 0;
@@ -30,13 +30,13 @@ void menu_files_enter(struct core *core)
 
 /* Shows the next rows, and the first rows after the last ones. Acknowledging quarantined databases
  * is a command for the shell. */
-void menu_files_take(struct core *core, uint32_t tag, struct output *output)
+void menu_files_activate(struct core *core, uint32_t tag, struct output *output)
 {
     struct menu *menu = &core->game.menu;
     if (tag == FILES_SEEN) {
-        menu_order(core, output, DESK_SEEN);
+        menu_command(core, output, COMMAND_SEEN);
         return;
     }
     const uint32_t next = menu->file_first + menu_files_shown(menu->upright);
-    menu->file_first = (uint8_t)(next < menu->desk.file_count ? next : 0u);
+    menu->file_first = (uint8_t)(next < menu->controllers.file_count ? next : 0u);
 }

@@ -6,7 +6,7 @@
 
 /* Measures that differ between the two canvases. */
 struct measures {
-    struct overlay_box body;
+    struct layout_box body;
     uint32_t hung_max;                 /* Items side by side. */
     float hung_width, hung_height, hung_gap, hung_drop; /* `hung_drop` is the space for the next
                                                            row's pole. */
@@ -48,7 +48,7 @@ static uint32_t count_offered(uint16_t offered, uint32_t first, uint32_t limit)
 }
 
 /* Returns the box of item `nth` of `count`, in as few rows as possible, each centred. */
-static struct overlay_box hung_box(const struct measures *m, uint32_t nth, uint32_t count)
+static struct layout_box hung_box(const struct measures *m, uint32_t nth, uint32_t count)
 {
     const uint32_t rows = (count + m->hung_max - 1u) / m->hung_max;
     const uint32_t row = nth / m->hung_max, column = nth % m->hung_max;
@@ -57,9 +57,8 @@ static struct overlay_box hung_box(const struct measures *m, uint32_t nth, uint3
     const float width = in_row * m->hung_width + (in_row - 1.0f) * m->hung_gap;
     const float pitch = m->hung_height + m->hung_drop;
     const float height = (float)rows * pitch - m->hung_drop;
-    return (struct overlay_box){
-        m->body.x + 0.5f * (m->body.width - width) +
-            (float)column * (m->hung_width + m->hung_gap),
+    return (struct layout_box){
+        m->body.x + 0.5f * (m->body.width - width) + (float)column * (m->hung_width + m->hung_gap),
         m->body.y + 0.5f * (m->body.height - height) + (float)row * pitch,
         m->hung_width,
         m->hung_height,
@@ -67,14 +66,14 @@ static struct overlay_box hung_box(const struct measures *m, uint32_t nth, uint3
 }
 
 /* Returns the box of a foot item. All foot items are in one row and share its width. */
-static struct overlay_box foot_box(const struct measures *m, int upright, uint32_t nth,
-                                   uint32_t count)
+static struct layout_box foot_box(const struct measures *m, int upright, uint32_t nth,
+                                  uint32_t count)
 {
     const float gaps = (float)(count - 1u) * m->foot_gap;
     const float width = f_min(m->foot_width, (m->body.width - gaps) / (float)count);
     const float row = (float)count * width + gaps;
-    return (struct overlay_box){
-        0.5f * (overlay_size(upright).x - row) + (float)nth * (width + m->foot_gap),
+    return (struct layout_box){
+        0.5f * (pointer_layout_size(upright).x - row) + (float)nth * (width + m->foot_gap),
         m->foot_y,
         width,
         m->foot_height,
@@ -82,13 +81,13 @@ static struct overlay_box foot_box(const struct measures *m, int upright, uint32
 }
 
 /* Returns the box of a key. The last row may be shorter and is centred. */
-static struct overlay_box key_box(const struct measures *m, uint32_t nth, uint32_t count)
+static struct layout_box key_box(const struct measures *m, uint32_t nth, uint32_t count)
 {
     const uint32_t row = nth / m->key_columns, column = nth % m->key_columns;
     const uint32_t left = count - row * m->key_columns;
     const float in_row = (float)(left < m->key_columns ? left : m->key_columns);
     const float width = in_row * m->key_width + (in_row - 1.0f) * m->key_gap;
-    return (struct overlay_box){
+    return (struct layout_box){
         m->body.x + 0.5f * (m->body.width - width) + (float)column * (m->key_width + m->key_gap),
         m->key_top + (float)row * (m->key_height + m->key_gap),
         m->key_width,
@@ -98,21 +97,21 @@ static struct overlay_box key_box(const struct measures *m, uint32_t nth, uint32
 
 /* Returns the box of a row. The row height depends on the number of rows, up to the normal
  * height. */
-static struct overlay_box row_box(const struct measures *m, float height, uint32_t nth,
-                                  uint32_t count)
+static struct layout_box row_box(const struct measures *m, float height, uint32_t nth,
+                                 uint32_t count)
 {
     const float pitch = f_min(m->row_pitch, height / (float)count);
-    return (struct overlay_box){ m->body.x, m->body.y + (float)nth * pitch, m->body.width,
-                                 pitch * m->row_height / m->row_pitch };
+    return (struct layout_box){ m->body.x, m->body.y + (float)nth * pitch, m->body.width,
+                                pitch * m->row_height / m->row_pitch };
 }
 
-struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag)
+struct layout_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag)
 {
-    const struct menu_sheet *sheet = menu_sheet_of(page);
+    const struct menu_page_desc *sheet = menu_page_desc_of(page);
     const struct measures *m = upright ? &upright_measures : &wide;
     CORE_ASSERT(tag < menu_tag_count(page));
     if (!(offered >> tag & 1u)) {
-        return (struct overlay_box){ 0.0f, 0.0f, 0.0f, 0.0f };
+        return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
     const uint32_t body_count = menu_body_count(page);
     if (tag >= body_count) {
@@ -120,13 +119,13 @@ struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_
                         count_offered(offered, body_count, menu_tag_count(page)));
     }
     switch (sheet->body) {
-    case BODY_HUNG:
-    case BODY_PAGES:
+    case MENU_BODY_TILES:
+    case MENU_BODY_PAGES:
         return hung_box(m, count_offered(offered, 0, tag), count_offered(offered, 0, body_count));
-    case BODY_SETTINGS:
-    case BODY_BITS:
+    case MENU_BODY_SETTINGS:
+    case MENU_BODY_BITS:
         return row_box(m, m->settings_height, tag, body_count);
-    case BODY_KEYS:
+    case MENU_BODY_KEYS:
         return key_box(m, tag, body_count);
     default:
         return row_box(m, m->body.height, tag, body_count);

@@ -10,16 +10,16 @@
 #define MENU_FOOT_MAX 5u
 
 enum menu_body {
-    BODY_FREE = 0, /* The body has no items; the page shows other content there. */
-    BODY_HUNG,     /* Large items side by side, eight at most. */
-    BODY_ROWS,     /* A row per item; an item not on offer leaves its place empty. */
-    BODY_PAGES,    /* A large item for each page with this parent. */
-    BODY_SETTINGS, /* A row for each setting of a group, then one for each subpage. */
-    BODY_BITS,     /* A row for each bit of one setting. */
-    BODY_KEYS,     /* Small items with a digit each. */
+    MENU_BODY_FREE = 0, /* The body has no items; the page shows other content there. */
+    MENU_BODY_TILES,    /* Large items side by side, eight at most. */
+    MENU_BODY_ROWS,     /* A row per item; an item not on offer leaves its place empty. */
+    MENU_BODY_PAGES,    /* A large item for each page with this parent. */
+    MENU_BODY_SETTINGS, /* A row for each setting of a group, then one for each subpage. */
+    MENU_BODY_BITS,     /* A row for each bit of one setting. */
+    MENU_BODY_KEYS,     /* Small items with a digit each. */
 };
 
-struct menu_sheet {
+struct menu_page_desc {
     uint8_t parent;     /* enum menu_page; MENU_PAGE_COUNT: back closes the menu. */
     uint8_t body;       /* enum menu_body */
     uint8_t body_count; /* Number of items in the body, <= 12, unless the kind of body determines
@@ -27,8 +27,8 @@ struct menu_sheet {
     uint8_t foot_count; /* Number of items at the foot, 1 .. MENU_FOOT_MAX. */
     uint8_t watches;    /* 1: the page displays START, OK, LEFT and RIGHT, which have no other
                            effect here. */
-    uint8_t about;      /* enum setting_group of BODY_SETTINGS, enum setting_id of BODY_BITS, or
-                           enum audit_group of a page of statistics. */
+    uint8_t about; /* enum setting_group of MENU_BODY_SETTINGS, enum setting_id of MENU_BODY_BITS,
+                      or enum audit_group of a page of statistics. */
     uint8_t returns;    /* 1: back leads to the page from which this one was opened, not to the
                            parent. */
     uint16_t (*offers)(const struct menu *menu); /* Returns a bit for each item on offer. NULL: all
@@ -43,7 +43,7 @@ struct menu_sheet {
 
 /* Returns the description of `page`. `page` must be < MENU_PAGE_COUNT, else the function
  * asserts. */
-const struct menu_sheet *menu_sheet_of(uint8_t page);
+const struct menu_page_desc *menu_page_desc_of(uint8_t page);
 
 /* Return the number of items in the page's body, and on the whole page. */
 uint32_t menu_body_count(uint8_t page);
@@ -58,20 +58,20 @@ uint32_t menu_tag_of(uint8_t page);
 uint32_t menu_setting_at(uint8_t page, uint32_t tag);
 
 /* Returns a bit for each item of the open page that can be selected. */
-uint16_t menu_offers(const struct menu *menu);
+uint16_t menu_enabled(const struct menu *menu);
 
 /* Opens a page. The item highlighted on its last visit is highlighted again, or the first one on
  * offer. */
 void menu_turn(struct core *core, enum menu_page page);
 
 /* Activates the highlighted item; the last item leads back. */
-void menu_take(struct core *core, struct output *output);
+void menu_activate(struct core *core, struct output *output);
 
 /* Closes the menu and starts attract mode. A learn wizard in progress is cancelled. */
 void menu_close(struct core *core, struct output *output);
 
 /* Returns the box of an item on the canvas; an empty box if the item is not on offer. */
-struct overlay_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag);
+struct layout_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag);
 
 /* Buttons that a person never presses in the same tick; the quit key of a desktop produces them as
  * "back". The page's last item is activated, whatever is highlighted, and no press is counted. TEST

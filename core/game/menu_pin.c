@@ -12,28 +12,30 @@
  * ledger has no room, the lockout still applies until power-off. */
 static void note_typed(struct core *core, int is_right, struct output *output)
 {
-    struct adjust *adjust = &core->game.adjust;
-    if (!is_right || adjust->pin_wrong > 0) {
+    struct settings_edit *settings_edit = &core->game.settings_edit;
+    if (!is_right || settings_edit->pin_wrong > 0) {
         const struct ledger_entry entry = { .kind = LEDGER_PIN, .detail = (uint8_t)is_right };
         ledger_write(core, &entry, output);
     }
-    adjust->pin_wrong = is_right ? 0u : adjust->pin_wrong + (adjust->pin_wrong < UINT8_MAX);
-    adjust->pin_tick = core->tick;
+    settings_edit->pin_wrong =
+        is_right ? 0u : settings_edit->pin_wrong + (settings_edit->pin_wrong < UINT8_MAX);
+    settings_edit->pin_tick = core->tick;
 }
 
 uint32_t menu_pin_wait_ticks(const struct core *core)
 {
-    const struct adjust *adjust = &core->game.adjust;
-    if (adjust->pin_wrong == 0) {
+    const struct settings_edit *settings_edit = &core->game.settings_edit;
+    if (settings_edit->pin_wrong == 0) {
         return 0;
     }
-    const uint32_t doublings =
-        adjust->pin_wrong - 1u < DOUBLINGS_MAX ? adjust->pin_wrong - 1u : DOUBLINGS_MAX;
-    const uint32_t wait = WAIT_TICKS << doublings, gone = core->tick - adjust->pin_tick;
+    const uint32_t doublings = settings_edit->pin_wrong - 1u < DOUBLINGS_MAX
+                                   ? settings_edit->pin_wrong - 1u
+                                   : DOUBLINGS_MAX;
+    const uint32_t wait = WAIT_TICKS << doublings, gone = core->tick - settings_edit->pin_tick;
     return gone < wait ? wait - gone : 0u;
 }
 
-void menu_pin_enter(struct core *core)
+void menu_pin_open(struct core *core)
 {
     struct menu *menu = &core->game.menu;
     menu->pin = 0;
@@ -56,20 +58,20 @@ static int type(struct core *core, uint32_t tag)
     return ++menu->pin_count == MENU_PIN_DIGITS;
 }
 
-void menu_pin_take(struct core *core, uint32_t tag, struct output *output)
+void menu_pin_activate(struct core *core, uint32_t tag, struct output *output)
 {
     if (menu_pin_wait_ticks(core) > 0 || !type(core, tag)) {
         return;
     }
     const int is_right =
-        pin_matches(core->config.memory.settings.value[SET_PIN], core->game.menu.pin);
+        pin_matches(core->config.persistent.settings.value[SET_PIN], core->game.menu.pin);
     note_typed(core, is_right, output);
     if (is_right) {
         menu_turn(core, MENU_TOP);
         return;
     }
     output_sound(output, SOUND_FOUL, 0.5f, 0.0f);
-    menu_pin_enter(core);
+    menu_pin_open(core);
 }
 
 /* Returns the stored form of the new PIN. Recordings of format 7 stored plain digits. */
@@ -81,11 +83,11 @@ static int32_t kept_pin(const struct core *core)
 }
 
 /* Sets a new PIN; 0000 disables the PIN. */
-void menu_new_pin_take(struct core *core, uint32_t tag, struct output *output)
+void menu_new_pin_activate(struct core *core, uint32_t tag, struct output *output)
 {
     (void)output;
     if (type(core, tag)) {
-        adjust_set(core, SET_PIN, kept_pin(core));
+        settings_edit_set(core, SET_PIN, kept_pin(core));
         menu_turn(core, MENU_UPKEEP);
     }
 }

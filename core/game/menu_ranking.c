@@ -27,12 +27,12 @@ static void note_rows(struct core *core)
     }
 }
 
-uint16_t menu_ranking_offers(const struct menu *menu)
+uint16_t menu_ranking_enabled(const struct menu *menu)
 {
     return (uint16_t)(menu->scores | MENU_TAG(RANKING_NEXT) | MENU_TAG(RANKING_BACK));
 }
 
-void menu_ranking_enter(struct core *core)
+void menu_ranking_open(struct core *core)
 {
     note_rows(core);
 }
@@ -48,7 +48,7 @@ static void next_board(struct core *core)
 }
 
 /* Opens the selected score, if the row still exists; a new day may have cleared it. */
-void menu_ranking_take(struct core *core, uint32_t tag, struct output *output)
+void menu_ranking_activate(struct core *core, uint32_t tag, struct output *output)
 {
     struct menu *menu = &core->game.menu;
     (void)output;
@@ -65,14 +65,14 @@ void menu_ranking_take(struct core *core, uint32_t tag, struct output *output)
 
 /* ---- One score ------------------------------------------------------------------------------ */
 
-uint16_t menu_score_offers(const struct menu *menu)
+uint16_t menu_score_enabled(const struct menu *menu)
 {
-    const uint16_t unname = menu->score_asks ? MENU_TAG(SCORE_SURE) : MENU_TAG(SCORE_UNNAME);
+    const uint16_t unname = menu->score_asks ? MENU_TAG(SCORE_CONFIRM) : MENU_TAG(SCORE_UNNAME);
     return (uint16_t)(MENU_TAG(SCORE_REPLAY) | (menu->score_is_named ? unname : 0u) |
                       MENU_TAG(SCORE_BACK));
 }
 
-void menu_score_enter(struct core *core)
+void menu_score_open(struct core *core)
 {
     struct menu *menu = &core->game.menu;
     menu->score_is_named = score(core)->name[0] != 0;
@@ -82,9 +82,9 @@ void menu_score_enter(struct core *core)
 static void show_again(struct core *core, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    output->orders[menu->order_count % DESK_ORDER_MAX] =
-        (struct desk_order){ .kind = DESK_REPLAY, .round_id = score(core)->round_id };
-    output->order_count = ++menu->order_count;
+    output->commands[menu->command_count % CONTROLLER_COMMAND_MAX] =
+        (struct controller_command){ .kind = COMMAND_REPLAY, .round_id = score(core)->round_id };
+    output->command_count = ++menu->command_count;
 }
 
 /* Removes the name; the score stays. If the ledger has no room, the operator must try again. */
@@ -95,10 +95,10 @@ static void unname(struct core *core, struct output *output)
         .kind = LEDGER_NAME, .detail = row->seat, .count = row->round_id
     };
     ledger_write(core, &entry, output);
-    menu_score_enter(core);
+    menu_score_open(core);
 }
 
-void menu_score_take(struct core *core, uint32_t tag, struct output *output)
+void menu_score_activate(struct core *core, uint32_t tag, struct output *output)
 {
     if (score(core)->caught == 0) {
         menu_turn(core, MENU_RANKING);

@@ -11,7 +11,7 @@
 
 /* ---- Players -------------------------------------------------------------------------------- */
 
-static int is_ranked(const struct core *core, uint32_t round_id, uint8_t seat)
+static int round_is_ranked(const struct core *core, uint32_t round_id, uint8_t seat)
 {
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         if (ranking_place(&core->game.ranking, core->game.mode, (enum rank_period)period, round_id,
@@ -27,10 +27,10 @@ void name_note_round(struct core *core, uint32_t round_id)
     struct name *name = &core->game.name;
     *name = (struct name){ .round_id = round_id };
     for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
-        name->ranked |= (uint8_t)(is_ranked(core, round_id, seat) ? 1u << seat : 0u);
+        name->ranked |= (uint8_t)(round_is_ranked(core, round_id, seat) ? 1u << seat : 0u);
     }
     const int is_kept = core->game.ledger.boot != 0;
-    const int is_wanted = core->config.memory.settings.value[SET_NAMES] != 0;
+    const int is_wanted = core->config.persistent.settings.value[SET_NAMES] != 0;
     name->waits = is_kept && is_wanted ? name->ranked : 0u;
 }
 
@@ -53,7 +53,7 @@ static uint8_t alphabet_of(uint8_t language)
 }
 
 /* Clears the letters and restarts the timeout. */
-static void ask(struct core *core)
+static void ask_for_name(struct core *core)
 {
     struct name *name = &core->game.name;
     name->key = 0;
@@ -65,7 +65,7 @@ static void ask(struct core *core)
 }
 
 /* Starts the entry of the next player. Returns 0 if no player is left. */
-static int turn(struct core *core)
+static int begin_next_turn(struct core *core)
 {
     struct name *name = &core->game.name;
     if (name->waits == 0) {
@@ -76,16 +76,16 @@ static int turn(struct core *core)
     name->alphabet = alphabet_of(core->game.language);
     name->refusals = 0;
     name->has_hand = 0;
-    ask(core);
+    ask_for_name(core);
     return 1;
 }
 
 int name_begin(struct core *core, struct output *output)
 {
-    if (!turn(core)) {
+    if (!begin_next_turn(core)) {
         return 0;
     }
-    phase_enter(core, PHASE_NAME);
+    game_enter_phase(core, PHASE_NAME);
     output_sound(output, SOUND_CHOOSE, 1.0f, 0.0f);
     return 1;
 }
@@ -115,8 +115,8 @@ void name_keep(struct core *core, struct output *output)
 static void finish(struct core *core, struct output *output)
 {
     name_keep(core, output);
-    if (!turn(core)) {
-        board_begin(core);
+    if (!begin_next_turn(core)) {
+        leaderboard_begin(core);
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
 }
@@ -127,7 +127,7 @@ static void take_done(struct core *core, struct output *output)
     if (stands_refused(name) && name->refusals < NAME_REFUSALS_MAX) {
         name->refusals++;
         output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
-        ask(core);
+        ask_for_name(core);
         return;
     }
     finish(core, output);
@@ -152,7 +152,7 @@ static void change_last(struct name *name)
     }
 }
 
-static void take(struct core *core, struct output *output)
+static void activate_key(struct core *core, struct output *output)
 {
     struct name *name = &core->game.name;
     name->act_tick = core->tick;
@@ -178,7 +178,7 @@ static void take(struct core *core, struct output *output)
 
 /* ---- Pointing ------------------------------------------------------------------------------- */
 
-static void point_at(struct core *core, uint32_t key, struct output *output)
+static void point_at_key(struct core *core, uint32_t key, struct output *output)
 {
     struct name *name = &core->game.name;
     name->act_tick = core->tick;
@@ -201,7 +201,7 @@ static void point_on(struct core *core, int forward, struct output *output)
     do {
         key = (key + (forward ? 1u : NAME_KEY_COUNT - 1u)) % NAME_KEY_COUNT;
     } while (!is_there(name, key));
-    point_at(core, key, output);
+    point_at_key(core, key, output);
 }
 
 static int runs_on(struct name *name, uint32_t held)
@@ -220,15 +220,15 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
         point_on(core, 0, output);
     }
     if (input->pressed & (INPUT_OK | INPUT_START)) {
-        take(core, output);
+        activate_key(core, output);
     }
 }
 
 /* Returns the key under the pointer, from 1; 0: none. */
-static uint8_t key_under(const struct name *name, struct overlay_point at)
+static uint8_t key_under(const struct name *name, struct layout_point at)
 {
     for (uint32_t key = 0; key < NAME_KEY_COUNT; key++) {
-        if (overlay_is_inside(name_box(name->upright, name->alphabet, key), 0.0f, at)) {
+        if (pointer_is_inside(name_box(name->upright, name->alphabet, key), 0.0f, at)) {
             return (uint8_t)(key + 1u);
         }
     }
@@ -236,11 +236,11 @@ static uint8_t key_under(const struct name *name, struct overlay_point at)
 }
 
 /* Restarts the timeout when the pointer moves, because the player is searching for a letter. */
-static void note_stir(struct core *core, struct overlay_point at)
+static void note_stir(struct core *core, struct layout_point at)
 {
     struct name *name = &core->game.name;
     const float x = at.x - name->rest_x, y = at.y - name->rest_y;
-    if (x * x + y * y > OVERLAY_STIR * OVERLAY_STIR) {
+    if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         name->rest_x = at.x;
         name->rest_y = at.y;
         name->act_tick = core->tick;
@@ -249,10 +249,11 @@ static void note_stir(struct core *core, struct overlay_point at)
 
 /* Moves the highlight when the pointer enters a key. While the pointer rests, the buttons keep
  * control. */
-static void follow_hand(struct core *core, const struct input *input, struct output *output)
+static void point_at_key_by_hand(struct core *core, const struct input *input,
+                                 struct output *output)
 {
     struct name *name = &core->game.name;
-    const struct overlay_hand hand = overlay_hand_of(core, input, name->upright, name->seat);
+    const struct pointer_state hand = pointer_of_player(core, input, name->upright, name->seat);
     const int was_down = name->presses || !name->has_hand;
     name->has_hand = hand.present;
     if (!hand.present) {
@@ -264,14 +265,14 @@ static void follow_hand(struct core *core, const struct input *input, struct out
     note_stir(core, hand.at);
     const uint8_t points = key_under(name, hand.at);
     if (points != name->points && points > 0) {
-        point_at(core, points - 1u, output);
+        point_at_key(core, points - 1u, output);
     }
     name->points = points;
-    name->presses = hand.height_m < (was_down ? OVERLAY_RELEASE_Y_M : OVERLAY_PRESS_Y_M);
+    name->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
-        point_at(core, points - 1u, output); /* A dip presses the key under the pointer, even if a
-                                                button moved the highlight since. */
-        take(core, output);
+        point_at_key(core, points - 1u, output); /* A dip presses the key under the pointer, even
+                                                    if a button moved the highlight since. */
+        activate_key(core, output);
     }
 }
 
@@ -293,7 +294,7 @@ void name_tick(struct core *core, const struct input *input, struct output *outp
     } else if (core->tick - name->seat_tick >= NAME_SEEN_TICKS) {
         heed_buttons(core, input, output);
         if (core->game.phase == PHASE_NAME && name->seat == seat) {
-            follow_hand(core, input, output);
+            point_at_key_by_hand(core, input, output);
         }
     }
     point_at_something(name);

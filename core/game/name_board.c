@@ -84,20 +84,20 @@ static const struct measures upright_measures = {
     .key_pitch = 202.0f,
 };
 
-struct overlay_box name_box(int upright, uint8_t alphabet, uint32_t key)
+struct layout_box name_box(int upright, uint8_t alphabet, uint32_t key)
 {
     const struct measures *m = upright ? &upright_measures : &wide;
     CORE_ASSERT(key < NAME_KEY_COUNT);
     if (key >= NAME_CELLS) {
-        return (struct overlay_box){ m->keys_x + (float)(key - NAME_CELLS) * m->key_pitch,
-                                     m->keys_y, m->key_width, m->key_height };
+        return (struct layout_box){ m->keys_x + (float)(key - NAME_CELLS) * m->key_pitch, m->keys_y,
+                                    m->key_width, m->key_height };
     }
     if (name_letter(alphabet, key) == 0) {
-        return (struct overlay_box){ 0.0f, 0.0f, 0.0f, 0.0f };
+        return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
-    return (struct overlay_box){ m->x + (float)(key % NAME_COLUMNS) * m->pitch_x,
-                                 m->y + (float)(key / NAME_COLUMNS) * m->pitch_y, m->width,
-                                 m->height };
+    return (struct layout_box){ m->x + (float)(key % NAME_COLUMNS) * m->pitch_x,
+                                m->y + (float)(key / NAME_COLUMNS) * m->pitch_y, m->width,
+                                m->height };
 }
 
 static uint32_t put_letter(uint16_t letter, char *out)

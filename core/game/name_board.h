@@ -43,7 +43,7 @@ uint16_t name_letter(uint8_t alphabet, uint32_t cell);
 uint16_t name_changed(uint16_t letter);
 
 /* Returns the box of a key or cell on the canvas (overlay.h); an empty box for an empty cell. */
-struct overlay_box name_box(int upright, uint8_t alphabet, uint32_t key);
+struct layout_box name_box(int upright, uint8_t alphabet, uint32_t key);
 
 /* Writes the letters as UTF-8, padded with zeros. `count` must be <= NAME_LETTERS_MAX, else the
  * function asserts. */

@@ -90,10 +90,10 @@ static int voices_last(uint16_t letter, uint16_t *out, uint32_t count)
     return 1;
 }
 
-uint32_t name_fold(const char *utf8, enum name_ends ends, uint16_t out[NAME_FOLD_MAX])
+uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME_NORMALIZE_MAX])
 {
     uint32_t count = 0, end = 0; /* Number of letters up to the last one that is no decoration. */
-    while (*utf8 != 0 && count < NAME_FOLD_MAX) {
+    while (*utf8 != 0 && count < NAME_NORMALIZE_MAX) {
         const uint16_t raw = next_letter(&utf8);
         if (voices_last(raw, out, count)) {
             continue;
@@ -110,7 +110,7 @@ uint32_t name_fold(const char *utf8, enum name_ends ends, uint16_t out[NAME_FOLD
     return ends == NAME_ENDS_TRIMMED ? end : count;
 }
 
-uint32_t name_squeeze(uint16_t *letters, uint32_t count)
+uint32_t name_normalize_spaces(uint16_t *letters, uint32_t count)
 {
     uint32_t kept = 0;
     for (uint32_t i = 0; i < count; i++) {

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-#define NAME_FOLD_MAX 32u /* Largest number of letters; further letters are ignored. */
+#define NAME_NORMALIZE_MAX 32u /* Largest number of letters; further letters are ignored. */
 
 enum name_ends {
     NAME_ENDS_KEPT = 0,
@@ -17,9 +17,9 @@ enum name_ends {
 };
 
 /* Writes the normalized letters to `out` and returns their number. Malformed bytes are skipped. */
-uint32_t name_fold(const char *utf8, enum name_ends ends, uint16_t out[NAME_FOLD_MAX]);
+uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME_NORMALIZE_MAX]);
 
 /* Removes repeated letters in place. Returns the number of letters left. */
-uint32_t name_squeeze(uint16_t *letters, uint32_t count);
+uint32_t name_normalize_spaces(uint16_t *letters, uint32_t count);
 
 #endif

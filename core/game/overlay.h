@@ -14,36 +14,37 @@
 #include "core/view.h"
 
 /* Narrower screens (width over height) use the portrait canvas. */
-#define OVERLAY_UPRIGHT_ASPECT 0.61f
+#define POINTER_UPRIGHT_ASPECT 0.61f
 
-#define OVERLAY_PRESS_Y_M 0.010f   /* Height below which a pose presses. */
-#define OVERLAY_RELEASE_Y_M 0.018f /* Height above which the press ends; a mouse hovers at 0.035. */
-#define OVERLAY_STIR 14.0f         /* Distance on the canvas within which a pointer counts as
-                                      resting. */
+#define POINTER_PRESS_Y_M 0.010f   /* Height below which a pose presses. */
+/* Height above which the press ends; a mouse hovers at 0.035. */
+#define POINTER_RELEASE_Y_M 0.018f
+/* Distance on the canvas within which a pointer counts as resting. */
+#define POINTER_MOVE_MIN 14.0f
 
-struct overlay_box {
+struct layout_box {
     float x, y, width, height;
 };
 
-struct overlay_point {
+struct layout_point {
     float x, y;
 };
 
-struct overlay_point overlay_size(int upright); /* Returns width and height of the canvas. */
+struct layout_point pointer_layout_size(int upright); /* Returns width and height of the canvas. */
 
 /* Returns 1 if a point is in a box or less than `room` beside it; always 0 for an empty box. */
-int overlay_is_inside(struct overlay_box box, float room, struct overlay_point at);
+int pointer_is_inside(struct layout_box box, float room, struct layout_point at);
 
 /* Returns the canvas point of a world point. */
-struct overlay_point overlay_point_of(const struct view *view, int upright, vec3 point_m);
+struct layout_point pointer_project(const struct view *view, int upright, vec3 point_m);
 
 /* A pointer: its position, clamped to the canvas, and the height of its pose. Not present if no
  * controller is connected or its pose is invalid. A jump is harmless here, so jumps are not
  * filtered. */
-struct overlay_hand {
+struct pointer_state {
     uint8_t present;
     uint8_t player;
-    struct overlay_point at;
+    struct layout_point at;
     float height_m;
 };
 
@@ -51,11 +52,10 @@ struct core;
 
 /* Returns the pointer of `player`. A controller with rotation maps by the tank's floor plan, other
  * controllers by the camera. */
-struct overlay_hand overlay_hand_of(const struct core *core, const struct input *input,
-                                    int upright, uint32_t player);
+struct pointer_state pointer_of_player(const struct core *core, const struct input *input,
+                                       int upright, uint32_t player);
 
 /* Returns the pointer of the first player who has a bowl at the tank. */
-struct overlay_hand overlay_first_hand(const struct core *core, const struct input *input,
-                                       int upright);
+struct pointer_state pointer_first(const struct core *core, const struct input *input, int upright);
 
 #endif

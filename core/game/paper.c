@@ -12,5 +12,5 @@ int paper_can_hold(const struct sheet *sheet)
 {
     struct patch patch;
     return sheet_left(sheet) >= PAPER_LEFT_MIN &&
-           patch_find(holds, sheet, sheet->radius_m, &patch);
+           paper_patch_find(holds, sheet, sheet->radius_m, &patch);
 }

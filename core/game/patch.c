@@ -10,22 +10,24 @@ static const float wind_x[WINDS] = { 0.0f,  DIAGONAL, -DIAGONAL, 1.0f,
 static const float wind_z[WINDS] = { -1.0f, -DIAGONAL, -DIAGONAL, 0.0f,
                                      0.0f,  DIAGONAL,  DIAGONAL,  1.0f };
 
-static int is_whole(patch_holds *holds, const void *paper, float x_m, float z_m)
+static int patch_is_whole(paper_patch_holds *holds, const void *paper, float x_m, float z_m)
 {
     int whole = holds(paper, x_m, z_m);
     for (uint32_t i = 0; i < WINDS && whole; i++) {
-        whole = holds(paper, x_m + PATCH_RADIUS_M * wind_x[i], z_m + PATCH_RADIUS_M * wind_z[i]);
+        whole = holds(paper, x_m + PAPER_PATCH_RADIUS_M * wind_x[i],
+                      z_m + PAPER_PATCH_RADIUS_M * wind_z[i]);
     }
     return whole;
 }
 
-int patch_find(patch_holds *holds, const void *paper, float radius_m, struct patch *patch)
+int paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m,
+                     struct patch *patch)
 {
     static const float circles[] = { 0.0f, 0.35f, 0.65f };
     for (uint32_t c = 0; c < sizeof circles / sizeof circles[0]; c++) {
         const float r = circles[c] * radius_m;
         for (uint32_t i = 0; i < (c == 0 ? 1u : WINDS); i++) {
-            if (is_whole(holds, paper, r * wind_x[i], r * wind_z[i])) {
+            if (patch_is_whole(holds, paper, r * wind_x[i], r * wind_z[i])) {
                 *patch = (struct patch){ c == 0, r * wind_x[i], r * wind_z[i] };
                 return 1;
             }

@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-#define PATCH_RADIUS_M 0.010f /* Support that the smallest fish of a stall needs under its body. */
+/* Support that the smallest fish of a stall needs under its body. */
+#define PAPER_PATCH_RADIUS_M 0.010f
 
 struct patch {
     uint8_t middle; /* 1: the patch is in the middle of the ring. */
@@ -14,10 +15,11 @@ struct patch {
 
 /* Callback: returns 1 if paper exists at a point of the poi's plane, as far as the caller can
  * detect. */
-typedef int patch_holds(const void *paper, float x_m, float z_m);
+typedef int paper_patch_holds(const void *paper, float x_m, float z_m);
 
 /* Finds the first whole patch in a ring of `radius_m`: the middle before the circles, the far side
  * before the near side. `paper` is passed to `holds`. Returns 1, or 0 with `patch` unchanged. */
-int patch_find(patch_holds *holds, const void *paper, float radius_m, struct patch *patch);
+int paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m,
+                     struct patch *patch);
 
 #endif

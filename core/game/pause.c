@@ -6,7 +6,7 @@
 
 int pause_holds(const struct core *core, uint32_t index)
 {
-    return hand_plays(core, index) && !hand_is_lost(core, index);
+    return controller_is_active(core, index) && !controller_is_lost(core, index);
 }
 
 /* Marks the players who have a poi in use. Returns 1 if any player has had one in this round. */

@@ -13,11 +13,11 @@
 struct core;
 
 /* Switches to `phase` (enum scene_phase). */
-void phase_enter(struct core *core, uint8_t phase);
+void game_enter_phase(struct core *core, uint8_t phase);
 
 /* Returns the player whose live poi with a bowl moves down through GAME_DIP_Y_M in this tick, or
  * POI_MAX if none does. Such a dip is a request to play. */
-uint32_t phase_dipped(const struct core *core, const struct input *input);
+uint32_t game_dipped_player(const struct core *core, const struct input *input);
 
 /* Attract mode: the configured tank, played by the bot. */
 void attract_begin(struct core *core);
@@ -25,8 +25,8 @@ void attract_tick(struct core *core, const struct input *input, struct output *o
 
 /* Handles a request to play. Without a credit the state stays unchanged. With several modes on
  * offer the selection starts; otherwise READY starts at once. */
-void choose_begin(struct core *core, struct output *output);
-void choose_tick(struct core *core, const struct input *input, struct output *output);
+void mode_select_begin(struct core *core, struct output *output);
+void mode_select_tick(struct core *core, const struct input *input, struct output *output);
 
 /* Starts a new round of the selected mode, with its tank, empty bowls and zero scores. */
 void ready_begin(struct core *core, struct output *output);

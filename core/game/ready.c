@@ -10,7 +10,7 @@ void ready_begin(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
     game->round_count++;
-    game->round_s = keeper_round_s(&core->config, game->mode);
+    game->round_s = table_setup_round_s(&core->config, game->mode);
     game->bot_played = 0;
     game->played = 0;
     game->paused = 0;
@@ -21,9 +21,9 @@ void ready_begin(struct core *core, struct output *output)
         game->player[i] = (struct player){ 0 };
     }
     album_clear(&game->album);
-    keeper_pour_back(core);
-    keeper_set_up(core, keeper_preset(&core->config, game->mode));
-    phase_enter(core, PHASE_READY);
+    table_setup_empty_bowls(core);
+    table_setup_prepare(core, table_setup_preset(&core->config, game->mode));
+    game_enter_phase(core, PHASE_READY);
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
 
@@ -34,7 +34,7 @@ static void hand_out_paper(struct core *core, uint32_t elapsed, uint32_t total)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const int clear = core->poi[i].immersed <= 0.0f || elapsed >= total / 2u;
         if (!game->player[i].handed && clear) {
-            keeper_hand_out(core, i, game->round_count, GAME_SERIES_ROUND);
+            table_setup_replace_poi(core, i, game->round_count, GAME_SERIES_ROUND);
             game->player[i].handed = 1;
         }
     }

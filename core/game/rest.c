@@ -25,7 +25,7 @@ static float rim_m(const struct core *core)
     return core->tank.wall_height_m - core->tank.size_m.y;
 }
 
-struct poi_target rest_place(const struct core *core, uint32_t index)
+struct poi_target parking_place(const struct core *core, uint32_t index)
 {
     const vec3 bowl_m = tank_preset(core->tank.preset)->bowl_m[index];
     const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
@@ -44,27 +44,27 @@ static int is_idle(const struct core *core, uint32_t index)
     const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
     const int is_out = game->player[index].out && game->phase >= PHASE_READY &&
                        game->phase <= PHASE_RESULT;
-    return is_out || (!in_play && core->poi[index].link == POI_LINK_BOT);
+    return is_out || (!in_play && core->poi[index].link == POI_SOURCE_BOT);
 }
 
 /* Returns the ticks since the poi was parked. */
 static uint32_t held_ticks(const struct core *core, uint32_t index)
 {
-    const uint32_t linger = core->game.player[index].out ? REST_LINGER_TICKS : 0u;
+    const uint32_t linger = core->game.player[index].out ? PARKING_LINGER_TICKS : 0u;
     const uint32_t ticks = core->game.rest_ticks[index];
     return ticks > linger ? ticks - linger : 0u;
 }
 
-int rest_holds(const struct core *core, uint32_t index)
+int parking_is_parked(const struct core *core, uint32_t index)
 {
     return held_ticks(core, index) > 0;
 }
 
-int rest_tick(struct core *core, uint32_t index)
+int parking_tick(struct core *core, uint32_t index)
 {
     uint32_t *ticks = &core->game.rest_ticks[index];
     *ticks = is_idle(core, index) ? *ticks + 1u : 0u;
-    return rest_holds(core, index);
+    return parking_is_parked(core, index);
 }
 
 /* ---- Motion to the rest position ------------------------------------------------------------ */
@@ -99,7 +99,7 @@ static float step_of(float way_m, float pace_m_s)
  * toward the middle, up, over the rims, and down. */
 static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float begun)
 {
-    const vec3 place_m = rest_place(core, index).position_m;
+    const vec3 place_m = parking_place(core, index).position_m;
     const vec3 ring_m = core->poi[index].position_m;
     const vec3 way_m = v3_sub(place_m, at_m);
     const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
@@ -113,10 +113,10 @@ static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float beg
     const int is_over = way_m.x * way_m.x + way_m.z * way_m.z < NEAR_M * NEAR_M;
     const float high_m = f_max(at_m.y, place_m.y + OVER_RIM_M);
     at_m.y += is_over ? step_of(way_m.y, DOWN_M_S) : step_of(high_m - at_m.y, LIFT_M_S);
-    return v3_mad(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
+    return v3_muladd(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
 }
 
-struct poi_target rest_way(const struct core *core, uint32_t index, struct poi_target hand)
+struct poi_target parking_path(const struct core *core, uint32_t index, struct poi_target hand)
 {
     const float begun = f_min((float)held_ticks(core, index) / START_TICKS, 1.0f);
     return (struct poi_target){
@@ -128,12 +128,12 @@ struct poi_target rest_way(const struct core *core, uint32_t index, struct poi_t
 
 /* ---- Effect on others ----------------------------------------------------------------------- */
 
-int rest_is_met(const struct core *core, uint32_t index)
+int parking_collides(const struct core *core, uint32_t index)
 {
-    return !rest_holds(core, index) || core->poi[index].immersed > 0.0f;
+    return !parking_is_parked(core, index) || core->poi[index].immersed > 0.0f;
 }
 
-float rest_shade(const struct core *core, uint32_t index)
+float parking_shade(const struct core *core, uint32_t index)
 {
     return f_max(1.0f - (float)held_ticks(core, index) / FADE_TICKS, 0.0f);
 }

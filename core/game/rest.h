@@ -10,28 +10,28 @@
 
 struct core;
 
-#define REST_LINGER_TICKS 120u /* Delay of one second before parking when a player is out, so that
-                                  the player sees the reason. */
+/* Delay of one second before parking when a player is out, so that the player sees the reason. */
+#define PARKING_LINGER_TICKS 120u
 
 /* Returns the rest position of player `index`: on the open tank's rim beside the player's bowl,
  * with the handle toward the player. The position is completely visible, and different for each
  * player. */
-struct poi_target rest_place(const struct core *core, uint32_t index);
+struct poi_target parking_place(const struct core *core, uint32_t index);
 
 /* Counts the ticks for which player `index` has not used the poi. Returns 1 if the poi is parked
  * now. */
-int rest_tick(struct core *core, uint32_t index);
+int parking_tick(struct core *core, uint32_t index);
 
 /* Returns 1 if the poi is parked, so that no controller moves it. */
-int rest_holds(const struct core *core, uint32_t index);
+int parking_is_parked(const struct core *core, uint32_t index);
 
 /* Returns the next target pose of a parked poi, whose target pose is `hand`. The path leads up out
  * of the water, over all rims, and down to the rest position. */
-struct poi_target rest_way(const struct core *core, uint32_t index, struct poi_target hand);
+struct poi_target parking_path(const struct core *core, uint32_t index, struct poi_target hand);
 
 /* Return 1 if fish and other pois still collide with the poi, and the share of its shadow that is
  * left, [0, 1]. */
-int rest_is_met(const struct core *core, uint32_t index);
-float rest_shade(const struct core *core, uint32_t index);
+int parking_collides(const struct core *core, uint32_t index);
+float parking_shade(const struct core *core, uint32_t index);
 
 #endif

@@ -8,12 +8,12 @@ void result_begin(struct core *core, struct output *output)
 {
     core->game.paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->poi[i].rider_count = 0; /* The time is up, so the fish return to the water. */
+        core->poi[i].carried_count = 0; /* The time is up, so the fish return to the water. */
     }
-    phase_enter(core, PHASE_RESULT);
+    game_enter_phase(core, PHASE_RESULT);
     name_note_round(core, 0);
     if (!core->game.credit.came_back) {
-        score_keep(core, credit_hand_out_tickets(core), output);
+        score_keep(core, credit_award_tickets(core), output);
     }
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
@@ -21,7 +21,7 @@ void result_begin(struct core *core, struct output *output)
 void result_skip(struct core *core, struct output *output)
 {
     core->game.credit.came_back = 0;
-    score_keep(core, credit_hand_out_tickets(core), output);
+    score_keep(core, credit_award_tickets(core), output);
     name_note_round(core, 0);
 }
 
@@ -29,7 +29,7 @@ void result_skip(struct core *core, struct output *output)
 void result_tick(struct core *core, const struct input *input, struct output *output)
 {
     const uint32_t elapsed = core->tick - core->game.phase_tick;
-    const int dipped = phase_dipped(core, input) < POI_MAX;
+    const int dipped = game_dipped_player(core, input) < POI_MAX;
     const int goes_on = ((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
                         (dipped && elapsed >= GAME_AGAIN_DIP_TICKS) || credit_is_awaited(core);
     const int is_read = elapsed >= GAME_RESULT_TICKS;
@@ -37,7 +37,7 @@ void result_tick(struct core *core, const struct input *input, struct output *ou
         return;
     }
     if (goes_on) {
-        choose_begin(core, output);
+        mode_select_begin(core, output);
     } else if (is_read && !album_begin(core)) {
         attract_begin(core);
     }

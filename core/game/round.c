@@ -13,9 +13,9 @@
 
 void round_begin(struct core *core, struct output *output)
 {
-    keeper_pour_back(core); /* Fish that fell off an old poi since then would lie in the bowls
-                               without being counted. */
-    phase_enter(core, PHASE_ROUND);
+    table_setup_empty_bowls(core); /* Fish that fell off an old poi since then would lie in the
+                                      bowls without being counted. */
+    game_enter_phase(core, PHASE_ROUND);
     core->game.round_tick = core->tick;
     core->game.paused_ticks = 0;
     output_sound(output, SOUND_START, 0.8f, 0.0f);
@@ -32,7 +32,7 @@ static void renew_paper(struct core *core, uint32_t index)
         player->scoops += core->poi[index].dips;
         player->torn_tick = 0;
         player->sheets_before++;
-        keeper_hand_out(core, index, core->tick, GAME_SERIES_SPARE);
+        table_setup_replace_poi(core, index, core->tick, GAME_SERIES_SPARE);
     }
 }
 
@@ -78,11 +78,11 @@ static int all_are_out(const struct core *core)
  * may still be carried to the bowl. */
 static int any_carries(const struct core *core)
 {
-    uint32_t riders = 0;
+    uint32_t carried_fish = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        riders += hand_plays(core, i) ? core->poi[i].rider_count : 0;
+        carried_fish += controller_is_active(core, i) ? core->poi[i].carried_count : 0;
     }
-    return riders > 0;
+    return carried_fish > 0;
 }
 
 static int is_over(const struct core *core, uint32_t elapsed, uint32_t total)
@@ -98,7 +98,7 @@ static int is_over(const struct core *core, uint32_t elapsed, uint32_t total)
 
 static void call_time(struct core *core, uint32_t elapsed, uint32_t total, struct output *output)
 {
-    const enum time_call call = call_at(elapsed, total);
+    const enum time_call call = announcements_call_at(elapsed, total);
     if (call == CALL_COUNTDOWN) {
         output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* The countdown sounds in every mode. */
     }
@@ -119,7 +119,8 @@ static void note_who_plays(struct core *core)
     struct game *game = &core->game;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->played |= game->player[i].plays;
-        game->bot_played |= (uint8_t)(hand_plays(core, i) && core->poi[i].link == POI_LINK_BOT);
+        game->bot_played |=
+            (uint8_t)(controller_is_active(core, i) && core->poi[i].link == POI_SOURCE_BOT);
     }
 }
 
@@ -128,10 +129,10 @@ void round_tick(struct core *core, struct output *output)
     struct game *game = &core->game;
     pause_tick(core);
     note_who_plays(core);
-    upkeep_note_losses(core, output);
+    health_log_note_losses(core, output);
     stand_tick(core, output);
     if (pause_is_over(core)) {
-        credit_give_back(core, REFUND_NO_POI, output);
+        credit_refund(core, REFUND_NO_POI, output);
         result_begin(core, output);
         return;
     }

@@ -41,14 +41,14 @@ struct round_record game_record(const struct core *core)
     struct round_record record = {
         .seed = core->config.seed,
         .start_tick = game->round_tick,
-        .end_tick = (game->phase == PHASE_RESULT ? game->phase_tick : core->tick) -
-                    game->paused_ticks,
+        .end_tick =
+            (game->phase == PHASE_RESULT ? game->phase_tick : core->tick) - game->paused_ticks,
         .fish_count = (uint16_t)core->tank.fish_count,
         .round_s = (uint16_t)game->round_s,
         .preset = core->tank.preset,
         .by_bot = game->bot_played,
         .mode = game->mode,
-        .grade = keeper_grade(&core->config, game->mode),
+        .grade = table_setup_grade(&core->config, game->mode),
     };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];
@@ -80,7 +80,7 @@ void score_keep(struct core *core, uint32_t tickets, struct output *output)
                                   .round = game_record(core) };
     entry.round.id = game->ledger.last_id + 1u;
     entry.round.unscored = (uint8_t)!is_scored;
-    game->ledger.purse.open = OPEN_NONE;
+    game->ledger.balance.open = PAYMENT_NONE;
     const uint32_t id = ledger_write(core, &entry, output);
     if (id != 0 && is_scored) {
         output->record = entry.round;

@@ -16,7 +16,7 @@ static uint8_t *open_question(struct self_test *self)
                                         : (uint8_t *)0;
 }
 
-uint16_t menu_self_offers(const struct menu *menu)
+uint16_t menu_self_enabled(const struct menu *menu)
 {
     const struct self_test *self = &menu->self;
     const int asks = self->heard == SELF_UNSAID || self->moved == SELF_UNSAID;
@@ -24,7 +24,7 @@ uint16_t menu_self_offers(const struct menu *menu)
                       MENU_TAG(SELF_BACK));
 }
 
-void menu_self_enter(struct core *core)
+void menu_self_open(struct core *core)
 {
     core->game.menu.self = (struct self_test){ .begin_tick = core->tick };
     core->game.menu.tag[MENU_SELF_TEST] = SELF_YES;
@@ -34,13 +34,13 @@ void menu_self_enter(struct core *core)
     }
 }
 
-void menu_self_take(struct core *core, uint32_t tag, struct output *output)
+void menu_self_activate(struct core *core, uint32_t tag, struct output *output)
 {
     struct self_test *self = &core->game.menu.self;
     uint8_t *question = open_question(self);
     (void)output;
     if (tag == SELF_AGAIN) {
-        menu_self_enter(core);
+        menu_self_open(core);
     } else if (question) {
         *question = tag == SELF_YES ? SELF_SAYS_YES : SELF_SAYS_NO;
     }
@@ -48,7 +48,7 @@ void menu_self_take(struct core *core, uint32_t tag, struct output *output)
 
 /* ---- Tests ---------------------------------------------------------------------------------- */
 
-static int is_open(const struct core *core)
+static int self_test_is_open(const struct core *core)
 {
     return core->game.phase == PHASE_MENU && core->game.menu.page == MENU_SELF_TEST;
 }
@@ -57,7 +57,7 @@ static void watch_poi(struct self_test *self, const struct poi_input *poi, uint3
                       int is_settled)
 {
     const uint8_t bit = (uint8_t)(1u << seat);
-    if (poi->link != POI_LINK_LIVE || !trust_can_read(&poi->target)) {
+    if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
         return;
     }
     self->present |= bit;
@@ -80,7 +80,7 @@ static void write_one(struct core *core, struct output *output)
     const struct ledger_entry entry = {
         .kind = LEDGER_SETTING,
         .detail = SET_VOLUME,
-        .value = core->game.adjust.told.value[SET_VOLUME],
+        .value = core->game.settings_edit.told.value[SET_VOLUME],
     };
     core->game.menu.self.entry_id = ledger_write(core, &entry, output);
 }
@@ -88,7 +88,7 @@ static void write_one(struct core *core, struct output *output)
 void self_test_tick(struct core *core, const struct input *input, struct output *output)
 {
     struct self_test *self = &core->game.menu.self;
-    if (!is_open(core)) {
+    if (!self_test_is_open(core)) {
         return;
     }
     if (core->tick == self->begin_tick + 1u) {
@@ -105,7 +105,7 @@ void self_test_tick(struct core *core, const struct input *input, struct output 
 int self_test_shows(const struct core *core)
 {
     const struct self_test *self = &core->game.menu.self;
-    return is_open(core) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
+    return self_test_is_open(core) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
            core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
@@ -124,9 +124,9 @@ void self_test_show(const struct core *core, struct scene_self_test *out)
         .moved = self->moved,
         .present = self->present,
         .players = core->config.players > 0 ? core->config.players : 1u,
-        .store = (uint8_t)(is_saved && ledger->is_well ? SELF_GOOD
-                           : is_late                   ? SELF_BAD
-                                                       : SELF_WAITS),
+        .store = (uint8_t)(is_saved && ledger->is_healthy ? SELF_GOOD
+                           : is_late                      ? SELF_BAD
+                                                          : SELF_WAITS),
         .clock = (uint8_t)(ledger->day != 0 ? SELF_GOOD : SELF_LOOK),
         .seconds_left = (uint8_t)((left + CORE_TICK_HZ - 1u) / CORE_TICK_HZ),
         .day = ledger->day,

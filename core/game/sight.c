@@ -8,81 +8,81 @@
 #include "core/show.h"
 #include "core/tank/surface.h"
 
-struct sight_game sight_game(const struct sight *sight)
+struct vision_game vision_game(const struct vision *vision)
 {
-    const struct core *core = sight->core;
-    CORE_ASSERT(sight->player < POI_MAX);
-    return (struct sight_game){
+    const struct core *core = vision->core;
+    CORE_ASSERT(vision->player < POI_MAX);
+    return (struct vision_game){
         .tick = core->tick,
         .phase = core->game.phase,
         .mode = core->game.mode,
-        .fouls = core->game.player[sight->player].fouls,
+        .fouls = core->game.player[vision->player].fouls,
         .seconds_left = game_seconds_left(&core->game, core->tick),
     };
 }
 
-vec3 sight_tank_m(const struct sight *sight)
+vec3 vision_tank_m(const struct vision *vision)
 {
-    return sight->core->tank.size_m;
+    return vision->core->tank.size_m;
 }
 
-uint32_t sight_fish_count(const struct sight *sight)
+uint32_t vision_fish_count(const struct vision *vision)
 {
-    return sight->core->tank.fish_count;
+    return vision->core->tank.fish_count;
 }
 
-struct sight_fish sight_fish(const struct sight *sight, uint32_t fish)
+struct vision_fish vision_fish(const struct vision *vision, uint32_t fish)
 {
-    CORE_ASSERT(fish < sight->core->tank.fish_count);
-    const struct fish *seen = &sight->core->tank.fish[fish];
-    return (struct sight_fish){
+    CORE_ASSERT(fish < vision->core->tank.fish_count);
+    const struct fish *seen = &vision->core->tank.fish[fish];
+    return (struct vision_fish){
         .position_m = seen->position_m,
         .angles = seen->angles,
         .length_m = seen->length_m,
         .bend_rad = seen->bend_rad,
-        .gape = surface_gape(seen, sight->core->tick),
-        .gulp = surface_gulp(seen, sight->core->tick),
-        .place = show_place(seen->gait),
+        .gape = surface_gape(seen, vision->core->tick),
+        .gulp = surface_gulp(seen, vision->core->tick),
+        .place = scene_place_of(seen->gait),
     };
 }
 
-struct sight_poi sight_poi(const struct sight *sight, uint32_t index)
+struct vision_poi vision_poi(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    const struct poi *poi = &sight->core->poi[index];
-    if (!hand_plays(sight->core, index)) {
-        return (struct sight_poi){ 0 };
+    const struct poi *poi = &vision->core->poi[index];
+    if (!controller_is_active(vision->core, index)) {
+        return (struct vision_poi){ 0 };
     }
-    return (struct sight_poi){
+    return (struct vision_poi){
         .present = 1,
         .position_m = poi->position_m,
         .angles = poi->angles,
         .radius_m = POI_RADIUS_M,
         .paper_left = sheet_left(&poi->sheet),
-        .water_m = poi_water_m(poi),
+        .water_m = carried_water_m(poi),
     };
 }
 
-struct sight_bowl sight_bowl(const struct sight *sight, uint32_t index)
+struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    const struct bowl *bowl = &sight->core->bowl[index];
+    const struct bowl *bowl = &vision->core->bowl[index];
     if (!bowl->present) {
-        return (struct sight_bowl){ 0 };
+        return (struct vision_bowl){ 0 };
     }
-    return (struct sight_bowl){
-        .present = 1, .position_m = bowl->position_m, .radius_m = BOWL_RADIUS_M
-    };
+    return (struct vision_bowl){ .present = 1,
+                                 .position_m = bowl->position_m,
+                                 .radius_m = BOWL_RADIUS_M };
 }
 
-struct sight_fan sight_fan(const struct sight *sight, uint32_t index)
+struct vision_fan vision_fan(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < SHADE_MAX);
-    const struct shade *shade = &sight->core->tank.shade[index];
+    const struct shade *shade = &vision->core->tank.shade[index];
     if (!shade->cast.present) {
-        return (struct sight_fan){ 0 };
+        return (struct vision_fan){ 0 };
     }
-    return (struct sight_fan){
+    return (struct vision_fan){
         .present = 1,
         .x_m = shade->cast.x_m,
         .z_m = shade->cast.z_m,
@@ -91,19 +91,19 @@ struct sight_fan sight_fan(const struct sight *sight, uint32_t index)
     };
 }
 
-static const struct sheet *own_paper(const struct sight *sight, uint32_t cell)
+static const struct sheet *own_paper(const struct vision *vision, uint32_t cell)
 {
     CORE_ASSERT(cell < SHEET_CELL_COUNT);
-    CORE_ASSERT(sight->player < POI_MAX);
-    return &sight->core->poi[sight->player].sheet;
+    CORE_ASSERT(vision->player < POI_MAX);
+    return &vision->core->poi[vision->player].sheet;
 }
 
-uint8_t sight_integrity(const struct sight *sight, uint32_t cell)
+uint8_t vision_integrity(const struct vision *vision, uint32_t cell)
 {
-    return show_integrity(own_paper(sight, cell), cell);
+    return scene_integrity(own_paper(vision, cell), cell);
 }
 
-uint8_t sight_wetness(const struct sight *sight, uint32_t cell)
+uint8_t vision_wetness(const struct vision *vision, uint32_t cell)
 {
-    return show_wetness(own_paper(sight, cell), cell);
+    return scene_wetness(own_paper(vision, cell), cell);
 }

@@ -30,23 +30,23 @@ static int is_mostly_played(const struct core *core)
 int stand_is_spent(const struct core *core)
 {
     return !core->config.rules_7 &&
-           ((core->game.ledger.purse.open & OPEN_SPENT) || is_mostly_played(core));
+           ((core->game.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(core));
 }
 
 /* Returns 1 if a power cut could lose something of value. A free round without tickets is not
  * logged. */
 static int has_value(const struct core *core)
 {
-    const uint8_t kind = core->game.ledger.purse.open & OPEN_KIND;
-    return kind == OPEN_PAID || kind == OPEN_SERVICE ||
-           (kind == OPEN_FREE && core->config.ticket_fish > 0);
+    const uint8_t kind = core->game.ledger.balance.open & PAYMENT_KIND_MASK;
+    return kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
+           (kind == PAYMENT_FREE && core->config.ticket_fish > 0);
 }
 
 static struct ledger_stand stand_of(const struct core *core)
 {
     const struct game *game = &core->game;
     const uint32_t won = credit_tickets_won(core);
-    uint32_t count = 0, value = won < PURSE_TICKETS_MAX ? won : PURSE_TICKETS_MAX;
+    uint32_t count = 0, value = won < BALANCE_TICKETS_MAX ? won : BALANCE_TICKETS_MAX;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];
         if (player->plays) {
@@ -58,12 +58,12 @@ static struct ledger_stand stand_of(const struct core *core)
     return (struct ledger_stand){
         .count = count,
         .value = (int32_t)value,
-        .detail = (uint8_t)(game->mode |
-                            (uint32_t)keeper_grade(&core->config, game->mode) << GRADE_SHIFT),
+        .detail = (uint8_t)(game->mode | (uint32_t)table_setup_grade(&core->config, game->mode)
+                                             << GRADE_SHIFT),
     };
 }
 
-static int is_same(const struct ledger_stand *a, const struct ledger_stand *b)
+static int stands_are_equal(const struct ledger_stand *a, const struct ledger_stand *b)
 {
     return a->count == b->count && a->value == b->value && a->detail == b->detail;
 }
@@ -73,7 +73,8 @@ void stand_tick(struct core *core, struct output *output)
     struct ledger *ledger = &core->game.ledger;
     struct credit *credit = &core->game.credit;
     const struct ledger_stand now = stand_of(core);
-    const int is_told = (ledger->purse.open & OPEN_SPENT) && is_same(&now, &credit->stand);
+    const int is_told =
+        (ledger->balance.open & PAYMENT_SPENT) && stands_are_equal(&now, &credit->stand);
     if (!stand_is_spent(core) || !has_value(core) || is_told ||
         !ledger_is_saved(ledger, credit->stand_id) || !ledger_may_write(ledger, LEDGER_STAND)) {
         return;
@@ -81,7 +82,7 @@ void stand_tick(struct core *core, struct output *output)
     const struct ledger_entry entry = {
         .kind = LEDGER_STAND, .detail = now.detail, .count = now.count, .value = now.value
     };
-    ledger->purse.open |= OPEN_SPENT;
+    ledger->balance.open |= PAYMENT_SPENT;
     credit->stand = now;
     credit->stand_id = ledger_write(core, &entry, output);
 }
@@ -113,7 +114,7 @@ static struct round_record record_of(const struct ledger_stand *stand)
 int stand_finish(struct core *core, struct output *output)
 {
     struct ledger *ledger = &core->game.ledger;
-    const struct ledger_stand *stand = &core->config.memory.ledger.stand;
+    const struct ledger_stand *stand = &core->config.persistent.ledger.stand;
     struct ledger_entry entry = { .kind = LEDGER_ROUND,
                                   .detail = ROUND_CUT_OFF,
                                   .value = (int32_t)((uint32_t)stand->value & TICKETS_MASK),
@@ -122,7 +123,7 @@ int stand_finish(struct core *core, struct output *output)
         return 0;
     }
     entry.round.id = ledger->last_id + 1u;
-    ledger->purse.open = OPEN_NONE;
+    ledger->balance.open = PAYMENT_NONE;
     tickets_owe(core, (uint32_t)entry.value);
     ledger_write(core, &entry, output);
     return 1;
@@ -133,7 +134,7 @@ struct ledger_stand stand_after(struct ledger_stand before, const struct ledger_
     if (entry->kind == LEDGER_STAND) {
         return (struct ledger_stand){ entry->count, entry->value, entry->detail };
     }
-    return entry->kind != LEDGER_BEGIN && (entry->purse.open & OPEN_SPENT)
+    return entry->kind != LEDGER_BEGIN && (entry->balance.open & PAYMENT_SPENT)
                ? before
                : (struct ledger_stand){ 0 };
 }
@@ -143,7 +144,7 @@ int stand_is_good(const struct ledger_stand *stand)
     const uint32_t value = (uint32_t)stand->value;
     return (stand->detail & MODE_MASK) < MODE_COUNT &&
            stand->detail >> GRADE_SHIFT <= SHEET_GRADE_MAX && value >> (BOT_SHIFT + 1u) == 0 &&
-           (value & TICKETS_MASK) <= PURSE_TICKETS_MAX;
+           (value & TICKETS_MASK) <= BALANCE_TICKETS_MAX;
 }
 
 uint64_t stand_hash(uint64_t hash, const struct ledger_stand *stand)

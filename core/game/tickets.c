@@ -5,19 +5,19 @@
 
 void tickets_owe(struct core *core, uint32_t count)
 {
-    struct purse *purse = &core->game.ledger.purse;
+    struct balance *balance = &core->game.ledger.balance;
     if (core->config.rules_7) {
         core->game.credit.tickets += count;
         return;
     }
-    const uint32_t room = PURSE_TICKETS_MAX - purse->tickets;
-    purse->tickets = (uint16_t)(purse->tickets + (count < room ? count : room));
+    const uint32_t room = BALANCE_TICKETS_MAX - balance->tickets;
+    balance->tickets = (uint16_t)(balance->tickets + (count < room ? count : room));
 }
 
 /* Returns the number of owed tickets whose debt is on disk. */
 static uint32_t sure_tickets(const struct ledger *ledger)
 {
-    const uint16_t kept = ledger->kept.tickets, now = ledger->purse.tickets;
+    const uint16_t kept = ledger->committed.tickets, now = ledger->balance.tickets;
     return kept < now ? kept : now;
 }
 
@@ -34,7 +34,7 @@ void tickets_tick(struct core *core, const struct input *input, struct output *o
     } else if (!core->config.rules_7 && sure_tickets(ledger) > 0 &&
                input->tickets_done == credit->tickets &&
                ledger_may_write(ledger, LEDGER_TICKET)) {
-        ledger->purse.tickets--;
+        ledger->balance.tickets--;
         credit->ticket_id = ledger_write(core, &entry, output);
     }
 }

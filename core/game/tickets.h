@@ -10,7 +10,7 @@
  *
  * Other outputs with the same risk:
  * - The credit of a round has a value too. A credit can be played only when it is on disk
- *   (ledger_sure()), and is refunded at most once (stand.h).
+ *   (ledger_committed_credits()), and is refunded at most once (stand.h).
  * - The coin meter has no value for a player. Each coin is counted once and never again after a
  *   restart; a power cut may lose its unfinished pulses.
  * - The coin slot opens only while an entry will soon be on disk (ledger_is_safe()).
@@ -25,7 +25,7 @@
 
 struct core;
 
-/* Adds `count` tickets to the balance, up to PURSE_TICKETS_MAX. The caller writes the entry that
+/* Adds `count` tickets to the balance, up to BALANCE_TICKETS_MAX. The caller writes the entry that
  * contains the balance. In a recording of format 7 all pulses are requested at once. */
 void tickets_owe(struct core *core, uint32_t count);
 

@@ -13,10 +13,10 @@
 #include "core/ledger.h"
 #include "core/output.h"
 
-#define UPKEEP_TICKS (120u * CORE_TICK_HZ) /* Interval of the entries, which limits what a power cut
-                                              removes from the statistics. */
+/* Interval of the entries, which limits what a power cut removes from the statistics. */
+#define HEALTH_LOG_TICKS (120u * CORE_TICK_HZ)
 
-struct upkeep {
+struct health_log {
     uint8_t is_told;       /* 1: the LEDGER_BOOT of this start is written. */
     uint32_t told_tick;    /* Tick of the last LEDGER_HEALTH. */
     uint32_t dropped_ticks, device_faults; /* Values of the input at the last LEDGER_HEALTH. */
@@ -28,28 +28,28 @@ struct upkeep {
 };
 
 /* Time without a controller that counts as a loss; a shorter gap is a glitch. */
-#define UPKEEP_LOSS_TICKS CORE_TICK_HZ
+#define HEALTH_LOG_LOSS_TICKS CORE_TICK_HZ
 /* A loss within this time after the same slot's last loss is logged as repeated: LEDGER_LOSS. */
-#define UPKEEP_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
+#define HEALTH_LOG_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
 
 struct core;
 
 /* Logs repeated losses of each slot's controller. Call once per tick of the round, after
  * pause_tick(). */
-void upkeep_note_losses(struct core *core, struct output *output);
+void health_log_note_losses(struct core *core, struct output *output);
 
 /* Logs boot and health entries that are due. Call once per tick, before any other entry of the
  * tick. */
-void upkeep_tick(struct core *core, const struct input *input, struct output *output);
+void health_log_tick(struct core *core, const struct input *input, struct output *output);
 
 /* Logs a LEDGER_HEALTH now. */
-void upkeep_tell(struct core *core, const struct input *input, struct output *output);
+void health_log_write(struct core *core, const struct input *input, struct output *output);
 
 /* Fills `out` with the final LEDGER_HEALTH for a shutdown after the last tick, with the next id.
  * The core is unchanged, so that the core still matches its recording. Returns 1, or 0 if no store
  * exists. */
-int upkeep_last_word(const struct core *core, const struct input *input, struct ledger_entry *out);
+int health_log_final(const struct core *core, const struct input *input, struct ledger_entry *out);
 
-uint64_t upkeep_hash(uint64_t hash, const struct upkeep *upkeep);
+uint64_t health_log_hash(uint64_t hash, const struct health_log *health_log);
 
 #endif

@@ -82,7 +82,7 @@ vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count,
         const float weight = vertex_weight(&mesh->vertices[vertex], pose, key);
         if (weight != 0.0f) {
             const struct species_point *p = &mesh->points[key][vertex];
-            counts = v3_mad(counts, v3((float)p->x, (float)p->y, (float)p->z), weight);
+            counts = v3_muladd(counts, v3((float)p->x, (float)p->y, (float)p->z), weight);
         }
     }
     return v3_scale(counts, mesh->reach / COUNTS);
@@ -96,7 +96,7 @@ struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_cou
     for (uint32_t key = 0; key < key_count; key++) {
         const float weight = vertex_weight(&mesh->vertices[vertex], pose, key);
         if (weight != 0.0f) {
-            normal = v3_mad(normal, unfold(mesh->points[key][vertex].normal), weight);
+            normal = v3_muladd(normal, unfold(mesh->points[key][vertex].normal), weight);
         }
     }
     return (struct morph_point){ position, v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)) };
@@ -105,8 +105,8 @@ struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_cou
 static struct morph_point carried(const struct anchor_pose *anchor, struct morph_point point)
 {
     return (struct morph_point){
-        .position = v3_add(anchor->position, quat_turn(anchor->turn, point.position)),
-        .normal = quat_turn(anchor->turn, point.normal),
+        .position = v3_add(anchor->position, pose_rotate(anchor->turn, point.position)),
+        .normal = pose_rotate(anchor->turn, point.normal),
     };
 }
 

@@ -33,7 +33,7 @@ struct blending {
 };
 
 struct point_lanes {
-    struct lanes_v3 position, normal;
+    struct simd_v3 position, normal;
 };
 
 static inline ilanes load_words(const void *from)
@@ -46,14 +46,14 @@ static inline ilanes load_words(const void *from)
 /* Separate the first and the second words of a block's points. With eight lanes the quads stay
  * separate, which is cheap and leaves the lanes in the order of lane_vertex. Only masks, anchors
  * and results depend on that order. */
-#ifdef LANES_WIDE
+#ifdef SIMD_WIDE
 #define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
 #define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
-static const uint8_t lane_vertex[LANES] = { 0, 1, 4, 5, 2, 3, 6, 7 };
+static const uint8_t lane_vertex[SIMD_LANES] = { 0, 1, 4, 5, 2, 3, 6, 7 };
 #else
 #define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 4, 6)
 #define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 5, 7)
-static const uint8_t lane_vertex[LANES] = { 0, 1, 2, 3 };
+static const uint8_t lane_vertex[SIMD_LANES] = { 0, 1, 2, 3 };
 #endif
 
 static inline flanes low_half(ilanes words)
@@ -73,14 +73,14 @@ static inline flanes signed_as(flanes t, flanes x)
 }
 
 /* Computes unfold() of blend.c with negative z. */
-static inline struct lanes_v3 unfold_down(ilanes words)
+static inline struct simd_v3 unfold_down(ilanes words)
 {
     const ilanes code = (words >> 16) + 255; /* The code of blend.c minus 127 * 256. */
     const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
     const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
-    const flanes down = lanes_abs(x) + lanes_abs(y) - 127.0f;
-    const flanes t = lanes_max(down, lanes_of(0.0f));
-    return lanes_v3(x - signed_as(t, x), y - signed_as(t, y), down);
+    const flanes down = simd_abs(x) + simd_abs(y) - 127.0f;
+    const flanes t = simd_max(down, simd_splat(0.0f));
+    return simd_v3(x - signed_as(t, x), y - signed_as(t, y), down);
 }
 
 /* Tests whether a block needs only the curve of the whole fish, and whether none of its vertices
@@ -96,9 +96,9 @@ static inline struct block load_block(const struct species_vertex *vertices)
     struct block block = { 0 };
     ilanes masks = { 0 };
     __builtin_prefetch(vertices + AHEAD);
-    __builtin_prefetch(vertices + AHEAD + LANES / 2);
+    __builtin_prefetch(vertices + AHEAD + SIMD_LANES / 2);
 #pragma GCC unroll 8
-    for (int lane = 0; lane < LANES; lane++) {
+    for (int lane = 0; lane < SIMD_LANES; lane++) {
         uint64_t word;
         MEM_COPY(&word, &vertices[lane].part, sizeof word);
         all &= word;
@@ -106,7 +106,7 @@ static inline struct block load_block(const struct species_vertex *vertices)
     block.plain_masks = (all >> 32 & 255u) == 255u;
     block.plain_anchors = (all >> 24 & 255u) == 255u;
     if (!block.plain_masks) {
-        for (int lane = 0; lane < LANES; lane++) {
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
             int32_t mask;
             MEM_COPY(&mask, vertices[lane_vertex[lane]].mask, sizeof mask);
             masks[lane] = mask;
@@ -123,52 +123,51 @@ static inline struct block load_block(const struct species_vertex *vertices)
 /* Returns the weight of a key in each lane, as vertex_weight(). */
 static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
 {
-    flanes sum = lanes_of(0.0f);
+    flanes sum = simd_splat(0.0f);
     if (block->plain_masks) {
         return b->whole[at];
     }
 #pragma GCC unroll 4
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
         const float weight = b->pose->weight[curve][b->key[at]];
-        sum = sum + lanes_of(weight) * block->mask[curve];
+        sum = sum + simd_splat(weight) * block->mask[curve];
     }
-    return lanes_select(block->mask[0] == 255.0f, b->whole[at], sum * (1.0f / 255.0f));
+    return simd_select(block->mask[0] == 255.0f, b->whole[at], sum * (1.0f / 255.0f));
 }
 
-static inline struct point_lanes blend(const struct blending *b, const struct block *block,
-                                       uint32_t first)
+static inline struct point_lanes blend_points(const struct blending *b, const struct block *block,
+                                              uint32_t first)
 {
-    const flanes zero = lanes_of(0.0f);
+    const flanes zero = simd_splat(0.0f);
     struct point_lanes p = { { zero, zero, zero }, { zero, zero, zero } };
     for (uint32_t at = 0; at < b->key_count; at++) {
         const struct species_point *points = &b->mesh->points[b->key[at]][first];
         __builtin_prefetch(points + AHEAD);
-        const ilanes low = load_words(points), high = load_words(points + LANES / 2);
+        const ilanes low = load_words(points), high = load_words(points + SIMD_LANES / 2);
         const ilanes xy = FIRST(low, high), zn = SECOND(low, high);
         const flanes weight = weigh(b, block, at);
-        const struct lanes_v3 counts = lanes_v3(low_half(xy), high_half(xy), low_half(zn));
-        const struct lanes_v3 facing = unfold_down(zn);
-        p.position = lanes_v3_mad(p.position, counts, weight);
+        const struct simd_v3 counts = simd_v3(low_half(xy), high_half(xy), low_half(zn));
+        const struct simd_v3 facing = unfold_down(zn);
+        p.position = simd_v3_muladd(p.position, counts, weight);
         p.normal.x = p.normal.x + facing.x * weight;
         p.normal.y = p.normal.y + facing.y * weight;
         p.normal.z = p.normal.z - facing.z * weight;
     }
-    p.position = lanes_v3_scale(p.position, lanes_of(b->mesh->reach / 32767.0f));
-    const flanes length = lanes_v3_length(p.normal);
+    p.position = simd_v3_scale(p.position, simd_splat(b->mesh->reach / 32767.0f));
+    const flanes length = simd_v3_length(p.normal);
     const ilanes some = length > 1e-9f;
-    const struct lanes_v3 unit = lanes_v3_scale(p.normal, 1.0f / length);
-    p.normal = lanes_v3(lanes_select(some, unit.x, zero),
-                        lanes_select(some, unit.y, lanes_of(1.0f)),
-                        lanes_select(some, unit.z, zero));
+    const struct simd_v3 unit = simd_v3_scale(p.normal, 1.0f / length);
+    p.normal = simd_v3(simd_select(some, unit.x, zero), simd_select(some, unit.y, simd_splat(1.0f)),
+                       simd_select(some, unit.z, zero));
     return p;
 }
 
-/* SIMD form of quat_turn(). */
-static inline struct lanes_v3 turn(struct lanes_v3 axis, flanes w, struct lanes_v3 a)
+/* SIMD form of pose_rotate(). */
+static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct simd_v3 a)
 {
-    const struct lanes_v3 across = lanes_v3_scale(lanes_v3_cross(axis, a), lanes_of(2.0f));
-    const struct lanes_v3 swung = lanes_v3_mad(a, across, w), on = lanes_v3_cross(axis, across);
-    return lanes_v3(swung.x + on.x, swung.y + on.y, swung.z + on.z);
+    const struct simd_v3 across = simd_v3_scale(simd_v3_cross(axis, a), simd_splat(2.0f));
+    const struct simd_v3 swung = simd_v3_muladd(a, across, w), on = simd_v3_cross(axis, across);
+    return simd_v3(swung.x + on.x, swung.y + on.y, swung.z + on.z);
 }
 
 static const struct anchor_pose at_rest = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
@@ -188,29 +187,29 @@ static inline const struct anchor_pose *anchor_of(const struct blending *b, uint
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
                                        struct point_lanes p)
 {
-    const struct anchor_pose *anchor[LANES];
+    const struct anchor_pose *anchor[SIMD_LANES];
     flanes place[4], quat[4], row[2][4];
-    for (uint32_t lane = 0; lane < LANES; lane++) {
+    for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
         anchor[lane] = anchor_of(b, first + lane_vertex[lane]);
     }
     for (uint32_t i = 0; i < 4; i++) {
-        const struct anchor_pose *beside = anchor[i + (LANES - 4)];
-        row[0][i] = lanes_load_beside(&anchor[i]->position, &beside->position);
-        row[1][i] = lanes_load_beside(&anchor[i]->turn, &beside->turn);
+        const struct anchor_pose *beside = anchor[i + (SIMD_LANES - 4)];
+        row[0][i] = simd_load_pair(&anchor[i]->position, &beside->position);
+        row[1][i] = simd_load_pair(&anchor[i]->turn, &beside->turn);
     }
-    lanes_turn(place, row[0][0], row[0][1], row[0][2], row[0][3]);
-    lanes_turn(quat, row[1][0], row[1][1], row[1][2], row[1][3]);
-    const struct lanes_v3 axis = lanes_v3(quat[0], quat[1], quat[2]);
-    const struct lanes_v3 at = turn(axis, quat[3], p.position);
+    simd_turn(place, row[0][0], row[0][1], row[0][2], row[0][3]);
+    simd_turn(quat, row[1][0], row[1][1], row[1][2], row[1][3]);
+    const struct simd_v3 axis = simd_v3(quat[0], quat[1], quat[2]);
+    const struct simd_v3 at = rotate_axis(axis, quat[3], p.position);
     return (struct point_lanes){
-        lanes_v3(place[0] + at.x, place[1] + at.y, place[2] + at.z),
-        turn(axis, quat[3], p.normal),
+        simd_v3(place[0] + at.x, place[1] + at.y, place[2] + at.z),
+        rotate_axis(axis, quat[3], p.normal),
     };
 }
 
 static inline void store_quad(vec3 *to, const flanes *row, int high)
 {
-#ifdef LANES_WIDE
+#ifdef SIMD_WIDE
     const fquad quad = high ? __builtin_shufflevector(*row, *row, 4, 5, 6, 7)
                             : __builtin_shufflevector(*row, *row, 0, 1, 2, 3);
 #else
@@ -223,23 +222,23 @@ static inline void store_quad(vec3 *to, const flanes *row, int high)
 /* Stores LANES consecutive vectors. Rows of four floats are stored three apart, each over the
  * fourth float of the previous row. One float behind the block is overwritten; a later block or
  * vertex restores it. */
-static inline void store(vec3 *to, struct lanes_v3 a)
+static inline void store(vec3 *to, struct simd_v3 a)
 {
     flanes row[4];
-    lanes_turn(row, a.x, a.y, a.z, a.z);
+    simd_turn(row, a.x, a.y, a.z, a.z);
 #pragma GCC unroll 2
     for (int pair = 0; pair < 2; pair++) { /* Vertices in memory order: see lane_vertex. */
 #pragma GCC unroll 2
-        for (int high = 0; high < LANES / 4; high++) {
-            vec3 *at = &to[LANES / 2 * pair + 2 * high];
+        for (int high = 0; high < SIMD_LANES / 4; high++) {
+            vec3 *at = &to[SIMD_LANES / 2 * pair + 2 * high];
             store_quad(at, &row[2 * pair], high);
             store_quad(at + 1, &row[2 * pair + 1], high);
         }
     }
 }
 
-static struct blending begin(const struct species_mesh *mesh, uint32_t key_count,
-                             const struct morph_pose *pose)
+static struct blending begin_blending(const struct species_mesh *mesh, uint32_t key_count,
+                                      const struct morph_pose *pose)
 {
     struct blending b = { .mesh = mesh, .pose = pose };
     for (uint32_t key = 0; key < key_count; key++) {
@@ -248,7 +247,7 @@ static struct blending begin(const struct species_mesh *mesh, uint32_t key_count
             shown |= pose->weight[curve][key] != 0.0f;
         }
         if (shown) {
-            b.whole[b.key_count] = lanes_of(pose->weight[0][key]);
+            b.whole[b.key_count] = simd_splat(pose->weight[0][key]);
             b.key[b.key_count++] = (uint8_t)key;
         }
     }
@@ -268,15 +267,15 @@ static void foresee(const struct blending *b)
     }
 }
 
-uint32_t LANES_NAME(blend_blocks)(const struct species_mesh *mesh, uint32_t key_count,
-                                  const struct morph_pose *pose, vec3 *positions, vec3 *normals)
+uint32_t SIMD_NAME(blend_blocks)(const struct species_mesh *mesh, uint32_t key_count,
+                                 const struct morph_pose *pose, vec3 *positions, vec3 *normals)
 {
-    const struct blending b = begin(mesh, key_count, pose);
+    const struct blending b = begin_blending(mesh, key_count, pose);
     uint32_t first = 0;
     foresee(&b);
-    for (; first + LANES < mesh->vertex_count; first += LANES) {
+    for (; first + SIMD_LANES < mesh->vertex_count; first += SIMD_LANES) {
         const struct block block = load_block(&mesh->vertices[first]);
-        struct point_lanes p = blend(&b, &block, first);
+        struct point_lanes p = blend_points(&b, &block, first);
         if (!block.plain_anchors) {
             p = carry(&b, first, p);
         }

@@ -5,7 +5,7 @@
 #include "core/base/lanes.h"
 #include "core/morph/morph.h"
 
-LANES_BEGIN
+SIMD_BEGIN
 /* Blends whole blocks from vertex 0 on, but never the last vertices. Returns the index of the first
  * vertex that is left. */
 uint32_t blend_blocks_4(const struct species_mesh *mesh, uint32_t key_count,
@@ -16,6 +16,6 @@ uint32_t blend_blocks_8(const struct species_mesh *mesh, uint32_t key_count,
 /* Blends the vertices from `first` on, one by one. */
 void blend_each(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                 uint32_t first, vec3 *positions, vec3 *normals);
-LANES_END
+SIMD_END
 
 #endif

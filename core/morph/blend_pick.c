@@ -10,7 +10,7 @@ void morph_shape_lanes(const struct species_mesh *mesh, uint32_t key_count,
     uint32_t done = 0;
     CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
     if (lanes > 1) {
-        done = LANES_PICK(lanes, blend_blocks)(mesh, key_count, pose, positions, normals);
+        done = SIMD_PICK(lanes, blend_blocks)(mesh, key_count, pose, positions, normals);
     }
     blend_each(mesh, key_count, pose, done, positions, normals);
 }

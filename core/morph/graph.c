@@ -46,7 +46,7 @@ struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count)
     }
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
     uint32_t stuck = 0;
-    if (graph->solved && !graph_solve(graph, key_count, solution, &stuck)) {
+    if (graph->solved && !solve_graph(graph, key_count, solution, &stuck)) {
         return (struct graph_verdict){ GRAPH_UNSOLVABLE, 0, (uint8_t)stuck, 0.0f };
     }
     return (struct graph_verdict){ GRAPH_GOOD, 0, 0, 0.0f };

@@ -83,7 +83,7 @@ struct growth growth_shifted(const struct growth *growth)
     return (struct growth){
         .length_inf_m = growth->length_inf_m,
         .k_per_year = growth->k_per_year,
-        .t0_year = f_ln(1.0f - share) / growth->k_per_year,
+        .t0_year = f_log(1.0f - share) / growth->k_per_year,
         .fade_year = FADE_NONE_YEAR,
         .point_count = 1,
         .points = { hatching },

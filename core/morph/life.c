@@ -30,12 +30,12 @@ static bool goes_by_length(const struct species_card *card, uint32_t key)
 /* Returns [0, 1], the position between two lengths on a logarithmic scale. */
 static float part_between(float from_m, float to_m, float length_m)
 {
-    return f_clamp(f_ln(length_m / from_m) / f_ln(to_m / from_m), 0.0f, 1.0f);
+    return f_clamp(f_log(length_m / from_m) / f_log(to_m / from_m), 0.0f, 1.0f);
 }
 
 static float length_between(float from_m, float to_m, float part)
 {
-    const float length_m = from_m * f_exp(f_ln(to_m / from_m) * part);
+    const float length_m = from_m * f_exp(f_log(to_m / from_m) * part);
     return f_clamp(length_m, f_min(from_m, to_m), f_max(from_m, to_m));
 }
 

@@ -47,7 +47,7 @@ struct mark_point mark_point_of(const struct species_vertex *at, enum body_form 
 }
 
 /* Returns 1 in [from, to] and 0 outside, with soft edges; an end at 0 or 1 is unbounded. */
-static float within(float x, float from, float to, float soft)
+static float soft_interval(float x, float from, float to, float soft)
 {
     const float above = from <= 0.0f ? 1.0f : f_smoothstep(from - soft, from + soft, x);
     const float below = to >= 1.0f ? 1.0f : 1.0f - f_smoothstep(to - soft, to + soft, x);
@@ -148,7 +148,7 @@ static float bands(const struct species_mark *m, const struct mark_point *at)
     const float x = (at->u - m->slant * (at->height - 0.5f) - m->from) / step;
     const float bar = f_clamp(f_floor(x), 0.0f, count - 1.0f);
     return disc(f_abs(bar + 0.5f - x) * step, 0.5f * m->width) *
-           within(at->height, m->low, m->high, SOFT_HEIGHT);
+           soft_interval(at->height, m->low, m->high, SOFT_HEIGHT);
 }
 
 static float stripes(const struct species_mark *m, const struct mark_point *at)
@@ -158,14 +158,14 @@ static float stripes(const struct species_mark *m, const struct mark_point *at)
     const float y = (at->height - m->slant * (at->u - m->from) - m->low) / step;
     const float line = f_clamp(f_floor(y), 0.0f, count - 1.0f);
     return disc(f_abs(line + 0.5f - y) * step, 0.5f * m->width) *
-           within(at->u, m->from, m->to, 4.0f * SOFT_U);
+           soft_interval(at->u, m->from, m->to, 4.0f * SOFT_U);
 }
 
 static float edge(const struct species_mark *m, const struct mark_point *at)
 {
     const float inner = 1.0f - m->width, soft = 0.25f * m->width + 0.005f;
     return f_smoothstep(inner - soft, inner + soft, at->height) *
-           within(at->u, m->from, m->to, SOFT_HEIGHT);
+           soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
 }
 
 static float side(const struct species_mark *m, const struct mark_point *at)
@@ -173,7 +173,7 @@ static float side(const struct species_mark *m, const struct mark_point *at)
     const float toward = m->count == SIDE_RIGHT ? at->right : -at->right;
     const float soft = f_max(m->width, 0.02f);
     return f_smoothstep(SIDE_RIM, SIDE_RIM + 2.0f * soft, toward) *
-           within(at->u, m->from, m->to, SOFT_HEIGHT);
+           soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
 }
 
 /* Returns the cover of the mouth from the snout (at height `high`) to the corner (`to`, `low`),
@@ -218,8 +218,8 @@ float mark_cover(const struct species_mark *m, const struct mark_point *at)
     case MARK_EDGE:
         return edge(m, at);
     case MARK_PATCH:
-        return within(at->u, m->from, m->to, m->width) *
-               within(at->height, m->low, m->high, m->width);
+        return soft_interval(at->u, m->from, m->to, m->width) *
+               soft_interval(at->height, m->low, m->high, m->width);
     case MARK_MOUTH:
         return mouth(m, at);
     case MARK_GILL:

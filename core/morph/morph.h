@@ -74,7 +74,7 @@ void graph_weights(const struct graph *graph, uint32_t key_count, float progress
  * of drawn key j in the shape solved for key i (rows sum to 1). A fish blended from solved shapes
  * passes through every drawing at i / (n - 1). Returns false, with the key in `stuck`, if the
  * solution would need more than a tenfold exaggeration. */
-bool graph_solve(const struct graph *graph, uint32_t key_count,
+bool solve_graph(const struct graph *graph, uint32_t key_count,
                  float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck);
 
 /* template.c: standard graphs */
@@ -91,9 +91,9 @@ enum graph_template {
 
 #define SIMULTANEOUS_PEAK 0.70f /* Value for the hirame in section 4.2. */
 
-/* Writes a standard graph. `template` must not be TEMPLATE_OWN; `peak` in (0.5, 1) affects only
+/* Writes a standard graph. `template_id` must not be TEMPLATE_OWN; `peak` in (0.5, 1) affects only
  * TEMPLATE_SIMULTANEOUS. */
-void graph_template(struct graph *graph, enum graph_template template, uint32_t key_count,
+void template_graph(struct graph *graph, enum graph_template template_id, uint32_t key_count,
                     float peak);
 
 /* rig.c: the curves that blend a fish, prepared for repeated evaluation */
@@ -110,7 +110,7 @@ struct morph_rig {
  * them. A curve that cannot be solved (graph_check() returns the reason) blends the drawn shapes
  * directly. */
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
-                    enum graph_template template);
+                    enum graph_template template_id);
 
 /* Writes the factors of the drawn key shapes for each curve: sum 1, negative only for solved
  * shapes. A solved curve gives each key alone, exactly, at i / (n - 1). */
@@ -123,9 +123,10 @@ struct quat {
     float x, y, z, w; /* Unit quaternion. */
 };
 
-/* Returns a + 2 w (q x a) + 2 q x (q x a), with q = (x, y, z); quat_turn_back() is the inverse. */
-vec3 quat_turn(struct quat q, vec3 a);
-vec3 quat_turn_back(struct quat q, vec3 a);
+/* Returns a + 2 w (q x a) + 2 q x (q x a), with q = (x, y, z); pose_rotate_inverse() is the
+ * inverse. */
+vec3 pose_rotate(struct quat q, vec3 a);
+vec3 pose_rotate_inverse(struct quat q, vec3 a);
 
 /* All that changes from one fish to the next: to be uploaded as it is.
  *
@@ -135,7 +136,7 @@ vec3 quat_turn_back(struct quat q, vec3 a);
  *     position = sum over the keys of w_k * P_k
  *     normal   = normalize(sum over the keys of w_k * N_k)
  * and if it has an anchor, of turn q and position A:
- *     position = A + q position q*          (quat_turn)
+ *     position = A + q position q*          (pose_rotate)
  *     normal   = q normal q*
  * Where an anchor does not turn, q is the identity, so there is one formula for all. */
 struct morph_pose {
@@ -158,7 +159,7 @@ void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_
  * spoke). u is clamped to the rings of the grid, v counts turns. If `turns`: x is along the skin's
  * normal, z backward along the skin, y = z cross x. The mesh must have a grid of at least 2 rings
  * and 3 spokes whose vertices have no anchor. A vertex drawn at p in the body frame of a key is,
- * relative to its anchor there, quat_turn_back(turn, p - position). */
+ * relative to its anchor there, pose_rotate_inverse(turn, p - position). */
 struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
                               const struct morph_pose *pose, float u, float v, bool turns);
 
@@ -209,14 +210,14 @@ struct straight_memory { /* Owned by the caller, and in use as long as the speci
 /* Writes the same key shapes without anchors and masks, so that every vertex moves straight (eq.
  * 3.1 and 3.2). Vertices on anchors are baked into the body frame of each key (within a count).
  * Unchanged tables remain those of `from`, which must outlive `out`; `out` must not be `from`. */
-void species_straighten(const struct species *from, struct straight_memory *memory,
-                        struct species *out);
+void straight_species(const struct species *from, struct straight_memory *memory,
+                      struct species *out);
 
 /* Straightens a species to the three keys of chapter 4 with its template. The middle key is
  * exaggerated (solved) if that template is the simultaneous one. Keys keep their ages; sizes are
  * those of the shifted growth curve. */
-void species_thesis(const struct species *from, struct straight_memory *memory,
-                    struct species *out);
+void straight_thesis(const struct species *from, struct straight_memory *memory,
+                     struct species *out);
 
 /* paint.c: colour */
 

@@ -65,7 +65,7 @@ static struct paint mean_paint(const struct species *species, const float *share
     for (uint32_t key = 0; key < species->card.key_count; key++) {
         if (share[key] > 0.0f) {
             const struct paint bare = bare_paint(&species->coats[key], at);
-            paint.colour = v3_mad(paint.colour, bare.colour, share[key]);
+            paint.colour = v3_muladd(paint.colour, bare.colour, share[key]);
             paint.clear += share[key] * bare.clear;
             paint.shine += share[key] * bare.shine;
         }
@@ -131,8 +131,8 @@ static void lay_marks(const struct species *species, const float *share, uint32_
 }
 
 /* `slots`: the highest number of marks of any key. */
-static struct paint paint_of(const struct species *species, const float *share, uint32_t slots,
-                             const struct species_vertex *at)
+static struct paint paint_of_marks(const struct species *species, const float *share,
+                                   uint32_t slots, const struct species_vertex *at)
 {
     const struct mark_point point = mark_point_of(at, (enum body_form)species->card.form);
     struct paint paint = mean_paint(species, share, &point);
@@ -169,11 +169,11 @@ struct paint paint_at(const struct species *species, const float weights[MORPH_K
             slots = species->coats[key].mark_count;
         }
     }
-    struct paint paint = paint_of(species, share, slots, at);
+    struct paint paint = paint_of_marks(species, share, slots, at);
     if (at->part == PART_BODY && at->u > STALK_FROM && species->card.motion != MOTION_WING) {
         const float down = 1.0f - f_abs(at->v * 2.0f - 1.0f);
         const struct species_vertex root = { .u = down, .part = PART_TAIL };
-        const struct paint fin = paint_of(species, share, slots, &root);
+        const struct paint fin = paint_of_marks(species, share, slots, &root);
         run_out(&paint, &fin, at->u);
     }
     return paint;

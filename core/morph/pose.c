@@ -8,16 +8,16 @@
 
 #include "core/base/panic.h"
 
-vec3 quat_turn(struct quat q, vec3 a)
+vec3 pose_rotate(struct quat q, vec3 a)
 {
     const vec3 axis = v3(q.x, q.y, q.z);
     const vec3 across = v3_scale(v3_cross(axis, a), 2.0f);
-    return v3_add(v3_mad(a, across, q.w), v3_cross(axis, across));
+    return v3_add(v3_muladd(a, across, q.w), v3_cross(axis, across));
 }
 
-vec3 quat_turn_back(struct quat q, vec3 a)
+vec3 pose_rotate_inverse(struct quat q, vec3 a)
 {
-    return quat_turn((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
+    return pose_rotate((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
 }
 
 /* Returns the rotation from the body's axes to x, y, z (unit, orthogonal, y = z cross x), where z
@@ -38,7 +38,7 @@ static struct quat skin_turn(vec3 normal)
 {
     const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
     const vec3 back = v3(0.0f, 0.0f, 1.0f);
-    const vec3 z = v3_normalize_or(v3_mad(back, x, -x.z), v3(0.0f, -1.0f, 0.0f));
+    const vec3 z = v3_normalize_or(v3_muladd(back, x, -x.z), v3(0.0f, -1.0f, 0.0f));
     return quat_of_axes(x, v3_cross(z, x), z);
 }
 
@@ -96,11 +96,11 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
     for (uint32_t i = 0; i < 4; i++) {
         if (shares[i] > 0.0f) {
             const vec3 corner = morph_place(mesh, key_count, pose, cell.corner[i]);
-            at.position = v3_mad(at.position, corner, shares[i]);
+            at.position = v3_muladd(at.position, corner, shares[i]);
         }
         if (shares[i] > 0.0f && turns) {
             const struct morph_point p = morph_point(mesh, key_count, pose, cell.corner[i]);
-            normal = v3_mad(normal, p.normal, shares[i]);
+            normal = v3_muladd(normal, p.normal, shares[i]);
         }
     }
     if (turns) {

@@ -13,7 +13,7 @@ static void unit_solution(float solution[MORPH_KEY_MAX][MORPH_KEY_MAX])
 }
 
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
-                    enum graph_template template)
+                    enum graph_template template_id)
 {
     CORE_ASSERT(card->curve_count >= 1 && card->curve_count <= MORPH_CURVE_MAX);
     *rig = (struct morph_rig){ .key_count = card->key_count, .curve_count = card->curve_count };
@@ -21,11 +21,10 @@ void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
         struct graph *graph = &rig->curves[curve];
         uint32_t stuck;
         *graph = card->curves[curve];
-        if (template != TEMPLATE_OWN) {
-            graph_template(graph, template, card->key_count, SIMULTANEOUS_PEAK);
+        if (template_id != TEMPLATE_OWN) {
+            template_graph(graph, template_id, card->key_count, SIMULTANEOUS_PEAK);
         }
-        if (!graph->solved ||
-            !graph_solve(graph, card->key_count, rig->solution[curve], &stuck)) {
+        if (!graph->solved || !solve_graph(graph, card->key_count, rig->solution[curve], &stuck)) {
             unit_solution(rig->solution[curve]);
             graph->solved = 0;
         }

@@ -28,7 +28,7 @@ static void swap_rows(float *a, float *b, uint32_t count)
 }
 
 /* Subtracts `factor` times `from` from `row`. */
-static void take_row(float *row, const float *from, float factor, uint32_t count)
+static void subtract_row(float *row, const float *from, float factor, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         row[i] -= factor * from[i];
@@ -55,14 +55,14 @@ static bool clear_column(struct system *s, uint32_t column, uint32_t count)
     for (uint32_t row = 0; row < count; row++) {
         if (row != column) {
             const float factor = s->left[row][column];
-            take_row(s->left[row], s->left[column], factor, count);
-            take_row(s->right[row], s->right[column], factor, count);
+            subtract_row(s->left[row], s->left[column], factor, count);
+            subtract_row(s->right[row], s->right[column], factor, count);
         }
     }
     return true;
 }
 
-bool graph_solve(const struct graph *graph, uint32_t key_count,
+bool solve_graph(const struct graph *graph, uint32_t key_count,
                  float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck)
 {
     struct system system = { .right = solution };

@@ -85,8 +85,8 @@ static void straighten_mesh(const struct species_mesh *from, uint32_t key_count,
     out->reach = reach;
 }
 
-void species_straighten(const struct species *from, struct straight_memory *memory,
-                        struct species *out)
+void straight_species(const struct species *from, struct straight_memory *memory,
+                      struct species *out)
 {
     *out = *from;
     out->card.curve_count = 1;
@@ -105,11 +105,11 @@ static void take_key(const struct species *from, uint32_t key, struct species *o
     }
 }
 
-void species_thesis(const struct species *from, struct straight_memory *memory,
-                    struct species *out)
+void straight_thesis(const struct species *from, struct straight_memory *memory,
+                     struct species *out)
 {
     struct species_card *card = &out->card;
-    species_straighten(from, memory, out);
+    straight_species(from, memory, out);
     const struct species_mesh straight[SPECIES_LOD_COUNT] = { out->lod[0], out->lod[1] };
     card->growth = growth_shifted(&from->card.growth);
     card->key_count = 3;
@@ -124,6 +124,6 @@ void species_thesis(const struct species *from, struct straight_memory *memory,
     }
     card->scale_knot_count = 0; /* The knots apply to the progress over all keys, which differs for
                                    three keys. */
-    graph_template(&card->curves[0], (enum graph_template)card->thesis_template, 3,
+    template_graph(&card->curves[0], (enum graph_template)card->thesis_template, 3,
                    SIMULTANEOUS_PEAK);
 }

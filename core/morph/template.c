@@ -28,14 +28,14 @@ static void hats(struct graph *graph, uint32_t key_count, float peak)
     }
 }
 
-void graph_template(struct graph *graph, enum graph_template template, uint32_t key_count,
+void template_graph(struct graph *graph, enum graph_template template_id, uint32_t key_count,
                     float peak)
 {
     CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
-    CORE_ASSERT(template > TEMPLATE_OWN && template < TEMPLATE_COUNT);
+    CORE_ASSERT(template_id > TEMPLATE_OWN && template_id < TEMPLATE_COUNT);
     CORE_ASSERT(peak > 0.5f && peak <= 1.0f);
     *graph = (struct graph){ 0 };
-    switch (template) {
+    switch (template_id) {
     case TEMPLATE_ORDINARY:
         ordinary(graph, key_count);
         break;

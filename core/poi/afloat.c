@@ -39,10 +39,10 @@ static void spill(struct bowl *bowl)
 /* ---- Pushed by a ring ----------------------------------------------------------------------- */
 
 /* Returns the force of the ring on the hull, from the hand's spring. */
-static vec3 push_of(const struct bowl *bowl, const struct poi *poi)
+static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 away = v3(poi->position_m.x - bowl->position_m.x, 0.0f,
                          poi->position_m.z - bowl->position_m.z);
     const float far = v3_length(away);
@@ -53,7 +53,7 @@ static vec3 push_of(const struct bowl *bowl, const struct poi *poi)
     const float low = poi_half_extent_m(axes.up.y), mouth = bowl->position_m.y;
     const float apart = bowl_hull_radius_m(mouth - poi->position_m.y) +
                         poi_half_extent_m(v3_dot(axes.up, out));
-    const vec3 hand_n = pull_hand_n(poi, &axes);
+    const vec3 hand_n = hand_spring_force_n(poi, &axes);
     if (far > apart + TOUCH_M || poi->position_m.y + low <= mouth - BOWL_DEPTH_M) {
         return none;
     }
@@ -72,7 +72,7 @@ static vec3 pushes_of(const struct bowl *bowl, const struct poi *pois, const uin
     vec3 sum = { 0.0f, 0.0f, 0.0f };
     for (uint32_t i = 0; i < poi_count; i++) {
         if (live[i]) {
-            sum = v3_add(sum, push_of(bowl, &pois[i]));
+            sum = v3_add(sum, ring_push_on_hull(bowl, &pois[i]));
         }
     }
     return sum;
@@ -106,7 +106,7 @@ static float axis_m_s(float kg, float speed_m_s, float force_n, float damping_n_
            (kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
 }
 
-static void drift(struct bowl *bowl, const struct swell *swell, vec3 push_n)
+static void move_hull(struct bowl *bowl, const struct swell *swell, vec3 push_n)
 {
     const float kg = (1.0f + ALONG_SHARE) * load_kg(bowl);
     const float weight_n = GRAVITY_M_S2 * load_kg(bowl);
@@ -177,11 +177,11 @@ static void keep_apart(struct bowl *a, struct bowl *b)
     }
     const vec3 out = v3_normalize_or(way, v3(1.0f, 0.0f, 0.0f));
     const float closing = v3_dot(v3_sub(a->velocity_m_s, b->velocity_m_s), out);
-    a->position_m = v3_mad(a->position_m, out, -0.5f * deep_m);
-    b->position_m = v3_mad(b->position_m, out, 0.5f * deep_m);
+    a->position_m = v3_muladd(a->position_m, out, -0.5f * deep_m);
+    b->position_m = v3_muladd(b->position_m, out, 0.5f * deep_m);
     if (closing > 0.0f) {
-        a->velocity_m_s = v3_mad(a->velocity_m_s, out, -0.5f * closing);
-        b->velocity_m_s = v3_mad(b->velocity_m_s, out, 0.5f * closing);
+        a->velocity_m_s = v3_muladd(a->velocity_m_s, out, -0.5f * closing);
+        b->velocity_m_s = v3_muladd(b->velocity_m_s, out, 0.5f * closing);
     }
 }
 
@@ -206,15 +206,15 @@ static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
     const struct swell swell = swell_under(bowl, tank);
     const float slope = HEEL_SHARE / (GRAVITY_M_S2 * load_kg(bowl));
     spill(bowl);
-    drift(bowl, &swell, push_n);
+    move_hull(bowl, &swell, push_n);
     heave(bowl, &swell, push_n.y);
     heel(&bowl->heel_x, &bowl->heel_x_rad_s, slope * push_n.x - swell.slope_x);
     heel(&bowl->heel_z, &bowl->heel_z_rad_s, slope * push_n.z - swell.slope_z);
-    bowl->position_m = v3_mad(bowl->position_m, bowl->velocity_m_s, CORE_TICK_S);
+    bowl->position_m = v3_muladd(bowl->position_m, bowl->velocity_m_s, CORE_TICK_S);
 }
 
-void afloat_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
-                 uint32_t poi_count)
+void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
+                        uint32_t poi_count)
 {
     CORE_ASSERT(stall->bowl_count <= POI_MAX);
     CORE_ASSERT(poi_count <= POI_MAX);

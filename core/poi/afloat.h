@@ -13,7 +13,7 @@
 /* Advances every bowl of the stall by one tick, after the pois and before the fish. Each of the
  * `poi_count` pois with a set `live` entry pushes the bowls that it touches. Water above the
  * capacity of the hull spills into the tank. */
-void afloat_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
-                 uint32_t poi_count);
+void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
+                        uint32_t poi_count);
 
 #endif

@@ -60,7 +60,7 @@ static void rock(struct bowl *bowl, vec3 place_m, float kg, vec3 velocity_m_s)
     const vec3 gain_m_s = v3_sub(velocity_m_s, bowl->velocity_m_s);
     const vec3 arm_m = v3_sub(place_m, bowl->position_m);
     const float blow = -kg * gain_m_s.y / ROCK_KG_M2;
-    bowl->velocity_m_s = v3_mad(bowl->velocity_m_s, gain_m_s, kg / all_kg);
+    bowl->velocity_m_s = v3_muladd(bowl->velocity_m_s, gain_m_s, kg / all_kg);
     bowl->heel_x_rad_s += blow * arm_m.x;
     bowl->heel_z_rad_s += blow * arm_m.z;
 }
@@ -70,7 +70,7 @@ void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct
 {
     CORE_ASSERT(bowl->present);
     if (bowl_is_full(bowl)) {
-        bowl_pour_back(bowl, bowl_index, tank);
+        bowl_empty(bowl, bowl_index, tank);
     }
     const float kg = fish_mass_kg(fish->length_m);
     rock(bowl, fish->position_m, kg, velocity_m_s);
@@ -103,14 +103,14 @@ static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint
               f_clamp(bowl->position_m.z + away * f_sin(angle), -room_z, room_z));
 }
 
-void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
+void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish->gait == GAIT_BOWL && fish->holder == bowl_index) {
             fish->position_m = pouring_place(bowl, tank, i);
             fish->alarm = 0.0f;
-            loose_begin(tank, fish, v3(0.0f, 0.0f, 0.0f));
+            reentry_begin(tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
     }
     bowl->fish_count = 0;
@@ -132,9 +132,9 @@ struct obstacle bowl_obstacle(const struct bowl *bowl)
     };
 }
 
-void bowl_give_way(struct bowl *bowl, const struct obstacle *hull)
+void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull)
 {
-    if (hull->gave & OBSTACLE_GAVE_PLACE) {
+    if (hull->reaction & REACTION_POSITION) {
         bowl->position_m = hull->centre_m;
         bowl->velocity_m_s = hull->velocity_m_s;
     }

@@ -49,7 +49,7 @@ void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct
                vec3 velocity_m_s);
 
 /* Pours every fish back into the tank, beside and under the bowl. */
-void bowl_pour_back(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
+void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
 
 /* Returns the radius of the hull `below_m` under the mouth: half an ellipsoid. */
 float bowl_hull_radius_m(float below_m);
@@ -65,7 +65,7 @@ struct obstacle bowl_obstacle(const struct bowl *bowl);
 
 /* Applies the reaction in `hull` after the tick of the fish: the bowl stays back where a fish could
  * not move out of its way. */
-void bowl_give_way(struct bowl *bowl, const struct obstacle *hull);
+void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull);
 
 /* Returns the heel as angles for the scene. */
 struct angles bowl_angles(const struct bowl *bowl);

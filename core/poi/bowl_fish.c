@@ -17,7 +17,7 @@
 #define ENDS 0.45f        /* Distance of snout and tail from the centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f
 
-static float draw(uint32_t seed, uint32_t fish, uint32_t which)
+static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)
 {
     return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_ROUND });
 }
@@ -42,7 +42,7 @@ static struct round round_of(const struct fish *fish, uint32_t index, const stru
 {
     const float half = 0.5f * fish->height_m, end = ENDS * fish->length_m;
     const float top = level_m + half, bottom = f_max(top, 0.92f * BOWL_DEPTH_M - half);
-    const float deep = draw(seed, index, 1), wide = draw(seed, index, 2);
+    const float deep = draw_bowl_fish(seed, index, 1), wide = draw_bowl_fish(seed, index, 2);
     const float below = f_lerp(top, bottom, deep * (0.5f + 0.5f * deep));
     const float hull = f_max(0.0f, bowl_hull_radius_m(below + half) - HULL_GAP_M);
     const float reach = f_sqrt(f_max(0.0f, hull * hull - end * end));
@@ -50,7 +50,7 @@ static struct round round_of(const struct fish *fish, uint32_t index, const stru
     return (struct round){
         .below_m = below,
         .radius_m = reach * f_sqrt(0.04f + 0.96f * wide),
-        .rad_s = ROUND_RAD_S * (1.0f + spread * (2.0f * draw(seed, index, 4) - 1.0f)),
+        .rad_s = ROUND_RAD_S * (1.0f + spread * (2.0f * draw_bowl_fish(seed, index, 4) - 1.0f)),
     };
 }
 
@@ -72,8 +72,8 @@ static void beat(struct fish *fish, float bend_rad)
 }
 
 /* Moves the fish along its circle, and toward its depth and radius. */
-static void swim(struct fish *fish, const struct bowl *bowl, float way,
-                 const struct round *round)
+static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
+                         const struct round *round)
 {
     const vec3 at = v3_sub(fish->position_m, bowl->position_m);
     const float radius_m = f_max(f_sqrt(at.x * at.x + at.z * at.z), 1e-4f);
@@ -82,10 +82,10 @@ static void swim(struct fish *fish, const struct bowl *bowl, float way,
     const float along = round->rad_s * f_max(radius_m, 0.01f);
     const float settle = SETTLE_PER_S * (1.0f - SETTLE_CROWD * crowd_of(bowl));
     vec3 speed = v3_scale(on, along);
-    speed = v3_mad(speed, out, settle * (round->radius_m - radius_m));
+    speed = v3_muladd(speed, out, settle * (round->radius_m - radius_m));
     speed.y = settle * (-round->below_m - at.y);
     speed = v3_limit(speed, SPEED_MAX_M_S);
-    fish->position_m = v3_mad(fish->position_m, speed, CORE_TICK_S);
+    fish->position_m = v3_muladd(fish->position_m, speed, CORE_TICK_S);
     fish->speed_m_s = along;
     turn_to(fish, on);
     beat(fish, -0.25f * way);
@@ -135,7 +135,7 @@ float bowl_fish_overlap_m(const struct fish *a, const struct fish *b)
     return girths_m(a, b) - v3_length(way_between(a, spine_of(a), b, spine_of(b)));
 }
 
-static void part(struct fish *a, struct spine on_a, struct fish *b, struct spine on_b)
+static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b, struct spine on_b)
 {
     const vec3 d = v3_sub(b->position_m, a->position_m);
     const float girths = girths_m(a, b);
@@ -150,10 +150,10 @@ static void part(struct fish *a, struct spine on_a, struct fish *b, struct spine
     }
     /* The distance of crossing spines is zero, so their centres give the direction. */
     const float deep = 1.0f - f_sqrt(square) / girths;
-    const vec3 out = v3_normalize_or(v3_mad(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
+    const vec3 out = v3_normalize_or(v3_muladd(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
     const float step_m = f_min(PART_SHARE * deep * girths, PART_MAX_M);
-    a->position_m = v3_mad(a->position_m, out, -0.5f * step_m);
-    b->position_m = v3_mad(b->position_m, out, 0.5f * step_m);
+    a->position_m = v3_muladd(a->position_m, out, -0.5f * step_m);
+    b->position_m = v3_muladd(b->position_m, out, 0.5f * step_m);
 }
 
 static void part_all(struct fish *fish, const fish_index *mine, uint32_t count)
@@ -163,7 +163,7 @@ static void part_all(struct fish *fish, const fish_index *mine, uint32_t count)
     for (uint32_t i = 0; i < count; i++) {
         spine[i] = spine_of(&fish[mine[i]]);
         for (uint32_t k = 0; k < i; k++) {
-            part(&fish[mine[k]], spine[k], &fish[mine[i]], spine[i]);
+            separate_bowl_fish(&fish[mine[k]], spine[k], &fish[mine[i]], spine[i]);
         }
     }
 }
@@ -179,7 +179,7 @@ static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level
                           ENDS * fish->length_m * f_cos(fish->angles.yaw_rad));
     const float hull = f_max(bowl_hull_radius_m(-at.y + 0.5f * half) - HULL_GAP_M, 0.0f);
     for (int end = -1; end <= 1; end += 2) {
-        const vec3 tip = v3_mad(at, along, (float)end);
+        const vec3 tip = v3_muladd(at, along, (float)end);
         const float far = f_sqrt(tip.x * tip.x + tip.z * tip.z);
         if (far > hull) {
             const float back = (far - hull) / far;
@@ -193,8 +193,8 @@ static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level
 /* ---- A tick --------------------------------------------------------------------------------- */
 
 /* Writes the fish of this bowl into `mine`; returns their number, at most BOWL_FISH_MAX. */
-static uint32_t gather(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
-                       fish_index mine[BOWL_FISH_MAX])
+static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
+                                 fish_index mine[BOWL_FISH_MAX])
 {
     uint32_t count = 0;
     bowl->fish_kg = 0.0f;
@@ -227,7 +227,7 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
     if (!bowl->present || bowl->fish_count == 0) {
         return;
     }
-    const uint32_t count = gather(bowl, bowl_index, tank, mine);
+    const uint32_t count = gather_bowl_fish(bowl, bowl_index, tank, mine);
     const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* All fish of a bowl circle in the same
                                                               direction. */
     const float level_m = bowl_level_m(bowl);
@@ -236,7 +236,7 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         fish->position_m = v3_add(fish->position_m, moved_m);
         from_m[i] = fish->position_m;
         const struct round round = round_of(fish, mine[i], bowl, level_m, tank->seed);
-        swim(fish, bowl, way, &round);
+        swim_in_bowl(fish, bowl, way, &round);
     }
     part_all(tank->fish, mine, count);
     for (uint32_t i = 0; i < count; i++) {

@@ -37,7 +37,7 @@ static float ring_room_kg(float tangent)
     return f_max(0.0f, RING_KG * share - FILM_KG);
 }
 
-float carry_room_kg(const struct poi *poi, float up_y)
+float carried_water_room_kg(const struct poi *poi, float up_y)
 {
     const float level = f_max(f_abs(up_y), 1e-3f);
     const float tangent = f_sqrt(f_max(0.0f, 1.0f - level * level)) / level;
@@ -69,11 +69,11 @@ static void let_drop(struct poi *poi, float lost_kg)
 }
 
 /* The part of the paper under water has its film and its pool at once; the rest drains. */
-void carry_tick(struct poi *poi, float up_y)
+void carried_water_tick(struct poi *poi, float up_y)
 {
     const float left = sheet_left(&poi->sheet);
     const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
-    const float room_kg = carry_room_kg(poi, up_y);
+    const float room_kg = carried_water_room_kg(poi, up_y);
     const float tilt_per_s = tilt_sine / DRAIN_TAU_S;
     const float seep_per_s = 1.0f / SEEP_TAU_S;
     const float rim_per_s = RIM_PER_S * f_max(0.0f, 1.0f - tilt_sine / RIM_SINE);
@@ -90,7 +90,7 @@ void carry_tick(struct poi *poi, float up_y)
     let_drop(poi, before_kg - poi->water_kg);
 }
 
-float poi_water_m(const struct poi *poi)
+float carried_water_m(const struct poi *poi)
 {
     const float area_m2 = F_PI * POI_RADIUS_M * POI_RADIUS_M;
     return (1.0f - poi->immersed) * poi->water_kg / (WATER_KG_M3 * area_m2);

@@ -9,10 +9,10 @@
 
 /* Returns the capacity of a pool at the ring's tilt: about 3 g in a level sag, 15 g upside down,
  * none when steep. `up_y` is the upward component of the unit normal. */
-float carry_room_kg(const struct poi *poi, float up_y);
+float carried_water_room_kg(const struct poi *poi, float up_y);
 
 /* Advances one tick. Under water the poi fills up. In air the water drains over the rim (0.15 s /
  * sine of the tilt), through holes, and slowly through wet paper. */
-void carry_tick(struct poi *poi, float up_y);
+void carried_water_tick(struct poi *poi, float up_y);
 
 #endif

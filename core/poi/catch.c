@@ -24,7 +24,7 @@ struct scoop { /* Context of one tick. */
     struct output *output;
     uint32_t tick;
     struct basis axes;
-    struct ride ride;
+    struct paper_surface ride;
     float pan;
     int clear; /* 1 if the whole ring is above the water. */
     struct catch_result *results;
@@ -67,62 +67,63 @@ static void sound_slap(const struct scoop *scoop, float force_n)
 
 static void remove_rider(struct poi *poi, uint32_t which)
 {
-    CORE_ASSERT(which < poi->rider_count);
-    poi->rider_count--;
-    poi->riders[which] = poi->riders[poi->rider_count];
+    CORE_ASSERT(which < poi->carried_count);
+    poi->carried_count--;
+    poi->carried_fish[which] = poi->carried_fish[poi->carried_count];
 }
 
-static void let_fall(const struct scoop *scoop, struct rider *rider)
+static void let_fall(const struct scoop *scoop, struct carried_fish *carried)
 {
-    const vec3 slide = v3(rider->slide_x_m_s, 0.0f, rider->slide_z_m_s);
-    fall_begin(rider, v3_add(scoop->poi->velocity_m_s, basis_to_world(&scoop->axes, slide)));
+    const vec3 slide = v3(carried->slide_x_m_s, 0.0f, carried->slide_z_m_s);
+    fall_begin(carried, v3_add(scoop->poi->velocity_m_s, vec_basis_to_world(&scoop->axes, slide)));
 }
 
 /* Returns 1 if a fish in flight meets the paper from above and lies on it again, because the fish
  * was thrown up or the poi comes up under it. `before_m` is its position of the previous tick. The
  * axes of the poi are used without rotation, because both fly. */
-static int lands(const struct scoop *scoop, const struct rider *rider, vec3 before_m,
-                 struct rider *lying)
+static int lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
+                 struct carried_fish *lying)
 {
     const struct poi *poi = scoop->poi;
-    const struct fish *fish = &scoop->tank->fish[rider->fish];
-    const struct basis was = basis_from_angles(poi->before_angles);
-    const vec3 from = basis_to_body(&was, v3_sub(before_m, poi->before_m));
-    const vec3 to = basis_to_body(&scoop->axes, v3_sub(fish->position_m, poi->position_m));
-    const vec3 speed = basis_to_body(&scoop->axes, v3_sub(rider->fall_m_s, poi->velocity_m_s));
+    const struct fish *fish = &scoop->tank->fish[carried->fish];
+    const struct basis was = vec_basis_from_angles(poi->before_angles);
+    const vec3 from = vec_basis_to_body(&was, v3_sub(before_m, poi->before_m));
+    const vec3 to = vec_basis_to_body(&scoop->axes, v3_sub(fish->position_m, poi->position_m));
+    const vec3 speed =
+        vec_basis_to_body(&scoop->axes, v3_sub(carried->fall_m_s, poi->velocity_m_s));
     if (from.y < 0.0f || to.y >= 0.0f) {
         return 0;
     }
     const vec3 at = v3_lerp(from, to, from.y / (from.y - to.y));
-    *lying = *rider;
-    lying->state = RIDER_LYING;
+    *lying = *carried;
+    lying->state = CARRIED_LYING;
     lying->x_m = at.x;
     lying->z_m = at.z;
     lying->height_m = 0.0f;
     lying->slide_x_m_s = f_clamp(speed.x, -LAND_M_S, LAND_M_S);
     lying->slide_z_m_s = f_clamp(speed.z, -LAND_M_S, LAND_M_S);
-    return footing_holds(&poi->sheet, lying, fish);
+    return carried_support_holds(&poi->sheet, lying, fish);
 }
 
 /* Advances a fall. Returns 1 if it has ended. */
-static int fall(const struct scoop *scoop, struct rider *rider)
+static int fall(const struct scoop *scoop, struct carried_fish *carried)
 {
-    const vec3 before_m = scoop->tank->fish[rider->fish].position_m;
-    struct rider lying;
+    const vec3 before_m = scoop->tank->fish[carried->fish].position_m;
+    struct carried_fish lying;
     uint32_t bowl;
-    switch (fall_tick(rider, scoop->stall, &bowl)) {
+    switch (fall_tick(carried, scoop->stall, &bowl)) {
     case FALL_INTO_BOWL:
-        catch_count(rider, scoop->poi_index, bowl, scoop->results);
+        catch_count(carried, scoop->poi_index, bowl, scoop->results);
         output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
         return 1;
     case FALL_INTO_WATER:
         output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
         return 1;
     default:
-        if (rider->state == RIDER_FALLING && lands(scoop, rider, before_m, &lying)) {
-            *rider = lying;
-            rider_pose(rider, &scoop->ride, scoop->poi->position_m, &scoop->axes,
-                       &scoop->tank->fish[rider->fish]);
+        if (carried->state == CARRIED_FALLING && lands(scoop, carried, before_m, &lying)) {
+            *carried = lying;
+            carried_fish_pose(carried, &scoop->ride, scoop->poi->position_m, &scoop->axes,
+                              &scoop->tank->fish[carried->fish]);
         }
         return 0;
     }
@@ -136,41 +137,43 @@ static float paper_y(const struct scoop *scoop, float x_m, float z_m)
     return scoop->poi->position_m.y + x_m * scoop->axes.right.y + z_m * scoop->axes.back.y;
 }
 
-static int floats_off(const struct scoop *scoop, const struct rider *rider, const struct fish *fish)
+static int floats_off(const struct scoop *scoop, const struct carried_fish *carried,
+                      const struct fish *fish)
 {
-    const float depth = -paper_y(scoop, rider->x_m, rider->z_m);
-    return depth > TAKE_UP_FLOAT_SHARE * fish->height_m;
+    const float depth = -paper_y(scoop, carried->x_m, carried->z_m);
+    return depth > CAPTURE_FLOAT_SHARE * fish->height_m;
 }
 
 /* Counts the ticks in which the ring is clear of the water with the fish on it, as an umpire judges
  * a catch. */
-static void see_ring(const struct scoop *scoop, struct rider *rider)
+static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
 {
     if (!scoop->clear) {
-        rider->clear_ticks = 0;
-    } else if (rider->clear_ticks < RIDER_CLEAR_TICKS) {
-        rider->clear_ticks++;
+        carried->clear_ticks = 0;
+    } else if (carried->clear_ticks < CARRIED_CLEAR_TICKS) {
+        carried->clear_ticks++;
     }
 }
 
 /* Advances a lying fish. Returns 1 if it has left the poi. */
-static int ride(struct scoop *scoop, struct rider *rider)
+static int ride(struct scoop *scoop, struct carried_fish *carried)
 {
-    struct fish *fish = &scoop->tank->fish[rider->fish];
-    see_ring(scoop, rider);
-    const float dry = burden_dryness(scoop->poi, &scoop->axes, rider, fish);
-    sound_slap(scoop, rider_tick(rider, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick));
+    struct fish *fish = &scoop->tank->fish[carried->fish];
+    see_ring(scoop, carried);
+    const float dry = carried_load_dryness(scoop->poi, &scoop->axes, carried, fish);
+    sound_slap(scoop,
+               carried_fish_tick(carried, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick));
     const vec3 before = fish->position_m;
-    rider_pose(rider, &scoop->ride, scoop->poi->position_m, &scoop->axes, fish);
+    carried_fish_pose(carried, &scoop->ride, scoop->poi->position_m, &scoop->axes, fish);
     fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
     const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
-    const int leaves = flies || !footing_holds(&scoop->poi->sheet, rider, fish);
-    if (floats_off(scoop, rider, fish) || (leaves && dry <= 0.0f)) {
+    const int leaves = flies || !carried_support_holds(&scoop->poi->sheet, carried, fish);
+    if (floats_off(scoop, carried, fish) || (leaves && dry <= 0.0f)) {
         fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish swims. */
         return 1;
     }
     if (leaves) {
-        let_fall(scoop, rider);
+        let_fall(scoop, carried);
     }
     return 0;
 }
@@ -178,11 +181,12 @@ static int ride(struct scoop *scoop, struct rider *rider)
 static void ride_all(struct scoop *scoop)
 {
     uint32_t i = 0;
-    huddle_tick(scoop->poi, scoop->tank->fish);
-    while (i < scoop->poi->rider_count) {
-        struct rider *rider = &scoop->poi->riders[i];
-        CORE_ASSERT(rider->fish < scoop->tank->fish_count);
-        const int gone = rider->state == RIDER_LYING ? ride(scoop, rider) : fall(scoop, rider);
+    carried_separation_tick(scoop->poi, scoop->tank->fish);
+    while (i < scoop->poi->carried_count) {
+        struct carried_fish *carried = &scoop->poi->carried_fish[i];
+        CORE_ASSERT(carried->fish < scoop->tank->fish_count);
+        const int gone =
+            carried->state == CARRIED_LYING ? ride(scoop, carried) : fall(scoop, carried);
         if (gone) {
             remove_rider(scoop->poi, i);
         } else {
@@ -197,8 +201,8 @@ static void ride_all(struct scoop *scoop)
 static void forget_strangers(struct scoop *scoop)
 {
     uint32_t i = 0;
-    while (i < scoop->poi->rider_count) {
-        const struct fish *fish = &scoop->tank->fish[scoop->poi->riders[i].fish];
+    while (i < scoop->poi->carried_count) {
+        const struct fish *fish = &scoop->tank->fish[scoop->poi->carried_fish[i].fish];
         if (fish->gait == GAIT_HELD && fish->holder == scoop->poi_index) {
             i++;
         } else {
@@ -207,13 +211,13 @@ static void forget_strangers(struct scoop *scoop)
     }
 }
 
-static void meet(struct scoop *scoop, uint32_t index)
+static void try_to_capture(struct scoop *scoop, uint32_t index)
 {
     struct fish *fish = &scoop->tank->fish[index];
-    if (contact_fish(scoop->poi, &scoop->axes, fish)) {
-        take_up(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, index, scoop->tick);
-    } else if (contact_squeezed(scoop->poi, fish)) {
-        take_up_slip_off(scoop->poi, scoop->tank, fish);
+    if (paper_contact_fish(scoop->poi, &scoop->axes, fish)) {
+        capture_fish(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, index, scoop->tick);
+    } else if (paper_contact_squeezed(scoop->poi, fish)) {
+        capture_slip_off(scoop->poi, scoop->tank, fish);
     }
 }
 
@@ -222,12 +226,12 @@ static void meet(struct scoop *scoop, uint32_t index)
 static void free_jam(struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
-    const int jams = contact_jams(poi);
+    const int jams = paper_contact_jams(poi);
     poi->jam_ticks = (uint8_t)(jams ? poi->jam_ticks + (poi->jam_ticks < UINT8_MAX) : 0);
     for (uint32_t i = 0; i < scoop->tank->fish_count && jams; i++) {
         struct fish *fish = &scoop->tank->fish[i];
-        if (fish_swims(fish) && contact_holds(poi, &scoop->axes, fish)) {
-            take_up_slip_off(poi, scoop->tank, fish);
+        if (fish_swims(fish) && paper_contact_releases(poi, &scoop->axes, fish)) {
+            capture_slip_off(poi, scoop->tank, fish);
         }
     }
 }
@@ -240,8 +244,8 @@ static void meet_all(struct scoop *scoop)
             continue;
         }
         if (fish->gait != GAIT_HELD) {
-            meet(scoop, i);
-        } else if (fish->holder == scoop->poi_index && !catch_has_rider(scoop->poi, i)) {
+            try_to_capture(scoop, i);
+        } else if (fish->holder == scoop->poi_index && !catch_has_carried(scoop->poi, i)) {
             fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
     }
@@ -249,25 +253,25 @@ static void meet_all(struct scoop *scoop)
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-int catch_has_rider(const struct poi *poi, uint32_t fish)
+int catch_has_carried(const struct poi *poi, uint32_t fish)
 {
-    for (uint32_t i = 0; i < poi->rider_count; i++) {
-        if (poi->riders[i].fish == fish) {
+    for (uint32_t i = 0; i < poi->carried_count; i++) {
+        if (poi->carried_fish[i].fish == fish) {
             return 1;
         }
     }
     return 0;
 }
 
-void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
+void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl,
                  struct catch_result results[POI_MAX])
 {
     CORE_ASSERT(poi < POI_MAX);
     CORE_ASSERT(bowl < POI_MAX);
     results[bowl].bowled++;
-    if (rider->clear_ticks < RIDER_CLEAR_TICKS) {
+    if (carried->clear_ticks < CARRIED_CLEAR_TICKS) {
         results[poi].poured++;
-    } else if (rider->walled) {
+    } else if (carried->walled) {
         results[poi].walled++;
     } else {
         results[bowl].landed++;
@@ -287,7 +291,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
 {
     CORE_ASSERT(poi_index < POI_MAX);
     CORE_ASSERT(stall->bowl_count <= POI_MAX);
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 pull = v3_sub(v3(0.0f, -GRAVITY_M_S2, 0.0f), poi->acceleration_m_s2);
     struct scoop scoop = {
         .poi = poi,
@@ -297,7 +301,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
         .output = output,
         .tick = tick,
         .axes = axes,
-        .ride = { .pull_m_s2 = basis_to_body(&axes, pull),
+        .ride = { .pull_m_s2 = vec_basis_to_body(&axes, pull),
                   .uphill_x = axes.right.y,
                   .uphill_z = axes.back.y,
                   .radius_m = POI_RADIUS_M,
@@ -312,5 +316,5 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
     ride_all(&scoop);
     meet_all(&scoop);
     free_jam(&scoop);
-    burden_gather(poi, &axes, scoop.ride.pull_m_s2.y, stall->tank->fish);
+    carried_load_gather(poi, &axes, scoop.ride.pull_m_s2.y, stall->tank->fish);
 }

@@ -22,10 +22,10 @@ struct catch_result {
 };
 
 /* Returns 1 if a fish lies on the poi or falls off it. */
-int catch_has_rider(const struct poi *poi, uint32_t fish);
+int catch_has_carried(const struct poi *poi, uint32_t fish);
 
 /* Counts a fish that fell off poi `poi` into bowl `bowl`, both < POI_MAX. */
-void catch_count(const struct rider *rider, uint32_t poi, uint32_t bowl,
+void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl,
                  struct catch_result results[POI_MAX]);
 
 /* Advances one poi by one tick against all fish, after they moved. Carries, slides and drops the

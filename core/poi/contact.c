@@ -16,19 +16,19 @@ static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
     if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {
         return 0;
     }
-    *place = basis_to_body(axes, away);
+    *place = vec_basis_to_body(axes, away);
     return place->y >= 0.0f && place->y < ZONE_M;
 }
 
-int contact_fish(const struct poi *poi, const struct basis *axes, const struct fish *fish)
+int paper_contact_fish(const struct poi *poi, const struct basis *axes, const struct fish *fish)
 {
     vec3 place;
     if (!over_paper(axes, v3_sub(fish->position_m, poi->position_m), &place) ||
         !sheet_holds(&poi->sheet, place.x, place.z)) {
         return 0;
     }
-    const struct basis body = basis_from_angles(fish->angles);
-    const float clear_m = fish_half_extent_m(fish, basis_to_body(&body, axes->up));
+    const struct basis body = vec_basis_from_angles(fish->angles);
+    const float clear_m = carried_fish_half_extent_m(fish, vec_basis_to_body(&body, axes->up));
     return place.y < clear_m + TOUCH_M;
 }
 
@@ -47,10 +47,10 @@ static int ring_touches(const struct poi *poi, const struct fish *fish, int from
     return touch.gap_m < SQUEEZE_GAP_M && (!from_below || touch.out.y > 0.0f);
 }
 
-int contact_jams(const struct poi *poi)
+int paper_contact_jams(const struct poi *poi)
 {
     const vec3 made_m = v3_sub(poi->position_m, poi->before_m);
-    return poi->gave & OBSTACLE_GAVE_PLACE && poi->hand_m.y > poi->position_m.y + JAM_PULL_M &&
+    return poi->reaction & REACTION_POSITION && poi->hand_m.y > poi->position_m.y + JAM_PULL_M &&
            v3_dot(made_m, made_m) < JAM_M * JAM_M;
 }
 
@@ -60,10 +60,10 @@ static int is_near(const struct fish *fish, vec3 away)
     return v3_dot(away, away) < reach_m * reach_m;
 }
 
-int contact_squeezed(const struct poi *poi, const struct fish *fish)
+int paper_contact_squeezed(const struct poi *poi, const struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
-    return poi->gave & OBSTACLE_GAVE_PLACE && is_near(fish, away) && at_surface(fish) &&
+    return poi->reaction & REACTION_POSITION && is_near(fish, away) && at_surface(fish) &&
            ring_touches(poi, fish, 1);
 }
 
@@ -76,7 +76,7 @@ static int lies_over(const struct basis *axes, vec3 away, float from_m)
            v3_dot(away, axes->up) > 0.0f;
 }
 
-int contact_holds(const struct poi *poi, const struct basis *axes, const struct fish *fish)
+int paper_contact_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
     const float left = 1.0f - (float)poi->jam_ticks / JAM_TICKS;
@@ -84,5 +84,5 @@ int contact_holds(const struct poi *poi, const struct basis *axes, const struct 
         return 1;
     }
     return left <= 0.0f && is_near(fish, away) &&
-           (ring_touches(poi, fish, 0) || contact_fish(poi, axes, fish));
+           (ring_touches(poi, fish, 0) || paper_contact_fish(poi, axes, fish));
 }

@@ -13,11 +13,12 @@ enum fall_end {
 };
 
 /* Starts the fall of a carried fish at a world velocity. */
-void fall_begin(struct rider *rider, vec3 velocity_m_s);
+void fall_begin(struct carried_fish *carried, vec3 velocity_m_s);
 
 /* Advances a fall by one tick. A fish enters a bowl, of any player, only from above through its
  * mouth; `*bowl_index` is then that bowl. */
-enum fall_end fall_tick(struct rider *rider, const struct stall *stall, uint32_t *bowl_index);
+enum fall_end fall_tick(struct carried_fish *carried, const struct stall *stall,
+                        uint32_t *bowl_index);
 
 /* Releases a carried fish into the water, under the surface and inside the walls, in alarm. */
 void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s);

@@ -17,33 +17,34 @@ static int is_borne(const struct sheet *sheet, float x_m, float z_m)
 
 /* Returns 1 if anything supports one of three points across the body, `along` lengths behind the
  * centre. */
-static int slice_holds(const struct sheet *sheet, const struct rider *rider,
+static int slice_holds(const struct sheet *sheet, const struct carried_fish *carried,
                        const struct fish *fish, float along)
 {
-    const float tail_x = f_sin(rider->heading_rad), tail_z = f_cos(rider->heading_rad);
-    const float x = rider->x_m + along * fish->length_m * tail_x;
-    const float z = rider->z_m + along * fish->length_m * tail_z;
-    const float aside = ACROSS * f_lerp(fish->width_m, fish->height_m, rider->lie);
+    const float tail_x = f_sin(carried->heading_rad), tail_z = f_cos(carried->heading_rad);
+    const float x = carried->x_m + along * fish->length_m * tail_x;
+    const float z = carried->z_m + along * fish->length_m * tail_z;
+    const float aside = ACROSS * f_lerp(fish->width_m, fish->height_m, carried->lie);
     return is_borne(sheet, x, z) || is_borne(sheet, x + aside * tail_z, z - aside * tail_x) ||
            is_borne(sheet, x - aside * tail_z, z + aside * tail_x);
 }
 
-static int half_holds(const struct sheet *sheet, const struct rider *rider,
+static int half_holds(const struct sheet *sheet, const struct carried_fish *carried,
                       const struct fish *fish, float way)
 {
-    return slice_holds(sheet, rider, fish, way * ALONG_STEP) ||
-           slice_holds(sheet, rider, fish, 2.0f * way * ALONG_STEP);
+    return slice_holds(sheet, carried, fish, way * ALONG_STEP) ||
+           slice_holds(sheet, carried, fish, 2.0f * way * ALONG_STEP);
 }
 
-int footing_holds(const struct sheet *sheet, const struct rider *rider, const struct fish *fish)
+int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                          const struct fish *fish)
 {
-    const float square = rider->x_m * rider->x_m + rider->z_m * rider->z_m;
+    const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
     if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
         return 0;
     }
     if (sheet->paper_cells == sheet->paper_cells_new) {
         return 1; /* Intact paper, as in most ticks of a round. */
     }
-    return slice_holds(sheet, rider, fish, 0.0f) &&
-           (half_holds(sheet, rider, fish, -1.0f) || half_holds(sheet, rider, fish, 1.0f));
+    return slice_holds(sheet, carried, fish, 0.0f) &&
+           (half_holds(sheet, carried, fish, -1.0f) || half_holds(sheet, carried, fish, 1.0f));
 }

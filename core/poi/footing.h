@@ -11,6 +11,7 @@
 
 /* Returns 1 if a lying fish is supported: at its middle, and at its front half or its rear. A fish
  * whose centre is beyond the ring slips off. */
-int footing_holds(const struct sheet *sheet, const struct rider *rider, const struct fish *fish);
+int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                          const struct fish *fish);
 
 #endif

@@ -5,7 +5,7 @@
 #include "core/poi/load.h"
 #include "core/poi/pull.h"
 
-static vec3 within(vec3 v, float most)
+static vec3 clamp_vector(vec3 v, float most)
 {
     return v3(f_clamp(v.x, -most, most), f_clamp(v.y, -most, most), f_clamp(v.z, -most, most));
 }
@@ -20,23 +20,23 @@ static vec3 burden_n(const struct poi *poi, const struct basis *axes)
 
 static int is_held_up(const struct poi *poi)
 {
-    return poi->stopped || poi->gave;
+    return poi->stopped || poi->reaction;
 }
 
 /* Returns the force that gave ring, load and water their present speed. */
 static vec3 moved_n(const struct poi *poi, const struct basis *axes)
 {
-    const vec3 mass_kg = pull_mass_kg(poi);
-    const vec3 gain = basis_to_body(axes, v3_sub(poi->velocity_m_s, poi->before_m_s));
+    const vec3 mass_kg = hand_spring_mass_kg(poi);
+    const vec3 gain = vec_basis_to_body(axes, v3_sub(poi->velocity_m_s, poi->before_m_s));
     const vec3 took = v3(mass_kg.x * gain.x, mass_kg.y * gain.y, mass_kg.z * gain.z);
-    return v3_scale(basis_to_world(axes, took), (float)CORE_TICK_HZ);
+    return v3_scale(vec_basis_to_world(axes, took), (float)CORE_TICK_HZ);
 }
 
 /* Returns the force of the hand. For a freely moving ring the force follows from its motion. For a
  * blocked ring it is the force of the stretched hand spring. */
 static vec3 hand_n(const struct poi *poi, const struct basis *axes)
 {
-    return is_held_up(poi) ? pull_hand_n(poi, axes)
+    return is_held_up(poi) ? hand_spring_force_n(poi, axes)
                            : v3_sub(moved_n(poi, axes), burden_n(poi, axes));
 }
 
@@ -48,7 +48,7 @@ static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec
     }
     const vec3 others_n = v3_add(hand, burden_n(poi, axes));
     const vec3 push = v3_limit(v3_sub(moved_n(poi, axes), others_n), POI_FORCE_N_MAX);
-    const vec3 flat = v3_mad(push, axes->up, -v3_dot(push, axes->up));
+    const vec3 flat = v3_muladd(push, axes->up, -v3_dot(push, axes->up));
     const vec3 toward = v3_normalize_or(flat, v3(0.0f, 0.0f, 0.0f));
     return v3_cross(v3_scale(toward, -POI_OUTER_RADIUS_M), push);
 }
@@ -59,7 +59,7 @@ static vec3 fish_torque_n_m(const struct poi *poi, const struct basis *axes)
     vec3 torque = v3(0.0f, 0.0f, 0.0f);
     for (uint32_t i = 0; i < poi->load_count; i++) {
         const struct sheet_load *load = &poi->loads[i];
-        const vec3 place_m = basis_to_world(axes, v3(load->x_m, 0.0f, load->z_m));
+        const vec3 place_m = vec_basis_to_world(axes, v3(load->x_m, 0.0f, load->z_m));
         torque = v3_add(torque, v3_cross(place_m, v3_scale(axes->up, load->force_n)));
     }
     return torque;
@@ -74,7 +74,7 @@ static vec3 turn_torque_n_m(const struct poi *poi)
 
 void haptics_feel(const struct poi *poi, struct poi_force *force)
 {
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 hand = hand_n(poi, &axes);
     const vec3 felt_n = v3_scale(hand, -1.0f);
     const vec3 torque = v3_add(v3_cross(v3_scale(axes.back, -POI_GRIP_M), felt_n),
@@ -82,8 +82,8 @@ void haptics_feel(const struct poi *poi, struct poi_force *force)
     const vec3 own = v3_add(fish_torque_n_m(poi, &axes), turn_torque_n_m(poi));
     const float drag = v3_length(load_water_n(poi, &axes)) / POI_DRAG_N_FULL;
     *force = (struct poi_force){
-        .force_n = within(felt_n, POI_FORCE_N_MAX),
-        .torque_n_m = within(v3_add(torque, own), POI_TORQUE_N_M_MAX),
+        .force_n = clamp_vector(felt_n, POI_FORCE_N_MAX),
+        .torque_n_m = clamp_vector(v3_add(torque, own), POI_TORQUE_N_M_MAX),
         .drag = f_clamp(drag, 0.0f, 1.0f),
         .slap = f_clamp(-load_kick_n(poi) / POI_SLAP_N_FULL, 0.0f, 1.0f),
         .tear = f_clamp((float)poi->strain.cells_torn / POI_TEAR_CELLS_FULL, 0.0f, 1.0f),

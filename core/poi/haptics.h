@@ -14,7 +14,8 @@
 #define POI_SLAP_N_FULL 0.15f /* The hardest slap of a 5 cm fish in air. */
 #define POI_TEAR_CELLS_FULL 10.0f
 
-/* Writes the reaction on the hand, within the limits of output.h. Called after poi_give_way(). */
+/* Writes the reaction on the hand, within the limits of output.h. Called after
+ * poi_apply_reaction(). */
 void haptics_feel(const struct poi *poi, struct poi_force *force);
 
 #endif

@@ -18,17 +18,17 @@ struct capsule {
     float half_m, radius_m;
 };
 
-static struct capsule capsule_of(const struct rider *rider, const struct fish *fish)
+static struct capsule capsule_of(const struct carried_fish *carried, const struct fish *fish)
 {
     return (struct capsule){
-        .centre = { rider->x_m, rider->z_m },
-        .axis = { f_sin(rider->heading_rad), f_cos(rider->heading_rad) },
+        .centre = { carried->x_m, carried->z_m },
+        .axis = { f_sin(carried->heading_rad), f_cos(carried->heading_rad) },
         .half_m = SPINE_HALF * fish->length_m,
-        .radius_m = GIRTH * f_lerp(fish->width_m, fish->height_m, rider->lie),
+        .radius_m = GIRTH * f_lerp(fish->width_m, fish->height_m, carried->lie),
     };
 }
 
-static struct flat along(const struct capsule *capsule, float way_m)
+static struct flat capsule_point_at(const struct capsule *capsule, float way_m)
 {
     return (struct flat){ capsule->centre.x + way_m * capsule->axis.x,
                           capsule->centre.z + way_m * capsule->axis.z };
@@ -40,7 +40,7 @@ static struct flat to_axis(struct flat from, const struct capsule *capsule)
     const float x = from.x - capsule->centre.x, z = from.z - capsule->centre.z;
     const float way = f_clamp(x * capsule->axis.x + z * capsule->axis.z, -capsule->half_m,
                               capsule->half_m);
-    const struct flat on = along(capsule, way);
+    const struct flat on = capsule_point_at(capsule, way);
     return (struct flat){ on.x - from.x, on.z - from.z };
 }
 
@@ -71,8 +71,8 @@ static struct flat way_between(const struct capsule *a, const struct capsule *b)
         return (struct flat){ 1e-6f * best.x / length, 1e-6f * best.z / length };
     }
     for (int end = -1; end <= 1; end += 2) {
-        const struct flat out = to_axis(along(a, (float)end * a->half_m), b);
-        const struct flat in = to_axis(along(b, (float)end * b->half_m), a);
+        const struct flat out = to_axis(capsule_point_at(a, (float)end * a->half_m), b);
+        const struct flat in = to_axis(capsule_point_at(b, (float)end * b->half_m), a);
         best = square_m2(out) < square_m2(best) ? out : best;
         best = square_m2(in) < square_m2(best) ? (struct flat){ -in.x, -in.z } : best;
     }
@@ -93,8 +93,8 @@ static float overlap_m(const struct capsule *a, const struct capsule *b, struct 
     return a->radius_m + b->radius_m - length_m;
 }
 
-float huddle_overlap_m(const struct rider *a, const struct fish *fish_a, const struct rider *b,
-                       const struct fish *fish_b)
+float carried_separation_overlap_m(const struct carried_fish *a, const struct fish *fish_a,
+                                   const struct carried_fish *b, const struct fish *fish_b)
 {
     const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
     struct flat unused;
@@ -102,22 +102,23 @@ float huddle_overlap_m(const struct rider *a, const struct fish *fish_a, const s
 }
 
 /* Pushes a fish aside, but not over the ring unless it is squeezed. */
-static void push(struct rider *rider, float x_m, float z_m, int is_squeezed)
+static void push_within_ring(struct carried_fish *carried, float x_m, float z_m, int is_squeezed)
 {
     const float wall_m = POI_RADIUS_M - WALL_M;
-    const float before_m = f_sqrt(rider->x_m * rider->x_m + rider->z_m * rider->z_m);
-    rider->x_m += x_m;
-    rider->z_m += z_m;
-    const float now_m = f_sqrt(rider->x_m * rider->x_m + rider->z_m * rider->z_m);
+    const float before_m = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
+    carried->x_m += x_m;
+    carried->z_m += z_m;
+    const float now_m = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
     const float most_m = f_max(before_m, wall_m);
     if (now_m > most_m && !is_squeezed) {
-        rider->x_m *= most_m / now_m;
-        rider->z_m *= most_m / now_m;
+        carried->x_m *= most_m / now_m;
+        carried->z_m *= most_m / now_m;
     }
 }
 
 /* Gives two fish that meet a common speed. */
-static void meet(struct rider *a, struct rider *b, struct flat out, float share_a)
+static void share_velocity(struct carried_fish *a, struct carried_fish *b, struct flat out,
+                           float share_a)
 {
     const float closing = (a->slide_x_m_s - b->slide_x_m_s) * out.x +
                           (a->slide_z_m_s - b->slide_z_m_s) * out.z;
@@ -129,8 +130,8 @@ static void meet(struct rider *a, struct rider *b, struct flat out, float share_
     }
 }
 
-static void part(struct rider *a, const struct fish *fish_a, struct rider *b,
-                 const struct fish *fish_b)
+static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
+                             struct carried_fish *b, const struct fish *fish_b)
 {
     const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
     struct flat out;
@@ -142,19 +143,20 @@ static void part(struct rider *a, const struct fish *fish_a, struct rider *b,
     const float share_a = mass_b / (mass_a + mass_b);
     const float step_m = f_min(0.5f * deep_m, PUSH_MAX_M);
     const int is_squeezed = deep_m > SQUEEZE * (one.radius_m + other.radius_m);
-    push(a, -share_a * step_m * out.x, -share_a * step_m * out.z, is_squeezed);
-    push(b, (1.0f - share_a) * step_m * out.x, (1.0f - share_a) * step_m * out.z, is_squeezed);
-    meet(a, b, out, share_a);
+    push_within_ring(a, -share_a * step_m * out.x, -share_a * step_m * out.z, is_squeezed);
+    push_within_ring(b, (1.0f - share_a) * step_m * out.x, (1.0f - share_a) * step_m * out.z,
+                     is_squeezed);
+    share_velocity(a, b, out, share_a);
 }
 
-void huddle_tick(struct poi *poi, const struct fish *fish)
+void carried_separation_tick(struct poi *poi, const struct fish *fish)
 {
-    for (uint32_t i = 1; i < poi->rider_count; i++) {
-        struct rider *a = &poi->riders[i];
-        for (uint32_t k = 0; k < i && a->state == RIDER_LYING; k++) {
-            struct rider *b = &poi->riders[k];
-            if (b->state == RIDER_LYING) {
-                part(b, &fish[b->fish], a, &fish[a->fish]);
+    for (uint32_t i = 1; i < poi->carried_count; i++) {
+        struct carried_fish *a = &poi->carried_fish[i];
+        for (uint32_t k = 0; k < i && a->state == CARRIED_LYING; k++) {
+            struct carried_fish *b = &poi->carried_fish[k];
+            if (b->state == CARRIED_LYING) {
+                separate_carried(b, &fish[b->fish], a, &fish[a->fish]);
             }
         }
     }

@@ -7,10 +7,10 @@
 /* Advances one tick: carried fish that overlap push each other aside, the lighter fish more. The
  * ring holds a fish moved against it until there is no room left; then the fish is squeezed over
  * the ring. Fish in the air are ignored. `fish` is the tank's. */
-void huddle_tick(struct poi *poi, const struct fish *fish);
+void carried_separation_tick(struct poi *poi, const struct fish *fish);
 
 /* Returns the overlap of two carried fish in the plane of the paper, m; <= 0: apart. */
-float huddle_overlap_m(const struct rider *a, const struct fish *fish_a, const struct rider *b,
-                       const struct fish *fish_b);
+float carried_separation_overlap_m(const struct carried_fish *a, const struct fish *fish_a,
+                                   const struct carried_fish *b, const struct fish *fish_b);
 
 #endif

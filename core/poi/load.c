@@ -16,16 +16,16 @@
 
 vec3 load_weight_n(const struct poi *poi)
 {
-    const float mass_kg = POI_MASS_KG + poi->water_kg + poi->riders_kg;
+    const float mass_kg = POI_MASS_KG + poi->water_kg + poi->carried_kg;
     return v3(0.0f, -GRAVITY_M_S2 * mass_kg * (1.0f - poi->immersed), 0.0f);
 }
 
 vec3 load_water_n(const struct poi *poi, const struct basis *axes)
 {
-    const vec3 v = basis_to_body(axes, poi->velocity_m_s);
+    const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
     const vec3 water_n = v3(-poi->edge_n_s_m * v.x, poi->slam_n - poi->drag_n_s_m * v.y,
                             -poi->edge_n_s_m * v.z);
-    return basis_to_world(axes, water_n);
+    return vec_basis_to_world(axes, water_n);
 }
 
 /* Returns the share [0, 1] of the ring's edge that is above the water by no more than a meniscus
@@ -78,7 +78,7 @@ static float turning_pa(const struct poi *poi)
 static float burden_n(const struct poi *poi, float area_m2, float up_y, float lift_m_s2)
 {
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;
-    const float burden_kg = (paper_kg + poi->water_kg + poi->riders_kg) * (1.0f - poi->immersed);
+    const float burden_kg = (paper_kg + poi->water_kg + poi->carried_kg) * (1.0f - poi->immersed);
     return burden_kg * (GRAVITY_M_S2 * up_y + lift_m_s2) + 0.5f * poi->meniscus_n * up_y;
 }
 

@@ -44,7 +44,7 @@ static void count_dips(struct poi *poi)
         poi->is_in = 0;
     } else if (!poi->is_in && poi->immersed > SCOOP_IMMERSED) {
         poi->is_in = 1;
-        poi->dips += poi->spared ? 0u : 1u;
+        poi->dips += poi->damage_immune ? 0u : 1u;
     }
 }
 
@@ -69,16 +69,16 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     struct poi_target target;
     swing(poi, grip, bowl, &target);
 
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const float was_immersed = poi->immersed;
-    pull_ring(poi, target.position_m, &axes,
-              disc_immersed(POI_RADIUS_M, poi->position_m.y, axes.up.y));
+    hand_spring_tick(poi, target.position_m, &axes,
+                     disc_immersed(POI_RADIUS_M, poi->position_m.y, axes.up.y));
     poi->clings = poi->immersed > 0.0f || poi->meniscus_n > 0.0f;
     note_splash(poi, was_immersed);
     count_dips(poi);
-    const vec3 free_m = v3_mad(poi->before_m, poi->velocity_m_s, CORE_TICK_S);
+    const vec3 free_m = v3_muladd(poi->before_m, poi->velocity_m_s, CORE_TICK_S);
     poi->position_m = free_m;
-    poi_yield(poi, tank, bowl, poi->before_m, axes.up);
+    poi_constrain(poi, tank, bowl, poi->before_m, axes.up);
     const vec3 off_m = v3_sub(poi->position_m, free_m);
     poi->stopped = v3_dot(off_m, off_m) > 0.0f;
 }
@@ -87,13 +87,13 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
 static float stalled(const struct poi *poi)
 {
     const float wants_m_s = v3_length(poi->velocity_m_s), had_m_s = v3_length(poi->before_m_s);
-    return poi->gave && had_m_s < wants_m_s ? 1.0f - had_m_s / wants_m_s : 0.0f;
+    return poi->reaction && had_m_s < wants_m_s ? 1.0f - had_m_s / wants_m_s : 0.0f;
 }
 
 struct obstacle poi_obstacle(const struct poi *poi)
 {
     const struct angles now = poi->angles, before = poi->before_angles;
-    const struct basis axes = basis_from_angles(now);
+    const struct basis axes = vec_basis_from_angles(now);
     return (struct obstacle){
         .kind = OBSTACLE_DISC,
         .centre_m = poi->position_m,
@@ -103,7 +103,7 @@ struct obstacle poi_obstacle(const struct poi *poi)
         .radius_m = POI_OUTER_RADIUS_M,
         .step_m = v3_sub(poi->position_m, poi->before_m),
         .axes = axes,
-        .axes_before = basis_from_angles(before),
+        .axes_before = vec_basis_from_angles(before),
         .turned = now.yaw_rad != before.yaw_rad || now.pitch_rad != before.pitch_rad ||
                   now.roll_rad != before.roll_rad,
         .paper = poi->sheet.paper_cells > 0 ? poi->sheet.state : NULL,
@@ -114,23 +114,23 @@ struct obstacle poi_obstacle(const struct poi *poi)
 
 static void strain_paper(struct poi *poi)
 {
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const struct sheet_wetting wet = { axes.right.y, axes.back.y, -poi->position_m.y };
     poi->pressure_pa = load_paper_pa(poi, &axes);
-    poi->strain = poi->spared
+    poi->strain = poi->damage_immune
                       ? sheet_tick(&poi->sheet, 0.0f, wet, NULL, 0)
                       : sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
-    carry_tick(poi, axes.up.y);
+    carried_water_tick(poi, axes.up.y);
 }
 
-void poi_give_way(struct poi *poi, const struct obstacle *ring)
+void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
 {
-    poi->gave = ring->gave;
-    if (ring->gave & OBSTACLE_GAVE_PLACE) {
+    poi->reaction = ring->reaction;
+    if (ring->reaction & REACTION_POSITION) {
         poi->position_m = ring->centre_m;
         poi->velocity_m_s = ring->velocity_m_s;
     }
-    if (ring->gave & OBSTACLE_GAVE_TURN) {
+    if (ring->reaction & REACTION_ROTATION) {
         poi->angles = poi->before_angles;
         poi->angular_velocity_rad_s = poi->spin_rad_s = v3(0.0f, 0.0f, 0.0f);
     }
@@ -141,7 +141,7 @@ void poi_give_way(struct poi *poi, const struct obstacle *ring)
  * replaced by a round shade of the same area. */
 struct shade_cast poi_shade(const struct poi *poi)
 {
-    const float flat = f_abs(basis_from_angles(poi->angles).up.y);
+    const float flat = f_abs(vec_basis_from_angles(poi->angles).up.y);
     return (struct shade_cast){
         .present = poi->immersed <= 0.0f && poi->position_m.y > 0.0f,
         .x_m = poi->position_m.x,
@@ -159,7 +159,7 @@ uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
     hash = hash_vec3(hash, v3(poi->angles.yaw_rad, poi->angles.pitch_rad, poi->angles.roll_rad));
     hash = hash_float(hash, poi->immersed);
     hash = hash_u32(hash, poi->sheet.paper_cells);
-    hash = hash_u32(hash, poi->rider_count);
+    hash = hash_u32(hash, poi->carried_count);
     hash = hash_u32(hash, poi->is_in);
     return hash_u32(hash, poi->dips);
 }
@@ -168,7 +168,7 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
 {
     /* clang-format off */
     const float values[] = { poi->splash_m_s,  poi->water_kg,  poi->tip,
-                             poi->pressure_pa, poi->riders_kg, poi->before_angles.yaw_rad,
+                             poi->pressure_pa, poi->carried_kg, poi->before_angles.yaw_rad,
                              poi->before_angles.pitch_rad, poi->before_angles.roll_rad,
                              poi->pace_m_s, poi->drag_n_s_m, poi->slam_n, poi->added_kg,
                              poi->edge_n_s_m, poi->meniscus_n, poi->film_kg, poi->pool_kg,
@@ -176,11 +176,11 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
     /* clang-format on */
     hash = poi_hash_quick(hash, poi);
     hash = hash_u32(hash, poi->seed);
-    hash = hash_u32(hash, poi->spared);
+    hash = hash_u32(hash, poi->damage_immune);
     hash = hash_vec3(hash, poi->before_m);
     hash = hash_vec3(hash, poi->hand_m);
     hash = hash_vec3(hash, poi->before_m_s);
-    hash = hash_u32(hash, poi->gave);
+    hash = hash_u32(hash, poi->reaction);
     hash = hash_u32(hash, poi->stopped);
     hash = hash_u32(hash, poi->jam_ticks);
     hash = hash_u32(hash, poi->clings);
@@ -198,8 +198,8 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
     hash = hash_float(hash, poi->strain.tension_max_n_m);
     hash = hash_u32(hash, poi->load_count);
     hash = hash_u32(hash, poi->slap_count);
-    for (uint32_t i = 0; i < poi->rider_count; i++) {
-        hash = rider_hash(hash, &poi->riders[i]);
+    for (uint32_t i = 0; i < poi->carried_count; i++) {
+        hash = carried_fish_hash(hash, &poi->carried_fish[i]);
     }
     for (uint32_t i = 0; i < poi->load_count; i++) {
         const struct sheet_load *load = &poi->loads[i];

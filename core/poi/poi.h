@@ -17,9 +17,9 @@
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
 #define POI_PAPER_DARK 0.34f /* Share of the light that thin paper over the water takes. */
-#define POI_RIDER_MAX 16u /* 16 fish of 4 cm cover the paper side by side; more slip off over the
-                             ring. */
-_Static_assert(SHEET_LOAD_MAX == 2u * POI_RIDER_MAX, "a body and a slap of each");
+/* 16 fish of 4 cm cover the paper side by side; more slip off over the ring. */
+#define POI_CARRIED_MAX 16u
+_Static_assert(SHEET_LOAD_MAX == 2u * POI_CARRIED_MAX, "a body and a slap of each");
 
 /* Returns half the extent of the ring along a world axis; `n` is the component of its unit normal
  * along that axis. */
@@ -36,8 +36,8 @@ struct poi_grip {
 };
 
 struct poi {
-    uint8_t link;                  /* enum poi_link of the last input. */
-    uint8_t spared;                /* 1 if no player controls the poi: damage of the paper is
+    uint8_t link;                  /* enum poi_source of the last input. */
+    uint8_t damage_immune;         /* 1 if no player controls the poi: damage of the paper is
                                       disabled. */
     uint32_t seed;                 /* Seed of this specimen, also for the slaps of its fish. */
     vec3 position_m, velocity_m_s; /* Position and velocity of the ring's centre. */
@@ -47,7 +47,8 @@ struct poi {
                                     them. */
     vec3 hand_m;                 /* Target position of the hand in this tick. */
     float pace_m_s;              /* Recent highest speed of the hand. */
-    uint8_t gave;    /* Bits of enum obstacle_gave: how fish blocked the ring in the last tick. */
+    uint8_t
+        reaction; /* Bits of enum obstacle_reaction: how fish blocked the ring in the last tick. */
     uint8_t stopped; /* 1 if walls, floor or a bowl blocked the ring in this tick. */
     uint8_t jam_ticks; /* Ticks since fish block the ring against a hand that pulls up; <= 255. */
     uint8_t clings;  /* 1 if the ring was in the water and the meniscus still clings to its edge. */
@@ -78,9 +79,9 @@ struct poi {
     struct sheet sheet;
     struct sheet_events strain; /* Effect of the last tick on the paper. */
 
-    float riders_kg;      /* Weight of the fish that the paper supports in air. */
-    uint32_t rider_count; /* <= POI_RIDER_MAX */
-    struct rider riders[POI_RIDER_MAX];
+    float carried_kg;       /* Weight of the fish that the paper supports in air. */
+    uint32_t carried_count; /* <= POI_CARRIED_MAX */
+    struct carried_fish carried_fish[POI_CARRIED_MAX];
     uint32_t load_count; /* <= SHEET_LOAD_MAX; gathered by the last catch_tick(). */
     uint32_t slap_count; /* The first `slap_count` loads are slaps, the others are weights. */
     struct sheet_load loads[SHEET_LOAD_MAX];
@@ -103,7 +104,7 @@ struct obstacle poi_obstacle(const struct poi *poi);
 /* Applies the reaction in `ring` after the tick of the fish, where a fish could not move out of the
  * way. The remaining true motion then wets, strains and tears the paper, with the fish loads that
  * the last catch_tick() gathered. */
-void poi_give_way(struct poi *poi, const struct obstacle *ring);
+void poi_apply_reaction(struct poi *poi, const struct obstacle *ring);
 
 /* Returns the share of the water force that remains: a torn poi is only a ring. */
 static inline float poi_whole(const struct poi *poi)
@@ -112,7 +113,7 @@ static inline float poi_whole(const struct poi *poi)
 }
 
 /* Returns the mean depth over the whole paper of the water carried out of the tank. */
-float poi_water_m(const struct poi *poi);
+float carried_water_m(const struct poi *poi);
 
 /* Returns the shade on the water below the poi, or no shade once the poi dips in. */
 struct shade_cast poi_shade(const struct poi *poi);

@@ -13,26 +13,26 @@ struct angles pose_angles(const struct basis *axes)
         angles.yaw_rad = f_atan2(-axes->right.z, axes->right.x);
     }
     const struct basis flat =
-        basis_from_angles((struct angles){ angles.yaw_rad, angles.pitch_rad, 0.0f });
+        vec_basis_from_angles((struct angles){ angles.yaw_rad, angles.pitch_rad, 0.0f });
     angles.roll_rad = f_atan2(v3_dot(axes->up, flat.right), v3_dot(axes->up, flat.up));
     return angles;
 }
 
 /* Rodrigues' formula. */
-static vec3 turn(vec3 v, vec3 axis, float sine, float cosine)
+static vec3 rotate_about(vec3 v, vec3 axis, float sine, float cosine)
 {
     const vec3 across = v3_cross(axis, v);
     const vec3 along = v3_scale(axis, v3_dot(axis, v) * (1.0f - cosine));
-    return v3_add(v3_mad(v3_scale(v, cosine), across, sine), along);
+    return v3_add(v3_muladd(v3_scale(v, cosine), across, sine), along);
 }
 
 struct basis pose_turn(const struct basis *axes, vec3 axis, float angle_rad)
 {
     const float sine = f_sin(angle_rad), cosine = f_cos(angle_rad);
     return (struct basis){
-        .right = turn(axes->right, axis, sine, cosine),
-        .up = turn(axes->up, axis, sine, cosine),
-        .back = turn(axes->back, axis, sine, cosine),
+        .right = rotate_about(axes->right, axis, sine, cosine),
+        .up = rotate_about(axes->up, axis, sine, cosine),
+        .back = rotate_about(axes->back, axis, sine, cosine),
     };
 }
 

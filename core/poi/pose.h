@@ -5,7 +5,7 @@
 #include "core/base/vec.h"
 #include "core/input.h"
 
-/* Returns the angles of the axes: the inverse of basis_from_angles(). The pitch is in [-pi/2,
+/* Returns the angles of the axes: the inverse of vec_basis_from_angles(). The pitch is in [-pi/2,
  * pi/2]. The axes must be orthonormal. */
 struct angles pose_angles(const struct basis *axes);
 

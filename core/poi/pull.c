@@ -79,9 +79,9 @@ static float damping_normal_n_s_m(const struct poi *poi)
     return f_max(damping_plane_n_s_m(), critical);
 }
 
-vec3 pull_mass_kg(const struct poi *poi)
+vec3 hand_spring_mass_kg(const struct poi *poi)
 {
-    const float load_kg = POI_MASS_KG + poi->water_kg + poi->riders_kg;
+    const float load_kg = POI_MASS_KG + poi->water_kg + poi->carried_kg;
     const float plane_kg = load_kg + EDGE_ADDED_KG * poi->immersed;
     return v3(plane_kg, load_kg + poi->added_kg, plane_kg);
 }
@@ -101,7 +101,7 @@ static void meet_water(struct poi *poi, vec3 v, float immersed)
 /* Returns the speed of a ring under its load, the water and the spring, without limit. */
 static vec3 free_m_s(const struct poi *poi, vec3 v, vec3 spring_n, float k, vec3 burden_n)
 {
-    const vec3 mass_kg = pull_mass_kg(poi);
+    const vec3 mass_kg = hand_spring_mass_kg(poi);
     const float c_plane = damping_plane_n_s_m() + poi->edge_n_s_m;
     const float c_normal = damping_normal_n_s_m(poi) + poi->drag_n_s_m;
     const float normal_n = burden_n.y + poi->slam_n;
@@ -110,30 +110,30 @@ static vec3 free_m_s(const struct poi *poi, vec3 v, vec3 spring_n, float k, vec3
               axis_speed(mass_kg.z, v.z, spring_n.z, k, c_plane, burden_n.z));
 }
 
-void pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed)
+void hand_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed)
 {
-    const vec3 v = basis_to_body(axes, poi->velocity_m_s);
+    const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
     feel_pace(poi, target_m);
     meet_water(poi, v, immersed);
     poi->immersed = immersed;
     poi->meniscus_n = load_meniscus_n(poi, axes->up.y);
     const vec3 down_n = v3_add(load_weight_n(poi), v3(0.0f, -poi->meniscus_n, 0.0f));
-    vec3 burden_n = basis_to_body(axes, down_n);
+    vec3 burden_n = vec_basis_to_body(axes, down_n);
     burden_n.y += load_kick_n(poi);
     float k;
     const vec3 spring_n =
-        basis_to_body(axes, spring_force(v3_sub(target_m, poi->position_m), &k));
+        vec_basis_to_body(axes, spring_force(v3_sub(target_m, poi->position_m), &k));
     const vec3 free = free_m_s(poi, v, spring_n, k, burden_n);
     const vec3 next = v3_limit(free, poi->pace_m_s + catch_up_m_s(poi, target_m));
-    poi->velocity_m_s = basis_to_world(axes, next);
+    poi->velocity_m_s = vec_basis_to_world(axes, next);
 }
 
-vec3 pull_hand_n(const struct poi *poi, const struct basis *axes)
+vec3 hand_spring_force_n(const struct poi *poi, const struct basis *axes)
 {
     float k;
     const vec3 spring_n = spring_force(v3_sub(poi->hand_m, poi->position_m), &k);
-    const vec3 v = basis_to_body(axes, poi->velocity_m_s);
+    const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
     const float plane = damping_plane_n_s_m(), normal = damping_normal_n_s_m(poi);
     const vec3 damper_n = v3(-plane * v.x, -normal * v.y, -plane * v.z);
-    return v3_add(spring_n, basis_to_world(axes, damper_n));
+    return v3_add(spring_n, vec_basis_to_world(axes, damper_n));
 }

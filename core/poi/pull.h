@@ -7,13 +7,13 @@
 /* Updates the speed of the ring for one tick. A spring of at most 20 N pulls it toward `target_m`,
  * with the share `immersed` of it in the water. Stores the water forces and loads; the position is
  * unchanged. */
-void pull_ring(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed);
+void hand_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed);
 
 /* Returns the world force of the hand on the ring: spring and damper at the present position and
  * speed, so that it also holds for a blocked ring. */
-vec3 pull_hand_n(const struct poi *poi, const struct basis *axes);
+vec3 hand_spring_force_n(const struct poi *poi, const struct basis *axes);
 
 /* Returns the effective mass along `axes`: ring, load and added mass of water. */
-vec3 pull_mass_kg(const struct poi *poi);
+vec3 hand_spring_mass_kg(const struct poi *poi);
 
 #endif

@@ -36,13 +36,14 @@
 
 enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
 
-static float draw(const struct rider *rider, uint32_t seed, uint32_t tick, uint32_t which)
+static float draw_slap(const struct carried_fish *carried, uint32_t seed, uint32_t tick,
+                       uint32_t which)
 {
-    const uint32_t who = rider->fish * DRAW_COUNT + which;
+    const uint32_t who = carried->fish * DRAW_COUNT + which;
     return rng_unit((struct rng_key){ seed, tick, who, RNG_SHEET_SLAP });
 }
 
-float fish_half_extent_m(const struct fish *fish, vec3 direction)
+float carried_fish_half_extent_m(const struct fish *fish, vec3 direction)
 {
     const float x = 0.5f * fish->width_m * direction.x;
     const float y = 0.5f * fish->height_m * direction.y;
@@ -50,54 +51,57 @@ float fish_half_extent_m(const struct fish *fish, vec3 direction)
     return f_sqrt(x * x + y * y + z * z);
 }
 
-void rider_tail(const struct rider *rider, float length_m, float *x_m, float *z_m)
+void carried_fish_tail(const struct carried_fish *carried, float length_m, float *x_m, float *z_m)
 {
-    *x_m = rider->x_m + 0.42f * length_m * f_sin(rider->heading_rad);
-    *z_m = rider->z_m + 0.42f * length_m * f_cos(rider->heading_rad);
+    *x_m = carried->x_m + 0.42f * length_m * f_sin(carried->heading_rad);
+    *z_m = carried->z_m + 0.42f * length_m * f_cos(carried->heading_rad);
 }
 
 /* ---- Slaps ---------------------------------------------------------------------------------- */
 
-static void throw_about(struct rider *rider, float strength, uint32_t seed, uint32_t tick)
+static void throw_about(struct carried_fish *carried, float strength, uint32_t seed, uint32_t tick)
 {
-    const float turn = 2.0f * draw(rider, seed, tick, DRAW_TURN) - 1.0f;
-    const float luck = draw(rider, seed, tick, DRAW_FLOP);
+    const float turn = 2.0f * draw_slap(carried, seed, tick, DRAW_TURN) - 1.0f;
+    const float luck = draw_slap(carried, seed, tick, DRAW_FLOP);
     const float flop = FLOP_M_S * strength * luck * luck * luck;
-    rider->heading_rad = f_wrap_angle(rider->heading_rad + 0.5f * strength * turn);
-    rider->slide_x_m_s -= flop * f_sin(rider->heading_rad + turn);
-    rider->slide_z_m_s -= flop * f_cos(rider->heading_rad + turn);
+    carried->heading_rad = f_wrap_angle(carried->heading_rad + 0.5f * strength * turn);
+    carried->slide_x_m_s -= flop * f_sin(carried->heading_rad + turn);
+    carried->slide_z_m_s -= flop * f_cos(carried->heading_rad + turn);
 }
 
 /* Starts slaps in series at 5 to 10 Hz, with pauses that grow as the fish calms down. */
-static float begin_slap(struct rider *rider, const struct fish *fish, uint32_t seed, uint32_t tick)
+static float begin_slap(struct carried_fish *carried, const struct fish *fish, uint32_t seed,
+                        uint32_t tick)
 {
     const float push =
-        f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw(rider, seed, tick, DRAW_FORCE)) * rider->vigour;
-    const int pause = draw(rider, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * rider->vigour;
-    rider->slap_s = SLAP_S;
-    rider->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
-    rider->slap_d_m = f_lerp(0.002f, 0.005f, draw(rider, seed, tick, DRAW_FOOT));
-    rider->rest_s = f_lerp(0.1f, 0.2f, draw(rider, seed, tick, DRAW_GAP)) + (pause ? 0.5f : 0.0f);
-    rider->hop_s = HOP_S * (0.4f + 0.6f * rider->vigour);
-    throw_about(rider, rider->vigour, seed, tick);
-    return rider->slap_n;
+        f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw_slap(carried, seed, tick, DRAW_FORCE)) *
+        carried->vigour;
+    const int pause = draw_slap(carried, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * carried->vigour;
+    carried->slap_s = SLAP_S;
+    carried->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
+    carried->slap_d_m = f_lerp(0.002f, 0.005f, draw_slap(carried, seed, tick, DRAW_FOOT));
+    carried->rest_s =
+        f_lerp(0.1f, 0.2f, draw_slap(carried, seed, tick, DRAW_GAP)) + (pause ? 0.5f : 0.0f);
+    carried->hop_s = HOP_S * (0.4f + 0.6f * carried->vigour);
+    throw_about(carried, carried->vigour, seed, tick);
+    return carried->slap_n;
 }
 
-static float slap(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry,
-                  uint32_t seed, uint32_t tick)
+static float slap(struct carried_fish *carried, const struct fish *fish,
+                  const struct paper_surface *ride, float dry, uint32_t seed, uint32_t tick)
 {
-    const float nose_x = -f_sin(rider->heading_rad), nose_z = -f_cos(rider->heading_rad);
+    const float nose_x = -f_sin(carried->heading_rad), nose_z = -f_cos(carried->heading_rad);
     const float head_up = nose_x * ride->uphill_x + nose_z * ride->uphill_z;
     const float cradle = f_clamp(ride->belly_m / CRADLE_M, 0.0f, 1.0f);
     const float tire =
         (head_up > 0.25f ? CALM_HEAD_UP : 1.0f) * f_lerp(1.0f, CALM_CRADLE, cradle);
-    rider->vigour += (VIGOUR_MIN - rider->vigour) * dry * tire * CORE_TICK_S / CALM_TAU_S;
-    rider->rest_s -= CORE_TICK_S;
-    rider->slap_s = f_max(0.0f, rider->slap_s - CORE_TICK_S);
-    if (rider->rest_s > 0.0f || dry < AGROUND) {
+    carried->vigour += (VIGOUR_MIN - carried->vigour) * dry * tire * CORE_TICK_S / CALM_TAU_S;
+    carried->rest_s -= CORE_TICK_S;
+    carried->slap_s = f_max(0.0f, carried->slap_s - CORE_TICK_S);
+    if (carried->rest_s > 0.0f || dry < AGROUND) {
         return 0.0f;
     }
-    return begin_slap(rider, fish, seed, tick);
+    return begin_slap(carried, fish, seed, tick);
 }
 
 /* ---- Sliding -------------------------------------------------------------------------------- */
@@ -106,132 +110,136 @@ static float slap(struct rider *rider, const struct fish *fish, const struct rid
  * Under a load on all of the paper the sag is a paraboloid. A single body of force F on a round
  * membrane of tension T is deepest in the centre as well: F / (2 pi T) ln((a^2 - r^2) / (a
  * foot)). */
-static float lean_per_m(const struct rider *rider, const struct ride *ride, float press_n)
+static float lean_per_m(const struct carried_fish *carried, const struct paper_surface *ride,
+                        float press_n)
 {
     const float wide = ride->radius_m * ride->radius_m;
-    const float square = f_min(rider->x_m * rider->x_m + rider->z_m * rider->z_m, wide);
+    const float square = f_min(carried->x_m * carried->x_m + carried->z_m * carried->z_m, wide);
     const float own = 2.0f * press_n * ride->give_per_n / (wide - square + FOOT_M * FOOT_M);
     return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
 }
 
 /* A fish afloat over the paper swims as in shallow water. */
-static void make_off(struct rider *rider, const struct fish *fish, float afloat)
+static void make_off(struct carried_fish *carried, const struct fish *fish, float afloat)
 {
-    const float goal_m_s = SWIM_LENGTHS * fish->length_m * rider->vigour;
+    const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
     const float keep = 1.0f - SWIM_PER_S * afloat * CORE_TICK_S;
     const float gain_m_s = goal_m_s * (1.0f - keep);
-    rider->slide_x_m_s = rider->slide_x_m_s * keep - gain_m_s * f_sin(rider->heading_rad);
-    rider->slide_z_m_s = rider->slide_z_m_s * keep - gain_m_s * f_cos(rider->heading_rad);
+    carried->slide_x_m_s = carried->slide_x_m_s * keep - gain_m_s * f_sin(carried->heading_rad);
+    carried->slide_z_m_s = carried->slide_z_m_s * keep - gain_m_s * f_cos(carried->heading_rad);
 }
 
 /* Friction is an implicit factor, so friction stops a fish but never reverses it. */
-static void slide(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry)
+static void slide(struct carried_fish *carried, const struct fish *fish,
+                  const struct paper_surface *ride, float dry)
 {
     const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;
-    const float lean = press * lean_per_m(rider, ride, press * fish_mass_kg(fish->length_m));
-    const float pull_x = ride->pull_m_s2.x * dry - lean * rider->x_m;
-    const float pull_z = ride->pull_m_s2.z * dry - lean * rider->z_m;
+    const float lean = press * lean_per_m(carried, ride, press * fish_mass_kg(fish->length_m));
+    const float pull_x = ride->pull_m_s2.x * dry - lean * carried->x_m;
+    const float pull_z = ride->pull_m_s2.z * dry - lean * carried->z_m;
     const float pull = f_sqrt(pull_x * pull_x + pull_z * pull_z);
-    const float speed =
-        f_sqrt(rider->slide_x_m_s * rider->slide_x_m_s + rider->slide_z_m_s * rider->slide_z_m_s);
-    const int hops = rider->hop_s > 0.0f;
-    rider->hop_s = f_max(0.0f, rider->hop_s - CORE_TICK_S);
+    const float speed = f_sqrt(carried->slide_x_m_s * carried->slide_x_m_s +
+                               carried->slide_z_m_s * carried->slide_z_m_s);
+    const int hops = carried->hop_s > 0.0f;
+    carried->hop_s = f_max(0.0f, carried->hop_s - CORE_TICK_S);
     if (!hops && dry > 0.0f && speed < 0.01f && pull <= STICK * press) {
-        rider->slide_x_m_s = rider->slide_z_m_s = 0.0f;
+        carried->slide_x_m_s = carried->slide_z_m_s = 0.0f;
         return;
     }
     const float brake = (hops ? HOP_SLIP : SLIP) * press / f_max(speed, 0.01f);
     const float keep = 1.0f / (1.0f + CORE_TICK_S * brake);
-    rider->slide_x_m_s = (rider->slide_x_m_s + pull_x * CORE_TICK_S) * keep;
-    rider->slide_z_m_s = (rider->slide_z_m_s + pull_z * CORE_TICK_S) * keep;
-    rider->x_m += rider->slide_x_m_s * CORE_TICK_S;
-    rider->z_m += rider->slide_z_m_s * CORE_TICK_S;
+    carried->slide_x_m_s = (carried->slide_x_m_s + pull_x * CORE_TICK_S) * keep;
+    carried->slide_z_m_s = (carried->slide_z_m_s + pull_z * CORE_TICK_S) * keep;
+    carried->x_m += carried->slide_x_m_s * CORE_TICK_S;
+    carried->z_m += carried->slide_z_m_s * CORE_TICK_S;
 }
 
 /* The wall of the ring stops a body unless the poi is steep or the body is fast. */
-static void meet_wall(struct rider *rider, const struct ride *ride)
+static void meet_wall(struct carried_fish *carried, const struct paper_surface *ride)
 {
-    const float r = f_sqrt(rider->x_m * rider->x_m + rider->z_m * rider->z_m);
+    const float r = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
     const float wall = ride->radius_m - WALL_MARGIN_M;
     if (r < wall || r > ride->radius_m) {
         return;
     }
-    const float out_x = rider->x_m / r, out_z = rider->z_m / r;
+    const float out_x = carried->x_m / r, out_z = carried->z_m / r;
     const float pull = out_x * ride->pull_m_s2.x + out_z * ride->pull_m_s2.z;
-    const float rush = out_x * rider->slide_x_m_s + out_z * rider->slide_z_m_s;
+    const float rush = out_x * carried->slide_x_m_s + out_z * carried->slide_z_m_s;
     if (pull > WALL_STICK * -ride->pull_m_s2.y || rush > WALL_JUMP_M_S || rush <= 0.0f) {
         return;
     }
-    rider->slide_x_m_s -= rush * out_x;
-    rider->slide_z_m_s -= rush * out_z;
-    rider->x_m = wall * out_x;
-    rider->z_m = wall * out_z;
+    carried->slide_x_m_s -= rush * out_x;
+    carried->slide_z_m_s -= rush * out_z;
+    carried->x_m = wall * out_x;
+    carried->z_m = wall * out_z;
 }
 
 /* On its side a fish is half its width high; upright, half its height. */
-static void settle(struct rider *rider, const struct fish *fish, float dry)
+static void settle_height(struct carried_fish *carried, const struct fish *fish, float dry)
 {
     const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
-    rider->lie += (dry - rider->lie) * step;
-    const float tilt = LIE_RAD * rider->lie;
-    const float rest = fish_half_extent_m(fish, v3(f_sin(tilt), f_cos(tilt), 0.0f));
-    rider->height_m += (rest - rider->height_m) * f_min(1.0f, 2.0f * step);
+    carried->lie += (dry - carried->lie) * step;
+    const float tilt = LIE_RAD * carried->lie;
+    const float rest = carried_fish_half_extent_m(fish, v3(f_sin(tilt), f_cos(tilt), 0.0f));
+    carried->height_m += (rest - carried->height_m) * f_min(1.0f, 2.0f * step);
 }
 
-float rider_tick(struct rider *rider, const struct fish *fish, const struct ride *ride, float dry,
-                 uint32_t seed, uint32_t key_tick)
+float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
+                        const struct paper_surface *ride, float dry, uint32_t seed,
+                        uint32_t key_tick)
 {
-    const float force_n = slap(rider, fish, ride, dry, seed, key_tick);
-    make_off(rider, fish, 1.0f - dry);
-    slide(rider, fish, ride, dry);
+    const float force_n = slap(carried, fish, ride, dry, seed, key_tick);
+    make_off(carried, fish, 1.0f - dry);
+    slide(carried, fish, ride, dry);
     if (dry > AGROUND) {
-        meet_wall(rider, ride);
+        meet_wall(carried, ride);
     }
-    settle(rider, fish, dry);
+    settle_height(carried, fish, dry);
     return force_n;
 }
 
 /* Returns the depth of the paper under a carried fish. */
-static float sunk_m(const struct rider *rider, const struct ride *ride)
+static float sunk_m(const struct carried_fish *carried, const struct paper_surface *ride)
 {
-    const float square = rider->x_m * rider->x_m + rider->z_m * rider->z_m;
+    const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
     return ride->belly_m * f_max(0.0f, 1.0f - square / (ride->radius_m * ride->radius_m));
 }
 
-void rider_pose(const struct rider *rider, const struct ride *ride, vec3 poi_m,
-                const struct basis *poi_axes, struct fish *fish)
+void carried_fish_pose(const struct carried_fish *carried, const struct paper_surface *ride,
+                       vec3 poi_m, const struct basis *poi_axes, struct fish *fish)
 {
-    const float sine = f_sin(rider->heading_rad), cosine = f_cos(rider->heading_rad);
-    const float tilt = LIE_RAD * rider->lie;
-    const float across = f_sin(tilt) * (float)rider->side;
+    const float sine = f_sin(carried->heading_rad), cosine = f_cos(carried->heading_rad);
+    const float tilt = LIE_RAD * carried->lie;
+    const float across = f_sin(tilt) * (float)carried->side;
     const vec3 nose = v3(-sine, 0.0f, -cosine);
     const vec3 back = v3(-cosine * across, f_cos(tilt), sine * across);
     const struct basis axes =
-        pose_look(basis_to_world(poi_axes, nose), basis_to_world(poi_axes, back));
-    const float over_m = rider->height_m - sunk_m(rider, ride);
-    const vec3 place = basis_to_world(poi_axes, v3(rider->x_m, over_m, rider->z_m));
+        pose_look(vec_basis_to_world(poi_axes, nose), vec_basis_to_world(poi_axes, back));
+    const float over_m = carried->height_m - sunk_m(carried, ride);
+    const vec3 place = vec_basis_to_world(poi_axes, v3(carried->x_m, over_m, carried->z_m));
     fish->position_m = v3_add(poi_m, place);
     fish->angles = pose_angles(&axes);
-    const float beat = rider->slap_s > 0.0f ? 1.0f : 0.15f;
-    fish->tail_amplitude += (beat * rider->vigour - fish->tail_amplitude) * 0.3f;
-    fish->tail_phase_rad += F_TAU * 8.0f * CORE_TICK_S * (0.1f + rider->vigour);
+    const float beat = carried->slap_s > 0.0f ? 1.0f : 0.15f;
+    fish->tail_amplitude += (beat * carried->vigour - fish->tail_amplitude) * 0.3f;
+    fish->tail_phase_rad += F_TAU * 8.0f * CORE_TICK_S * (0.1f + carried->vigour);
     fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
-    const float bend = rider->slap_s > 0.0f ? (float)rider->side * 4.0f * rider->slap_n : 0.0f;
+    const float bend =
+        carried->slap_s > 0.0f ? (float)carried->side * 4.0f * carried->slap_n : 0.0f;
     fish->bend_rad += (f_clamp(bend * 6.0f, -0.8f, 0.8f) - fish->bend_rad) * 0.25f;
 }
 
-uint64_t rider_hash(uint64_t hash, const struct rider *rider)
+uint64_t carried_fish_hash(uint64_t hash, const struct carried_fish *carried)
 {
-    const float values[] = { rider->x_m,         rider->z_m,         rider->height_m,
-                             rider->slide_x_m_s, rider->slide_z_m_s, rider->heading_rad,
-                             rider->lie,         rider->vigour,      rider->rest_s,
-                             rider->slap_s,      rider->slap_n,      rider->slap_d_m,
-                             rider->hop_s };
-    hash = hash_u32(hash, rider->fish);
-    hash = hash_u32(hash, rider->state);
-    hash = hash_u32(hash, (uint32_t)(rider->side + 1));
-    hash = hash_u32(hash, rider->walled);
-    hash = hash_u32(hash, rider->clear_ticks);
+    const float values[] = { carried->x_m,         carried->z_m,         carried->height_m,
+                             carried->slide_x_m_s, carried->slide_z_m_s, carried->heading_rad,
+                             carried->lie,         carried->vigour,      carried->rest_s,
+                             carried->slap_s,      carried->slap_n,      carried->slap_d_m,
+                             carried->hop_s };
+    hash = hash_u32(hash, carried->fish);
+    hash = hash_u32(hash, carried->state);
+    hash = hash_u32(hash, (uint32_t)(carried->side + 1));
+    hash = hash_u32(hash, carried->walled);
+    hash = hash_u32(hash, carried->clear_ticks);
     hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
-    return hash_vec3(hash, rider->fall_m_s);
+    return hash_vec3(hash, carried->fall_m_s);
 }

@@ -36,7 +36,7 @@ static float shared_through_m(const struct rings *rings, vec3 *normal)
 /* Returns the direction between the centres within the plane of a normal. */
 static vec3 along_plane(vec3 apart_m, vec3 normal)
 {
-    const vec3 along = v3_mad(apart_m, normal, -v3_dot(apart_m, normal));
+    const vec3 along = v3_muladd(apart_m, normal, -v3_dot(apart_m, normal));
     return v3_normalize_or(along, normal);
 }
 
@@ -55,8 +55,8 @@ static int are_apart(const struct rings *rings)
 static void move(struct poi *poi, vec3 out, float way_m)
 {
     const float inward_m_s = f_min(v3_dot(poi->velocity_m_s, out), 0.0f);
-    poi->position_m = v3_mad(poi->position_m, out, way_m);
-    poi->velocity_m_s = v3_mad(poi->velocity_m_s, out, -inward_m_s);
+    poi->position_m = v3_muladd(poi->position_m, out, way_m);
+    poi->velocity_m_s = v3_muladd(poi->velocity_m_s, out, -inward_m_s);
     poi->stopped = 1;
 }
 
@@ -68,11 +68,11 @@ static void slide(struct poi *poi, vec3 out, float need_m)
     move(poi, out, f_min(need_m, came_m + ASIDE_M_S * CORE_TICK_S));
 }
 
-int rings_part(struct poi *a, struct poi *b)
+int ring_pairs_separate(struct poi *a, struct poi *b)
 {
     const struct rings rings = {
-        .up_a = basis_from_angles(a->angles).up,
-        .up_b = basis_from_angles(b->angles).up,
+        .up_a = vec_basis_from_angles(a->angles).up,
+        .up_b = vec_basis_from_angles(b->angles).up,
         .apart_m = v3_sub(b->position_m, a->position_m),
         .before_m = v3_sub(b->before_m, a->before_m),
     };

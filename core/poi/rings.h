@@ -8,6 +8,6 @@
  * this tick; each moves half. Rings pressed together slide past each other at 0.6 m/s each, so that
  * no hand holds another longer than that takes. The order of a and b has no effect. Returns 1 if
  * they touched; walls and bowls must then be tested again. */
-int rings_part(struct poi *a, struct poi *b);
+int ring_pairs_separate(struct poi *a, struct poi *b);
 
 #endif

@@ -24,7 +24,7 @@ static int has_line(const struct sheet *sheet)
 
 static float line_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
 {
-    return 1.0f + (WET_LINE_FACTOR - 1.0f) * soak_line(sheet, row, column);
+    return 1.0f + (WET_LINE_FACTOR - 1.0f) * wetting_line(sheet, row, column);
 }
 
 /* Raises the ratio of a cell to that beside a tear, if that is higher than the one from membrane,
@@ -226,7 +226,7 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     strain.cell_m = sheet_cell_m(sheet);
     strain.load_count = load_count;
     settle_sag(sheet, pressure_pa);
-    soak_tick(sheet, wet);
+    wetting_tick(sheet, wet);
     if (load_count == 0 && is_calm(sheet, grade, strain.centre_n_m)) {
         memset(sheet->stress, 0, sizeof sheet->stress);
         return (struct sheet_events){ .tension_max_n_m = strain.centre_n_m };

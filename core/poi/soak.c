@@ -62,7 +62,7 @@ static void soften(struct sheet *sheet)
     }
 }
 
-void soak_tick(struct sheet *sheet, struct sheet_wetting wet)
+void wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
 {
     sheet->touched |= (uint8_t)reaches_water(sheet, wet);
     if (sheet->touched && !sheet->soaked) {
@@ -81,7 +81,7 @@ static float step_between(const struct sheet *sheet, uint32_t before, uint32_t a
     return is_paper ? f_abs(sheet->wetness[before] - sheet->wetness[after]) : 0.0f;
 }
 
-float soak_line(const struct sheet *sheet, uint32_t row, uint32_t column)
+float wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column)
 {
     const uint32_t cell = row * SHEET_SIDE + column, last = SHEET_SIDE - 1u;
     float step = 0.0f;

@@ -35,7 +35,7 @@ static const struct paper_grade grades[SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u] =
 
 static float cube_root(float x)
 {
-    return x < 1e-30f ? 0.0f : f_exp(f_ln(x) * (1.0f / 3.0f));
+    return x < 1e-30f ? 0.0f : f_exp(f_log(x) * (1.0f / 3.0f));
 }
 
 const struct paper_grade *sheet_grade(uint8_t grade)

@@ -31,7 +31,7 @@ struct strain {
     float ratio[SHEET_CELL_COUNT]; /* `load` with stress concentration. */
 };
 
-LANES_BEGIN
+SIMD_BEGIN
 /* Fills the load of a row, and its ratio as far as membrane and ring determine it. Returns the
  * highest tension on paper. */
 float strain_row_4(struct strain *strain, const struct sheet *sheet, uint32_t row);
@@ -53,6 +53,6 @@ uint32_t strain_wear_8(const struct strain *strain, struct sheet *sheet, uint32_
 /* Writes stress[] of the row. */
 void strain_show_4(const struct strain *strain, struct sheet *sheet, uint32_t row);
 void strain_show_8(const struct strain *strain, struct sheet *sheet, uint32_t row);
-LANES_END
+SIMD_END
 
 #endif

@@ -7,12 +7,12 @@
 #include "core/poi/fall.h"
 
 #define LEVEL_MIN 0.35f /* A poi steeper than this (70 degrees) captures no fish. */
-#define STAND_SHARE                                                                                \
-    1.05f /* Water over the paper, in body heights, in which a fish still stands. */
+/* Water over the paper, in body heights, in which a fish still stands. */
+#define STAND_SHARE 1.05f
 #define STAND_SPARE_M 0.0045f /* Additional water for a fish that lies across the ring, 3 mm
                                  higher. */
-#define HELD_SHARE (TAKE_UP_FLOAT_SHARE - 0.05f)
-#define SPILL_M_S 0.4f  /* Speed at which fish beyond POI_RIDER_MAX leave over the ring. */
+#define HELD_SHARE (CAPTURE_FLOAT_SHARE - 0.05f)
+#define SPILL_M_S 0.4f /* Speed at which fish beyond POI_CARRIED_MAX leave over the ring. */
 #define WALL_GAP_M 0.015f
 #define WALL_M_S 0.02f     /* Speed toward a wall: more than a trembling hand. */
 #define WALL_PRESS_M 0.004f /* Offset of the hand from a ring stopped by a wall: 0.9 N. */
@@ -27,11 +27,11 @@ static int can_stand(const struct poi *poi, const struct basis *axes, vec3 place
 {
     const float paper_y = poi->position_m.y + place.x * axes->right.y + place.z * axes->back.y;
     const float stands_m = STAND_SHARE * fish->height_m + STAND_SPARE_M;
-    const float held_m = contact_jams(poi) ? HELD_SHARE * fish->height_m : 0.0f;
+    const float held_m = paper_contact_jams(poi) ? HELD_SHARE * fish->height_m : 0.0f;
     return -paper_y > f_max(stands_m, held_m);
 }
 
-void take_up_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish)
+void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
     const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
@@ -52,7 +52,7 @@ static int is_pressed(const struct poi *poi, const struct basis *axes, const str
     return ring_gap_m < WALL_GAP_M && fish_gap_m < WALL_GAP_M && fish_m > ring_m && pushes;
 }
 
-int take_up_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
+int capture_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
                       const struct fish *fish)
 {
     const float half_x = 0.5f * tank->size_m.x, half_z = 0.5f * tank->size_m.z;
@@ -70,15 +70,15 @@ static float vigour_of(const struct fish *fish)
     return (0.5f + 0.5f * fish->stamina) * f_lerp(CALM_VIGOUR, 1.0f, fear);
 }
 
-static struct rider rider_of(const struct poi *poi, const struct basis *axes,
-                             const struct fish *fish, vec3 place)
+static struct carried_fish rider_of(const struct poi *poi, const struct basis *axes,
+                                    const struct fish *fish, vec3 place)
 {
-    const struct basis body = basis_from_angles(fish->angles);
-    const vec3 tail = basis_to_body(axes, body.back);
-    const vec3 right = basis_to_body(axes, body.right);
-    const vec3 speed = basis_to_body(axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
-    return (struct rider){
-        .state = RIDER_LYING,
+    const struct basis body = vec_basis_from_angles(fish->angles);
+    const vec3 tail = vec_basis_to_body(axes, body.back);
+    const vec3 right = vec_basis_to_body(axes, body.right);
+    const vec3 speed = vec_basis_to_body(axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
+    return (struct carried_fish){
+        .state = CARRIED_LYING,
         .side = right.y > 0.0f ? 1 : -1,
         .x_m = place.x,
         .z_m = place.z,
@@ -90,24 +90,24 @@ static struct rider rider_of(const struct poi *poi, const struct basis *axes,
     };
 }
 
-void take_up(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
-             uint32_t index, uint32_t tick)
+void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
+                  uint32_t index, uint32_t tick)
 {
     struct fish *fish = &tank->fish[index];
-    const vec3 place = basis_to_body(axes, v3_sub(fish->position_m, poi->position_m));
+    const vec3 place = vec_basis_to_body(axes, v3_sub(fish->position_m, poi->position_m));
     if (axes->up.y < LEVEL_MIN || can_stand(poi, axes, place, fish)) {
         return;
     }
-    if (poi->rider_count == POI_RIDER_MAX) {
-        take_up_slip_off(poi, tank, fish);
+    if (poi->carried_count == POI_CARRIED_MAX) {
+        capture_slip_off(poi, tank, fish);
         return;
     }
-    struct rider *rider = &poi->riders[poi->rider_count++];
-    const struct rng_key key = { poi->seed, tick, index, RNG_RIDER_REST };
-    *rider = rider_of(poi, axes, fish, place);
-    rider->fish = (uint16_t)index;
-    rider->rest_s = 0.05f + 0.2f * rng_unit(key);
-    rider->walled = (uint8_t)take_up_is_walled(poi, axes, tank, fish);
+    struct carried_fish *carried = &poi->carried_fish[poi->carried_count++];
+    const struct rng_key key = { poi->seed, tick, index, RNG_CARRIED_REST };
+    *carried = rider_of(poi, axes, fish, place);
+    carried->fish = (uint16_t)index;
+    carried->rest_s = 0.05f + 0.2f * rng_unit(key);
+    carried->walled = (uint8_t)capture_is_walled(poi, axes, tank, fish);
     fish->gait = GAIT_HELD;
     fish->holder = (uint8_t)poi_index;
 }

@@ -107,7 +107,8 @@ static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
 
 /* Finds the paper from which the ring is reached in a straight line over paper, in one
  * direction. */
-static void look(const struct tear_map *map, const struct way *way, uint32_t open[SHEET_SIDE])
+static void find_open_cells(const struct tear_map *map, const struct way *way,
+                            uint32_t open[SHEET_SIDE])
 {
     for (uint32_t i = 0; i < SHEET_SIDE; i++) {
         const uint32_t row = way->row > 0 ? SHEET_SIDE - 1u - i : i;
@@ -152,7 +153,7 @@ uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet)
     uint32_t open[WAYS][SHEET_SIDE];
     uint32_t dropped = 0;
     for (uint32_t way = 0; way < WAYS; way++) {
-        look(map, &ways[way], open[way]);
+        find_open_cells(map, &ways[way], open[way]);
     }
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         dropped += drop_row(map, sheet, row, loose_of_row(open, map->paper[row], row));

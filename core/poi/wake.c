@@ -21,7 +21,7 @@
 /* Returns the unit vector up the slope of the paper, and the sine of its tilt. */
 static vec3 uphill(vec3 up, float *slope)
 {
-    const vec3 rise = v3_mad(v3(0.0f, 1.0f, 0.0f), up, -up.y);
+    const vec3 rise = v3_muladd(v3(0.0f, 1.0f, 0.0f), up, -up.y);
     *slope = v3_length(rise);
     return v3_normalize_or(rise, v3(0.0f, 0.0f, 0.0f));
 }
@@ -41,8 +41,8 @@ static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, ve
     const vec3 level_m_s = v3(poi->velocity_m_s.x, 0.0f, poi->velocity_m_s.z);
     const float press = f_min(BOW_SHARE * v3_length(level_m_s) * CORE_TICK_S, BOW_MAX_M);
     for (int side = -1; side <= 1; side += 2) {
-        const vec3 edge = v3_mad(v3_scale(rise, reach), along, (float)side * aside);
-        water_press(water, tank_size_m, v3_mad(poi->position_m, edge, POI_OUTER_RADIUS_M),
+        const vec3 edge = v3_muladd(v3_scale(rise, reach), along, (float)side * aside);
+        water_press(water, tank_size_m, v3_muladd(poi->position_m, edge, POI_OUTER_RADIUS_M),
                     BOW_RADIUS_M, press);
     }
 }
@@ -53,13 +53,13 @@ static void drip(const struct poi *poi, struct water *water, vec3 tank_size_m, v
     float slope;
     const vec3 rise = uphill(up, &slope);
     const float off_m = POI_OUTER_RADIUS_M * f_min(1.0f, slope / LEVEL_SLOPE);
-    water_press(water, tank_size_m, v3_mad(poi->position_m, rise, -off_m), DROP_RADIUS_M,
+    water_press(water, tank_size_m, v3_muladd(poi->position_m, rise, -off_m), DROP_RADIUS_M,
                 DROP_M * (float)poi->drops);
 }
 
-void wake_tick(const struct poi *poi, struct water *water, vec3 tank_size_m)
+void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m)
 {
-    const vec3 up = basis_from_angles(poi->angles).up;
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
     const float heave_m = HEAVE_SHARE * poi->velocity_m_s.y * CORE_TICK_S;
     float press_m = 0.0f;
     if (poi->immersed >= 1.0f) {

@@ -5,6 +5,6 @@
 #include "core/poi/poi.h"
 
 /* Applies the disturbances of one tick. */
-void wake_tick(const struct poi *poi, struct water *water, vec3 tank_size_m);
+void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m);
 
 #endif

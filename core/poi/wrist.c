@@ -32,7 +32,7 @@ static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
         return 0.0f;
     }
     const float near = v3_length(way) / (BOWL_RADIUS_M + POI_RADIUS_M);
-    const vec3 fall = v3_mad(way, poi->tip_toward, -TIP_FALL_M);
+    const vec3 fall = v3_muladd(way, poi->tip_toward, -TIP_FALL_M);
     const float miss = v3_length(fall) / BOWL_RADIUS_M;
     const float goal = f_min(1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near),
                              1.0f - f_smoothstep(TIP_HIT, 1.0f, miss));
@@ -47,7 +47,7 @@ static vec3 rather_sideways(vec3 way, float yaw_rad)
     const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
     const vec3 back = v3(f_sin(yaw_rad), 0.0f, f_cos(yaw_rad));
     const float aside = v3_dot(way, right), behind = f_min(v3_dot(way, back), 0.0f);
-    const vec3 mix = v3_mad(v3_scale(right, aside), back, TIP_BACK_SHARE * behind);
+    const vec3 mix = v3_muladd(v3_scale(right, aside), back, TIP_BACK_SHARE * behind);
     return v3_length(mix) > 1e-3f ? v3_normalize_or(mix, right) : right;
 }
 
@@ -58,7 +58,7 @@ void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
     if (poi->tip < 0.02f) {
         poi->tip_toward = rather_sideways(way, poi->angles.yaw_rad);
     }
-    poi->laden_ticks = poi->rider_count > 0   ? TIP_LADEN_TICKS
+    poi->laden_ticks = poi->carried_count > 0 ? TIP_LADEN_TICKS
                        : poi->laden_ticks > 0 ? (uint8_t)(poi->laden_ticks - 1u)
                                               : 0u;
     const float goal = has_wrist || poi->laden_ticks == 0 ? 0.0f : over_bowl(poi, bowl, way);
@@ -77,7 +77,7 @@ struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
     const vec3 axis = v3_cross(v3(0.0f, 1.0f, 0.0f), poi->tip_toward);
     const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
     const float turn_rad = TIP_RAD * eased;
-    const struct basis held = basis_from_angles(target.angles);
+    const struct basis held = vec_basis_from_angles(target.angles);
     const struct basis turned = pose_turn(&held, axis, turn_rad);
     target.angles = pose_angles(&turned);
     const float edge = (bowl->position_m.y + TIP_EDGE_M) * eased;
@@ -115,7 +115,7 @@ static void turn_angle(float *angle, float *speed, float goal, struct turn_water
 
 void wrist_turn(struct poi *poi, struct angles goal)
 {
-    const struct basis before = basis_from_angles(poi->angles);
+    const struct basis before = vec_basis_from_angles(poi->angles);
     vec3 *rate = &poi->angular_velocity_rad_s;
     const vec3 side = v3(f_cos(poi->angles.yaw_rad), 0.0f, -f_sin(poi->angles.yaw_rad));
     turn_angle(&poi->angles.yaw_rad, &rate->x, goal.yaw_rad,
@@ -123,6 +123,6 @@ void wrist_turn(struct poi *poi, struct angles goal)
     turn_angle(&poi->angles.pitch_rad, &rate->y, goal.pitch_rad,
                turn_water(poi, v3_dot(before.up, side), rate->y));
     turn_angle(&poi->angles.roll_rad, &rate->z, goal.roll_rad, turn_water(poi, 0.0f, rate->z));
-    const vec3 up = basis_from_angles(poi->angles).up;
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
     poi->spin_rad_s = v3_scale(v3_cross(before.up, up), (float)CORE_TICK_HZ);
 }

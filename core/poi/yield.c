@@ -7,7 +7,7 @@
 #define FLOOR_GAP_M 0.003f /* The ring is thick, and its paper must not be pinched. */
 
 /* Clamps one coordinate to its limits and stops motion into them. */
-static void keep(float *place, float *speed, float low, float high)
+static void clamp_coordinate(float *place, float *speed, float low, float high)
 {
     if (*place < low) {
         *place = low;
@@ -41,10 +41,10 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
     const float aside = f_max(0.0f, beyond_m(before_m, room_x, room_z));
     const float under = rim + low - before_m.y;
     if (outside > 0.0f || (aside > 1e-4f && under < aside)) {
-        keep(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
+        clamp_coordinate(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
     } else {
-        keep(&at->x, &speed->x, -room_x, room_x);
-        keep(&at->z, &speed->z, -room_z, room_z);
+        clamp_coordinate(&at->x, &speed->x, -room_x, room_x);
+        clamp_coordinate(&at->z, &speed->z, -room_z, room_z);
     }
 }
 
@@ -63,42 +63,42 @@ static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, ve
         return;
     }
     if (before_m.y - low >= mouth - 1e-3f) {
-        keep(&at->y, &speed->y, mouth + low, REACH_HEIGHT_M);
+        clamp_coordinate(&at->y, &speed->y, mouth + low, REACH_HEIGHT_M);
     } else if (before_m.y + low <= bottom + 1e-3f) {
-        keep(&at->y, &speed->y, -10.0f, bottom - low);
+        clamp_coordinate(&at->y, &speed->y, -10.0f, bottom - low);
     } else {
         const float came_m =
             at->y < mouth ? f_max(0.0f, -v3_dot(v3_sub(*at, before_m), out)) : 0.0f;
         const float step = f_min(apart - v3_length(away), came_m + ASIDE_M_S * CORE_TICK_S);
         const float inward = f_min(v3_dot(*speed, out), 0.0f);
-        *at = v3_mad(*at, out, step);
-        *speed = v3_mad(*speed, out, -inward);
+        *at = v3_muladd(*at, out, step);
+        *speed = v3_muladd(*speed, out, -inward);
     }
 }
 
-void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
-               vec3 up)
+void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
+                   vec3 up)
 {
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
     const float floor = poi_half_extent_m(up.y) + FLOOR_GAP_M - tank->size_m.y;
     yield_to(poi, bowl, before_m, up);
-    keep(&at->y, &speed->y, floor, REACH_HEIGHT_M);
+    clamp_coordinate(&at->y, &speed->y, floor, REACH_HEIGHT_M);
     yield_to_walls(poi, tank, before_m, up);
-    keep(&at->x, &speed->x, -reach_x, reach_x);
-    keep(&at->z, &speed->z, -reach_z, reach_z);
+    clamp_coordinate(&at->x, &speed->x, -reach_x, reach_x);
+    clamp_coordinate(&at->z, &speed->z, -reach_z, reach_z);
 }
 
-void poi_yield_to_bowl(struct poi *poi, const struct bowl *bowl)
+void poi_constrain_to_bowl(struct poi *poi, const struct bowl *bowl)
 {
     const vec3 free_m = poi->position_m;
-    yield_to(poi, bowl, poi->before_m, basis_from_angles(poi->angles).up);
+    yield_to(poi, bowl, poi->before_m, vec_basis_from_angles(poi->angles).up);
     const vec3 off_m = v3_sub(poi->position_m, free_m);
     poi->stopped |= v3_dot(off_m, off_m) > 0.0f;
 }
 
-void poi_yield_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl)
+void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl)
 {
-    poi_yield(poi, tank, bowl, poi->before_m, basis_from_angles(poi->angles).up);
+    poi_constrain(poi, tank, bowl, poi->before_m, vec_basis_from_angles(poi->angles).up);
 }

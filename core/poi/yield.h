@@ -6,14 +6,14 @@
 
 /* Moves a ring that just came from `before_m` out of floor, walls, its bowl and the region beyond
  * an arm's reach, and stops motion into them. `up` is its unit normal. */
-void poi_yield(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
-               vec3 up);
+void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
+                   vec3 up);
 
 /* Moves the ring out of another player's bowl; called after poi_tick(). */
-void poi_yield_to_bowl(struct poi *poi, const struct bowl *bowl);
+void poi_constrain_to_bowl(struct poi *poi, const struct bowl *bowl);
 
 /* Applies walls, floor and the ring's own bowl again, for a ring that was moved after
  * poi_tick(). */
-void poi_yield_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl);
+void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl);
 
 #endif

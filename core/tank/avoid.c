@@ -117,27 +117,27 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
-/* Extensions for a living wakin that the thesis lacks (enabled in struct law). Fish whose courses
- * do not cross need not avoid each other. Fish far apart do not avoid each other either. A fish
- * that approaches a body slows down. */
+/* Extensions for a living wakin that the thesis lacks (enabled in struct behavior_params). Fish
+ * whose courses do not cross need not avoid each other. Fish far apart do not avoid each other
+ * either. A fish that approaches a body slows down. */
 static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
-                         const struct law *law)
+                         const struct behavior_params *params)
 {
-    if (law->meet_miss == 0.0f) {
+    if (params->meet_miss == 0.0f) {
         return 1;
     }
     const vec3 v = v3_sub(v3_scale(b->forward, b->speed_m_s), v3_scale(a->forward, a->speed_m_s));
     const float when_s = -v3_dot(apart, v) / f_max(v3_dot(v, v), 1e-6f);
-    const vec3 miss = v3_mad(apart, v, when_s);
+    const vec3 miss = v3_muladd(apart, v, when_s);
     const float lengths_m = a->length_m + b->length_m;
-    const float wide_m = law->meet_miss * lengths_m;
+    const float wide_m = params->meet_miss * lengths_m;
     return f_abs(miss.y) < 0.6f * (a->height_m + b->height_m) &&
            miss.x * miss.x + miss.z * miss.z < wide_m * wide_m;
 }
 
-static int is_far_off(float gap_m, float closing_m_s, const struct law *law)
+static int is_far_off(float gap_m, float closing_m_s, const struct behavior_params *params)
 {
-    return law->meet_within_s > 0.0f && gap_m > law->meet_within_s * closing_m_s;
+    return params->meet_within_s > 0.0f && gap_m > params->meet_within_s * closing_m_s;
 }
 
 /* Returns the share of its speed that a fish keeps. The share is below 1 if the gap would close
@@ -176,17 +176,17 @@ static void advise(struct avoid_pair *pair, const struct avoid_party *a,
 }
 
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
-                             const struct law *law, uint32_t seed, uint32_t tick)
+                             const struct behavior_params *params, uint32_t seed, uint32_t tick)
 {
     struct avoid_pair pair = { .brake_a = 1.0f, .brake_b = 1.0f };
     const vec3 apart = v3_sub(b->position_m, a->position_m);
     const vec3 to_b = v3_normalize_or(apart, v3(1.0f, 0.0f, 0.0f));
     const float a_faces = v3_dot(a->forward, to_b), b_faces = -v3_dot(b->forward, to_b);
     const float closing_m_s = a_faces * a->speed_m_s + b_faces * b->speed_m_s;
-    pair.brake_a = brake_for(a_faces, gap_m, closing_m_s, law->brake_s);
-    pair.brake_b = brake_for(b_faces, gap_m, closing_m_s, law->brake_s);
-    if (closing_m_s < CLOSING_MIN_M_S || is_far_off(gap_m, closing_m_s, law) ||
-        !courses_cross(a, b, apart, law)) {
+    pair.brake_a = brake_for(a_faces, gap_m, closing_m_s, params->brake_s);
+    pair.brake_b = brake_for(b_faces, gap_m, closing_m_s, params->brake_s);
+    if (closing_m_s < CLOSING_MIN_M_S || is_far_off(gap_m, closing_m_s, params) ||
+        !courses_cross(a, b, apart, params)) {
         return pair;
     }
     if (flat_cos(a->forward, b->forward) > COS_20_DEG && f_max(a_faces, b_faces) < COS_45_DEG) {
@@ -226,7 +226,7 @@ static void straighten(struct fish *fish)
     }
 }
 
-static void begin(struct fish *fish, const struct avoid_advice *advice)
+static void begin_avoidance(struct fish *fish, const struct avoid_advice *advice)
 {
     fish->avoiding = AVOID_YAW;
     fish->avoid_left_s = YAW_TIME_S;
@@ -255,7 +255,7 @@ int avoid_holds_depth(const struct fish *fish)
 }
 
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
-                const struct surroundings *around)
+                const struct perception *around)
 {
     const int meets = advice->kind != MEET_NONE;
     /* The brake is released within a third of a second. */
@@ -265,7 +265,7 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
     fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {
         if (meets) {
-            begin(fish, advice);
+            begin_avoidance(fish, advice);
         }
     } else if (fish->avoid_left_s <= 0.0f) {
         go_on_or_end(fish, advice, around->size_m.y);

@@ -86,7 +86,7 @@ struct avoid_pair {
  * one random draw for the whole encounter. The key of the draw is the tick in which the first fish
  * began to avoid, so the other fish gets the same draw later. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
-                             const struct law *law, uint32_t seed, uint32_t tick);
+                             const struct behavior_params *params, uint32_t seed, uint32_t tick);
 
 /* Returns 1 if the fish keeps its present depth: for 0.5 s after it avoided by pitch, whatever
  * depth its stamina prefers. */
@@ -95,7 +95,7 @@ int avoid_holds_depth(const struct fish *fish);
 /* Advances the avoidance by one tick. `advice` is the soonest of this tick; `brake` is the least of
  * all. */
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
-                const struct surroundings *around);
+                const struct perception *around);
 
 /* Returns the wished separation speed of two bodies with the gap `gap_m`; `length_m` is the
  * length of the smaller fish. The speed is 0 beyond its personal space, a fifth of its length.

@@ -6,43 +6,44 @@
 #include "core/tank/body.h"
 
 /* The columns of LANES bodies; the names are those of struct body. */
-struct bodies {
+struct body_simd {
     flanes centre[4], right[4], up[4], back[4]; /* x, y, z of the vector; [3] is a half size or the
                                                    margin. */
 };
 
 /* Loads LANES bodies that are consecutive in memory. */
-static inline void bodies_load_block(struct bodies *all, const struct body *first)
+static inline void body_simd_load_block(struct body_simd *all, const struct body *first)
 {
     const char *from = (const char *)first;
-    lanes_load_quads(all->centre, from, sizeof *first);
-    lanes_load_quads(all->right, from + 16u, sizeof *first);
-    lanes_load_quads(all->up, from + 32u, sizeof *first);
-    lanes_load_quads(all->back, from + 48u, sizeof *first);
+    simd_load_quads(all->centre, from, sizeof *first);
+    simd_load_quads(all->right, from + 16u, sizeof *first);
+    simd_load_quads(all->up, from + 32u, sizeof *first);
+    simd_load_quads(all->back, from + 48u, sizeof *first);
 }
 
 /* Loads quad `quad` of fish[0]. With eight lanes the second half is the quad of fish[4]. */
-static inline flanes bodies_row(const struct body *body, const uint32_t *fish, uint32_t quad)
+static inline flanes body_simd_row(const struct body *body, const uint32_t *fish, uint32_t quad)
 {
     const size_t at = quad * sizeof(fquad);
-    return lanes_load_beside((const char *)&body[fish[0]] + at,
-                             (const char *)&body[fish[LANES - 4]] + at);
+    return simd_load_pair((const char *)&body[fish[0]] + at,
+                          (const char *)&body[fish[SIMD_LANES - 4]] + at);
 }
 
-static inline void bodies_quads(flanes column[4], const struct body *body, const uint32_t *fish,
-                                uint32_t quad)
+static inline void body_simd_quads(flanes column[4], const struct body *body, const uint32_t *fish,
+                                   uint32_t quad)
 {
-    lanes_turn(column, bodies_row(body, fish, quad), bodies_row(body, fish + 1, quad),
-               bodies_row(body, fish + 2, quad), bodies_row(body, fish + 3, quad));
+    simd_turn(column, body_simd_row(body, fish, quad), body_simd_row(body, fish + 1, quad),
+              body_simd_row(body, fish + 2, quad), body_simd_row(body, fish + 3, quad));
 }
 
 /* Loads the bodies of LANES fish in a list, at any place in memory. */
-static inline void bodies_load(struct bodies *all, const struct body *body, const uint32_t *fish)
+static inline void body_simd_load(struct body_simd *all, const struct body *body,
+                                  const uint32_t *fish)
 {
-    bodies_quads(all->centre, body, fish, 0);
-    bodies_quads(all->right, body, fish, 1);
-    bodies_quads(all->up, body, fish, 2);
-    bodies_quads(all->back, body, fish, 3);
+    body_simd_quads(all->centre, body, fish, 0);
+    body_simd_quads(all->right, body, fish, 1);
+    body_simd_quads(all->up, body, fish, 2);
+    body_simd_quads(all->back, body, fish, 3);
 }
 
 #endif

@@ -38,13 +38,12 @@
 #define COST 0.010f /* Stamina for the start itself, as for one second of burst. */
 #define REFRACTORY_S 0.5f /* Time after a start in which the fish cannot start again. */
 
-static struct rng_key key(uint32_t index, const struct surroundings *around,
-                          enum rng_purpose purpose)
+static struct rng_key key(uint32_t index, const struct perception *around, enum rng_purpose purpose)
 {
     return (struct rng_key){ around->seed, around->tick, index, purpose };
 }
 
-static vec3 along(float yaw_rad)
+static vec3 escape_direction(float yaw_rad)
 {
     return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
 }
@@ -99,7 +98,7 @@ static float open_m(const struct fish *fish, vec3 course, vec3 size_m)
 static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
 {
     const float felt_m = WALL_FELT_LENGTHS * fish->length_m;
-    vec3 course = along(yaw_rad);
+    vec3 course = escape_direction(yaw_rad);
     if (room_m(fish->position_m.x, course.x, 0.5f * size_m.x) < felt_m) {
         course.x *= -0.3f;
     }
@@ -116,12 +115,12 @@ static float nearer(float to_rad, float a_rad, float b_rad)
 }
 
 /* Draws the side, the angle and the final course of the whole start. */
-static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct surroundings *around)
+static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
 {
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 off = v3_sub(fish->position_m, from_m);
     const float away_rad = f_wrap_angle(yaw_of(v3(off.x, 0.0f, off.z)) - yaw_rad);
-    const float open = open_m(fish, along(yaw_rad + away_rad), around->size_m) /
+    const float open = open_m(fish, escape_direction(yaw_rad + away_rad), around->size_m) /
                        (WALL_FELT_LENGTHS * fish->length_m);
     const float chance = f_lerp(AWAY_CHANCE_WALL, AWAY_CHANCE, f_clamp(open, 0.0f, 1.0f));
     const int toward = rng_unit(key(index, around, RNG_FISH_ESCAPE)) >= chance;
@@ -140,7 +139,7 @@ static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct sur
     fish->escape_course_rad = turn_rad + side * f_clamp(rest_rad, -back_rad, FLIP_ON_RAD);
 }
 
-static void enter(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void enter(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->gait = GAIT_ESCAPE;
     fish->air = AIR_ENOUGH;
@@ -155,8 +154,7 @@ static void enter(struct fish *fish, uint32_t index, const struct surroundings *
     fish->bend_goal_rad = 0.0f;
 }
 
-void escape_start(struct fish *fish, vec3 from_m, uint32_t index,
-                  const struct surroundings *around)
+void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
 {
     enter(fish, index, around);
     aim(fish, from_m, index, around);
@@ -164,7 +162,7 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index,
     fish->stamina = f_max(0.0f, fish->stamina - COST);
 }
 
-void escape_dash(struct fish *fish, uint32_t index, const struct surroundings *around)
+void escape_dash(struct fish *fish, uint32_t index, const struct perception *around)
 {
     enter(fish, index, around);
     fish->escape_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
@@ -180,7 +178,7 @@ static float peak_m_s(const struct fish *fish)
            f_lerp(PEAK_LENGTHS_MIN, PEAK_LENGTHS_MAX, keen);
 }
 
-void escape_tick(struct fish *fish, const struct surroundings *around)
+void escape_tick(struct fish *fish, const struct perception *around)
 {
     fish->escape_s += around->dt_s;
     const float stages = (fish->escape_s + around->dt_s) / escape_stage_s(fish->length_m);

@@ -29,15 +29,14 @@ float escape_stage_s(float length_m);
 
 /* Begins a C-start away from a stimulus at `from_m`. Side, angle and course are drawn. Near a wall
  * more fish turn toward the stimulus, because the way out is blocked. */
-void escape_start(struct fish *fish, vec3 from_m, uint32_t index,
-                  const struct surroundings *around);
+void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around);
 
 /* Starts a dash along the nose without a C-bend, for a fish that was thrown or fell into the
  * water. */
-void escape_dash(struct fish *fish, uint32_t index, const struct surroundings *around);
+void escape_dash(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Advances an escape by one tick, before the move: sets heading, bend and speed goals. */
-void escape_tick(struct fish *fish, const struct surroundings *around);
+void escape_tick(struct fish *fish, const struct perception *around);
 
 /* Returns the speed along the nose that the escape demands, m/s. */
 float escape_speed_m_s(const struct fish *fish);

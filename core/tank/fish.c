@@ -3,11 +3,11 @@
 
 #include "core/base/hash.h"
 
-void fish_grow(struct fish *fish, float length_m, const struct law *law)
+void fish_grow(struct fish *fish, float length_m, const struct behavior_params *params)
 {
     fish->length_m = length_m;
-    fish->height_m = law->height_per_length * length_m;
-    fish->width_m = law->width_per_length * length_m;
+    fish->height_m = params->height_per_length * length_m;
+    fish->width_m = params->width_per_length * length_m;
     fish->speed_up_keep = 0.0f; /* Not yet computed for this length. */
 }
 
@@ -15,14 +15,14 @@ struct box fish_box(const struct fish *fish)
 {
     return (struct box){
         .centre_m = fish->position_m,
-        .axes = basis_from_angles(fish->angles),
+        .axes = vec_basis_from_angles(fish->angles),
         .half_m = { 0.5f * fish->width_m, 0.5f * fish->height_m, 0.5f * fish->length_m },
     };
 }
 
 float fish_mass_kg(float length_m)
 {
-    return 2.10e-5f * f_exp(3.0598f * f_ln(100.0f * length_m));
+    return 2.10e-5f * f_exp(3.0598f * f_log(100.0f * length_m));
 }
 
 vec3 fish_forward(const struct fish *fish)

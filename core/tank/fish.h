@@ -110,7 +110,7 @@ struct fish {
     uint8_t avoid_kind; /* enum meeting_kind of this fish at the start of the encounter. */
     uint8_t falls;      /* 1 while the fish falls through the air: no other motion applies. */
     uint8_t air;        /* enum fish_air */
-    uint8_t startle;    /* enum fright_cause whose latency runs; 0 if none. */
+    uint8_t startle;    /* enum startle_cause whose latency runs; 0 if none. */
     float depth_goal_m; /* Preferred y, < 0. */
     float depth_stray;  /* Offset of the preferred depth from that of its band, as a share of the
                            water depth, + up. */
@@ -141,7 +141,7 @@ static inline int fish_swims(const struct fish *fish)
 }
 
 /* Sets the length, and the box according to the behavior parameters of the tank. */
-void fish_grow(struct fish *fish, float length_m, const struct law *law);
+void fish_grow(struct fish *fish, float length_m, const struct behavior_params *params);
 
 struct box fish_box(const struct fish *fish);
 

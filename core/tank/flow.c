@@ -79,16 +79,16 @@ vec3 flow_at(const struct obstacle *disc, vec3 point_m)
     }
     const vec3 to = v3_scale(v3_sub(point_m, disc->centre_m), 1.0f / disc->radius_m);
     const float along = v3_dot(to, disc->normal);
-    const vec3 flat = v3_mad(to, disc->normal, -along);
+    const vec3 flat = v3_muladd(to, disc->normal, -along);
     const struct place at = { along, v3_length(flat) };
     const vec3 out = v3_normalize_or(flat, v3(0.0f, 0.0f, 0.0f));
     const vec3 goes_m_s = obstacle_goes_m_s(disc);
     const float normal_m_s = v3_dot(goes_m_s, disc->normal);
-    const vec3 plane_m_s = v3_mad(goes_m_s, disc->normal, -normal_m_s);
+    const vec3 plane_m_s = v3_muladd(goes_m_s, disc->normal, -normal_m_s);
     const float pushing_m_s = (1.0f - disc->open) * normal_m_s;
     const struct place push = broadside(at);
     const vec3 pushed = v3_add(v3_scale(disc->normal, push.along), v3_scale(out, push.off));
-    const vec3 flow = v3_mad(v3_scale(pushed, pushing_m_s), plane_m_s, edgewise(at));
+    const vec3 flow = v3_muladd(v3_scale(pushed, pushing_m_s), plane_m_s, edgewise(at));
     return v3_limit(v3_scale(flow, immersed(disc)), v3_length(goes_m_s));
 }
 

@@ -46,13 +46,13 @@ static float boldness(const struct fish *fish)
     return (float)(fish->look >> 3 & 31u) / 31.0f;
 }
 
-float fright_threshold(const struct fish *fish)
+float startle_threshold(const struct fish *fish)
 {
     const float bears = THRESHOLD * (1.0f + boldness(fish)) * (1.0f + fish->habit);
     return f_min(THRESHOLD_MAX, surface_nerve(fish) * bears);
 }
 
-struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m)
+struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
 {
     const vec3 to = v3_sub(eye_m, disc->centre_m);
     const float distance_m = f_max(v3_length(to), 0.2f * disc->radius_m);
@@ -61,10 +61,9 @@ struct fright_view fright_view(const struct obstacle *disc, vec3 eye_m)
     const float half_m = disc->radius_m * f_sqrt(face); /* Radius of the circle with the same
                                                            area. */
     const float closing_m_s = v3_dot(obstacle_goes_m_s(disc), toward);
-    return (struct fright_view){
+    return (struct startle_view){
         .size_rad = 2.0f * f_atan2(half_m, distance_m),
-        .growth_rad_s =
-            2.0f * half_m * closing_m_s / (half_m * half_m + distance_m * distance_m),
+        .growth_rad_s = 2.0f * half_m * closing_m_s / (half_m * half_m + distance_m * distance_m),
     };
 }
 
@@ -76,9 +75,9 @@ static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
     return (ahead < 0.0f ? WAKE_SHARE : 1.0f) * flow_push_m2_s2(disc, point_m);
 }
 
-struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fish)
+struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struct fish *fish)
 {
-    const struct fright_view view = fright_view(disc, fish->position_m);
+    const struct startle_view view = startle_view(disc, fish->position_m);
     const int large = view.size_rad > SEEN_RAD + SEEN_SPREAD_RAD * boldness(fish);
     const float clear = disc->centre_m.y > 0.0f ? IN_AIR_SHARE : 1.0f;
     const float keen = LENGTH_M / f_max(fish->length_m, 0.2f * LENGTH_M);
@@ -86,8 +85,10 @@ struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fis
     const float seen = large ? clear * (view.growth_rad_s - GROWTH_RAD_S) / GROWTH_SPAN_RAD_S : 0;
     const float felt = (push - PUSH_M2_S2) / PUSH_SPAN_M2_S2;
     const float most = f_clamp(f_max(seen, felt), 0.0f, STRENGTH_MAX);
-    return (struct fright){
-        .cause = most <= 0.0f ? FRIGHT_NONE : felt >= seen ? FRIGHT_PRESSURE : FRIGHT_LOOM,
+    return (struct startle_stimulus){
+        .cause = most <= 0.0f   ? STARTLE_NONE
+                 : felt >= seen ? STARTLE_PRESSURE
+                                : STARTLE_LOOM,
         .alarm_per_s = most / FRIGHT_S,
     };
 }
@@ -95,20 +96,20 @@ struct fright fright_of_disc(const struct obstacle *disc, const struct fish *fis
 /* Returns the nerve latency of each cause, s. The alarm of a shadow takes up to 4 ticks to grow
  * (shade.c), and a start begins at the nearest tick. The time from the shadow to the start is
  * therefore 67 to 150 ms. */
-static float nerves_s(enum fright_cause cause, struct rng_key key)
+static float nerves_s(enum startle_cause cause, struct rng_key key)
 {
     switch (cause) {
-    case FRIGHT_LOOM:
+    case STARTLE_LOOM:
         return rng_range(key, 0.060f, 0.150f);
-    case FRIGHT_SHADOW:
+    case STARTLE_SHADOW:
         return rng_range(key, 0.063f, 0.115f);
     default:
         return rng_range(key, 0.008f, 0.015f);
     }
 }
 
-static float latency_s(const struct fish *fish, enum fright_cause cause, uint32_t index,
-                       const struct surroundings *around)
+static float latency_s(const struct fish *fish, enum startle_cause cause, uint32_t index,
+                       const struct perception *around)
 {
     const struct rng_key key = { around->seed, around->tick, index, RNG_STARTLE_LATENCY };
     const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
@@ -117,30 +118,30 @@ static float latency_s(const struct fish *fish, enum fright_cause cause, uint32_
 
 /* Begins a latency, or shortens it: a pressure stimulus overtakes a visual stimulus whose latency
  * still runs. */
-static void startle(struct fish *fish, enum fright_cause cause, vec3 from_m, uint32_t index,
-                    const struct surroundings *around)
+static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
+                    const struct perception *around)
 {
     const float wait_s = latency_s(fish, cause, index, around);
-    if (fish->startle == FRIGHT_NONE || wait_s < fish->startle_s) {
+    if (fish->startle == STARTLE_NONE || wait_s < fish->startle_s) {
         fish->startle = (uint8_t)cause;
         fish->startle_from_m = from_m;
         fish->startle_s = wait_s;
     }
 }
 
-void fright_alarm(struct fish *fish, enum fright_cause cause, vec3 from_m, float alarm,
-                  uint32_t index, const struct surroundings *around)
+void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, float alarm,
+                   uint32_t index, const struct perception *around)
 {
-    const int waits_by_ear = fish->startle == FRIGHT_PRESSURE;
+    const int waits_by_ear = fish->startle == STARTLE_PRESSURE;
     fish->alarm = f_min(1.0f, fish->alarm + alarm);
-    if (alarm > 0.0f && fish->gait != GAIT_ESCAPE && fish->refractory_s <= 0.0f &&
-        !waits_by_ear && (fish->startle == FRIGHT_NONE || cause == FRIGHT_PRESSURE) &&
-        fish->alarm > fright_threshold(fish)) {
+    if (alarm > 0.0f && fish->gait != GAIT_ESCAPE && fish->refractory_s <= 0.0f && !waits_by_ear &&
+        (fish->startle == STARTLE_NONE || cause == STARTLE_PRESSURE) &&
+        fish->alarm > startle_threshold(fish)) {
         startle(fish, cause, from_m, index, around);
     }
 }
 
-static void wait(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void wait(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const vec3 from_m = fish->startle_from_m;
     fish->startle_s -= around->dt_s;
@@ -152,17 +153,17 @@ static void wait(struct fish *fish, uint32_t index, const struct surroundings *a
     escape_start(fish, from_m, index, around);
 }
 
-static void sense_shades(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void sense_shades(struct fish *fish, uint32_t index, const struct perception *around)
 {
     for (uint32_t i = 0; i < around->shade_count; i++) {
         const struct shade *shade = &around->shades[i];
-        const float alarm = shade_alarm(shade, around->law, fish->position_m, around->dt_s);
+        const float alarm = shade_alarm(shade, around->params, fish->position_m, around->dt_s);
         const vec3 from_m = v3(shade->cast.x_m, fish->position_m.y, shade->cast.z_m);
-        fright_alarm(fish, FRIGHT_SHADOW, from_m, alarm, index, around);
+        startle_alarm(fish, STARTLE_SHADOW, from_m, alarm, index, around);
     }
 }
 
-/* Cheap test: returns 0 only where fright_of_disc() is zero. */
+/* Cheap test: returns 0 only where startle_of_disc() is zero. */
 static int disturbs(const struct obstacle *disc, const struct fish *fish)
 {
     const vec3 off = v3_sub(disc->centre_m, fish->position_m);
@@ -173,32 +174,32 @@ static int disturbs(const struct obstacle *disc, const struct fish *fish)
            v3_dot(off, off) < reach_m * reach_m * f_max(1.0f, square_m2_s2);
 }
 
-void fright_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
+void startle_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
-    if (!around->law->escapes) {
+    if (!around->params->escapes) {
         return;
     }
     fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * around->dt_s);
     fish->habit = fish->habit < HABIT_NONE ? 0.0f
                                            : fish->habit * (1.0f - around->dt_s / HABIT_FADE_S);
     fish->refractory_s = f_max(0.0f, fish->refractory_s - around->dt_s);
-    if (fish->startle != FRIGHT_NONE) {
+    if (fish->startle != STARTLE_NONE) {
         wait(fish, index, around);
     }
     sense_shades(fish, index, around);
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
         const struct obstacle *disc = &around->obstacles[i];
         if (disturbs(disc, fish)) {
-            const struct fright fright = fright_of_disc(disc, fish);
-            fright_alarm(fish, fright.cause, disc->centre_m, fright.alarm_per_s * around->dt_s,
-                         index, around);
+            const struct startle_stimulus stimulus = startle_of_disc(disc, fish);
+            startle_alarm(fish, stimulus.cause, disc->centre_m, stimulus.alarm_per_s * around->dt_s,
+                          index, around);
         }
     }
 }
 
-int fright_alert(const struct fish *fish, const struct surroundings *around)
+int startle_alert(const struct fish *fish, const struct perception *around)
 {
-    if (fish->gait == GAIT_ESCAPE || fish->startle != FRIGHT_NONE || fish->alarm > 0.0f) {
+    if (fish->gait == GAIT_ESCAPE || fish->startle != STARTLE_NONE || fish->alarm > 0.0f) {
         return 1;
     }
     for (uint32_t i = 0; i < around->obstacle_count; i++) {

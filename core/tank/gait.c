@@ -45,7 +45,7 @@ struct luck {
     uint32_t seed, tick, fish;
 };
 
-static struct luck luck_of(uint32_t index, const struct surroundings *around)
+static struct luck luck_of(uint32_t index, const struct perception *around)
 {
     return (struct luck){ around->seed, around->tick, index };
 }
@@ -68,14 +68,14 @@ float gait_depth_m(float stamina, float water_depth_m)
 /* Returns the change of heading. The thesis changes the heading with the gait but gives no amount.
  * A jump to any of 360 degrees is unlike a fish, so the change has a normal distribution of 45
  * degrees, and a burst begins with a sharp turn. */
-static float turn_rad(enum fish_gait gait, struct luck luck, const struct law *law)
+static float turn_rad(enum fish_gait gait, struct luck luck, const struct behavior_params *params)
 {
     const float bell = rng_normal(key(luck, RNG_FISH_TURN));
     if (gait == GAIT_BURST) {
         const float sharp = rng_range(key(luck, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
         return bell < 0.0f ? -sharp : sharp;
     }
-    return bell * (gait == GAIT_SWIM ? law->turn_swim_rad : law->turn_rest_rad);
+    return bell * (gait == GAIT_SWIM ? params->turn_swim_rad : params->turn_rest_rad);
 }
 
 /* Section 3.6: a fish that is off the depth of its band returns there. */
@@ -87,7 +87,7 @@ static float depth_goal_m(const struct fish *fish, float water_depth_m)
 }
 
 void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
-                const struct surroundings *around)
+                const struct perception *around)
 {
     const struct luck luck = luck_of(index, around);
     const struct rng_key time = key(luck, RNG_FISH_DURATION);
@@ -95,12 +95,12 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
     fish->gait_left_s =
         gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
                            : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck, around->law));
-    fish->depth_stray = around->law->depth_stray * rng_normal(key(luck, RNG_FISH_DEPTH));
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck, around->params));
+    fish->depth_stray = around->params->depth_stray * rng_normal(key(luck, RNG_FISH_DEPTH));
     fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
 }
 
-static void choose(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void choose_gait(struct fish *fish, uint32_t index, const struct perception *around)
 {
     if (surface_calls(fish, index, around)) {
         surface_rise(fish, index, around);
@@ -130,13 +130,13 @@ static float stamina_per_s(uint8_t gait)
 }
 
 /* After an escape the fish swims on for a while instead of stopping at once. */
-static void calm_down(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void calm_down(struct fish *fish, uint32_t index, const struct perception *around)
 {
     gait_enter(fish, GAIT_SWIM, index, around);
     fish->gait_left_s = rng_range(key(luck_of(index, around), RNG_ESCAPE_CALM), 1.0f, 3.0f);
 }
 
-void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
+void gait_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * around->dt_s, 0.0f, 1.0f);
     if (surface_tick(fish, index, around)) {
@@ -147,7 +147,7 @@ void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *aro
         if (fish->gait == GAIT_ESCAPE) {
             calm_down(fish, index, around);
         } else {
-            choose(fish, index, around);
+            choose_gait(fish, index, around);
         }
     }
     if (fish->gait == GAIT_REST || fish->gait == GAIT_SWIM || fish->gait == GAIT_BURST) {
@@ -155,10 +155,10 @@ void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *aro
     }
 }
 
-int gait_beats(const struct fish *fish, const struct surroundings *around)
+int gait_beats(const struct fish *fish, const struct perception *around)
 {
     if (fish->gait == GAIT_SWIM) {
-        return !around->law->glides || stroke_beats(fish, around->tick);
+        return !around->params->glides || burst_coast_beats(fish, around->tick);
     }
     return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
 }
@@ -172,39 +172,40 @@ static float able_m_s(const struct fish *fish)
 
 /* Returns the cruise speed. A fish that beats and glides in turn must beat up to more than the mean
  * speed. A glide has no speed goal. */
-static float cruise_m_s(const struct fish *fish, const struct surroundings *around)
+static float cruise_m_s(const struct fish *fish, const struct perception *around)
 {
-    const float mean_m_s = able_m_s(fish) * around->law->swim_speed;
-    if (!around->law->glides) {
+    const float mean_m_s = able_m_s(fish) * around->params->swim_speed;
+    if (!around->params->glides) {
         return mean_m_s;
     }
-    return stroke_beats(fish, around->tick) ? mean_m_s * stroke_share(fish, mean_m_s) : 0.0f;
+    return burst_coast_beats(fish, around->tick) ? mean_m_s * burst_coast_share(fish, mean_m_s)
+                                                 : 0.0f;
 }
 
-float gait_speed_m_s(const struct fish *fish, const struct surroundings *around)
+float gait_speed_m_s(const struct fish *fish, const struct perception *around)
 {
-    const struct law *law = around->law;
+    const struct behavior_params *params = around->params;
     const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
     switch (fish->gait) {
     case GAIT_BURST:
-        return able_m_s(fish) * law->burst_speed;
+        return able_m_s(fish) * params->burst_speed;
     case GAIT_SWIM:
         return cruise_m_s(fish, around);
     case GAIT_ESCAPE:
         return escape_speed_m_s(fish);
     default:
-        return able_m_s(fish) * law->drift_speed * keen;
+        return able_m_s(fish) * params->drift_speed * keen;
     }
 }
 
-float gait_speed_max_m_s(const struct fish *fish, const struct law *law)
+float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *params)
 {
-    return able_m_s(fish) * law->swim_speed_max;
+    return able_m_s(fish) * params->swim_speed_max;
 }
 
 float gait_run_up_s(float length_m)
 {
-    const float log10_length_cm = f_ln(100.0f * length_m) * 0.434294482f;
+    const float log10_length_cm = f_log(100.0f * length_m) * 0.434294482f;
     /* 1 - exp(-3) is 0.95. The clamp covers fry below 1 cm, whose logarithm is negative. */
     return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
 }

@@ -16,7 +16,8 @@
  * - Section 2.1 gives the end of the run-up, 95 %, but not its shape. The code uses v = v_t (1 -
  * exp(-3 t / T_d)), since exp(-3) is 0.05. Section 3.3 uses the same time for swimming.
  *
- * - Section 3.3 changes the heading with the gait but not by how much; struct law gives the amount.
+ * - Section 3.3 changes the heading with the gait but not by how much; struct behavior_params gives
+ * the amount.
  *
  * - Section 3.6 counts depths in 20 cm of water; in the code they are shares of any depth. The
  * section lets a fish reach its depth by pitching, but a tired fish rests nine tenths of its time.
@@ -41,15 +42,15 @@ struct gait_chance gait_shares(float stamina);
 /* Enters a gait: draws its duration, a new heading around the old one, and a new depth offset.
  * `index` is that of the fish and the key of its draws, also in the functions below. */
 void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
-                const struct surroundings *around);
+                const struct perception *around);
 
 /* Advances the gait by `around->dt_s`: charges stamina, chooses the next gait when the time is up,
  * and sets the depth goal for the stamina. */
-void gait_tick(struct fish *fish, uint32_t index, const struct surroundings *around);
+void gait_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Returns the speed along the nose that the gait demands, m/s, by gait, stamina, length and phase
  * of beat and glide. */
-float gait_speed_m_s(const struct fish *fish, const struct surroundings *around);
+float gait_speed_m_s(const struct fish *fish, const struct perception *around);
 
 /* Returns the time constant of the run-up: 95 % of the speed is reached after the thesis' T_d (eq.
  * 2.3). */
@@ -57,11 +58,11 @@ float gait_run_up_s(float length_m);
 
 /* Returns the largest sum of the fish's speed and all pushes while it swims: the thesis' top speed,
  * 7.5 cm/s for a rested 5 cm fish (section 3.3). */
-float gait_speed_max_m_s(const struct fish *fish, const struct law *law);
+float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *params);
 
 /* Returns 1 if the tail drives the fish, 0 if it glides. Koi and goldfish beat and coast in
  * turn. */
-int gait_beats(const struct fish *fish, const struct surroundings *around);
+int gait_beats(const struct fish *fish, const struct perception *around);
 
 /* Returns the preferred y for a stamina, < 0: lively fish stay low (section 3.6). Bands are
  * fractions of the depth. */

@@ -10,10 +10,10 @@ static uint32_t cells_along(float length_m, float cell_m)
     return (float)whole * cell_m < length_m ? whole + 1u : whole;
 }
 
-void grid_layout(struct grid *grid, float width_m, float breadth_m, float reach_m,
-                 uint32_t fish_count)
+void spatial_grid_layout(struct spatial_grid *grid, float width_m, float breadth_m, float reach_m,
+                         uint32_t fish_count)
 {
-    const uint32_t cell_max = fish_capacity(fish_count) / (TANK_FISH_MAX / GRID_CELL_MAX);
+    const uint32_t cell_max = fish_capacity(fish_count) / (TANK_FISH_MAX / SPATIAL_GRID_CELL_MAX);
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
     /* No cell is smaller than a square plan of cell_max cells needs. */
@@ -37,14 +37,14 @@ static uint32_t cell_along(float offset_m, float cells_per_m, uint32_t count)
     return (uint32_t)f_clamp(offset_m * cells_per_m, 0.0f, (float)(count - 1u));
 }
 
-uint32_t grid_cell(const struct grid *grid, vec3 point_m)
+uint32_t spatial_grid_cell(const struct spatial_grid *grid, vec3 point_m)
 {
     const float x_m = point_m.x - grid->origin_x_m, z_m = point_m.z - grid->origin_z_m;
     return cell_along(z_m, grid->cells_per_m, grid->rows) * grid->columns +
            cell_along(x_m, grid->cells_per_m, grid->columns);
 }
 
-void grid_sort(struct grid *grid, const fish_index *member, uint32_t count)
+void spatial_grid_sort(struct spatial_grid *grid, const fish_index *member, uint32_t count)
 {
     CORE_ASSERT(count <= TANK_FISH_MAX);
     const uint32_t cell_count = grid->columns * grid->rows;

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-struct law {
+struct behavior_params {
     /* Size of the body's box (thesis, section 3.1: 5 x 2 x 1 cm). */
     float height_per_length, width_per_length;
 

@@ -58,7 +58,7 @@ static void stay_in_tank(const struct tank *tank, struct fish *fish)
     stay_within(tank, fish, -1.0f);
 }
 
-void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
+void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
     fish->gait = GAIT_HELD;
     fish->holder = FISH_HOLDER_WATER;
@@ -70,7 +70,7 @@ void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
     fish->gait_left_s = 0.0f;
     stay_within(tank, fish, fish->position_m.y); /* No fish is pushed down through paper. */
-    tank->loose_count++;
+    tank->reentry_count++;
 }
 
 /* Keeps the fish within the tank; above the surface it only falls. */
@@ -98,8 +98,8 @@ static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
         const struct box other_box = fish_box(other);
         const struct box_gap gap = box_gap(&box, 0.0f, &other_box, 0.0f);
         if (gap.body_m < 0.0f) {
-            *push_m = v3_mad(*push_m, gap.axis, gap.body_m);
-            other->push_m_s = v3_mad(other->push_m_s, gap.axis, ASIDE_M_S);
+            *push_m = v3_muladd(*push_m, gap.axis, gap.body_m);
+            other->push_m_s = v3_muladd(other->push_m_s, gap.axis, ASIDE_M_S);
             other->push_m_s = v3_limit(other->push_m_s, ASIDE_M_S);
             clear = 0;
         }
@@ -117,7 +117,7 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
     int clear = 1;
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 off = obstacle_clear(&obstacles[o], &box);
-        const vec3 paper = rim_paper_push(&obstacles[o], &body, before_m);
+        const vec3 paper = ring_paper_push(&obstacles[o], &body, before_m);
         if (v3_dot(off, off) + v3_dot(paper, paper) > 0.0f) {
             *push_m = v3_add(*push_m, v3_add(off, paper));
             clear = 0;
@@ -135,7 +135,7 @@ static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacl
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const struct box box = fish_box(fish);
         const struct body body = body_of(&box, 0.0f);
-        const vec3 hold_m = rim_paper_hold(&obstacles[o], &body, before_m);
+        const vec3 hold_m = ring_paper_hold(&obstacles[o], &body, before_m);
         if (v3_dot(hold_m, hold_m) > 0.0f) {
             const vec3 away = v3_sub(fish->position_m, obstacles[o].centre_m);
             const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
@@ -187,7 +187,7 @@ static int find_gap(const struct tank *tank, uint32_t index, const struct obstac
         struct fish there = *fish;
         vec3 unused_m = { 0.0f, 0.0f, 0.0f };
         const float out_m = SEEK_M * (float)(k / 26u + 1u) / (float)SEEK_SHELLS;
-        there.position_m = v3_mad(fish->position_m, way_out(k % 26u), out_m);
+        there.position_m = v3_muladd(fish->position_m, way_out(k % 26u), out_m);
         stay_in_tank(tank, &there);
         if (part_from_obstacles(&there, fish->position_m, obstacles, obstacle_count, &unused_m) &&
             !meets_fish(tank, index, &there)) {
@@ -237,14 +237,14 @@ static void sink(const struct tank *tank, struct fish *fish)
     fish->gait_left_s += CORE_TICK_S;
     fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
     fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
-    fish->position_m = v3_mad(fish->position_m, fish->velocity_m_s, CORE_TICK_S);
+    fish->position_m = v3_muladd(fish->position_m, fish->velocity_m_s, CORE_TICK_S);
     come_down(tank, fish);
 }
 
 /* Moves a fish in reentry. A fish that makes for a gap ignores pushes by fish, which would lead it
  * away. */
-static void drift(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
-                  uint32_t obstacle_count)
+static void move_dropped_fish(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
+                              uint32_t obstacle_count)
 {
     struct fish *fish = &tank->fish[index];
     const vec3 before_m = fish->position_m;
@@ -268,14 +268,14 @@ static void drift(struct tank *tank, uint32_t index, const struct obstacle *obst
     }
 }
 
-void loose_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count)
+void reentry_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     uint32_t left = 0;
-    for (uint32_t i = 0; i < tank->fish_count && tank->loose_count > 0; i++) {
+    for (uint32_t i = 0; i < tank->fish_count && tank->reentry_count > 0; i++) {
         if (is_loose(&tank->fish[i])) {
-            drift(tank, i, obstacles, obstacle_count);
+            move_dropped_fish(tank, i, obstacles, obstacle_count);
             left += (uint32_t)is_loose(&tank->fish[i]);
         }
     }
-    tank->loose_count = left;
+    tank->reentry_count = left;
 }

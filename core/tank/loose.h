@@ -12,9 +12,9 @@
 
 /* Releases a fish into the water at its place, inside the walls, under the surface and level, with
  * the rest of its speed. Once clear, it bursts away if its alarm is high; otherwise it swims. */
-void loose_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
+void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
 /* Advances all fish in reentry by one tick, after the contact solver has run. */
-void loose_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count);
+void reentry_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count);
 
 #endif

@@ -11,12 +11,12 @@ struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *b
 {
     if (obstacle->kind == OBSTACLE_BOWL) {
         const struct hull hull = { obstacle->centre_m, obstacle->radius_m, obstacle->depth_m };
-        return touch_hull(&hull, box);
+        return shape_touch_hull(&hull, box);
     }
     const float tube_m = RING_TUBE_PER_RADIUS * obstacle->radius_m;
     const struct ring ring = { obstacle->centre_m, obstacle->normal, obstacle->radius_m - tube_m,
                                tube_m };
-    return touch_ring(&ring, box);
+    return shape_touch_ring(&ring, box);
 }
 
 vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box)
@@ -36,7 +36,7 @@ float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m)
 {
     const vec3 d = v3_sub(point_m, disc->centre_m);
     const float above_m = v3_dot(d, disc->normal);
-    const float out_m = v3_length(v3_mad(d, disc->normal, -above_m)) - disc->radius_m;
+    const float out_m = v3_length(v3_muladd(d, disc->normal, -above_m)) - disc->radius_m;
     return out_m <= 0.0f ? f_abs(above_m) : f_sqrt(above_m * above_m + out_m * out_m);
 }
 

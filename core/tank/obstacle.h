@@ -15,9 +15,9 @@ enum obstacle_kind {
 #define OBSTACLE_PAPER_SIDE 32u /* Must equal SHEET_SIDE. */
 #define OBSTACLE_PAPER_HOLDS 1u /* Must equal CELL_PAPER. */
 
-enum obstacle_gave {
-    OBSTACLE_GAVE_PLACE = 1, /* The obstacle is not at its intended position. */
-    OBSTACLE_GAVE_TURN = 2,  /* The obstacle does not have its intended orientation. */
+enum obstacle_reaction {
+    REACTION_POSITION = 1, /* The obstacle is not at its intended position. */
+    REACTION_ROTATION = 2, /* The obstacle does not have its intended orientation. */
 };
 
 /* An obstacle of this tick. Pois and bowls fill it in. A tick of the tank may revert a part of the
@@ -45,8 +45,8 @@ struct obstacle {
     float open; /* [0, 1] share of a disc that lets water through because its paper is torn. */
 
     /* Output: the reaction of the obstacle. */
-    uint8_t gave; /* Bits of enum obstacle_gave. */
-    uint8_t give_count;
+    uint8_t reaction; /* Bits of enum obstacle_reaction. */
+    uint8_t reaction_count;
 };
 
 /* The ring of a disc is a torus of this thickness. */

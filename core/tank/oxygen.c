@@ -54,14 +54,14 @@ float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
 float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
 {
     const float mass_g = 1000.0f * mass_kg;
-    const float routine = 0.0674f * f_exp(0.807f * f_ln(mass_g) + 0.0562f * temperature_c);
+    const float routine = 0.0674f * f_exp(0.807f * f_log(mass_g) + 0.0562f * temperature_c);
     return routine + COST_MG_KG_M * mass_kg * 3600.0f * speed_m_s;
 }
 
 /* Yamanaka: 1.35 W^-0.107 mg/L at any temperature. */
 float oxygen_critical_mg_l(float mass_kg)
 {
-    return 1.35f * f_exp(-0.107f * f_ln(1000.0f * mass_kg));
+    return 1.35f * f_exp(-0.107f * f_log(1000.0f * mass_kg));
 }
 
 float oxygen_exchange_per_h(float water_depth_m, int pump)
@@ -72,7 +72,7 @@ float oxygen_exchange_per_h(float water_depth_m, int pump)
 /* The oxygen that fish breathe is a constant share of the dissolved oxygen during a step, so the
  * step is the exact and stable solution of a linear equation. The form of 1 - exp(-x) avoids
  * cancellation, with an error of 1e-6 for x below 0.2. */
-static float step(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
+static float relax_oxygen(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
 {
     const float share_per_h =
         balance->breath_mg_l_h / f_max(dissolved_mg_l, balance->critical_mg_l);
@@ -90,12 +90,12 @@ float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, f
 {
     const uint32_t steps = (uint32_t)(hours / STEP_H) + 1u;
     for (uint32_t i = 0; i < steps; i++) {
-        dissolved_mg_l = step(dissolved_mg_l, balance, hours / (float)steps);
+        dissolved_mg_l = relax_oxygen(dissolved_mg_l, balance, hours / (float)steps);
     }
     return dissolved_mg_l;
 }
 
-static void ask(struct oxygen *oxygen, const struct fish *fish)
+static void request_breath(struct oxygen *oxygen, const struct fish *fish)
 {
     if (fish_swims(fish) && !surface_breathes(fish)) {
         const float mass_kg = fish_mass_kg(fish->length_m);
@@ -129,7 +129,7 @@ void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_c
     const uint32_t first = (uint32_t)((uint64_t)fish_count * share / CORE_TICK_HZ);
     const uint32_t end = (uint32_t)((uint64_t)fish_count * (share + 1u) / CORE_TICK_HZ);
     for (uint32_t i = first; i < end; i++) {
-        ask(oxygen, &fish[i]);
+        request_breath(oxygen, &fish[i]);
     }
     if (share == CORE_TICK_HZ - 1u) {
         second(oxygen, size_m);

@@ -16,24 +16,26 @@
 #include "core/tank/body.h"
 #include "core/tank/grid.h"
 
-#define PAIRS_BATCH 256u /* Near pairs per batch; a batch fits into the first-level cache. */
+/* Near pairs per batch; a batch fits into the first-level cache. */
+#define NARROW_PHASE_BATCH 256u
 
-enum pairs_search {
-    PAIRS_GRID = 0,
-    PAIRS_ALL = 1, /* Tests each body against each other body, for comparison (the thesis' table
-                      4.2). Finds the same pairs in the same order, in quadratic time. */
+enum pair_search {
+    PAIR_SEARCH_GRID = 0,
+    PAIR_SEARCH_ALL = 1, /* Tests each body against each other body, for comparison (the thesis'
+                            table 4.2). Finds the same pairs in the same order, in quadratic
+                            time. */
 };
 
 /* Input of a search. Columns are indexed by fish. */
-struct pairs_of {
+struct narrow_phase_query {
     const struct body *body;
     const uint8_t *flags;    /* Fish with one of the bits of `which` are searched. */
     const float *reach_m;    /* Distance beyond its skin at which a body is also found, beside its
                                 margin. */
     uint32_t count;
     uint8_t which;
-    uint8_t search;          /* enum pairs_search */
-    uint8_t lanes;           /* 0, 4 or 8, as in lanes_built(). */
+    uint8_t search;          /* enum pair_search */
+    uint8_t lanes;           /* 0, 4 or 8, as in simd_is_built(). */
     uint8_t bodies_only;     /* 1: pairs that are near only by their personal spaces may be left
                                 out. */
     float width_m, breadth_m; /* Size of the floor plan; bodies outside it are searched too. */
@@ -41,45 +43,46 @@ struct pairs_of {
 
 /* A pair whose bodies are nearer than the sum of their reaches, or whose personal spaces
  * overlap. */
-struct found {
+struct narrow_phase_pair {
     uint32_t a, b;  /* Indices of both fish. */
     float gap_m;    /* Gap between the bodies: the largest separation over all axes. < 0:
                        overlap. */
-    uint8_t axis;   /* Index of the axis of `gap_m`; pairs_axis() returns its vector. */
+    uint8_t axis;   /* Index of the axis of `gap_m`; narrow_phase_axis() returns its vector. */
     uint8_t spaces; /* 1 if the personal spaces overlap. */
 };
 
 /* Scratch memory of a search; nothing in it is kept between searches. */
-struct pairs {
-    struct grid grid;
-    fish_index member[TANK_FISH_MAX + LANES_MAX]; /* Fish to search. */
+struct narrow_phase {
+    struct spatial_grid grid;
+    fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Fish to search. */
     uint32_t cell, item, other; /* Position of the search in the order of the cells. */
     uint8_t search;
     /* Columns in the order of the cells. A ball and half a height enclose the volume in which a
      * body is found. SIMD code reads a little beyond the last item. */
-    float x_m[TANK_FISH_MAX + LANES_MAX], y_m[TANK_FISH_MAX + LANES_MAX],
-        z_m[TANK_FISH_MAX + LANES_MAX], ball_m[TANK_FISH_MAX + LANES_MAX],
-        slab_m[TANK_FISH_MAX + LANES_MAX];
+    float x_m[TANK_FISH_MAX + SIMD_LANES_MAX], y_m[TANK_FISH_MAX + SIMD_LANES_MAX],
+        z_m[TANK_FISH_MAX + SIMD_LANES_MAX], ball_m[TANK_FISH_MAX + SIMD_LANES_MAX],
+        slab_m[TANK_FISH_MAX + SIMD_LANES_MAX];
     uint32_t near_count;
-    uint32_t near_a[PAIRS_BATCH + LANES_MAX], near_b[PAIRS_BATCH + LANES_MAX]; /* Items of the near
-                                                                                  pairs. */
+    uint32_t near_a[NARROW_PHASE_BATCH + SIMD_LANES_MAX],
+        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Items of the near pairs. */
 };
 
 /* Sorts the bodies into cells and sets the position before the first pair. */
-void pairs_begin(struct pairs *pairs, const struct pairs_of *of);
+void narrow_phase_begin(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of);
 
-/* Writes the next pairs in a fixed order: `*count` of them, 0 .. PAIRS_BATCH. Returns 0 after the
- * last pair. `found` must have room for PAIRS_BATCH + LANES_MAX pairs. */
-int pairs_next(struct pairs *pairs, const struct pairs_of *of, struct found *found,
-               uint32_t *count);
+/* Writes the next pairs in a fixed order: `*count` of them, 0 .. NARROW_PHASE_BATCH. Returns 0
+ * after the last pair. `found` must have room for NARROW_PHASE_BATCH + SIMD_LANES_MAX pairs. */
+int narrow_phase_next(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,
+                      struct narrow_phase_pair *found, uint32_t *count);
 
-/* Writes the gaps between the bodies of `count` pairs of fish, as in struct found, within 1 um for
- * gaps below half a metre. `lanes` is as in lanes_built(). All three lists must have room for
- * LANES_MAX more entries; the extra entries of `a` and `b` must be valid fish. */
-void pairs_gaps(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,
-                uint8_t lanes, float *gap_m);
+/* Writes the gaps between the bodies of `count` pairs of fish, as in struct narrow_phase_pair,
+ * within 1 um for gaps below half a metre. `lanes` is as in simd_is_built(). All three lists must
+ * have room for SIMD_LANES_MAX more entries; the extra entries of `a` and `b` must be valid fish.
+ */
+void narrow_phase_gaps(const struct body *body, const fish_index *a, const fish_index *b,
+                       uint32_t count, uint8_t lanes, float *gap_m);
 
 /* Returns the unit vector from a toward b along which the gap of a found pair is measured. */
-vec3 pairs_axis(const struct body *a, const struct body *b, uint8_t axis);
+vec3 narrow_phase_axis(const struct body *a, const struct body *b, uint8_t axis);
 
 #endif

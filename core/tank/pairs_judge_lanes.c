@@ -5,7 +5,7 @@
 #include "core/tank/body_lanes.h"
 
 #define APART_M 1e9f
-#define PARALLEL lanes_of(1e-6f) /* The same value as in box.c. */
+#define PARALLEL simd_splat(1e-6f) /* The same value as in box.c. */
 
 /* Best axes so far of LANES pairs. Gaps are squared with their signs kept, so that an axis that is
  * no unit vector costs a division but no root. The last four bits of a square hold the index of its
@@ -15,7 +15,7 @@ struct verdict {
     flanes space;  /* > 0: the personal spaces are apart; otherwise undefined. */
 };
 
-static inline flanes mark(flanes square, int32_t axis)
+static inline flanes mark_axis(flanes square, int32_t axis)
 {
     return (flanes)(((ilanes)square & ~15) | axis);
 }
@@ -25,9 +25,9 @@ static inline flanes mark(flanes square, int32_t axis)
 static inline void try_face(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                             int32_t axis)
 {
-    const flanes gap = lanes_abs(offset) - halves;
-    verdict->space = lanes_max(verdict->space, gap - margins);
-    verdict->square = lanes_max(verdict->square, mark(gap * lanes_abs(gap), axis));
+    const flanes gap = simd_abs(offset) - halves;
+    verdict->space = simd_max(verdict->space, gap - margins);
+    verdict->square = simd_max(verdict->square, mark_axis(gap * simd_abs(gap), axis));
 }
 
 /* Tries one cross product of edges. The length of the axis is the root of `length2`. Nearly
@@ -37,10 +37,10 @@ static inline void try_edges(struct verdict *verdict, flanes offset, flanes halv
                              flanes length2, int32_t axis)
 {
     const ilanes crossed = length2 > PARALLEL;
-    const flanes gap = lanes_select(crossed, lanes_abs(offset) - halves, lanes_of(-APART_M));
-    verdict->space = lanes_max(verdict->space, gap - margins);
-    verdict->square =
-        lanes_max(verdict->square, mark(gap * lanes_abs(gap) / lanes_max(length2, PARALLEL), axis));
+    const flanes gap = simd_select(crossed, simd_abs(offset) - halves, simd_splat(-APART_M));
+    verdict->space = simd_max(verdict->space, gap - margins);
+    verdict->square = simd_max(verdict->square,
+                               mark_axis(gap * simd_abs(gap) / simd_max(length2, PARALLEL), axis));
 }
 
 static inline flanes dot(const flanes a[3], const flanes b[3])
@@ -55,15 +55,15 @@ struct view {
 };
 
 static inline void view_row(struct view *view, int i, const flanes axis[3], const flanes way[3],
-                            const struct bodies *b)
+                            const struct body_simd *b)
 {
     view->d[i] = dot(way, axis);
     view->c[i][0] = dot(axis, b->right);
     view->c[i][1] = dot(axis, b->up);
     view->c[i][2] = dot(axis, b->back);
-    view->m[i][0] = lanes_abs(view->c[i][0]);
-    view->m[i][1] = lanes_abs(view->c[i][1]);
-    view->m[i][2] = lanes_abs(view->c[i][2]);
+    view->m[i][0] = simd_abs(view->c[i][0]);
+    view->m[i][1] = simd_abs(view->c[i][1]);
+    view->m[i][2] = simd_abs(view->c[i][2]);
 }
 
 #define FACE_A(i)                                                                                  \
@@ -85,12 +85,12 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
               ma * (view.m[q][j] + view.m[p][j]) + mb * (view.m[i][s] + view.m[i][r]),             \
               view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * i + j)
 
-/* Tries all fifteen axes in the order of pairs_axis(). Always inlined, because a call would pass a
- * kilobyte through memory. */
-__attribute__((always_inline)) static inline struct verdict judge(const struct bodies *a,
-                                                                  const struct bodies *b)
+/* Tries all fifteen axes in the order of narrow_phase_axis(). Always inlined, because a call would
+ * pass a kilobyte through memory. */
+__attribute__((always_inline)) static inline struct verdict
+find_separating_axis(const struct body_simd *a, const struct body_simd *b)
 {
-    struct verdict verdict = { lanes_of(-APART_M * APART_M), lanes_of(-APART_M) };
+    struct verdict verdict = { simd_splat(-APART_M * APART_M), simd_splat(-APART_M) };
     const flanes ha[3] = { a->centre[3], a->right[3], a->up[3] }, ma = a->back[3];
     const flanes hb[3] = { b->centre[3], b->right[3], b->up[3] }, mb = b->back[3];
     const flanes way[3] = { b->centre[0] - a->centre[0], b->centre[1] - a->centre[1],
@@ -119,53 +119,54 @@ __attribute__((always_inline)) static inline struct verdict judge(const struct b
 
 static inline flanes gap_of(const struct verdict *verdict)
 {
-    const flanes root = lanes_sqrt(lanes_abs(verdict->square));
-    return lanes_select(verdict->square < 0.0f, -root, root);
+    const flanes root = simd_sqrt(simd_abs(verdict->square));
+    return simd_select(verdict->square < 0.0f, -root, root);
 }
 
-PAIRS_GAPS(LANES_NAME(pairs_gaps))
+NARROW_PHASE_GAPS(SIMD_NAME(narrow_phase_gaps))
 {
-    for (uint32_t n = 0; n < count; n += LANES) {
-        uint32_t first[LANES], second[LANES];
-        for (uint32_t lane = 0; lane < LANES; lane++) {
+    for (uint32_t n = 0; n < count; n += SIMD_LANES) {
+        uint32_t first[SIMD_LANES], second[SIMD_LANES];
+        for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
             first[lane] = a[n + lane];
             second[lane] = b[n + lane];
         }
-        struct bodies all_a, all_b;
-        bodies_load(&all_a, body, first);
-        bodies_load(&all_b, body, second);
-        const struct verdict verdict = judge(&all_a, &all_b);
-        lanes_store(&gap_m[n], gap_of(&verdict));
+        struct body_simd all_a, all_b;
+        body_simd_load(&all_a, body, first);
+        body_simd_load(&all_b, body, second);
+        const struct verdict verdict = find_separating_axis(&all_a, &all_b);
+        simd_store(&gap_m[n], gap_of(&verdict));
     }
 }
 
-PAIRS_JUDGE(LANES_NAME(pairs_judge))
+NARROW_PHASE_BOXES(SIMD_NAME(narrow_phase_boxes))
 {
-    const fish_index *item = pairs->grid.item;
+    const fish_index *item = narrow_phase->grid.item;
     uint32_t kept = 0;
-    for (uint32_t n = 0; n < pairs->near_count; n += LANES) {
-        const uint32_t then = n + PAIRS_AHEAD;
-        for (uint32_t lane = 0; lane < LANES && then + lane < pairs->near_count; lane++) {
-            __builtin_prefetch(&of->body[item[pairs->near_b[then + lane]]]);
+    for (uint32_t n = 0; n < narrow_phase->near_count; n += SIMD_LANES) {
+        const uint32_t then = n + NARROW_PHASE_PREFETCH;
+        for (uint32_t lane = 0; lane < SIMD_LANES && then + lane < narrow_phase->near_count;
+             lane++) {
+            __builtin_prefetch(&of->body[item[narrow_phase->near_b[then + lane]]]);
         }
-        uint32_t first[LANES], second[LANES];
-        for (uint32_t lane = 0; lane < LANES; lane++) {
-            first[lane] = item[pairs->near_a[n + lane]];
-            second[lane] = item[pairs->near_b[n + lane]];
+        uint32_t first[SIMD_LANES], second[SIMD_LANES];
+        for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
+            first[lane] = item[narrow_phase->near_a[n + lane]];
+            second[lane] = item[narrow_phase->near_b[n + lane]];
         }
-        struct bodies a, b;
-        bodies_load(&a, of->body, first);
-        bodies_load(&b, of->body, second);
-        const struct verdict verdict = judge(&a, &b);
-        const uint32_t meets = lanes_bits(verdict.space <= 0.0f);
-        float gap_m[LANES];
-        int32_t axis[LANES];
-        lanes_store(gap_m, gap_of(&verdict));
+        struct body_simd a, b;
+        body_simd_load(&a, of->body, first);
+        body_simd_load(&b, of->body, second);
+        const struct verdict verdict = find_separating_axis(&a, &b);
+        const uint32_t meets = simd_bits(verdict.space <= 0.0f);
+        float gap_m[SIMD_LANES];
+        int32_t axis[SIMD_LANES];
+        simd_store(gap_m, gap_of(&verdict));
         MEM_COPY(axis, &verdict.square, sizeof axis);
-        for (uint32_t lane = 0; lane < LANES && n + lane < pairs->near_count; lane++) {
+        for (uint32_t lane = 0; lane < SIMD_LANES && n + lane < narrow_phase->near_count; lane++) {
             const uint32_t i = first[lane], j = second[lane], meet = meets >> lane & 1u;
-            found[kept] = (struct found){ i, j, gap_m[lane], (uint8_t)(axis[lane] & 15),
-                                          (uint8_t)meet };
+            found[kept] = (struct narrow_phase_pair){ i, j, gap_m[lane], (uint8_t)(axis[lane] & 15),
+                                                      (uint8_t)meet };
             kept += meet | (gap_m[lane] < of->reach_m[i] + of->reach_m[j]);
         }
     }

@@ -23,7 +23,7 @@ static int is_far_inside(const struct tank_bounds *bounds, const struct body *bo
            high.y - p.y > reach_m && p.z - low.z > reach_m && high.z - p.z > reach_m;
 }
 
-vec3 parting_kept_inside_m(const struct parting *all, uint32_t index, const struct body *body)
+vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body)
 {
     const struct tank_bounds *bounds = &all->place->bounds;
     if (is_far_inside(bounds, body)) {
@@ -31,46 +31,47 @@ vec3 parting_kept_inside_m(const struct parting *all, uint32_t index, const stru
     }
     const vec3 extent = body_extent_m(body);
     const vec3 low = v3_add(bounds->low_m, extent), high = v3_sub(bounds->high_m, extent);
-    const uint8_t flags = all->crowd->flags[index];
+    const uint8_t flags = all->broad_phase->flags[index];
     vec3 p = body->centre_m;
     p.x = f_clamp(p.x, low.x, high.x);
     p.z = f_clamp(p.z, low.z, high.z);
     p.y = f_max(p.y, low.y);
-    if (!(flags & CROWD_AIRBORNE)) {
-        const float out_m = flags & CROWD_GULPS ? 2.0f * body->half_y_m : 0.0f;
+    if (!(flags & BODY_AIRBORNE)) {
+        const float out_m = flags & BODY_GULPING ? 2.0f * body->half_y_m : 0.0f;
         p.y = f_min(p.y, high.y + out_m);
     }
     return p;
 }
 
-static void keep_inside(const struct parting *all, uint32_t index)
+static void keep_inside(const struct solver_step *all, uint32_t index)
 {
-    struct body *body = &all->crowd->body[index];
-    body->centre_m = parting_kept_inside_m(all, index, body);
+    struct body *body = &all->broad_phase->body[index];
+    body->centre_m = contact_kept_inside_m(all, index, body);
 }
 
-/* Moves a fish to its body as crowd_follow() does, so that parting_is_apart() counts the push. */
-static void follow(const struct parting *all, uint32_t index)
+/* Moves a fish to its body as broad_phase_sync() does, so that contact_is_apart() counts the push.
+ */
+static void note_moved_body(const struct solver_step *all, uint32_t index)
 {
-    CORE_ASSERT(all->crowd->flags[index] & CROWD_SWIMS);
+    CORE_ASSERT(all->broad_phase->flags[index] & BODY_SWIMMING);
     struct fish *fish = &all->place->fish[index];
-    const vec3 centre_m = all->crowd->body[index].centre_m;
-    all->crowd->way_m[index] += v3_length(v3_sub(centre_m, fish->position_m));
+    const vec3 centre_m = all->broad_phase->body[index].centre_m;
+    all->broad_phase->way_m[index] += v3_length(v3_sub(centre_m, fish->position_m));
     fish->position_m = centre_m;
 }
 
 /* Moves a body as far as its limit per substep allows and returns the rest of the move. A body may
  * always move back toward its previous position. */
-static vec3 shove(const struct parting *all, uint32_t index, vec3 move)
+static vec3 shove(const struct solver_step *all, uint32_t index, vec3 move)
 {
-    struct body *body = &all->crowd->body[index];
+    struct body *body = &all->broad_phase->body[index];
     const vec3 wanted = v3_add(body->centre_m, move);
-    const vec3 before = parting_before_m(all, index);
-    const vec3 step = v3_limit(v3_sub(wanted, before), all->part->step_max_m[index]);
+    const vec3 before = contact_before_m(all, index);
+    const vec3 step = v3_limit(v3_sub(wanted, before), all->solver->step_max_m[index]);
     body->centre_m = v3_add(before, step);
     const vec3 left = v3_sub(wanted, body->centre_m);
     keep_inside(all, index);
-    follow(all, index);
+    note_moved_body(all, index);
     return left;
 }
 
@@ -80,7 +81,7 @@ static vec3 topple(const struct body *a, const struct body *b, vec3 axis)
 {
     vec3 aside = v3_sub(b->centre_m, a->centre_m);
     aside.y = 0.0f;
-    return v3_normalize_or(v3_mad(v3_scale(axis, 0.5f), v3_normalize_or(aside, a->right), 1.0f),
+    return v3_normalize_or(v3_muladd(v3_scale(axis, 0.5f), v3_normalize_or(aside, a->right), 1.0f),
                            axis);
 }
 
@@ -91,17 +92,18 @@ static float mass_of(const struct body *body)
 
 /* Stores the measured distance, so that the pair is not measured again until the bodies come
  * nearer. */
-static void know_apart(const struct parting *all, struct contact *contact, float apart_m)
+static void know_apart(const struct solver_step *all, struct contact *contact, float apart_m)
 {
-    const float *way_m = all->crowd->way_m;
-    const float gap_m = apart_m - PARTING_ROUNDING_M + (way_m[contact->a] + way_m[contact->b]);
+    const float *way_m = all->broad_phase->way_m;
+    const float gap_m = apart_m - SOLVER_ROUNDING_M + (way_m[contact->a] + way_m[contact->b]);
     contact->gap_m = f_max(contact->gap_m, gap_m);
 }
 
 /* Separates a pair. Returns 1 if it had to be moved. */
-static int part_pair(const struct parting *all, struct contact *contact, int round)
+static int part_pair(const struct solver_step *all, struct contact *contact, int round)
 {
-    const struct body *a = &all->crowd->body[contact->a], *b = &all->crowd->body[contact->b];
+    const struct body *a = &all->broad_phase->body[contact->a],
+                      *b = &all->broad_phase->body[contact->b];
     const struct box box_a = body_box(a), box_b = body_box(b);
     struct box_gap gap = box_gap(&box_a, 0.0f, &box_b, 0.0f);
     if (gap.body_m >= 0.0f) {
@@ -113,50 +115,50 @@ static int part_pair(const struct parting *all, struct contact *contact, int rou
     }
     const float depth_m = f_min(SKIN_M - gap.body_m, PART_STEP_MAX_M);
     const float share_a = mass_of(b) / (mass_of(a) + mass_of(b));
-    const vec3 part = v3_scale(gap.axis, depth_m);
-    const vec3 left_a = shove(all, contact->a, v3_scale(part, -share_a));
-    const vec3 left_b = shove(all, contact->b, v3_sub(v3_scale(part, 1.0f - share_a), left_a));
+    const vec3 solver = v3_scale(gap.axis, depth_m);
+    const vec3 left_a = shove(all, contact->a, v3_scale(solver, -share_a));
+    const vec3 left_b = shove(all, contact->b, v3_sub(v3_scale(solver, 1.0f - share_a), left_a));
     /* The rest of a fish's move is passed to the other fish. */
     shove(all, contact->a, v3_scale(left_b, -1.0f));
     return 1;
 }
 
 /* Returns the push that ring, hull and paper require of a body. */
-static vec3 push_off(const struct parting *all, uint32_t index, const struct obstacle *obstacle)
+static vec3 push_off(const struct solver_step *all, uint32_t index, const struct obstacle *obstacle)
 {
-    const struct body *body = &all->crowd->body[index];
-    const vec3 hard = rim_hard_push(obstacle, body);
-    const vec3 paper = rim_paper_push(obstacle, body, parting_before_m(all, index));
+    const struct body *body = &all->broad_phase->body[index];
+    const vec3 hard = ring_hard_push(obstacle, body);
+    const vec3 paper = ring_paper_push(obstacle, body, contact_before_m(all, index));
     return v3_dot(hard, hard) > 0.0f ? hard : paper;
 }
 
 /* Moves a body off an obstacle. Pushes nearly always suffice. In the corner between paper and ring
  * one push undoes the other, so there the fish moves along with the poi. */
-static void clear_obstacle(const struct parting *all, uint32_t index, uint32_t o)
+static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32_t o)
 {
     const struct obstacle *obstacle = &all->place->obstacles[o];
-    struct body *body = &all->crowd->body[index];
-    const struct body before = parting_before(all, index);
+    struct body *body = &all->broad_phase->body[index];
+    const struct body before = contact_body_before(all, index);
     for (uint32_t k = 0; k < CLEAR_ROUNDS; k++) {
         const vec3 move = push_off(all, index, obstacle);
         if (v3_dot(move, move) == 0.0f) {
             return;
         }
-        all->part->fate[index] = (uint8_t)(PART_PRESSED + o);
+        all->solver->result[index] = (uint8_t)(SOLVER_PRESSED + o);
         shove(all, index, move);
-        if (parting_is_clear(obstacle, body, &before)) {
+        if (contact_is_clear(obstacle, body, &before)) {
             return;
         }
     }
     struct body carried = *body;
-    carried.centre_m = rim_carry_m(obstacle, before.centre_m);
-    if (parting_is_clear(obstacle, &carried, &before)) {
+    carried.centre_m = ring_carry_m(obstacle, before.centre_m);
+    if (contact_is_clear(obstacle, &carried, &before)) {
         body->centre_m = carried.centre_m;
         keep_inside(all, index);
     }
 }
 
-static void clear_obstacles(const struct parting *all, uint32_t index)
+static void clear_obstacles(const struct solver_step *all, uint32_t index)
 {
     for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
         clear_obstacle(all, index, o);
@@ -164,48 +166,48 @@ static void clear_obstacles(const struct parting *all, uint32_t index)
 }
 
 /* Moves a body off obstacles that it is beside, so that no push drives it into one. */
-static void clear_if_beside(const struct parting *all, uint32_t index)
+static void clear_if_beside(const struct solver_step *all, uint32_t index)
 {
-    if (all->crowd->flags[index] & CROWD_BESIDE) {
+    if (all->broad_phase->flags[index] & BODY_NEAR_OBSTACLE) {
         clear_obstacles(all, index);
     }
 }
 
-/* Sets CROWD_BESIDE of a fish that could touch an obstacle in this substep. Returns the largest
- * distance by which an obstacle may carry it. */
-static float look_beside(const struct parting *all, uint32_t index)
+/* Sets BODY_NEAR_OBSTACLE of a fish that could touch an obstacle in this substep. Returns the
+ * largest distance by which an obstacle may carry it. */
+static float look_beside(const struct solver_step *all, uint32_t index)
 {
-    const struct box box = body_box(&all->crowd->body[index]);
-    float rush_m = 0.0f;
+    const struct box box = body_box(&all->broad_phase->body[index]);
+    float excess_m = 0.0f;
     int beside = 0;
     for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
         const struct obstacle *obstacle = &all->place->obstacles[o];
         if (obstacle_in_reach(obstacle, &box)) {
-            const vec3 from_m = parting_before_m(all, index);
+            const vec3 from_m = contact_before_m(all, index);
             beside = 1;
-            rush_m = f_max(rush_m, v3_length(v3_sub(rim_carry_m(obstacle, from_m), from_m)));
+            excess_m = f_max(excess_m, v3_length(v3_sub(ring_carry_m(obstacle, from_m), from_m)));
         }
     }
     if (beside) {
-        all->crowd->flags[index] |= CROWD_BESIDE;
-        all->part->beside[all->part->beside_count++] = (fish_index)index;
+        all->broad_phase->flags[index] |= BODY_NEAR_OBSTACLE;
+        all->solver->beside[all->solver->beside_count++] = (fish_index)index;
     }
-    return rush_m;
+    return excess_m;
 }
 
 /* Moves a pushed fish out of obstacles. */
-static void clear_shoved(const struct parting *all, uint32_t index)
+static void clear_shoved(const struct solver_step *all, uint32_t index)
 {
     clear_if_beside(all, index);
-    follow(all, index);
+    note_moved_body(all, index);
 }
 
 /* Contacts whose gap may be used up, measured several at a time. */
 struct close {
     uint32_t count;
     uint32_t contact[CLOSE_MAX];
-    fish_index a[CLOSE_MAX + LANES_MAX], b[CLOSE_MAX + LANES_MAX];
-    float gap_m[CLOSE_MAX + LANES_MAX];
+    fish_index a[CLOSE_MAX + SIMD_LANES_MAX], b[CLOSE_MAX + SIMD_LANES_MAX];
+    float gap_m[CLOSE_MAX + SIMD_LANES_MAX];
 };
 
 /* Adds contact `c` to those to be measured. */
@@ -217,47 +219,48 @@ static void note_close(struct close *close, const struct contact *contact, uint3
 }
 
 /* Measures the added contacts and clears the list. */
-static void measure(const struct parting *all, struct close *close)
+static void measure_close_pairs(const struct solver_step *all, struct close *close)
 {
     const uint32_t count = close->count;
-    for (uint32_t lane = 0; lane < LANES_MAX; lane++) {
+    for (uint32_t lane = 0; lane < SIMD_LANES_MAX; lane++) {
         close->a[count + lane] = 0;
         close->b[count + lane] = 0;
     }
-    pairs_gaps(all->crowd->body, close->a, close->b, count, all->place->lanes, close->gap_m);
+    narrow_phase_gaps(all->broad_phase->body, close->a, close->b, count, all->place->lanes,
+                      close->gap_m);
     for (uint32_t k = 0; k < count; k++) {
-        know_apart(all, &all->crowd->contact[close->contact[k]], close->gap_m[k]);
+        know_apart(all, &all->broad_phase->contact[close->contact[k]], close->gap_m[k]);
     }
     close->count = 0;
 }
 
 /* Measures all contacts whose stored gap no longer proves that they are apart. Most of them were
  * only predicted to come near. */
-static void measure_close(const struct parting *all)
+static void measure_close(const struct solver_step *all)
 {
-    const struct crowd *crowd = all->crowd;
+    const struct broad_phase *broad_phase = all->broad_phase;
     struct close close;
     close.count = 0;
-    for (uint32_t c = 0; c < crowd->contact_count; c++) {
-        if (!parting_is_apart(all, &crowd->contact[c], 0.0f)) {
-            note_close(&close, &crowd->contact[c], c);
+    for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
+        if (!contact_is_apart(all, &broad_phase->contact[c], 0.0f)) {
+            note_close(&close, &broad_phase->contact[c], c);
         }
         if (close.count == CLOSE_MAX) {
-            measure(all, &close);
+            measure_close_pairs(all, &close);
         }
     }
-    measure(all, &close);
+    measure_close_pairs(all, &close);
 }
 
 /* Runs one round over all contacts in order, so that a push propagates to the later ones of a row.
  * Returns the number of contacts that had to be separated. */
-static uint32_t relax_once(const struct parting *all, int round)
+static uint32_t relax_once(const struct solver_step *all, int round)
 {
-    struct crowd *crowd = all->crowd;
+    struct broad_phase *broad_phase = all->broad_phase;
     uint32_t parted = 0;
-    for (uint32_t c = 0; c < crowd->contact_count; c++) {
-        struct contact *contact = &crowd->contact[c];
-        if (!parting_is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
+    for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
+        struct contact *contact = &broad_phase->contact[c];
+        if (!contact_is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
             clear_shoved(all, contact->a);
             clear_shoved(all, contact->b);
             parted++;
@@ -268,7 +271,7 @@ static uint32_t relax_once(const struct parting *all, int round)
 
 /* Runs the rounds. Returns 1 if the last round separated no pair; only then does the penetration
  * check cover all pairs. */
-static int relax(const struct parting *all)
+static int relax(const struct solver_step *all)
 {
     uint32_t parted = 1;
     measure_close(all);
@@ -280,50 +283,53 @@ static int relax(const struct parting *all)
 
 /* ---- Walls and obstacles --------------------------------------------------------------------- */
 
-static void clear_one(const struct parting *all, uint32_t index)
+static void clear_one(const struct solver_step *all, uint32_t index)
 {
-    struct crowd *crowd = all->crowd;
-    struct part *part = all->part;
-    crowd->flags[index] &= (uint8_t)~CROWD_BESIDE;
-    const vec3 moved_m = v3_sub(crowd->body[index].centre_m, parting_before_m(all, index));
-    const float rush_m = look_beside(all, index);
-    part->step_max_m[index] = v3_length(moved_m) + all->place->shove_max_m + rush_m;
+    struct broad_phase *broad_phase = all->broad_phase;
+    struct contact_solver *solver = all->solver;
+    broad_phase->flags[index] &= (uint8_t)~BODY_NEAR_OBSTACLE;
+    const vec3 moved_m = v3_sub(broad_phase->body[index].centre_m, contact_before_m(all, index));
+    const float excess_m = look_beside(all, index);
+    solver->step_max_m[index] = v3_length(moved_m) + all->place->push_max_m + excess_m;
     clear_if_beside(all, index);
     keep_inside(all, index);
-    const vec3 led_m = v3_sub(crowd->body[index].centre_m, parting_before_m(all, index));
-    crowd->play_m[index] = part->step_max_m[index] + v3_length(led_m) + parting_sweep_m(all, index);
+    const vec3 led_m = v3_sub(broad_phase->body[index].centre_m, contact_before_m(all, index));
+    broad_phase->play_m[index] =
+        solver->step_max_m[index] + v3_length(led_m) + contact_sweep_m(all, index);
 }
 
-/* Returns 1 if part_clear_block() may process the fish: `width` fish exist and all are plain
- * swimmers. */
-static int is_plain(const struct crowd *crowd, uint32_t first, uint32_t width)
+/* Returns 1 if contact_solver_project_block() may process the fish: `width` fish exist and all are
+ * plain swimmers. */
+static int is_plain(const struct broad_phase *broad_phase, uint32_t first, uint32_t width)
 {
-    uint32_t all_same = crowd->count - first >= width;
+    uint32_t all_same = broad_phase->count - first >= width;
     for (uint32_t i = first; i < first + width && all_same; i++) {
-        all_same = crowd->flags[i] == CROWD_SWIMS;
+        all_same = broad_phase->flags[i] == BODY_SWIMMING;
     }
     return (int)all_same;
 }
 
 /* ---- Public --------------------------------------------------------------------------------- */
 
-void part_clear(struct part *part, struct crowd *crowd, const struct part_place *place)
+void contact_solver_project(struct contact_solver *solver, struct broad_phase *broad_phase,
+                            const struct solver_context *place)
 {
-    const struct parting all = { part, crowd, place };
-    const uint32_t width = place->lanes == LANES_MAX ? LANES_MAX : 4u;
-    part->beside_count = 0;
-    memset(part->gave_round, 0, sizeof part->gave_round);
-    memset(part->fate, PART_MOVES, crowd->count * sizeof part->fate[0]);
-    memset(part->fresh_round, 0, crowd->count * sizeof part->fresh_round[0]);
-    for (uint32_t i = 0; i < crowd->count;) {
-        const uint32_t count = crowd->count - i < width ? crowd->count - i : width;
+    const struct solver_step all = { solver, broad_phase, place };
+    const uint32_t width = place->lanes == SIMD_LANES_MAX ? SIMD_LANES_MAX : 4u;
+    solver->beside_count = 0;
+    memset(solver->reaction_round, 0, sizeof solver->reaction_round);
+    memset(solver->result, SOLVER_MOVED, broad_phase->count * sizeof solver->result[0]);
+    memset(solver->fresh_round, 0, broad_phase->count * sizeof solver->fresh_round[0]);
+    for (uint32_t i = 0; i < broad_phase->count;) {
+        const uint32_t count = broad_phase->count - i < width ? broad_phase->count - i : width;
         uint32_t left = (1u << count) - 1u; /* One bit for each fish of the block that is not yet
                                                processed. */
-        if (part->station == 0 && is_plain(crowd, i, width)) {
-            left = LANES_PICK(place->lanes, part_clear_block)(part, crowd, place, i);
+        if (solver->station == 0 && is_plain(broad_phase, i, width)) {
+            left = SIMD_PICK(place->lanes, contact_solver_project_block)(solver, broad_phase, place,
+                                                                         i);
         }
         for (uint32_t k = 0; left != 0; k++, left >>= 1u) {
-            if (left & 1u && crowd->flags[i + k] & CROWD_SWIMS) {
+            if (left & 1u && broad_phase->flags[i + k] & BODY_SWIMMING) {
                 clear_one(&all, i + k);
             }
         }
@@ -331,15 +337,17 @@ void part_clear(struct part *part, struct crowd *crowd, const struct part_place 
     }
 }
 
-void part_relax(struct part *part, struct crowd *crowd, const struct part_place *place)
+void contact_solver_relax(struct contact_solver *solver, struct broad_phase *broad_phase,
+                          const struct solver_context *place)
 {
-    const struct parting all = { part, crowd, place };
+    const struct solver_step all = { solver, broad_phase, place };
     relax(&all);
 }
 
-void part_bodies(struct part *part, struct crowd *crowd, const struct part_place *place)
+void contact_solver_finish(struct contact_solver *solver, struct broad_phase *broad_phase,
+                           const struct solver_context *place)
 {
-    const struct parting all = { part, crowd, place };
+    const struct solver_step all = { solver, broad_phase, place };
     const int is_parted = relax(&all);
-    parting_judge(&all, is_parted);
+    penetration_check(&all, is_parted);
 }

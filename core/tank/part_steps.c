@@ -7,58 +7,60 @@
                                    are four times as thick. */
 #define STATIONS_MAX 6u         /* Reached at 2.1 m/s; a faster hand makes longer substeps. */
 
-void part_begin(struct part *part, const struct fish *fish, uint32_t fish_count)
+void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
+                          uint32_t fish_count)
 {
     for (uint32_t i = 0; i < fish_count; i++) {
-        part->began_m[i] = fish[i].position_m;
-        part->began_angles[i] = fish[i].angles;
+        solver->began_m[i] = fish[i].position_m;
+        solver->began_angles[i] = fish[i].angles;
     }
 }
 
-uint32_t part_stations(struct part *part, const struct part_place *place)
+uint32_t contact_solver_substep_count(struct contact_solver *solver,
+                                      const struct solver_context *place)
 {
     float longest_m = 0.0f;
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
         const vec3 from_m = v3_sub(obstacle->centre_m, obstacle->step_m);
-        part->course[o] = (struct course){ from_m, obstacle->step_m, obstacle->turned };
+        solver->course[o] = (struct course){ from_m, obstacle->step_m, obstacle->turned };
         longest_m = f_max(longest_m, v3_length(obstacle->step_m));
     }
-    part->back_count = 0;
-    part->turns_back = 0;
-    part->station_count = 1u + (uint32_t)f_min(longest_m / STATION_M, (float)(STATIONS_MAX - 1u));
-    return part->station_count;
+    solver->reverted_count = 0;
+    solver->reverts_angles = 0;
+    solver->substep_count = 1u + (uint32_t)f_min(longest_m / STATION_M, (float)(STATIONS_MAX - 1u));
+    return solver->substep_count;
 }
 
 /* The first substep contains the whole rotation. */
-void part_advance(struct part *part, struct crowd *crowd, const struct part_place *place,
-                  uint32_t station)
+void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
+                            const struct solver_context *place, uint32_t station)
 {
-    part->station = station;
+    solver->station = station;
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
         if (station == 0) {
-            obstacle->centre_m = part->course[o].from_m;
+            obstacle->centre_m = solver->course[o].from_m;
         } else {
             obstacle->turned = 0;
         }
-        obstacle->step_m = v3_scale(part->course[o].step_m, 1.0f / (float)part->station_count);
+        obstacle->step_m = v3_scale(solver->course[o].step_m, 1.0f / (float)solver->substep_count);
         obstacle->centre_m = v3_add(obstacle->centre_m, obstacle->step_m);
-        obstacle->give_count = 0;
+        obstacle->reaction_count = 0;
     }
     if (station > 0) {
-        crowd_follow(crowd, place->fish);
-        for (uint32_t i = 0; i < crowd->count; i++) {
-            part->step_began_m[i] = place->fish[i].position_m;
+        broad_phase_sync(broad_phase, place->fish);
+        for (uint32_t i = 0; i < broad_phase->count; i++) {
+            solver->step_began_m[i] = place->fish[i].position_m;
         }
     }
 }
 
-void part_take(const struct crowd *crowd, struct fish *fish)
+void contact_solver_write_back(const struct broad_phase *broad_phase, struct fish *fish)
 {
-    for (uint32_t i = 0; i < crowd->count; i++) {
-        if (crowd->flags[i] & CROWD_SWIMS) {
-            fish[i].position_m = crowd->body[i].centre_m;
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        if (broad_phase->flags[i] & BODY_SWIMMING) {
+            fish[i].position_m = broad_phase->body[i].centre_m;
         }
     }
 }
@@ -68,23 +70,24 @@ void part_take(const struct crowd *crowd, struct fish *fish)
 static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
 {
     obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
-    obstacle->turned = course->turned && !(obstacle->gave & OBSTACLE_GAVE_TURN);
-    if (obstacle->gave & OBSTACLE_GAVE_PLACE) {
+    obstacle->turned = course->turned && !(obstacle->reaction & REACTION_ROTATION);
+    if (obstacle->reaction & REACTION_POSITION) {
         const vec3 lost_m = v3_sub(course->step_m, obstacle->step_m);
-        obstacle->velocity_m_s = v3_mad(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);
+        obstacle->velocity_m_s = v3_muladd(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);
     }
 }
 
-void part_end(struct part *part, const struct crowd *crowd, const struct part_place *place)
+void contact_solver_end(struct contact_solver *solver, const struct broad_phase *broad_phase,
+                        const struct solver_context *place)
 {
-    for (uint32_t i = 0; i < crowd->count && part->turns_back; i++) {
-        if (crowd->flags[i] & CROWD_BACK) {
-            CORE_ASSERT(crowd->flags[i] & CROWD_SWIMS);
-            place->fish[i].angles = part->began_angles[i];
+    for (uint32_t i = 0; i < broad_phase->count && solver->reverts_angles; i++) {
+        if (broad_phase->flags[i] & BODY_REVERTED) {
+            CORE_ASSERT(broad_phase->flags[i] & BODY_SWIMMING);
+            place->fish[i].angles = solver->began_angles[i];
             place->fish[i].yaw_rate_rad_s = 0.0f;
         }
     }
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        lose_blocked_step(&place->obstacles[o], &part->course[o]);
+        lose_blocked_step(&place->obstacles[o], &solver->course[o]);
     }
 }

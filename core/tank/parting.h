@@ -5,30 +5,30 @@
 #include "core/tank/part.h"
 #include "core/tank/rim.h"
 
-#define PARTING_ROUNDING_M 1e-6f /* Rounding error by which the same pose may seem deeper. */
+#define SOLVER_ROUNDING_M 1e-6f /* Rounding error by which the same pose may seem deeper. */
 
 /* Context of one substep of a tick. */
-struct parting {
-    struct part *part;
-    struct crowd *crowd;
-    const struct part_place *place;
+struct solver_step {
+    struct contact_solver *solver;
+    struct broad_phase *broad_phase;
+    const struct solver_context *place;
 };
 
 /* Returns the position to which a fish may revert: that at the start of the substep. */
-static inline vec3 parting_before_m(const struct parting *all, uint32_t index)
+static inline vec3 contact_before_m(const struct solver_step *all, uint32_t index)
 {
-    const struct part *part = all->part;
-    return part->station == 0 ? part->began_m[index] : part->step_began_m[index];
+    const struct contact_solver *solver = all->solver;
+    return solver->station == 0 ? solver->began_m[index] : solver->step_began_m[index];
 }
 
 /* Returns the body in the pose to which it may revert. Bodies rotate in the first substep only. */
-static inline struct body parting_before(const struct parting *all, uint32_t index)
+static inline struct body contact_body_before(const struct solver_step *all, uint32_t index)
 {
-    const struct part *part = all->part;
-    struct body body = all->crowd->body[index];
-    body.centre_m = parting_before_m(all, index);
-    if (part->station == 0) {
-        const struct basis axes = basis_from_angles(part->began_angles[index]);
+    const struct contact_solver *solver = all->solver;
+    struct body body = all->broad_phase->body[index];
+    body.centre_m = contact_before_m(all, index);
+    if (solver->station == 0) {
+        const struct basis axes = vec_basis_from_angles(solver->began_angles[index]);
         body.right = axes.right;
         body.up = axes.up;
         body.back = axes.back;
@@ -38,40 +38,40 @@ static inline struct body parting_before(const struct parting *all, uint32_t ind
 
 /* Returns 1 if the motion of both bodies since the query leaves more than `apart_m` of their gap,
  * so that the gap need not be measured. */
-static inline int parting_is_apart(const struct parting *all, const struct contact *contact,
+static inline int contact_is_apart(const struct solver_step *all, const struct contact *contact,
                                    float apart_m)
 {
-    const float *way_m = all->crowd->way_m;
+    const float *way_m = all->broad_phase->way_m;
     return contact->gap_m - (way_m[contact->a] + way_m[contact->b]) > apart_m;
 }
 
-static inline int parting_is_clear(const struct obstacle *obstacle, const struct body *body,
+static inline int contact_is_clear(const struct obstacle *obstacle, const struct body *body,
                                    const struct body *before)
 {
     vec3 unused;
-    return rim_excess_m(obstacle, body, before, PART_FREE_M, &unused) <= PARTING_ROUNDING_M;
+    return ring_excess_m(obstacle, body, before, SOLVER_FREE_M, &unused) <= SOLVER_ROUNDING_M;
 }
 
 /* Returns the largest distance that any point of a body moves by rotation alone. */
-static inline float parting_sweep_m(const struct parting *all, uint32_t index)
+static inline float contact_sweep_m(const struct solver_step *all, uint32_t index)
 {
     const struct angles now = all->place->fish[index].angles,
-                        was = all->part->began_angles[index];
+                        was = all->solver->began_angles[index];
     const float yaw_rad = f_abs(now.yaw_rad - was.yaw_rad);
     const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) +
                            f_abs(now.pitch_rad - was.pitch_rad) +
                            f_abs(now.roll_rad - was.roll_rad);
-    const struct body *body = &all->crowd->body[index];
-    return all->part->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
+    const struct body *body = &all->broad_phase->body[index];
+    return all->solver->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
 }
 
 /* Returns the centre that keeps the body of this fish within walls, floor and surface. Defined in
  * part.c. */
-vec3 parting_kept_inside_m(const struct parting *all, uint32_t index, const struct body *body);
+vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body);
 
 /* Runs the penetration check after the pushes. A fish too deep in another fish or in an obstacle
  * reverts or moves along with the obstacle, or the obstacle reacts, until none is too deep.
  * `is_parted`: 1 if the pushes left no two fish overlapping. Defined in judge.c. */
-void parting_judge(const struct parting *all, int is_parted);
+void penetration_check(const struct solver_step *all, int is_parted);
 
 #endif

@@ -5,9 +5,9 @@
 #include "core/morph/morph.h"
 #include "core/tank/fish.h"
 
-#define BODY_FILL_MAX                                                                              \
-    0.12f /* Share of the water that bodies may fill: 600 fish of the stall fill 0.11. A fuller tank
-             would cost too much time; part.h keeps bodies apart in any tank. */
+/* Share of the water that bodies may fill: 600 fish of the stall fill 0.11. A fuller tank would
+ * cost too much time; part.h keeps bodies apart in any tank. */
+#define BODY_FILL_MAX 0.12f
 #define AGE_SAMPLES 32
 
 #define UNBOUND 1e9f
@@ -77,7 +77,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .temperature_c = 24.0f,
         .time_compression = 60.0f, /* A minute of play is an hour for the oxygen. */
         .pump = 1,
-        .law = LIVING_WAKIN,
+        .params = LIVING_WAKIN,
         .view = {
             .eye_m = { 0.0f, 1.00f, 0.70f },
             .target_m = { 0.0f, -0.02f, 0.034f },
@@ -102,7 +102,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .bowl_radius_m = 0.080f,
         .temperature_c = 25.0f,
         .time_compression = 1.0f,
-        .law = THESIS_LAW,
+        .params = THESIS_LAW,
         .view = {
             .eye_m = { 0.0f, 1.622f, 0.448f }, /* Steeper than the stall's view, because the tank is
                                                   twice as wide as broad. */
@@ -129,7 +129,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .bowl_radius_m = 0.080f,
         .temperature_c = 25.0f, /* The rules allow 20 to 30 C; the pump is off. */
         .time_compression = 1.0f,
-        .law = LIVING_WAKIN,
+        .params = LIVING_WAKIN,
         .view = {
             .eye_m = { 0.0f, 1.622f, 0.421f }, /* View over a rim 13 cm above the water. */
             .target_m = { 0.0f, -0.02f, -0.019f },
@@ -162,9 +162,8 @@ uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale
                                    : growth_length_m(&species_wakin.card.growth, age_days);
         cubes_m3 += length_m * length_m * length_m;
     }
-    const float body_m3 =
-        preset->law.height_per_length * preset->law.width_per_length * cubes_m3 /
-        (float)AGE_SAMPLES;
+    const float body_m3 = preset->params.height_per_length * preset->params.width_per_length *
+                          cubes_m3 / (float)AGE_SAMPLES;
     const float water_m3 = area_scale * size_m.x * size_m.y * size_m.z;
     const float count = BODY_FILL_MAX * water_m3 / body_m3;
     return (uint32_t)f_clamp(count, 1.0f, (float)TANK_FISH_MAX);

@@ -34,7 +34,7 @@ struct tank_preset {
     float temperature_c;              /* Initial temperature of the water. */
     float time_compression;           /* Speed of the oxygen relative to that of the fish. */
     uint8_t pump;                     /* 1 if the air stone bubbles. */
-    struct law law;
+    struct behavior_params params;
     struct view view;
 };
 

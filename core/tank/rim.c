@@ -14,7 +14,7 @@
                                 degrees. */
 #define NEAR_PLANE_M 0.06f   /* Farther from the plane no fish touches the paper in one tick. */
 
-struct obstacle rim_before(const struct obstacle *obstacle)
+struct obstacle ring_before(const struct obstacle *obstacle)
 {
     struct obstacle before = *obstacle;
     before.centre_m = v3_sub(obstacle->centre_m, obstacle->step_m);
@@ -58,7 +58,7 @@ struct side {
     float was_m;        /* The height at the start of the substep. */
 };
 
-static struct side side_of(const struct obstacle *disc, const struct body *now, vec3 before_m)
+static struct side disc_side_of(const struct obstacle *disc, const struct body *now, vec3 before_m)
 {
     struct side none = { 0 };
     const vec3 away = v3_sub(now->centre_m, disc->centre_m);
@@ -66,9 +66,9 @@ static struct side side_of(const struct obstacle *disc, const struct body *now, 
     if (!disc->paper || v3_dot(away, away) > reach_m * reach_m) {
         return none;
     }
-    const struct obstacle old = rim_before(disc);
-    const vec3 q1 = basis_to_body(&disc->axes, away);
-    const vec3 q0 = basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
+    const struct obstacle old = ring_before(disc);
+    const vec3 q1 = vec_basis_to_body(&disc->axes, away);
+    const vec3 q0 = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
     /* The point where the path crossed the plane, or the point below the fish now. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
@@ -85,28 +85,28 @@ static struct side side_of(const struct obstacle *disc, const struct body *now, 
 static vec3 pinned_along(const struct obstacle *disc, float closing_m_s)
 {
     const vec3 v = disc->velocity_m_s, up = disc->axes.up;
-    const vec3 along = v3_mad(v, up, -v3_dot(v, up));
+    const vec3 along = v3_muladd(v, up, -v3_dot(v, up));
     const float square = closing_m_s * closing_m_s;
     return closing_m_s > 0.0f ? v3_scale(along, square / (square + PIN_M_S * PIN_M_S))
                               : v3(0.0f, 0.0f, 0.0f);
 }
 
-vec3 rim_paper_push(const struct obstacle *disc, const struct body *now, vec3 before_m)
+vec3 ring_paper_push(const struct obstacle *disc, const struct body *now, vec3 before_m)
 {
-    const struct side at = side_of(disc, now, before_m);
+    const struct side at = disc_side_of(disc, now, before_m);
     if (at.side == 0.0f || at.height_m >= at.clear_m) {
         return v3(0.0f, 0.0f, 0.0f);
     }
     const float freed_m = f_max(at.height_m, SIDE_GAP_M) + PAPER_PUSH_M;
-    const float goal_m = f_min(at.clear_m, f_max(freed_m, at.clear_m - 0.8f * RIM_SAG_M));
+    const float goal_m = f_min(at.clear_m, f_max(freed_m, at.clear_m - 0.8f * RING_SAG_M));
     const vec3 off = v3_scale(disc->axes.up, at.side * (goal_m - at.height_m));
     const float paper_m_s = v3_dot(disc->velocity_m_s, disc->axes.up);
-    return v3_mad(off, pinned_along(disc, at.side * paper_m_s), CORE_TICK_S);
+    return v3_muladd(off, pinned_along(disc, at.side * paper_m_s), CORE_TICK_S);
 }
 
-vec3 rim_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m)
+vec3 ring_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m)
 {
-    const struct side at = side_of(disc, now, before_m);
+    const struct side at = disc_side_of(disc, now, before_m);
     if (at.side == 0.0f || at.height_m >= SIDE_GAP_M) {
         return v3(0.0f, 0.0f, 0.0f);
     }
@@ -116,19 +116,19 @@ vec3 rim_paper_hold(const struct obstacle *disc, const struct body *now, vec3 be
 static float paper_excess_m(const struct obstacle *disc, const struct body *now,
                             const struct body *before, vec3 *out)
 {
-    const struct side at = side_of(disc, now, before->centre_m);
+    const struct side at = disc_side_of(disc, now, before->centre_m);
     *out = v3_scale(disc->axes.up, at.side);
     if (at.side == 0.0f) {
         return 0.0f;
     }
     const struct basis axes = disc->turned ? disc->axes_before : disc->axes;
     const float was_in_m = half_thick_m(before, axes.up) - at.was_m;
-    return at.clear_m - at.height_m - f_max(RIM_SAG_M, was_in_m);
+    return at.clear_m - at.height_m - f_max(RING_SAG_M, was_in_m);
 }
 
 /* ---- Ring and hull -------------------------------------------------------------------------- */
 
-vec3 rim_hard_push(const struct obstacle *obstacle, const struct body *now)
+vec3 ring_hard_push(const struct obstacle *obstacle, const struct body *now)
 {
     const struct box box = body_box(now);
     const vec3 off = obstacle_clear(obstacle, &box);
@@ -139,7 +139,7 @@ vec3 rim_hard_push(const struct obstacle *obstacle, const struct body *now)
     const vec3 normal = obstacle->normal;
     const float height_m = v3_dot(v3_sub(now->centre_m, obstacle->centre_m), normal);
     const float round = f_clamp(height_m / half_thick_m(now, normal), -1.0f, 1.0f);
-    return v3_mad(off, normal, GLIDE * depth_m * round);
+    return v3_muladd(off, normal, GLIDE * depth_m * round);
 }
 
 /* ---- Both ----------------------------------------------------------------------------------- */
@@ -153,14 +153,14 @@ static float hard_excess_m(const struct obstacle *obstacle, const struct body *n
     if (touch.gap_m >= -free_m) {
         return 0.0f;
     }
-    const struct obstacle old = rim_before(obstacle);
+    const struct obstacle old = ring_before(obstacle);
     const struct box box_before = body_box(before);
     const float was_m = -obstacle_touch(&old, &box_before).gap_m;
     return -touch.gap_m - f_max(free_m, was_m);
 }
 
-float rim_excess_m(const struct obstacle *obstacle, const struct body *now,
-                   const struct body *before, float free_m, vec3 *out)
+float ring_excess_m(const struct obstacle *obstacle, const struct body *now,
+                    const struct body *before, float free_m, vec3 *out)
 {
     const float hard_m = hard_excess_m(obstacle, now, before, free_m, out);
     if (hard_m > 0.0f || !obstacle->paper) {
@@ -169,14 +169,14 @@ float rim_excess_m(const struct obstacle *obstacle, const struct body *now,
     return paper_excess_m(obstacle, now, before, out);
 }
 
-vec3 rim_carry_m(const struct obstacle *obstacle, vec3 before_m)
+vec3 ring_carry_m(const struct obstacle *obstacle, vec3 before_m)
 {
     if (!obstacle->turned) {
         return v3_add(before_m, obstacle->step_m);
     }
-    const struct obstacle old = rim_before(obstacle);
-    const vec3 place = basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
-    return v3_add(obstacle->centre_m, basis_to_world(&obstacle->axes, place));
+    const struct obstacle old = ring_before(obstacle);
+    const vec3 place = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
+    return v3_add(obstacle->centre_m, vec_basis_to_world(&obstacle->axes, place));
 }
 
 static void turn_back(struct obstacle *obstacle)
@@ -184,32 +184,32 @@ static void turn_back(struct obstacle *obstacle)
     obstacle->normal = obstacle->axes_before.up;
     obstacle->axes = obstacle->axes_before;
     obstacle->turned = 0;
-    obstacle->gave |= OBSTACLE_GAVE_TURN;
+    obstacle->reaction |= REACTION_ROTATION;
 }
 
 static void stand_still(struct obstacle *obstacle)
 {
     obstacle->centre_m = v3_sub(obstacle->centre_m, obstacle->step_m);
     obstacle->step_m = v3(0.0f, 0.0f, 0.0f);
-    obstacle->gave |= OBSTACLE_GAVE_PLACE;
+    obstacle->reaction |= REACTION_POSITION;
     if (obstacle->turned) {
         turn_back(obstacle);
     }
 }
 
-int rim_give_way(struct obstacle *obstacle, vec3 out, float excess_m)
+int ring_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m)
 {
     const float closing_m = v3_dot(obstacle->step_m, out);
     const int moved = v3_dot(obstacle->step_m, obstacle->step_m) > 0.0f;
     if (!moved && !obstacle->turned) {
         return 0;
     }
-    if (obstacle->give_count++ < GIVE_MAX && closing_m > GIVE_MIN_M) {
+    if (obstacle->reaction_count++ < GIVE_MAX && closing_m > GIVE_MIN_M) {
         const float back_m = f_min(closing_m, excess_m + GIVE_MIN_M);
-        obstacle->step_m = v3_mad(obstacle->step_m, out, -back_m);
-        obstacle->centre_m = v3_mad(obstacle->centre_m, out, -back_m);
-        obstacle->gave |= OBSTACLE_GAVE_PLACE;
-    } else if (obstacle->give_count <= GIVE_MAX && obstacle->turned) {
+        obstacle->step_m = v3_muladd(obstacle->step_m, out, -back_m);
+        obstacle->centre_m = v3_muladd(obstacle->centre_m, out, -back_m);
+        obstacle->reaction |= REACTION_POSITION;
+    } else if (obstacle->reaction_count <= GIVE_MAX && obstacle->turned) {
         turn_back(obstacle);
     } else {
         stand_still(obstacle);

@@ -62,15 +62,16 @@ int shade_covers(const struct shade_cast *cast, vec3 position_m)
     return cast->present && shade_distance_m(cast, position_m) < cast->radius_m;
 }
 
-static int gathers(const struct shade *shade, const struct law *law)
+static int gathers(const struct shade *shade, const struct behavior_params *params)
 {
-    return shade->cast.present && shade->still_s >= law->shade_dwell_s;
+    return shade->cast.present && shade->still_s >= params->shade_dwell_s;
 }
 
-float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m)
+float shade_pull_m_s(const struct shade *shade, const struct behavior_params *params,
+                     float distance_m)
 {
     const float radius_m = shade->cast.radius_m;
-    if (!gathers(shade, law)) {
+    if (!gathers(shade, params)) {
         return 0.0f;
     }
     const float reach_m = f_max(0.0f, SHADE_FIELD_RADII * radius_m - distance_m);
@@ -81,20 +82,20 @@ float shade_pull_m_s(const struct shade *shade, const struct law *law, float dis
 }
 
 /* Returns the sum of the attraction of all shades, as a velocity; zero if none attracts. */
-static vec3 pull_of_all(const struct shade *shades, uint32_t count, const struct law *law,
-                        vec3 position_m)
+static vec3 pull_of_all(const struct shade *shades, uint32_t count,
+                        const struct behavior_params *params, vec3 position_m)
 {
     vec3 sum = { 0.0f, 0.0f, 0.0f };
     for (uint32_t i = 0; i < count; i++) {
         const struct shade_cast *cast = &shades[i].cast;
-        if (!gathers(&shades[i], law)) {
+        if (!gathers(&shades[i], params)) {
             continue;
         }
         const float distance_m = shade_distance_m(cast, position_m);
-        const float pull_m_s = shade_pull_m_s(&shades[i], law, distance_m);
+        const float pull_m_s = shade_pull_m_s(&shades[i], params, distance_m);
         if (pull_m_s > 0.0f) { /* Here the distance is positive, so the direction is defined. */
             const vec3 to_m = v3(cast->x_m - position_m.x, 0.0f, cast->z_m - position_m.z);
-            sum = v3_mad(sum, to_m, pull_m_s / distance_m);
+            sum = v3_muladd(sum, to_m, pull_m_s / distance_m);
         }
     }
     return sum;
@@ -110,17 +111,17 @@ static vec3 less_crowd(vec3 pull_m_s, const struct fish *fish)
     return v3_scale(pull_m_s, f_clamp(1.0f - against_m_s / full_m_s, 0.0f, 1.0f));
 }
 
-int shade_draw(const struct shade *shades, uint32_t count, const struct law *law,
+int shade_draw(const struct shade *shades, uint32_t count, const struct behavior_params *params,
                const struct fish *fish, struct shade_course *course)
 {
-    const vec3 pull_m_s = pull_of_all(shades, count, law, fish->position_m);
+    const vec3 pull_m_s = pull_of_all(shades, count, params, fish->position_m);
     if (pull_m_s.x == 0.0f && pull_m_s.z == 0.0f) {
         return 0;
     }
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 own = v3(-f_sin(course->heading_rad), 0.0f, -f_cos(course->heading_rad));
-    const vec3 drawn = v3_mad(less_crowd(pull_m_s, fish), own, course->speed_m_s);
-    const vec3 wanted = v3_limit(drawn, f_max(course->speed_m_s, gait_speed_max_m_s(fish, law)));
+    const vec3 drawn = v3_muladd(less_crowd(pull_m_s, fish), own, course->speed_m_s);
+    const vec3 wanted = v3_limit(drawn, f_max(course->speed_m_s, gait_speed_max_m_s(fish, params)));
     const float along_m_s = -f_sin(yaw_rad) * wanted.x - f_cos(yaw_rad) * wanted.z;
     course->heading_rad =
         v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;
@@ -138,11 +139,12 @@ static float contrast(float dark)
     return share * f_sqrt(share);
 }
 
-float shade_alarm(const struct shade *shade, const struct law *law, vec3 position_m, float dt_s)
+float shade_alarm(const struct shade *shade, const struct behavior_params *params, vec3 position_m,
+                  float dt_s)
 {
     const struct shade_cast *cast = &shade->cast;
     const int is_sudden = shade->age_s <= SHADE_NEW_S || shade->edge_m_s > SHADE_MOVES_M_S;
-    if (!law->shade_frights || !cast->present || !is_sudden ||
+    if (!params->shade_frights || !cast->present || !is_sudden ||
         shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
         return 0.0f;
     }

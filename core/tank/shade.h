@@ -62,7 +62,8 @@ int shade_covers(const struct shade_cast *cast, vec3 position_m);
  * thesis moves fish by M = 0.01 (20 - r) cm per frame. Table 4.2 gives 60 frames per second for
  * the 200 fish of that test: 0.6 (20 - r) cm/s. Returns 0 during the dwell time of the behavior
  * parameters. */
-float shade_pull_m_s(const struct shade *shade, const struct law *law, float distance_m);
+float shade_pull_m_s(const struct shade *shade, const struct behavior_params *params,
+                     float distance_m);
 
 /* Changes the course of a fish by the attraction of all shades. Course and attraction are added as
  * velocities and limited to the top swimming speed (section 3.3), or to the fish's own speed if
@@ -74,7 +75,7 @@ struct shade_course {
     float speed_m_s;   /* In: speed of the gait. Out: speed along the nose, lower while the nose
                           points elsewhere. */
 };
-int shade_draw(const struct shade *shades, uint32_t count, const struct law *law,
+int shade_draw(const struct shade *shades, uint32_t count, const struct behavior_params *params,
                const struct fish *fish, struct shade_course *course);
 
 /* Returns the alarm, >= 0, that a shade adds for a fish whose last decision was `dt_s` ago, but not
@@ -82,7 +83,8 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct law *law
  * 33 ms to be startled; the nerve latency takes the rest of 60 to 150 ms (fright.h). A poi's thin
  * paper raises the alarm slightly but does not startle. Returns 0 if the behavior parameters
  * disable this response. */
-float shade_alarm(const struct shade *shade, const struct law *law, vec3 position_m, float dt_s);
+float shade_alarm(const struct shade *shade, const struct behavior_params *params, vec3 position_m,
+                  float dt_s);
 
 uint64_t shade_hash(uint64_t hash, const struct shade *shade);
 

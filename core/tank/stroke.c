@@ -11,7 +11,7 @@
  * rhythm once per decision keeps it exactly. */
 #define CYCLE_TICKS_MIN 84u /* 0.7 s, plus up to 0.5 s by individual. */
 #define BEAT_SHARE 0.45f
-#define KICK_TICKS (5u * THINK_TICKS) /* 0.17 s. */
+#define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* 0.17 s. */
 #define KICK_MAX_RAD (80.0f * F_DEG)
 
 #define COAST_DRAG 0.060f /* Koi, by wetted surface; 0.242 while the tail beats. */
@@ -25,12 +25,12 @@
 /* Returns the cycle of a fish. Each fish has its own rhythm and its own phase. */
 static uint32_t cycle_ticks(const struct fish *fish)
 {
-    return CYCLE_TICKS_MIN + THINK_TICKS * (fish->look >> 10 & 15u);
+    return CYCLE_TICKS_MIN + FISH_BEHAVIOR_TICKS * (fish->look >> 10 & 15u);
 }
 
 static uint32_t beat_ticks(uint32_t cycle)
 {
-    return THINK_TICKS * (uint32_t)(BEAT_SHARE * (float)cycle / (float)THINK_TICKS);
+    return FISH_BEHAVIOR_TICKS * (uint32_t)(BEAT_SHARE * (float)cycle / (float)FISH_BEHAVIOR_TICKS);
 }
 
 static uint32_t ticks_into(const struct fish *fish, uint32_t tick)
@@ -38,31 +38,31 @@ static uint32_t ticks_into(const struct fish *fish, uint32_t tick)
     return (tick + (fish->look >> 14 & 255u)) % cycle_ticks(fish);
 }
 
-int stroke_beats(const struct fish *fish, uint32_t tick)
+int burst_coast_beats(const struct fish *fish, uint32_t tick)
 {
     return ticks_into(fish, tick) < beat_ticks(cycle_ticks(fish));
 }
 
-int stroke_kicks(const struct fish *fish, uint32_t tick)
+int burst_coast_kicks(const struct fish *fish, uint32_t tick)
 {
     return ticks_into(fish, tick) < KICK_TICKS;
 }
 
 /* The first decision in a beat turns the fish, whichever tick that is. */
-void stroke_turn(struct fish *fish, uint32_t index, const struct surroundings *around)
+void burst_coast_turn(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const uint32_t into = ticks_into(fish, around->tick);
-    if (around->law->kick_rad <= 0.0f || fish->gait != GAIT_SWIM ||
+    if (around->params->kick_rad <= 0.0f || fish->gait != GAIT_SWIM ||
         (float)into * CORE_TICK_S > around->dt_s - 0.5f * CORE_TICK_S) {
         return;
     }
     const struct rng_key key = { around->seed, around->tick - into, index, RNG_FISH_KICK };
-    const float turn_rad = around->law->kick_rad * rng_normal(key);
+    const float turn_rad = around->params->kick_rad * rng_normal(key);
     fish->heading_rad =
         f_wrap_angle(fish->heading_rad + f_clamp(turn_rad, -KICK_MAX_RAD, KICK_MAX_RAD));
 }
 
-float stroke_glide_m(float length_m)
+float burst_coast_glide_m(float length_m)
 {
     return GLIDE_LENGTHS * length_m;
 }
@@ -74,10 +74,10 @@ static float glided(float x)
     return (6.0f + x) / (6.0f + 4.0f * x);
 }
 
-float stroke_share(const struct fish *fish, float mean_m_s)
+float burst_coast_share(const struct fish *fish, float mean_m_s)
 {
     const uint32_t cycle = cycle_ticks(fish), beat = beat_ticks(cycle);
-    const float glide_m = stroke_glide_m(fish->length_m);
+    const float glide_m = burst_coast_glide_m(fish->length_m);
     const float run_up_s = gait_run_up_s(fish->length_m);
     const float beat_s = (float)beat * CORE_TICK_S;
     const float glide_s = (float)(cycle - beat) * CORE_TICK_S;

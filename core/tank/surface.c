@@ -45,15 +45,15 @@ float surface_chance(float oxygen_mg_l, float stamina)
     return 1.0f / (1.0f + f_exp((oxygen_mg_l - half_mg_l) / CHANCE_WIDTH_MG_L));
 }
 
-static float draw(uint32_t index, const struct surroundings *around, enum rng_purpose purpose)
+static float draw_surface(uint32_t index, const struct perception *around, enum rng_purpose purpose)
 {
     return rng_unit((struct rng_key){ around->seed, around->tick, index, purpose });
 }
 
-int surface_calls(const struct fish *fish, uint32_t index, const struct surroundings *around)
+int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around)
 {
-    return around->law->air_by_oxygen && draw(index, around, RNG_FISH_AIR) <
-                                             surface_chance(around->oxygen_mg_l, fish->stamina);
+    return around->params->air_by_oxygen && draw_surface(index, around, RNG_FISH_AIR) <
+                                                surface_chance(around->oxygen_mg_l, fish->stamina);
 }
 
 static float nose_m(const struct fish *fish)
@@ -108,14 +108,14 @@ int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s)
 
 /* Begins a bout. While the fish gulps, `gait_left_s` is the rest of the bout, and only time with
  * the mouth in the film counts. */
-static void begin_bout(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void begin_bout(struct fish *fish, uint32_t index, const struct perception *around)
 {
-    const struct law *law = around->law;
+    const struct behavior_params *params = around->params;
     fish->gait_left_s =
-        f_lerp(law->gulp_min_s, law->gulp_max_s, draw(index, around, RNG_FISH_GULP));
+        f_lerp(params->gulp_min_s, params->gulp_max_s, draw_surface(index, around, RNG_FISH_GULP));
 }
 
-void surface_rise(struct fish *fish, uint32_t index, const struct surroundings *around)
+void surface_rise(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->gait = GAIT_SWIM;
     fish->air = AIR_RISES;
@@ -127,11 +127,11 @@ static int is_up(const struct fish *fish)
     return top_m(fish) > -SNOUT_M;
 }
 
-void surface_stage(struct fish *fish, const struct law *law)
+void surface_stage(struct fish *fish, const struct behavior_params *params)
 {
     fish->gait = is_up(fish) ? GAIT_SURFACE : GAIT_SWIM;
     fish->air = is_up(fish) ? AIR_GULPS : AIR_RISES;
-    fish->gait_left_s = law->gulp_max_s;
+    fish->gait_left_s = params->gulp_max_s;
 }
 
 int surface_ducks(struct fish *fish)
@@ -149,18 +149,18 @@ float surface_nerve(const struct fish *fish)
 }
 
 /* Changes the stamina: gain at the film, loss in bad water. */
-static void breathe(struct fish *fish, const struct surroundings *around)
+static void breathe(struct fish *fish, const struct perception *around)
 {
-    const struct law *law = around->law;
+    const struct behavior_params *params = around->params;
     const float lack = f_max(0.0f, 1.0f - around->oxygen_mg_l / STIFLE_MG_L);
     const float per_s =
-        surface_breathes(fish) ? law->gulp_gain_per_s : -law->stifle_per_s * lack;
+        surface_breathes(fish) ? params->gulp_gain_per_s : -params->stifle_per_s * lack;
     fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
 }
 
 /* In a living tank the bout repeats as long as the oxygen is low. The thesis' fish is full after
  * its 3 s and dives. */
-static void gulp(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void gulp(struct fish *fish, uint32_t index, const struct perception *around)
 {
     if (surface_breathes(fish)) {
         fish->gait_left_s -= around->dt_s;
@@ -176,13 +176,13 @@ static void gulp(struct fish *fish, uint32_t index, const struct surroundings *a
 }
 
 /* Ends surface breathing: the fish is under water and swims off with a gait of normal duration. */
-static void leave(struct fish *fish, uint32_t index, const struct surroundings *around)
+static void leave_surface(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->air = AIR_ENOUGH;
     gait_enter(fish, GAIT_SWIM, index, around);
 }
 
-int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *around)
+int surface_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
     if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish meanwhile and it is back in
@@ -190,7 +190,7 @@ int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *a
         fish->air = AIR_ENOUGH;
     }
     breathe(fish, around);
-    if (fish->air == AIR_ENOUGH && fish->gait != GAIT_ESCAPE && !around->law->air_by_oxygen &&
+    if (fish->air == AIR_ENOUGH && fish->gait != GAIT_ESCAPE && !around->params->air_by_oxygen &&
         fish->stamina < TIRED_BELOW) {
         surface_rise(fish, index, around);
     }
@@ -207,7 +207,7 @@ int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *a
     case AIR_DIVES:
     case AIR_DUCKS:
         if (top_m(fish) <= 0.0f) {
-            leave(fish, index, around);
+            leave_surface(fish, index, around);
         }
         return 1;
     default:
@@ -236,14 +236,14 @@ static void resolve_gulp(struct fish *fish, uint32_t tick)
         f_clamp(fish->climb_goal_m_s + BOB_M_S * f_cos(turn), -CLIMB_MAX_M_S, CLIMB_MAX_M_S);
 }
 
-void surface_resolve(struct fish *fish, const struct surroundings *around)
+void surface_resolve(struct fish *fish, const struct perception *around)
 {
     switch (fish->air) {
     case AIR_RISES:
         resolve_rise(fish);
         break;
     case AIR_GULPS:
-        fish->speed_goal_m_s = around->law->swim_speed * fish->length_m;
+        fish->speed_goal_m_s = around->params->swim_speed * fish->length_m;
         resolve_rise(fish);
         resolve_gulp(fish, around->tick);
         break;

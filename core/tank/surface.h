@@ -18,23 +18,23 @@ float surface_chance(float oxygen_mg_l, float stamina);
 
 /* Returns 1 if the fish rises now; called at a choice of gait. The draw depends on (seed, tick,
  * fish). Returns 0 if stamina alone is the trigger. */
-int surface_calls(const struct fish *fish, uint32_t index, const struct surroundings *around);
+int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Starts the rise. The fish swims, whatever its gait was (the thesis' tired fish rests, and a
  * resting fish would never come up). */
-void surface_rise(struct fish *fish, uint32_t index, const struct surroundings *around);
+void surface_rise(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Stages a gulping fish. Its longest bout begins at once if its back is at the surface; otherwise
  * it rises first. */
-void surface_stage(struct fish *fish, const struct law *law);
+void surface_stage(struct fish *fish, const struct behavior_params *params);
 
 /* Advances surface breathing by `around->dt_s`: the stamina loss in bad water, the rise, the gulps
  * and the dive. Returns 1 during any of these stages, in which the fish chooses no other gait. */
-int surface_tick(struct fish *fish, uint32_t index, const struct surroundings *around);
+int surface_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Sets the goals of a fish at the surface; called after swim_resolve(). The nose ends 2 mm above
  * the surface and bobs. The fish climbs and sinks at most at 3 cm/s, unless it is startled. */
-void surface_resolve(struct fish *fish, const struct surroundings *around);
+void surface_resolve(struct fish *fish, const struct perception *around);
 
 /* Returns 1 while the mouth is in the film. */
 int surface_breathes(const struct fish *fish);

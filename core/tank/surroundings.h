@@ -9,8 +9,8 @@
 #include "core/tank/obstacle.h"
 #include "core/tank/shade.h"
 
-struct surroundings {
-    const struct law *law;
+struct perception {
+    const struct behavior_params *params;
     vec3 size_m; /* Inner width, water depth, breadth. */
     float wall_follow; /* [0, 1] attraction of walls. */
     uint8_t ball_spaces; /* As in struct tank_config. */

@@ -35,36 +35,36 @@ static float kept(float dt_s, float tau_s)
     return (even - 0.5f * x) / (even + 0.5f * x);
 }
 
-void swim_shun_add(struct swim_shun *shun, const struct fish *fish, const struct law *law,
-                   vec3 normal, float gap_m)
+void swim_avoid_add(struct swim_avoidance *avoidance, const struct fish *fish,
+                    const struct behavior_params *params, vec3 normal, float gap_m)
 {
-    const float range_m = (law->wall_per_length + 0.05f) * fish->length_m +
-                          law->wall_within_s * fish->speed_m_s;
+    const float range_m = (params->wall_per_length + 0.05f) * fish->length_m +
+                          params->wall_within_s * fish->speed_m_s;
     const float free_m = gap_m - 0.45f * fish->length_m;
     if (free_m >= range_m) {
         return;
     }
     const float weight = 1.0f - f_max(free_m / range_m, 0.0f);
-    shun->into = v3_mad(shun->into, normal, weight);
-    shun->weight = f_max(shun->weight, weight);
+    avoidance->into = v3_muladd(avoidance->into, normal, weight);
+    avoidance->weight = f_max(avoidance->weight, weight);
 }
 
-void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, const struct law *law,
-                     vec3 size_m)
+void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
+                      const struct behavior_params *params, vec3 size_m)
 {
     const vec3 p = fish->position_m;
     const float near_x = 0.5f * size_m.x - f_abs(p.x), near_z = 0.5f * size_m.z - f_abs(p.z);
-    swim_shun_add(shun, fish, law, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
-    swim_shun_add(shun, fish, law, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
+    swim_avoid_add(avoidance, fish, params, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
+    swim_avoid_add(avoidance, fish, params, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
 }
 
 /* Turns the heading: the component into the surface fades, then points slightly away from it. */
-void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
+void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s)
 {
-    if (shun->weight <= 0.0f) {
+    if (avoidance->weight <= 0.0f) {
         return;
     }
-    const vec3 normal = v3_normalize_or(shun->into, v3(1.0f, 0.0f, 0.0f));
+    const vec3 normal = v3_normalize_or(avoidance->into, v3(1.0f, 0.0f, 0.0f));
     const float x = -f_sin(fish->heading_rad), z = -f_cos(fish->heading_rad);
     const float into = x * normal.x + z * normal.z;
     const float along = x * -normal.z + z * normal.x;
@@ -74,8 +74,8 @@ void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s)
     /* For a head-on course the fish chooses a side and keeps it. */
     const float own_side = fish->look & 1u ? 1.0f : -1.0f;
     const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : own_side;
-    const float new_into = into - (into + 0.15f) * shun->weight;
-    const float new_along = along + side * shun->weight * 0.5f * f_max(into, 0.0f);
+    const float new_into = into - (into + 0.15f) * avoidance->weight;
+    const float new_along = along + side * avoidance->weight * 0.5f * f_max(into, 0.0f);
     const float gx = new_into * normal.x - new_along * normal.z;
     const float gz = new_into * normal.z + new_along * normal.x;
     const float off_rad = f_wrap_angle(f_atan2(-gx, -gz) - fish->heading_rad);
@@ -90,14 +90,14 @@ static int starts_freely(const struct fish *fish)
 
 /* Returns 1 if the fish turns at the rate of a kick. Beside other fish it turns at a rate that lets
  * them move away. */
-static int kicks(const struct fish *fish, const struct surroundings *around)
+static int kicks(const struct fish *fish, const struct perception *around)
 {
-    return around->law->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
+    return around->params->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
            fish->avoiding == AVOID_NONE && fish->room >= 1.0f &&
-           stroke_kicks(fish, around->tick);
+           burst_coast_kicks(fish, around->tick);
 }
 
-static float turn_rate_max_rad_s(const struct fish *fish, const struct surroundings *around)
+static float turn_rate_max_rad_s(const struct fish *fish, const struct perception *around)
 {
     switch (fish->gait) {
     case GAIT_ESCAPE:
@@ -136,15 +136,16 @@ static float speed_up_keep(const struct fish *fish)
 
 /* Returns the share kept during deceleration. A slowing fish loses 63 % of the difference in each
  * of these times. */
-static float slow_keep(const struct fish *fish, const struct law *law)
+static float slow_keep(const struct fish *fish, const struct behavior_params *params)
 {
     if (fish->gait == GAIT_ESCAPE) {
         return kept(DT, DASH_OUT_TAU_S);
     }
     const int runs_out =
-        fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, law);
-    if (law->glides && fish->gait == GAIT_SWIM && !runs_out) { /* Drag: dv/dt = -v^2 / distance. */
-        return kept(DT, stroke_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
+        fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
+    if (params->glides && fish->gait == GAIT_SWIM &&
+        !runs_out) { /* Drag: dv/dt = -v^2 / distance. */
+        return kept(DT, burst_coast_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
     return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);
 }
@@ -165,19 +166,19 @@ static void come_to_rest(struct fish *fish)
     }
 }
 
-void swim_resolve(struct fish *fish, const struct surroundings *around)
+void swim_resolve(struct fish *fish, const struct perception *around)
 {
     come_to_rest(fish);
     const int starts = fish->gait == GAIT_ESCAPE;
     fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
     fish->speed_goal_m_s = gait_speed_m_s(fish, around);
     fish->speed_up_keep = speed_up_keep(fish);
-    fish->slow_keep = slow_keep(fish, around->law);
+    fish->slow_keep = slow_keep(fish, around->params);
     fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish, around);
-    fish->haste = starts_freely(fish)             ? HASTE_START
-                  : starts                        ? DASH_HASTE
-                  : fish->avoiding == AVOID_YAW ? around->law->swerve_haste
-                  : kicks(fish, around)         ? STROKE_KICK_HASTE
+    fish->haste = starts_freely(fish)           ? HASTE_START
+                  : starts                      ? DASH_HASTE
+                  : fish->avoiding == AVOID_YAW ? around->params->swerve_haste
+                  : kicks(fish, around)         ? BURST_COAST_KICK_HASTE
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
     /* The nose follows the course; a fish that hangs still hardly tilts. */

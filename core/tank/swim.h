@@ -11,26 +11,26 @@
 /* The surfaces in front of a fish. Every near surface adds to the sum, so that a fish leaves a
  * corner as one obstacle instead of turning back and forth between two walls. Zero is open
  * water. */
-struct swim_shun {
+struct swim_avoidance {
     vec3 into;    /* Weighted sum of the horizontal unit normals into the surfaces. */
     float weight; /* [0, 1] weight of the nearest surface. */
 };
 
 /* Adds a surface. `normal` (unit, horizontal) points into it; `gap_m` is its distance from the
  * fish's centre. */
-void swim_shun_add(struct swim_shun *shun, const struct fish *fish, const struct law *law,
-                   vec3 normal, float gap_m);
+void swim_avoid_add(struct swim_avoidance *avoidance, const struct fish *fish,
+                    const struct behavior_params *params, vec3 normal, float gap_m);
 
 /* Adds the walls of a tank of `size_m`. */
-void swim_shun_walls(struct swim_shun *shun, const struct fish *fish, const struct law *law,
-                     vec3 size_m);
+void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
+                      const struct behavior_params *params, vec3 size_m);
 
 /* Bends the heading along the surfaces and a little away from them; `dt_s` is the time since the
  * last call. */
-void swim_shun_turn(struct fish *fish, const struct swim_shun *shun, float dt_s);
+void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s);
 
 /* Converts the decisions of the fish (gait, depth, avoidance) into its goals; see struct fish. */
-void swim_resolve(struct fish *fish, const struct surroundings *around);
+void swim_resolve(struct fish *fish, const struct perception *around);
 
 /* Applies an attraction after swim_resolve(). The fish moves at `speed_goal_m_s`, even out of a
  * rest, and turns like a swimming fish. */
@@ -40,7 +40,7 @@ void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s);
  * horizontal speed, pushes included, is at most gait_speed_max_m_s(), or the fish's own speed if
  * that is higher. The excess of a burst or an escape decays within half a second. Returns the
  * largest distance that any point of the body moved. */
-float swim_move(struct fish *fish, const struct law *law);
+float swim_move(struct fish *fish, const struct behavior_params *params);
 
 /* Advances a fish out of the water (dropped from a poi): it falls, and swims away once it is in the
  * water. Returns 1 if it was in the air. */
@@ -60,7 +60,7 @@ struct shoal {
     const vec3 *before_m; /* Positions at the start of the tick; SIMD code reads one element beyond
                              the last. */
     uint32_t count;
-    const struct law *law;
+    const struct behavior_params *params;
     float space; /* Personal space beyond the body, in body lengths. */
 };
 

@@ -5,7 +5,7 @@
 #include "core/base/lanes.h"
 #include "core/tank/swim.h"
 
-LANES_BEGIN
+SIMD_BEGIN
 /* Moves the block that begins at `first` and updates its bodies. All fish of the block swim and
  * none falls. */
 void swim_move_block_4(const struct shoal *shoal, uint32_t first);
@@ -14,6 +14,6 @@ void swim_move_block_8(const struct shoal *shoal, uint32_t first);
 /* Moves each fish of the block to its body and settles it. */
 void swim_settle_block_4(const struct shoal *shoal, uint32_t first);
 void swim_settle_block_8(const struct shoal *shoal, uint32_t first);
-LANES_END
+SIMD_END
 
 #endif

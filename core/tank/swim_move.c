@@ -20,7 +20,7 @@ static float hasten(const struct fish *fish, float tau_s)
     return f_min(1.0f, fish->haste * (DT / tau_s));
 }
 
-static void turn(struct fish *fish, const struct law *law)
+static void turn_fish(struct fish *fish, const struct behavior_params *params)
 {
     const float error_rad =
         f_wrap_angle(fish->heading_rad + fish->drawn_rad - fish->angles.yaw_rad);
@@ -31,8 +31,8 @@ static void turn(struct fish *fish, const struct law *law)
     fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
     fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
     const float bank_rad =
-        law->banks ? f_clamp(BANK_PER_RAD_S * fish->yaw_rate_rad_s, -BANK_MAX_RAD, BANK_MAX_RAD)
-                   : 0.0f;
+        params->banks ? f_clamp(BANK_PER_RAD_S * fish->yaw_rate_rad_s, -BANK_MAX_RAD, BANK_MAX_RAD)
+                      : 0.0f;
     fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, BANK_TAU_S);
 }
 
@@ -52,23 +52,23 @@ static float radius_m(const struct fish *fish)
 
 /* Returns the speed limit of all motion (section 3.3): climb and push cannot add to it or to the
  * rest of a burst. Only a startled fish that dives from the surface may be faster. */
-static float speed_max_m_s(const struct fish *fish, const struct law *law)
+static float speed_max_m_s(const struct fish *fish, const struct behavior_params *params)
 {
-    return f_max(gait_speed_max_m_s(fish, law), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));
+    return f_max(gait_speed_max_m_s(fish, params), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));
 }
 
-float swim_move(struct fish *fish, const struct law *law)
+float swim_move(struct fish *fish, const struct behavior_params *params)
 {
     const struct angles before = fish->angles;
-    turn(fish, law);
+    turn_fish(fish, params);
     fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
     fish->angles.pitch_rad =
         f_lerp(fish->angles.pitch_rad, fish->pitch_goal_rad, hasten(fish, PITCH_TAU_S));
     speed_up_or_glide(fish);
     const vec3 own_m_s = { -f_sin(fish->angles.yaw_rad) * fish->speed_m_s, fish->climb_m_s,
                            -f_cos(fish->angles.yaw_rad) * fish->speed_m_s };
-    const vec3 velocity = v3_limit(v3_add(own_m_s, fish->push_m_s), speed_max_m_s(fish, law));
-    fish->position_m = v3_mad(fish->position_m, velocity, DT);
+    const vec3 velocity = v3_limit(v3_add(own_m_s, fish->push_m_s), speed_max_m_s(fish, params));
+    fish->position_m = v3_muladd(fish->position_m, velocity, DT);
     const float turned_rad = f_abs(fish->yaw_rate_rad_s * DT) +
                              f_abs(fish->angles.pitch_rad - before.pitch_rad) +
                              f_abs(fish->angles.roll_rad - before.roll_rad);
@@ -94,7 +94,7 @@ int swim_fall(struct fish *fish)
     v = v3_scale(v, 1.0f - f_min(0.9f, 12.0f * wet * DT)); /* Water stops the fish within one
                                                               length. */
     v.y = wet > 0.5f ? f_min(v.y, -0.12f) : v.y;           /* The fish swims down. */
-    fish->position_m = v3_mad(fish->position_m, v, DT);
+    fish->position_m = v3_muladd(fish->position_m, v, DT);
     fish->velocity_m_s = v;
     fish->angles.roll_rad = ease(fish->angles.roll_rad, 0.0f, 0.15f);
     fish->angles.pitch_rad = ease(fish->angles.pitch_rad, -10.0f * F_DEG, 0.2f);
@@ -180,12 +180,12 @@ void swim_move_all(const struct shoal *shoal, uint32_t lanes)
     for (uint32_t i = 0; i < shoal->count;) {
         struct fish *fish = &shoal->fish[i];
         if (is_block(shoal, i, width)) {
-            LANES_PICK(lanes, swim_move_block)(shoal, i);
+            SIMD_PICK(lanes, swim_move_block)(shoal, i);
             i += width;
             continue;
         }
         if (fish_swims(fish)) {
-            shoal->way_m[i] += fish->falls ? SWIM_FAR_M : swim_move(fish, shoal->law);
+            shoal->way_m[i] += fish->falls ? SWIM_FAR_M : swim_move(fish, shoal->params);
             shoal->body[i] = make_body(fish, shoal->space);
         }
         i++;
@@ -199,7 +199,7 @@ void swim_settle_all(const struct shoal *shoal, uint32_t lanes)
         struct fish *fish = &shoal->fish[i];
         const struct body *body = &shoal->body[i];
         if (is_block(shoal, i, width)) {
-            LANES_PICK(lanes, swim_settle_block)(shoal, i);
+            SIMD_PICK(lanes, swim_settle_block)(shoal, i);
             i += width;
             continue;
         }

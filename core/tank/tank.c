@@ -28,9 +28,9 @@ struct tank_bounds tank_bounds(const struct tank *tank)
     return (struct tank_bounds){ { -half.x, -tank->size_m.y, -half.z }, { half.x, 0.0f, half.z } };
 }
 
-const struct law *tank_law(const struct tank *tank)
+const struct behavior_params *tank_behavior_params(const struct tank *tank)
 {
-    return &tank_preset(tank->preset)->law;
+    return &tank_preset(tank->preset)->params;
 }
 
 /* Returns the number of shades up to the last present one; usually 0, so that the fish need not
@@ -44,11 +44,11 @@ static uint32_t shade_count(const struct tank *tank)
     return count;
 }
 
-struct surroundings tank_surroundings(const struct tank *tank, uint32_t tick,
-                                      const struct obstacle *obstacles, uint32_t obstacle_count)
+struct perception tank_perception(const struct tank *tank, uint32_t tick,
+                                  const struct obstacle *obstacles, uint32_t obstacle_count)
 {
-    return (struct surroundings){
-        .law = tank_law(tank),
+    return (struct perception){
+        .params = tank_behavior_params(tank),
         .size_m = tank->size_m,
         .wall_follow = tank->wall_follow,
         .ball_spaces = tank->ball_spaces,
@@ -63,16 +63,16 @@ struct surroundings tank_surroundings(const struct tank *tank, uint32_t tick,
     };
 }
 
-struct crowd_search tank_search(const struct tank *tank)
+struct broad_phase_search tank_search(const struct tank *tank)
 {
-    return (struct crowd_search){ .search = tank->search, .lanes = tank->lanes };
+    return (struct broad_phase_search){ .search = tank->search, .lanes = tank->lanes };
 }
 
 /* Makes a ring on the surface if a mouth opens there. */
-static void ring(struct tank *tank, const struct fish *fish, const struct surroundings *around)
+static void ring(struct tank *tank, const struct fish *fish, const struct perception *around)
 {
     if (surface_gulps(fish, around->tick, around->dt_s)) {
-        const vec3 nose_m = v3_mad(fish->position_m, fish_forward(fish), 0.5f * fish->length_m);
+        const vec3 nose_m = v3_muladd(fish->position_m, fish_forward(fish), 0.5f * fish->length_m);
         water_press(&tank->water, tank->size_m, nose_m, GULP_RADIUS_M, GULP_DEPTH_M);
     }
 }
@@ -84,18 +84,18 @@ static int is_borne(const struct fish *fish)
     return fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S;
 }
 
-static void think_in_turn(struct tank *tank, struct surroundings around)
+static void think_in_turn(struct tank *tank, struct perception around)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
-        if (fish_swims(fish) && think_due(fish, i, &around)) {
+        if (fish_swims(fish) && fish_behavior_is_due(fish, i, &around)) {
             const int fell = fish->falls && is_borne(fish);
-            around.dt_s = think_dt_s(fish, around.tick);
-            think(fish, i, &around);
+            around.dt_s = fish_behavior_dt_s(fish, around.tick);
+            fish_behavior_tick(fish, i, &around);
             ring(tank, fish, &around);
             if (fell && fish->falls) { /* The fish enters the water among others by reentry. */
                 fish->alarm = 1.0f;
-                loose_begin(tank, fish, fish->velocity_m_s);
+                reentry_begin(tank, fish, fish->velocity_m_s);
             }
         }
     }
@@ -105,71 +105,71 @@ static struct shoal shoal_of(struct tank *tank)
 {
     return (struct shoal){
         .fish = tank->fish,
-        .body = tank->crowd.body,
-        .way_m = tank->crowd.way_m,
-        .before_m = tank->part.began_m,
+        .body = tank->broad_phase.body,
+        .way_m = tank->broad_phase.way_m,
+        .before_m = tank->solver.began_m,
         .count = tank->fish_count,
-        .law = tank_law(tank),
+        .params = tank_behavior_params(tank),
         .space = tank->space,
     };
 }
 
 /* Applies the results of a full query to the fish: encounters, pushes and room. */
-static void heed(struct tank *tank, const struct surroundings *around)
+static void heed(struct tank *tank, const struct perception *around)
 {
-    for (uint32_t i = 0; i < tank->crowd.count; i++) {
-        if (!(tank->crowd.flags[i] & CROWD_SWIMS)) {
+    for (uint32_t i = 0; i < tank->broad_phase.count; i++) {
+        if (!(tank->broad_phase.flags[i] & BODY_SWIMMING)) {
             continue;
         }
-        const struct company *company = &tank->crowd.company[i];
+        const struct neighbours *neighbours = &tank->broad_phase.neighbours[i];
         struct fish *fish = &tank->fish[i];
-        fish->push_m_s = v3_lerp(fish->push_m_s,
-                                 v3_limit(company->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
-        fish->room = f_min(company->room, fish->room + ROOM_PER_S * around->dt_s);
+        fish->push_m_s = v3_lerp(
+            fish->push_m_s, v3_limit(neighbours->push_m_s, 0.45f * fish->length_m), PUSH_SHARE);
+        fish->room = f_min(neighbours->room, fish->room + ROOM_PER_S * around->dt_s);
         if (fish->gait != GAIT_ESCAPE) {
-            avoid_tick(fish, &company->advice, company->brake, around);
+            avoid_tick(fish, &neighbours->advice, neighbours->brake, around);
         }
     }
 }
 
 /* Runs a broad-phase query if it is due or the last one is stale. */
-static void look(struct tank *tank, uint32_t station, const struct surroundings *around)
+static void update_broad_phase(struct tank *tank, uint32_t station, const struct perception *around)
 {
-    struct crowd *crowd = &tank->crowd;
-    const int is_time = station == 0 && around->tick % CROWD_LOOK_TICKS == 0;
-    crowd_follow(crowd, tank->fish);
-    if (!is_time && !crowd_is_stale(crowd)) {
-        crowd_touch(crowd);
+    struct broad_phase *broad_phase = &tank->broad_phase;
+    const int is_time = station == 0 && around->tick % BROAD_PHASE_UPDATE_TICKS == 0;
+    broad_phase_sync(broad_phase, tank->fish);
+    if (!is_time && !broad_phase_is_stale(broad_phase)) {
+        broad_phase_select_contacts(broad_phase);
         return;
     }
-    if (!is_time && crowd_look_again(crowd, tank->fish)) {
+    if (!is_time && broad_phase_update_moved(broad_phase, tank->fish)) {
         return;
     }
-    struct crowd_search how = tank_search(tank);
+    struct broad_phase_search how = tank_search(tank);
     how.contacts_only = !is_time; /* A query off schedule only finds contacts. */
-    crowd_look(crowd, tank->fish, how, around);
+    broad_phase_update(broad_phase, tank->fish, how, around);
     if (is_time) {
-        struct surroundings then = *around;
-        then.dt_s = (float)CROWD_LOOK_TICKS * CORE_TICK_S;
+        struct perception then = *around;
+        then.dt_s = (float)BROAD_PHASE_UPDATE_TICKS * CORE_TICK_S;
         heed(tank, &then);
     }
 }
 
 /* Runs the substeps of the contact solver. */
-static void part_all(struct tank *tank, const struct part_place *place,
-                     const struct surroundings *around)
+static void part_all(struct tank *tank, const struct solver_context *place,
+                     const struct perception *around)
 {
-    const uint32_t stations = part_stations(&tank->part, place);
+    const uint32_t stations = contact_solver_substep_count(&tank->solver, place);
     for (uint32_t station = 0; station < stations; station++) {
-        part_advance(&tank->part, &tank->crowd, place, station);
+        contact_solver_substep(&tank->solver, &tank->broad_phase, place, station);
         if (station == 0) {
-            crowd_mark(&tank->crowd, tank->fish, tank->fish_count);
+            broad_phase_mark(&tank->broad_phase, tank->fish, tank->fish_count);
         }
-        part_clear(&tank->part, &tank->crowd, place);
-        look(tank, station, around);
-        part_bodies(&tank->part, &tank->crowd, place);
+        contact_solver_project(&tank->solver, &tank->broad_phase, place);
+        update_broad_phase(tank, station, around);
+        contact_solver_finish(&tank->solver, &tank->broad_phase, place);
     }
-    part_end(&tank->part, &tank->crowd, place);
+    contact_solver_end(&tank->solver, &tank->broad_phase, place);
 }
 
 /* Drops a random disturbance on the surface, which is never completely still. */
@@ -207,7 +207,7 @@ static void bubble(struct tank *tank, uint32_t tick)
 
 /* Returns the largest push per tick. Fish make way for a moving poi as fast as necessary; otherwise
  * they only ease apart. */
-static float shove_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
+static float push_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     int stirs = 0; /* A bowl that rocks on ripples does not count. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
@@ -215,25 +215,29 @@ static float shove_max_m(const struct obstacle *obstacles, uint32_t obstacle_cou
         stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m &&
                  v3_dot(step_m, step_m) > STIRS_M * STIRS_M;
     }
-    return stirs ? PART_SHOVE_M : PART_CALM_SHOVE_M;
+    return stirs ? SOLVER_PUSH_M : SOLVER_CALM_PUSH_M;
 }
 
 void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                uint32_t obstacle_count)
 {
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
-    const struct surroundings around = tank_surroundings(tank, tick, obstacles, obstacle_count);
-    const struct part_place place = { tank->fish, tank_bounds(tank), obstacles, obstacle_count,
-                                      shove_max_m(obstacles, obstacle_count), tank->lanes };
+    const struct perception around = tank_perception(tank, tick, obstacles, obstacle_count);
+    const struct solver_context place = { tank->fish,
+                                          tank_bounds(tank),
+                                          obstacles,
+                                          obstacle_count,
+                                          push_max_m(obstacles, obstacle_count),
+                                          tank->lanes };
     drip(tank, tick);
     bubble(tank, tick);
-    part_begin(&tank->part, tank->fish, tank->fish_count);
+    contact_solver_begin(&tank->solver, tank->fish, tank->fish_count);
     think_in_turn(tank, around);
     const struct shoal shoal = shoal_of(tank);
     swim_move_all(&shoal, tank->lanes);
     part_all(tank, &place, &around);
     swim_settle_all(&shoal, tank->lanes);
-    loose_tick(tank, obstacles, obstacle_count);
+    reentry_tick(tank, obstacles, obstacle_count);
     oxygen_tick(&tank->oxygen, tank->fish, tank->fish_count, tank->size_m, tick);
 }
 
@@ -288,7 +292,7 @@ uint64_t tank_hash(uint64_t hash, const struct tank *tank)
         hash = shade_hash(hash, &tank->shade[i]);
     }
     hash = oxygen_hash(hash, &tank->oxygen);
-    hash = hash_u32(hash, tank->loose_count);
-    hash = crowd_hash(hash, &tank->crowd);
+    hash = hash_u32(hash, tank->reentry_count);
+    hash = broad_phase_hash(hash, &tank->broad_phase);
     return water_hash(hash, &tank->water);
 }

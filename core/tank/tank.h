@@ -34,10 +34,11 @@ struct tank {
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
-    uint32_t loose_count; /* Upper bound of the fish in reentry; loose_tick() recounts them. */
-    struct crowd crowd; /* The results of the last query are state; crowd_hash() covers them. */
-    struct part part; /* Scratch memory of one tick, which no hash covers. The member stands here
-                         because a board's stack is too small. */
+    uint32_t reentry_count; /* Upper bound of the fish in reentry; reentry_tick() recounts them. */
+    struct broad_phase
+        broad_phase; /* The results of the last query are state; broad_phase_hash() covers them. */
+    struct contact_solver solver; /* Scratch memory of one tick, which no hash covers. The member
+                                     stands here because a board's stack is too small. */
 };
 
 /* Parameters of a tank to open. */
@@ -61,7 +62,7 @@ struct tank_config {
     uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX, whose places are kept clear of
                                        fish at the start. */
     uint8_t lanes;  /* 0, 4 or 8 (core/base/lanes.h): affects speed only. */
-    uint8_t search; /* enum pairs_search: affects speed only. */
+    uint8_t search; /* enum pair_search: affects speed only. */
 };
 
 #define TANK_OXYGEN_SATURATED (-1.0f) /* Starts with water saturated with oxygen. */
@@ -109,7 +110,7 @@ struct tank_stage {
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count);
 
 /* Returns the behavior parameters of the tank's fish. */
-const struct law *tank_law(const struct tank *tank);
+const struct behavior_params *tank_behavior_params(const struct tank *tank);
 
 /* Sets the objects over the water in this tick; called before tank_tick(). Without any call there
  * are no shades. Asserts that all values are finite. */
@@ -132,12 +133,12 @@ uint32_t tank_surfacing_count(const struct tank *tank);
 
 /* Return values that other modules of core/tank need. */
 struct tank_bounds tank_bounds(const struct tank *tank);
-struct crowd_search tank_search(const struct tank *tank);
+struct broad_phase_search tank_search(const struct tank *tank);
 
 /* Returns the perception of a fish in tick `tick`. The result points into the tank and at
  * `obstacles`, which may be null if there are none. */
-struct surroundings tank_surroundings(const struct tank *tank, uint32_t tick,
-                                      const struct obstacle *obstacles, uint32_t obstacle_count);
+struct perception tank_perception(const struct tank *tank, uint32_t tick,
+                                  const struct obstacle *obstacles, uint32_t obstacle_count);
 
 uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Hashes fish and water. */
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Hashes poses and gaits of the

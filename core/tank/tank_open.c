@@ -26,7 +26,7 @@ struct tank_config tank_config_of(uint8_t preset_id)
         .fish_count = preset->fish_count,
         .seed = 1,
         .area_scale = 1.0f,
-        .wall_follow = preset->law.wall_follow,
+        .wall_follow = preset->params.wall_follow,
         .stamina_min = preset->stamina_min,
         .stamina_max = preset->stamina_max,
         .temperature_c = preset->temperature_c,
@@ -43,18 +43,20 @@ uint32_t tank_fish_max(uint8_t preset, float area_scale)
     return tank_preset_fish_max(tank_preset(preset), area_scale);
 }
 
-static int within(float value, float low, float high)
+static int is_within_range(float value, float low, float high)
 {
     return value >= low && value <= high; /* Written so that NaN fails. */
 }
 
 static int water_fits(const struct tank_config *config)
 {
-    return within(config->temperature_c, OXYGEN_TEMPERATURE_MIN_C, OXYGEN_TEMPERATURE_MAX_C) &&
-           within(config->pressure_hpa, OXYGEN_PRESSURE_MIN_HPA, OXYGEN_PRESSURE_MAX_HPA) &&
-           within(config->time_compression, 0.0f, OXYGEN_TIME_COMPRESSION_MAX) &&
+    return is_within_range(config->temperature_c, OXYGEN_TEMPERATURE_MIN_C,
+                           OXYGEN_TEMPERATURE_MAX_C) &&
+           is_within_range(config->pressure_hpa, OXYGEN_PRESSURE_MIN_HPA,
+                           OXYGEN_PRESSURE_MAX_HPA) &&
+           is_within_range(config->time_compression, 0.0f, OXYGEN_TIME_COMPRESSION_MAX) &&
            (config->oxygen_mg_l == TANK_OXYGEN_SATURATED ||
-            within(config->oxygen_mg_l, 0.0f, OXYGEN_MAX_MG_L));
+            is_within_range(config->oxygen_mg_l, 0.0f, OXYGEN_MAX_MG_L));
 }
 
 static struct oxygen oxygen_of(const struct tank_config *config)
@@ -73,10 +75,10 @@ static struct oxygen oxygen_of(const struct tank_config *config)
 
 static int side_fits(float side_m, float low_m, float high_m)
 {
-    return side_m == 0.0f || within(side_m, low_m, high_m);
+    return side_m == 0.0f || is_within_range(side_m, low_m, high_m);
 }
 
-static vec3 size_of(const struct tank_config *config)
+static vec3 tank_size_of(const struct tank_config *config)
 {
     const vec3 own_m = tank_preset(config->preset)->size_m, wanted_m = config->size_m;
     const float side = f_sqrt(config->area_scale);
@@ -90,10 +92,10 @@ uint32_t tank_config_fish_max(const struct tank_config *config)
     if (!side_fits(config->size_m.x, TANK_SIDE_MIN_M, TANK_SIDE_MAX_M) ||
         !side_fits(config->size_m.y, TANK_DEPTH_MIN_M, TANK_DEPTH_MAX_M) ||
         !side_fits(config->size_m.z, TANK_SIDE_MIN_M, TANK_SIDE_MAX_M) ||
-        !within(config->area_scale, TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX)) {
+        !is_within_range(config->area_scale, TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX)) {
         return 0;
     }
-    const vec3 own_m = tank_preset(config->preset)->size_m, size_m = size_of(config);
+    const vec3 own_m = tank_preset(config->preset)->size_m, size_m = tank_size_of(config);
     const float own_m3 = own_m.x * own_m.y * own_m.z;
     return tank_fish_max(config->preset, size_m.x * size_m.y * size_m.z / own_m3);
 }
@@ -104,10 +106,10 @@ static int config_fits(const struct tank_config *config)
         return 0;
     }
     return config->fish_count >= 1u && config->fish_count <= tank_config_fish_max(config) &&
-           within(config->wall_follow, 0.0f, 1.0f) &&
-           config->stamina_min >= 0.0f && config->stamina_max <= 1.0f &&
-           config->stamina_min <= config->stamina_max && water_fits(config) &&
-           config->bowls <= POI_MAX && lanes_built(config->lanes) && config->search <= PAIRS_ALL;
+           is_within_range(config->wall_follow, 0.0f, 1.0f) && config->stamina_min >= 0.0f &&
+           config->stamina_max <= 1.0f && config->stamina_min <= config->stamina_max &&
+           water_fits(config) && config->bowls <= POI_MAX && simd_is_built(config->lanes) &&
+           config->search <= PAIR_SEARCH_ALL;
 }
 
 /* ---- Creation and placement ------------------------------------------------------------------ */
@@ -144,8 +146,8 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
 
 /* Returns a place in the plot, or anywhere else if a bowl covers the plot. `draw` <
  * START_DRAWS_MAX. */
-static vec3 place(const struct tank *tank, const struct fish *fish, uint32_t index,
-                  const struct tank_config *config, uint32_t draw)
+static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32_t index,
+                        const struct tank_config *config, uint32_t draw)
 {
     const struct tank_preset *preset = tank_preset(config->preset);
     const float inset_m = 0.5f * fish->length_m;
@@ -194,14 +196,14 @@ static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float 
 static struct fish hatch(const struct tank *tank, const struct tank_config *config, uint32_t index)
 {
     const struct tank_preset *preset = tank_preset(config->preset);
-    const struct surroundings around = tank_surroundings(tank, 0, NULL, 0);
+    const struct perception around = tank_perception(tank, 0, NULL, 0);
     const float old = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_AGE });
     struct fish fish = { .look = rng_u32((struct rng_key){ tank->seed, 0, index, RNG_FISH_LOOK }) };
     fish.age_days = tank_preset_age_days(preset, old);
-    fish_grow(&fish, hatch_length_m(tank, preset, index, fish.age_days), around.law);
+    fish_grow(&fish, hatch_length_m(tank, preset, index, fish.age_days), around.params);
     fish.stamina = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_STAMINA },
                              config->stamina_min, config->stamina_max);
-    fish.position_m = place(tank, &fish, index, config, 0);
+    fish.position_m = start_place(tank, &fish, index, config, 0);
     fish.angles.yaw_rad =
         rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_YAW }, -F_PI, F_PI);
     fish.brake = 1.0f;
@@ -222,20 +224,20 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
  * overlap. Returns 1 on success. */
 static int spread_out(struct tank *tank)
 {
-    const struct part_place place = { tank->fish, tank_bounds(tank), NULL, 0, START_SHOVE_M,
-                                      tank->lanes };
+    const struct solver_context place = { tank->fish, tank_bounds(tank), NULL,
+                                          0,          START_SHOVE_M,     tank->lanes };
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
-        const struct surroundings around = tank_surroundings(tank, round, NULL, 0);
-        crowd_gather(&tank->crowd, tank->fish, tank->fish_count, tank->space);
-        part_stations(&tank->part, &place);
-        part_begin(&tank->part, tank->fish, tank->fish_count);
-        part_clear(&tank->part, &tank->crowd, &place);
-        crowd_look(&tank->crowd, tank->fish, tank_search(tank), &around);
-        if (round > 0 && tank->crowd.overlap_count == 0) {
+        const struct perception around = tank_perception(tank, round, NULL, 0);
+        broad_phase_gather(&tank->broad_phase, tank->fish, tank->fish_count, tank->space);
+        contact_solver_substep_count(&tank->solver, &place);
+        contact_solver_begin(&tank->solver, tank->fish, tank->fish_count);
+        contact_solver_project(&tank->solver, &tank->broad_phase, &place);
+        broad_phase_update(&tank->broad_phase, tank->fish, tank_search(tank), &around);
+        if (round > 0 && tank->broad_phase.overlap_count == 0) {
             return 1;
         }
-        part_relax(&tank->part, &tank->crowd, &place);
-        part_take(&tank->crowd, tank->fish);
+        contact_solver_relax(&tank->solver, &tank->broad_phase, &place);
+        contact_solver_write_back(&tank->broad_phase, tank->fish);
     }
     return 0;
 }
@@ -248,7 +250,7 @@ static int find_room(struct tank *tank, const struct tank_config *config)
             return 0;
         }
         for (uint32_t i = 0; i < tank->fish_count; i++) {
-            tank->fish[i].position_m = place(tank, &tank->fish[i], i, config, draw);
+            tank->fish[i].position_m = start_place(tank, &tank->fish[i], i, config, draw);
         }
     }
     return 1;
@@ -267,7 +269,7 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     tank->preset = config->preset;
     tank->lanes = config->lanes;
     tank->search = config->search;
-    tank->size_m = size_of(config);
+    tank->size_m = tank_size_of(config);
     tank->wall_height_m = f_max(preset->wall_height_m, tank->size_m.y);
     tank->wall_follow = config->wall_follow;
     tank->ball_spaces = config->ball_spaces != 0;
@@ -277,16 +279,16 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         tank->fish[i] = hatch(tank, config, i);
     }
-    tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, &preset->law);
+    tank->space = broad_phase_space(tank->fish, tank->fish_count, tank->size_m, &preset->params);
     return find_room(tank, config);
 }
 
-static void stage(struct fish *fish, const struct tank_stage *wanted,
-                  const struct surroundings *around)
+static void place_staged_fish(struct fish *fish, const struct tank_stage *wanted,
+                              const struct perception *around)
 {
     CORE_ASSERT(wanted->gait <= GAIT_BURST || wanted->gait == GAIT_SURFACE);
     if (wanted->length_m > 0.0f) {
-        fish_grow(fish, wanted->length_m, around->law);
+        fish_grow(fish, wanted->length_m, around->params);
     }
     fish->position_m = wanted->position_m;
     fish->angles = wanted->angles;
@@ -300,7 +302,7 @@ static void stage(struct fish *fish, const struct tank_stage *wanted,
     fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
     fish->air = AIR_ENOUGH;
     if (wanted->gait == GAIT_SURFACE) {
-        surface_stage(fish, around->law);
+        surface_stage(fish, around->params);
     }
     swim_resolve(fish, around); /* Sets the staged goals, which hold until the first decision of the
                                    fish. */
@@ -308,12 +310,12 @@ static void stage(struct fish *fish, const struct tank_stage *wanted,
 
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)
 {
-    const struct surroundings around = tank_surroundings(tank, 0, NULL, 0);
+    const struct perception around = tank_perception(tank, 0, NULL, 0);
     CORE_ASSERT(count <= tank->fish_count);
     for (uint32_t i = 0; i < count; i++) {
-        stage(&tank->fish[i], &stages[i], &around);
+        place_staged_fish(&tank->fish[i], &stages[i], &around);
     }
-    tank->space = crowd_space(tank->fish, tank->fish_count, tank->size_m, around.law);
+    tank->space = broad_phase_space(tank->fish, tank->fish_count, tank->size_m, around.params);
 }
 
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed)

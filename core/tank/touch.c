@@ -23,9 +23,9 @@ static vec3 nearest_face(vec3 p, vec3 q)
     return q.y >= q.z ? v3(0.0f, sign_of(p.y), 0.0f) : v3(0.0f, 0.0f, sign_of(p.z));
 }
 
-float touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
+float shape_touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
 {
-    const vec3 p = basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
+    const vec3 p = vec_basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
     const vec3 q =
         v3(f_abs(p.x) - box->half_m.x, f_abs(p.y) - box->half_m.y, f_abs(p.z) - box->half_m.z);
     const vec3 beyond = v3(sign_of(p.x) * f_max(q.x, 0.0f), sign_of(p.y) * f_max(q.y, 0.0f),
@@ -33,7 +33,7 @@ float touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
     const float outside_m = v3_length(beyond);
     const float inside_m = f_min(f_max(q.x, f_max(q.y, q.z)), 0.0f);
     const vec3 way = outside_m > 0.0f ? v3_scale(beyond, 1.0f / outside_m) : nearest_face(p, q);
-    *out = basis_to_world(&box->axes, way);
+    *out = vec_basis_to_world(&box->axes, way);
     return outside_m + inside_m;
 }
 
@@ -81,10 +81,10 @@ struct circle {
 
 static vec3 circle_point(const struct circle *circle, struct turn turn)
 {
-    return v3_mad(v3_mad(circle->centre_m, circle->east, turn.cos), circle->north, turn.sin);
+    return v3_muladd(v3_muladd(circle->centre_m, circle->east, turn.cos), circle->north, turn.sin);
 }
 
-/* Returns the signed distance, as touch_point_m(). */
+/* Returns the signed distance, as shape_touch_point_m(). */
 static float circle_distance_m(const struct circle *circle, struct turn turn)
 {
     const vec3 p = circle_point(circle, turn), half = circle->half_m;
@@ -147,13 +147,13 @@ static struct turn turn_of(int step)
  * minimum is therefore refined. */
 static struct nearest nearest_on(const struct circle *circle, int window, float maybe_m)
 {
-    struct nearest best = { { 1.0f, 0.0f }, TOUCH_FAR_M };
+    struct nearest best = { { 1.0f, 0.0f }, SHAPE_TOUCH_FAR_M };
     const int last = window < RING_POINTS / 2 ? window : RING_POINTS / 2 - 1;
-    float before_m = TOUCH_FAR_M;
+    float before_m = SHAPE_TOUCH_FAR_M;
     float here_m = circle_distance_m(circle, turn_of(-window));
     for (int step = -window; step <= last; step++) {
         const float after_m =
-            step < last ? circle_distance_m(circle, turn_of(step + 1)) : TOUCH_FAR_M;
+            step < last ? circle_distance_m(circle, turn_of(step + 1)) : SHAPE_TOUCH_FAR_M;
         if (here_m < maybe_m && here_m <= before_m && here_m <= after_m) {
             const struct nearest coarse = { turn_of(step), here_m };
             const struct nearest fine = close_in(coarse, circle);
@@ -178,20 +178,20 @@ static struct touch pierced(const struct ring *ring, const struct box *box, vec3
 static struct touch touch_near(const struct ring *ring, const struct box *box,
                                const struct circle *circle, const struct nearest *at)
 {
-    const vec3 point_m = v3_add(box->centre_m,
-                                basis_to_world(&box->axes, circle_point(circle, at->turn)));
+    const vec3 point_m =
+        v3_add(box->centre_m, vec_basis_to_world(&box->axes, circle_point(circle, at->turn)));
     vec3 toward;
-    const float gap_m = touch_point_m(box, point_m, &toward) - ring->tube_m;
+    const float gap_m = shape_touch_point_m(box, point_m, &toward) - ring->tube_m;
     const vec3 out = v3_scale(toward, -1.0f);
     return at->distance_m < 0.0f ? pierced(ring, box, point_m, out) : (struct touch){ gap_m, out };
 }
 
-struct touch touch_ring(const struct ring *ring, const struct box *box)
+struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
 {
-    const struct touch far = { TOUCH_FAR_M, { 0.0f, 1.0f, 0.0f } };
+    const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, 1.0f, 0.0f } };
     const vec3 d = v3_sub(box->centre_m, ring->centre_m);
     const float off_plane_m = v3_dot(d, ring->normal);
-    const vec3 in_plane = v3_mad(d, ring->normal, -off_plane_m);
+    const vec3 in_plane = v3_muladd(d, ring->normal, -off_plane_m);
     const float in_plane_m = v3_length(in_plane);
     const float aside_m = in_plane_m - ring->middle_m;
     const float reach_m = v3_length(box->half_m) + ring->tube_m;
@@ -203,15 +203,15 @@ struct touch touch_ring(const struct ring *ring, const struct box *box)
     const vec3 east = v3_normalize_or(in_plane, v3_normalize_or(v3_cross(n, other), n));
     const float middle_m = ring->middle_m;
     const struct circle circle = {
-        .centre_m = basis_to_body(&box->axes, v3_scale(d, -1.0f)),
-        .east = basis_to_body(&box->axes, v3_scale(east, middle_m)),
-        .north = basis_to_body(&box->axes, v3_scale(v3_cross(n, east), middle_m)),
+        .centre_m = vec_basis_to_body(&box->axes, v3_scale(d, -1.0f)),
+        .east = vec_basis_to_body(&box->axes, v3_scale(east, middle_m)),
+        .north = vec_basis_to_body(&box->axes, v3_scale(v3_cross(n, east), middle_m)),
         .half_m = box->half_m,
     };
     const int window = window_of(in_plane_m, v3_length(d), middle_m, reach_m);
     const float maybe_m = ring->tube_m + middle_m * F_TAU / (float)RING_POINTS;
     const struct nearest at = nearest_on(&circle, window, maybe_m);
-    return at.distance_m < TOUCH_FAR_M ? touch_near(ring, box, &circle, &at) : far;
+    return at.distance_m < SHAPE_TOUCH_FAR_M ? touch_near(ring, box, &circle, &at) : far;
 }
 
 /* ---- Hull ----------------------------------------------------------------------------------- */
@@ -238,17 +238,17 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
             const float half = part_of(box->half_m, i);
             const float free = u[i] - v3_dot(column[i], at) / v3_dot(column[i], column[i]);
             const float next = f_clamp(free, -half, half);
-            at = v3_mad(at, column[i], next - u[i]);
+            at = v3_muladd(at, column[i], next - u[i]);
             u[i] = next;
         }
     }
-    return v3_mad(v3_mad(v3_mad(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
+    return v3_muladd(v3_muladd(v3_muladd(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
 }
 
 /* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is accurate near its skin. */
-struct touch touch_hull(const struct hull *hull, const struct box *box)
+struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
 {
-    const struct touch far = { TOUCH_FAR_M, { 0.0f, -1.0f, 0.0f } };
+    const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, -1.0f, 0.0f } };
     const vec3 d = v3_sub(box->centre_m, hull->mouth_m);
     const float reach_m = hull->radius_m + v3_length(box->half_m);
     if (v3_dot(d, d) > reach_m * reach_m) {

@@ -22,7 +22,7 @@ static float pull_along(float at_m, float half_m, float length_m)
     return wall_pull(half_m - at_m, length_m) - wall_pull(half_m + at_m, length_m);
 }
 
-void wall_follow(struct fish *fish, const struct surroundings *around)
+void wall_follow(struct fish *fish, const struct perception *around)
 {
     if (around->wall_follow <= 0.0f || (fish->gait != GAIT_SWIM && fish->gait != GAIT_BURST)) {
         return;

@@ -17,6 +17,6 @@
 float wall_pull(float gap_m, float length_m);
 
 /* Turns the heading of a swimming or bursting fish for `around->dt_s`. */
-void wall_follow(struct fish *fish, const struct surroundings *around);
+void wall_follow(struct fish *fish, const struct perception *around);
 
 #endif

@@ -16,7 +16,7 @@ static void print_named(const struct audits *audits, uint32_t begin, uint32_t en
 {
     char key[AUDIT_NAME_SIZE];
     for (uint32_t id = begin; id < end; id++) {
-        audit_name(id, key);
+        audits_name(id, key);
         printf("  %-20s %10u\n", key, audits->count[id]);
     }
 }
@@ -74,14 +74,14 @@ static void print_times(const struct audits *audits)
     putchar('\n');
 }
 
-static void print_text(const struct memory *memory)
+static void audits_print_text(const struct persistent_state *memory)
 {
     const struct audits *audits = &memory->audits;
     printf("%u entries, start %u; in the machine: paid credits %u, service credits %u,"
            " units %u, tickets owed %u\n",
-           memory->ledger.last_id, memory->ledger.boots, memory->ledger.purse.paid,
-           memory->ledger.purse.service, memory->ledger.purse.units,
-           memory->ledger.purse.tickets);
+           memory->ledger.last_id, memory->ledger.boots, memory->ledger.balance.paid,
+           memory->ledger.balance.service, memory->ledger.balance.units,
+           memory->ledger.balance.tickets);
     puts("\nmoney");
     print_named(audits, 0, AUDIT_PLAYS_PAID);
     print_named(audits, AUDIT_TICKETS_OUT, AUDIT_TICKETS_OUT + 1u);
@@ -96,23 +96,23 @@ static void print_text(const struct memory *memory)
 
 /* ---- Output as JSON -------------------------------------------------------------------------- */
 
-static void print_json(const struct memory *memory)
+static void print_json(const struct persistent_state *memory)
 {
     const struct ledger_start *ledger = &memory->ledger;
     char key[AUDIT_NAME_SIZE];
     printf("{\"entries\": %u, \"start\": %u, \"paid\": %u, \"service\": %u, \"units\": %u,"
            " \"tickets_owed\": %u,\n"
            " \"audits\": {",
-           ledger->last_id, ledger->boots, ledger->purse.paid, ledger->purse.service,
-           ledger->purse.units, ledger->purse.tickets);
+           ledger->last_id, ledger->boots, ledger->balance.paid, ledger->balance.service,
+           ledger->balance.units, ledger->balance.tickets);
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
-        audit_name(id, key);
+        audits_name(id, key);
         printf("%s\n  \"%s\": %u", id == 0 ? "" : ",", key, memory->audits.count[id]);
     }
     puts("\n }}");
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code audits_run(int argc, const char *const *argv)
 {
     struct books_words words = { 0 };
     struct ledger_file file;
@@ -123,7 +123,7 @@ static enum exit_code run(int argc, const char *const *argv)
     }
     const enum exit_code code = books_open(name, &words, &file);
     if (code == EXIT_OK) {
-        (words.as_json ? print_json : print_text)(&file.content.memory);
+        (words.as_json ? print_json : audits_print_text)(&file.content.memory);
         ledger_file_close(&file);
     }
     return code;
@@ -133,5 +133,5 @@ const struct ctl_command ctl_audits = {
     .name = name,
     .summary = "the operator's books: what was earned, played and broken",
     .usage = "  kingyoctl audits [--data DIR] [--json]\n\n" BOOKS_USAGE,
-    .run = run,
+    .run = audits_run,
 };

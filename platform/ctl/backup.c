@@ -45,7 +45,7 @@ static const char *why_not(const char *path)
     if (!S_ISREG(about.st_mode)) {
         return S_ISDIR(about.st_mode) ? "is a folder" : "is no file";
     }
-    return books_look_at_copy(path, &older) == SQLITE_OK
+    return books_check_copy(path, &older) == SQLITE_OK
                ? NULL
                : "is there, and is no copy of a stall's file";
 }
@@ -75,7 +75,7 @@ static enum exit_code copy(struct ledger_file *file, const char *path,
     return EXIT_OK;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code backup_run(int argc, const char *const *argv)
 {
     struct books_words words = { 0 };
     struct ledger_file file;
@@ -98,7 +98,7 @@ static enum exit_code run(int argc, const char *const *argv)
         return ctl_usage(name, path ? "the name is too long" : "wants a file");
     }
     if (goes_back) {
-        return restore(&words, path);
+        return restore_backup(&words, path);
     }
     enum exit_code code = books_open(name, &words, &file);
     if (code == EXIT_OK) {
@@ -117,5 +117,5 @@ const struct ctl_command ctl_backup = {
              "\nFILE is checked before it gets its name, and replaces nothing but an older copy.\n"
              "To go back: stop the stall, --restore, start it. FILE is checked then, too, and\n"
              "what was there is kept beside it as kingyo.db.before-N, with its own backup.\n",
-    .run = run,
+    .run = backup_run,
 };

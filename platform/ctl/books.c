@@ -37,10 +37,10 @@ static int look_for(const char *path)
 
 void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
 {
-    char own[FOLDER_PATH_MAX];
+    char own[DIRECTORY_PATH_MAX];
     const char *folder = words->data ? words->data : service_folder;
     snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, folder);
-    folder_default_data(own);
+    directory_default_data(own);
     if (!words->data && look_for(path) == ENOENT && own[0]) {
         snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, own);
     }
@@ -71,11 +71,11 @@ static int look_at_old(const char *path)
     return code == SQLITE_OK && !is_ours ? SQLITE_NOTFOUND : code;
 }
 
-int books_look_at_copy(const char *path, struct ledger_start *out)
+int books_check_copy(const char *path, struct ledger_start *out)
 {
     struct ledger_file file;
     *out = (struct ledger_start){ 0 };
-    const int code = ledger_file_look(&file, path);
+    const int code = ledger_file_inspect(&file, path);
     if (code == SQLITE_OK) {
         *out = file.content.memory.ledger;
         ledger_file_close(&file);
@@ -100,7 +100,7 @@ int books_tell_foreign(const char *command, const char *path, const char *advice
     return has_foreign;
 }
 
-static enum exit_code tell(const char *command, const char *path, int code)
+static enum exit_code books_print_error(const char *command, const char *path, int code)
 {
     if (code == SQLITE_CORRUPT &&
         books_tell_foreign(command, path, "the stall replaces the file when it starts")) {
@@ -130,6 +130,6 @@ enum exit_code books_open(const char *command, const struct books_words *words,
                                       : strerror(error));
         return EXIT_IO;
     }
-    const int code = ledger_file_look(out, path);
-    return code == SQLITE_OK ? EXIT_OK : tell(command, path, code);
+    const int code = ledger_file_inspect(out, path);
+    return code == SQLITE_OK ? EXIT_OK : books_print_error(command, path, code);
 }

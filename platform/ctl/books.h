@@ -9,7 +9,7 @@
 #include "platform/store/ledger_file.h"
 
 /* Size in bytes of a buffer for the path of the database. */
-#define BOOKS_PATH_SIZE (FOLDER_PATH_MAX + 32u)
+#define BOOKS_PATH_SIZE (DIRECTORY_PATH_MAX + 32u)
 
 /* Options that the reading commands share. */
 struct books_words {
@@ -39,7 +39,7 @@ int books_is_same(const char *one, const char *other);
  * Returns SQLITE_OK and fills `out` with the ledger state of the file. The ledger state is all zero
  * if an earlier version wrote the file. Returns SQLITE_NOTFOUND if the file is a database of
  * another program, or another SQLite error code. */
-int books_look_at_copy(const char *path, struct ledger_start *out);
+int books_check_copy(const char *path, struct ledger_start *out);
 
 /* Prints one line that names the foreign object because of which ledger_check() reports the
  * database as damaged. `advice` ends the line. Returns whether the database has such an object. */

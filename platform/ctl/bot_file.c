@@ -28,8 +28,8 @@ struct parser {
     struct bot_file_problem *problem;
 };
 
-__attribute__((format(printf, 2, 3)))
-static int refuse(struct parser *parser, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static int bot_file_error(struct parser *parser,
+                                                                const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -44,15 +44,15 @@ static int set_base(struct parser *parser, const char *value)
 {
     for (uint32_t key = 0; key < BOT_KEY_COUNT; key++) {
         if (parser->line_of[key]) {
-            return refuse(parser, "base comes before all other keys, and line %u has '%s'",
-                          parser->line_of[key], bot_key_name(key));
+            return bot_file_error(parser, "base comes before all other keys, and line %u has '%s'",
+                                  parser->line_of[key], bot_key_name(key));
         }
     }
     if (parser->base_line) {
-        return refuse(parser, "base is in line %u already", parser->base_line);
+        return bot_file_error(parser, "base is in line %u already", parser->base_line);
     }
     if (strcmp(value, "novice") != 0 && strcmp(value, "expert") != 0) {
-        return refuse(parser, "base: '%.*s' is not right; novice|expert is", SHOWN, value);
+        return bot_file_error(parser, "base: '%.*s' is not right; novice|expert is", SHOWN, value);
     }
     parser->base_line = parser->line;
     parser->technique = strcmp(value, "novice") == 0 ? technique_novice : technique_expert;
@@ -63,12 +63,13 @@ static int set_key(struct parser *parser, uint32_t key, const char *value)
 {
     char range[BOT_KEY_RANGE_MAX];
     if (parser->line_of[key]) {
-        return refuse(parser, "%s is in line %u already", bot_key_name(key), parser->line_of[key]);
+        return bot_file_error(parser, "%s is in line %u already", bot_key_name(key),
+                              parser->line_of[key]);
     }
     if (bot_key_set(key, value, &parser->technique)) {
         bot_key_range(key, range);
-        return refuse(parser, "%s: '%.*s' is not right; %s is", bot_key_name(key), SHOWN, value,
-                      range);
+        return bot_file_error(parser, "%s: '%.*s' is not right; %s is", bot_key_name(key), SHOWN,
+                              value, range);
     }
     parser->line_of[key] = parser->line;
     return 0;
@@ -80,7 +81,7 @@ static int is_blank(char c)
 }
 
 /* Returns `text` without leading and trailing white space. Changes the text in place. */
-static char *trim(char *text)
+static char *bot_file_trim(char *text)
 {
     size_t length = 0;
     while (is_blank(*text)) {
@@ -106,24 +107,24 @@ static void drop_comment(char *text)
 static int parse_line(struct parser *parser, char *text)
 {
     drop_comment(text);
-    char *name = trim(text);
+    char *name = bot_file_trim(text);
     char *equals = strchr(name, '=');
     if (*name == '\0') {
         return 0;
     }
     if (!equals) {
-        return refuse(parser, "'%.*s' has no '='; key=value is right", SHOWN, name);
+        return bot_file_error(parser, "'%.*s' has no '='; key=value is right", SHOWN, name);
     }
     *equals = '\0';
-    const char *value = trim(equals + 1);
-    name = trim(name);
+    const char *value = bot_file_trim(equals + 1);
+    name = bot_file_trim(name);
     if (strcmp(name, "base") == 0) {
         return set_base(parser, value);
     }
     const uint32_t key = bot_key_named(name);
     if (key == BOT_KEY_COUNT) {
-        return refuse(parser, "'%.*s' is no key of a bot; kingyoctl play --help lists them", SHOWN,
-                      name);
+        return bot_file_error(parser, "'%.*s' is no key of a bot; kingyoctl play --help lists them",
+                              SHOWN, name);
     }
     return set_key(parser, key, value);
 }
@@ -153,11 +154,11 @@ static int parse_lines(struct parser *parser, const char *text, size_t size)
         text = cut_line(text, end, line, &length);
         parser->line++;
         if (length >= LINE_MAX_CHARS) {
-            return refuse(parser, "a line of %zu characters; %u is the most", length,
-                          LINE_MAX_CHARS - 1u);
+            return bot_file_error(parser, "a line of %zu characters; %u is the most", length,
+                                  LINE_MAX_CHARS - 1u);
         }
         if (memchr(line, '\0', length)) {
-            return refuse(parser, "is no text");
+            return bot_file_error(parser, "is no text");
         }
         if (parse_line(parser, line)) {
             return -1;
@@ -179,11 +180,11 @@ static int check_whole(struct parser *parser)
     }
     parser->line = min_line > max_line ? min_line : max_line;
     if (set == 0) {
-        return refuse(parser, "has no key; base=novice|expert is the least");
+        return bot_file_error(parser, "has no key; base=novice|expert is the least");
     }
     if (technique->reaction_min_s > technique->reaction_max_s) {
-        return refuse(parser, "reaction_min_s %g is more than reaction_max_s %g",
-                      (double)technique->reaction_min_s, (double)technique->reaction_max_s);
+        return bot_file_error(parser, "reaction_min_s %g is more than reaction_max_s %g",
+                              (double)technique->reaction_min_s, (double)technique->reaction_max_s);
     }
     return 0;
 }
@@ -227,7 +228,7 @@ enum exit_code bot_file_read(const char *speaker, const char *path, struct techn
     const int error = ferror(file) ? errno : 0;
     fclose(file);
     if (error) {
-        return user_file_refuse(speaker, path, sizeof text, error);
+        return user_file_error(speaker, path, sizeof text, error);
     }
     if (bot_file_parse(text, size, out, &problem)) {
         if (problem.line) {

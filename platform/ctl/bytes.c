@@ -13,7 +13,7 @@
 #define ROOM_AT_FIRST 4096u
 #define PRINT_MAX 1001u
 
-void bytes_add(struct bytes *bytes, const void *data, size_t size)
+void byte_buffer_add(struct byte_buffer *bytes, const void *data, size_t size)
 {
     if (!bytes->failed && bytes->room - bytes->size < size) {
         size_t room = bytes->room ? bytes->room : ROOM_AT_FIRST;
@@ -33,7 +33,7 @@ void bytes_add(struct bytes *bytes, const void *data, size_t size)
     }
 }
 
-void bytes_print(struct bytes *bytes, const char *format, ...)
+void byte_buffer_print(struct byte_buffer *bytes, const char *format, ...)
 {
     char text[PRINT_MAX];
     va_list arguments;
@@ -41,11 +41,11 @@ void bytes_print(struct bytes *bytes, const char *format, ...)
     const int length = vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     CORE_ASSERT(length >= 0 && length < (int)sizeof text);
-    bytes_add(bytes, text, (size_t)length);
+    byte_buffer_add(bytes, text, (size_t)length);
 }
 
-void bytes_free(struct bytes *bytes)
+void byte_buffer_free(struct byte_buffer *bytes)
 {
     free(bytes->data);
-    *bytes = (struct bytes){ 0 };
+    *bytes = (struct byte_buffer){ 0 };
 }

@@ -9,21 +9,21 @@
 #include <stdint.h>
 
 /* A byte buffer. All zero is a valid empty buffer. */
-struct bytes {
+struct byte_buffer {
     uint8_t *data;
     size_t size, room;
     bool failed; /* Whether an allocation has failed. All later additions are then ignored. */
 };
 
 /* Appends `size` bytes of `data`. Sets `failed` if memory is exhausted. */
-void bytes_add(struct bytes *bytes, const void *data, size_t size);
+void byte_buffer_add(struct byte_buffer *bytes, const void *data, size_t size);
 
 /* Appends formatted text as printf() does, without a terminating zero. Asserts that the text has at
  * most 1,000 characters. */
-__attribute__((format(printf, 2, 3)))
-void bytes_print(struct bytes *bytes, const char *format, ...);
+__attribute__((format(printf, 2, 3))) void byte_buffer_print(struct byte_buffer *bytes,
+                                                             const char *format, ...);
 
 /* Frees the data of the buffer. */
-void bytes_free(struct bytes *bytes);
+void byte_buffer_free(struct byte_buffer *bytes);
 
 #endif

@@ -14,22 +14,22 @@
 static const char name[] = "config";
 static uint32_t warning_count;
 
-static void warn(const char *line)
+static void config_warn(const char *line)
 {
     print_error("%s", line); /* The line has the form FILE:LINE: MESSAGE, which editors and
                                 compilers use. */
     warning_count++;
 }
 
-static enum exit_code check(const char *path)
+static enum exit_code config_check_file(const char *path)
 {
     static struct options options; /* Static because its paths and GPIO wiring are too large for the
                                       stack. */
     options = (struct options){ 0 };
     warning_count = 0;
-    const int failed = options_read_config(&options, path, warn);
+    const int failed = config_file_read(&options, path, config_warn);
     if (failed) {
-        print_error("kingyoctl config: %s: %s", path, plain_file_error(-failed));
+        print_error("kingyoctl config: %s: %s", path, regular_file_error(-failed));
         return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
     }
     if (warning_count > 0) {
@@ -45,10 +45,10 @@ static enum exit_code print_defaults(void)
     return EXIT_OK;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code config_run(int argc, const char *const *argv)
 {
     if (argc >= 1 && argc <= 2 && strcmp(argv[0], "check") == 0) {
-        return check(argc == 2 ? argv[1] : CONFIG_FILE_DEFAULT);
+        return config_check_file(argc == 2 ? argv[1] : CONFIG_FILE_DEFAULT);
     }
     if (argc == 1 && strcmp(argv[0], "defaults") == 0) {
         return print_defaults();
@@ -64,5 +64,5 @@ const struct ctl_command ctl_config = {
              "                                  passes over, with the range; exit code 1 then\n"
              "  kingyoctl config defaults       every key with what it is for, its range and its\n"
              "                                  standard, all in comments\n",
-    .run = run,
+    .run = config_run,
 };

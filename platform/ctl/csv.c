@@ -24,7 +24,7 @@ static enum exit_code refuse_line(const struct csv *csv, const char *what)
     return EXIT_BAD_DATA;
 }
 
-enum exit_code csv_refuse(const struct csv *csv, uint32_t index, const char *format, ...)
+enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *format, ...)
 {
     char words[PRINT_LINE_MAX];
     va_list arguments;
@@ -53,7 +53,7 @@ static void drop_byte_order_mark(char *text)
 
 /* Reads the next line that is not empty into csv->text. Sets `*is_end` to 1 if there is no such
  * line. */
-static enum exit_code next_line(struct csv *csv, int *is_end)
+static enum exit_code csv_next_line(struct csv *csv, int *is_end)
 {
     *is_end = 0;
     for (;;) {
@@ -61,7 +61,7 @@ static enum exit_code next_line(struct csv *csv, int *is_end)
         if (!fgets(csv->text, sizeof csv->text, csv->file)) {
             *is_end = 1;
             if (ferror(csv->file)) {
-                return user_file_refuse(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
+                return user_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
             }
             return EXIT_OK;
         }
@@ -126,7 +126,7 @@ static enum exit_code take_name(struct csv *csv, const char *name, uint32_t numb
     for (uint32_t i = 0; i < csv->column_count; i++) {
         if (strcmp(name, csv->columns[i].name) == 0) {
             if (csv->field_of[i]) {
-                return csv_refuse(csv, i, "is there twice");
+                return csv_error(csv, i, "is there twice");
             }
             csv->field_of[i] = number;
             return EXIT_OK;
@@ -138,7 +138,7 @@ static enum exit_code take_name(struct csv *csv, const char *name, uint32_t numb
 static enum exit_code read_head(struct csv *csv)
 {
     int is_end;
-    const enum exit_code code = next_line(csv, &is_end);
+    const enum exit_code code = csv_next_line(csv, &is_end);
     if (code != EXIT_OK || is_end) {
         return code != EXIT_OK ? code : refuse_line(csv, "is empty: a head of columns is missing");
     }
@@ -186,7 +186,7 @@ static enum exit_code read_word(const struct csv *csv, uint32_t index, const cha
         }
         list_word(list, words[i]);
     }
-    return csv_refuse(csv, index, "'%.*s' is none of %s", FIELD_SHOWN, text, list);
+    return csv_error(csv, index, "'%.*s' is none of %s", FIELD_SHOWN, text, list);
 }
 
 static enum exit_code read_value(const struct csv *csv, uint32_t index, const char *text,
@@ -200,8 +200,8 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
         return read_word(csv, index, text, value);
     }
     if (!number_parse_decimal(text, column->min, column->max, value)) {
-        return csv_refuse(csv, index, "'%.*s' is not a number from %g to %g", FIELD_SHOWN, text,
-                          column->min, column->max);
+        return csv_error(csv, index, "'%.*s' is not a number from %g to %g", FIELD_SHOWN, text,
+                         column->min, column->max);
     }
     return EXIT_OK;
 }
@@ -227,7 +227,7 @@ static enum exit_code refuse_surplus(const struct csv *csv, const char *text)
 
 enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
 {
-    const enum exit_code code = next_line(csv, is_end);
+    const enum exit_code code = csv_next_line(csv, is_end);
     if (code != EXIT_OK || *is_end) {
         return code;
     }
@@ -239,7 +239,7 @@ enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
         const uint32_t index = column_at(csv, number);
         const char *text = cut_field(&rest);
         if (!text) {
-            return csv_refuse(csv, index, "is missing: the line ends before it");
+            return csv_error(csv, index, "is missing: the line ends before it");
         }
         const enum exit_code right = read_value(csv, index, text, &values[index]);
         if (right != EXIT_OK) {

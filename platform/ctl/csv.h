@@ -61,8 +61,8 @@ enum exit_code csv_row(struct csv *csv, double *values, int *is_end);
 int csv_has(const struct csv *csv, uint32_t index);
 
 /* Prints what is wrong with column `index` of the current line. Returns EXIT_BAD_DATA. */
-__attribute__((format(printf, 3, 4)))
-enum exit_code csv_refuse(const struct csv *csv, uint32_t index, const char *format, ...);
+__attribute__((format(printf, 3, 4))) enum exit_code
+csv_error(const struct csv *csv, uint32_t index, const char *format, ...);
 
 /* Closes the file. */
 void csv_close(struct csv *csv);

@@ -52,7 +52,7 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     user->id = entry ? entry->pw_uid : geteuid();
     user->data[0] = '\0';
     if (!wanted || user->id == geteuid()) {
-        folder_default_data(user->data);
+        directory_default_data(user->data);
     } else {
         take_home(user, entry->pw_dir);
     }
@@ -66,7 +66,7 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
 
 /* ---- Options of the kiosk -------------------------------------------------------------------- */
 
-static void warn(const char *line)
+static void doctor_warn(const char *line)
 {
     struct doctor_finding *finding =
         doctor_find(&doctor, "config", DOCTOR_WRONG, "%s", doctor.options.config);
@@ -83,9 +83,9 @@ static enum exit_code read_config(int argc, const char *const *argv)
     memcpy(path, doctor.options.config, sizeof path);
     doctor.options = (struct options){ 0 };
     memcpy(doctor.options.config, path, sizeof path);
-    const int failed = options_read_config(&doctor.options, path, warn);
+    const int failed = config_file_read(&doctor.options, path, doctor_warn);
     if (failed) {
-        print_error("kingyoctl doctor: %s: %s", path, plain_file_error(-failed));
+        print_error("kingyoctl doctor: %s: %s", path, regular_file_error(-failed));
         return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
     }
     if (options_parse(&doctor.options, argc, argv, error)) {
@@ -166,7 +166,7 @@ static enum exit_code take_root(const char *root)
     return EXIT_OK;
 }
 
-static void look(void)
+static void doctor_run_checks(void)
 {
     doctor_usb(&doctor);
     doctor_nodes(&doctor);
@@ -177,7 +177,7 @@ static void look(void)
     doctor_store(&doctor);
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code doctor_run(int argc, const char *const *argv)
 {
     struct doctor_words words = { .root = NULL };
     const char *rest[WORDS_MAX];
@@ -189,7 +189,7 @@ static enum exit_code run(int argc, const char *const *argv)
     if (code != EXIT_OK) {
         return code;
     }
-    look();
+    doctor_run_checks();
     (words.as_json ? doctor_report_json : doctor_report_text)(&doctor);
     return doctor_count(&doctor, DOCTOR_WRONG) > 0 ? EXIT_NOT_SO : EXIT_OK;
 }
@@ -208,5 +208,5 @@ const struct ctl_command ctl_doctor = {
              "                  more, fine, look, wrong}\n\n"
              "Options of the kiosk count as they would for it: --config FILE, --data FOLDER,\n"
              "--usb VVVV:PPPP, --line ROLE=WIRE. Exit code 1: something is wrong.\n",
-    .run = run,
+    .run = doctor_run,
 };

@@ -38,8 +38,8 @@ struct doctor_finding {
 struct doctor_user {
     char name[64];
     uid_t id;
-    char data[FOLDER_PATH_MAX]; /* Default data folder of the user's kiosk. "" means that there is
-                                   none. */
+    char data[DIRECTORY_PATH_MAX]; /* Default data folder of the user's kiosk. "" means that
+                                      there is none. */
     uint32_t group_count;
     gid_t groups[DOCTOR_GROUPS_MAX];
 };
@@ -109,7 +109,7 @@ void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *find
 
 /* Returns whether a process named `kingyo` runs now. A device that is in use may then be in use by
  * the kiosk. */
-bool doctor_kiosk_runs(const struct doctor *doctor);
+bool doctor_kiosk_is_running(const struct doctor *doctor);
 
 /* ---- Small files of /sys --------------------------------------------------------------------- */
 

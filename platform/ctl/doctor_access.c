@@ -79,7 +79,7 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
     va_start(arguments, path);
     vsnprintf(whole + used, sizeof whole - (size_t)used, path, arguments);
     va_end(arguments);
-    FILE *file = plain_file_open(whole, PLAIN_KERNEL_SIZE_MAX);
+    FILE *file = regular_file_open(whole, REGULAR_FILE_KERNEL_SIZE_MAX);
     if (!file || !fgets(out, (int)size, file)) {
         out[0] = '\0';
     }
@@ -90,7 +90,7 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
     printable(out);
 }
 
-bool doctor_kiosk_runs(const struct doctor *doctor)
+bool doctor_kiosk_is_running(const struct doctor *doctor)
 {
     char path[DOCTOR_PATH + OPTIONS_PATH_MAX], name[32];
     bool runs = false;

@@ -18,7 +18,8 @@
 
 /* ---- Reading the lines ----------------------------------------------------------------------- */
 
-static void read_lines(int file, const struct gpiochip_info *chip, struct gpio_census *census)
+static void doctor_gpio_read_lines(int file, const struct gpiochip_info *chip,
+                                   struct gpio_census *census)
 {
     for (uint32_t offset = 0; offset < chip->lines; offset++) {
         struct gpio_v2_line_info line = { .offset = offset };
@@ -52,7 +53,7 @@ static void read_chip(struct doctor *doctor, const char *path, struct gpio_censu
     if (error) {
         doctor_state(doctor_find(doctor, "gpio", DOCTOR_LOOK, "%s", path), "%s", strerror(error));
     } else {
-        read_lines(file, &chip, census);
+        doctor_gpio_read_lines(file, &chip, census);
         doctor_state(doctor_find(doctor, "gpio", DOCTOR_FINE, "%s", path), "%s, %u lines",
                      chip.label, chip.lines);
     }

@@ -128,7 +128,7 @@ static void look_at_database(struct doctor *doctor, const char *folder)
         doctor_state(finding, "is not there yet: nothing was kept");
         return;
     }
-    int code = ledger_file_look(&file, path);
+    int code = ledger_file_inspect(&file, path);
     code = code == SQLITE_OK ? ledger_check(file.db) : code;
     if (code == SQLITE_OK) {
         say_whole(finding, &file);
@@ -160,18 +160,25 @@ static void look_at_backup(struct doctor *doctor, const char *folder)
 static const struct {
     const char *state, *todo;
 } asides[] = {
-    [MACHINE_ASIDE_DAMAGED] = { "was damaged, and set aside",
-                                "compare the books (kingyoctl audits) with the meter; then remove "
-                                "it. If there are several, replace the card" },
-    [MACHINE_ASIDE_MISSING] = { "kingyo.db was missing, and made anew of what could be read",
-                                "compare the books (kingyoctl audits) with the meter; then remove "
-                                "this note" },
-    [MACHINE_ASIDE_LEFT] = { "is the database from before a start that left a part out, because of "
-                             "panics",
-                             "send the log and panic-*.kgr; kingyoctl backup --restore goes back "
-                             "to it. Then remove it" },
-    [MACHINE_ASIDE_OTHER] = { "is of another list or not a regular file, and was set aside",
-                              "remove it, or put it back beside the kingyo.db it belongs to" },
+    [SYSTEM_HEALTH_QUARANTINE_DAMAGED] = { "was damaged, and set aside",
+                                           "compare the books (kingyoctl audits) with the meter; "
+                                           "then remove "
+                                           "it. If there are several, replace the card" },
+    [SYSTEM_HEALTH_QUARANTINE_MISSING] = { "kingyo.db was missing, and made anew of what could be "
+                                           "read",
+                                           "compare the books (kingyoctl audits) with the meter; "
+                                           "then remove "
+                                           "this note" },
+    [SYSTEM_HEALTH_QUARANTINE_LEFT] = { "is the database from before a start that left a part out, "
+                                        "because of "
+                                        "panics",
+                                        "send the log and panic-*.kgr; kingyoctl backup --restore "
+                                        "goes back "
+                                        "to it. Then remove it" },
+    [SYSTEM_HEALTH_QUARANTINE_OTHER] = { "is of another list or not a regular file, and was set "
+                                         "aside",
+                                         "remove it, or put it back beside the kingyo.db it "
+                                         "belongs to" },
 };
 
 /* Adds a finding for each quarantined file. Such a file stays in the data folder until the operator
@@ -181,13 +188,13 @@ static void look_at_damaged(struct doctor *doctor, const char *folder)
     DIR *list = opendir(folder);
     const struct dirent *entry;
     while (list && (entry = readdir(list))) {
-        const enum machine_aside aside = machine_aside_of(entry->d_name);
-        if (aside != MACHINE_ASIDE_NOT) {
+        const enum system_health_quarantine aside = system_health_quarantine_of(entry->d_name);
+        if (aside != SYSTEM_HEALTH_QUARANTINE_NONE) {
             struct doctor_finding *finding =
                 doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, entry->d_name);
-            doctor_state(finding, "%s%s", asides[aside].state,
-                         machine_is_seen(folder, entry->d_name) ? "; the operator has seen that"
-                                                                : "");
+            doctor_state(
+                finding, "%s%s", asides[aside].state,
+                system_health_is_seen(folder, entry->d_name) ? "; the operator has seen that" : "");
             doctor_todo(finding, "%s", asides[aside].todo);
         }
     }
@@ -200,17 +207,17 @@ static void look_at_damaged(struct doctor *doctor, const char *folder)
 
 static void look_at_poi(struct doctor *doctor, const char *path)
 {
-    static char text[HID_BOOK_TEXT_SIZE];
-    static struct hid_book_entry entry;
+    static char text[HID_MAPPING_STORE_TEXT_SIZE];
+    static struct hid_mapping_store_entry entry;
     char why[HAL_TEXT_SIZE] = "";
-    FILE *file = plain_file_open(path, sizeof text - 1u);
+    FILE *file = regular_file_open(path, sizeof text - 1u);
     const size_t size = file ? fread(text, 1, sizeof text - 1u, file) : 0;
     const int error = !file || ferror(file) ? errno : 0;
     if (file) {
         fclose(file);
     }
     text[size] = '\0';
-    const int line = error ? 0 : hid_book_read(&entry, text, why);
+    const int line = error ? 0 : hid_mapping_store_read(&entry, text, why);
     if (!error && line == 0) {
         doctor_state(doctor_find(doctor, "learned", DOCTOR_FINE, "%04x:%04x %s", entry.vendor,
                                  entry.product, entry.serial),
@@ -219,7 +226,7 @@ static void look_at_poi(struct doctor *doctor, const char *path)
     }
     struct doctor_finding *finding = doctor_find(doctor, "learned", DOCTOR_LOOK, "%s", path);
     if (error) {
-        doctor_state(finding, "%s", plain_file_error(error));
+        doctor_state(finding, "%s", regular_file_error(error));
     } else {
         doctor_state(finding, "line %d: %s", line, why);
     }

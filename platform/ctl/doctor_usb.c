@@ -15,24 +15,25 @@
 
 static const char *map_words(const struct usb_interface *interface)
 {
-    const struct hid_map *map = &interface->map;
+    const struct hid_mapping *map = &interface->map;
     if (interface->subject.kind == USB_KIND_UNKNOWN) {
         return "it says how once it is claimed";
     }
     switch (map->source) {
-    case HID_MAP_OWN:
+    case HID_MAPPING_OWN:
         return "our own poi";
-    case HID_MAP_KNOWN:
+    case HID_MAPPING_KNOWN:
         return "a controller we know";
-    case HID_MAP_OFFERED:
+    case HID_MAPPING_AUTO:
         return map->style == HID_STYLE_POINTER ? "it points" : "it has sticks";
     default:
         return "to be learned in the operator's menu";
     }
 }
 
-static struct doctor_finding *say(struct doctor *doctor, const struct usb_device *device,
-                                  enum doctor_level level)
+static struct doctor_finding *doctor_usb_add_finding(struct doctor *doctor,
+                                                     const struct usb_device *device,
+                                                     enum doctor_level level)
 {
     const struct hid_identity *identity = &device->identity;
     const char *name = identity->name[0] ? identity->name : device->maker;
@@ -44,7 +45,8 @@ static void say_denied(struct doctor *doctor, const struct usb_device *device, b
                        int error, const char *node)
 {
     char rule[DOCTOR_TEXT], both[2u * DOCTOR_TEXT];
-    struct doctor_finding *finding = say(doctor, device, plays ? DOCTOR_WRONG : DOCTOR_LOOK);
+    struct doctor_finding *finding =
+        doctor_usb_add_finding(doctor, device, plays ? DOCTOR_WRONG : DOCTOR_LOOK);
     doctor_rules_todo(rule, sizeof rule, device->identity.vendor, device->identity.product);
     snprintf(both, sizeof both,
              "%s; %s must be in group kingyo, which board/sysusers/kingyo.conf makes: "
@@ -59,8 +61,9 @@ static void say_denied(struct doctor *doctor, const struct usb_device *device, b
  * cannot detach another program. */
 static void say_held(struct doctor *doctor, const struct usb_device *device)
 {
-    const bool by_kiosk = doctor_kiosk_runs(doctor);
-    struct doctor_finding *finding = say(doctor, device, by_kiosk ? DOCTOR_FINE : DOCTOR_WRONG);
+    const bool by_kiosk = doctor_kiosk_is_running(doctor);
+    struct doctor_finding *finding =
+        doctor_usb_add_finding(doctor, device, by_kiosk ? DOCTOR_FINE : DOCTOR_WRONG);
     if (by_kiosk) {
         doctor_state(finding, "claimed, by the running kiosk");
         return;
@@ -80,7 +83,7 @@ static void say_ready(struct doctor *doctor, const struct usb_device *device,
         [USB_PLAYS] = "plays",
     };
     struct doctor_finding *finding =
-        say(doctor, device, device->sleeps ? DOCTOR_LOOK : DOCTOR_FINE);
+        doctor_usb_add_finding(doctor, device, device->sleeps ? DOCTOR_LOOK : DOCTOR_FINE);
     doctor_state(finding, "%s (%s)%s", words[interface->verdict], map_words(interface),
                  device->sleeps ? ", but may fall asleep in mid-round" : "");
     if (device->sleeps) {
@@ -132,7 +135,8 @@ static bool is_asked_for(const struct doctor *doctor, const struct hid_identity 
 static void say_no_hand(struct doctor *doctor, const struct usb_device *device, const char *why)
 {
     const bool is_asked = is_asked_for(doctor, &device->identity);
-    struct doctor_finding *finding = say(doctor, device, is_asked ? DOCTOR_LOOK : DOCTOR_FINE);
+    struct doctor_finding *finding =
+        doctor_usb_add_finding(doctor, device, is_asked ? DOCTOR_LOOK : DOCTOR_FINE);
     doctor_state(finding, "%s%s", is_asked ? "was asked for, but " : "", why);
 }
 
@@ -149,13 +153,14 @@ static void say_device(struct doctor *doctor, const struct usb_device *device,
         kind != USB_KIND_NOTHING) {
         say_hand(doctor, device, interface);
     } else if (strcmp(interface->driver, "xpad") == 0) {
-        doctor_state(say(doctor, device, DOCTOR_FINE), "plays as a pad, through SDL");
+        doctor_state(doctor_usb_add_finding(doctor, device, DOCTOR_FINE),
+                     "plays as a pad, through SDL");
     } else if (interface->class == USB_CLASS_HID) {
         say_no_hand(doctor, device,
                     kind == USB_KIND_NOTHING ? "sends nothing: no controller"
                                              : "has keys: a keyboard is never claimed");
     } else {
-        doctor_state(say(doctor, device, DOCTOR_FINE), "is no controller%s%s",
+        doctor_state(doctor_usb_add_finding(doctor, device, DOCTOR_FINE), "is no controller%s%s",
                      interface->driver[0] ? "; driver " : "", interface->driver);
     }
 }
@@ -189,7 +194,7 @@ static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
     usb_choice_load(choice, doctor->options.data[0] ? path : "", why);
     for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
         if (usb_key_read(&key, doctor->options.usb[i]) == 0) {
-            usb_choice_wish(choice, &key, 1, 0);
+            usb_choice_request(choice, &key, 1, 0);
         }
     }
 }

@@ -25,9 +25,9 @@ struct usb_device {
 struct usb_interface {
     uint32_t number, class, subclass, protocol;
     char driver[48]; /* Name of the kernel driver. "" means no driver. */
-    struct usb_subject subject;
+    struct usb_candidate subject;
     enum usb_verdict verdict;
-    struct hid_map map;
+    struct hid_mapping map;
 };
 
 /* Reads the device at `device->port` and selects the best of its interfaces. An accepted interface

@@ -70,14 +70,14 @@ static void read_interface(const struct doctor *doctor, const struct usb_choice 
     const uint32_t size = usb_sysfs_descriptor(root, device->port, (uint8_t)device->configuration,
                                                (uint8_t)out->number, bytes);
     device->identity.interface_number = (uint8_t)out->number;
-    out->subject = (struct usb_subject){
+    out->subject = (struct usb_candidate){
         .identity = &device->identity,
         .is_boot_keyboard = out->subclass == BOOT && out->protocol == BOOT_KEYBOARD,
     };
     usb_choice_read(&out->subject, bytes, size, &descriptor);
-    out->verdict = usb_choice_judge(choice, &out->subject);
+    out->verdict = usb_choice_evaluate(choice, &out->subject);
     if (size && hid_descriptor_read(&descriptor, bytes, size) == HID_OK) {
-        hid_map_choose(&out->map, &device->identity, &descriptor);
+        hid_mapping_choose(&out->map, &device->identity, &descriptor);
     }
 }
 
@@ -86,7 +86,7 @@ static void read_interface(const struct doctor *doctor, const struct usb_choice 
 static int is_better(const struct usb_choice *choice, const struct usb_interface *a,
                      const struct usb_interface *b)
 {
-    struct usb_subject first = a->subject, second = b->subject;
+    struct usb_candidate first = a->subject, second = b->subject;
     if (!first.identity || !second.identity) { /* An interface without an identity is not a HID
                                                   interface. */
         return !first.identity == !second.identity ? a->number < b->number : !second.identity;

@@ -1,8 +1,8 @@
 /* glb.h -- a builder for binary glTF 2.0 files.
  *
  * Arrays go to the binary buffer, and their descriptions go to lists of JSON objects. glb_next()
- * starts a list entry and writes the comma, and bytes_print() writes the entry. Names of species
- * contain only a-z, 0-9 and _, so that no string needs escaping. */
+ * starts a list entry and writes the comma, and byte_buffer_print() writes the entry. Names of
+ * species contain only a-z, 0-9 and _, so that no string needs escaping. */
 #ifndef KINGYO_PLATFORM_CTL_GLB_H
 #define KINGYO_PLATFORM_CTL_GLB_H
 
@@ -23,8 +23,8 @@ enum glb_list {
 
 /* A file under construction. All zero is a valid empty file. */
 struct glb {
-    struct bytes buffer;
-    struct bytes lists[GLB_LIST_COUNT];
+    struct byte_buffer buffer;
+    struct byte_buffer lists[GLB_LIST_COUNT];
     uint32_t counts[GLB_LIST_COUNT];
 };
 

@@ -53,8 +53,8 @@ static enum exit_code map(const char *path, const char *ids)
 {
     struct hid_identity who = { 0 };
     struct usb_key key = { 0 };
-    struct hid_map chosen;
-    char text[HID_MAP_TEXT_SIZE];
+    struct hid_mapping chosen;
+    char text[HID_MAPPING_TEXT_SIZE];
     if (ids && usb_key_read(&key, ids) != 0) {
         return ctl_usage(name, "map FILE [VVVV:PPPP]");
     }
@@ -64,17 +64,17 @@ static enum exit_code map(const char *path, const char *ids)
     }
     who.vendor = key.vendor;
     who.product = key.product;
-    hid_map_choose(&chosen, &who, &descriptor);
-    if (chosen.source == HID_MAP_NONE || hid_map_write(&chosen, text) != 0) {
+    hid_mapping_choose(&chosen, &who, &descriptor);
+    if (chosen.source == HID_MAPPING_NONE || hid_mapping_write(&chosen, text) != 0) {
         print_error("kingyoctl hid: %s: cannot be a poi as it is: %s", path,
-                    hid_map_why_none(&descriptor));
+                    hid_mapping_absence_reason(&descriptor));
         return EXIT_NOT_SO;
     }
     puts(text);
     return EXIT_OK;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code hid_run(int argc, const char *const *argv)
 {
     const int has_option = argc >= 2 && argv[1][0] == '-' && argv[1][1];
     if (has_option && strcmp(argv[0], "watch") != 0) {
@@ -116,5 +116,5 @@ const struct ctl_command ctl_hid = {
         "that are as long as declared; exit 1: none is.\n"
         "`cat /dev/hidraw3 >file` records what watch can read; it shows all of that at once.\n"
         "Rows of watch have one more column, milliseconds since it began.\n",
-    .run = run,
+    .run = hid_run,
 };

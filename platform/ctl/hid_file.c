@@ -61,9 +61,9 @@ long hid_from_hex(uint8_t *bytes, size_t size)
     return high < 0 ? count : HID_HALF_HEX;
 }
 
-enum exit_code hid_tell_io(const char *path)
+enum exit_code hid_file_print_error(const char *path)
 {
-    print_error("kingyoctl hid: %s: %s", path, plain_file_error(errno));
+    print_error("kingyoctl hid: %s: %s", path, regular_file_error(errno));
     return EXIT_IO;
 }
 
@@ -124,7 +124,7 @@ enum exit_code hid_file_read(struct hid_descriptor *out, const char *path)
         return code;
     }
     const size_t size = fread(bytes, 1, sizeof bytes, file);
-    code = ferror(file) ? hid_tell_io(path) : EXIT_OK;
+    code = ferror(file) ? hid_file_print_error(path) : EXIT_OK;
     fclose(file);
     return code == EXIT_OK ? hid_file_take(out, bytes, size, path) : code;
 }

@@ -43,6 +43,6 @@ enum exit_code hid_file_read(struct hid_descriptor *out, const char *path);
 void hid_file_id(const char *path, char id[HID_ID_SIZE]);
 
 /* Prints `errno` as the error of `path`. Returns EXIT_IO. */
-enum exit_code hid_tell_io(const char *path);
+enum exit_code hid_file_print_error(const char *path);
 
 #endif

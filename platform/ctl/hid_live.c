@@ -75,8 +75,8 @@ static void take_set(const struct hid_live *live, struct hid_live_row *row,
     }
 }
 
-static void take_row(const struct hid_live *live, struct hid_live_row *row,
-                     struct hid_report report)
+static void hid_live_take_row(const struct hid_live *live, struct hid_live_row *row,
+                              struct hid_report report)
 {
     const struct hid_group *group = &live->descriptor->group[row->group];
     if (group->report_id != hid_report_id(live->descriptor, report)) {
@@ -112,7 +112,7 @@ void hid_live_report(struct hid_live *live, struct hid_report report, uint64_t t
     live->report_count++;
     live->second_count++;
     for (uint32_t i = 0; i < live->row_count; i++) {
-        take_row(live, &live->row[i], report);
+        hid_live_take_row(live, &live->row[i], report);
     }
 }
 
@@ -126,8 +126,8 @@ struct page {
 
 /* Appends text to the current line and truncates it at the page width. All text is ASCII except the
  * name of the device. */
-__attribute__((format(printf, 2, 3)))
-static void put(struct page *page, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void hid_live_put(struct page *page,
+                                                               const char *format, ...)
 {
     const size_t used = page->length - page->line_begin;
     size_t room = page->width > used ? page->width - used : 0;
@@ -161,11 +161,11 @@ static void put_bar(struct page *page, const struct hid_group *group, int64_t va
     const int is_low = value < group->logical_min, is_high = value > group->logical_max;
     const int64_t into = is_low ? 0 : is_high ? span : value - group->logical_min;
     const uint32_t at = (uint32_t)((double)into / (double)span * (columns - 1u) + 0.5);
-    put(page, "%c", is_low ? '<' : '[');
+    hid_live_put(page, "%c", is_low ? '<' : '[');
     for (uint32_t i = 0; i < columns; i++) {
-        put(page, "%c", i == at ? '#' : '.');
+        hid_live_put(page, "%c", i == at ? '#' : '.');
     }
-    put(page, "%c", is_high ? '>' : ']');
+    hid_live_put(page, "%c", is_high ? '>' : ']');
 }
 
 static void put_set(struct page *page, const struct hid_live *live, const struct hid_live_row *row)
@@ -175,16 +175,16 @@ static void put_set(struct page *page, const struct hid_live *live, const struct
     const hid_usage first = hid_usage_at(live->descriptor, group, 0);
     const hid_usage last = hid_usage_at(live->descriptor, group, end - 1u);
     char name[HID_NAME_SIZE];
-    put(page, "%s", hid_usage_name(first, name));
+    hid_live_put(page, "%s", hid_usage_name(first, name));
     if (last != first) {
-        put(page, " .. %s", hid_usage_name(last, name));
+        hid_live_put(page, " .. %s", hid_usage_name(last, name));
     }
-    put(page, ": ");
+    hid_live_put(page, ": ");
     for (uint32_t i = 0; i < row->on_count && i < ON_MAX; i++) {
-        put(page, "%s%s", i > 0 ? ", " : "", hid_usage_name(row->on[i], name));
+        hid_live_put(page, "%s%s", i > 0 ? ", " : "", hid_usage_name(row->on[i], name));
     }
     if (row->on_count > ON_MAX) {
-        put(page, " and %u more", row->on_count - (uint32_t)ON_MAX);
+        hid_live_put(page, " and %u more", row->on_count - (uint32_t)ON_MAX);
     }
 }
 
@@ -194,17 +194,17 @@ static void put_field(struct page *page, const struct hid_live *live,
     const struct hid_group *group = &live->descriptor->group[row->group];
     char name[HID_NAME_SIZE];
     const hid_usage usage = hid_usage_at(live->descriptor, group, row->field);
-    put(page, "%-*s", NAME_COLUMNS, hid_usage_name(usage, name));
+    hid_live_put(page, "%-*s", NAME_COLUMNS, hid_usage_name(usage, name));
     if (!row->is_known) {
-        put(page, "%*s", VALUE_COLUMNS, "-");
+        hid_live_put(page, "%*s", VALUE_COLUMNS, "-");
         return;
     }
-    put(page, "%*" PRId64 "  ", VALUE_COLUMNS, row->value);
+    hid_live_put(page, "%*" PRId64 "  ", VALUE_COLUMNS, row->value);
     const int is_out = row->value < group->logical_min || row->value > group->logical_max;
     if (group->flags & HID_RELATIVE) {
-        put(page, "%*" PRId64 " in all", VALUE_COLUMNS, row->sum);
+        hid_live_put(page, "%*" PRId64 " in all", VALUE_COLUMNS, row->sum);
     } else if (is_out && group->flags & HID_NULL_STATE) {
-        put(page, "nothing");
+        hid_live_put(page, "nothing");
     } else {
         put_bar(page, group, row->value);
     }
@@ -213,7 +213,7 @@ static void put_field(struct page *page, const struct hid_live *live,
 static void put_row(struct page *page, const struct hid_live *live, const struct hid_live_row *row)
 {
     if (live->descriptor->has_report_ids) {
-        put(page, "%3u ", live->descriptor->group[row->group].report_id);
+        hid_live_put(page, "%3u ", live->descriptor->group[row->group].report_id);
     }
     if (row->is_set) {
         put_set(page, live, row);
@@ -231,15 +231,15 @@ size_t hid_live_picture(const struct hid_live *live, uint32_t width, uint32_t he
     const uint32_t shown = live->row_count < room ? live->row_count : room;
     const uint32_t hidden = live->hidden_count + live->row_count - shown;
     text[0] = '\0';
-    put(&page, "%s", live->title);
+    hid_live_put(&page, "%s", live->title);
     end_line(&page);
-    put(&page, "%u report%s, %u in the last second", live->report_count,
-        live->report_count == 1 ? "" : "s", live->per_second);
+    hid_live_put(&page, "%u report%s, %u in the last second", live->report_count,
+                 live->report_count == 1 ? "" : "s", live->per_second);
     if (live->refused_count > 0) {
-        put(&page, ", %u too short or unknown", live->refused_count);
+        hid_live_put(&page, ", %u too short or unknown", live->refused_count);
     }
     if (hidden > 0) {
-        put(&page, "; %u more rows are below this window", hidden);
+        hid_live_put(&page, "; %u more rows are below this window", hidden);
     }
     end_line(&page);
     for (uint32_t i = 0; i < shown; i++) {

@@ -109,7 +109,7 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
 
 /* ---- Files of reports ------------------------------------------------------------------------ */
 
-static enum exit_code refuse(const char *path, unsigned row, const char *what)
+static enum exit_code hid_rows_error(const char *path, unsigned row, const char *what)
 {
     print_error("kingyoctl hid: %s: line %u: %s", path, row, what);
     return EXIT_BAD_DATA;
@@ -140,7 +140,7 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
     const long size = hex && length <= 2u * REPORT_SIZE_MAX ? hid_from_hex((uint8_t *)hex, length)
                                                             : HID_NOT_HEX;
     if (size < 0) {
-        return refuse(of->path, row, "the third column is not a report in hex");
+        return hid_rows_error(of->path, row, "the third column is not a report in hex");
     }
     const struct hid_report report = { (const uint8_t *)hex, (size_t)size };
     if (of->reports++ == 0) {
@@ -153,7 +153,7 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
 
 /* Returns the exit code for a decoded file. Ids are compared with the descriptor's file name, so
  * that a file without a matching row most likely has a wrong name. */
-static enum exit_code judge(const struct decoded *of)
+static enum exit_code hid_rows_check_id(const struct decoded *of)
 {
     if (of->reports == 0) {
         puts(HID_VALUE_HEADER);
@@ -178,10 +178,10 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
     for (unsigned row = 1; code == EXIT_OK && fgets(line, sizeof line, file); row++) {
         code = strchr(line, '\n') || feof(file)
                    ? decode_row(&of, line, row)
-                   : refuse(path, row, "longer than 65534 bytes, or no text");
+                   : hid_rows_error(path, row, "longer than 65534 bytes, or no text");
     }
     if (code == EXIT_OK && ferror(file)) {
-        return hid_tell_io(path);
+        return hid_file_print_error(path);
     }
-    return code == EXIT_OK ? judge(&of) : code;
+    return code == EXIT_OK ? hid_rows_check_id(&of) : code;
 }

@@ -28,7 +28,7 @@ static enum exit_code tell_open(const char *path)
                     path, strerror(errno));
         return EXIT_IO;
     }
-    return hid_tell_io(path);
+    return hid_file_print_error(path);
 }
 
 /* ---- Descriptors ----------------------------------------------------------------------------- */
@@ -38,11 +38,11 @@ static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, cons
     struct hidraw_report_descriptor said = { .size = 0 };
     int size = 0;
     if (ioctl(file, HIDIOCGRDESCSIZE, &size) < 0) {
-        return hid_tell_io(path);
+        return hid_file_print_error(path);
     }
     said.size = (uint32_t)size;
     if (ioctl(file, HIDIOCGRDESC, &said) < 0) {
-        return hid_tell_io(path);
+        return hid_file_print_error(path);
     }
     const enum hid_error error = hid_descriptor_read(descriptor, said.value, said.size);
     if (error) {
@@ -89,10 +89,10 @@ static enum exit_code check_type(struct hid_source *source)
 {
     struct stat about;
     if (fstat(source->file, &about) != 0) {
-        return hid_tell_io(source->path);
+        return hid_file_print_error(source->path);
     }
     if (S_ISREG(about.st_mode) && about.st_size > (off_t)HID_REPORTS_SIZE_MAX) {
-        return user_file_refuse("kingyoctl hid", source->path, HID_REPORTS_SIZE_MAX, EFBIG);
+        return user_file_error("kingyoctl hid", source->path, HID_REPORTS_SIZE_MAX, EFBIG);
     }
     if (S_ISFIFO(about.st_mode) && !wait_for_writer(source)) {
         print_error("kingyoctl hid: %s: no process writes into this pipe", source->path);
@@ -142,7 +142,8 @@ static enum hid_pull end_with(enum exit_code *code, enum exit_code how)
     return HID_PULL_END;
 }
 
-static enum hid_pull refuse(const struct hid_source *source, const char *what, enum exit_code *code)
+static enum hid_pull hid_source_error(const struct hid_source *source, const char *what,
+                                      enum exit_code *code)
 {
     print_error("kingyoctl hid: %s: byte %llu: %s", source->path,
                 (unsigned long long)source->taken, what);
@@ -156,7 +157,7 @@ static enum hid_pull cut(struct hid_source *source, struct hid_report *out, enum
     const int id = hid_report_id(descriptor, (struct hid_report){ source->bytes, source->size });
     const uint32_t bits = source->size > 0 ? descriptor->report_bits[id] : 0;
     if (source->size > 0 && bits == 0) {
-        return refuse(source, "no report of this descriptor begins here", code);
+        return hid_source_error(source, "no report of this descriptor begins here", code);
     }
     const size_t whole = (bits + 7u) / 8u + descriptor->has_report_ids;
     if (source->size == 0 || source->size < whole) {
@@ -167,7 +168,7 @@ static enum hid_pull cut(struct hid_source *source, struct hid_report *out, enum
     return HID_PULL_REPORT;
 }
 
-static void forget(struct hid_source *source, size_t size)
+static void hid_source_discard(struct hid_source *source, size_t size)
 {
     source->size -= size;
     source->taken += size;
@@ -176,7 +177,8 @@ static void forget(struct hid_source *source, size_t size)
 
 /* Waits for bytes and appends them to the buffer. Returns HID_PULL_NOTHING if no bytes arrived, and
  * also if bytes were added. */
-static enum hid_pull fill(struct hid_source *source, int timeout_ms, enum exit_code *code)
+static enum hid_pull hid_source_wait_bytes(struct hid_source *source, int timeout_ms,
+                                           enum exit_code *code)
 {
     struct pollfd wait = { .fd = source->file, .events = POLLIN };
     if (poll(&wait, 1, timeout_ms) <= 0) {
@@ -189,7 +191,7 @@ static enum hid_pull fill(struct hid_source *source, int timeout_ms, enum exit_c
         return end_with(code, EXIT_IO);
     }
     if (size < 0 && errno != EINTR && errno != EAGAIN) {
-        return end_with(code, hid_tell_io(source->path));
+        return end_with(code, hid_file_print_error(source->path));
     }
     source->at_end = size == 0;
     source->size += size > 0 ? (size_t)size : 0;
@@ -200,7 +202,7 @@ static enum hid_pull pull_from_node(struct hid_source *source, int timeout_ms,
                                     struct hid_report *out, enum exit_code *code)
 {
     source->size = 0;
-    const enum hid_pull pull = fill(source, timeout_ms, code);
+    const enum hid_pull pull = hid_source_wait_bytes(source, timeout_ms, code);
     if (pull == HID_PULL_END || source->size == 0) {
         return source->at_end ? end_with(code, EXIT_OK) : pull;
     }
@@ -214,15 +216,15 @@ enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct 
     if (source->is_node) {
         return pull_from_node(source, timeout_ms, out, code);
     }
-    forget(source, source->given);
+    hid_source_discard(source, source->given);
     source->given = 0;
     enum hid_pull pull = cut(source, out, code);
     if (pull == HID_PULL_NOTHING && !source->at_end) {
-        pull = fill(source, timeout_ms, code);
+        pull = hid_source_wait_bytes(source, timeout_ms, code);
         return pull == HID_PULL_NOTHING ? cut(source, out, code) : pull;
     }
     if (pull == HID_PULL_NOTHING) {
-        return source->size > 0 ? refuse(source, "ends within a report", code)
+        return source->size > 0 ? hid_source_error(source, "ends within a report", code)
                                 : end_with(code, EXIT_OK);
     }
     return pull;

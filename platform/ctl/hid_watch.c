@@ -57,7 +57,7 @@ static void stop(int signal_number)
     is_stopped = 1;
 }
 
-static uint64_t now_ns(void)
+static uint64_t hid_watch_now_ns(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
@@ -103,7 +103,7 @@ static char *picture(const struct watch *watch)
     return text;
 }
 
-static void draw(struct watch *watch, uint64_t time_ns)
+static void hid_watch_draw(struct watch *watch, uint64_t time_ns)
 {
     if (time_ns - watch->picture_ns < PICTURE_NS) {
         return;
@@ -118,16 +118,16 @@ static void draw(struct watch *watch, uint64_t time_ns)
     fflush(stdout);
 }
 
-static void take(struct watch *watch, struct hid_report report)
+static void hid_watch_add_report(struct watch *watch, struct hid_report report)
 {
-    const uint64_t time_ns = now_ns();
+    const uint64_t time_ns = hid_watch_now_ns();
     if (!watch->on_terminal) {
         print_report(watch, report, time_ns);
     }
     hid_live_report(&watch->live, report, time_ns);
 }
 
-static enum exit_code look(struct watch *watch, uint32_t seconds)
+static enum exit_code hid_watch_loop(struct watch *watch, uint32_t seconds)
 {
     enum exit_code code = EXIT_OK;
     const uint64_t end_ns = seconds ? watch->begin_ns + seconds * 1000000000ull : UINT64_MAX;
@@ -135,12 +135,12 @@ static enum exit_code look(struct watch *watch, uint32_t seconds)
         struct hid_report report;
         const enum hid_pull pull = hid_source_pull(&watch->source, WAIT_MS, &report, &code);
         if (pull == HID_PULL_REPORT) {
-            take(watch, report);
+            hid_watch_add_report(watch, report);
         }
-        const uint64_t time_ns = now_ns();
+        const uint64_t time_ns = hid_watch_now_ns();
         hid_live_time(&watch->live, time_ns);
         if (watch->on_terminal) {
-            draw(watch, time_ns);
+            hid_watch_draw(watch, time_ns);
         }
         if (pull == HID_PULL_END || is_stopped || ferror(stdout) || time_ns >= end_ns) {
             return code;
@@ -170,9 +170,9 @@ static enum exit_code watch_one(const struct watch_options *options)
     hid_file_id(options->descriptor_path ? options->descriptor_path : options->path, watch.id);
     hid_live_begin(&watch.live, &watch.descriptor, options->path);
     watch.on_terminal = isatty(STDOUT_FILENO) != 0;
-    watch.begin_ns = now_ns();
+    watch.begin_ns = hid_watch_now_ns();
     fputs(watch.on_terminal ? SCREEN_BEGIN : HID_VALUE_HEADER "\ttime_ms\n", stdout);
-    const enum exit_code end = look(&watch, options->seconds);
+    const enum exit_code end = hid_watch_loop(&watch, options->seconds);
     if (watch.on_terminal) { /* The last view stays visible on the normal screen. */
         printf(SCREEN_END "%s", picture(&watch));
     }
@@ -183,8 +183,8 @@ static enum exit_code watch_one(const struct watch_options *options)
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
-static enum exit_code take_option(struct watch_options *options, const char *word,
-                                  const char *value)
+static enum exit_code hid_watch_take_option(struct watch_options *options, const char *word,
+                                            const char *value)
 {
     if (strcmp(word, "--descriptor") == 0 && value) {
         options->descriptor_path = value;
@@ -203,7 +203,7 @@ enum exit_code hid_watch(int argc, const char *const *argv)
     for (int i = 0; i < argc; i++) {
         if (argv[i][0] == '-' && argv[i][1]) {
             const enum exit_code code =
-                take_option(&options, argv[i], i + 1 < argc ? argv[i + 1] : NULL);
+                hid_watch_take_option(&options, argv[i], i + 1 < argc ? argv[i + 1] : NULL);
             if (code != EXIT_OK) {
                 return code;
             }

@@ -41,7 +41,8 @@ struct builder {
     } boxes[PART_COUNT][SIDE_LEFT + 1];
 };
 
-static enum species_side side_of(const struct builder *b, enum species_part part, uint32_t t)
+static enum species_side import_build_side_of(const struct builder *b, enum species_part part,
+                                              uint32_t t)
 {
     const struct import_mesh *m = b->mesh;
     float x = 0.0f;
@@ -64,7 +65,7 @@ static void measure_parts(struct builder *b)
 {
     for (uint32_t t = 0; t < b->mesh->triangle_count; t++) {
         const enum species_part part = part_of(b, t);
-        struct part_box *box = &b->boxes[part][side_of(b, part, t)];
+        struct part_box *box = &b->boxes[part][import_build_side_of(b, part, t)];
         for (uint32_t k = 0; k < 3; k++) {
             const vec3 p = b->mesh->positions[b->key][b->mesh->triangles[t][k]];
             box->low = box->used ? v3(fminf(box->low.x, p.x), fminf(box->low.y, p.y),
@@ -118,7 +119,7 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
     const struct import_mesh *m = b->mesh;
     const uint32_t vertex = m->triangles[t][k];
     struct corner corner = { .part = (uint8_t)part_of(b, t) };
-    corner.side = (uint8_t)side_of(b, part_of(b, t), t);
+    corner.side = (uint8_t)import_build_side_of(b, part_of(b, t), t);
     for (uint32_t key = 0; key < m->key_count; key++) {
         const vec3 p = m->positions[key][vertex];
         corner.at[key][0] = morph_count(p.x, b->reach);
@@ -293,7 +294,7 @@ static void make_normals(struct builder *b, uint32_t index_count)
                 vec3 *sum = &sums[b->place[t[k]]];
                 const float side = v3_dot(*sum, normal) < 0.0f &&
                                    b->tables->vertices[t[k]].part >= PART_TAIL ? -1.0f : 1.0f;
-                *sum = v3_mad(*sum, normal, side);
+                *sum = v3_muladd(*sum, normal, side);
             }
         }
         for (uint32_t i = 0; i < b->out->vertex_count; i++) {

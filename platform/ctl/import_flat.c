@@ -29,7 +29,7 @@ struct assimp {
 
 /* Loads a function of the library. The bytes are copied because C does not convert an object
  * pointer to a function pointer, and POSIX guarantees equal representations. */
-static bool take(void *library, const char *name, void *function)
+static bool import_flat_load_symbol(void *library, const char *name, void *function)
 {
     void *const symbol = dlsym(library, name);
     memcpy(function, &symbol, sizeof symbol);
@@ -45,14 +45,14 @@ static bool load(struct assimp *assimp)
     if (!library) {
         return false;
     }
-    return take(library, "aiImportFile", &assimp->read) &&
-           take(library, "aiGetErrorString", &assimp->error) &&
-           take(library, "aiReleaseImport", &assimp->release) &&
-           take(library, "aiAttachLogStream", &assimp->attach) &&
-           take(library, "aiDetachAllLogStreams", &assimp->detach);
+    return import_flat_load_symbol(library, "aiImportFile", &assimp->read) &&
+           import_flat_load_symbol(library, "aiGetErrorString", &assimp->error) &&
+           import_flat_load_symbol(library, "aiReleaseImport", &assimp->release) &&
+           import_flat_load_symbol(library, "aiAttachLogStream", &assimp->attach) &&
+           import_flat_load_symbol(library, "aiDetachAllLogStreams", &assimp->detach);
 }
 
-bool import_knows_scenes(void)
+bool import_flat_is_available(void)
 {
     return true;
 }
@@ -68,7 +68,7 @@ bool import_can_flatten(char why[IMPORT_WHY_SIZE])
     return true;
 }
 
-bool flat_refuse(struct flattening *f, const char *text)
+bool import_flat_error(struct flattening *f, const char *text)
 {
     snprintf(f->why, IMPORT_WHY_SIZE, "%s", text);
     return false;
@@ -201,18 +201,19 @@ static bool flatten(struct flattening *f)
 {
     struct import_mesh *mesh = f->mesh;
     if (!f->scene->mRootNode || f->scene->mNumMeshes == 0) {
-        return flat_refuse(f, "no mesh");
+        return import_flat_error(f, "no mesh");
     }
     mesh->is_ours = made_by_us(f->scene);
-    if (!flat_choose_keys(f) || !flat_read_weights(f)) {
+    if (!import_keys_choose(f) || !import_keys_read_weights(f)) {
         return false;
     }
-    if (!standing_fill(&f->standing, f->scene)) {
-        return flat_refuse(f, "more than 4096 nodes");
+    if (!import_nodes_fill(&f->standing, f->scene)) {
+        return import_flat_error(f, "more than 4096 nodes");
     }
     memcpy(mesh->scales, f->standing.scales, sizeof mesh->scales);
     read_life(f);
-    return flat_add_meshes(f) && (mesh->triangle_count > 0 || flat_refuse(f, "no triangles"));
+    return import_shapes_add_meshes(f) &&
+           (mesh->triangle_count > 0 || import_flat_error(f, "no triangles"));
 }
 
 bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
@@ -223,7 +224,7 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     f.mesh = mesh;
     f.why = why;
     if (!load(&assimp)) {
-        return flat_refuse(&f, "libassimp is gone");
+        return import_flat_error(&f, "libassimp is gone");
     }
     char dropped = 0;
     const struct aiLogStream log = { listen, &dropped };
@@ -233,15 +234,16 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     if (!f.scene) {
         return refuse_scene(&f, assimp.error());
     }
-    const bool good = dropped ? flat_refuse(&f, "a triangle that names a vertex that is not there")
-                              : flatten(&f);
+    const bool good =
+        dropped ? import_flat_error(&f, "a triangle that names a vertex that is not there")
+                : flatten(&f);
     assimp.release(f.scene);
     return good;
 }
 
 #else /* Built without assimp. */
 
-bool import_knows_scenes(void)
+bool import_flat_is_available(void)
 {
     return false;
 }

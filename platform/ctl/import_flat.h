@@ -12,11 +12,11 @@ bool import_can_flatten(char why[IMPORT_WHY_SIZE]);
  * scene cannot be used.
  *
  * Call this function only in a child process, because a hostile file may crash the importer. The
- * caller must validate `mesh` with import_vet(). */
+ * caller must validate `mesh` with import_validate(). */
 bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE]);
 
 /* Checks a received mesh against every bound of import_mesh.h. Returns null, or the error text. The
  * text may be stored in `room`. */
-const char *import_vet(const struct import_mesh *mesh, char room[IMPORT_WHY_SIZE / 2]);
+const char *import_validate(const struct import_mesh *mesh, char room[IMPORT_WHY_SIZE / 2]);
 
 #endif

@@ -18,7 +18,7 @@ struct flattening {
     struct import_mesh *mesh;
     const struct aiScene *scene;
     char *why;
-    struct standing standing;
+    struct import_nodes standing;
     uint32_t target_count;           /* Smallest number of targets of the meshes that have
                                         targets. */
     bool sampled;                    /* Whether key shapes are samples of the animation and not
@@ -28,22 +28,22 @@ struct flattening {
 };
 
 /* Writes `text` as the reason and returns false. */
-bool flat_refuse(struct flattening *f, const char *text);
+bool import_flat_error(struct flattening *f, const char *text);
 
-/* Selects the key shapes and their names. Returns false after flat_refuse(). Defined in
+/* Selects the key shapes and their names. Returns false after import_flat_error(). Defined in
  * import_keys.c. */
-bool flat_choose_keys(struct flattening *f);
+bool import_keys_choose(struct flattening *f);
 
-/* Reads the graph of the key shapes' animation. Returns false after flat_refuse(). Defined in
+/* Reads the graph of the key shapes' animation. Returns false after import_flat_error(). Defined in
  * import_keys.c. */
-bool flat_read_weights(struct flattening *f);
+bool import_keys_read_weights(struct flattening *f);
 
 /* Adds the weights of `channel` at the time of key shape `key` to `out`. */
-void flat_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
-                     uint32_t key, float out[TARGET_MAX]);
+void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
+                            uint32_t key, float out[TARGET_MAX]);
 
-/* Adds every node's meshes in every key shape. Returns false after flat_refuse(). Defined in
+/* Adds every node's meshes in every key shape. Returns false after import_flat_error(). Defined in
  * import_shapes.c. */
-bool flat_add_meshes(struct flattening *f);
+bool import_shapes_add_meshes(struct flattening *f);
 
 #endif

@@ -27,10 +27,10 @@ static void add_weights(const struct aiMeshMorphKey *moment, float share, float 
 }
 
 /* Interpolates linearly between the keyframes before and after the time of the key shape. */
-void flat_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
-                     uint32_t key, float out[TARGET_MAX])
+void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
+                            uint32_t key, float out[TARGET_MAX])
 {
-    const double time = standing_time(&f->standing, key);
+    const double time = import_nodes_time(&f->standing, key);
     uint32_t i = 0;
     while (i + 1 < channel->mNumKeys && channel->mKeys[i + 1].mTime <= time) {
         i++;
@@ -63,7 +63,7 @@ static const struct aiMesh *plainest(const struct flattening *f)
  * or moving nodes change the shapes, or if meshes have different numbers of targets. */
 static bool needs_sampling(const struct flattening *f)
 {
-    bool more = standing_moves(f->scene);
+    bool more = import_nodes_moves(f->scene);
     for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
         const struct aiMesh *mesh = f->scene->mMeshes[i];
         more = more || mesh->mNumBones > 0 ||
@@ -170,7 +170,7 @@ static uint32_t most_shown(const struct flattening *f, uint32_t key)
     const struct aiMeshMorphAnim *channel = first_weights(f);
     float weights[TARGET_MAX] = { 0 }, base = 1.0f;
     uint32_t most = KEY_BASE;
-    flat_weights_at(f, channel, key, weights);
+    import_keys_weights_at(f, channel, key, weights);
     for (uint32_t t = 0; t < f->target_count; t++) {
         base -= weights[t];
     }
@@ -183,7 +183,7 @@ static uint32_t most_shown(const struct flattening *f, uint32_t key)
     return most;
 }
 
-bool flat_choose_keys(struct flattening *f)
+bool import_keys_choose(struct flattening *f)
 {
     const struct aiMesh *plain = plainest(f);
     f->target_count = plain ? plain->mNumAnimMeshes : 0;
@@ -191,7 +191,7 @@ bool flat_choose_keys(struct flattening *f)
     const bool twice = !f->sampled && base_comes_twice(f);
     const uint32_t count = f->target_count + (twice ? 0u : 1u);
     if (count > MORPH_KEY_MAX) {
-        return flat_refuse(f, "more than 7 morph targets");
+        return import_flat_error(f, "more than 7 morph targets");
     }
     f->mesh->key_count = f->standing.key_count = count;
     for (uint32_t key = 0; key < count; key++) {
@@ -212,8 +212,8 @@ bool flat_choose_keys(struct flattening *f)
 }
 
 /* Copies the animation of the weights, which becomes the graph, if key shapes are morph targets.
- * Returns false after flat_refuse(). */
-bool flat_read_weights(struct flattening *f)
+ * Returns false after import_flat_error(). */
+bool import_keys_read_weights(struct flattening *f)
 {
     struct import_mesh *m = f->mesh;
     const struct aiMeshMorphAnim *channel = first_weights(f);
@@ -221,7 +221,7 @@ bool flat_read_weights(struct flattening *f)
         return true;
     }
     if (channel->mNumKeys > IMPORT_TIME_MAX) {
-        return flat_refuse(f, "an animation of more than 4096 moments");
+        return import_flat_error(f, "an animation of more than 4096 moments");
     }
     for (uint32_t i = 0; i < channel->mNumKeys; i++) {
         const struct aiMeshMorphKey *moment = &channel->mKeys[i];

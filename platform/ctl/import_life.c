@@ -19,7 +19,7 @@
 #define SAME_SIZE 0.01f
 #define UNSET 255u
 
-static enum exit_code refuse(char why[IMPORT_WHY_SIZE], const char *text)
+static enum exit_code import_life_error(char why[IMPORT_WHY_SIZE], const char *text)
 {
     snprintf(why, IMPORT_WHY_SIZE, "%s", text);
     return EXIT_BAD_DATA;
@@ -45,7 +45,7 @@ static void tame(const char *from, uint32_t key, char out[SPECIES_NAME_SIZE])
     }
 }
 
-static void name_keys(const struct import_mesh *mesh, const struct import_plan *plan,
+static void name_keys(const struct import_mesh *mesh, const struct import_options *plan,
                       struct species_card *card)
 {
     for (uint32_t key = 0; key < card->key_count; key++) {
@@ -66,9 +66,8 @@ static void name_keys(const struct import_mesh *mesh, const struct import_plan *
 /* Sets the lengths of the key shapes. The first available source is used: the plan, the file,
  * `like`, the sizes of the shapes. Returns false if only the sizes are available and all sizes are
  * equal. */
-static bool set_lengths(const struct import_mesh *mesh, const struct import_plan *plan,
-                        const struct import_report *report,
-                        struct species_card *card)
+static bool set_lengths(const struct import_mesh *mesh, const struct import_options *plan,
+                        const struct import_report *report, struct species_card *card)
 {
     float least = INFINITY, most = 0.0f;
     for (uint32_t key = 0; key < card->key_count; key++) {
@@ -86,7 +85,7 @@ static bool set_lengths(const struct import_mesh *mesh, const struct import_plan
            most > least * (1.0f + SAME_SIZE);
 }
 
-static void set_growth(const struct import_plan *plan, struct species_card *card)
+static void set_growth(const struct import_options *plan, struct species_card *card)
 {
     struct growth *g = &card->growth;
     const uint32_t last = card->key_count - 1u;
@@ -121,7 +120,7 @@ static void set_growth(const struct import_plan *plan, struct species_card *card
 /* Sets the ages of the key shapes and the growth that agrees with them. The first available source
  * is used: ages of the plan, growth of the plan, the file, `like`, a default of one month between
  * key shapes. */
-static void set_ages(const struct import_mesh *mesh, const struct import_plan *plan,
+static void set_ages(const struct import_mesh *mesh, const struct import_options *plan,
                      struct species_card *card)
 {
     const bool by_growth = plan->age_count == 0 && plan->growth_count > 0;
@@ -138,7 +137,7 @@ static void set_ages(const struct import_mesh *mesh, const struct import_plan *p
 }
 
 /* Returns whether ages or lengths come from a source other than `like`. */
-static bool has_own_life(const struct import_mesh *mesh, const struct import_plan *plan)
+static bool has_own_life(const struct import_mesh *mesh, const struct import_options *plan)
 {
     return !plan->like || (mesh && mesh->has_life) || plan->length_count > 0 ||
            plan->age_count > 0 || plan->growth_count > 0;
@@ -218,19 +217,19 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
     report->knot_count = count;
 }
 
-static void set_graph(const struct import_mesh *mesh, const struct import_plan *plan,
+static void set_graph(const struct import_mesh *mesh, const struct import_options *plan,
                       struct species_card *card, struct import_report *report)
 {
     card->curve_count = 1;
     memset(card->curve_names, 0, sizeof card->curve_names);
     memcpy(card->curve_names[0], "whole", sizeof "whole");
-    if (plan->template != TEMPLATE_OWN) {
-        graph_template(&card->curves[0], (enum graph_template)plan->template, card->key_count,
+    if (plan->template_id != TEMPLATE_OWN) {
+        template_graph(&card->curves[0], (enum graph_template)plan->template_id, card->key_count,
                        SIMULTANEOUS_PEAK);
     } else if (mesh->time_count >= 2) {
         draw_graph(mesh, &card->curves[0], report);
     } else if (!plan->like) {
-        graph_template(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count, SIMULTANEOUS_PEAK);
+        template_graph(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count, SIMULTANEOUS_PEAK);
     }
 }
 
@@ -261,7 +260,7 @@ static bool mean_colour(const struct import_mesh *mesh, enum species_part part, 
     return count > 0;
 }
 
-static void set_coats(const struct import_mesh *mesh, const struct import_plan *plan,
+static void set_coats(const struct import_mesh *mesh, const struct import_options *plan,
                       struct species *species)
 {
     struct species_coat coat = { .back = 0x3b4a52, .flank = 0x8a979c, .belly = 0xe6e4da,
@@ -294,7 +293,7 @@ static void set_coats(const struct import_mesh *mesh, const struct import_plan *
     }
 }
 
-static bool counts_agree(uint32_t key_count, const struct import_plan *plan,
+static bool counts_agree(uint32_t key_count, const struct import_options *plan,
                          char why[IMPORT_WHY_SIZE])
 {
     const struct {
@@ -314,13 +313,13 @@ static bool counts_agree(uint32_t key_count, const struct import_plan *plan,
     return true;
 }
 
-static void set_id(const struct import_plan *plan, struct species_card *card)
+static void set_id(const struct import_options *plan, struct species_card *card)
 {
     memset(card->id, 0, sizeof card->id);
     snprintf(card->id, sizeof card->id, "%s", plan->id);
 }
 
-enum exit_code import_fitted_life(const struct import_plan *plan, struct species_card *card,
+enum exit_code import_fitted_life(const struct import_options *plan, struct species_card *card,
                                   char why[IMPORT_WHY_SIZE])
 {
     if (!counts_agree(card->key_count, plan, why)) {
@@ -341,7 +340,7 @@ enum exit_code import_fitted_life(const struct import_plan *plan, struct species
     return EXIT_OK;
 }
 
-enum exit_code import_life(const struct import_mesh *mesh, const struct import_plan *plan,
+enum exit_code import_life(const struct import_mesh *mesh, const struct import_options *plan,
                            struct species_slot *slot, struct import_report *report,
                            char why[IMPORT_WHY_SIZE])
 {
@@ -365,7 +364,7 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_p
         name_keys(mesh, plan, card);
     }
     if (!set_lengths(mesh, plan, report, card)) {
-        return refuse(why, "lengths: all shapes are one size; say --lengths-mm A,B,C");
+        return import_life_error(why, "lengths: all shapes are one size; say --lengths-mm A,B,C");
     }
     if (has_own_life(mesh, plan)) {
         set_ages(mesh, plan, card);

@@ -64,6 +64,6 @@ enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *pa
 enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why[IMPORT_WHY_SIZE]);
 
 /* Returns whether this program was built with assimp's headers. */
-bool import_knows_scenes(void);
+bool import_flat_is_available(void);
 
 #endif

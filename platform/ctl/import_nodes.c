@@ -8,14 +8,14 @@
 
 #include "platform/ctl/import_nodes.h"
 
-struct place place_of(const struct aiMatrix4x4 *a)
+struct place import_nodes_place_of(const struct aiMatrix4x4 *a)
 {
     return (struct place){ { { a->a1, a->a2, a->a3, a->a4 },
                              { a->b1, a->b2, a->b3, a->b4 },
                              { a->c1, a->c2, a->c3, a->c4 } } };
 }
 
-struct place place_within(const struct place *outer, const struct place *inner)
+struct place import_nodes_place_within(const struct place *outer, const struct place *inner)
 {
     struct place p;
     for (int i = 0; i < 3; i++) {
@@ -29,7 +29,7 @@ struct place place_within(const struct place *outer, const struct place *inner)
     return p;
 }
 
-vec3 place_apply(const struct place *p, vec3 a)
+vec3 import_nodes_apply(const struct place *p, vec3 a)
 {
     float out[3];
     for (int i = 0; i < 3; i++) {
@@ -101,7 +101,7 @@ static const struct aiNodeAnim *motion_of(const struct aiScene *scene, const str
     return NULL;
 }
 
-double standing_time(const struct standing *s, uint32_t key)
+double import_nodes_time(const struct import_nodes *s, uint32_t key)
 {
     const double last = fmax((double)s->key_count - 1.0, 1.0);
     return s->begin + (s->end - s->begin) * (double)key / last;
@@ -109,9 +109,9 @@ double standing_time(const struct standing *s, uint32_t key)
 
 /* Returns the transform of an animated node at a key shape. A uniform scale that is animated
  * represents growth. Such a scale is stored as the size of the key shape and not applied. */
-static struct place moved(struct standing *s, const struct aiNodeAnim *motion, uint32_t key)
+static struct place moved(struct import_nodes *s, const struct aiNodeAnim *motion, uint32_t key)
 {
-    const double time = standing_time(s, key);
+    const double time = import_nodes_time(s, key);
     const vec3 at = vector_at(motion->mPositionKeys, motion->mNumPositionKeys, time);
     vec3 scale = vector_at(motion->mScalingKeys, motion->mNumScalingKeys, time);
     float q[4];
@@ -132,20 +132,21 @@ static struct place moved(struct standing *s, const struct aiNodeAnim *motion, u
     };
 }
 
-static void stand(struct standing *s, const struct aiScene *scene, const struct aiNode *node,
-                  const struct standing_node *parent)
+static void stand(struct import_nodes *s, const struct aiScene *scene, const struct aiNode *node,
+                  const struct import_nodes_node *parent)
 {
     const struct aiNodeAnim *motion = s->end > s->begin ? motion_of(scene, node) : NULL;
-    struct standing_node *out = &s->nodes[s->node_count++];
+    struct import_nodes_node *out = &s->nodes[s->node_count++];
     out->node = node;
     for (uint32_t key = 0; key < s->key_count; key++) {
-        const struct place own = motion ? moved(s, motion, key) : place_of(&node->mTransformation);
-        out->at[key] = parent ? place_within(&parent->at[key], &own) : own;
+        const struct place own =
+            motion ? moved(s, motion, key) : import_nodes_place_of(&node->mTransformation);
+        out->at[key] = parent ? import_nodes_place_within(&parent->at[key], &own) : own;
     }
 }
 
 /* Traverses the node tree in breadth-first order. The array of nodes is also the queue. */
-bool standing_fill(struct standing *s, const struct aiScene *scene)
+bool import_nodes_fill(struct import_nodes *s, const struct aiScene *scene)
 {
     s->node_count = 0;
     for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
@@ -163,7 +164,7 @@ bool standing_fill(struct standing *s, const struct aiScene *scene)
     return true;
 }
 
-const struct standing_node *standing_find(const struct standing *s, const char *name)
+const struct import_nodes_node *import_nodes_find(const struct import_nodes *s, const char *name)
 {
     for (uint32_t i = 0; i < s->node_count; i++) {
         if (strcmp(s->nodes[i].node->mName.data, name) == 0) {
@@ -173,7 +174,7 @@ const struct standing_node *standing_find(const struct standing *s, const char *
     return NULL;
 }
 
-bool standing_moves(const struct aiScene *scene)
+bool import_nodes_moves(const struct aiScene *scene)
 {
     const struct aiAnimation *animation =
         scene->mNumAnimations > 0 ? scene->mAnimations[0] : NULL;

@@ -29,7 +29,8 @@ struct obj {
     float uv[IMPORT_VERTEX_MAX][2]; /* Texture coordinates in the order of the `vt` lines. */
 };
 
-__attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static bool import_obj_error(struct obj *o,
+                                                                   const char *format, ...)
 {
     char text[IMPORT_WHY_SIZE / 2];
     va_list values;
@@ -42,7 +43,7 @@ __attribute__((format(printf, 2, 3))) static bool refuse(struct obj *o, const ch
 }
 
 /* Parses up to `count` numbers at `text`. Returns how many numbers were found, or -1 after
- * refuse(). */
+ * import_obj_error(). */
 static int numbers(struct obj *o, const char *text, float *out, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -54,8 +55,9 @@ static int numbers(struct obj *o, const char *text, float *out, int count)
         if (!(fabsf(value) <= IMPORT_REACH_MAX)) {
             const char *word = text + strspn(text, " \t");
             const size_t length = strcspn(word, " \t\r\n");
-            refuse(o, "'%.*s' is no number from %g to %g", (int)(length < 20 ? length : 20), word,
-                   -(double)IMPORT_REACH_MAX, (double)IMPORT_REACH_MAX);
+            import_obj_error(o, "'%.*s' is no number from %g to %g",
+                             (int)(length < 20 ? length : 20), word, -(double)IMPORT_REACH_MAX,
+                             (double)IMPORT_REACH_MAX);
             return -1;
         }
         out[i] = value;
@@ -78,12 +80,12 @@ static bool read_vertex(struct obj *o, const char *text)
     float x[6];
     const int count = numbers(o, text, x, 6);
     if (count < 3) {
-        return count < 0 ? false : refuse(o, "a vertex has three numbers");
+        return count < 0 ? false : import_obj_error(o, "a vertex has three numbers");
     }
     const uint32_t limit = o->key == 0 ? IMPORT_VERTEX_MAX : o->mesh->vertex_count;
     if (o->vertex_count == limit) {
-        return refuse(o, "more than %u vertices%s", limit,
-                      o->key == 0 ? "" : ", which the first shape has");
+        return import_obj_error(o, "more than %u vertices%s", limit,
+                                o->key == 0 ? "" : ", which the first shape has");
     }
     o->mesh->positions[o->key][o->vertex_count] = v3(x[0], x[1], x[2]);
     if (o->key == 0) {
@@ -97,11 +99,11 @@ static bool read_vertex(struct obj *o, const char *text)
 static bool read_uv(struct obj *o, const char *text)
 {
     if (o->uv_count == IMPORT_VERTEX_MAX) {
-        return refuse(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
+        return import_obj_error(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
     }
     const int count = numbers(o, text, o->uv[o->uv_count], 2);
     if (count < 2) {
-        return count < 0 ? false : refuse(o, "a texture coordinate has two numbers");
+        return count < 0 ? false : import_obj_error(o, "a texture coordinate has two numbers");
     }
     o->uv_count++;
     return true;
@@ -124,11 +126,12 @@ static bool read_corner(struct obj *o, const char *word, uint32_t *out)
     errno = 0;
     const long vertex = strtol(word, &end, 10);
     if (end == word || errno != 0 || !index_of(vertex, o->vertex_count, out)) {
-        return refuse(o, "corner '%.30s' names no vertex above this line", word);
+        return import_obj_error(o, "corner '%.30s' names no vertex above this line", word);
     }
     if (end[0] == '/' && end[1] != '/') {
         if (!index_of(strtol(end + 1, NULL, 10), o->uv_count, &uv)) {
-            return refuse(o, "corner '%.30s' names no texture coordinate above this line", word);
+            return import_obj_error(o, "corner '%.30s' names no texture coordinate above this line",
+                                    word);
         }
         if (o->key == 0) {
             memcpy(o->mesh->uv[*out], o->uv[uv], sizeof o->uv[uv]);
@@ -144,14 +147,14 @@ static bool add_triangle(struct obj *o, uint32_t a, uint32_t b, uint32_t c)
     const uint32_t corner[3] = { a, b, c };
     const uint32_t limit = o->key == 0 ? IMPORT_TRIANGLE_MAX : m->triangle_count;
     if (o->triangle_count == limit) {
-        return refuse(o, "more than %u triangles%s", limit,
-                      o->key == 0 ? "" : ", which the first shape has");
+        return import_obj_error(o, "more than %u triangles%s", limit,
+                                o->key == 0 ? "" : ", which the first shape has");
     }
     if (o->key == 0) {
         memcpy(m->triangles[o->triangle_count], corner, sizeof corner);
         m->groups[o->triangle_count] = o->group;
     } else if (memcmp(m->triangles[o->triangle_count], corner, sizeof corner) != 0) {
-        return refuse(o, "this face joins other vertices than in the first shape");
+        return import_obj_error(o, "this face joins other vertices than in the first shape");
     }
     o->triangle_count++;
     return true;
@@ -164,14 +167,14 @@ static bool read_face(struct obj *o, char *text)
     for (char *word = strtok_r(text, " \t\r\n", &rest); word;
          word = strtok_r(NULL, " \t\r\n", &rest)) {
         if (count == CORNER_MAX) {
-            return refuse(o, "a face of more than %d corners", CORNER_MAX);
+            return import_obj_error(o, "a face of more than %d corners", CORNER_MAX);
         }
         if (!read_corner(o, word, &corner[count++])) {
             return false;
         }
     }
     if (count < 3) {
-        return refuse(o, "a face has three corners");
+        return import_obj_error(o, "a face has three corners");
     }
     for (uint32_t i = 2; i < count; i++) {
         if (!add_triangle(o, corner[0], corner[i - 1], corner[i])) {
@@ -198,13 +201,13 @@ static bool read_group(struct obj *o, char *text)
         }
     }
     if (m->group_count == IMPORT_GROUP_MAX) {
-        return refuse(o, "more than %u groups", IMPORT_GROUP_MAX);
+        return import_obj_error(o, "more than %u groups", IMPORT_GROUP_MAX);
     }
     memcpy(m->group_names[m->group_count++], cut, sizeof cut);
     return true;
 }
 
-static bool read_line(struct obj *o, char *text)
+static bool import_obj_read_line(struct obj *o, char *text)
 {
     char *word = text + strspn(text, " \t");
     if (strncmp(word, "v ", 2) == 0 || strncmp(word, "v\t", 2) == 0) {
@@ -226,14 +229,15 @@ static bool check_whole(struct obj *o)
 {
     struct import_mesh *m = o->mesh;
     if (o->vertex_count == 0 || o->triangle_count == 0) {
-        return refuse(o, "no %s", o->vertex_count == 0 ? "vertices" : "faces");
+        return import_obj_error(o, "no %s", o->vertex_count == 0 ? "vertices" : "faces");
     }
     if (o->key == 0) {
         m->vertex_count = o->vertex_count;
         m->triangle_count = o->triangle_count;
     } else if (o->vertex_count != m->vertex_count || o->triangle_count != m->triangle_count) {
-        return refuse(o, "%u vertices and %u triangles, and the first shape has %u and %u",
-                      o->vertex_count, o->triangle_count, m->vertex_count, m->triangle_count);
+        return import_obj_error(
+            o, "%u vertices and %u triangles, and the first shape has %u and %u", o->vertex_count,
+            o->triangle_count, m->vertex_count, m->triangle_count);
     }
     m->key_count = o->key + 1;
     m->scales[o->key] = 1.0f;
@@ -243,22 +247,23 @@ static bool check_whole(struct obj *o)
 static bool read_all(struct obj *o, FILE *file)
 {
     static char text[LINE_SIZE];
-    enum plain_line got = plain_line(file, text, sizeof text);
-    for (; got != PLAIN_END; got = plain_line(file, text, sizeof text)) {
+    enum text_file_line got = text_file_line(file, text, sizeof text);
+    for (; got != TEXT_FILE_END; got = text_file_line(file, text, sizeof text)) {
         o->line++;
-        if (got != PLAIN_LINE) {
-            return got == PLAIN_LONG ? refuse(o, "the line is longer than %d", LINE_SIZE - 2)
-                                     : refuse(o, "a zero byte, and this is to be a text");
+        if (got != TEXT_FILE_LINE) {
+            return got == TEXT_FILE_LONG
+                       ? import_obj_error(o, "the line is longer than %d", LINE_SIZE - 2)
+                       : import_obj_error(o, "a zero byte, and this is to be a text");
         }
-        if (!read_line(o, text)) {
+        if (!import_obj_read_line(o, text)) {
             return false;
         }
     }
-    return ferror(file) ? refuse(o, "cannot be read further") : check_whole(o);
+    return ferror(file) ? import_obj_error(o, "cannot be read further") : check_whole(o);
 }
 
 /* Clears the data that all key shapes share. Called for the first key shape. */
-static void begin(struct import_mesh *mesh)
+static void import_obj_begin(struct import_mesh *mesh)
 {
     mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
     memset(mesh->uv, 0, sizeof mesh->uv);
@@ -273,16 +278,16 @@ enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *pa
                           char why[IMPORT_WHY_SIZE])
 {
     static struct obj o;
-    char cannot[PLAIN_WHY_SIZE];
+    char cannot[TEXT_FILE_WHY_SIZE];
     FILE *file;
-    const enum plain_open opened = plain_open(path, IMPORT_FILE_MAX, &file, cannot);
-    if (opened != PLAIN_OPEN) {
+    const enum text_file_open opened = text_file_open(path, IMPORT_FILE_MAX, &file, cannot);
+    if (opened != TEXT_FILE_OPEN) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
-        return opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
     }
     o = (struct obj){ .mesh = mesh, .key = key, .path = path, .why = why };
     if (key == 0) {
-        begin(mesh);
+        import_obj_begin(mesh);
     }
     const bool good = read_all(&o, file);
     const bool broken = ferror(file) != 0;

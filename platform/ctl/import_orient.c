@@ -53,7 +53,7 @@ enum species_part import_part(const char *group)
     return PART_BODY;
 }
 
-static float along(vec3 p, uint32_t axis)
+static float import_orient_along(vec3 p, uint32_t axis)
 {
     const float x[3] = { p.x, p.y, p.z };
     return axis < AXIS_MINUS_X ? x[axis] : -x[axis - AXIS_MINUS_X];
@@ -82,7 +82,7 @@ static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uin
             continue;
         }
         for (uint32_t k = 0; k < 3; k++) {
-            const float x = along(mesh->positions[key][mesh->triangles[i][k]], axis);
+            const float x = import_orient_along(mesh->positions[key][mesh->triangles[i][k]], axis);
             e.low = fminf(e.low, x);
             e.high = fmaxf(e.high, x);
         }
@@ -103,7 +103,9 @@ static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *
         const enum species_part part = import_part(mesh->group_names[mesh->groups[i]]);
         const double weight = (double)v3_length(v3_cross(v3_sub(b, a), v3_sub(c, a)));
         const double middle =
-            ((double)along(a, axis) + (double)along(b, axis) + (double)along(c, axis)) / 3.0;
+            ((double)import_orient_along(a, axis) + (double)import_orient_along(b, axis) +
+             (double)import_orient_along(c, axis)) /
+            3.0;
         if (part == PART_BODY || part == PART_EYE) {
             sum[part == PART_EYE] += weight * middle;
             area[part == PART_EYE] += weight;
@@ -146,7 +148,7 @@ static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *fro
     return true;
 }
 
-static void turn(struct import_mesh *mesh, uint32_t front, uint32_t up)
+static void import_orient_rotate(struct import_mesh *mesh, uint32_t front, uint32_t up)
 {
     const vec3 z = v3_scale(axis_vector(front), -1.0f), y = axis_vector(up), x = v3_cross(y, z);
     for (uint32_t key = 0; key < mesh->key_count; key++) {
@@ -183,7 +185,7 @@ static float size_of(const struct import_mesh *mesh, uint32_t key, uint8_t measu
 }
 
 /* Moves the snout to z = -0.5 and the body's middle to x = y = 0, and scales `size` to 1. */
-static void settle(struct import_mesh *mesh, uint32_t key, float size)
+static void import_orient_normalize(struct import_mesh *mesh, uint32_t key, float size)
 {
     const struct extent x = extent_of(mesh, key, AXIS_X, true);
     const struct extent y = extent_of(mesh, key, AXIS_Y, true);
@@ -196,7 +198,7 @@ static void settle(struct import_mesh *mesh, uint32_t key, float size)
     }
 }
 
-enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan *plan,
+enum exit_code import_orient(struct import_mesh *mesh, const struct import_options *plan,
                              struct import_report *report, char why[IMPORT_WHY_SIZE])
 {
     report->front = mesh->is_ours && plan->front == AXIS_NONE ? AXIS_Z : plan->front;
@@ -208,7 +210,7 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan 
                  import_axis_names[report->front], import_axis_names[plan->up]);
         return EXIT_BAD_DATA;
     }
-    turn(mesh, report->front, plan->up);
+    import_orient_rotate(mesh, report->front, plan->up);
     bool is_settled = mesh->is_ours; /* A mesh that kingyoctl wrote already has our size and
                                         position. */
     for (uint32_t key = 0; key < mesh->key_count; key++) {
@@ -221,7 +223,7 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan 
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         if (!is_settled) {
-            settle(mesh, key, report->size[key]);
+            import_orient_normalize(mesh, key, report->size[key]);
         }
         report->size[key] *= mesh->scales[key];
     }

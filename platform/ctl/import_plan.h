@@ -9,13 +9,13 @@ enum import_axis { AXIS_X, AXIS_Y, AXIS_Z, AXIS_MINUS_X, AXIS_MINUS_Y, AXIS_MINU
 
 /* Options of the import. Each *_count is the number of valid values in its array, and 0 means
  * that the option is absent. */
-struct import_plan {
+struct import_options {
     const char *id;
     uint8_t front, up;              /* Axes of the snout and of the back (enum import_axis). `front`
                                        may be AXIS_NONE, and then it is detected. */
     uint8_t measure, motion, form;  /* Values as in struct species_card. 255 selects the value of
                                        `like`, or the default without `like`. */
-    uint8_t template;               /* Graph template (enum graph_template). TEMPLATE_OWN selects
+    uint8_t template_id;            /* Graph template (enum graph_template). TEMPLATE_OWN selects
                                        the graph of the file. */
     uint32_t name_count, length_count, age_count, growth_count, colour_count;
     char names[MORPH_KEY_MAX][SPECIES_NAME_SIZE];
@@ -42,7 +42,7 @@ struct import_report {
 /* Rotates `mesh` to our axes (snout to -z, back to +y) and scales each key shape to size 1 in the
  * plan's measure. Returns EXIT_OK, or EXIT_BAD_DATA with `why`, without the file name, if the
  * orientation or the size cannot be detected. */
-enum exit_code import_orient(struct import_mesh *mesh, const struct import_plan *plan,
+enum exit_code import_orient(struct import_mesh *mesh, const struct import_options *plan,
                              struct import_report *report, char why[IMPORT_WHY_SIZE]);
 
 /* Builds the body tables of an oriented mesh for near and far views. Does not validate the species.
@@ -51,13 +51,13 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
                             struct import_report *report, char why[IMPORT_WHY_SIZE]);
 
 /* Fills the species card and the colours. Returns EXIT_OK, or EXIT_BAD_DATA with `why`. */
-enum exit_code import_life(const struct import_mesh *mesh, const struct import_plan *plan,
+enum exit_code import_life(const struct import_mesh *mesh, const struct import_options *plan,
                            struct species_slot *slot, struct import_report *report,
                            char why[IMPORT_WHY_SIZE]);
 
 /* Applies the plan to `card`, the card of a fitted template: id, names, lengths, ages and growth.
  * Returns EXIT_OK, or EXIT_BAD_DATA with `why`. */
-enum exit_code import_fitted_life(const struct import_plan *plan, struct species_card *card,
+enum exit_code import_fitted_life(const struct import_options *plan, struct species_card *card,
                                   char why[IMPORT_WHY_SIZE]);
 
 /* Returns the part of a group by words in the group's name. For example, "Fin_dorsal.L" is the

@@ -151,7 +151,7 @@ static bool vet_weights(const struct import_mesh *m, uint32_t *where)
     return true;
 }
 
-const char *import_vet(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 2])
+const char *import_validate(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 2])
 {
     uint32_t moment = 0;
     if (!vet_counts(m)) {
@@ -172,8 +172,9 @@ const char *import_vet(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 
     return NULL;
 }
 
-static enum exit_code take(struct import_mesh *mesh, struct shared *shared, const char *path,
-                           pid_t child, char why[IMPORT_WHY_SIZE])
+static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct shared *shared,
+                                             const char *path, pid_t child,
+                                             char why[IMPORT_WHY_SIZE])
 {
     char room[IMPORT_WHY_SIZE / 2];
     int status = 0;
@@ -191,7 +192,7 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
     }
     memcpy(mesh, &shared->mesh, sizeof *mesh); /* The mesh is copied before validation, so that no
                                                   other process can change it afterwards. */
-    const char *fault = import_vet(mesh, room);
+    const char *fault = import_validate(mesh, room);
     if (fault) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, fault);
         return EXIT_BAD_DATA;
@@ -204,12 +205,12 @@ static enum exit_code take(struct import_mesh *mesh, struct shared *shared, cons
 
 static enum exit_code check_file(const char *path, char why[IMPORT_WHY_SIZE])
 {
-    char cannot[PLAIN_WHY_SIZE];
+    char cannot[TEXT_FILE_WHY_SIZE];
     FILE *file;
-    const enum plain_open opened = plain_open(path, IMPORT_FILE_MAX, &file, cannot);
-    if (opened != PLAIN_OPEN) {
+    const enum text_file_open opened = text_file_open(path, IMPORT_FILE_MAX, &file, cannot);
+    if (opened != TEXT_FILE_OPEN) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
-        return opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
     }
     fclose(file);
     return EXIT_OK;
@@ -236,7 +237,7 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
         snprintf(why, IMPORT_WHY_SIZE, "no process to read with: %s", strerror(errno));
         code = EXIT_IO;
     } else {
-        code = take(mesh, shared, path, child, why);
+        code = import_scene_read_file(mesh, shared, path, child, why);
     }
     if (shared != MAP_FAILED) {
         munmap(shared, sizeof *shared);

@@ -35,7 +35,7 @@ static void target_weights(const struct flattening *f, const struct aiMesh *mesh
     }
     const struct aiMeshMorphAnim *channel = weights_of(f, node);
     if (channel && channel->mNumKeys > 0) {
-        flat_weights_at(f, channel, key, out);
+        import_keys_weights_at(f, channel, key, out);
     }
 }
 
@@ -51,14 +51,14 @@ static vec3 shape_at(const struct aiMesh *mesh, const float weights[TARGET_MAX],
     for (uint32_t t = 0; t < mesh->mNumAnimMeshes; t++) {
         const struct aiVector3D *target = mesh->mAnimMeshes[t]->mVertices;
         if (weights[t] != 0.0f && target) {
-            p = v3_mad(p, v3_sub(vector(&target[vertex]), base), weights[t]);
+            p = v3_muladd(p, v3_sub(vector(&target[vertex]), base), weights[t]);
         }
     }
     return p;
 }
 
 /* Adds the vertices of a skinned mesh, transformed by its joints. `sums` is scratch space for the
- * sum of the joint weights of each vertex. Returns false after flat_refuse(). */
+ * sum of the joint weights of each vertex. Returns false after import_flat_error(). */
 static bool add_skinned(struct flattening *f, const struct aiMesh *mesh, uint32_t key,
                         const float weights[TARGET_MAX], float *sums)
 {
@@ -67,31 +67,31 @@ static bool add_skinned(struct flattening *f, const struct aiMesh *mesh, uint32_
     memset(sums, 0, mesh->mNumVertices * sizeof *sums);
     for (uint32_t i = 0; i < mesh->mNumBones; i++) {
         const struct aiBone *bone = mesh->mBones[i];
-        const struct standing_node *joint = standing_find(&f->standing, bone->mName.data);
+        const struct import_nodes_node *joint = import_nodes_find(&f->standing, bone->mName.data);
         if (!joint) {
-            return flat_refuse(f, "a joint that is no node");
+            return import_flat_error(f, "a joint that is no node");
         }
-        const struct place offset = place_of(&bone->mOffsetMatrix);
-        const struct place at = place_within(&joint->at[key], &offset);
+        const struct place offset = import_nodes_place_of(&bone->mOffsetMatrix);
+        const struct place at = import_nodes_place_within(&joint->at[key], &offset);
         for (uint32_t k = 0; k < bone->mNumWeights; k++) {
             const struct aiVertexWeight *w = &bone->mWeights[k];
             if (w->mVertexId >= mesh->mNumVertices) {
-                return flat_refuse(f, "a joint of a vertex that is not there");
+                return import_flat_error(f, "a joint of a vertex that is not there");
             }
-            const vec3 p = place_apply(&at, shape_at(mesh, weights, w->mVertexId));
-            out[w->mVertexId] = v3_mad(out[w->mVertexId], p, w->mWeight);
+            const vec3 p = import_nodes_apply(&at, shape_at(mesh, weights, w->mVertexId));
+            out[w->mVertexId] = v3_muladd(out[w->mVertexId], p, w->mWeight);
             sums[w->mVertexId] += w->mWeight;
         }
     }
     for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
         if (!(fabsf(sums[i] - 1.0f) < 0.01f)) {
-            return flat_refuse(f, "a skinned vertex whose weights do not sum to 1");
+            return import_flat_error(f, "a skinned vertex whose weights do not sum to 1");
         }
     }
     return true;
 }
 
-static bool add_shapes(struct flattening *f, const struct standing_node *node,
+static bool add_shapes(struct flattening *f, const struct import_nodes_node *node,
                        const struct aiMesh *mesh)
 {
     static float sums[IMPORT_VERTEX_MAX];
@@ -106,7 +106,7 @@ static bool add_shapes(struct flattening *f, const struct standing_node *node,
             continue;
         }
         for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
-            out[i] = place_apply(&node->at[key], shape_at(mesh, weights, i));
+            out[i] = import_nodes_apply(&node->at[key], shape_at(mesh, weights, i));
         }
     }
     return true;
@@ -131,7 +131,7 @@ static bool add_group(struct flattening *f, const struct aiNode *node, const str
     struct aiString material = { .length = 0 };
     const char *const of = "material";
     if (m->group_count == IMPORT_GROUP_MAX) {
-        return flat_refuse(f, "more than 64 meshes");
+        return import_flat_error(f, "more than 64 meshes");
     }
     if (mesh->mMaterialIndex < f->scene->mNumMaterials) {
         const struct aiMaterial *its = f->scene->mMaterials[mesh->mMaterialIndex];
@@ -148,12 +148,12 @@ static bool add_group(struct flattening *f, const struct aiNode *node, const str
     return true;
 }
 
-static bool add_vertices(struct flattening *f, const struct standing_node *node,
+static bool add_vertices(struct flattening *f, const struct import_nodes_node *node,
                          const struct aiMesh *mesh)
 {
     struct import_mesh *m = f->mesh;
     if (mesh->mNumVertices > IMPORT_VERTEX_MAX - m->vertex_count) {
-        return flat_refuse(f, "more than 65536 vertices");
+        return import_flat_error(f, "more than 65536 vertices");
     }
     for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
         const uint32_t at = m->vertex_count + i;
@@ -179,11 +179,11 @@ static bool add_triangles(struct flattening *f, const struct aiMesh *mesh)
             continue; /* Points and lines are not part of the surface. */
         }
         if (m->triangle_count == IMPORT_TRIANGLE_MAX) {
-            return flat_refuse(f, "more than 131072 triangles");
+            return import_flat_error(f, "more than 131072 triangles");
         }
         for (uint32_t k = 0; k < 3; k++) {
             if (face->mIndices[k] >= mesh->mNumVertices) {
-                return flat_refuse(f, "a triangle that names a vertex that is not there");
+                return import_flat_error(f, "a triangle that names a vertex that is not there");
             }
             m->triangles[m->triangle_count][k] = m->vertex_count + face->mIndices[k];
         }
@@ -192,19 +192,19 @@ static bool add_triangles(struct flattening *f, const struct aiMesh *mesh)
     return true;
 }
 
-static bool add_mesh(struct flattening *f, const struct standing_node *node,
+static bool add_mesh(struct flattening *f, const struct import_nodes_node *node,
                      const struct aiMesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->mNumAnimMeshes; i++) {
         if (mesh->mAnimMeshes[i]->mNumVertices != mesh->mNumVertices) {
-            return flat_refuse(f, "a morph target of another topology than its mesh");
+            return import_flat_error(f, "a morph target of another topology than its mesh");
         }
     }
     if (mesh->mNumAnimMeshes > TARGET_MAX) {
-        return flat_refuse(f, "more than 64 morph targets");
+        return import_flat_error(f, "more than 64 morph targets");
     }
     if (!f->sampled && mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count) {
-        return flat_refuse(f, "meshes with different numbers of morph targets");
+        return import_flat_error(f, "meshes with different numbers of morph targets");
     }
     if (!add_group(f, node->node, mesh) || !add_triangles(f, mesh) ||
         !add_vertices(f, node, mesh)) {
@@ -214,10 +214,10 @@ static bool add_mesh(struct flattening *f, const struct standing_node *node,
     return true;
 }
 
-bool flat_add_meshes(struct flattening *f)
+bool import_shapes_add_meshes(struct flattening *f)
 {
     for (uint32_t n = 0; n < f->standing.node_count; n++) {
-        const struct standing_node *node = &f->standing.nodes[n];
+        const struct import_nodes_node *node = &f->standing.nodes[n];
         for (uint32_t i = 0; i < node->node->mNumMeshes; i++) {
             const uint32_t index = node->node->mMeshes[i];
             if (index < f->scene->mNumMeshes &&

@@ -47,18 +47,17 @@ static void end_at_signals(void)
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
-static enum exit_code read_wire(struct request *request, const char *text)
+static enum exit_code lines_read_wire(struct request *request, const char *text)
 {
     char why[HAL_TEXT_SIZE];
-    if (!gpio_wire_read(text, request->wires, why) ||
-        !gpio_wires_agree(request->wires, why)) {
+    if (!gpio_wire_read(text, request->wires, why) || !gpio_config_agrees(request->wires, why)) {
         return ctl_usage(name, "%s", why);
     }
     request->role = gpio_role_find(text, (size_t)(strchr(text, '=') - text));
     return EXIT_OK;
 }
 
-static enum exit_code read_words(struct request *request, int argc, const char *const *argv)
+static enum exit_code lines_read_words(struct request *request, int argc, const char *const *argv)
 {
     for (int i = 0; i < argc; i++) {
         if (strcmp(argv[i], "--seconds") == 0) {
@@ -67,7 +66,7 @@ static enum exit_code read_words(struct request *request, int argc, const char *
                 return ctl_usage(name, "--seconds wants a number from 1 to %u", SECONDS_MAX);
             }
         } else if (strchr(argv[i], '=')) {
-            const enum exit_code code = read_wire(request, argv[i]);
+            const enum exit_code code = lines_read_wire(request, argv[i]);
             if (code != EXIT_OK) {
                 return code;
             }
@@ -84,7 +83,7 @@ static enum exit_code read_words(struct request *request, int argc, const char *
 
 /* Returns whether every configured line was opened. Prints the reason for each line that was
  * not. */
-static int has_all(const struct gpio_reader *reader)
+static int has_all(const struct gpio_thread *reader)
 {
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
         if (reader->why[i][0]) {
@@ -92,21 +91,21 @@ static int has_all(const struct gpio_reader *reader)
                         reader->why[i]);
         }
     }
-    return (uint32_t)__builtin_popcount(reader->had) == gpio_wires_count(reader->wires);
+    return (uint32_t)__builtin_popcount(reader->had) == gpio_config_count(reader->wires);
 }
 
 static enum exit_code open_lines(const struct request *request)
 {
-    gpio_reader_open(&gpio.reader, gpio_lines_device(), request->wires, clock_device());
+    gpio_thread_open(&gpio.reader, gpio_lines_device(), request->wires, clock_device());
     if (!has_all(&gpio.reader)) {
-        gpio_reader_close(&gpio.reader);
+        gpio_thread_close(&gpio.reader);
         return EXIT_IO;
     }
     end_at_signals();
     return EXIT_OK;
 }
 
-static uint64_t now_ns(void)
+static uint64_t lines_now_ns(void)
 {
     const struct hal_clock clock = clock_device();
     return clock.ops->now_ns(clock.self);
@@ -115,8 +114,8 @@ static uint64_t now_ns(void)
 /* Services the lines until `until_ns`, a signal, or a write error on standard output. */
 static void step_until(uint64_t until_ns, struct lines_show *show)
 {
-    while (!is_stopped && !ferror(stdout) && now_ns() < until_ns) {
-        gpio_reader_step(&gpio.reader);
+    while (!is_stopped && !ferror(stdout) && lines_now_ns() < until_ns) {
+        gpio_thread_step(&gpio.reader);
         if (show) {
             lines_show_rows(show, stdout);
             fflush(stdout);
@@ -128,7 +127,7 @@ static void step_until(uint64_t until_ns, struct lines_show *show)
 
 static enum exit_code run_list(const struct request *request)
 {
-    if (gpio_wires_count(request->wires) > 0 || request->word || request->seconds) {
+    if (gpio_config_count(request->wires) > 0 || request->word || request->seconds) {
         return ctl_usage(name, "list wants no words");
     }
     return lines_list(gpio_lines_device(), stdout);
@@ -136,7 +135,7 @@ static enum exit_code run_list(const struct request *request)
 
 static enum exit_code run_watch(const struct request *request)
 {
-    if (gpio_wires_count(request->wires) == 0 || request->word) {
+    if (gpio_config_count(request->wires) == 0 || request->word) {
         return ctl_usage(name, "watch wants ROLE=LINE, once or more");
     }
     const enum exit_code code = open_lines(request);
@@ -150,8 +149,8 @@ static enum exit_code run_watch(const struct request *request)
     struct lines_show show = lines_show_begin(&gpio.reader);
     puts("seconds\trole\twhat");
     fflush(stdout);
-    step_until(request->seconds ? now_ns() + request->seconds * NS_PER_S : UINT64_MAX, &show);
-    gpio_reader_close(&gpio.reader);
+    step_until(request->seconds ? lines_now_ns() + request->seconds * NS_PER_S : UINT64_MAX, &show);
+    gpio_thread_close(&gpio.reader);
     return EXIT_OK;
 }
 
@@ -159,7 +158,7 @@ static enum exit_code run_watch(const struct request *request)
  * EXIT_USAGE. */
 static enum exit_code open_output(const struct request *request, const char *wanted)
 {
-    if (gpio_wires_count(request->wires) != 1 || !request->word) {
+    if (gpio_config_count(request->wires) != 1 || !request->word) {
         return ctl_usage(name, "ROLE=LINE and %s are wanted", wanted);
     }
     if (gpio_role_is_input(request->role)) {
@@ -187,8 +186,8 @@ static enum exit_code run_set(const struct request *request)
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
     switches.ops->set(switches.self, (enum hal_switch)(request->role - GPIO_INPUT_COUNT), is_on);
     const uint32_t seconds = request->seconds ? request->seconds : SET_SECONDS;
-    step_until(now_ns() + seconds * NS_PER_S, NULL);
-    gpio_reader_close(&gpio.reader);
+    step_until(lines_now_ns() + seconds * NS_PER_S, NULL);
+    gpio_thread_close(&gpio.reader);
     return EXIT_OK;
 }
 
@@ -213,10 +212,10 @@ static enum exit_code run_pulse(const struct request *request)
                                                    pulses start at the idle level. */
     switches.ops->pulse(switches.self, which, count);
     do {
-        gpio_reader_step(&gpio.reader);
+        gpio_thread_step(&gpio.reader);
     } while (!is_stopped && atomic_load(&gpio.reader.owed) > 0);
     const uint32_t owed = atomic_load(&gpio.reader.owed);
-    gpio_reader_close(&gpio.reader);
+    gpio_thread_close(&gpio.reader);
     printf("%u pulses on %s\n", count - owed, gpio_role_name(request->role));
     return owed == 0 ? EXIT_OK : EXIT_NOT_SO;
 }
@@ -235,7 +234,7 @@ static enum exit_code run(int argc, const char *const *argv)
     }
     for (size_t i = 0; i < sizeof subcommands / sizeof subcommands[0]; i++) {
         if (strcmp(argv[0], subcommands[i].word) == 0) {
-            const enum exit_code code = read_words(&request, argc - 1, argv + 1);
+            const enum exit_code code = lines_read_words(&request, argc - 1, argv + 1);
             return code != EXIT_OK ? code : subcommands[i].run(&request);
         }
     }

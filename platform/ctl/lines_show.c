@@ -33,7 +33,7 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     if (standard_output_flush(out) != 0) {
         return EXIT_NOT_SO; /* main() reports the write error. */
     }
-    if (count == HAL_ERR_NONE) {
+    if (count == HAL_ERR_ABSENT) {
         print_error("kingyoctl lines: no GPIO chip in /dev (%s)",
                     lines.ops->describe(lines.self));
         return EXIT_NOT_SO;
@@ -46,16 +46,16 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     return EXIT_OK;
 }
 
-static uint64_t now_ns(const struct gpio_reader *reader)
+static uint64_t lines_show_now_ns(const struct gpio_thread *reader)
 {
     return reader->clock.ops->now_ns(reader->clock.self);
 }
 
-struct lines_show lines_show_begin(struct gpio_reader *reader)
+struct lines_show lines_show_begin(struct gpio_thread *reader)
 {
     return (struct lines_show){
         .reader = reader,
-        .begin_ns = now_ns(reader),
+        .begin_ns = lines_show_now_ns(reader),
         .held = reader->levels,
         .total = reader->total,
     };
@@ -63,7 +63,8 @@ struct lines_show lines_show_begin(struct gpio_reader *reader)
 
 static void begin_row(const struct lines_show *show, FILE *out, const char *role)
 {
-    fprintf(out, "%.3f\t%s\t", (double)(now_ns(show->reader) - show->begin_ns) * 1e-9, role);
+    fprintf(out, "%.3f\t%s\t", (double)(lines_show_now_ns(show->reader) - show->begin_ns) * 1e-9,
+            role);
 }
 
 /* Prints press and release of a button. A press that was released before the poll gets both
@@ -117,7 +118,7 @@ static void show_coins(const struct lines_show *show, FILE *out)
 
 void lines_show_rows(struct lines_show *show, FILE *out)
 {
-    struct gpio_reader *reader = show->reader;
+    struct gpio_thread *reader = show->reader;
     const uint32_t pressed = atomic_exchange(&reader->pressed, 0);
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
         show_button(show, out, role, pressed);

@@ -14,7 +14,7 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out);
 
 /* State of an event display. The counters are compared with those of the last call. */
 struct lines_show {
-    struct gpio_reader *reader;
+    struct gpio_thread *reader;
     uint64_t begin_ns;
     uint32_t held;
     struct gpio_total total;
@@ -22,7 +22,7 @@ struct lines_show {
 
 /* Starts an event display with the current state of `reader` as its base. `reader` must outlive
  * the display. */
-struct lines_show lines_show_begin(struct gpio_reader *reader);
+struct lines_show lines_show_begin(struct gpio_thread *reader);
 
 /* Prints a row for each press, release, coin and fault since the last call. A row has the seconds
  * since the start, the role and the event, separated by tabs. */

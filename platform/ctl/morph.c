@@ -17,7 +17,7 @@ static const struct morph_command *const table[] = {
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
-static void say(const char *command, const char *format, va_list arguments)
+static void morph_print_error(const char *command, const char *format, va_list arguments)
 {
     char words[PRINT_LINE_MAX];
     vsnprintf(words, sizeof words, format, arguments);
@@ -28,7 +28,7 @@ enum exit_code morph_usage(const char *command, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    say(command, format, arguments);
+    morph_print_error(command, format, arguments);
     va_end(arguments);
     return EXIT_USAGE;
 }
@@ -37,7 +37,7 @@ enum exit_code morph_fail(enum exit_code code, const char *command, const char *
 {
     va_list arguments;
     va_start(arguments, format);
-    say(command, format, arguments);
+    morph_print_error(command, format, arguments);
     va_end(arguments);
     return code;
 }
@@ -78,7 +78,7 @@ static enum exit_code run_one(const struct morph_command *command, int argc,
     return command->run(argc, argv);
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_run(int argc, const char *const *argv)
 {
     if (argc < 1) {
         return ctl_usage(name, "a subcommand is missing; --help lists them");
@@ -98,5 +98,5 @@ const struct ctl_command ctl_morph = {
     .name = name,
     .summary = "fish of any age from a few drawings: graphs, growth, export, check, import",
     .helps_itself = 1,
-    .run = run,
+    .run = morph_run,
 };

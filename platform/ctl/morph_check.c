@@ -12,20 +12,20 @@ enum column { NEAR, FAR, ORDINARY, COLUMNS };
 static const char *const column_names[COLUMNS] = { "near", "far", "ordinary" };
 
 struct check_plan {
-    struct morph_pick pick;
+    struct morph_options pick;
     uint32_t steps;
     bool as_json;
     const struct species *ordinary;
     struct morph_rig ordinary_rig;
-    struct survey survey[COLUMNS];
+    struct morph_survey survey[COLUMNS];
 };
 
 /* One value of a survey and its limit. */
 struct row {
     const char *title, *key;
-    float (*value)(const struct survey *survey);
+    float (*value)(const struct morph_survey *survey);
     /* Returns the place of the worst value. A null pointer means that the value has no place. */
-    const struct finding *(*where)(const struct survey *survey);
+    const struct finding *(*where)(const struct morph_survey *survey);
     const char *format;
     /* Factor from the measured to the printed value. A value of 100 prints a share in percent. */
     double scale;
@@ -34,13 +34,13 @@ struct row {
 };
 
 #define FIGURE(name, expression)                                                                   \
-    static float value_##name(const struct survey *s)                                              \
+    static float value_##name(const struct morph_survey *s)                                        \
     {                                                                                              \
         return (float)(expression);                                                                \
     }
 #define FINDING(name)                                                                              \
     FIGURE(name, s->name.value)                                                                    \
-    static const struct finding *where_##name(const struct survey *s)                              \
+    static const struct finding *where_##name(const struct morph_survey *s)                        \
     {                                                                                              \
         return &s->name;                                                                           \
     }
@@ -103,19 +103,19 @@ static const struct row rows[] = {
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
-static double told(const struct row *row, const struct survey *survey)
+static double told(const struct row *row, const struct morph_survey *survey)
 {
     return (double)row->value(survey) * row->scale;
 }
 
-static bool is_so(const struct row *row, const struct survey *survey)
+static bool is_so(const struct row *row, const struct morph_survey *survey)
 {
     const double value = told(row, survey);
     return row->rule == TOLD_ONLY ||
            (row->rule == AT_MOST ? value <= row->limit : value >= row->limit);
 }
 
-static bool is_good(const struct survey *survey)
+static bool is_good(const struct morph_survey *survey)
 {
     bool good = true;
     for (size_t i = 0; i < ROWS; i++) {
@@ -133,13 +133,13 @@ static const struct species_mesh *mesh_of(const struct check_plan *plan, enum co
 static void print_where(const struct check_plan *plan, enum column column, const struct finding *at)
 {
     printf(" at progress %.4f", (double)at->progress);
-    if (at->vertex != SURVEY_NOWHERE) {
+    if (at->vertex != MORPH_SURVEY_NOWHERE) {
         const uint8_t part = mesh_of(plan, column)->vertices[at->vertex].part;
         printf(", vertex %u (%s)", at->vertex, part_names[part]);
     }
 }
 
-static void print_number(const struct row *row, const struct survey *survey)
+static void print_number(const struct row *row, const struct morph_survey *survey)
 {
     char text[32];
     snprintf(text, sizeof text, row->format, told(row, survey));
@@ -149,7 +149,7 @@ static void print_number(const struct row *row, const struct survey *survey)
 static void print_faults(const struct check_plan *plan, enum column column)
 {
     for (size_t i = 0; i < ROWS; i++) {
-        const struct survey *survey = &plan->survey[column];
+        const struct morph_survey *survey = &plan->survey[column];
         if (!is_so(&rows[i], survey)) {
             printf("not so (%s): %s", column_names[column], rows[i].title);
             print_number(&rows[i], survey);
@@ -165,7 +165,7 @@ static void print_faults(const struct check_plan *plan, enum column column)
     }
 }
 
-static void print_text(const struct check_plan *plan)
+static void morph_check_print_text(const struct check_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;
     printf("%s: %u keys, %u curves, %u moments; %u vertices near, %u far\n", card->id,
@@ -192,7 +192,7 @@ static void print_json(const struct check_plan *plan, bool good)
     printf("{\"species\": \"%s\", \"moments\": %u, \"good\": %s", plan->pick.fish->card.id,
            plan->steps + 1u, good ? "true" : "false");
     for (int column = 0; column < COLUMNS; column++) {
-        const struct survey *survey = &plan->survey[column];
+        const struct morph_survey *survey = &plan->survey[column];
         printf(",\n \"%s\": {\"good\": %s", column_names[column],
                is_good(survey) ? "true" : "false");
         for (size_t i = 0; i < ROWS; i++) {
@@ -206,7 +206,7 @@ static void print_json(const struct check_plan *plan, bool good)
     puts("}");
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_check_run(int argc, const char *const *argv)
 {
     static struct check_plan plan;
     plan = (struct check_plan){ .steps = 1000 };
@@ -214,12 +214,13 @@ static enum exit_code run(int argc, const char *const *argv)
         { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
         { .name = "--json", .flag = &plan.as_json },
     };
-    const enum exit_code code = morph_pick_read(&plan.pick, command, MORPH_ASKS_CURVES, options,
-                                                sizeof options / sizeof options[0], argc, argv);
+    const enum exit_code code =
+        morph_options_read(&plan.pick, command, MORPH_REQUIRES_CURVES, options,
+                           sizeof options / sizeof options[0], argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
-    plan.ordinary = morph_pick_ordinary(&plan.pick, &plan.ordinary_rig);
+    plan.ordinary = morph_options_ordinary(&plan.pick, &plan.ordinary_rig);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         morph_survey(plan.pick.fish, &plan.pick.rig, lod, plan.steps, &plan.survey[lod]);
     }
@@ -228,7 +229,7 @@ static enum exit_code run(int argc, const char *const *argv)
     if (plan.as_json) {
         print_json(&plan, good);
     } else {
-        print_text(&plan);
+        morph_check_print_text(&plan);
     }
     return good ? EXIT_OK : EXIT_NOT_SO;
 }
@@ -261,5 +262,5 @@ const struct morph_command ctl_morph_check = {
         "  weights       the graph's must be at least 0; where shapes are solved so that the fish\n"
         "                passes through every drawing, the drawings' own may be less\n"
         "\nExit status 1 when something is not so.\n",
-    .run = run,
+    .run = morph_check_run,
 };

@@ -15,27 +15,28 @@ struct wishes {
     uint32_t frame_count;
 };
 
-static bool find_view(const char *word, enum portrait_view *view)
+static bool find_view(const char *word, enum fish_preview_view *view)
 {
     for (uint32_t i = 0; i < VIEW_COUNT; i++) {
-        if (strcmp(word, portrait_view_names[i]) == 0) {
-            *view = (enum portrait_view)i;
+        if (strcmp(word, fish_preview_view_names[i]) == 0) {
+            *view = (enum fish_preview_view)i;
             return true;
         }
     }
     return false;
 }
 
-static enum exit_code write_frames(const struct morph_pick *pick, const struct wishes *wishes)
+static enum exit_code write_frames(const struct morph_options *pick, const struct wishes *wishes)
 {
-    enum portrait_view view = VIEW_SIDE;
+    enum fish_preview_view view = VIEW_SIDE;
     if (wishes->view && !find_view(wishes->view, &view)) {
         return morph_usage(name, "--view: '%.40s' is not side, above or aslant", wishes->view);
     }
     return morph_frames_write(pick, view, wishes->frame_count, wishes->folder);
 }
 
-static enum exit_code check(const struct morph_pick *pick, const struct wishes *wishes)
+static enum exit_code morph_export_check_options(const struct morph_options *pick,
+                                                 const struct wishes *wishes)
 {
     const int kinds = (wishes->sheet != NULL) + (wishes->obj != NULL) + (wishes->glb != NULL) +
                       (wishes->frame_count > 0);
@@ -58,7 +59,7 @@ static enum exit_code check(const struct morph_pick *pick, const struct wishes *
     return EXIT_OK;
 }
 
-static enum exit_code write_wish(const struct morph_pick *pick, const struct wishes *wishes)
+static enum exit_code write_wish(const struct morph_options *pick, const struct wishes *wishes)
 {
     return wishes->sheet ? morph_sheet_write(pick, wishes->sheet)
            : wishes->obj ? morph_obj_write(pick, wishes->obj)
@@ -66,9 +67,9 @@ static enum exit_code write_wish(const struct morph_pick *pick, const struct wis
                          : write_frames(pick, wishes);
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_export_run(int argc, const char *const *argv)
 {
-    static struct morph_pick pick;
+    static struct morph_options pick;
     struct wishes wishes = { 0 };
     const struct morph_option options[] = {
         { .name = "--sheet", .text = &wishes.sheet },
@@ -78,10 +79,11 @@ static enum exit_code run(int argc, const char *const *argv)
         { .name = "--view", .text = &wishes.view },
         { .name = "--frames", .count = &wishes.frame_count, .min = 2, .max = FRAMES_MAX },
     };
-    enum exit_code code = morph_pick_read(&pick, name, MORPH_ASKS_CURVES | MORPH_ASKS_PLACE,
-                                          options, sizeof options / sizeof options[0], argc, argv);
+    enum exit_code code =
+        morph_options_read(&pick, name, MORPH_REQUIRES_CURVES | MORPH_REQUIRES_PLACE, options,
+                           sizeof options / sizeof options[0], argc, argv);
     if (code == EXIT_OK) {
-        code = check(&pick, &wishes);
+        code = morph_export_check_options(&pick, &wishes);
     }
     return code == EXIT_OK ? write_wish(&pick, &wishes) : code;
 }
@@ -105,5 +107,5 @@ const struct morph_command ctl_morph_export = {
         "                        ones where the graph is), weights, size and what rides on the\n"
         "                        skin animated over 10 s, a mesh a part, coloured vertices\n"
         "A file that could not be written whole is not there, or as it was before.\n",
-    .run = run,
+    .run = morph_export_run,
 };

@@ -14,14 +14,14 @@
 /* Distance between two moments of the fine sampling, as a share of a life. */
 #define CLOSELY 4e-5f
 
-static vec3 face_of(const struct walk *w, uint32_t triangle)
+static vec3 face_of(const struct morph_walk *w, uint32_t triangle)
 {
     const uint16_t *c = &w->mesh->indices[3u * triangle];
     return v3_cross(v3_sub(w->positions[c[1]], w->positions[c[0]]),
                     v3_sub(w->positions[c[2]], w->positions[c[0]]));
 }
 
-static bool is_thin(const struct walk *w, uint32_t triangle, vec3 face)
+static bool is_thin(const struct morph_walk *w, uint32_t triangle, vec3 face)
 {
     const uint16_t *c = &w->mesh->indices[3u * triangle];
     float longest = 0.0f;
@@ -32,7 +32,7 @@ static bool is_thin(const struct walk *w, uint32_t triangle, vec3 face)
     return v3_length(face) <= longest * THIN_COUNTS * w->mesh->reach / 32767.0f;
 }
 
-static void mark_flipped(struct walk *w, uint32_t triangle, uint32_t *count)
+static void mark_flipped(struct morph_walk *w, uint32_t triangle, uint32_t *count)
 {
     if (!w->flipped[triangle]) {
         w->flipped[triangle] = true;
@@ -42,7 +42,7 @@ static void mark_flipped(struct walk *w, uint32_t triangle, uint32_t *count)
     }
 }
 
-static void measure_skin(struct walk *w, uint32_t triangle, vec3 face)
+static void measure_skin(struct morph_walk *w, uint32_t triangle, vec3 face)
 {
     const uint16_t *c = &w->mesh->indices[3u * triangle];
     const vec3 outward = v3_add(w->normals[c[0]], v3_add(w->normals[c[1]], w->normals[c[2]]));
@@ -51,19 +51,19 @@ static void measure_skin(struct walk *w, uint32_t triangle, vec3 face)
     }
 }
 
-static bool is_fin(const struct walk *w, uint32_t triangle)
+static bool is_fin(const struct morph_walk *w, uint32_t triangle)
 {
     return w->mesh->vertices[w->mesh->indices[3u * triangle]].part >= PART_TAIL;
 }
 
-static void shape_at(struct walk *w, float progress)
+static void shape_at(struct morph_walk *w, float progress)
 {
     morph_pose(w->rig, w->mesh, progress, &w->pose);
     morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
 }
 
 /* Examines one step of the fin triangles that may be flipped. */
-static void look(struct walk *w)
+static void morph_flips_check_step(struct morph_walk *w)
 {
     for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {
         const vec3 face = face_of(w, t);
@@ -76,18 +76,18 @@ static void look(struct walk *w)
     }
 }
 
-static void look_closely(struct walk *w)
+static void look_closely(struct morph_walk *w)
 {
     const float till = w->progress, from = w->before;
     const uint32_t steps = 1u + (uint32_t)((till - from) / CLOSELY);
     for (uint32_t i = 1; i <= steps; i++) {
         w->progress = i == steps ? till : f_lerp(from, till, (float)i / (float)steps);
         shape_at(w, w->progress);
-        look(w);
+        morph_flips_check_step(w);
     }
 }
 
-void walk_measure_flips(struct walk *w)
+void morph_flips_measure(struct morph_walk *w)
 {
     bool any = false;
     for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {

@@ -24,58 +24,58 @@
 static const char command[] = "export";
 
 /* Static because the object is too large for a stack. Only one export runs at a time. */
-static struct fish_glb fish;
+static struct morph_glb fish;
 
 /* ---- Nodes ----------------------------------------------------------------------------------- */
 
 /* Prints the colours of a key without its marks. Colours are 0xRRGGBB numbers. */
-static void print_coat(struct bytes *out, const struct species_coat *coat)
+static void print_coat(struct byte_buffer *out, const struct species_coat *coat)
 {
-    bytes_print(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,", coat->back,
-                coat->flank, coat->belly, coat->fin, coat->iris);
-    bytes_print(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
+    byte_buffer_print(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,",
+                      coat->back, coat->flank, coat->belly, coat->fin, coat->iris);
+    byte_buffer_print(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
 }
 
 /* Prints what the numbers of the file mean in real life. */
-static void print_life(struct bytes *out)
+static void print_life(struct byte_buffer *out)
 {
     const struct species_card *card = &fish.pick->fish->card;
-    bytes_print(out,
-                "\"extras\":{\"species\":\"%s\",\"measure\":\"%s\",\"template\":\"%s\","
-                "\"thesis\":%s,\"seconds\":%g,\"keys\":[",
-                card->id, plate_measure(card), morph_template_name(fish.pick->template),
-                fish.pick->thesis ? "true" : "false", (double)GLB_SECONDS);
+    byte_buffer_print(out,
+                      "\"extras\":{\"species\":\"%s\",\"measure\":\"%s\",\"template\":\"%s\","
+                      "\"thesis\":%s,\"seconds\":%g,\"keys\":[",
+                      card->id, caption_measure(card), morph_template_name(fish.pick->template_id),
+                      fish.pick->thesis ? "true" : "false", (double)GLB_SECONDS);
     for (uint32_t i = 0; i < card->key_count; i++) {
-        bytes_print(out, "%s{\"name\":\"%s\",\"progress\":%.6g,", i > 0 ? "," : "",
-                    card->key_names[i], (double)i / (card->key_count - 1u));
-        bytes_print(out, "\"age_days\":%.6g,\"length_m\":%.6g,", (double)card->key_age_days[i],
-                    (double)card->key_length_m[i]);
+        byte_buffer_print(out, "%s{\"name\":\"%s\",\"progress\":%.6g,", i > 0 ? "," : "",
+                          card->key_names[i], (double)i / (card->key_count - 1u));
+        byte_buffer_print(out, "\"age_days\":%.6g,\"length_m\":%.6g,",
+                          (double)card->key_age_days[i], (double)card->key_length_m[i]);
         print_coat(out, &fish.pick->fish->coats[i]);
     }
-    bytes_print(out, "]}");
+    byte_buffer_print(out, "]}");
 }
 
 static void add_root(void)
 {
-    struct bytes *out = &fish.file.lists[GLB_NODES];
+    struct byte_buffer *out = &fish.file.lists[GLB_NODES];
     const double size = (double)life_length_m(&fish.pick->fish->card, 1.0f);
     glb_next(&fish.file, GLB_NODES);
-    bytes_print(out, "{\"name\":\"%s\",\"rotation\":[0,1,0,0],\"scale\":[%.9g,%.9g,%.9g],",
-                fish.pick->fish->card.id, size, size, size);
+    byte_buffer_print(out, "{\"name\":\"%s\",\"rotation\":[0,1,0,0],\"scale\":[%.9g,%.9g,%.9g],",
+                      fish.pick->fish->card.id, size, size, size);
     const char *comma = "\"children\":[";
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
         if (!fish.skinned[i]) {
-            bytes_print(out, "%s%u", comma, GLB_PIECE_NODE + i);
+            byte_buffer_print(out, "%s%u", comma, GLB_PIECE_NODE + i);
             comma = ",";
         }
     }
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        bytes_print(out, "%s%u", comma, GLB_PIECE_NODE + fish.cut.piece_count + i);
+        byte_buffer_print(out, "%s%u", comma, GLB_PIECE_NODE + fish.cut.piece_count + i);
         comma = ",";
     }
-    bytes_print(out, "],");
+    byte_buffer_print(out, "],");
     print_life(out);
-    bytes_print(out, "}");
+    byte_buffer_print(out, "}");
 }
 
 static void add_piece(uint32_t piece, uint32_t mesh)
@@ -83,19 +83,20 @@ static void add_piece(uint32_t piece, uint32_t mesh)
     char name[PIECE_NAME_SIZE];
     morph_piece_name(&fish.cut.pieces[piece], name);
     glb_next(&fish.file, GLB_NODES);
-    bytes_print(&fish.file.lists[GLB_NODES], "{\"name\":\"%s\",\"mesh\":%u%s}", name, mesh,
-                fish.skinned[piece] ? ",\"skin\":0" : "");
+    byte_buffer_print(&fish.file.lists[GLB_NODES], "{\"name\":\"%s\",\"mesh\":%u%s}", name, mesh,
+                      fish.skinned[piece] ? ",\"skin\":0" : "");
 }
 
 static void add_joint(uint32_t anchor)
 {
     const struct anchor_pose *at = &fish.adult.anchor[anchor];
     glb_next(&fish.file, GLB_NODES);
-    bytes_print(&fish.file.lists[GLB_NODES],
-                "{\"name\":\"anchor_%u\",\"translation\":[%.9g,%.9g,%.9g],"
-                "\"rotation\":[%.9g,%.9g,%.9g,%.9g]}",
-                anchor, (double)at->position.x, (double)at->position.y, (double)at->position.z,
-                (double)at->turn.x, (double)at->turn.y, (double)at->turn.z, (double)at->turn.w);
+    byte_buffer_print(&fish.file.lists[GLB_NODES],
+                      "{\"name\":\"anchor_%u\",\"translation\":[%.9g,%.9g,%.9g],"
+                      "\"rotation\":[%.9g,%.9g,%.9g,%.9g]}",
+                      anchor, (double)at->position.x, (double)at->position.y,
+                      (double)at->position.z, (double)at->turn.x, (double)at->turn.y,
+                      (double)at->turn.z, (double)at->turn.w);
 }
 
 /* Computes the inverse of an anchor's pose at progress 1, as a column-major matrix in the order of
@@ -105,8 +106,8 @@ static void inverse_bind(const struct anchor_pose *at, float out[16])
     const vec3 axes[3] = { v3(1.0f, 0.0f, 0.0f), v3(0.0f, 1.0f, 0.0f), v3(0.0f, 0.0f, 1.0f) };
     memset(out, 0, 16 * sizeof *out);
     for (uint32_t column = 0; column < 4; column++) {
-        const vec3 to = column < 3 ? quat_turn_back(at->turn, axes[column])
-                                   : quat_turn_back(at->turn, v3_scale(at->position, -1.0f));
+        const vec3 to = column < 3 ? pose_rotate_inverse(at->turn, axes[column])
+                                   : pose_rotate_inverse(at->turn, v3_scale(at->position, -1.0f));
         memcpy(&out[4 * column], &to, sizeof to);
     }
     out[15] = 1.0f;
@@ -116,13 +117,13 @@ static void add_skin(void)
 {
     static float matrices[1u + ANCHOR_MAX][16];
     const struct anchor_pose here = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
-    struct bytes *out = &fish.file.lists[GLB_SKINS];
+    struct byte_buffer *out = &fish.file.lists[GLB_SKINS];
     inverse_bind(&here, matrices[0]);
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
         inverse_bind(&fish.adult.anchor[i], matrices[1u + i]);
     }
     glb_next(&fish.file, GLB_SKINS);
-    bytes_print(
+    byte_buffer_print(
         out,
         "{\"name\":\"skin\",\"skeleton\":%u,\"inverseBindMatrices\":%u,"
         "\"joints\":[%u",
@@ -130,9 +131,9 @@ static void add_skin(void)
         glb_floats(&fish.file, GLB_FOR_DATA, GLB_MAT4, matrices[0], 1u + fish.mesh->anchor_count),
         GLB_ROOT_NODE);
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        bytes_print(out, ",%u", GLB_PIECE_NODE + fish.cut.piece_count + i);
+        byte_buffer_print(out, ",%u", GLB_PIECE_NODE + fish.cut.piece_count + i);
     }
-    bytes_print(out, "]}");
+    byte_buffer_print(out, "]}");
 }
 
 static void add_nodes(char scene[NAME_SIZE])
@@ -141,7 +142,7 @@ static void add_nodes(char scene[NAME_SIZE])
     size_t used = (size_t)snprintf(scene, NAME_SIZE, "%u", GLB_ROOT_NODE);
     bool skinned = false;
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
-        meshes[i] = fish_glb_mesh(&fish, i);
+        meshes[i] = morph_glb_add_mesh(&fish, i);
     }
     add_root();
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
@@ -161,7 +162,7 @@ static void add_nodes(char scene[NAME_SIZE])
     }
 }
 
-static void begin(const struct morph_pick *pick)
+static void morph_glb_begin(const struct morph_options *pick)
 {
     static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     memset(&fish, 0, sizeof fish);
@@ -177,13 +178,13 @@ static void begin(const struct morph_pick *pick)
     }
 }
 
-enum exit_code morph_glb_write(const struct morph_pick *pick, const char *path)
+enum exit_code morph_glb_write(const struct morph_options *pick, const char *path)
 {
     char scene[NAME_SIZE];
-    begin(pick);
+    morph_glb_begin(pick);
     add_nodes(scene);
     const int error =
-        fish_glb_animate(&fish) ? glb_write(&fish.file, path, "growth", scene) : -ENOMEM;
+        morph_glb_animate(&fish) ? glb_write(&fish.file, path, "growth", scene) : -ENOMEM;
     glb_free(&fish.file);
     return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
 }

@@ -23,8 +23,8 @@ struct target_list {
     uint8_t curve[TARGET_MAX], key[TARGET_MAX];
 };
 
-struct fish_glb {
-    const struct morph_pick *pick;
+struct morph_glb {
+    const struct morph_options *pick;
     const struct species_mesh *mesh;
     struct glb file;
     struct morph_pose adult; /* Pose at progress 1, which a viewer shows without the animation. */
@@ -45,20 +45,21 @@ struct aspect {
 
 /* Returns how much curve `curve` moves the vertex, in [0, 1]. Shares of curves that the rig does
  * not have are added to the first curve. */
-float glb_share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t curve);
+float morph_glb_share_of(const struct morph_glb *fish, uint32_t vertex, uint32_t curve);
 
-/* glb_base_look() returns the base B and glb_target_look() a displacement D, as morph_glb_look.c
- * defines them. A vertex that follows the skin has the place that it has at progress 1. */
-struct aspect glb_base_look(const struct fish_glb *fish, uint32_t vertex);
-struct aspect glb_target_look(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
-                              uint32_t key);
+/* morph_glb_base_appearance() returns the base B and morph_glb_target_appearance() a displacement
+ * D, as morph_glb_look.c defines them. A vertex that follows the skin has the place that it has at
+ * progress 1. */
+struct aspect morph_glb_base_appearance(const struct morph_glb *fish, uint32_t vertex);
+struct aspect morph_glb_target_appearance(const struct morph_glb *fish, uint32_t vertex,
+                                          uint32_t curve, uint32_t key);
 
 /* Adds the mesh of `piece`, and sets the piece's targets and whether the piece is skinned. Returns
  * the number of the mesh. */
-uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t piece);
+uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t piece);
 
 /* Adds the animation of all nodes. Call this function after all meshes are added. Returns false if
  * memory allocation fails. */
-bool fish_glb_animate(struct fish_glb *fish);
+bool morph_glb_animate(struct morph_glb *fish);
 
 #endif

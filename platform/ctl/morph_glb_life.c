@@ -20,7 +20,7 @@
 
 static void ask_size(const void *self, float progress, float *values)
 {
-    const struct fish_glb *fish = self;
+    const struct morph_glb *fish = self;
     values[0] = values[1] = values[2] = life_length_m(&fish->pick->fish->card, progress);
 }
 
@@ -60,7 +60,7 @@ static float weight_error(const void *self, const float *from, const float *to, 
 static void ask_anchors(const void *self, float progress, float *values)
 {
     static struct morph_pose pose;
-    const struct fish_glb *fish = self;
+    const struct morph_glb *fish = self;
     morph_pose(&fish->pick->rig, fish->mesh, progress, &pose);
     for (uint32_t i = 0; i < fish->mesh->anchor_count; i++) {
         memcpy(&values[ANCHOR_WIDTH * i], &pose.anchor[i].position, 3 * sizeof *values);
@@ -70,7 +70,7 @@ static void ask_anchors(const void *self, float progress, float *values)
 
 /* Returns the sign that puts the quaternion `b` in the same hemisphere as `a`, because q and -q are
  * the same rotation. */
-static float side_of(const float *a, const float *b)
+static float morph_glb_life_side_of(const float *a, const float *b)
 {
     const float dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
     return dot < 0.0f ? -1.0f : 1.0f;
@@ -80,7 +80,8 @@ static float side_of(const float *a, const float *b)
  * only its direction is the middle rotation. */
 static float turn_error(const float *from, const float *to, const float *exact)
 {
-    const float side = side_of(from, to), exact_side = side_of(from, exact);
+    const float side = morph_glb_life_side_of(from, to),
+                exact_side = morph_glb_life_side_of(from, exact);
     float middle[4], length = 0.0f, error = 0.0f;
     for (uint32_t i = 0; i < 4; i++) {
         middle[i] = 0.5f * (from[i] + side * to[i]);
@@ -95,7 +96,7 @@ static float turn_error(const float *from, const float *to, const float *exact)
 
 static float anchor_error(const void *self, const float *from, const float *to, const float *exact)
 {
-    const struct fish_glb *fish = self;
+    const struct morph_glb *fish = self;
     float error = 0.0f;
     for (uint32_t i = 0; i < fish->mesh->anchor_count; i++) {
         const uint32_t at = ANCHOR_WIDTH * i;
@@ -134,16 +135,17 @@ static uint32_t make_marks(const struct morph_rig *rig, float marks[MARK_ROOM])
     return count;
 }
 
-static bool fit(const struct fish_glb *fish, struct track *track, struct track_function function)
+static bool fit(const struct morph_glb *fish, struct piecewise_fit *track,
+                struct piecewise_fit_function function)
 {
     float marks[MARK_ROOM];
     const uint32_t count = make_marks(&fish->pick->rig, marks);
-    return track_fit(track, &function, marks, count, TOLERANCE);
+    return piecewise_fit_fit(track, &function, marks, count, TOLERANCE);
 }
 
 /* ---- Writing to the file -------------------------------------------------------------------- */
 
-static uint32_t add_times(struct fish_glb *fish, const struct track *track)
+static uint32_t add_times(struct morph_glb *fish, const struct piecewise_fit *track)
 {
     for (uint32_t i = 0; i < track->count; i++) {
         track->progress[i] *= GLB_SECONDS;
@@ -151,37 +153,39 @@ static uint32_t add_times(struct fish_glb *fish, const struct track *track)
     return glb_floats(&fish->file, GLB_FOR_TIMES, GLB_SCALAR, track->progress, track->count);
 }
 
-static uint32_t add_sampler(struct fish_glb *fish, uint32_t times, enum glb_type type,
+static uint32_t add_sampler(struct morph_glb *fish, uint32_t times, enum glb_type type,
                             const float *values, uint32_t count)
 {
     const uint32_t output = glb_floats(&fish->file, GLB_FOR_DATA, type, values, count);
     const uint32_t sampler = glb_next(&fish->file, GLB_SAMPLERS);
-    bytes_print(&fish->file.lists[GLB_SAMPLERS],
-                "{\"input\":%u,\"output\":%u,\"interpolation\":\"LINEAR\"}", times, output);
+    byte_buffer_print(&fish->file.lists[GLB_SAMPLERS],
+                      "{\"input\":%u,\"output\":%u,\"interpolation\":\"LINEAR\"}", times, output);
     return sampler;
 }
 
-static void add_channel(struct fish_glb *fish, uint32_t sampler, uint32_t node, const char *path)
+static void add_channel(struct morph_glb *fish, uint32_t sampler, uint32_t node, const char *path)
 {
     glb_next(&fish->file, GLB_CHANNELS);
-    bytes_print(&fish->file.lists[GLB_CHANNELS],
-                "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", sampler, node, path);
+    byte_buffer_print(&fish->file.lists[GLB_CHANNELS],
+                      "{\"sampler\":%u,\"target\":{\"node\":%u,\"path\":\"%s\"}}", sampler, node,
+                      path);
 }
 
-static bool animate_size(struct fish_glb *fish)
+static bool animate_size(struct morph_glb *fish)
 {
-    struct track track;
-    const bool good = fit(fish, &track, (struct track_function){ 3, ask_size, size_error, fish });
+    struct piecewise_fit track;
+    const bool good =
+        fit(fish, &track, (struct piecewise_fit_function){ 3, ask_size, size_error, fish });
     if (good) {
         const uint32_t times = add_times(fish, &track);
         const uint32_t sampler = add_sampler(fish, times, GLB_VEC3, track.values, track.count);
         add_channel(fish, sampler, GLB_ROOT_NODE, "scale");
-        track_free(&track);
+        piecewise_fit_free(&track);
     }
     return good;
 }
 
-static bool animate_weights(struct fish_glb *fish)
+static bool animate_weights(struct morph_glb *fish)
 {
     /* Sampler numbers, counted from 1, by the bit mask of the curves that they represent. */
     uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 };
@@ -189,16 +193,16 @@ static bool animate_weights(struct fish_glb *fish)
         const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
         uint32_t *sampler = &samplers[list.targets->curves];
         if (*sampler == 0) {
-            struct track track;
+            struct piecewise_fit track;
             if (!fit(fish, &track,
-                     (struct track_function){ list.targets->count, ask_weights, weight_error,
-                                              &list })) {
+                     (struct piecewise_fit_function){ list.targets->count, ask_weights,
+                                                      weight_error, &list })) {
                 return false;
             }
             const uint32_t times = add_times(fish, &track);
             *sampler =
                 1u + add_sampler(fish, times, GLB_SCALAR, track.values, track.count * track.width);
-            track_free(&track);
+            piecewise_fit_free(&track);
         }
         add_channel(fish, *sampler - 1u, GLB_PIECE_NODE + piece, "weights");
     }
@@ -207,19 +211,21 @@ static bool animate_weights(struct fish_glb *fish)
 
 /* Copies `width` columns of the track from `column` on. The sign of a quaternion never changes from
  * one sample to the next. */
-static void pick_column(const struct track *track, uint32_t column, uint32_t width, float *out)
+static void pick_column(const struct piecewise_fit *track, uint32_t column, uint32_t width,
+                        float *out)
 {
     for (uint32_t i = 0; i < track->count; i++) {
         const float *from = &track->values[(size_t)i * track->width + column];
         float *to = &out[width * i];
-        const float side = width == 4 && i > 0 ? side_of(to - 4, from) : 1.0f;
+        const float side = width == 4 && i > 0 ? morph_glb_life_side_of(to - 4, from) : 1.0f;
         for (uint32_t k = 0; k < width; k++) {
             to[k] = side * from[k];
         }
     }
 }
 
-static bool add_anchor_channels(struct fish_glb *fish, const struct track *track, uint32_t times)
+static bool add_anchor_channels(struct morph_glb *fish, const struct piecewise_fit *track,
+                                uint32_t times)
 {
     const uint32_t first = GLB_PIECE_NODE + fish->cut.piece_count;
     float *column = malloc((size_t)track->count * 4u * sizeof *column);
@@ -237,23 +243,23 @@ static bool add_anchor_channels(struct fish_glb *fish, const struct track *track
     return column != NULL;
 }
 
-static bool animate_anchors(struct fish_glb *fish)
+static bool animate_anchors(struct morph_glb *fish)
 {
-    struct track track;
+    struct piecewise_fit track;
     if (fish->mesh->anchor_count == 0) {
         return true;
     }
     if (!fit(fish, &track,
-             (struct track_function){ ANCHOR_WIDTH * fish->mesh->anchor_count, ask_anchors,
-                                      anchor_error, fish })) {
+             (struct piecewise_fit_function){ ANCHOR_WIDTH * fish->mesh->anchor_count, ask_anchors,
+                                              anchor_error, fish })) {
         return false;
     }
     const bool good = add_anchor_channels(fish, &track, add_times(fish, &track));
-    track_free(&track);
+    piecewise_fit_free(&track);
     return good;
 }
 
-bool fish_glb_animate(struct fish_glb *fish)
+bool morph_glb_animate(struct morph_glb *fish)
 {
     return animate_size(fish) && animate_weights(fish) && animate_anchors(fish);
 }

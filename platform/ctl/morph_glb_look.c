@@ -14,7 +14,7 @@
 #include "platform/ctl/morph_glb.h"
 #include "platform/ctl/portrait.h"
 
-float glb_share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t curve)
+float morph_glb_share_of(const struct morph_glb *fish, uint32_t vertex, uint32_t curve)
 {
     uint32_t share = 0;
     for (uint32_t i = 0; i < MORPH_CURVE_MAX; i++) {
@@ -26,19 +26,19 @@ float glb_share_of(const struct fish_glb *fish, uint32_t vertex, uint32_t curve)
 }
 
 /* Writes linear colours, because glTF vertex colours are linear. */
-static void take_paint(const struct fish_glb *fish, uint32_t vertex, uint32_t key,
+static void take_paint(const struct morph_glb *fish, uint32_t vertex, uint32_t key,
                        struct aspect *out)
 {
     const struct paint *paint = &fish->paints[key][vertex];
     out->colour = canvas_linear(paint->colour);
-    out->hides = portrait_hides(paint, &fish->mesh->vertices[vertex]);
+    out->hides = fish_preview_hides(paint, &fish->mesh->vertices[vertex]);
 }
 
 static void add_look(struct aspect *sum, const struct aspect *look, float weight)
 {
-    sum->position = v3_mad(sum->position, look->position, weight);
-    sum->normal = v3_mad(sum->normal, look->normal, weight);
-    sum->colour = v3_mad(sum->colour, look->colour, weight);
+    sum->position = v3_muladd(sum->position, look->position, weight);
+    sum->normal = v3_muladd(sum->normal, look->normal, weight);
+    sum->colour = v3_muladd(sum->colour, look->colour, weight);
     sum->hides += look->hides * weight;
 }
 
@@ -50,7 +50,7 @@ static vec3 on_octahedron(vec3 n)
 }
 
 /* Returns C_ck of one vertex. */
-static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
+static struct aspect solved(const struct morph_glb *fish, uint32_t vertex, uint32_t curve,
                             uint32_t key)
 {
     struct aspect sum = { .hides = 0.0f };
@@ -68,20 +68,20 @@ static struct aspect solved(const struct fish_glb *fish, uint32_t vertex, uint32
 /* Moves a vertex that follows the skin to its place at progress 1, so that a viewer without
  * skinning still shows a whole fish. The inverse bind matrix of the vertex's joint undoes this move
  * first. */
-static void carry(const struct fish_glb *fish, uint32_t vertex, bool is_place, struct aspect *look)
+static void carry(const struct morph_glb *fish, uint32_t vertex, bool is_place, struct aspect *look)
 {
     const uint8_t anchor = fish->mesh->vertices[vertex].anchor;
     if (anchor != ANCHOR_NONE) {
         const struct anchor_pose *at = &fish->adult.anchor[anchor];
-        look->position = quat_turn(at->turn, look->position);
-        look->normal = quat_turn(at->turn, look->normal);
+        look->position = pose_rotate(at->turn, look->position);
+        look->normal = pose_rotate(at->turn, look->normal);
         if (is_place) {
             look->position = v3_add(look->position, at->position);
         }
     }
 }
 
-struct aspect glb_base_look(const struct fish_glb *fish, uint32_t vertex)
+struct aspect morph_glb_base_appearance(const struct morph_glb *fish, uint32_t vertex)
 {
     const uint32_t last = fish->pick->rig.key_count - 1u;
     /* Colours are those of the whole fish's curve. */
@@ -89,7 +89,7 @@ struct aspect glb_base_look(const struct fish_glb *fish, uint32_t vertex)
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
         const struct aspect one = solved(fish, vertex, curve, last);
-        add_look(&sum, &one, glb_share_of(fish, vertex, curve));
+        add_look(&sum, &one, morph_glb_share_of(fish, vertex, curve));
     }
     sum.colour = v3(f_clamp(painted.colour.x, 0.0f, 1.0f), f_clamp(painted.colour.y, 0.0f, 1.0f),
                     f_clamp(painted.colour.z, 0.0f, 1.0f));
@@ -98,10 +98,10 @@ struct aspect glb_base_look(const struct fish_glb *fish, uint32_t vertex)
     return sum;
 }
 
-struct aspect glb_target_look(const struct fish_glb *fish, uint32_t vertex, uint32_t curve,
-                              uint32_t key)
+struct aspect morph_glb_target_appearance(const struct morph_glb *fish, uint32_t vertex,
+                                          uint32_t curve, uint32_t key)
 {
-    const float share = glb_share_of(fish, vertex, curve);
+    const float share = morph_glb_share_of(fish, vertex, curve);
     const struct aspect to = solved(fish, vertex, curve, key);
     struct aspect way = to;
     const struct aspect from = solved(fish, vertex, curve, fish->pick->rig.key_count - 1u);

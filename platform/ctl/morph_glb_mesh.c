@@ -31,7 +31,7 @@ static void put_look(uint32_t place, const struct aspect *look)
 
 /* ---- Contents of a piece -------------------------------------------------------------------- */
 
-static void gather_vertices(const struct fish_glb *fish, const struct morph_piece *piece)
+static void gather_vertices(const struct morph_glb *fish, const struct morph_piece *piece)
 {
     static bool taken[MESH_VERTEX_MAX];
     memset(taken, 0, sizeof taken);
@@ -50,12 +50,12 @@ static void gather_vertices(const struct fish_glb *fish, const struct morph_piec
     }
 }
 
-static struct target_list list_targets(const struct fish_glb *fish)
+static struct target_list list_targets(const struct morph_glb *fish)
 {
     struct target_list list = { .curves = 1 };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
         for (uint32_t i = 0; i < columns.count; i++) {
-            if (glb_share_of(fish, columns.vertices[i], curve) > 0.0f) {
+            if (morph_glb_share_of(fish, columns.vertices[i], curve) > 0.0f) {
                 list.curves |= (uint8_t)(1u << curve);
             }
         }
@@ -70,7 +70,7 @@ static struct target_list list_targets(const struct fish_glb *fish)
 
 /* Fills the joint and weight columns. Joint 0 is the fish itself, and joint i + 1 is anchor i.
  * Returns whether any vertex has an anchor. */
-static bool fill_rest(const struct fish_glb *fish)
+static bool fill_rest(const struct morph_glb *fish)
 {
     bool rides = false;
     for (uint32_t i = 0; i < columns.count; i++) {
@@ -90,24 +90,24 @@ static bool fill_rest(const struct fish_glb *fish)
 
 /* ---- Writing to the file -------------------------------------------------------------------- */
 
-static uint32_t material_of(struct fish_glb *fish, uint8_t part)
+static uint32_t material_of(struct morph_glb *fish, uint8_t part)
 {
     const struct species_coat *coat = &fish->pick->fish->coats[fish->pick->rig.key_count - 1u];
     const bool is_fin = part >= PART_TAIL;
     const double rough = part == PART_EYE ? 0.15 : is_fin ? 0.6 : 0.7 - 0.4 * coat->shine / 255.0;
     if (fish->materials[part] == 0) {
         fish->materials[part] = 1u + glb_next(&fish->file, GLB_MATERIALS);
-        bytes_print(&fish->file.lists[GLB_MATERIALS],
-                    "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,"
-                    "\"roughnessFactor\":%.3f}%s}",
-                    part_names[part], rough,
-                    is_fin ? ",\"alphaMode\":\"BLEND\",\"doubleSided\":true" : "");
+        byte_buffer_print(&fish->file.lists[GLB_MATERIALS],
+                          "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,"
+                          "\"roughnessFactor\":%.3f}%s}",
+                          part_names[part], rough,
+                          is_fin ? ",\"alphaMode\":\"BLEND\",\"doubleSided\":true" : "");
     }
     return fish->materials[part] - 1u;
 }
 
 /* Prints the three accessors of a shape, whose columns the caller has filled. */
-static void print_shape(struct fish_glb *fish, struct bytes *out)
+static void print_shape(struct morph_glb *fish, struct byte_buffer *out)
 {
     const uint32_t position =
         glb_floats(&fish->file, GLB_FOR_PLACES, GLB_VEC3, columns.position[0], columns.count);
@@ -115,61 +115,65 @@ static void print_shape(struct fish_glb *fish, struct bytes *out)
         glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC3, columns.normal[0], columns.count);
     const uint32_t colour =
         glb_floats(&fish->file, GLB_FOR_VERTICES, GLB_VEC4, columns.colour[0], columns.count);
-    bytes_print(out, "{\"POSITION\":%u,\"NORMAL\":%u,\"COLOR_0\":%u", position, normal, colour);
+    byte_buffer_print(out, "{\"POSITION\":%u,\"NORMAL\":%u,\"COLOR_0\":%u", position, normal,
+                      colour);
 }
 
-static void print_attributes(struct fish_glb *fish, bool skinned, struct bytes *out)
+static void print_attributes(struct morph_glb *fish, bool skinned, struct byte_buffer *out)
 {
     struct glb *file = &fish->file;
     for (uint32_t i = 0; i < columns.count; i++) {
-        struct aspect look = glb_base_look(fish, columns.vertices[i]);
+        struct aspect look = morph_glb_base_appearance(fish, columns.vertices[i]);
         columns.facing[i] = f_max(v3_length(look.normal), 1e-6f);
         look.normal = v3_normalize_or(look.normal, v3(0.0f, 1.0f, 0.0f));
         put_look(i, &look);
     }
     print_shape(fish, out);
-    bytes_print(out, ",\"TEXCOORD_0\":%u,\"_VERTEX\":%u",
-                glb_floats(file, GLB_FOR_VERTICES, GLB_VEC2, columns.coordinates[0], columns.count),
-                glb_floats(file, GLB_FOR_VERTICES, GLB_SCALAR, columns.source, columns.count));
+    byte_buffer_print(
+        out, ",\"TEXCOORD_0\":%u,\"_VERTEX\":%u",
+        glb_floats(file, GLB_FOR_VERTICES, GLB_VEC2, columns.coordinates[0], columns.count),
+        glb_floats(file, GLB_FOR_VERTICES, GLB_SCALAR, columns.source, columns.count));
     if (skinned) {
-        bytes_print(out, ",\"JOINTS_0\":%u,\"WEIGHTS_0\":%u",
-                    glb_joints(file, (const uint8_t(*)[4])columns.joints, columns.count),
-                    glb_floats(file, GLB_FOR_VERTICES, GLB_VEC4, columns.shares[0], columns.count));
+        byte_buffer_print(
+            out, ",\"JOINTS_0\":%u,\"WEIGHTS_0\":%u",
+            glb_joints(file, (const uint8_t(*)[4])columns.joints, columns.count),
+            glb_floats(file, GLB_FOR_VERTICES, GLB_VEC4, columns.shares[0], columns.count));
     }
-    bytes_print(out, "}");
+    byte_buffer_print(out, "}");
 }
 
-static void print_targets(struct fish_glb *fish, const struct target_list *list, struct bytes *out)
+static void print_targets(struct morph_glb *fish, const struct target_list *list,
+                          struct byte_buffer *out)
 {
     for (uint32_t t = 0; t < list->count; t++) {
         for (uint32_t i = 0; i < columns.count; i++) {
-            struct aspect look =
-                glb_target_look(fish, columns.vertices[i], list->curve[t], list->key[t]);
+            struct aspect look = morph_glb_target_appearance(fish, columns.vertices[i],
+                                                             list->curve[t], list->key[t]);
             /* Only directions matter, so all normals of a vertex are scaled by the same factor as
              * its base normal. */
             look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
             put_look(i, &look);
         }
-        bytes_print(out, "%s", t > 0 ? "," : "");
+        byte_buffer_print(out, "%s", t > 0 ? "," : "");
         print_shape(fish, out);
-        bytes_print(out, "}");
+        byte_buffer_print(out, "}");
     }
 }
 
 /* Prints the name of each target's key. A target of a part's own curve is named CURVE.KEY. */
-static void print_names(const struct fish_glb *fish, const struct target_list *list,
-                        struct bytes *out)
+static void print_names(const struct morph_glb *fish, const struct target_list *list,
+                        struct byte_buffer *out)
 {
     const struct species_card *card = &fish->pick->fish->card;
     for (uint32_t t = 0; t < list->count; t++) {
         const bool own = list->curve[t] > 0;
-        bytes_print(out, "%s\"%s%s%s\"", t > 0 ? "," : "",
-                    own ? card->curve_names[list->curve[t]] : "", own ? "." : "",
-                    card->key_names[list->key[t]]);
+        byte_buffer_print(out, "%s\"%s%s%s\"", t > 0 ? "," : "",
+                          own ? card->curve_names[list->curve[t]] : "", own ? "." : "",
+                          card->key_names[list->key[t]]);
     }
 }
 
-uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t index)
+uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t index)
 {
     const struct morph_piece *piece = &fish->cut.pieces[index];
     char name[PIECE_NAME_SIZE];
@@ -180,14 +184,14 @@ uint32_t fish_glb_mesh(struct fish_glb *fish, uint32_t index)
     const uint32_t material = material_of(fish, piece->part);
     const uint32_t indices = glb_indices(&fish->file, columns.indices, 3u * piece->face_count);
     const uint32_t mesh = glb_next(&fish->file, GLB_MESHES);
-    struct bytes *out = &fish->file.lists[GLB_MESHES];
-    bytes_print(out, "{\"name\":\"%s\",\"extras\":{\"targetNames\":[", name);
+    struct byte_buffer *out = &fish->file.lists[GLB_MESHES];
+    byte_buffer_print(out, "{\"name\":\"%s\",\"extras\":{\"targetNames\":[", name);
     print_names(fish, &fish->targets[index], out);
-    bytes_print(out, "]},\"primitives\":[{\"material\":%u,\"indices\":%u,\"attributes\":", material,
-                indices);
+    byte_buffer_print(out, "]},\"primitives\":[{\"material\":%u,\"indices\":%u,\"attributes\":",
+                      material, indices);
     print_attributes(fish, fish->skinned[index], out);
-    bytes_print(out, ",\"targets\":[");
+    byte_buffer_print(out, ",\"targets\":[");
     print_targets(fish, &fish->targets[index], out);
-    bytes_print(out, "]}]}");
+    byte_buffer_print(out, "]}]}");
     return mesh;
 }

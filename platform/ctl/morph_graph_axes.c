@@ -17,40 +17,40 @@
 #define AGE_MAX 16u   /* Maximum number of labelled ages. */
 #define AGE_ROOM 78.0 /* Minimum distance between two labelled ages, pixels. */
 
-double graph_x(double progress)
+double morph_graph_x(double progress)
 {
-    return GRAPH_LEFT + (GRAPH_RIGHT - GRAPH_LEFT) * progress;
+    return MORPH_GRAPH_LEFT + (MORPH_GRAPH_RIGHT - MORPH_GRAPH_LEFT) * progress;
 }
 
-double graph_y(double share)
+double morph_graph_y(double share)
 {
-    return GRAPH_BOTTOM + (GRAPH_TOP - GRAPH_BOTTOM) * share;
+    return MORPH_GRAPH_BOTTOM + (MORPH_GRAPH_TOP - MORPH_GRAPH_BOTTOM) * share;
 }
 
-void graph_print_age(char out[GRAPH_WORDS], double days)
+void morph_graph_print_age(char out[MORPH_GRAPH_WORDS], double days)
 {
     if (days < 2.0 * YEAR_DAYS - 0.5) {
-        snprintf(out, GRAPH_WORDS, "%.0f d", days);
+        snprintf(out, MORPH_GRAPH_WORDS, "%.0f d", days);
     } else {
-        snprintf(out, GRAPH_WORDS, "%.3g y", days / YEAR_DAYS);
+        snprintf(out, MORPH_GRAPH_WORDS, "%.3g y", days / YEAR_DAYS);
     }
 }
 
-void graph_print_length(char out[GRAPH_WORDS], double mm, int digits)
+void morph_graph_print_length(char out[MORPH_GRAPH_WORDS], double mm, int digits)
 {
     const bool small = mm < 1000.0;
-    snprintf(out, GRAPH_WORDS, "%.*g %s", digits, small ? mm : 1e-3 * mm, small ? "mm" : "m");
+    snprintf(out, MORPH_GRAPH_WORDS, "%.*g %s", digits, small ? mm : 1e-3 * mm, small ? "mm" : "m");
 }
 
 static void draw_shares(struct svg *svg)
 {
     for (int percent = 0; percent <= 100; percent += 25) {
-        const double y = graph_y(0.01 * percent);
-        svg_line(svg, GRAPH_LEFT, y, GRAPH_RIGHT, y, SVG_FAINT, 1.0, NULL);
-        svg_text(svg, GRAPH_LEFT - 12.0, y + 5.0, 14.0, "end", SVG_INK, "%d %%", percent);
+        const double y = morph_graph_y(0.01 * percent);
+        svg_line(svg, MORPH_GRAPH_LEFT, y, MORPH_GRAPH_RIGHT, y, SVG_FAINT, 1.0, NULL);
+        svg_text(svg, MORPH_GRAPH_LEFT - 12.0, y + 5.0, 14.0, "end", SVG_INK, "%d %%", percent);
     }
-    svg_put(svg, "<g transform=\"rotate(-90 40 %.0f)\">\n", graph_y(0.5));
-    svg_text(svg, 40.0, graph_y(0.5), 15.0, "middle", SVG_INK, "share of each key");
+    svg_put(svg, "<g transform=\"rotate(-90 40 %.0f)\">\n", morph_graph_y(0.5));
+    svg_text(svg, 40.0, morph_graph_y(0.5), 15.0, "middle", SVG_INK, "share of each key");
     svg_put(svg, "</g>\n");
 }
 
@@ -69,36 +69,37 @@ static double round_below(double mm)
     return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
 }
 
-struct graph_lengths graph_lengths(const struct species_card *card, bool is_even)
+struct morph_graph_lengths morph_graph_lengths(const struct species_card *card, bool is_even)
 {
     float min_m, max_m;
-    morph_pick_lengths(card, &min_m, &max_m);
+    morph_options_lengths(card, &min_m, &max_m);
     if (is_even || max_m <= LOG_FROM * min_m) {
-        return (struct graph_lengths){ 0.0, 1e3 * (double)max_m, false };
+        return (struct morph_graph_lengths){ 0.0, 1e3 * (double)max_m, false };
     }
-    return (struct graph_lengths){ 1e3 * (double)min_m / FOOT, 1e3 * (double)max_m, true };
+    return (struct morph_graph_lengths){ 1e3 * (double)min_m / FOOT, 1e3 * (double)max_m, true };
 }
 
-double graph_length_y(const struct graph_lengths *lengths, double mm)
+double morph_graph_length_y(const struct morph_graph_lengths *lengths, double mm)
 {
-    return graph_y(lengths->is_log
-                       ? log(mm / lengths->low_mm) / log(lengths->high_mm / lengths->low_mm)
-                       : mm / lengths->high_mm);
+    return morph_graph_y(lengths->is_log
+                             ? log(mm / lengths->low_mm) / log(lengths->high_mm / lengths->low_mm)
+                             : mm / lengths->high_mm);
 }
 
-static void draw_length(struct svg *svg, const struct graph_lengths *lengths, double mm)
+static void draw_length(struct svg *svg, const struct morph_graph_lengths *lengths, double mm)
 {
-    const double y = graph_length_y(lengths, mm);
-    char text[GRAPH_WORDS];
-    graph_print_length(text, mm, 4);
-    svg_line(svg, GRAPH_RIGHT, y, GRAPH_RIGHT + 6.0, y, MORPH_SCALE_COLOUR, 1.5, NULL);
-    svg_text(svg, GRAPH_RIGHT + 12.0, y + 5.0, 14.0, "start", MORPH_SCALE_COLOUR, "%s", text);
+    const double y = morph_graph_length_y(lengths, mm);
+    char text[MORPH_GRAPH_WORDS];
+    morph_graph_print_length(text, mm, 4);
+    svg_line(svg, MORPH_GRAPH_RIGHT, y, MORPH_GRAPH_RIGHT + 6.0, y, MORPH_SCALE_COLOUR, 1.5, NULL);
+    svg_text(svg, MORPH_GRAPH_RIGHT + 12.0, y + 5.0, 14.0, "start", MORPH_SCALE_COLOUR, "%s", text);
 }
 
-static void draw_lengths(struct svg *svg, const struct graph_lengths *lengths)
+static void draw_lengths(struct svg *svg, const struct morph_graph_lengths *lengths)
 {
     const double step = round_step(lengths->high_mm), most = lengths->high_mm * 1.0001;
-    svg_line(svg, GRAPH_RIGHT, GRAPH_TOP, GRAPH_RIGHT, GRAPH_BOTTOM, MORPH_SCALE_COLOUR, 1.5, NULL);
+    svg_line(svg, MORPH_GRAPH_RIGHT, MORPH_GRAPH_TOP, MORPH_GRAPH_RIGHT, MORPH_GRAPH_BOTTOM,
+             MORPH_SCALE_COLOUR, 1.5, NULL);
     for (double mm = 0.0; !lengths->is_log && step > 0.0 && mm <= most; mm += step) {
         draw_length(svg, lengths, mm);
     }
@@ -110,13 +111,15 @@ static void draw_lengths(struct svg *svg, const struct graph_lengths *lengths)
 
 static void draw_progress(struct svg *svg)
 {
-    svg_line(svg, GRAPH_LEFT, GRAPH_BOTTOM, GRAPH_RIGHT, GRAPH_BOTTOM, SVG_INK, 1.2, NULL);
+    svg_line(svg, MORPH_GRAPH_LEFT, MORPH_GRAPH_BOTTOM, MORPH_GRAPH_RIGHT, MORPH_GRAPH_BOTTOM,
+             SVG_INK, 1.2, NULL);
     for (int i = 0; i <= 10; i++) {
-        const double x = graph_x(0.1 * i);
-        svg_line(svg, x, GRAPH_BOTTOM, x, GRAPH_BOTTOM + 6.0, SVG_INK, 1.2, NULL);
-        svg_text(svg, x, GRAPH_BOTTOM + 24.0, 14.0, "middle", SVG_INK, "%g", 0.1 * i);
+        const double x = morph_graph_x(0.1 * i);
+        svg_line(svg, x, MORPH_GRAPH_BOTTOM, x, MORPH_GRAPH_BOTTOM + 6.0, SVG_INK, 1.2, NULL);
+        svg_text(svg, x, MORPH_GRAPH_BOTTOM + 24.0, 14.0, "middle", SVG_INK, "%g", 0.1 * i);
     }
-    svg_text(svg, GRAPH_LEFT - 24.0, GRAPH_BOTTOM + 24.0, 14.0, "end", SVG_INK, "progress");
+    svg_text(svg, MORPH_GRAPH_LEFT - 24.0, MORPH_GRAPH_BOTTOM + 24.0, 14.0, "end", SVG_INK,
+             "progress");
 }
 
 /* The ages on the axis: the labelled ages and their positions. */
@@ -140,14 +143,14 @@ static bool has_room(const struct age_axis *axis, double x)
 static void draw_age(struct svg *svg, struct age_axis *axis, double days)
 {
     const float progress = life_progress(axis->card, (float)days);
-    const double x = graph_x((double)progress);
-    char age[GRAPH_WORDS], length[GRAPH_WORDS];
+    const double x = morph_graph_x((double)progress);
+    char age[MORPH_GRAPH_WORDS], length[MORPH_GRAPH_WORDS];
     if (!has_room(axis, x)) {
         return;
     }
     axis->x[axis->count++] = x;
-    graph_print_age(age, days);
-    graph_print_length(length, 1e3 * (double)life_length_m(axis->card, progress), 3);
+    morph_graph_print_age(age, days);
+    morph_graph_print_length(length, 1e3 * (double)life_length_m(axis->card, progress), 3);
     svg_line(svg, x, AGES, x, AGES + 6.0, SVG_INK, 1.2, NULL);
     svg_text(svg, x, AGES + 24.0, 14.0, "middle", SVG_INK, "%s", age);
     svg_text(svg, x, AGES + 44.0, 13.0, "middle", MORPH_SCALE_COLOUR, "%s", length);
@@ -172,7 +175,7 @@ static void draw_ages(struct svg *svg, const struct species_card *card)
     struct age_axis axis = { .card = card,
                              .youngest = ceil((double)life_age_days(card, 0.0f) - 0.01),
                              .oldest = (double)life_age_days(card, 1.0f) + 0.01 };
-    svg_line(svg, GRAPH_LEFT, AGES, GRAPH_RIGHT, AGES, SVG_INK, 1.2, NULL);
+    svg_line(svg, MORPH_GRAPH_LEFT, AGES, MORPH_GRAPH_RIGHT, AGES, SVG_INK, 1.2, NULL);
     for (size_t i = 0; i < sizeof steps_days / sizeof steps_days[0]; i++) {
         const double step = steps_days[i], last = fmin(axis.oldest, 40.0 * step);
         const double first = step < YEAR_DAYS ? 0.0 : 2.0 * YEAR_DAYS;
@@ -182,12 +185,12 @@ static void draw_ages(struct svg *svg, const struct species_card *card)
             }
         }
     }
-    svg_text(svg, GRAPH_LEFT - 36.0, AGES + 24.0, 14.0, "end", SVG_INK, "age");
-    svg_text(svg, GRAPH_LEFT - 36.0, AGES + 44.0, 13.0, "end", MORPH_SCALE_COLOUR, "length");
+    svg_text(svg, MORPH_GRAPH_LEFT - 36.0, AGES + 24.0, 14.0, "end", SVG_INK, "age");
+    svg_text(svg, MORPH_GRAPH_LEFT - 36.0, AGES + 44.0, 13.0, "end", MORPH_SCALE_COLOUR, "length");
 }
 
-void graph_axes(struct svg *svg, const struct species_card *card,
-                const struct graph_lengths *lengths)
+void morph_graph_axes(struct svg *svg, const struct species_card *card,
+                      const struct morph_graph_lengths *lengths)
 {
     draw_shares(svg);
     draw_progress(svg);

@@ -46,9 +46,9 @@ static void print_row(const struct growth *growth, double age_days, double t0_ye
            von_bertalanffy_mm(growth, age_days, (double)growth->t0_year), shifted_mm);
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_growth_run(int argc, const char *const *argv)
 {
-    static struct morph_pick pick;
+    static struct morph_options pick;
     uint32_t steps = 200;
     double to_days = 0.0;
     bool thesis = false;
@@ -57,8 +57,8 @@ static enum exit_code run(int argc, const char *const *argv)
         { .name = "--to-days", .number = &to_days, .min = 1, .max = YEARS_MAX * DAYS_PER_YEAR },
         { .name = "--thesis", .flag = &thesis },
     };
-    const enum exit_code code = morph_pick_read(&pick, name, MORPH_ASKS_FISH, options,
-                                                sizeof options / sizeof options[0], argc, argv);
+    const enum exit_code code = morph_options_read(&pick, name, MORPH_REQUIRES_FISH, options,
+                                                   sizeof options / sizeof options[0], argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
@@ -87,5 +87,5 @@ const struct morph_command ctl_morph_growth = {
         "  --to-days D         the last age, 1 to 14610; otherwise that of 95 % of the length\n"
         "  --steps N           rows but one, 1 to 100000; 200 otherwise\n"
         "  --thesis            length_mm is the thesis' own method: shifted_mm\n",
-    .run = run,
+    .run = morph_growth_run,
 };

@@ -34,7 +34,7 @@ static void name_of_file(const char *path, char out[SPECIES_NAME_SIZE])
     }
 }
 
-static enum exit_code read_meshes(const struct import_words *words, struct import_mesh *mesh)
+static enum exit_code read_meshes(const struct morph_import_words *words, struct import_mesh *mesh)
 {
     char why[IMPORT_WHY_SIZE];
     enum exit_code code = EXIT_OK;
@@ -58,7 +58,7 @@ static enum exit_code read_meshes(const struct import_words *words, struct impor
     return code;
 }
 
-static enum exit_code refuse(const char *path, const char *why)
+static enum exit_code morph_import_error(const char *path, const char *why)
 {
     print_error("%s: %s", path, why);
     return EXIT_BAD_DATA;
@@ -78,8 +78,10 @@ static void use_near_as_far(struct species_slot *slot)
     }
 }
 
-static void tell(const struct import_words *words, const struct import_mesh *mesh,
-                 const struct species_slot *slot, const struct import_report *report)
+static void morph_import_print_result(const struct morph_import_words *words,
+                                      const struct import_mesh *mesh,
+                                      const struct species_slot *slot,
+                                      const struct import_report *report)
 {
     const struct species_card *card = &slot->species.card;
     print_line(stdout, "%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s",
@@ -96,7 +98,7 @@ static void tell(const struct import_words *words, const struct import_mesh *mes
     }
 }
 
-static enum exit_code make_of_meshes(struct import_words *words, struct species_slot *slot)
+static enum exit_code make_of_meshes(struct morph_import_words *words, struct species_slot *slot)
 {
     static struct import_mesh mesh;
     struct import_report report = { .front = AXIS_NONE };
@@ -108,7 +110,7 @@ static enum exit_code make_of_meshes(struct import_words *words, struct species_
     if (mesh.key_count < 3) {
         snprintf(why, sizeof why, "%u shapes, and a species has 3 to %u", mesh.key_count,
                  MORPH_KEY_MAX);
-        return refuse(words->files[0], why);
+        return morph_import_error(words->files[0], why);
     }
     if (words->plan.measure == IMPORT_UNSET) {
         words->plan.measure = mesh.has_life      ? mesh.measure
@@ -118,33 +120,33 @@ static enum exit_code make_of_meshes(struct import_words *words, struct species_
     if (import_orient(&mesh, &words->plan, &report, why) != EXIT_OK ||
         import_build(&mesh, slot, &report, why) != EXIT_OK ||
         import_life(&mesh, &words->plan, slot, &report, why) != EXIT_OK) {
-        return refuse(words->files[0], why);
+        return morph_import_error(words->files[0], why);
     }
     use_near_as_far(slot);
-    char fault[VET_WHY_SIZE];
-    if (!species_vet(&slot->species, fault)) {
-        return refuse(words->files[0], fault);
+    char fault[VALIDATE_WHY_SIZE];
+    if (!species_validate(&slot->species, fault)) {
+        return morph_import_error(words->files[0], fault);
     }
-    tell(words, &mesh, slot, &report);
+    morph_import_print_result(words, &mesh, slot, &report);
     return EXIT_OK;
 }
 
 /* Opens `like`, which is a built-in species or a file. Its values apply wherever the options do not
  * set others. */
-static enum exit_code open_like(struct import_words *words)
+static enum exit_code open_like(struct morph_import_words *words)
 {
     static struct species_slot slot;
-    struct import_plan *plan = &words->plan;
+    struct import_options *plan = &words->plan;
     for (uint32_t i = 0; words->like && i < species_table_count; i++) {
         if (strcmp(words->like, species_table[i]->card.id) == 0) {
             plan->like = species_table[i];
         }
     }
     if (words->like && !plan->like && !strpbrk(words->like, "/.")) {
-        return morph_pick_unknown(name, words->like);
+        return morph_options_unknown(name, words->like);
     }
     if (words->like && !plan->like) {
-        const enum exit_code code = morph_pick_file(words->like, name, &slot);
+        const enum exit_code code = morph_options_file(words->like, name, &slot);
         if (code != EXIT_OK) {
             return code;
         }
@@ -155,7 +157,7 @@ static enum exit_code open_like(struct import_words *words)
 
 /* Finds each file's landmarks. Unless the options name a file, the landmarks of FISH.obj are in
  * FISH.marks. */
-static void find_marks(struct import_words *words)
+static void find_marks(struct morph_import_words *words)
 {
     for (uint32_t i = words->mark_count; i < words->file_count; i++) {
         const char *file = words->files[i], *dot = strrchr(file, '.');
@@ -165,23 +167,23 @@ static void find_marks(struct import_words *words)
     }
 }
 
-static enum exit_code make_by_fit(struct import_words *words, struct species_slot *slot)
+static enum exit_code make_by_fit(struct morph_import_words *words, struct species_slot *slot)
 {
     const char *files[MORPH_KEY_MAX], *marks[MORPH_KEY_MAX];
-    char why[IMPORT_WHY_SIZE], fault[VET_WHY_SIZE];
-    const struct species *template = words->plan.like;
-    if (words->file_count != template->card.key_count) {
+    char why[IMPORT_WHY_SIZE], fault[VALIDATE_WHY_SIZE];
+    const struct species *template_id = words->plan.like;
+    if (words->file_count != template_id->card.key_count) {
         return morph_usage(name, "--fit: '%.60s' has %u keys, and there are %u files", words->fit,
-                           template->card.key_count, words->file_count);
+                           template_id->card.key_count, words->file_count);
     }
     find_marks(words);
     for (uint32_t i = 0; i < words->file_count; i++) {
         files[i] = words->files[i];
         marks[i] = words->marks[i];
     }
-    pack_copy(template, slot);
+    pack_copy(template_id, slot);
     if (words->plan.measure == IMPORT_UNSET) {
-        words->plan.measure = template->card.measure;
+        words->plan.measure = template_id->card.measure;
     }
     const enum exit_code code =
         refit_files(slot, files, marks, words->file_count, &words->plan, why);
@@ -190,19 +192,20 @@ static enum exit_code make_by_fit(struct import_words *words, struct species_slo
         return code;
     }
     if (import_fitted_life(&words->plan, &slot->species.card, why) != EXIT_OK) {
-        return refuse(words->files[0], why);
+        return morph_import_error(words->files[0], why);
     }
-    return species_vet(&slot->species, fault) ? EXIT_OK : refuse(words->files[0], fault);
+    return species_validate(&slot->species, fault) ? EXIT_OK
+                                                   : morph_import_error(words->files[0], fault);
 }
 
 /* ---- The command ---------------------------------------------------------------------------- */
 
-static enum exit_code make(struct import_words *words, struct species_slot *slot)
+static enum exit_code make(struct morph_import_words *words, struct species_slot *slot)
 {
     char id[SPECIES_NAME_SIZE];
     if (ends_with(words->files[0], ".txt") || ends_with(words->files[0], PACK_SUFFIX)) {
         const enum exit_code code = words->file_count == 1
-                                        ? morph_pick_file(words->files[0], name, slot)
+                                        ? morph_options_file(words->files[0], name, slot)
                                         : morph_usage(name, "one text makes one species");
         if (code == EXIT_OK && words->id) {
             memset(slot->species.card.id, 0, SPECIES_NAME_SIZE);
@@ -219,16 +222,16 @@ static enum exit_code make(struct import_words *words, struct species_slot *slot
                            : make_of_meshes(words, slot);
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_import_run(int argc, const char *const *argv)
 {
-    static struct import_words words;
+    static struct morph_import_words words;
     static struct species_slot slot;
-    char why[VET_WHY_SIZE], id[SPECIES_NAME_SIZE];
-    enum exit_code code = import_words_read(&words, argc, argv);
+    char why[VALIDATE_WHY_SIZE], id[SPECIES_NAME_SIZE];
+    enum exit_code code = morph_import_words_read(&words, argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
-    if (words.id && !import_take_name(words.id, 0, &id)) {
+    if (words.id && !morph_import_words_take_name(words.id, 0, &id)) {
         return morph_usage(name, "--id: '%.60s' is no name of a-z, 0-9 and _", words.id);
     }
     code = make(&words, &slot);
@@ -285,5 +288,5 @@ const struct morph_command ctl_morph_import = {
         "  --marks A,B,C        the landmarks' files, where they stand elsewhere\n"
         "Parts are known by the names of groups or objects: eye, tail or caudal, dorsal,\n"
         "dorsal_2, anal, pectoral, pelvic, finlet_upper, finlet_lower; all else is body.\n",
-    .run = run,
+    .run = morph_import_run,
 };

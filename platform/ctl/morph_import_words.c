@@ -52,7 +52,7 @@ static bool take_growth(const char *piece, uint32_t index, void *out)
     return number_parse_decimal(piece, ranges[index][0], ranges[index][1], (double *)out + index);
 }
 
-bool import_take_name(const char *piece, uint32_t index, void *out)
+bool morph_import_words_take_name(const char *piece, uint32_t index, void *out)
 {
     char(*names)[SPECIES_NAME_SIZE] = out;
     const size_t length = strlen(piece);
@@ -128,10 +128,10 @@ static const char *const forms[] = { "fusiform", "compressed", "depressed", "eel
 
 /* Parses an option that has a single value. Returns false if the value is not valid, and sets
  * `*known` to whether the option exists. */
-static bool take_value(struct import_words *words, const char *option, const char *value,
+static bool take_value(struct morph_import_words *words, const char *option, const char *value,
                        bool *known)
 {
-    struct import_plan *plan = &words->plan;
+    struct import_options *plan = &words->plan;
     *known = true;
     if (strcmp(option, "--id") == 0) {
         words->id = value;
@@ -164,17 +164,17 @@ static bool take_value(struct import_words *words, const char *option, const cha
         return take_choice(value, forms, 5, &plan->form);
     }
     if (strcmp(option, "--graph") == 0) {
-        return take_template(value, &plan->template);
+        return take_template(value, &plan->template_id);
     }
     *known = false;
     return false;
 }
 
 /* Parses an option whose value is a list "A,B,C". The results are as in take_value(). */
-static bool take_list(struct import_words *words, const char *option, const char *value,
+static bool take_list(struct morph_import_words *words, const char *option, const char *value,
                       bool *known)
 {
-    struct import_plan *plan = &words->plan;
+    struct import_options *plan = &words->plan;
     const struct {
         const char *name;
         uint32_t *count;
@@ -182,7 +182,8 @@ static bool take_list(struct import_words *words, const char *option, const char
         void *out;
         bool (*take)(const char *piece, uint32_t index, void *out);
     } lists[] = {
-        { "--names", &plan->name_count, 3, MORPH_KEY_MAX, plan->names, import_take_name },
+        { "--names", &plan->name_count, 3, MORPH_KEY_MAX, plan->names,
+          morph_import_words_take_name },
         { "--marks", &words->mark_count, 3, MORPH_KEY_MAX, words->marks, take_path },
         { "--lengths-mm", &plan->length_count, 2, MORPH_KEY_MAX, plan->lengths_mm, take_length },
         { "--ages-days", &plan->age_count, 2, MORPH_KEY_MAX, plan->ages_days, take_age },
@@ -202,29 +203,30 @@ static bool take_list(struct import_words *words, const char *option, const char
 }
 
 /* Parses one option. Returns false if the option does not exist or its value is not valid. */
-static bool take_option(struct import_words *words, const char *option, const char *value,
-                        bool *known)
+static bool morph_import_words_take_option(struct morph_import_words *words, const char *option,
+                                           const char *value, bool *known)
 {
     const bool good = take_value(words, option, value, known);
     return *known ? good : take_list(words, option, value, known);
 }
 
-enum exit_code import_words_read(struct import_words *words, int argc, const char *const *argv)
+enum exit_code morph_import_words_read(struct morph_import_words *words, int argc,
+                                       const char *const *argv)
 {
-    *words = (struct import_words){
+    *words = (struct morph_import_words){
         .plan = { .front = AXIS_NONE,
                   .up = AXIS_Y,
                   .measure = IMPORT_UNSET,
                   .motion = IMPORT_UNSET,
                   .form = IMPORT_UNSET,
-                  .template = TEMPLATE_OWN,
+                  .template_id = TEMPLATE_OWN,
                   .unit_m = 1.0 },
     };
     for (int i = 0; i < argc; i++) {
         if (strncmp(argv[i], "--", 2) == 0) {
             bool known;
             const char *value = i + 1 < argc ? argv[i + 1] : "";
-            if (!take_option(words, argv[i], value, &known)) {
+            if (!morph_import_words_take_option(words, argv[i], value, &known)) {
                 return known ? morph_usage(name, "%s: '%.60s' will not do; --help says what will",
                                            argv[i], value)
                              : morph_usage(name, "unknown option '%.100s'; --help lists them",

@@ -11,7 +11,7 @@
 #define IMPORT_UNSET 255u /* Value of a field of the plan that no option has set. */
 #define IMPORT_PATH_SIZE 256u
 
-struct import_words {
+struct morph_import_words {
     const char *out;
     const char *files[MORPH_KEY_MAX];
     uint32_t file_count;
@@ -19,16 +19,17 @@ struct import_words {
     /* Path of the landmarks of each file, used with --fit. */
     char marks[MORPH_KEY_MAX][IMPORT_PATH_SIZE];
     uint32_t mark_count;
-    struct import_plan plan;
+    struct import_options plan;
 };
 
 /* Parses the command line. argv[0] is the first word after `import`. `words` keeps pointers into
  * argv. Returns EXIT_OK. For an unknown option, a value that is not valid, or too many files,
  * prints one line to standard error and returns EXIT_USAGE. */
-enum exit_code import_words_read(struct import_words *words, int argc, const char *const *argv);
+enum exit_code morph_import_words_read(struct morph_import_words *words, int argc,
+                                       const char *const *argv);
 
 /* Parses `piece` as the name of the species or of a key into element `index` of `out`, an array of
  * char[SPECIES_NAME_SIZE]. Returns false if the name is not valid. */
-bool import_take_name(const char *piece, uint32_t index, void *out);
+bool morph_import_words_take_name(const char *piece, uint32_t index, void *out);
 
 #endif

@@ -21,7 +21,7 @@
 
 /* Finds the root of each ray. A ray is all points with the same u in one fin. Its root has the
  * least v and is stored before the other points of the ray. */
-void walk_find_roots(struct walk *w)
+void morph_inside_find_roots(struct morph_walk *w)
 {
     const struct species_vertex *vertex = w->mesh->vertices;
     for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
@@ -35,33 +35,36 @@ void walk_find_roots(struct walk *w)
     }
 }
 
-void walk_build_skins(struct walk *w)
+void morph_inside_build_skins(struct morph_walk *w)
 {
-    skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
-    w->body_closed = skin_is_closed(&w->body);
+    morph_skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
+    w->body_closed = morph_skin_is_closed(&w->body);
     w->out->moments_open += !w->body_closed;
     for (uint32_t i = 0; i < 2; i++) {
-        skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE, i == 0 ? SIDE_RIGHT : SIDE_LEFT);
-        w->eye_closed[i] = skin_is_closed(&w->eye[i]);
+        morph_skin_build(&w->eye[i], w->mesh, w->positions, PART_EYE,
+                         i == 0 ? SIDE_RIGHT : SIDE_LEFT);
+        w->eye_closed[i] = morph_skin_is_closed(&w->eye[i]);
     }
 }
 
-static void measure_body_vertex(struct walk *w, uint32_t i)
+static void measure_body_vertex(struct morph_walk *w, uint32_t i)
 {
-    const vec3 lifted = v3_mad(w->positions[i], w->normals[i], LIFT);
-    if (skin_has(&w->body, lifted)) {
-        walk_keep(w, &w->out->body_in_body, skin_way_out(&w->body, lifted, w->normals[i]), i);
+    const vec3 lifted = v3_muladd(w->positions[i], w->normals[i], LIFT);
+    if (morph_skin_has(&w->body, lifted)) {
+        morph_walk_keep(w, &w->out->body_in_body,
+                        morph_skin_way_out(&w->body, lifted, w->normals[i]), i);
     }
 }
 
-static void measure_in(struct walk *w, const struct skin *skin, struct finding *finding, uint32_t i)
+static void measure_in(struct morph_walk *w, const struct morph_skin *skin, struct finding *finding,
+                       uint32_t i)
 {
-    if (skin_has(skin, w->positions[i])) {
-        walk_keep(w, finding, skin_distance(skin, w->positions[i]), i);
+    if (morph_skin_has(skin, w->positions[i])) {
+        morph_walk_keep(w, finding, morph_skin_distance(skin, w->positions[i]), i);
     }
 }
 
-static void measure_eye_vertex(struct walk *w, uint32_t i)
+static void measure_eye_vertex(struct morph_walk *w, uint32_t i)
 {
     const struct species_vertex *vertex = &w->mesh->vertices[i];
     const uint32_t other = vertex->side == SIDE_RIGHT ? 1 : 0;
@@ -77,18 +80,21 @@ static void measure_eye_vertex(struct walk *w, uint32_t i)
     }
 }
 
-static float depth_of(const struct walk *w, uint32_t i)
+static float depth_of(const struct morph_walk *w, uint32_t i)
 {
-    return skin_has(&w->body, w->positions[i]) ? skin_distance(&w->body, w->positions[i]) : 0.0f;
+    return morph_skin_has(&w->body, w->positions[i])
+               ? morph_skin_distance(&w->body, w->positions[i])
+               : 0.0f;
 }
 
-static void measure_fin_vertex(struct walk *w, uint32_t i)
+static void measure_fin_vertex(struct morph_walk *w, uint32_t i)
 {
-    const bool inside = skin_has(&w->body, w->positions[i]);
+    const bool inside = morph_skin_has(&w->body, w->positions[i]);
     if (w->root[i] != i && inside) {
-        walk_keep(w, &w->out->fin_in_body, depth_of(w, i) - depth_of(w, w->root[i]), i);
+        morph_walk_keep(w, &w->out->fin_in_body, depth_of(w, i) - depth_of(w, w->root[i]), i);
     } else if (w->root[i] == i && !inside) {
-        walk_keep(w, &w->out->root_off_skin, skin_distance(&w->body, w->positions[i]), i);
+        morph_walk_keep(w, &w->out->root_off_skin, morph_skin_distance(&w->body, w->positions[i]),
+                        i);
     }
     for (uint32_t eye = 0; eye < 2; eye++) {
         if (w->eye_closed[eye]) {
@@ -97,7 +103,7 @@ static void measure_fin_vertex(struct walk *w, uint32_t i)
     }
 }
 
-void walk_measure_inside(struct walk *w)
+void morph_inside_measure(struct morph_walk *w)
 {
     for (uint32_t i = 0; i < w->mesh->vertex_count && w->body_closed; i++) {
         const uint8_t part = w->mesh->vertices[i].part;

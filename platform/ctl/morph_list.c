@@ -46,7 +46,7 @@ static void list_text(const struct species *species)
     putchar('\n');
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_list_run(int argc, const char *const *argv)
 {
     bool as_json = false;
     for (int i = 0; i < argc; i++) {
@@ -72,5 +72,5 @@ const struct morph_command ctl_morph_list = {
     .summary = "the built-in species: body form, key shapes and how long a fish of each is",
     .usage = "With --json also ages, measure (which length is meant), swimming, curves, and\n"
              "chapter 4's keys and template of the 2005 thesis.\n",
-    .run = run,
+    .run = morph_list_run,
 };

@@ -102,7 +102,7 @@ static struct species_vertex inside(const struct species_mesh *mesh, const uint1
 
 static void add_paint(struct paint *sum, const struct paint *paint, float weight)
 {
-    sum->colour = v3_mad(sum->colour, paint->colour, weight);
+    sum->colour = v3_muladd(sum->colour, paint->colour, weight);
     sum->clear += paint->clear * weight;
     sum->shine += paint->shine * weight;
 }

@@ -38,10 +38,10 @@ void morph_mesh_paint(const struct species *species, const float weights[MORPH_K
 
 /* Writes a Wavefront OBJ file of `pick` at its progress, in true size in metres. Returns EXIT_OK,
  * or prints one line to standard error and returns EXIT_IO. */
-enum exit_code morph_obj_write(const struct morph_pick *pick, const char *path);
+enum exit_code morph_obj_write(const struct morph_options *pick, const char *path);
 
 /* Writes the whole life of `pick` as one glTF 2.0 file (see morph_glb.c). Returns EXIT_OK, or
  * prints one line to standard error and returns EXIT_IO. */
-enum exit_code morph_glb_write(const struct morph_pick *pick, const char *path);
+enum exit_code morph_glb_write(const struct morph_options *pick, const char *path);
 
 #endif

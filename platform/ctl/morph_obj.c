@@ -19,7 +19,7 @@ static struct {
     struct morph_mesh cut;
 } work;
 
-static void write_head(FILE *file, const struct morph_pick *pick, float length_m)
+static void write_head(FILE *file, const struct morph_options *pick, float length_m)
 {
     const struct species_card *card = &pick->fish->card;
     fprintf(file, "# %s at progress %.6f: %.2f days, %.6g mm; kingyoctl morph export\n", card->id,
@@ -32,7 +32,7 @@ static void write_head(FILE *file, const struct morph_pick *pick, float length_m
     fprintf(file, "o %s\n", card->id);
 }
 
-static void write_vertices(FILE *file, const struct morph_pick *pick, float length_m)
+static void write_vertices(FILE *file, const struct morph_options *pick, float length_m)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -65,12 +65,12 @@ static void write_faces(FILE *file)
     }
 }
 
-enum exit_code morph_obj_write(const struct morph_pick *pick, const char *path)
+enum exit_code morph_obj_write(const struct morph_options *pick, const char *path)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];
     const float length_m = life_length_m(&pick->fish->card, pick->progress);
-    struct out_file out;
-    int error = out_open(&out, path);
+    struct atomic_file out;
+    int error = atomic_file_open(&out, path);
     if (error == 0) {
         morph_pose(&pick->rig, mesh, pick->progress, &work.pose);
         morph_shape(mesh, pick->fish->card.key_count, &work.pose, work.positions, work.normals);
@@ -79,7 +79,7 @@ enum exit_code morph_obj_write(const struct morph_pick *pick, const char *path)
         write_head(out.file, pick, length_m);
         write_vertices(out.file, pick, length_m);
         write_faces(out.file);
-        error = out_close(&out);
+        error = atomic_file_close(&out);
     }
     return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
 }

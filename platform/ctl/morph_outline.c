@@ -15,7 +15,7 @@
 /* Layers in drawing order, from back to front. */
 enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
 
-const char *outline_key_colour(const struct species_card *card, uint32_t key)
+const char *morph_outline_key_colour(const struct species_card *card, uint32_t key)
 {
     static char colours[MORPH_KEY_MAX][8];
     snprintf(colours[key], sizeof colours[key], "#%06x",
@@ -23,7 +23,7 @@ const char *outline_key_colour(const struct species_card *card, uint32_t key)
     return colours[key];
 }
 
-void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
+void morph_outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
 {
     memcpy(out, name, SPECIES_NAME_SIZE);
     for (char *c = strchr(out, '_'); c; c = strchr(c, '_')) {
@@ -31,33 +31,33 @@ void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZ
     }
 }
 
-void outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
+void morph_outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
 {
-    outline_words(out, name);
+    morph_outline_words(out, name);
     if (out[0] >= 'a' && out[0] <= 'z') {
         out[0] = (char)(out[0] - 'a' + 'A');
     }
 }
 
-enum outline_view outline_view_of(const struct species_card *card)
+enum morph_outline_view morph_outline_view_of(const struct species_card *card)
 {
-    return card->form == FORM_DEPRESSED ? OUTLINE_TOP : OUTLINE_SIDE;
+    return card->form == FORM_DEPRESSED ? MORPH_OUTLINE_TOP : MORPH_OUTLINE_SIDE;
 }
 
 /* Returns a body point in view axes: right, up and toward the viewer. */
-static vec3 seen(enum outline_view view, vec3 p)
+static vec3 seen(enum morph_outline_view view, vec3 p)
 {
     switch (view) {
-    case OUTLINE_SIDE:
+    case MORPH_OUTLINE_SIDE:
         return v3(p.z, p.y, -p.x);
-    case OUTLINE_FRONT:
+    case MORPH_OUTLINE_FRONT:
         return v3(-p.x, p.y, -p.z);
     default:
         return v3(p.z, p.x, p.y);
     }
 }
 
-void outline_project(const struct outline *outline, vec3 p, double *x, double *y)
+void morph_outline_project(const struct morph_outline *outline, vec3 p, double *x, double *y)
 {
     const vec3 s = seen(outline->view, p);
     *x = outline->x + outline->length_px * (double)s.x;
@@ -82,17 +82,17 @@ static enum layer layer_of(uint8_t part, float toward)
 /* Returns whether the view hides a layer. Eyes behind the body are hidden. In the side view these
  * are the eyes beyond the middle plane. The front view also hides the median fins, which are seen
  * edge-on there. */
-static bool is_hidden(const struct outline *outline, enum layer layer, float toward)
+static bool is_hidden(const struct morph_outline *outline, enum layer layer, float toward)
 {
-    if (outline->view == OUTLINE_FRONT) {
+    if (outline->view == MORPH_OUTLINE_FRONT) {
         return layer == LAYER_MEDIAN_FINS;
     }
-    return layer == LAYER_EYES && outline->view == OUTLINE_SIDE && toward < 0.0f;
+    return layer == LAYER_EYES && outline->view == MORPH_OUTLINE_SIDE && toward < 0.0f;
 }
 
 /* Returns whether the triangle at `corner` belongs to the layer and faces the viewer. */
-static bool is_seen(const struct outline *outline, const vec3 *positions, const uint16_t *corner,
-                    enum layer layer)
+static bool is_seen(const struct morph_outline *outline, const vec3 *positions,
+                    const uint16_t *corner, enum layer layer)
 {
     const struct species_mesh *mesh = &outline->species->lod[0];
     const vec3 a = seen(outline->view, positions[corner[0]]);
@@ -104,14 +104,14 @@ static bool is_seen(const struct outline *outline, const vec3 *positions, const 
            !is_hidden(outline, layer, toward);
 }
 
-static void put_point(struct svg *svg, const struct outline *outline, char verb, vec3 p)
+static void put_point(struct svg *svg, const struct morph_outline *outline, char verb, vec3 p)
 {
     double x, y;
-    outline_project(outline, p, &x, &y);
+    morph_outline_project(outline, p, &x, &y);
     svg_put(svg, "%c%.1f %.1f", verb, x, y);
 }
 
-static void draw_layer(struct svg *svg, const struct outline *outline, const vec3 *positions,
+static void draw_layer(struct svg *svg, const struct morph_outline *outline, const vec3 *positions,
                        enum layer layer)
 {
     const struct species_mesh *mesh = &outline->species->lod[0];
@@ -146,8 +146,8 @@ static void join(const struct species_mesh *mesh, const vec3 *positions,
 
 /* Draws each edge that belongs to a visible triangle and to no other visible triangle on its other
  * side. */
-static void draw_contour(struct svg *svg, const struct outline *outline, const vec3 *positions,
-                         const uint16_t *joined, enum layer layer)
+static void draw_contour(struct svg *svg, const struct morph_outline *outline,
+                         const vec3 *positions, const uint16_t *joined, enum layer layer)
 {
     /* True if a visible triangle has the edge. The first index is the start vertex and the second
      * index the end vertex. */
@@ -175,7 +175,7 @@ static void draw_contour(struct svg *svg, const struct outline *outline, const v
     svg_put(svg, "\"/>\n");
 }
 
-static void blend(const struct outline *outline, vec3 positions[MESH_VERTEX_MAX])
+static void blend(const struct morph_outline *outline, vec3 positions[MESH_VERTEX_MAX])
 {
     static struct morph_pose pose;
     const struct species *species = outline->species;
@@ -183,13 +183,13 @@ static void blend(const struct outline *outline, vec3 positions[MESH_VERTEX_MAX]
     morph_shape(&species->lod[0], species->card.key_count, &pose, positions, NULL);
 }
 
-void outline_measure(const struct outline *outline, double low[2], double high[2])
+void morph_outline_measure(const struct morph_outline *outline, double low[2], double high[2])
 {
     static vec3 positions[MESH_VERTEX_MAX];
     blend(outline, positions);
     for (uint32_t i = 0; i < outline->species->lod[0].vertex_count; i++) {
         double at[2];
-        outline_project(outline, positions[i], &at[0], &at[1]);
+        morph_outline_project(outline, positions[i], &at[0], &at[1]);
         for (int axis = 0; axis < 2; axis++) {
             low[axis] = fmin(low[axis], at[axis]);
             high[axis] = fmax(high[axis], at[axis]);
@@ -197,7 +197,7 @@ void outline_measure(const struct outline *outline, double low[2], double high[2
     }
 }
 
-void outline_draw(struct svg *svg, const struct outline *outline)
+void morph_outline_draw(struct svg *svg, const struct morph_outline *outline)
 {
     static vec3 positions[MESH_VERTEX_MAX];
     static uint16_t joined[MESH_VERTEX_MAX];

@@ -7,28 +7,28 @@
 
 /* Returns key_colour() in SVG notation, for example "#d23a2c". The string is static, and each key
  * has its own string. */
-const char *outline_key_colour(const struct species_card *card, uint32_t key);
+const char *morph_outline_key_colour(const struct species_card *card, uint32_t key);
 
 /* Converts a name to readable words, for example "long leaf". */
-void outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
+void morph_outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
 
 /* Converts a name to readable words with a capital first letter, for example "Long leaf". */
-void outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
+void morph_outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE]);
 
 /* Colour of the size curve. The size is purple as in the 2005 thesis. */
 #define MORPH_SCALE_COLOUR "#8e4bb8"
 
-enum outline_view {
-    OUTLINE_SIDE,  /* View from the fish's left side. The head points left. */
-    OUTLINE_FRONT, /* View from ahead of the fish. The back is up. */
-    OUTLINE_TOP,   /* View from above the fish. The head points left. */
+enum morph_outline_view {
+    MORPH_OUTLINE_SIDE,  /* View from the fish's left side. The head points left. */
+    MORPH_OUTLINE_FRONT, /* View from ahead of the fish. The back is up. */
+    MORPH_OUTLINE_TOP,   /* View from above the fish. The head points left. */
 };
 
-struct outline {
+struct morph_outline {
     const struct species *species;
     const struct morph_rig *rig;
     float progress;
-    enum outline_view view;
+    enum morph_outline_view view;
     double x, y;      /* Position of the body frame's origin, in pixels. */
     double length_px; /* Pixels for one body length. */
     const char *colour;
@@ -37,15 +37,15 @@ struct outline {
 };
 
 /* Returns the view that shows most of a body of the species' form. */
-enum outline_view outline_view_of(const struct species_card *card);
+enum morph_outline_view morph_outline_view_of(const struct species_card *card);
 
 /* Converts a point of the body frame to pixels of the picture. */
-void outline_project(const struct outline *outline, vec3 p, double *x, double *y);
+void morph_outline_project(const struct morph_outline *outline, vec3 p, double *x, double *y);
 
 /* Extends the box `low` .. `high`, in pixels, so that the box also contains the fish. */
-void outline_measure(const struct outline *outline, double low[2], double high[2]);
+void morph_outline_measure(const struct morph_outline *outline, double low[2], double high[2]);
 
 /* Draws the outline into the picture. */
-void outline_draw(struct svg *svg, const struct outline *outline);
+void morph_outline_draw(struct svg *svg, const struct morph_outline *outline);
 
 #endif

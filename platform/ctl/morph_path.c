@@ -8,10 +8,10 @@
 
 static const char name[] = "path";
 
-static enum exit_code find_vertex(struct path_plan *plan)
+static enum exit_code find_vertex(struct morph_path_plan *plan)
 {
     const struct species_mesh *mesh = &plan->pick.fish->lod[0];
-    const enum species_part part = plan->part ? morph_part_of(plan->part) : PART_COUNT;
+    const enum species_part part = plan->part ? part_of_vertex(plan->part) : PART_COUNT;
     const bool left = plan->side && strcmp(plan->side, "left") == 0;
     if (plan->side && !left && strcmp(plan->side, "right") != 0) {
         return morph_usage(name, "--side: '%.40s' is not right or left", plan->side);
@@ -22,7 +22,7 @@ static enum exit_code find_vertex(struct path_plan *plan)
     if (part == PART_COUNT) {
         return morph_usage(name, "--part: '%.40s' is no part; --help lists them", plan->part);
     }
-    plan->vertex = morph_part_vertex(mesh, part, left ? SIDE_LEFT : SIDE_RIGHT);
+    plan->vertex = part_vertex_range(mesh, part, left ? SIDE_LEFT : SIDE_RIGHT);
     if (plan->vertex == mesh->vertex_count) {
         return morph_usage(name, "--part: %s has no %s", plan->pick.fish->card.id, plan->part);
     }
@@ -32,15 +32,15 @@ static enum exit_code find_vertex(struct path_plan *plan)
 static struct chord chord_of(const struct species *fish, const struct morph_rig *rig,
                              uint32_t vertex)
 {
-    return (struct chord){ morph_part_place(fish, rig, vertex, 0.0f),
-                           morph_part_place(fish, rig, vertex, 1.0f) };
+    return (struct chord){ part_of_place(fish, rig, vertex, 0.0f),
+                           part_of_place(fish, rig, vertex, 1.0f) };
 }
 
-static void print_row(const struct path_plan *plan, float progress)
+static void print_row(const struct morph_path_plan *plan, float progress)
 {
     const struct species_card *card = &plan->pick.fish->card;
-    const vec3 p = morph_part_place(plan->pick.fish, &plan->pick.rig, plan->vertex, progress);
-    const vec3 o = morph_part_place(plan->ordinary, &plan->ordinary_rig, plan->vertex, progress);
+    const vec3 p = part_of_place(plan->pick.fish, &plan->pick.rig, plan->vertex, progress);
+    const vec3 o = part_of_place(plan->ordinary, &plan->ordinary_rig, plan->vertex, progress);
     printf("%.6f,%.3f,%.4f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", (double)progress,
            (double)life_age_days(card, progress), 1e3 * (double)life_length_m(card, progress),
            (double)p.x, (double)p.y, (double)p.z,
@@ -49,7 +49,7 @@ static void print_row(const struct path_plan *plan, float progress)
            (double)v3_from_line(o, plan->ordinary_chord.from, plan->ordinary_chord.to));
 }
 
-static enum exit_code print_table(const struct path_plan *plan)
+static enum exit_code print_table(const struct morph_path_plan *plan)
 {
     puts("progress,age_days,length_mm,x,y,z,from_chord,ordinary_x,ordinary_y,ordinary_z,"
          "ordinary_from_chord");
@@ -59,10 +59,10 @@ static enum exit_code print_table(const struct path_plan *plan)
     return EXIT_OK;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_path_run(int argc, const char *const *argv)
 {
-    static struct path_plan plan;
-    plan = (struct path_plan){ .steps = 100 };
+    static struct morph_path_plan plan;
+    plan = (struct morph_path_plan){ .steps = 100 };
     const struct morph_option options[] = {
         { .name = "--part", .text = &plan.part },
         { .name = "--side", .text = &plan.side },
@@ -70,21 +70,21 @@ static enum exit_code run(int argc, const char *const *argv)
         { .name = "--view", .text = &plan.view },
         { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
     };
-    enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
-                                          sizeof options / sizeof options[0], argc, argv);
+    enum exit_code code = morph_options_read(&plan.pick, name, MORPH_REQUIRES_CURVES, options,
+                                             sizeof options / sizeof options[0], argc, argv);
     if (code == EXIT_OK) {
         code = find_vertex(&plan);
     }
     if (code != EXIT_OK) {
         return code;
     }
-    plan.ordinary = morph_pick_ordinary(&plan.pick, &plan.ordinary_rig);
+    plan.ordinary = morph_options_ordinary(&plan.pick, &plan.ordinary_rig);
     plan.chord = chord_of(plan.pick.fish, &plan.pick.rig, plan.vertex);
     plan.ordinary_chord = chord_of(plan.ordinary, &plan.ordinary_rig, plan.vertex);
     if (plan.view && !plan.svg) {
         return morph_usage(name, "--view goes with --svg");
     }
-    return plan.svg ? path_picture(&plan, name) : print_table(&plan);
+    return plan.svg ? morph_path_picture(&plan, name) : print_table(&plan);
 }
 
 const struct morph_command ctl_morph_path = {
@@ -105,5 +105,5 @@ const struct morph_command ctl_morph_path = {
         "\nPlaces and distances are in body lengths, whatever size the fish has: x to its right,\n"
         "y up, z backward, the snout at z = -0.5. from_chord is the distance from the straight\n"
         "line between its first place and its last, which the ordinary morph never leaves.\n",
-    .run = run,
+    .run = morph_path_run,
 };

@@ -10,8 +10,8 @@ struct chord {
     vec3 from, to;
 };
 
-struct path_plan {
-    struct morph_pick pick;
+struct morph_path_plan {
+    struct morph_options pick;
     const char *part, *side, *svg, *view;
     uint32_t vertex, steps;
     const struct species *ordinary;
@@ -21,6 +21,6 @@ struct path_plan {
 
 /* Draws the path into the file plan->svg. Returns EXIT_OK, or prints one line to standard error and
  * returns another code. */
-enum exit_code path_picture(const struct path_plan *plan, const char *command);
+enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char *command);
 
 #endif

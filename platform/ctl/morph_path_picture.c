@@ -16,14 +16,14 @@ static void draw_fish(struct picture *picture, const struct window *window, doub
 {
     const struct species *fish = picture->plan->pick.fish;
     for (uint32_t key = 0; key < fish->card.key_count; key++) {
-        struct outline outline = path_outline(window);
+        struct morph_outline outline = morph_path_outline(window);
         outline.species = fish;
         outline.rig = &picture->keys;
         outline.progress = (float)key / (float)(fish->card.key_count - 1u);
-        outline.colour = outline_key_colour(&fish->card, key);
+        outline.colour = morph_outline_key_colour(&fish->card, key);
         outline.opacity = opacity;
         outline.line_px = 1.0;
-        outline_draw(&picture->svg, &outline);
+        morph_outline_draw(&picture->svg, &outline);
     }
 }
 
@@ -31,9 +31,9 @@ static void draw_way(struct picture *picture, const struct window *window, const
                      const char *colour, double width, const char *dashes)
 {
     svg_begin_line(&picture->svg);
-    for (uint32_t i = 0; i <= PATH_SAMPLES; i++) {
+    for (uint32_t i = 0; i <= MORPH_PATH_SAMPLES; i++) {
         double x, y;
-        path_place(window, way[i], &x, &y);
+        morph_path_place(window, way[i], &x, &y);
         svg_point(&picture->svg, x, y);
     }
     svg_end_line(&picture->svg, colour, width, dashes);
@@ -42,8 +42,8 @@ static void draw_way(struct picture *picture, const struct window *window, const
 static void draw_chord(struct picture *picture, const struct window *window)
 {
     double x0, y0, x1, y1;
-    path_place(window, picture->plan->chord.from, &x0, &y0);
-    path_place(window, picture->plan->chord.to, &x1, &y1);
+    morph_path_place(window, picture->plan->chord.from, &x0, &y0);
+    morph_path_place(window, picture->plan->chord.to, &x1, &y1);
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
 }
 
@@ -61,7 +61,7 @@ static void draw_reach(struct picture *picture, const struct window *window)
             SVG_GREY);
     for (uint32_t key = 0; key < picture->keys.key_count; key++) {
         double x, y;
-        path_place(window, path_solved(picture, key), &x, &y);
+        morph_path_place(window, morph_path_solved(picture, key), &x, &y);
         svg_point(&picture->svg, x, y);
     }
     svg_put(&picture->svg, "\"/>\n");
@@ -104,8 +104,8 @@ static void draw_dots(struct picture *picture, const struct window *window, doub
     const struct species_card *card = &picture->plan->pick.fish->card;
     for (uint32_t key = 0; key < picture->keys.key_count; key++) {
         double x, y;
-        path_place(window, path_key(picture, key), &x, &y);
-        svg_dot(&picture->svg, x, y, radius, outline_key_colour(card, key), SVG_PAPER);
+        morph_path_place(window, morph_path_key(picture, key), &x, &y);
+        svg_dot(&picture->svg, x, y, radius, morph_outline_key_colour(card, key), SVG_PAPER);
     }
 }
 
@@ -116,11 +116,11 @@ static void draw_names(struct picture *picture, const struct window *window)
     char words[SPECIES_NAME_SIZE];
     for (uint32_t key = 0; key < card->key_count; key++) {
         double x, y;
-        path_place(window, path_key(picture, key), &x, &y);
-        outline_words(words, card->key_names[key]);
+        morph_path_place(window, morph_path_key(picture, key), &x, &y);
+        morph_outline_words(words, card->key_names[key]);
         taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(words));
         svg_text(&picture->svg, taken[key].x, taken[key].y, 14.0, "start",
-                 outline_key_colour(card, key), "%s", words);
+                 morph_outline_key_colour(card, key), "%s", words);
     }
 }
 
@@ -128,14 +128,14 @@ static void draw_names(struct picture *picture, const struct window *window)
  * point of the chord. */
 static void draw_bend(struct picture *picture, const struct window *window)
 {
-    const struct path_plan *plan = picture->plan;
+    const struct morph_path_plan *plan = picture->plan;
     const vec3 along = v3_sub(plan->chord.to, plan->chord.from);
     const float length = v3_dot(along, along);
     const vec3 there = v3_sub(picture->farthest, plan->chord.from);
     const float share = length > 0.0f ? v3_dot(there, along) / length : 0.0f;
     double x0, y0, x1, y1;
-    path_place(window, picture->farthest, &x0, &y0);
-    path_place(window, v3_mad(plan->chord.from, along, share), &x1, &y1);
+    morph_path_place(window, picture->farthest, &x0, &y0);
+    morph_path_place(window, v3_muladd(plan->chord.from, along, share), &x1, &y1);
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_INK, 1.2, NULL);
     svg_text(&picture->svg, x1 + 10.0, y1 + 5.0, 14.0, "start", SVG_INK, "%.4f",
              (double)picture->farthest_lengths);
@@ -187,13 +187,13 @@ static void draw_window(struct picture *picture, const struct window *window, bo
     svg_put(&picture->svg, "</g>\n");
 }
 
-static void draw_words(struct picture *picture, enum outline_view view)
+static void draw_words(struct picture *picture, enum morph_outline_view view)
 {
     static const char *const seen[] = { "from its left", "from ahead", "from above" };
-    const struct path_plan *plan = picture->plan;
+    const struct morph_path_plan *plan = picture->plan;
     struct svg *svg = &picture->svg;
     char title[SPECIES_NAME_SIZE];
-    outline_title(title, plan->pick.fish->card.id);
+    morph_outline_title(title, plan->pick.fish->card.id);
     svg_text(svg, 50.0, 46.0, 26.0, "start", SVG_INK, "%s: %s", title, plan->part);
     if (picture->farthest_lengths < STRAIGHT_LENGTHS) {
         svg_text(svg, 50.0, 72.0, 14.0, "start", SVG_GREY,
@@ -203,7 +203,7 @@ static void draw_words(struct picture *picture, enum outline_view view)
                  "its way as the fish grows, %s; farthest from the straight line at progress %.2f",
                  seen[view], (double)picture->farthest_progress);
     }
-    svg_text(svg, 50.0, PATH_HEIGHT - 22.0, 13.0, "start", SVG_GREY,
+    svg_text(svg, 50.0, MORPH_PATH_HEIGHT - 22.0, 13.0, "start", SVG_GREY,
              "Red: its way. Dashed: the ordinary morph's.%s%s",
              plan->pick.thesis ? " Dotted: our own method's." : "",
              plan->pick.rig.curves[0].solved && plan->pick.fish->lod[0].anchor_count == 0
@@ -211,22 +211,23 @@ static void draw_words(struct picture *picture, enum outline_view view)
                  : "");
 }
 
-static void draw(struct picture *picture)
+static void morph_path_picture_draw(struct picture *picture)
 {
     static const char *const views[] = { "side", "front", "top" };
-    enum outline_view view = path_best_view(picture);
-    for (int i = OUTLINE_SIDE; picture->plan->view && i <= OUTLINE_TOP; i++) {
+    enum morph_outline_view view = morph_path_best_view(picture);
+    for (int i = MORPH_OUTLINE_SIDE; picture->plan->view && i <= MORPH_OUTLINE_TOP; i++) {
         if (strcmp(picture->plan->view, views[i]) == 0) {
-            view = (enum outline_view)i;
+            view = (enum morph_outline_view)i;
         }
     }
-    const struct window whole = path_whole(picture, view), lens = path_lens(picture, view);
+    const struct window whole = morph_path_whole(picture, view),
+                        lens = morph_path_lens(picture, view);
     draw_words(picture, view);
     draw_window(picture, &whole, false);
     draw_window(picture, &lens, true);
 }
 
-enum exit_code path_picture(const struct path_plan *plan, const char *command)
+enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char *command)
 {
     static struct picture picture;
     picture = (struct picture){ .plan = plan };
@@ -235,11 +236,12 @@ enum exit_code path_picture(const struct path_plan *plan, const char *command)
         return morph_usage(command, "--view: '%.40s' is not side, front or top", plan->view);
     }
     morph_rig_init(&picture.keys, &plan->pick.fish->card, TEMPLATE_PAIRWISE);
-    path_walk(&picture);
-    if (!svg_open(&picture.svg, plan->svg, PATH_WIDTH, PATH_HEIGHT, "The way of a part")) {
+    morph_path_walk(&picture);
+    if (!svg_open(&picture.svg, plan->svg, MORPH_PATH_WIDTH, MORPH_PATH_HEIGHT,
+                  "The way of a part")) {
         return morph_fail(EXIT_IO, command, "%.200s: %s", plan->svg, strerror(errno));
     }
-    draw(&picture);
+    morph_path_picture_draw(&picture);
     if (!svg_close(&picture.svg)) {
         return morph_fail(EXIT_IO, command, "%.200s: %s", plan->svg, strerror(errno));
     }

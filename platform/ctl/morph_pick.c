@@ -17,7 +17,7 @@ static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "
 
 /* Options as written, before the species is known. */
 struct words {
-    const char *template;
+    const char *template_id;
     const char *place[3]; /* Values in the order of place_options. */
 };
 
@@ -32,9 +32,9 @@ static const struct {
     { "--length-mm", 1e-3, 10000.0 },
 };
 
-const char *morph_template_name(enum graph_template template)
+const char *morph_template_name(enum graph_template template_id)
 {
-    return template_names[template];
+    return template_names[template_id];
 }
 
 /* ---- Options -------------------------------------------------------------------------------- */
@@ -59,11 +59,12 @@ static enum exit_code take_own(const char *command, const struct morph_option *o
                        value ? value : "", option->count ? "whole " : "", option->min, option->max);
 }
 
-static enum exit_code take_template(struct morph_pick *pick, const char *command, const char *value)
+static enum exit_code take_template(struct morph_options *pick, const char *command,
+                                    const char *value)
 {
     for (enum graph_template i = TEMPLATE_OWN; value && i < TEMPLATE_COUNT; i++) {
         if (strcmp(value, template_names[i]) == 0) {
-            pick->template = i;
+            pick->template_id = i;
             return EXIT_OK;
         }
     }
@@ -75,22 +76,22 @@ static enum exit_code take_template(struct morph_pick *pick, const char *command
 
 /* Parses one option and its value. Sets `*used` to the number of words that were read, or to 0 if
  * the option is unknown. */
-static enum exit_code take_shared(struct morph_pick *pick, struct words *words, const char *command,
-                                  enum morph_asks asks, const char *option, const char *value,
-                                  int *used)
+static enum exit_code take_shared(struct morph_options *pick, struct words *words,
+                                  const char *command, enum morph_requirement asks,
+                                  const char *option, const char *value, int *used)
 {
     *used = 2;
-    if ((asks & MORPH_ASKS_CURVES) && strcmp(option, "--template") == 0) {
+    if ((asks & MORPH_REQUIRES_CURVES) && strcmp(option, "--template") == 0) {
         return take_template(pick, command, value);
     }
-    for (size_t i = 0; (asks & MORPH_ASKS_PLACE) && i < 3; i++) {
+    for (size_t i = 0; (asks & MORPH_REQUIRES_PLACE) && i < 3; i++) {
         if (strcmp(option, place_options[i].name) == 0) {
             words->place[i] = value ? value : "";
             return EXIT_OK;
         }
     }
     *used = 1;
-    if ((asks & MORPH_ASKS_CURVES) && strcmp(option, "--thesis") == 0) {
+    if ((asks & MORPH_REQUIRES_CURVES) && strcmp(option, "--thesis") == 0) {
         pick->thesis = true;
         return EXIT_OK;
     }
@@ -98,7 +99,7 @@ static enum exit_code take_shared(struct morph_pick *pick, struct words *words, 
     return EXIT_OK;
 }
 
-static enum exit_code take_word(struct morph_pick *pick, const char *command, const char *word)
+static enum exit_code take_word(struct morph_options *pick, const char *command, const char *word)
 {
     if (word[0] == '-') {
         return morph_usage(command, "unknown option '%.100s'; --help lists them", word);
@@ -113,33 +114,34 @@ static enum exit_code take_word(struct morph_pick *pick, const char *command, co
 /* ---- Curves --------------------------------------------------------------------------------- */
 
 /* Applies --thesis and --template to the drawn species. */
-static void settle_curves(struct morph_pick *pick)
+static void settle_curves(struct morph_options *pick)
 {
     static struct straight_memory memory;
     static struct species made;
     pick->fish = pick->drawn;
     if (pick->thesis) {
-        species_thesis(pick->drawn, &memory, &made);
+        straight_thesis(pick->drawn, &memory, &made);
         pick->fish = &made;
-    } else if (pick->template == TEMPLATE_ORDINARY) {
-        species_straighten(pick->drawn, &memory, &made);
+    } else if (pick->template_id == TEMPLATE_ORDINARY) {
+        straight_species(pick->drawn, &memory, &made);
         pick->fish = &made;
     }
-    morph_rig_init(&pick->rig, &pick->fish->card, pick->template);
+    morph_rig_init(&pick->rig, &pick->fish->card, pick->template_id);
 }
 
-const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct morph_rig *rig)
+const struct species *morph_options_ordinary(const struct morph_options *pick,
+                                             struct morph_rig *rig)
 {
     static struct straight_memory memory;
     static struct species made;
-    species_straighten(pick->fish, &memory, &made);
+    straight_species(pick->fish, &memory, &made);
     morph_rig_init(rig, &made.card, TEMPLATE_ORDINARY);
     return &made;
 }
 
 /* ---- Place ---------------------------------------------------------------------------------- */
 
-void morph_pick_lengths(const struct species_card *card, float *min, float *max)
+void morph_options_lengths(const struct species_card *card, float *min, float *max)
 {
     *min = *max = life_length_m(card, 0.0f);
     for (uint32_t i = 1; i <= LENGTH_SAMPLES; i++) {
@@ -163,7 +165,7 @@ static enum exit_code check_drawn(const struct species_card *card, enum place pl
         return EXIT_OK;
     }
     if (place == PLACE_LENGTH_MM) {
-        morph_pick_lengths(card, &from, &to);
+        morph_options_lengths(card, &from, &to);
         from *= 1e3f;
         to *= 1e3f;
     }
@@ -177,7 +179,7 @@ static enum exit_code check_drawn(const struct species_card *card, enum place pl
                        place == PLACE_AGE_DAYS ? "days" : "mm");
 }
 
-static enum exit_code settle_place(struct morph_pick *pick, const struct words *words,
+static enum exit_code settle_place(struct morph_options *pick, const struct words *words,
                                    const char *command)
 {
     const struct species_card *card = &pick->fish->card;
@@ -209,8 +211,8 @@ static enum exit_code settle_place(struct morph_pick *pick, const struct words *
 
 /* ---- The whole command line ----------------------------------------------------------------- */
 
-static enum exit_code take_any(struct morph_pick *pick, struct words *words, const char *command,
-                               enum morph_asks asks, const struct morph_option *options,
+static enum exit_code take_any(struct morph_options *pick, struct words *words, const char *command,
+                               enum morph_requirement asks, const struct morph_option *options,
                                size_t option_count, const char *word, const char *value, int *used)
 {
     const enum exit_code code = take_shared(pick, words, command, asks, word, value, used);
@@ -227,13 +229,13 @@ static enum exit_code take_any(struct morph_pick *pick, struct words *words, con
     return take_word(pick, command, word);
 }
 
-enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enum morph_asks asks,
-                               const struct morph_option *options, size_t option_count, int argc,
-                               const char *const *argv)
+enum exit_code morph_options_read(struct morph_options *pick, const char *command,
+                                  enum morph_requirement asks, const struct morph_option *options,
+                                  size_t option_count, int argc, const char *const *argv)
 {
     struct words words = { 0 };
     int used = 1;
-    *pick = (struct morph_pick){ .template = TEMPLATE_OWN };
+    *pick = (struct morph_options){ .template_id = TEMPLATE_OWN };
     for (int i = 0; i < argc; i += used) {
         const enum exit_code code = take_any(pick, &words, command, asks, options, option_count,
                                              argv[i], i + 1 < argc ? argv[i + 1] : NULL, &used);
@@ -241,7 +243,7 @@ enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enu
             return code;
         }
     }
-    const enum exit_code code = morph_pick_open(pick, command);
+    const enum exit_code code = morph_options_open(pick, command);
     if (code != EXIT_OK) {
         return code;
     }

@@ -24,21 +24,21 @@ struct morph_option {
     double min, max;
 };
 
-enum morph_asks {
-    MORPH_ASKS_FISH = 0,   /* The subcommand takes only SPECIES|FILE. */
-    MORPH_ASKS_CURVES = 1, /* The subcommand also takes --template and --thesis. */
+enum morph_requirement {
+    MORPH_REQUIRES_FISH = 0,   /* The subcommand takes only SPECIES|FILE. */
+    MORPH_REQUIRES_CURVES = 1, /* The subcommand also takes --template and --thesis. */
     /* The subcommand also takes --template, --thesis, and one of --progress, --age-days and
      * --length-mm. */
-    MORPH_ASKS_PLACE = 2,
+    MORPH_REQUIRES_PLACE = 2,
 };
 
-struct morph_pick {
+struct morph_options {
     const char *word;             /* SPECIES|FILE as the user wrote it. */
     const struct species *drawn;  /* Species with all its keys, parts and anchors. */
     const struct species *fish; /* Species after --thesis and --template ordinary were applied. */
     struct morph_rig rig; /* Rig of `fish`. */
     /* Template of the graph. TEMPLATE_OWN unless --template selects another. */
-    enum graph_template template;
+    enum graph_template template_id;
     bool thesis;
     /* True if --progress, --age-days or --length-mm was given. Otherwise progress is 0. */
     bool has_place;
@@ -46,34 +46,35 @@ struct morph_pick {
 };
 
 /* Returns a template's name as --template expects it. */
-const char *morph_template_name(enum graph_template template);
+const char *morph_template_name(enum graph_template template_id);
 
 /* Parses the arguments of the subcommand `command` (for example "weights"): one SPECIES|FILE and
  * options in any order. Returns EXIT_OK, or prints one line to standard error and returns another
  * code. An age or a length outside the drawn life is rejected with its range. The objects that
  * `pick` points to are static, so only one fish is valid at a time. */
-enum exit_code morph_pick_read(struct morph_pick *pick, const char *command, enum morph_asks asks,
-                               const struct morph_option *options, size_t option_count, int argc,
-                               const char *const *argv);
+enum exit_code morph_options_read(struct morph_options *pick, const char *command,
+                                  enum morph_requirement asks, const struct morph_option *options,
+                                  size_t option_count, int argc, const char *const *argv);
 
 /* Reads a maker's file into `slot`. A file NAME.kfish is read as a packed species, and any other
  * file as a species text, which is lofted to a mesh. Returns EXIT_OK, or prints one line to
  * standard error and returns another code. */
-enum exit_code morph_pick_file(const char *path, const char *command, struct species_slot *slot);
+enum exit_code morph_options_file(const char *path, const char *command, struct species_slot *slot);
 
 /* Sets `pick->drawn` to the built-in species or the file that `pick->word` names. Returns EXIT_OK,
  * or prints one line to standard error and returns another code. */
-enum exit_code morph_pick_open(struct morph_pick *pick, const char *command);
+enum exit_code morph_options_open(struct morph_options *pick, const char *command);
 
 /* Prints that `word` is not a species, with the list of species. Returns EXIT_USAGE. */
-enum exit_code morph_pick_unknown(const char *command, const char *word);
+enum exit_code morph_options_unknown(const char *command, const char *word);
 
 /* Returns `fish` under ordinary morphing (eq. 3.1), with only its first and last keys and linear
  * weights. The returned object is static. */
-const struct species *morph_pick_ordinary(const struct morph_pick *pick, struct morph_rig *rig);
+const struct species *morph_options_ordinary(const struct morph_options *pick,
+                                             struct morph_rig *rig);
 
 /* Computes the least and the greatest length of the drawn life, in metres. The greatest length
  * corresponds to a growth scale of 1. */
-void morph_pick_lengths(const struct species_card *card, float *min, float *max);
+void morph_options_lengths(const struct species_card *card, float *min, float *max);
 
 #endif

@@ -29,12 +29,12 @@ static bool ends_with(const char *word, const char *suffix)
 static enum exit_code read_text(const char *path, const char *command, struct species_slot *slot)
 {
     static struct species_text text;
-    char why[VET_WHY_SIZE], cannot[PLAIN_WHY_SIZE];
+    char why[VALIDATE_WHY_SIZE], cannot[TEXT_FILE_WHY_SIZE];
     FILE *file;
-    const enum plain_open opened = plain_open(path, TEXT_SIZE_MAX, &file, cannot);
-    if (opened != PLAIN_OPEN) {
-        return morph_fail(opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO, command, "%.200s: %s",
-                          path, cannot);
+    const enum text_file_open opened = text_file_open(path, TEXT_SIZE_MAX, &file, cannot);
+    if (opened != TEXT_FILE_OPEN) {
+        return morph_fail(opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO, command,
+                          "%.200s: %s", path, cannot);
     }
     const bool good = species_read(file, path, stderr, &text);
     const bool broken = ferror(file) != 0;
@@ -43,16 +43,16 @@ static enum exit_code read_text(const char *path, const char *command, struct sp
         return broken ? EXIT_IO : EXIT_BAD_DATA;
     }
     pack_text(&text, slot);
-    if (!species_vet(&slot->species, why)) {
+    if (!species_validate(&slot->species, why)) {
         print_error("%s: %s", path, why);
         return EXIT_BAD_DATA;
     }
     return EXIT_OK;
 }
 
-enum exit_code morph_pick_file(const char *path, const char *command, struct species_slot *slot)
+enum exit_code morph_options_file(const char *path, const char *command, struct species_slot *slot)
 {
-    char why[VET_WHY_SIZE];
+    char why[VALIDATE_WHY_SIZE];
     if (!ends_with(path, PACK_SUFFIX)) {
         return read_text(path, command, slot);
     }
@@ -63,15 +63,15 @@ enum exit_code morph_pick_file(const char *path, const char *command, struct spe
     return result == PACK_OK ? EXIT_OK : result == PACK_BAD ? EXIT_BAD_DATA : EXIT_IO;
 }
 
-static enum exit_code read_file(struct morph_pick *pick, const char *command)
+static enum exit_code morph_options_read_file(struct morph_options *pick, const char *command)
 {
     static struct species_slot slot;
-    const enum exit_code code = morph_pick_file(pick->word, command, &slot);
+    const enum exit_code code = morph_options_file(pick->word, command, &slot);
     pick->drawn = &slot.species;
     return code;
 }
 
-enum exit_code morph_pick_unknown(const char *command, const char *word)
+enum exit_code morph_options_unknown(const char *command, const char *word)
 {
     char list[SPECIES_BUILT_IN * (SPECIES_NAME_SIZE + 2u)] = "";
     for (uint32_t i = 0; i < species_table_count; i++) {
@@ -85,7 +85,7 @@ enum exit_code morph_pick_unknown(const char *command, const char *word)
                        word, list);
 }
 
-enum exit_code morph_pick_open(struct morph_pick *pick, const char *command)
+enum exit_code morph_options_open(struct morph_options *pick, const char *command)
 {
     if (!pick->word) {
         return morph_usage(command, "a species is missing; 'kingyoctl morph list' tells them");
@@ -95,7 +95,7 @@ enum exit_code morph_pick_open(struct morph_pick *pick, const char *command)
         return EXIT_OK;
     }
     if (!strpbrk(pick->word, "/.")) {
-        return morph_pick_unknown(command, pick->word);
+        return morph_options_unknown(command, pick->word);
     }
-    return read_file(pick, command);
+    return morph_options_read_file(pick, command);
 }

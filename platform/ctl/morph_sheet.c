@@ -27,15 +27,15 @@ struct layout {
 };
 
 struct page {
-    const struct morph_pick *pick;
+    const struct morph_options *pick;
     struct canvas canvas;
-    struct portrait_bounds bounds[VIEW_COUNT]; /* Bounds over all stages, for each view. */
+    struct fish_preview_bounds bounds[VIEW_COUNT]; /* Bounds over all stages, for each view. */
     struct layout keys, betweens;
     bool failed;
 };
 
 /* Static because the object is too large for a stack. Only one portrait exists at a time. */
-static struct portrait portrait;
+static struct fish_preview portrait;
 
 /* ---- The page -------------------------------------------------------------------------------- */
 
@@ -48,7 +48,7 @@ static struct layout plan(const struct page *page, uint32_t columns, float words
      * higher than it is long. */
     float most = 0.0f;
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-        const struct portrait_bounds *b = &page->bounds[view];
+        const struct fish_preview_bounds *b = &page->bounds[view];
         most = f_max(most, f_max(b->right - b->left, b->high - b->low));
     }
     layout.scale_px = layout.cell_width * CELL_FILL / most;
@@ -63,16 +63,16 @@ static struct layout plan(const struct page *page, uint32_t columns, float words
 
 /* The fraction of a pixel is passed to the raster, because the corner of a raster is a whole
  * pixel. */
-static void draw_view(struct page *page, enum portrait_view view, struct canvas_box box,
+static void draw_view(struct page *page, enum fish_preview_view view, struct canvas_box box,
                       float scale_px)
 {
-    const struct portrait_bounds *b = &page->bounds[view];
+    const struct fish_preview_bounds *b = &page->bounds[view];
     struct raster raster;
     if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
         page->failed = true;
     } else {
-        portrait_draw(&portrait, view, sheet_middle(b->left, b->right),
-                      sheet_middle(b->low, b->high), scale_px, &raster);
+        fish_preview_draw(&portrait, view, morph_sheet_middle(b->left, b->right),
+                          morph_sheet_middle(b->low, b->high), scale_px, &raster);
         page->failed |=
             !raster_finish(&raster, &page->canvas, (uint32_t)box.left, (uint32_t)box.top);
     }
@@ -84,23 +84,23 @@ static void draw_words(struct page *page, const struct layout *layout, float x, 
 {
     const struct species_card *card = &page->pick->fish->card;
     const float length_m = life_length_m(card, progress), size = layout->words_px;
-    char name[PLATE_WORDS_SIZE], age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE];
-    char words[2 * PLATE_WORDS_SIZE + 8];
+    char name[CAPTION_WORDS_SIZE], age[CAPTION_WORDS_SIZE], length[CAPTION_WORDS_SIZE];
+    char words[2 * CAPTION_WORDS_SIZE + 8];
     float weights[MORPH_KEY_MAX];
     graph_weights(&page->pick->rig.curves[0], card->key_count, progress, weights);
-    plate_weights(&page->canvas,
-                  (struct canvas_box){ x - 0.43f * layout->cell_width, y + 0.5f * size,
-                                       0.86f * layout->cell_width, 0.3f * size },
-                  card->key_count, weights);
-    plate_bar(&page->canvas, x, y + 1.6f * size, 0.4f * layout->cell_width,
-              layout->scale_px / length_m, size);
-    plate_age(age, life_age_days(card, progress));
-    plate_length(length, length_m);
-    plate_name(name, title);
+    caption_weights(&page->canvas,
+                    (struct canvas_box){ x - 0.43f * layout->cell_width, y + 0.5f * size,
+                                         0.86f * layout->cell_width, 0.3f * size },
+                    card->key_count, weights);
+    caption_bar(&page->canvas, x, y + 1.6f * size, 0.4f * layout->cell_width,
+                layout->scale_px / length_m, size);
+    caption_age(age, life_age_days(card, progress));
+    caption_length(length, length_m);
+    caption_name(name, title);
     snprintf(words, sizeof words, "%s%s%s", name, title[0] ? ": " : "", age);
-    canvas_words(&page->canvas, x, y + 4.3f * size, size, ALIGN_CENTRE, PLATE_INK, words);
-    snprintf(words, sizeof words, "%s %s", plate_measure(card), length);
-    canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, PLATE_SOFT_INK, words);
+    canvas_words(&page->canvas, x, y + 4.3f * size, size, ALIGN_CENTRE, CAPTION_INK, words);
+    snprintf(words, sizeof words, "%s %s", caption_measure(card), length);
+    canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, CAPTION_SOFT_INK, words);
 }
 
 /* Draws one stage: the views in the water and the texts below them. */
@@ -109,9 +109,9 @@ static void draw_stage(struct page *page, const struct layout *layout, uint32_t 
 {
     const float left = MARGIN + (float)column * layout->cell_width;
     float y = top;
-    portrait_take(&portrait, page->pick->fish, &page->pick->rig, progress);
+    fish_preview_pose(&portrait, page->pick->fish, &page->pick->rig, progress);
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-        draw_view(page, (enum portrait_view)view,
+        draw_view(page, (enum fish_preview_view)view,
                   (struct canvas_box){ left, y, layout->cell_width, layout->band_height[view] },
                   layout->scale_px);
         y += layout->band_height[view];
@@ -124,22 +124,22 @@ static void draw_water(struct page *page, const struct layout *layout, float top
 {
     const struct canvas_box water = { MARGIN, top, (float)columns * layout->cell_width,
                                       layout->water_height };
-    canvas_fill(&page->canvas, water, SHEET_WATER_ABOVE, SHEET_WATER_BELOW);
+    canvas_fill(&page->canvas, water, MORPH_SHEET_WATER_ABOVE, MORPH_SHEET_WATER_BELOW);
 }
 
 static void draw_head(struct page *page)
 {
     const struct species_card *card = &page->pick->fish->card;
-    char from[PLATE_WORDS_SIZE], to[PLATE_WORDS_SIZE], words[256];
-    plate_name(words, card->id);
-    canvas_words(&page->canvas, MARGIN, 70.0f, 54.0f, ALIGN_LEFT, PLATE_INK, words);
-    plate_length(from, card->key_length_m[0]);
-    plate_length(to, card->key_length_m[card->key_count - 1u]);
+    char from[CAPTION_WORDS_SIZE], to[CAPTION_WORDS_SIZE], words[256];
+    caption_name(words, card->id);
+    canvas_words(&page->canvas, MARGIN, 70.0f, 54.0f, ALIGN_LEFT, CAPTION_INK, words);
+    caption_length(from, card->key_length_m[0]);
+    caption_length(to, card->key_length_m[card->key_count - 1u]);
     snprintf(words, sizeof words, "%u keys, %s %s to %s, curves: %s%s", card->key_count,
-             plate_measure(card), from, to, morph_template_name(page->pick->template),
+             caption_measure(card), from, to, morph_template_name(page->pick->template_id),
              page->pick->thesis ? ", the 2005 thesis' own method" : "");
-    canvas_words(&page->canvas, MARGIN, 108.0f, 24.0f, ALIGN_LEFT, PLATE_SOFT_INK, words);
-    canvas_words(&page->canvas, PAGE_WIDTH - MARGIN, 108.0f, 20.0f, ALIGN_RIGHT, PLATE_SOFT_INK,
+    canvas_words(&page->canvas, MARGIN, 108.0f, 24.0f, ALIGN_LEFT, CAPTION_SOFT_INK, words);
+    canvas_words(&page->canvas, PAGE_WIDTH - MARGIN, 108.0f, 20.0f, ALIGN_RIGHT, CAPTION_SOFT_INK,
                  "from its left, from above, aslant");
 }
 
@@ -161,20 +161,20 @@ static void draw_keys(struct page *page, float top)
 static void draw_betweens(struct page *page, uint32_t from, float top)
 {
     const struct species_card *card = &page->pick->fish->card;
-    const float steps = (float)(SHEET_BETWEEN + 1u);
-    char first[PLATE_WORDS_SIZE], second[PLATE_WORDS_SIZE], words[2 * PLATE_WORDS_SIZE + 8];
-    plate_name(first, card->key_names[from]);
-    plate_name(second, card->key_names[from + 1u]);
+    const float steps = (float)(MORPH_SHEET_BETWEEN + 1u);
+    char first[CAPTION_WORDS_SIZE], second[CAPTION_WORDS_SIZE], words[2 * CAPTION_WORDS_SIZE + 8];
+    caption_name(first, card->key_names[from]);
+    caption_name(second, card->key_names[from + 1u]);
     snprintf(words, sizeof words, "%s to %s", first, second);
-    canvas_words(&page->canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, PLATE_INK, words);
-    draw_water(page, &page->betweens, top, SHEET_BETWEEN);
-    for (uint32_t i = 0; i < SHEET_BETWEEN; i++) {
+    canvas_words(&page->canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, CAPTION_INK, words);
+    draw_water(page, &page->betweens, top, MORPH_SHEET_BETWEEN);
+    for (uint32_t i = 0; i < MORPH_SHEET_BETWEEN; i++) {
         const float at = (float)from + (float)(i + 1u) / steps;
         draw_stage(page, &page->betweens, i, top, "", at / (float)(card->key_count - 1u));
     }
 }
 
-static uint32_t key_rows(const struct morph_pick *pick)
+static uint32_t key_rows(const struct morph_options *pick)
 {
     return (pick->fish->card.key_count + KEY_COLUMNS_MAX - 1u) / KEY_COLUMNS_MAX;
 }
@@ -194,20 +194,21 @@ static void draw_page(struct page *page)
     }
 }
 
-enum exit_code morph_sheet_write(const struct morph_pick *pick, const char *path)
+enum exit_code morph_sheet_write(const struct morph_options *pick, const char *path)
 {
     struct page page = { .pick = pick };
     const uint32_t strips = pick->fish->card.key_count - 1u, rows = key_rows(pick);
-    sheet_measure(&portrait, pick, page.bounds);
+    morph_sheet_measure(&portrait, pick, page.bounds);
     page.keys = plan(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
-    page.betweens = plan(&page, SHEET_BETWEEN, BETWEEN_WORDS_PX);
+    page.betweens = plan(&page, MORPH_SHEET_BETWEEN, BETWEEN_WORDS_PX);
     const float height = HEAD_HEIGHT + (float)rows * page.keys.height +
                          (float)strips * (page.betweens.height + MARGIN) + MARGIN;
     if (!canvas_open(&page.canvas, (uint32_t)PAGE_WIDTH, (uint32_t)height)) {
-        return sheet_no_memory();
+        return morph_sheet_no_memory();
     }
     draw_page(&page);
-    const enum exit_code code = page.failed ? sheet_no_memory() : sheet_write(&page.canvas, path);
+    const enum exit_code code =
+        page.failed ? morph_sheet_no_memory() : morph_sheet_write_picture(&page.canvas, path);
     canvas_close(&page.canvas);
     return code;
 }

@@ -9,27 +9,27 @@
 
 static const char command[] = "export";
 
-enum exit_code sheet_no_memory(void)
+enum exit_code morph_sheet_no_memory(void)
 {
     return morph_fail(EXIT_IO, command, "%s", strerror(ENOMEM));
 }
 
-enum exit_code sheet_write(const struct canvas *canvas, const char *path)
+enum exit_code morph_sheet_write_picture(const struct canvas *canvas, const char *path)
 {
     const int error = canvas_write_png(canvas, path);
     return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
 }
 
-void sheet_measure(struct portrait *portrait, const struct morph_pick *pick,
-                   struct portrait_bounds bounds[VIEW_COUNT])
+void morph_sheet_measure(struct fish_preview *portrait, const struct morph_options *pick,
+                         struct fish_preview_bounds bounds[VIEW_COUNT])
 {
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-        bounds[view] = portrait_nowhere;
+        bounds[view] = fish_preview_nowhere;
     }
     for (uint32_t i = 0; i <= MEASURE_STEPS; i++) {
-        portrait_take(portrait, pick->fish, &pick->rig, (float)i / (float)MEASURE_STEPS);
+        fish_preview_pose(portrait, pick->fish, &pick->rig, (float)i / (float)MEASURE_STEPS);
         for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-            portrait_measure(portrait, (enum portrait_view)view, &bounds[view]);
+            fish_preview_measure(portrait, (enum fish_preview_view)view, &bounds[view]);
         }
     }
 }

@@ -16,7 +16,7 @@ struct bins {
     uint32_t row[2], column[2];
 };
 
-static struct bins bins_of(const struct skin *skin, const vec3 corner[3])
+static struct bins bins_of(const struct morph_skin *skin, const vec3 corner[3])
 {
     float y[2] = { corner[0].y, corner[0].y }, z[2] = { corner[0].z, corner[0].z };
     for (int k = 1; k < 3; k++) {
@@ -27,20 +27,20 @@ static struct bins bins_of(const struct skin *skin, const vec3 corner[3])
     }
     struct bins bins;
     for (int end = 0; end < 2; end++) {
-        bins.row[end] = bin_of(y[end], skin->low_y, skin->high_y, SKIN_ROWS);
-        bins.column[end] = bin_of(z[end], skin->low_z, skin->high_z, SKIN_COLUMNS);
+        bins.row[end] = bin_of(y[end], skin->low_y, skin->high_y, MORPH_SKIN_ROWS);
+        bins.column[end] = bin_of(z[end], skin->low_z, skin->high_z, MORPH_SKIN_COLUMNS);
     }
     return bins;
 }
 
 /* Counts the triangles of every bin if `fill` is false. Otherwise lists the triangles. */
-static void walk_bins(struct skin *skin, bool fill)
+static void walk_bins(struct morph_skin *skin, bool fill)
 {
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
         const struct bins b = bins_of(skin, skin->corner[i]);
         for (uint32_t row = b.row[0]; row <= b.row[1]; row++) {
             for (uint32_t column = b.column[0]; column <= b.column[1]; column++) {
-                uint32_t *end = &skin->bin_first[row * SKIN_COLUMNS + column + 1u];
+                uint32_t *end = &skin->bin_first[row * MORPH_SKIN_COLUMNS + column + 1u];
                 if (fill) {
                     skin->binned[*end] = (uint16_t)i;
                 }
@@ -50,21 +50,21 @@ static void walk_bins(struct skin *skin, bool fill)
     }
 }
 
-static void fill_bins(struct skin *skin)
+static void fill_bins(struct morph_skin *skin)
 {
     memset(skin->bin_first, 0, sizeof skin->bin_first);
     walk_bins(skin, false);
-    for (uint32_t bin = 1; bin <= SKIN_BINS; bin++) {
+    for (uint32_t bin = 1; bin <= MORPH_SKIN_BINS; bin++) {
         skin->bin_first[bin] += skin->bin_first[bin - 1];
     }
     /* Each count becomes the start index of its bin. The second walk advances the start index to
      * the end of the bin. */
-    memmove(&skin->bin_first[1], &skin->bin_first[0], SKIN_BINS * sizeof skin->bin_first[0]);
+    memmove(&skin->bin_first[1], &skin->bin_first[0], MORPH_SKIN_BINS * sizeof skin->bin_first[0]);
     walk_bins(skin, true);
 }
 
-void skin_build(struct skin *skin, const struct species_mesh *mesh, const vec3 *positions,
-                enum species_part part, enum species_side side)
+void morph_skin_build(struct morph_skin *skin, const struct species_mesh *mesh,
+                      const vec3 *positions, enum species_part part, enum species_side side)
 {
     skin->triangle_count = 0;
     skin->low_y = skin->low_z = FLT_MAX;
@@ -94,7 +94,7 @@ static vec3 area(const vec3 corner[3])
     return v3_scale(v3_cross(v3_sub(corner[1], corner[0]), v3_sub(corner[2], corner[0])), 0.5f);
 }
 
-bool skin_is_closed(const struct skin *skin)
+bool morph_skin_is_closed(const struct morph_skin *skin)
 {
     vec3 sum = { 0.0f, 0.0f, 0.0f };
     float whole = 0.0f;
@@ -106,7 +106,7 @@ bool skin_is_closed(const struct skin *skin)
     return whole > 0.0f && v3_length(sum) < 1e-3f * whole;
 }
 
-float skin_volume(const struct skin *skin)
+float morph_skin_volume(const struct morph_skin *skin)
 {
     double volume = 0.0;
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
@@ -119,7 +119,7 @@ float skin_volume(const struct skin *skin)
 /* Returns on which side of the line from a to b (seen from the right) the point p lies. The two
  * triangles of an edge compute the value in the same order, so that the results agree in every bit.
  * A line through an edge therefore leaves by exactly one of the two triangles. */
-static double side_of(vec3 a, vec3 b, vec3 p)
+static double morph_skin_side_of(vec3 a, vec3 b, vec3 p)
 {
     const bool swap = b.y < a.y || (b.y == a.y && b.z < a.z);
     const vec3 from = swap ? b : a, to = swap ? a : b;
@@ -132,22 +132,23 @@ static double side_of(vec3 a, vec3 b, vec3 p)
 /* Returns whether a line from `p` to the right passes through the triangle. */
 static bool lies_right(const vec3 c[3], vec3 p)
 {
-    const double d0 = side_of(c[0], c[1], p), d1 = side_of(c[1], c[2], p);
-    const double d2 = side_of(c[2], c[0], p), sum = d0 + d1 + d2;
+    const double d0 = morph_skin_side_of(c[0], c[1], p), d1 = morph_skin_side_of(c[1], c[2], p);
+    const double d2 = morph_skin_side_of(c[2], c[0], p), sum = d0 + d1 + d2;
     if ((d0 < 0.0) != (d1 < 0.0) || (d1 < 0.0) != (d2 < 0.0)) {
         return false;
     }
     return (d1 * (double)c[0].x + d2 * (double)c[1].x + d0 * (double)c[2].x) / sum > (double)p.x;
 }
 
-bool skin_has(const struct skin *skin, vec3 p)
+bool morph_skin_has(const struct morph_skin *skin, vec3 p)
 {
     if (skin->triangle_count == 0 || p.y < skin->low_y || p.y > skin->high_y || p.z < skin->low_z ||
         p.z > skin->high_z) {
         return false;
     }
-    const uint32_t bin = bin_of(p.y, skin->low_y, skin->high_y, SKIN_ROWS) * SKIN_COLUMNS +
-                         bin_of(p.z, skin->low_z, skin->high_z, SKIN_COLUMNS);
+    const uint32_t bin =
+        bin_of(p.y, skin->low_y, skin->high_y, MORPH_SKIN_ROWS) * MORPH_SKIN_COLUMNS +
+        bin_of(p.z, skin->low_z, skin->high_z, MORPH_SKIN_COLUMNS);
     bool inside = false;
     for (uint32_t i = skin->bin_first[bin]; i < skin->bin_first[bin + 1u]; i++) {
         inside ^= lies_right(skin->corner[skin->binned[i]], p);
@@ -160,7 +161,7 @@ static float to_segment(vec3 p, vec3 a, vec3 b)
     const vec3 along = v3_sub(b, a);
     const float square = v3_dot(along, along);
     const float part = square > 0.0f ? v3_dot(v3_sub(p, a), along) / square : 0.0f;
-    return v3_length(v3_sub(p, v3_mad(a, along, f_clamp(part, 0.0f, 1.0f))));
+    return v3_length(v3_sub(p, v3_muladd(a, along, f_clamp(part, 0.0f, 1.0f))));
 }
 
 static float to_triangle(vec3 p, const vec3 c[3])
@@ -189,7 +190,7 @@ static float to_box(vec3 p, const vec3 c[3])
                         to_span(p.z, c[0].z, c[1].z, c[2].z)));
 }
 
-float skin_distance(const struct skin *skin, vec3 point)
+float morph_skin_distance(const struct morph_skin *skin, vec3 point)
 {
     float nearest = FLT_MAX;
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
@@ -214,7 +215,7 @@ static float crossing(vec3 p, vec3 way, const vec3 c[3])
     return u < 0.0f || v < 0.0f || u + v > 1.0f ? -1.0f : v3_dot(e2, q) / scale;
 }
 
-float skin_way_out(const struct skin *skin, vec3 point, vec3 way)
+float morph_skin_way_out(const struct morph_skin *skin, vec3 point, vec3 way)
 {
     float nearest = FLT_MAX;
     for (uint32_t i = 0; i < skin->triangle_count; i++) {

@@ -10,41 +10,41 @@
 
 #include "core/morph/morph.h"
 
-#define SKIN_TRIANGLE_MAX (MESH_INDEX_MAX / 3u)
-#define SKIN_ROWS 16u    /* Number of bin rows from bottom to top. */
+#define MORPH_SKIN_TRIANGLE_MAX (MESH_INDEX_MAX / 3u)
+#define MORPH_SKIN_ROWS 16u /* Number of bin rows from bottom to top. */
 /* Number of bin columns from front to rear. A line to the right passes through exactly one bin. */
-#define SKIN_COLUMNS 32u
-#define SKIN_BINS (SKIN_ROWS * SKIN_COLUMNS)
+#define MORPH_SKIN_COLUMNS 32u
+#define MORPH_SKIN_BINS (MORPH_SKIN_ROWS * MORPH_SKIN_COLUMNS)
 
-struct skin { /* A surface with its bins. The size is about 3 MiB. */
+struct morph_skin { /* A surface with its bins. The size is about 3 MiB. */
     uint32_t triangle_count;
-    vec3 corner[SKIN_TRIANGLE_MAX][3];
+    vec3 corner[MORPH_SKIN_TRIANGLE_MAX][3];
     float low_y, low_z, high_y, high_z;
-    uint32_t bin_first[SKIN_BINS + 1u];
-    uint16_t binned[SKIN_TRIANGLE_MAX * SKIN_BINS];
+    uint32_t bin_first[MORPH_SKIN_BINS + 1u];
+    uint16_t binned[MORPH_SKIN_TRIANGLE_MAX * MORPH_SKIN_BINS];
 };
 
 /* Builds the surface from the triangles of `part` on `side`. SIDE_MIDDLE selects all triangles of
  * the part. */
-void skin_build(struct skin *skin, const struct species_mesh *mesh, const vec3 *positions,
-                enum species_part part, enum species_side side);
+void morph_skin_build(struct morph_skin *skin, const struct species_mesh *mesh,
+                      const vec3 *positions, enum species_part part, enum species_side side);
 
 /* Returns whether the surface has triangles and no hole. The area vectors of a closed surface have
  * the sum zero. */
-bool skin_is_closed(const struct skin *skin);
+bool morph_skin_is_closed(const struct morph_skin *skin);
 
 /* Returns the volume inside a closed surface. */
-float skin_volume(const struct skin *skin);
+float morph_skin_volume(const struct morph_skin *skin);
 
 /* Returns whether `point` is inside the surface. */
-bool skin_has(const struct skin *skin, vec3 point);
+bool morph_skin_has(const struct morph_skin *skin, vec3 point);
 
 /* Returns the distance from `point` to the nearest point of the surface. The point may be inside or
  * outside. */
-float skin_distance(const struct skin *skin, vec3 point);
+float morph_skin_distance(const struct morph_skin *skin, vec3 point);
 
 /* Returns the distance from `point`, which is inside, to the exit in direction `way` (length 1).
  * Returns 0 if there is no exit. */
-float skin_way_out(const struct skin *skin, vec3 point, vec3 way);
+float morph_skin_way_out(const struct morph_skin *skin, vec3 point, vec3 way);
 
 #endif

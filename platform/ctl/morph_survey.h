@@ -8,23 +8,23 @@
 
 #include "core/morph/morph.h"
 
-#define SURVEY_NOWHERE UINT32_MAX
+#define MORPH_SURVEY_NOWHERE UINT32_MAX
 
 /* The worst value of a kind, and the vertex and the progress at which it was found. */
 struct finding {
     float value;     /* Worst value. A value of 0 means that nothing was found. */
     float progress;
-    uint32_t vertex; /* Vertex of the worst value, or SURVEY_NOWHERE. */
+    uint32_t vertex; /* Vertex of the worst value, or MORPH_SURVEY_NOWHERE. */
 };
 
 /* Greatest distance of a vertex from the straight line between its first and its last position. */
 struct curvature {
-    /* Number of the vertex, or SURVEY_NOWHERE if the fish does not have the part. */
+    /* Number of the vertex, or MORPH_SURVEY_NOWHERE if the fish does not have the part. */
     uint32_t vertex;
     float from_chord;
 };
 
-struct survey {
+struct morph_survey {
     /* `sum_error` is the greatest |sum - 1| of the graph's weights over all curves. `weight_min` is
      * the least weight. */
     float sum_error, weight_min;
@@ -74,6 +74,6 @@ struct survey {
 /* Measures `steps` + 1 moments from progress 0 to 1 and the moment of each key, at one level of
  * detail. */
 void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
-                  uint32_t steps, struct survey *out);
+                  uint32_t steps, struct morph_survey *out);
 
 #endif

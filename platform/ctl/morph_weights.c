@@ -7,7 +7,7 @@
 static const char name[] = "weights";
 
 struct weights_plan {
-    struct morph_pick pick;
+    struct morph_options pick;
     uint32_t steps;
     const char *curve_name;
     bool drawn;
@@ -33,7 +33,7 @@ static void print_row(const struct weights_plan *plan, float progress, float len
     putchar('\n');
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code morph_weights_run(int argc, const char *const *argv)
 {
     static struct weights_plan plan;
     plan = (struct weights_plan){ .steps = 100 };
@@ -42,8 +42,8 @@ static enum exit_code run(int argc, const char *const *argv)
         { .name = "--curve", .text = &plan.curve_name },
         { .name = "--drawn", .flag = &plan.drawn },
     };
-    enum exit_code code = morph_pick_read(&plan.pick, name, MORPH_ASKS_CURVES, options,
-                                          sizeof options / sizeof options[0], argc, argv);
+    enum exit_code code = morph_options_read(&plan.pick, name, MORPH_REQUIRES_CURVES, options,
+                                             sizeof options / sizeof options[0], argc, argv);
     if (code == EXIT_OK) {
         code = morph_curve_find(&plan.pick.fish->card, name, plan.curve_name, &plan.curve);
     }
@@ -52,7 +52,7 @@ static enum exit_code run(int argc, const char *const *argv)
     }
     const struct species_card *card = &plan.pick.fish->card;
     float length_min_m, length_max_m;
-    morph_pick_lengths(card, &length_min_m, &length_max_m);
+    morph_options_lengths(card, &length_min_m, &length_max_m);
     fputs("progress,age_days,length_mm,scale", stdout);
     for (uint32_t key = 0; key < card->key_count; key++) {
         printf(",w_%s", card->key_names[key]);
@@ -76,5 +76,5 @@ const struct morph_command ctl_morph_weights = {
         "                never are\n"
         "\nThe first key stands at progress 0, the last at 1. scale is the length as a share of\n"
         "the greatest between them: [0, 1]. Each row's weights sum to 1.\n",
-    .run = run,
+    .run = morph_weights_run,
 };

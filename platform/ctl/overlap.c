@@ -142,8 +142,8 @@ static void sort_by_cell(struct overlap *overlap, const struct floor_grid *grid)
     }
 }
 
-static void judge(const struct overlap *overlap, uint32_t i, uint32_t j,
-                  struct overlap_count *total)
+static void overlap_classify_pair(const struct overlap *overlap, uint32_t i, uint32_t j,
+                                  struct overlap_count *total)
 {
     const struct overlap_box *a = &overlap->box[i], *b = &overlap->box[j];
     const double x = a->centre_m[0] - b->centre_m[0], y = a->centre_m[1] - b->centre_m[1],
@@ -170,7 +170,7 @@ static void judge_around(const struct overlap *overlap, const struct floor_grid 
         const uint32_t end = overlap->first[r * grid->columns + right + 1u];
         for (uint32_t k = begin; k < end; k++) {
             if (overlap->order[k] > i) {
-                judge(overlap, i, overlap->order[k], total);
+                overlap_classify_pair(overlap, i, overlap->order[k], total);
             }
         }
     }

@@ -27,7 +27,7 @@ static void report_json(const struct paper_lab *lab)
            1e3 * (double)lab->water_kg);
 }
 
-static void say_how_wet(const struct paper_plan *plan)
+static void say_how_wet(const struct paper_options *plan)
 {
     const double wet = 100.0 * (double)plan->wetness * (plan->wet_fraction > 0.0f ? 1.0 : 0.0);
     if (wet <= 0.0) {
@@ -39,7 +39,7 @@ static void say_how_wet(const struct paper_plan *plan)
     }
 }
 
-static void say_what_it_meets(const struct paper_plan *plan)
+static void say_what_it_meets(const struct paper_options *plan)
 {
     const double tilt_deg = (double)(plan->tilt_rad / F_DEG);
     printf(": %.4g m/s at %.3g degrees through %s%s", (double)plan->speed_m_s, tilt_deg,
@@ -52,7 +52,7 @@ static void say_what_it_meets(const struct paper_plan *plan)
 
 static void report_text(const struct paper_lab *lab)
 {
-    const struct paper_plan *plan = lab->plan;
+    const struct paper_options *plan = lab->plan;
     const double tore_s = paper_lab_tore_s(lab);
     printf("No. %u paper%s", plan->grade, plan->ideal ? " of the formula" : "");
     say_how_wet(plan);
@@ -72,7 +72,7 @@ static void report_text(const struct paper_lab *lab)
     printf("  water carried       %8.2f g at most\n", 1e3 * (double)lab->water_kg);
 }
 
-static void measure(const struct paper_plan *plan)
+static void paper_measure_all(const struct paper_options *plan)
 {
     static struct paper_lab lab;
     paper_lab_open(&lab, plan);
@@ -86,7 +86,7 @@ static void measure(const struct paper_plan *plan)
 
 /* Returns the tension that the core's own sheet model computes under the weight, in N/m. The load
  * is applied as for a fish: a pressure from the whole weight on its footprint. */
-static double tension_n_m(const struct paper_plan *plan, double weight_kg)
+static double tension_n_m(const struct paper_options *plan, double weight_kg)
 {
     static struct sheet sheet;
     const float force_n = (float)weight_kg * GRAVITY_M_S2;
@@ -100,13 +100,13 @@ static double tension_n_m(const struct paper_plan *plan, double weight_kg)
 
 /* Returns the strength for a short load, in N/m. Paper that tears after a long time bears a higher
  * load for a short time: the factor is (time / tau)^(1/m). */
-static double strength_n_m(const struct paper_plan *plan, double weight_kg)
+static double strength_n_m(const struct paper_options *plan, double weight_kg)
 {
     const double longer = plan->hang_s / (double)SHEET_DAMAGE_TAU_S;
     return tension_n_m(plan, weight_kg) * pow(longer, 1.0 / SHEET_DAMAGE_EXPONENT);
 }
 
-static void calibrate(const struct paper_plan *plan)
+static void calibrate(const struct paper_options *plan)
 {
     const struct paper_grade *grade = sheet_grade(plan->grade);
     const double count = (double)plan->weight_count;
@@ -137,20 +137,20 @@ static void calibrate(const struct paper_plan *plan)
 
 /* ---- The command ---------------------------------------------------------------------------- */
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code paper_run(int argc, const char *const *argv)
 {
-    static struct paper_plan plan;
-    const enum exit_code code = paper_plan_read(&plan, argc, argv);
+    static struct paper_options plan;
+    const enum exit_code code = paper_options_read(&plan, argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
-    (plan.weight_count > 0 ? calibrate : measure)(&plan);
+    (plan.weight_count > 0 ? calibrate : paper_measure_all)(&plan);
     return EXIT_OK;
 }
 
 const struct ctl_command ctl_paper = {
     .name = name,
     .summary = "one poi against water: force, tension, time to tear; weights to strength",
-    .usage = paper_plan_usage,
-    .run = run,
+    .usage = paper_options_usage,
+    .run = paper_run,
 };

@@ -20,7 +20,7 @@
 /* Wets columns of cells from the left until the requested share of the paper is wet. */
 static void wet_paper(struct paper_lab *lab)
 {
-    const struct paper_plan *plan = lab->plan;
+    const struct paper_options *plan = lab->plan;
     struct sheet *sheet = &lab->poi.sheet;
     const float wanted = plan->wet_fraction * (float)sheet->paper_cells;
     uint32_t wetted = 0;
@@ -40,12 +40,12 @@ static void wet_paper(struct paper_lab *lab)
 
 /* Fills the poi with water. Dry paper carries no water. Wet paper carries its film, and the water
  * that the paper can hold in its present pose. */
-static void fill(struct paper_lab *lab, float up_y)
+static void paper_lab_load_water(struct paper_lab *lab, float up_y)
 {
     struct poi *poi = &lab->poi;
     const float wet = lab->plan->wetness * lab->plan->wet_fraction;
     poi->immersed = 1.0f;
-    carry_tick(poi, up_y);
+    carried_water_tick(poi, up_y);
     poi->film_kg *= wet;
     poi->pool_kg *= wet > 0.0f ? 1.0f : 0.0f;
     poi->water_kg = poi->film_kg + poi->pool_kg;
@@ -54,23 +54,23 @@ static void fill(struct paper_lab *lab, float up_y)
 /* Places the fish in a sunflower seed pattern, so that no fish covers another if there is room. */
 static void lay_fish(struct paper_lab *lab)
 {
-    const struct paper_plan *plan = lab->plan;
-    const struct basis axes = basis_from_angles(lab->poi.angles);
+    const struct paper_options *plan = lab->plan;
+    const struct basis axes = vec_basis_from_angles(lab->poi.angles);
     for (uint32_t i = 0; i < plan->fish_count; i++) {
         struct fish *fish = &lab->tank.fish[lab->tank.fish_count++];
         const float share = ((float)i + 0.5f) / (float)plan->fish_count;
         const float away = plan->fish_count > 1u ? 0.030f * f_sqrt(share) : 0.0f;
         const float turn = 2.39996f * (float)i;
-        fish_grow(fish, plan->fish_m, tank_law(&lab->tank));
+        fish_grow(fish, plan->fish_m, tank_behavior_params(&lab->tank));
         fish->stamina = 1.0f;
         fish->angles.yaw_rad = turn;
         const vec3 place = v3(away * f_cos(turn), 0.5f * fish->height_m, away * f_sin(turn));
-        fish->position_m = v3_add(lab->poi.position_m, basis_to_world(&axes, place));
+        fish->position_m = v3_add(lab->poi.position_m, vec_basis_to_world(&axes, place));
         fish->velocity_m_s = lab->poi.velocity_m_s;
     }
 }
 
-void paper_lab_open(struct paper_lab *lab, const struct paper_plan *plan)
+void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan)
 {
     memset(lab, 0, sizeof *lab);
     lab->plan = plan;
@@ -82,15 +82,15 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_plan *plan)
     if (plan->ideal) {
         sheet_idealise(&poi->sheet);
     }
-    poi->link = POI_LINK_LIVE;
+    poi->link = POI_SOURCE_LIVE;
     poi->velocity_m_s = v3(0.0f, plan->speed_m_s, 0.0f);
     poi->angles.roll_rad = 0.5f * F_PI - plan->tilt_rad;
     if (plan->upside_down) {
         poi->angles.roll_rad = F_PI - poi->angles.roll_rad;
     }
     wet_paper(lab);
-    const float up_y = basis_from_angles(poi->angles).up.y;
-    fill(lab, up_y);
+    const float up_y = vec_basis_from_angles(poi->angles).up.y;
+    paper_lab_load_water(lab, up_y);
     poi->immersed = disc_immersed(POI_RADIUS_M, poi->position_m.y, up_y);
     if (plan->in_air) {
         lay_fish(lab);
@@ -104,7 +104,7 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_plan *plan)
 static float force_n(const struct poi *poi, const struct basis *axes, float whole)
 {
     const float area_m2 = whole * F_PI * POI_RADIUS_M * POI_RADIUS_M;
-    const vec3 v = basis_to_body(axes, poi->velocity_m_s);
+    const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
     const float normal_n = poi->pressure_pa * area_m2;
     const float plane_n = poi->edge_n_s_m * f_sqrt(v.x * v.x + v.z * v.z);
     return f_sqrt(normal_n * normal_n + plane_n * plane_n);
@@ -131,8 +131,8 @@ static void catch_fish(struct paper_lab *lab)
     struct output output = { 0 };
     struct catch_result results[POI_MAX] = { 0 };
     const struct stall stall = { &lab->tank, &lab->bowl, 0 };
-    for (uint32_t i = 0; lab->plan->still && i < lab->poi.rider_count; i++) {
-        lab->poi.riders[i].rest_s = NEVER_S;
+    for (uint32_t i = 0; lab->plan->still && i < lab->poi.carried_count; i++) {
+        lab->poi.carried_fish[i].rest_s = NEVER_S;
     }
     catch_tick(&lab->poi, 0, &stall, lab->tick, &output, results);
 }
@@ -140,7 +140,7 @@ static void catch_fish(struct paper_lab *lab)
 void paper_lab_tick(struct paper_lab *lab)
 {
     struct poi *poi = &lab->poi;
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 carriage_m_s = v3(0.0f, lab->plan->speed_m_s, 0.0f);
     poi->before_m = poi->position_m;
     poi->before_m_s = carriage_m_s;
@@ -150,13 +150,13 @@ void paper_lab_tick(struct paper_lab *lab)
     }
     lab->tick++;
     /* Computes the water forces on the ring. */
-    pull_ring(poi, poi->position_m, &axes, poi->immersed);
+    hand_spring_tick(poi, poi->position_m, &axes, poi->immersed);
     /* The carriage keeps its speed regardless of the forces. */
     poi->velocity_m_s = carriage_m_s;
     /* Whole share of the paper at the moment when the force was computed. */
     const float whole = poi_whole(poi);
     const struct obstacle ring = poi_obstacle(poi);
-    poi_give_way(poi, &ring);
+    poi_apply_reaction(poi, &ring);
     note(lab, force_n(poi, &axes, whole));
     hold_wetness(lab);
     catch_fish(lab);

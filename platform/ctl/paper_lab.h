@@ -10,7 +10,7 @@
 #include "platform/ctl/paper_plan.h"
 
 struct paper_lab {
-    const struct paper_plan *plan; /* Options of the run. The caller owns them. */
+    const struct paper_options *plan; /* Options of the run. The caller owns them. */
     struct tank tank;
     struct bowl bowl; /* Absent bowl, because the laboratory has none. */
     struct poi poi;
@@ -25,7 +25,7 @@ struct paper_lab {
 };
 
 /* Initializes the lab. `plan` must outlive the lab. */
-void paper_lab_open(struct paper_lab *lab, const struct paper_plan *plan);
+void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan);
 
 /* Advances the lab by one tick and updates the results. */
 void paper_lab_tick(struct paper_lab *lab);

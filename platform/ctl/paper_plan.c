@@ -42,7 +42,7 @@ static const struct range ranges[FIGURE_COUNT] = {
     [WET_FRACTION] = { "--wet-fraction", 0, 1, 0, 1 },
     [TILT_DEG] = { "--tilt-deg", 0, 90, 0, 90 },
     [SPEED_M_S] = { "--speed-m-s", 0, 5, 0, 0 },
-    [FISH] = { "--fish", 0, POI_RIDER_MAX, 1, 0 },
+    [FISH] = { "--fish", 0, POI_CARRIED_MAX, 1, 0 },
     [FISH_CM] = { "--fish-cm", 1, 12, 0, 5 },
     [SECONDS] = { "--seconds", 0.01, 3600, 0, 10 },
     [SEED] = { "--seed", 0, UINT32_MAX, 1, 1 },
@@ -50,7 +50,8 @@ static const struct range ranges[FIGURE_COUNT] = {
     [HANG_S] = { "--hang-s", 0.05, 3600, 0, 5 },
 };
 
-static enum exit_code refuse(const char *option, const char *value, const char *expected)
+static enum exit_code paper_options_error(const char *option, const char *value,
+                                          const char *expected)
 {
     return ctl_usage(name, "%s: '%.100s' is not right; expected %s", option, value ? value : "",
                      expected);
@@ -68,19 +69,19 @@ static enum exit_code take_figure(double figures[FIGURE_COUNT], enum figure figu
     }
     snprintf(expected, sizeof expected, "%s from %.10g to %.10g",
              range->is_whole ? "a whole number" : "a number", range->min, range->max);
-    return refuse(range->option, value, expected);
+    return paper_options_error(range->option, value, expected);
 }
 
-static enum exit_code take_medium(struct paper_plan *plan, const char *value)
+static enum exit_code take_medium(struct paper_options *plan, const char *value)
 {
     plan->in_air = value && strcmp(value, "air") == 0;
     return plan->in_air || (value && strcmp(value, "water") == 0)
                ? EXIT_OK
-               : refuse("--medium", value, "water or air");
+               : paper_options_error("--medium", value, "water or air");
 }
 
 /* Parses a comma-separated list of weights in grams. */
-static enum exit_code take_weights(struct paper_plan *plan, const char *value)
+static enum exit_code take_weights(struct paper_options *plan, const char *value)
 {
     static const char expected[] = "weights in g from 0.1 to 5000, with commas between, 64 at most";
     const char *from = value ? value : "";
@@ -92,7 +93,7 @@ static enum exit_code take_weights(struct paper_plan *plan, const char *value)
         double grams;
         if (plan->weight_count == PAPER_WEIGHTS_MAX ||
             !number_parse_decimal(word, 0.1, 5000, &grams)) {
-            return refuse("--calibrate", value, expected);
+            return paper_options_error("--calibrate", value, expected);
         }
         plan->weights_kg[plan->weight_count++] = 1e-3 * grams;
         if (from[length] == '\0') {
@@ -102,7 +103,7 @@ static enum exit_code take_weights(struct paper_plan *plan, const char *value)
     }
 }
 
-static int take_flag(struct paper_plan *plan, const char *option)
+static int take_flag(struct paper_options *plan, const char *option)
 {
     const struct {
         const char *option;
@@ -122,7 +123,7 @@ static int take_flag(struct paper_plan *plan, const char *option)
     return 0;
 }
 
-static enum exit_code take_valued(struct paper_plan *plan, double figures[FIGURE_COUNT],
+static enum exit_code take_valued(struct paper_options *plan, double figures[FIGURE_COUNT],
                                   const char *option, const char *value)
 {
     if (strcmp(option, "--medium") == 0) {
@@ -139,10 +140,10 @@ static enum exit_code take_valued(struct paper_plan *plan, double figures[FIGURE
     return ctl_usage(name, "unknown option '%.100s'; --help lists them", option);
 }
 
-enum exit_code paper_plan_read(struct paper_plan *plan, int argc, const char *const *argv)
+enum exit_code paper_options_read(struct paper_options *plan, int argc, const char *const *argv)
 {
     double figures[FIGURE_COUNT];
-    *plan = (struct paper_plan){ 0 };
+    *plan = (struct paper_options){ 0 };
     for (uint32_t figure = 0; figure < FIGURE_COUNT; figure++) {
         figures[figure] = ranges[figure].standard;
     }
@@ -174,7 +175,7 @@ enum exit_code paper_plan_read(struct paper_plan *plan, int argc, const char *co
 
 /* ---- Help ----------------------------------------------------------------------------------- */
 
-const char paper_plan_usage[] =
+const char paper_options_usage[] =
     "The paper\n"
     "  --grade G              4 (strong) to 7 (weak) (5)\n"
     "  --wetness W            of the wetted part, 0 to 1 (1)\n"

@@ -8,7 +8,7 @@
 
 #define PAPER_WEIGHTS_MAX 64u
 
-struct paper_plan {
+struct paper_options {
     uint8_t grade;       /* Grade of the paper, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
     float wetness;       /* Wetness of the wetted part, in [0, 1]. */
     /* Wetted share of the paper, in [0, 1]. The border of the wetted part is a straight line. */
@@ -24,7 +24,7 @@ struct paper_plan {
      * concentration. */
     uint8_t ideal;
     uint8_t as_json;
-    uint32_t fish_count; /* Number of fish on the paper, at most POI_RIDER_MAX. */
+    uint32_t fish_count; /* Number of fish on the paper, at most POI_CARRIED_MAX. */
     float fish_m;
     uint32_t tick_count; /* Number of ticks of the run, at least 1. */
     double seconds; /* Duration in seconds, as the option gives it. */
@@ -39,8 +39,8 @@ struct paper_plan {
 
 /* Parses the options in `argv` and checks their ranges. Returns EXIT_OK, or prints one line to
  * standard error and returns EXIT_USAGE. */
-enum exit_code paper_plan_read(struct paper_plan *plan, int argc, const char *const *argv);
+enum exit_code paper_options_read(struct paper_options *plan, int argc, const char *const *argv);
 
-extern const char paper_plan_usage[];
+extern const char paper_options_usage[];
 
 #endif

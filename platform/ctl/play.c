@@ -18,7 +18,7 @@
 static const char name[] = "play";
 static const char speaker[] = "kingyoctl play";
 
-#define PATH_MAX_CHARS (FOLDER_PATH_MAX + 32u)
+#define PATH_MAX_CHARS (DIRECTORY_PATH_MAX + 32u)
 
 struct play_options {
     const char *bot, *record;
@@ -43,7 +43,7 @@ struct evening {
 
 /* ---- Output --------------------------------------------------------------------------------- */
 
-static void tell_progress(const struct evening *evening)
+static void play_print_progress(const struct evening *evening)
 {
     if (evening->shows_progress) {
         fprintf(stderr, "\r%u of %u rounds%s", evening->played, evening->options->rounds,
@@ -64,7 +64,7 @@ static void tell_round(void *self, uint32_t index)
         play_report_round(at + 1u, evening->plans[at].seed, &evening->results[at]);
         fflush(stdout);
     }
-    tell_progress(evening);
+    play_print_progress(evening);
 }
 
 static void tell_all(struct evening *evening)
@@ -217,8 +217,8 @@ static int take_value(struct play_options *options, const char *option, const ch
 
 /* Parses the option at argv[*index] and its value. Returns EXIT_OK, or prints one line to standard
  * error and returns another code. */
-static enum exit_code take_option(struct play_options *options, int argc, const char *const *argv,
-                                  int *index)
+static enum exit_code play_take_option(struct play_options *options, int argc,
+                                       const char *const *argv, int *index)
 {
     const char *option = argv[*index];
     if (strcmp(option, "--json") == 0) {
@@ -242,7 +242,7 @@ static enum exit_code check_options(const struct play_options *options)
 {
     const struct rules *rules = rules_of(options->mode);
     const struct core_config stall = { 0 };
-    const struct tank_preset *preset = tank_preset(keeper_preset(&stall, options->mode));
+    const struct tank_preset *preset = tank_preset(table_setup_preset(&stall, options->mode));
     const uint32_t fish_max = tank_preset_fish_max(preset, 1.0f);
     if (options->fish_count > fish_max) {
         return ctl_usage(name, "--fish: '%u' is not right; the water of a %s holds 1 to %u",
@@ -253,7 +253,7 @@ static enum exit_code check_options(const struct play_options *options)
 
 static enum exit_code open_folder(const struct play_options *options)
 {
-    const int error = options->record ? folder_make(options->record) : 0;
+    const int error = options->record ? directory_make(options->record) : 0;
     if (error) {
         print_error("%s: %s: cannot record: %s", speaker, options->record, strerror(-error));
         return EXIT_IO;
@@ -261,13 +261,13 @@ static enum exit_code open_folder(const struct play_options *options)
     return EXIT_OK;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code play_command_run(int argc, const char *const *argv)
 {
     struct play_options options = { .bot = "expert", .rounds = 1 };
     struct technique technique;
     enum exit_code code = EXIT_OK;
     for (int i = 0; i < argc && code == EXIT_OK; i++) {
-        code = take_option(&options, argc, argv, &i);
+        code = play_take_option(&options, argc, argv, &i);
     }
     code = code == EXIT_OK ? check_options(&options) : code;
     code = code == EXIT_OK ? bot_file_named(speaker, options.bot, &technique) : code;
@@ -299,5 +299,5 @@ const struct ctl_command ctl_play = {
         "                   at the end; 5027 is all), state_hash of each round;\n"
         "                   median, ninth decile and maximum of all\n",
     .tell_more = bot_keys_print,
-    .run = run,
+    .run = play_command_run,
 };

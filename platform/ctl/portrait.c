@@ -13,12 +13,12 @@
  * there. */
 #define GLASS_RIM 0.55f
 
-const char *const portrait_view_names[VIEW_COUNT] = { "side", "above", "aslant" };
+const char *const fish_preview_view_names[VIEW_COUNT] = { "side", "above", "aslant" };
 
-const struct portrait_bounds portrait_nowhere = { 1e9f, -1e9f, 1e9f, -1e9f };
+const struct fish_preview_bounds fish_preview_nowhere = { 1e9f, -1e9f, 1e9f, -1e9f };
 
 /* Returns the axes of the camera in the fish's body frame. */
-static const struct basis *camera(enum portrait_view view)
+static const struct basis *camera(enum fish_preview_view view)
 {
     static const struct basis cameras[VIEW_COUNT] = {
         [VIEW_SIDE] = { { 0.0f, 0.0f, 1.0f }, { 0.0f, 1.0f, 0.0f }, { -1.0f, 0.0f, 0.0f } },
@@ -31,21 +31,21 @@ static const struct basis *camera(enum portrait_view view)
     return &cameras[view];
 }
 
-void portrait_take(struct portrait *portrait, const struct species *species,
-                   const struct morph_rig *rig, float progress)
+void fish_preview_pose(struct fish_preview *preview, const struct species *species,
+                       const struct morph_rig *rig, float progress)
 {
-    portrait->species = species;
-    portrait->mesh = &species->lod[0];
-    morph_pose(rig, portrait->mesh, progress, &portrait->pose);
-    morph_shape(portrait->mesh, species->card.key_count, &portrait->pose, portrait->positions,
-                portrait->normals);
+    preview->species = species;
+    preview->mesh = &species->lod[0];
+    morph_pose(rig, preview->mesh, progress, &preview->pose);
+    morph_shape(preview->mesh, species->card.key_count, &preview->pose, preview->positions,
+                preview->normals);
 }
 
-void portrait_measure(const struct portrait *portrait, enum portrait_view view,
-                      struct portrait_bounds *bounds)
+void fish_preview_measure(const struct fish_preview *preview, enum fish_preview_view view,
+                          struct fish_preview_bounds *bounds)
 {
-    for (uint32_t i = 0; i < portrait->mesh->vertex_count; i++) {
-        const vec3 p = basis_to_body(camera(view), portrait->positions[i]);
+    for (uint32_t i = 0; i < preview->mesh->vertex_count; i++) {
+        const vec3 p = vec_basis_to_body(camera(view), preview->positions[i]);
         bounds->left = f_min(bounds->left, p.x);
         bounds->right = f_max(bounds->right, p.x);
         bounds->low = f_min(bounds->low, p.y);
@@ -53,7 +53,7 @@ void portrait_measure(const struct portrait *portrait, enum portrait_view view,
     }
 }
 
-float portrait_hides(const struct paint *paint, const struct species_vertex *at)
+float fish_preview_hides(const struct paint *paint, const struct species_vertex *at)
 {
     const bool is_fin = at->part >= PART_TAIL;
     const float up = f_clamp(at->v, 0.0f, 1.0f);
@@ -63,14 +63,14 @@ float portrait_hides(const struct paint *paint, const struct species_vertex *at)
 /* ---- Skin and light -------------------------------------------------------------------------- */
 
 struct corners {
-    const struct portrait *portrait;
+    const struct fish_preview *preview;
     uint16_t at[3];
     vec3 normals[3]; /* Normals in the axes of the camera. */
 };
 
 static struct species_vertex place(const struct corners *c, const float part[3])
 {
-    const struct species_vertex *vertices = c->portrait->mesh->vertices;
+    const struct species_vertex *vertices = c->preview->mesh->vertices;
     struct species_vertex at = vertices[c->at[0]];
     at.u = at.v = 0.0f;
     for (uint32_t i = 0; i < 3; i++) {
@@ -83,7 +83,7 @@ static struct species_vertex place(const struct corners *c, const float part[3])
 static vec3 facing(const struct corners *c, const float part[3], bool is_fin)
 {
     vec3 n = v3_scale(c->normals[0], part[0]);
-    n = v3_mad(v3_mad(n, c->normals[1], part[1]), c->normals[2], part[2]);
+    n = v3_muladd(v3_muladd(n, c->normals[1], part[1]), c->normals[2], part[2]);
     n = v3_normalize_or(n, v3(0.0f, 0.0f, 1.0f));
     return is_fin && n.z < 0.0f ? v3_scale(n, -1.0f) : n;
 }
@@ -106,17 +106,17 @@ static float gloss_on(vec3 n, float shine)
     return (0.04f + 0.30f * shine) * powf(turned, 18.0f + 40.0f * shine);
 }
 
-static struct raster_colour look(const void *triangle, const float part[3])
+static struct raster_colour fish_preview_colour_at(const void *triangle, const float part[3])
 {
     const struct corners *c = triangle;
     const struct species_vertex at = place(c, part);
     const bool is_fin = at.part >= PART_TAIL;
     const vec3 n = facing(c, part, is_fin);
-    const struct paint paint = paint_at(c->portrait->species, c->portrait->pose.weight[0], &at);
+    const struct paint paint = paint_at(c->preview->species, c->preview->pose.weight[0], &at);
     const float rim = powf(1.0f - f_clamp(n.z, 0.0f, 1.0f), 3.0f);
     const float ray =
         is_fin ? f_abs(2.0f * (at.u * FIN_RAYS - floorf(at.u * FIN_RAYS)) - 1.0f) : 1.0f;
-    float hides = portrait_hides(&paint, &at) * (1.0f - RAY_HIDES * (1.0f - ray));
+    float hides = fish_preview_hides(&paint, &at) * (1.0f - RAY_HIDES * (1.0f - ray));
     hides += (1.0f - hides) * rim * (is_fin ? 0.0f : GLASS_RIM);
     const float gloss = is_fin ? 0.0f : gloss_on(n, at.part == PART_EYE ? 1.0f : paint.shine);
     const float light = light_on(n, is_fin) * (1.0f - RAY_LIGHT * (1.0f - ray));
@@ -125,22 +125,22 @@ static struct raster_colour look(const void *triangle, const float part[3])
                                    f_clamp(hides + gloss, 0.0f, 1.0f) };
 }
 
-void portrait_draw(const struct portrait *portrait, enum portrait_view view, float x, float y,
-                   float scale_px, struct raster *raster)
+void fish_preview_draw(const struct fish_preview *preview, enum fish_preview_view view, float x,
+                       float y, float scale_px, struct raster *raster)
 {
-    const struct species_mesh *mesh = portrait->mesh;
+    const struct species_mesh *mesh = preview->mesh;
     const float middle_x = 0.5f * (float)raster->width, middle_y = 0.5f * (float)raster->height;
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
-        struct corners corners = { .portrait = portrait };
+        struct corners corners = { .preview = preview };
         vec3 screen[3];
         for (uint32_t k = 0; k < 3; k++) {
             const uint16_t at = mesh->indices[i + k];
-            const vec3 p = basis_to_body(camera(view), portrait->positions[at]);
+            const vec3 p = vec_basis_to_body(camera(view), preview->positions[at]);
             screen[k] = v3(middle_x + (p.x - x) * scale_px, middle_y - (p.y - y) * scale_px,
                            p.z * scale_px);
             corners.at[k] = at;
-            corners.normals[k] = basis_to_body(camera(view), portrait->normals[at]);
+            corners.normals[k] = vec_basis_to_body(camera(view), preview->normals[at]);
         }
-        raster_triangle(raster, screen, (struct raster_skin){ look, &corners });
+        raster_triangle(raster, screen, (struct raster_skin){ fish_preview_colour_at, &corners });
     }
 }

@@ -8,22 +8,22 @@
 #include "core/morph/morph.h"
 #include "platform/ctl/raster.h"
 
-enum portrait_view {
-    VIEW_SIDE,   /* View of the fish's left side. */
-    VIEW_ABOVE,  /* View of the fish's back from above. */
+enum fish_preview_view {
+    VIEW_SIDE,  /* View of the fish's left side. */
+    VIEW_ABOVE, /* View of the fish's back from above. */
     /* View from the left, the front and above, as a visitor sees a fish in the kiosk's tank. */
     VIEW_ASLANT,
     VIEW_COUNT,
 };
 
-extern const char *const portrait_view_names[VIEW_COUNT];
+extern const char *const fish_preview_view_names[VIEW_COUNT];
 
 /* Returns the opacity of a painted point, in [0, 1]. Fins are partly transparent, most of all at
  * their tips, where only rays and a thin skin are left. */
-float portrait_hides(const struct paint *paint, const struct species_vertex *at);
+float fish_preview_hides(const struct paint *paint, const struct species_vertex *at);
 
 /* A fish in a fixed pose that is ready for drawing. The size is about 50 KiB. */
-struct portrait {
+struct fish_preview {
     const struct species *species;
     const struct species_mesh *mesh;
     struct morph_pose pose;
@@ -32,25 +32,25 @@ struct portrait {
 
 /* Extent of the fish in a view, in its own measure (1 is the measured length). x points right and y
  * points up. The bounds are empty if `left` > `right`. */
-struct portrait_bounds {
+struct fish_preview_bounds {
     float left, right, low, high;
 };
 
-extern const struct portrait_bounds portrait_nowhere;
+extern const struct fish_preview_bounds fish_preview_nowhere;
 
 /* Blends the near mesh (level of detail 0) at `progress`, in [0, 1]. `species` must outlive the
  * portrait. */
-void portrait_take(struct portrait *portrait, const struct species *species,
-                   const struct morph_rig *rig, float progress);
+void fish_preview_pose(struct fish_preview *preview, const struct species *species,
+                       const struct morph_rig *rig, float progress);
 
 /* Extends `bounds` so that they also contain the fish. */
-void portrait_measure(const struct portrait *portrait, enum portrait_view view,
-                      struct portrait_bounds *bounds);
+void fish_preview_measure(const struct fish_preview *preview, enum fish_preview_view view,
+                          struct fish_preview_bounds *bounds);
 
 /* Draws the fish so that the view's point (`x`, `y`) lies at the middle of the raster. One measured
  * length of the fish is `scale_px` pixels long. Call raster_finish() to copy the picture to a
  * canvas. */
-void portrait_draw(const struct portrait *portrait, enum portrait_view view, float x, float y,
-                   float scale_px, struct raster *raster);
+void fish_preview_draw(const struct fish_preview *preview, enum fish_preview_view view, float x,
+                       float y, float scale_px, struct raster *raster);
 
 #endif

@@ -50,7 +50,7 @@ void raster_close(struct raster *raster)
     *raster = (struct raster){ 0 };
 }
 
-static void push(struct raster *raster, uint32_t x, uint32_t y, struct raster_layer layer)
+static void raster_push(struct raster *raster, uint32_t x, uint32_t y, struct raster_layer layer)
 {
     if (raster->layer_count == raster->layer_room) {
         struct raster_layer *more =
@@ -153,15 +153,15 @@ static void draw_pixel(struct raster *raster, const struct triangle *t, uint32_t
         part[i] = edge_at(&t->edges[i], at.x, at.y) / t->double_area;
     }
     const struct raster_colour colour = skin.look(skin.triangle, part);
-    push(raster, x, y,
-         (struct raster_layer){
-             .colour = colour.colour,
-             .hides = colour.hides,
-             .depth = t->depth_dx * centre_x + t->depth_dy * centre_y + t->depth_at,
-             .depth_dx = t->depth_dx,
-             .depth_dy = t->depth_dy,
-             .samples = samples,
-         });
+    raster_push(raster, x, y,
+                (struct raster_layer){
+                    .colour = colour.colour,
+                    .hides = colour.hides,
+                    .depth = t->depth_dx * centre_x + t->depth_dy * centre_y + t->depth_at,
+                    .depth_dx = t->depth_dx,
+                    .depth_dy = t->depth_dy,
+                    .samples = samples,
+                });
 }
 
 static uint32_t pixel_before(float x, uint32_t limit)
@@ -231,10 +231,10 @@ static vec3 sample_colour(const struct raster *raster, uint32_t top, uint32_t s,
     vec3 colour = v3(0.0f, 0.0f, 0.0f);
     float open = 1.0f;
     for (uint32_t i = 0; i < pile.count && open > HIDDEN; i++) {
-        colour = v3_mad(colour, pile.layers[i]->colour, open * pile.layers[i]->hides);
+        colour = v3_muladd(colour, pile.layers[i]->colour, open * pile.layers[i]->hides);
         open *= 1.0f - pile.layers[i]->hides;
     }
-    return v3_mad(colour, behind, open);
+    return v3_muladd(colour, behind, open);
 }
 
 bool raster_finish(struct raster *raster, struct canvas *canvas, uint32_t left, uint32_t top)

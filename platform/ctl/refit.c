@@ -26,7 +26,7 @@
 /* One level of detail during the fit. Coinciding vertices of a part share one place. */
 struct fitting {
     const struct species_mesh *mesh;
-    const struct tree *tree;
+    const struct refit_tree *tree;
     bool parted; /* True if the mesh names its parts as the template does. */
     uint32_t place[MESH_VERTEX_MAX];
     vec3 rest[MESH_VERTEX_MAX], now[MESH_VERTEX_MAX];
@@ -36,7 +36,7 @@ struct fitting {
     uint32_t first[MESH_VERTEX_MAX + 1], other[EDGE_MAX];
 };
 
-static struct tree target_tree, fitted_tree;
+static struct refit_tree target_tree, fitted_tree;
 static struct fitting fit;
 
 static void find_places(const vec3 *positions)
@@ -76,12 +76,12 @@ static void find_edges(void)
 
 static uint8_t part_at(uint32_t vertex)
 {
-    return fit.parted ? fit.mesh->vertices[vertex].part : (uint8_t)TREE_ANY_PART;
+    return fit.parted ? fit.mesh->vertices[vertex].part : (uint8_t)REFIT_TREE_ANY_PART;
 }
 
-static void draw(uint32_t place, vec3 toward, float weight)
+static void refit_draw(uint32_t place, vec3 toward, float weight)
 {
-    fit.pull[place] = v3_mad(fit.pull[place], toward, weight);
+    fit.pull[place] = v3_muladd(fit.pull[place], toward, weight);
     fit.weight[place] += weight;
 }
 
@@ -90,8 +90,8 @@ static void draw_to_surface(void)
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
         vec3 at;
         if (fit.place[i] == i &&
-            tree_nearest(fit.tree, fit.now[i], part_at(i), &at) < FAR_SHARE * FAR_SHARE) {
-            draw(i, at, 1.0f);
+            refit_tree_nearest(fit.tree, fit.now[i], part_at(i), &at) < FAR_SHARE * FAR_SHARE) {
+            refit_draw(i, at, 1.0f);
         }
     }
 }
@@ -115,7 +115,7 @@ static void draw_from_mesh(const struct import_mesh *mesh)
             }
         }
         if (nearest < MESH_VERTEX_MAX) {
-            draw(nearest, q, BACK_PULL);
+            refit_draw(nearest, q, BACK_PULL);
         }
     }
     /* Limits the weight so that many mesh vertices at one place count as one vertex. */
@@ -130,7 +130,7 @@ static void draw_from_mesh(const struct import_mesh *mesh)
 
 /* Moves each place to the balance of its pull and its edges, which resist any change from their
  * rest shape. */
-static void settle(float stiff)
+static void refit_relax(float stiff)
 {
     for (uint32_t sweep = 0; sweep < SWEEPS; sweep++) {
         for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
@@ -143,7 +143,7 @@ static void settle(float stiff)
             for (uint32_t e = fit.first[i]; e < fit.first[i + 1]; e++) {
                 const uint32_t j = fit.other[e];
                 const vec3 wish = v3_add(fit.now[j], v3_sub(fit.rest[i], fit.rest[j]));
-                sum = v3_mad(sum, wish, each);
+                sum = v3_muladd(sum, wish, each);
             }
             fit.now[i] = v3_scale(sum, 1.0f / (fit.weight[i] + stiff));
         }
@@ -165,7 +165,7 @@ static void run_rounds(const struct import_mesh *mesh)
         memset(fit.weight, 0, sizeof fit.weight);
         draw_to_surface();
         draw_from_mesh(mesh);
-        settle(STIFF_FIRST * powf(STIFF_LAST / STIFF_FIRST, t));
+        refit_relax(STIFF_FIRST * powf(STIFF_LAST / STIFF_FIRST, t));
         share_places();
         memcpy(fit.rest, fit.now, sizeof fit.rest); /* The bent shape becomes the new rest shape. */
     }
@@ -183,7 +183,7 @@ static void make_normals(vec3 *normals)
         for (uint32_t k = 0; k < 3; k++) {
             vec3 *sum = &normals[fit.place[t[k]]];
             const bool sheet = fit.mesh->vertices[t[k]].part >= PART_TAIL;
-            *sum = v3_mad(*sum, normal, sheet && v3_dot(*sum, normal) < 0.0f ? -1.0f : 1.0f);
+            *sum = v3_muladd(*sum, normal, sheet && v3_dot(*sum, normal) < 0.0f ? -1.0f : 1.0f);
         }
     }
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
@@ -217,8 +217,9 @@ static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
         const uint8_t anchor = mesh->vertices[i].anchor;
         if (anchor != ANCHOR_NONE) {
             const struct anchor_pose *at = &pose.anchor[anchor];
-            put_point(slot, lod, key, i, quat_turn_back(at->turn, v3_sub(fit.now[i], at->position)),
-                      quat_turn_back(at->turn, normals[i]));
+            put_point(slot, lod, key, i,
+                      pose_rotate_inverse(at->turn, v3_sub(fit.now[i], at->position)),
+                      pose_rotate_inverse(at->turn, normals[i]));
         }
     }
 }
@@ -247,7 +248,7 @@ static struct refit_error error_of(const struct tally *tally)
 }
 
 /* Measures the distance at every vertex of both surfaces that a triangle uses. */
-static void measure(const struct import_mesh *mesh, struct refit_result *result)
+static void refit_measure_error(const struct import_mesh *mesh, struct refit_result *result)
 {
     static bool seen[IMPORT_VERTEX_MAX];
     struct tally to = { 0 }, from = { 0 };
@@ -255,19 +256,19 @@ static void measure(const struct import_mesh *mesh, struct refit_result *result)
     fitted_tree.triangle_count = 0;
     for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
         const uint16_t *t = &fit.mesh->indices[i];
-        tree_add(&fitted_tree, fit.now[t[0]], fit.now[t[1]], fit.now[t[2]],
-                 fit.mesh->vertices[t[0]].part);
+        refit_tree_add(&fitted_tree, fit.now[t[0]], fit.now[t[1]], fit.now[t[2]],
+                       fit.mesh->vertices[t[0]].part);
     }
-    tree_build(&fitted_tree);
+    refit_tree_build(&fitted_tree);
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
-        count_gap(&to, sqrtf(tree_nearest(fit.tree, fit.now[i], TREE_ANY_PART, &at)));
+        count_gap(&to, sqrtf(refit_tree_nearest(fit.tree, fit.now[i], REFIT_TREE_ANY_PART, &at)));
     }
     memset(seen, 0, sizeof seen);
     for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
         const uint32_t vertex = mesh->triangles[i / 3][i % 3];
         if (!seen[vertex]) {
             const vec3 q = mesh->positions[0][vertex];
-            count_gap(&from, sqrtf(tree_nearest(&fitted_tree, q, TREE_ANY_PART, &at)));
+            count_gap(&from, sqrtf(refit_tree_nearest(&fitted_tree, q, REFIT_TREE_ANY_PART, &at)));
             seen[vertex] = true;
         }
     }
@@ -277,20 +278,20 @@ static void measure(const struct import_mesh *mesh, struct refit_result *result)
 
 /* Pairs the mesh's landmarks with the same landmarks of the template. `from` receives the places on
  * the template and `to` the places on the mesh. Returns the number of pairs. */
-static uint32_t pair_marks(const struct mark_list *marks, const vec3 *positions, vec3 *from,
+static uint32_t pair_marks(const struct refit_marks *marks, const vec3 *positions, vec3 *from,
                            vec3 *to)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < marks->count; i++) {
-        if (marks_of_template(fit.mesh, positions, marks->marks[i].name, &from[count])) {
+        if (refit_marks_of_template(fit.mesh, positions, marks->marks[i].name, &from[count])) {
             to[count++] = marks->marks[i].place;
         }
     }
     return count;
 }
 
-static void begin(const struct species_slot *slot, uint32_t lod, uint32_t key,
-                  const struct import_mesh *mesh)
+static void refit_begin(const struct species_slot *slot, uint32_t lod, uint32_t key,
+                        const struct import_mesh *mesh)
 {
     static struct morph_pose pose;
     fit.mesh = &slot->species.lod[lod];
@@ -307,11 +308,11 @@ static void begin(const struct species_slot *slot, uint32_t lod, uint32_t key,
 
 /* Stretches the far mesh from the snout to its measured length. The far mesh has few vertices, and
  * each vertex is moved to the mean of its pulls, so the fit ends slightly short of the tips. */
-static void stretch_to_measure(uint8_t measure)
+static void stretch_to_measure(uint8_t refit_measure_error)
 {
-    const bool across = measure == MEASURE_DISC;
+    const bool across = refit_measure_error == MEASURE_DISC;
     float low = INFINITY, high = -INFINITY;
-    if (measure != MEASURE_TOTAL && !across) {
+    if (refit_measure_error != MEASURE_TOTAL && !across) {
         return;
     }
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
@@ -330,13 +331,13 @@ static void stretch_to_measure(uint8_t measure)
 }
 
 static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
-                    const struct import_mesh *mesh, const struct mark_list *marks,
+                    const struct import_mesh *mesh, const struct refit_marks *marks,
                     struct refit_result *result)
 {
-    vec3 from[MARK_LIST_MAX], to[MARK_LIST_MAX];
-    begin(slot, lod, key, mesh);
+    vec3 from[REFIT_MARKS_MAX], to[REFIT_MARKS_MAX];
+    refit_begin(slot, lod, key, mesh);
     const uint32_t count = pair_marks(marks, fit.now, from, to);
-    marks_warp(from, to, count, fit.now, fit.mesh->vertex_count);
+    refit_marks_warp(from, to, count, fit.now, fit.mesh->vertex_count);
     memcpy(fit.rest, fit.now, sizeof fit.rest);
     run_rounds(mesh);
     if (lod > 0) {
@@ -344,7 +345,7 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
     }
     write_points(slot, lod, key);
     if (lod == 0) {
-        measure(mesh, result);
+        refit_measure_error(mesh, result);
         result->mark_max = 0.0f;
         const uint32_t pairs = pair_marks(marks, fit.now, from, to);
         for (uint32_t i = 0; i < pairs; i++) {
@@ -354,14 +355,14 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
 }
 
 /* Finds the landmark that lies farthest from the mesh. */
-static void find_stray(const struct mark_list *marks, struct refit_result *result)
+static void find_stray(const struct refit_marks *marks, struct refit_result *result)
 {
     result->stray = "";
     result->stray_gap = 0.0f;
     for (uint32_t i = 0; i < marks->count; i++) {
         vec3 at;
-        const float gap =
-            sqrtf(tree_nearest(&target_tree, marks->marks[i].place, TREE_ANY_PART, &at));
+        const float gap = sqrtf(
+            refit_tree_nearest(&target_tree, marks->marks[i].place, REFIT_TREE_ANY_PART, &at));
         if (gap > result->stray_gap) {
             result->stray = marks->marks[i].name;
             result->stray_gap = gap;
@@ -370,16 +371,16 @@ static void find_stray(const struct mark_list *marks, struct refit_result *resul
 }
 
 void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh *mesh,
-               const struct mark_list *marks, struct refit_result *result)
+               const struct refit_marks *marks, struct refit_result *result)
 {
     target_tree.triangle_count = 0;
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         const uint32_t *t = mesh->triangles[i];
-        tree_add(&target_tree, mesh->positions[0][t[0]], mesh->positions[0][t[1]],
-                 mesh->positions[0][t[2]],
-                 (uint8_t)import_part(mesh->group_names[mesh->groups[i]]));
+        refit_tree_add(&target_tree, mesh->positions[0][t[0]], mesh->positions[0][t[1]],
+                       mesh->positions[0][t[2]],
+                       (uint8_t)import_part(mesh->group_names[mesh->groups[i]]));
     }
-    tree_build(&target_tree);
+    refit_tree_build(&target_tree);
     find_stray(marks, result);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         fit_lod(slot, lod, key, mesh, marks, result);

@@ -12,7 +12,7 @@
  * inside the body. */
 #define STRAY_MAX 0.1f
 
-static const struct landmark *mark_of(const struct mark_list *marks, const char *name)
+static const struct refit_landmark *mark_of(const struct refit_marks *marks, const char *name)
 {
     for (uint32_t i = 0; i < marks->count; i++) {
         if (strcmp(marks->marks[i].name, name) == 0) {
@@ -24,10 +24,10 @@ static const struct landmark *mark_of(const struct mark_list *marks, const char 
 
 /* Sets `axis` to the axis nearest to the direction from one landmark to another, if the file has
  * both landmarks. */
-static void axis_from(const struct mark_list *marks, const char *to, const char *from,
+static void axis_from(const struct refit_marks *marks, const char *to, const char *from,
                       uint8_t *axis)
 {
-    const struct landmark *a = mark_of(marks, from), *b = mark_of(marks, to);
+    const struct refit_landmark *a = mark_of(marks, from), *b = mark_of(marks, to);
     if (a && b) {
         const vec3 way = v3_sub(b->place, a->place);
         const float part[3] = { way.x, way.y, way.z };
@@ -49,10 +49,10 @@ static enum exit_code read_mesh(struct import_mesh *mesh, const char *path,
 
 /* Orients a mesh and its landmarks. The landmarks are appended to the mesh as vertices that no
  * triangle uses. */
-static bool orient(struct import_mesh *mesh, struct mark_list *marks,
-                   const struct import_plan *plan, char why[IMPORT_WHY_SIZE])
+static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
+                   const struct import_options *plan, char why[IMPORT_WHY_SIZE])
 {
-    struct import_plan own = *plan;
+    struct import_options own = *plan;
     struct import_report report = { .front = AXIS_NONE };
     const uint32_t first = mesh->vertex_count;
     if (first + marks->count > IMPORT_VERTEX_MAX) {
@@ -74,7 +74,7 @@ static bool orient(struct import_mesh *mesh, struct mark_list *marks,
     return good;
 }
 
-static void tell(const char *file, const struct refit_result *result)
+static void refit_files_print_result(const char *file, const struct refit_result *result)
 {
     print_line(stdout,
                "  %-24s fit to mesh: mean %.3f, RMS %.3f, max %.2f %% of length;"
@@ -86,17 +86,17 @@ static void tell(const char *file, const struct refit_result *result)
 }
 
 enum exit_code refit_files(struct species_slot *slot, const char *const *files,
-                           const char *const *marks, uint32_t count, const struct import_plan *plan,
-                           char why[IMPORT_WHY_SIZE])
+                           const char *const *marks, uint32_t count,
+                           const struct import_options *plan, char why[IMPORT_WHY_SIZE])
 {
     static struct import_mesh mesh;
-    static struct mark_list list;
+    static struct refit_marks list;
     for (uint32_t key = 0; key < count; key++) {
         struct refit_result result;
         char own[IMPORT_WHY_SIZE];
         enum exit_code code = read_mesh(&mesh, files[key], why);
         if (code == EXIT_OK) {
-            code = marks_read(marks[key], &list, why);
+            code = refit_marks_read(marks[key], &list, why);
         }
         if (code != EXIT_OK) {
             return code;
@@ -111,7 +111,7 @@ enum exit_code refit_files(struct species_slot *slot, const char *const *files,
                      marks[key], result.stray, 100.0 * (double)result.stray_gap);
             return EXIT_BAD_DATA;
         }
-        tell(files[key], &result);
+        refit_files_print_result(files[key], &result);
     }
     return EXIT_OK;
 }

@@ -56,27 +56,28 @@ static bool is_landmark(const char *name)
     return known;
 }
 
-static bool refuse(char why[IMPORT_WHY_SIZE], const char *path, uint32_t line, const char *what)
+static bool refit_marks_error(char why[IMPORT_WHY_SIZE], const char *path, uint32_t line,
+                              const char *what)
 {
     snprintf(why, IMPORT_WHY_SIZE, "%.80s:%u: %s", path, line, what);
     return false;
 }
 
-static bool read_line(char *text, struct mark_list *list, const char *path, uint32_t line,
-                      char why[IMPORT_WHY_SIZE])
+static bool refit_marks_read_line(char *text, struct refit_marks *list, const char *path,
+                                  uint32_t line, char why[IMPORT_WHY_SIZE])
 {
-    struct landmark mark;
+    struct refit_landmark mark;
     char *rest = NULL;
     text[strcspn(text, "#")] = '\0';
     const char *name = strtok_r(text, " \t\r\n", &rest);
     if (!name) {
         return true;
     }
-    if (list->count == MARK_LIST_MAX) {
-        return refuse(why, path, line, "more than 24 landmarks");
+    if (list->count == REFIT_MARKS_MAX) {
+        return refit_marks_error(why, path, line, "more than 24 landmarks");
     }
     if (strlen(name) >= MARK_NAME_SIZE || !is_landmark(name)) {
-        return refuse(why, path, line, "no landmark of that name; --help lists them");
+        return refit_marks_error(why, path, line, "no landmark of that name; --help lists them");
     }
     memset(&mark, 0, sizeof mark);
     memcpy(mark.name, name, strlen(name));
@@ -86,37 +87,39 @@ static bool read_line(char *text, struct mark_list *list, const char *path, uint
         char *end = NULL;
         *place[i] = word ? strtof(word, &end) : NAN;
         if (!word || *end != '\0' || !(fabsf(*place[i]) <= IMPORT_REACH_MAX)) {
-            return refuse(why, path, line, "write: NAME X Y Z");
+            return refit_marks_error(why, path, line, "write: NAME X Y Z");
         }
     }
     if (strtok_r(NULL, " \t\r\n", &rest)) {
-        return refuse(why, path, line, "write: NAME X Y Z");
+        return refit_marks_error(why, path, line, "write: NAME X Y Z");
     }
     list->marks[list->count++] = mark;
     return true;
 }
 
-enum exit_code marks_read(const char *path, struct mark_list *list, char why[IMPORT_WHY_SIZE])
+enum exit_code refit_marks_read(const char *path, struct refit_marks *list,
+                                char why[IMPORT_WHY_SIZE])
 {
-    char text[LINE_SIZE], cannot[PLAIN_WHY_SIZE];
+    char text[LINE_SIZE], cannot[TEXT_FILE_WHY_SIZE];
     uint32_t line = 0;
     bool good = true;
     FILE *file;
-    const enum plain_open opened = plain_open(path, MARKS_SIZE_MAX, &file, cannot);
+    const enum text_file_open opened = text_file_open(path, MARKS_SIZE_MAX, &file, cannot);
     list->count = 0;
-    if (opened != PLAIN_OPEN) {
+    if (opened != TEXT_FILE_OPEN) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
-        return opened == PLAIN_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
     }
-    enum plain_line got = plain_line(file, text, sizeof text);
-    for (; good && got != PLAIN_END; got = plain_line(file, text, sizeof text)) {
+    enum text_file_line got = text_file_line(file, text, sizeof text);
+    for (; good && got != TEXT_FILE_END; got = text_file_line(file, text, sizeof text)) {
         line++;
-        good = got == PLAIN_LINE   ? read_line(text, list, path, line, why)
-               : got == PLAIN_LONG ? refuse(why, path, line, "the line is longer than 254")
-                                   : refuse(why, path, line, "a zero byte, in what is a text");
+        good = got == TEXT_FILE_LINE ? refit_marks_read_line(text, list, path, line, why)
+               : got == TEXT_FILE_LONG
+                   ? refit_marks_error(why, path, line, "the line is longer than 254")
+                   : refit_marks_error(why, path, line, "a zero byte, in what is a text");
     }
     if (good && list->count < 4) {
-        good = refuse(why, path, line, "four landmarks or more are needed");
+        good = refit_marks_error(why, path, line, "four landmarks or more are needed");
     }
     const bool broken = ferror(file) != 0;
     fclose(file);
@@ -172,8 +175,8 @@ static bool middle_of(const struct species_mesh *mesh, const vec3 *positions, ui
     return count > 0.0f;
 }
 
-bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, const char *name,
-                       vec3 *out)
+bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positions,
+                             const char *name, vec3 *out)
 {
     if (strcmp(name, "snout") == 0 || strcmp(name, "tail_root") == 0) {
         return vertex_near(mesh, positions, PART_BODY, SIDE_MIDDLE, name[0] == 's' ? 0.0f : 1.0f,
@@ -200,7 +203,7 @@ bool marks_of_template(const struct species_mesh *mesh, const vec3 *positions, c
 
 /* ---- The warp -------------------------------------------------------------------------------- */
 
-#define SYSTEM_MAX MARK_LIST_MAX
+#define SYSTEM_MAX REFIT_MARKS_MAX
 #define RIDGE 0.0005 /* Regularization of the affine fit, in squared lengths for one landmark. */
 #define REACH 0.8 /* Radius of the bump around a landmark, in lengths. */
 /* Smoothing of the bumps. Landmarks that nearly coincide may keep this share of the difference of
@@ -311,10 +314,10 @@ static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
     solve(m, n);
 }
 
-void marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count)
+void refit_marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count)
 {
     static double m[SYSTEM_MAX][SYSTEM_MAX + 3];
-    vec3 at[MARK_LIST_MAX];
+    vec3 at[REFIT_MARKS_MAX];
     if (n == 0) {
         return;
     }

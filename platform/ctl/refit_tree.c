@@ -8,14 +8,14 @@
 /* Maximum depth of the search stack. A binary tree of 131,072 triangles is about 18 levels deep. */
 #define DEPTH_MAX 64u
 
-void tree_add(struct tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part)
+void refit_tree_add(struct refit_tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part)
 {
-    if (tree->triangle_count < TREE_TRIANGLE_MAX) {
-        tree->triangles[tree->triangle_count++] = (struct tree_triangle){ { a, b, c }, part };
+    if (tree->triangle_count < REFIT_TREE_TRIANGLE_MAX) {
+        tree->triangles[tree->triangle_count++] = (struct refit_tree_triangle){ { a, b, c }, part };
     }
 }
 
-static float middle(const struct tree_triangle *t, int axis)
+static float middle(const struct refit_tree_triangle *t, int axis)
 {
     const float *a = &t->corner[0].x, *b = &t->corner[1].x, *c = &t->corner[2].x;
     return a[axis] + b[axis] + c[axis];
@@ -49,7 +49,7 @@ static vec3 most(vec3 a, vec3 b)
     return v3(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z));
 }
 
-static void bound(const struct tree *tree, struct tree_node *node)
+static void bound(const struct refit_tree *tree, struct refit_tree_node *node)
 {
     node->low = v3(INFINITY, INFINITY, INFINITY);
     node->high = v3(-INFINITY, -INFINITY, -INFINITY);
@@ -67,7 +67,7 @@ struct range {
     uint32_t first, count, parent;
 };
 
-void tree_build(struct tree *tree)
+void refit_tree_build(struct refit_tree *tree)
 {
     struct range waiting[DEPTH_MAX] = { { 0, tree->triangle_count, UINT32_MAX } };
     uint32_t depth = 1;
@@ -75,11 +75,11 @@ void tree_build(struct tree *tree)
     while (depth > 0) {
         const struct range range = waiting[--depth];
         const uint32_t index = tree->node_count++;
-        struct tree_node *node = &tree->nodes[index];
+        struct refit_tree_node *node = &tree->nodes[index];
         if (range.parent != UINT32_MAX) {
             tree->nodes[range.parent].first = index;
         }
-        *node = (struct tree_node){ .first = range.first, .count = range.count };
+        *node = (struct refit_tree_node){ .first = range.first, .count = range.count };
         bound(tree, node);
         if (range.count <= LEAF_MAX) {
             continue;
@@ -98,7 +98,7 @@ void tree_build(struct tree *tree)
 
 /* Returns the point of a triangle nearest to `p`, by the region of the triangle's plane in which
  * `p` projects. */
-static vec3 on_triangle(const struct tree_triangle *t, vec3 p)
+static vec3 on_triangle(const struct refit_tree_triangle *t, vec3 p)
 {
     const vec3 a = t->corner[0], b = t->corner[1], c = t->corner[2];
     const vec3 ab = v3_sub(b, a), ac = v3_sub(c, a), ap = v3_sub(p, a);
@@ -117,17 +117,17 @@ static vec3 on_triangle(const struct tree_triangle *t, vec3 p)
     }
     const float vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
     if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f && d1 > d3) {
-        return v3_mad(a, ab, d1 / (d1 - d3));
+        return v3_muladd(a, ab, d1 / (d1 - d3));
     }
     if (vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f && d2 > d6) {
-        return v3_mad(a, ac, d2 / (d2 - d6));
+        return v3_muladd(a, ac, d2 / (d2 - d6));
     }
     const float along = d4 - d3, back = d5 - d6;
     if (va <= 0.0f && along >= 0.0f && back >= 0.0f && along + back > 0.0f) {
-        return v3_mad(b, v3_sub(c, b), along / (along + back));
+        return v3_muladd(b, v3_sub(c, b), along / (along + back));
     }
     const float sum = va + vb + vc;
-    return sum > 0.0f ? v3_mad(v3_mad(a, ab, vb / sum), ac, vc / sum) : a;
+    return sum > 0.0f ? v3_muladd(v3_muladd(a, ab, vb / sum), ac, vc / sum) : a;
 }
 
 static float distance2(vec3 a, vec3 b)
@@ -136,26 +136,26 @@ static float distance2(vec3 a, vec3 b)
     return v3_dot(d, d);
 }
 
-static float to_box2(const struct tree_node *node, vec3 p)
+static float to_box2(const struct refit_tree_node *node, vec3 p)
 {
     return distance2(p, least(most(p, node->low), node->high));
 }
 
-float tree_nearest(const struct tree *tree, vec3 from, uint8_t part, vec3 *place)
+float refit_tree_nearest(const struct refit_tree *tree, vec3 from, uint8_t part, vec3 *place)
 {
     uint32_t waiting[DEPTH_MAX] = { 0 }, depth = tree->node_count > 0 ? 1 : 0;
     float best = INFINITY;
     while (depth > 0) {
         const uint32_t index = waiting[--depth];
-        const struct tree_node *node = &tree->nodes[index];
+        const struct refit_tree_node *node = &tree->nodes[index];
         if (to_box2(node, from) >= best) {
             continue;
         }
         for (uint32_t i = node->first; i < node->first + node->count; i++) {
-            const struct tree_triangle *t = &tree->triangles[i];
+            const struct refit_tree_triangle *t = &tree->triangles[i];
             const vec3 at = on_triangle(t, from);
             const float far = distance2(from, at);
-            if (far < best && (part == TREE_ANY_PART || part == t->part)) {
+            if (far < best && (part == REFIT_TREE_ANY_PART || part == t->part)) {
                 best = far;
                 *place = at;
             }

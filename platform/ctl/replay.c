@@ -44,7 +44,7 @@ static void print_modes(const struct core_config *config, uint32_t modes, int as
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         if (modes >> mode & 1u) {
             printf(as_json ? "%s{\"mode\": \"%s\", \"grade\": %u}" : "%s%s with No. %u paper",
-                   count++ ? ", " : "", rules_of(mode)->name, keeper_grade(config, mode));
+                   count++ ? ", " : "", rules_of(mode)->name, table_setup_grade(config, mode));
         }
     }
 }
@@ -81,7 +81,7 @@ static enum exit_code info(const char *path, int as_json)
     static struct replay_reader reader;
     struct replay_totals totals;
     if (scan(&reader, path, &totals)) {
-        return replayer_tell_problem(speaker, path, &reader.problem);
+        return replayer_print_problem(speaker, path, &reader.problem);
     }
     (as_json ? info_json : info_text)(&reader.header, &totals);
     return EXIT_OK;
@@ -91,7 +91,7 @@ static enum exit_code info(const char *path, int as_json)
 
 /* Prints the progress after every ten minutes of simulated time, if standard error is a
  * terminal. */
-static void tell_progress(uint32_t ticks, uint32_t total)
+static void replay_print_progress(uint32_t ticks, uint32_t total)
 {
     if (ticks % (600u * CORE_TICK_HZ) == 0 && isatty(STDERR_FILENO)) {
         fprintf(stderr, "\r%u of %u s", ticks / CORE_TICK_HZ, total / CORE_TICK_HZ);
@@ -111,7 +111,7 @@ static enum core_error recompute(struct replayer *replayer, struct core *core, u
             return CORE_ERR_FLOAT;
         }
         tap.tick(tap.self, &input, core);
-        tell_progress(replayer->totals.ticks, total);
+        replay_print_progress(replayer->totals.ticks, total);
     }
     return CORE_OK;
 }
@@ -145,7 +145,7 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
     const struct replay_difference *difference = &replayer->difference;
     const struct replay_totals *totals = &replayer->totals;
     if (replayer->damaged) {
-        return replayer_tell_problem(speaker, path, &replayer->reader.problem);
+        return replayer_print_problem(speaker, path, &replayer->reader.problem);
     }
     if (difference->found) {
         print_line(stdout,
@@ -187,7 +187,7 @@ static enum exit_code verify(const char *path)
     struct replay_totals totals;
     const double begin_s = now_s();
     if (scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
-        return replayer_tell_problem(speaker, path, &replayer.reader.problem);
+        return replayer_print_problem(speaker, path, &replayer.reader.problem);
     }
     replayer.reader.as_is = 1;
     config.lanes = cpu_lanes();
@@ -214,7 +214,7 @@ static enum exit_code verify(const char *path)
     return tell_verdict(path, &replayer, now_s() - begin_s);
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code replay_run(int argc, const char *const *argv)
 {
     const char *path = NULL;
     int as_json = 0;
@@ -246,5 +246,5 @@ const struct ctl_command ctl_replay = {
         "  kingyoctl replay verify FILE          plays it again at full speed, without a screen;\n"
         "                                        names the first tick that differs, or in which\n"
         "                                        the core panics (exit 1)\n",
-    .run = run,
+    .run = replay_run,
 };

@@ -56,7 +56,7 @@ static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffi
 static int is_locked(const char *path)
 {
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
-    const int handle = plain_file_handle(path, O_RDONLY, 0);
+    const int handle = regular_file_handle(path, O_RDONLY, 0);
     const int is_held = handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
     if (handle >= 0) {
         close(handle);
@@ -71,7 +71,7 @@ static int has_stall(const struct swap *swap)
     char folder[BOOKS_PATH_SIZE];
     snprintf(folder, sizeof folder, "%s", swap->own);
     *strrchr(folder, '/') = '\0';
-    const int handle = folder_hold(folder[0] ? folder : "/");
+    const int handle = directory_lock(folder[0] ? folder : "/");
     if (handle >= 0) {
         close(handle);
     }
@@ -122,7 +122,7 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
     if (!S_ISREG(about.st_mode)) {
         return fails(from, "is no file");
     }
-    int code = books_look_at_copy(from, &swap->copied);
+    int code = books_check_copy(from, &swap->copied);
     code = code == SQLITE_OK ? sql_open(from, SQLITE_OPEN_READONLY, NULL, &file.db) : code;
     code = code == SQLITE_OK ? ledger_check(file.db) : code;
     if (code != SQLITE_OK) {
@@ -168,7 +168,7 @@ static int move_one(const struct swap *swap, const char *suffix)
  * the present database until the next rename. */
 static int put_in_place(const struct swap *swap)
 {
-    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_TAIL_SUFFIX) != 0 ||
+    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_MIRROR_SUFFIX) != 0 ||
         ledger_sync_folder(swap->own) != 0 || move_one(swap, "") != 0 ||
         ledger_sync_folder(swap->own) != 0) {
         return -1;
@@ -179,7 +179,8 @@ static int put_in_place(const struct swap *swap)
                : -1;
 }
 
-static void tell(const struct swap *swap, const struct books_words *words, const char *from)
+static void restore_print_result(const struct swap *swap, const struct books_words *words,
+                                 const char *from)
 {
     const int has_before = access(swap->before, F_OK) == 0;
     if (words->as_json) {
@@ -196,11 +197,11 @@ static void tell(const struct swap *swap, const struct books_words *words, const
     }
 }
 
-enum exit_code restore(const struct books_words *words, const char *named)
+enum exit_code restore_backup(const struct books_words *words, const char *named)
 {
     struct swap swap = { 0 };
     char resolved[PATH_MAX]; /* Follows a link that the user named. */
-    const char *from = plain_file_is_other(named) && realpath(named, resolved) ? resolved : named;
+    const char *from = regular_file_is_other(named) && realpath(named, resolved) ? resolved : named;
     books_path(words, swap.own);
     if (strlen(swap.own) > PATH_MAX_BYTES) {
         return ctl_usage("backup", "the name is too long");
@@ -223,6 +224,6 @@ enum exit_code restore(const struct books_words *words, const char *named)
     if (put_in_place(&swap) != 0) {
         return fails(swap.own, strerror(errno));
     }
-    tell(&swap, words, named);
+    restore_print_result(&swap, words, named);
     return EXIT_OK;
 }

@@ -37,9 +37,9 @@ static struct core_config config_of(const struct round_plan *plan)
         .grade = plan->grade,
         .lanes = cpu_lanes(),
     };
-    config.preset = keeper_preset(&config, plan->mode);
-    config.grade = keeper_grade(&config, plan->mode);
-    config.round_s = keeper_round_s(&config, plan->mode);
+    config.preset = table_setup_preset(&config, plan->mode);
+    config.grade = table_setup_grade(&config, plan->mode);
+    config.round_s = table_setup_round_s(&config, plan->mode);
     if (config.fish_count == 0) {
         config.fish_count = tank_preset(config.preset)->fish_count;
     }
@@ -52,13 +52,13 @@ static struct core_config config_of(const struct round_plan *plan)
 static void act(struct seat *seat)
 {
     const uint8_t phase = seat->core.game.phase;
-    const int idle = phase == PHASE_ATTRACT || phase == PHASE_CHOOSE;
+    const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
     struct poi_input *poi = &seat->input.poi[0];
     seat->input.pressed = idle && seat->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
-    poi->link = POI_LINK_LIVE;
+    poi->link = POI_SOURCE_LIVE;
     poi->has_wrist = 1;
     poi->trembles = seat->bot.technique.tremor_m > 0.0f;
-    poi->target = bot_tick(&seat->bot, &(struct sight){ .core = &seat->core, .player = 0 });
+    poi->target = bot_tick(&seat->bot, &(struct vision){ .core = &seat->core, .player = 0 });
 }
 
 /* Returns core_tick()'s result. */
@@ -111,8 +111,8 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
     return EXIT_NOT_SO;
 }
 
-static enum exit_code begin(struct seat *seat, const struct round_plan *plan,
-                            struct round_result *result)
+static enum exit_code rounds_begin(struct seat *seat, const struct round_plan *plan,
+                                   struct round_result *result)
 {
     const struct core_config config = config_of(plan);
     const enum core_error refused = core_init(&seat->core, &config);
@@ -124,7 +124,7 @@ static enum exit_code begin(struct seat *seat, const struct round_plan *plan,
     seat->output = (struct output){ 0 };
     seat->tap = (struct kiosk_tap){ 0 };
     bot_init(&seat->bot, &plan->technique, plan->seed);
-    seat->bot.hand.pose = seat->core.game.hand[0];
+    seat->bot.hand.pose = seat->core.game.hand_pose[0];
     if (plan->record) {
         result->error = -recorder_begin(&seat->recorder, plan->record, &seat->core);
         seat->tap = recorder_tap(&seat->recorder);
@@ -135,7 +135,7 @@ static enum exit_code begin(struct seat *seat, const struct round_plan *plan,
 static struct round_result play_one(struct seat *seat, const struct round_plan *plan)
 {
     struct round_result result = { 0 };
-    result.code = begin(seat, plan, &result);
+    result.code = rounds_begin(seat, plan, &result);
     if (result.code != EXIT_OK) {
         return result;
     }
@@ -158,7 +158,7 @@ struct hall {
 };
 
 /* Returns the next plan, or `count` if there is none. */
-static uint32_t take(struct hall *hall)
+static uint32_t rounds_next_plan(struct hall *hall)
 {
     pthread_mutex_lock(&hall->lock);
     const uint32_t index = hall->code == EXIT_OK ? hall->next : hall->rounds->count;
@@ -196,7 +196,7 @@ static void *work(void *self)
         give_up(hall);
         return NULL;
     }
-    for (uint32_t i = take(hall); i < hall->rounds->count; i = take(hall)) {
+    for (uint32_t i = rounds_next_plan(hall); i < hall->rounds->count; i = rounds_next_plan(hall)) {
         hand_in(hall, i, play_one(seat, &hall->rounds->plans[i]));
     }
     free(seat);

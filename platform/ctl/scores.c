@@ -40,7 +40,7 @@ static uint32_t period_of(const char *word)
     return period;
 }
 
-static enum exit_code read_words(struct request *request, int argc, const char *const *argv)
+static enum exit_code scores_read_words(struct request *request, int argc, const char *const *argv)
 {
     *request = (struct request){ .mode = MODE_COUNT, .period = RANK_PERIOD_COUNT };
     for (int i = 0; i < argc; i++) {
@@ -72,7 +72,7 @@ struct place {
     int has_replay;
 };
 
-static void print_text(const struct place *at)
+static void scores_print_text(const struct place *at)
 {
     char day[DAY_TEXT_SIZE];
     day_text(at->row->day, day);
@@ -113,7 +113,7 @@ static uint32_t print_rows(const struct request *request, struct ledger_file *fi
             if (request->books.as_json) {
                 print_json(&at, count == 0);
             } else {
-                print_text(&at);
+                scores_print_text(&at);
             }
             count++;
         }
@@ -121,14 +121,14 @@ static uint32_t print_rows(const struct request *request, struct ledger_file *fi
     return count;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code scores_run(int argc, const char *const *argv)
 {
     struct request request;
     struct ledger_file file;
     if (argc > 0 && (strcmp(argv[0], "verify") == 0 || strcmp(argv[0], "replay") == 0)) {
-        return scores_judge(argc, argv);
+        return scores_verify(argc, argv);
     }
-    enum exit_code code = read_words(&request, argc, argv);
+    enum exit_code code = scores_read_words(&request, argc, argv);
     code = code == EXIT_OK ? books_open(name, &request.books, &file) : code;
     if (code != EXIT_OK) {
         return code;
@@ -155,5 +155,5 @@ const struct ctl_command ctl_scores = {
              "\n"
              "  --mode MODE      festival, championship or practice\n"
              "  --period PERIOD  day, week or ever\n" BOOKS_USAGE,
-    .run = run,
+    .run = scores_run,
 };

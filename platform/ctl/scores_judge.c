@@ -26,12 +26,13 @@ struct request {
     int with_pin; /* 1 if the written replay may contain the PIN of the menu. */
 };
 
-static struct judge judge;
-static uint8_t bytes[CHAPTERS_SIZE];
+static struct replay_verifier judge;
+static uint8_t bytes[SESSION_RECORDER_SIZE];
 
 /* ---- Options -------------------------------------------------------------------------------- */
 
-static enum exit_code read_words(struct request *request, int argc, const char *const *argv)
+static enum exit_code scores_verify_read_words(struct request *request, int argc,
+                                               const char *const *argv)
 {
     const int takes_out = strcmp(argv[0], "replay") == 0;
     int is_all = 0;
@@ -67,7 +68,7 @@ static enum exit_code read_words(struct request *request, int argc, const char *
 struct finding {
     uint32_t round_id;
     int has_replay;
-    enum verdict verdict;
+    enum replay_verdict verdict;
     size_t size;
     double play_s, took_s;
 };
@@ -81,7 +82,7 @@ static double now_s(void)
 
 static struct finding look_into(struct ledger_file *file, uint32_t round_id)
 {
-    struct finding found = { .round_id = round_id, .verdict = VERDICT_DAMAGED };
+    struct finding found = { .round_id = round_id, .verdict = REPLAY_VERDICT_DAMAGED };
     const double begin_s = now_s();
     struct ledger_entry kept;
     found.has_replay =
@@ -89,30 +90,30 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
     if (!found.has_replay) {
         return found;
     }
-    if (judge_begin(&judge, bytes, found.size) == 0) {
-        while (judge_tick(&judge)) {
+    if (replay_verifier_begin(&judge, bytes, found.size) == 0) {
+        while (replay_verifier_tick(&judge)) {
         }
         found.play_s = (double)judge.replayer.totals.ticks / CORE_TICK_HZ;
     }
     ledger_file_round(file, round_id, &kept);
-    found.verdict = judge_say(&judge, &file->content.memory.ranking, round_id, &kept);
+    found.verdict = replay_verifier_result(&judge, &file->content.memory.ranking, round_id, &kept);
     found.took_s = now_s() - begin_s;
     return found;
 }
 
-static void tell(const struct finding *found)
+static void scores_verify_print_finding(const struct finding *found)
 {
     const struct replay_problem *problem = &judge.replayer.reader.problem;
     if (!found->has_replay) {
         printf("round %u: no replay\n", found->round_id);
-    } else if (found->verdict == VERDICT_GENUINE) {
+    } else if (found->verdict == REPLAY_VERDICT_GENUINE) {
         printf("round %u: genuine: %.1f s in %.0f kB, played again in %.1f s; a round of %u s "
                "among %u fish\n",
                found->round_id, found->play_s, 1e-3 * (double)found->size, found->took_s,
                judge.core.game.round_s, judge.core.tank.fish_count);
-    } else if (found->verdict == VERDICT_UNCHECKED) {
+    } else if (found->verdict == REPLAY_VERDICT_UNCHECKED) {
         printf("round %u: not checked: " CPU_FLOAT_WRONG "\n", found->round_id);
-    } else if (found->verdict == VERDICT_DAMAGED) {
+    } else if (found->verdict == REPLAY_VERDICT_DAMAGED) {
         printf("round %u: damaged: byte %llu: %s\n", found->round_id,
                (unsigned long long)problem->offset, problem->text);
     } else if (judge.replayer.difference.found) {
@@ -125,8 +126,8 @@ static void tell(const struct finding *found)
 
 static void tell_json(const struct finding *found, int is_first)
 {
-    static const char *const verdicts[VERDICT_COUNT] = { "genuine", "not-genuine", "damaged",
-                                                         "not-checked" };
+    static const char *const verdicts[REPLAY_VERDICT_COUNT] = { "genuine", "not-genuine", "damaged",
+                                                                "not-checked" };
     printf("%s\n  {\"round\": %u, \"verdict\": \"%s\", \"seconds\": %.3f, \"bytes\": %zu, "
            "\"took_s\": %.3f}",
            is_first ? "" : ",", found->round_id,
@@ -167,9 +168,9 @@ static enum exit_code verify(const struct request *request, struct ledger_file *
         if (request->books.as_json) {
             tell_json(&found, i == 0);
         } else {
-            tell(&found);
+            scores_verify_print_finding(&found);
         }
-        bad += found.has_replay ? found.verdict != VERDICT_GENUINE : !is_all;
+        bad += found.has_replay ? found.verdict != REPLAY_VERDICT_GENUINE : !is_all;
     }
     if (count == 0 && !request->books.as_json) {
         puts("nobody has caught a fish yet");
@@ -188,7 +189,7 @@ static int holds_pin(const uint8_t *replay, size_t size)
     static struct replay_reader reader;
     int holds = 0;
     if (replay_open_in(&reader, replay, size) == 0) {
-        holds = chapters_start_has_pin(&reader.header.config);
+        holds = session_recorder_start_has_pin(&reader.header.config);
         replay_close(&reader);
     }
     return holds;
@@ -196,7 +197,7 @@ static int holds_pin(const uint8_t *replay, size_t size)
 
 static enum exit_code take_out(const struct request *request, struct ledger_file *file)
 {
-    struct out_file out;
+    struct atomic_file out;
     size_t size;
     if (ledger_file_get_replay(file, request->round_id, bytes, sizeof bytes, &size) != 0) {
         print_error("kingyoctl scores: round %u has no replay", request->round_id);
@@ -208,14 +209,14 @@ static enum exit_code take_out(const struct request *request, struct ledger_file
                     request->round_id);
         return EXIT_NOT_SO;
     }
-    int error = out_open(&out, request->out);
+    int error = atomic_file_open(&out, request->out);
     if (error == 0) {
         if (!out.is_stream) {
             /* Only the owner may read the file, because it contains settings and books. */
             fchmod(fileno(out.file), S_IRUSR | S_IWUSR);
         }
         fwrite(bytes, 1, size, out.file);
-        error = out_close(&out);
+        error = atomic_file_close(&out);
     }
     if (error) {
         print_error("kingyoctl scores: %s: cannot be written: %s", request->out, strerror(-error));
@@ -224,11 +225,11 @@ static enum exit_code take_out(const struct request *request, struct ledger_file
     return EXIT_OK;
 }
 
-enum exit_code scores_judge(int argc, const char *const *argv)
+enum exit_code scores_verify(int argc, const char *const *argv)
 {
     struct request request;
     struct ledger_file file;
-    enum exit_code code = read_words(&request, argc, argv);
+    enum exit_code code = scores_verify_read_words(&request, argc, argv);
     code = code == EXIT_OK ? books_open(name, &request.books, &file) : code;
     if (code != EXIT_OK) {
         return code;

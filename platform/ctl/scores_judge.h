@@ -6,6 +6,6 @@
 #include "platform/ctl/ctl.h"
 
 /* Runs the command. argv[0] is 'verify' or 'replay'. */
-enum exit_code scores_judge(int argc, const char *const *argv);
+enum exit_code scores_verify(int argc, const char *const *argv);
 
 #endif

@@ -24,7 +24,7 @@ struct request {
     int as_json;
 };
 
-static enum exit_code read_words(struct request *request, int argc, const char *const *argv)
+static enum exit_code status_read_words(struct request *request, int argc, const char *const *argv)
 {
     *request = (struct request){ .file = DEFAULT_FILE };
     for (int i = 0; i < argc; i++) {
@@ -39,9 +39,9 @@ static enum exit_code read_words(struct request *request, int argc, const char *
     return EXIT_OK;
 }
 
-static enum exit_code read_file(const char *path, char text[STATUS_TEXT_MAX])
+static enum exit_code status_read_file(const char *path, char text[STATUS_TEXT_MAX])
 {
-    FILE *file = plain_file_open(path, STATUS_TEXT_MAX - 1u);
+    FILE *file = regular_file_open(path, STATUS_TEXT_MAX - 1u);
     const size_t size = file ? fread(text, 1, STATUS_TEXT_MAX - 1u, file) : 0;
     const int error = !file || ferror(file) ? errno : 0;
     text[size] = '\0';
@@ -49,7 +49,7 @@ static enum exit_code read_file(const char *path, char text[STATUS_TEXT_MAX])
         fclose(file);
     }
     if (error) {
-        print_error("kingyoctl status: %s: %s%s", path, plain_file_error(error),
+        print_error("kingyoctl status: %s: %s%s", path, regular_file_error(error),
                     error == ENOENT ? "; no stall runs as a service here" : "");
     }
     return error == EFBIG ? EXIT_BAD_DATA : error ? EXIT_IO : EXIT_OK;
@@ -57,7 +57,7 @@ static enum exit_code read_file(const char *path, char text[STATUS_TEXT_MAX])
 
 /* ---- Reading the JSON status with SQLite ---------------------------------------------------- */
 
-static sqlite3_stmt *ask(sqlite3 *database, const char *sql, const char *text)
+static sqlite3_stmt *status_prepare_query(sqlite3 *database, const char *sql, const char *text)
 {
     sqlite3_stmt *statement = NULL;
     if (sqlite3_prepare_v2(database, sql, -1, &statement, NULL) == SQLITE_OK) {
@@ -102,7 +102,7 @@ static const char sql_devices[] = "SELECT json_extract(value, '$.part'), "
 
 static void print_faults(sqlite3 *database, const char *text)
 {
-    sqlite3_stmt *statement = ask(database, sql_faults, text);
+    sqlite3_stmt *statement = status_prepare_query(database, sql_faults, text);
     const char *gap = "";
     printf("  %-9s ", "faults");
     while (sqlite3_step(statement) == SQLITE_ROW) {
@@ -115,7 +115,7 @@ static void print_faults(sqlite3 *database, const char *text)
 
 static void print_devices(sqlite3 *database, const char *text)
 {
-    sqlite3_stmt *statement = ask(database, sql_devices, text);
+    sqlite3_stmt *statement = status_prepare_query(database, sql_devices, text);
     while (sqlite3_step(statement) == SQLITE_ROW) {
         print_line(stdout, "  %-9s %s", (const char *)sqlite3_column_text(statement, 0),
                    (const char *)sqlite3_column_text(statement, 1));
@@ -123,7 +123,7 @@ static void print_devices(sqlite3 *database, const char *text)
     sqlite3_finalize(statement);
 }
 
-static void print_text(sqlite3 *database, sqlite3_stmt *figures, const char *text)
+static void status_print_text(sqlite3 *database, sqlite3_stmt *figures, const char *text)
 {
     static const char *const parts[] = { "credits", "tickets", "ledger", "machine",
                                          "files",   "panics",  "frames" };
@@ -138,7 +138,7 @@ static void print_text(sqlite3 *database, sqlite3_stmt *figures, const char *tex
 
 /* ---- Health --------------------------------------------------------------------------------- */
 
-static enum exit_code judge(sqlite3_stmt *figures)
+static enum exit_code status_exit_code(sqlite3_stmt *figures)
 {
     struct timespec now;
     clock_gettime(CLOCK_BOOTTIME, &now);
@@ -157,9 +157,10 @@ static enum exit_code judge(sqlite3_stmt *figures)
     return EXIT_OK;
 }
 
-static enum exit_code tell(const struct request *request, sqlite3 *database, const char *text)
+static enum exit_code status_print_report(const struct request *request, sqlite3 *database,
+                                          const char *text)
 {
-    sqlite3_stmt *figures = ask(database, sql_figures, text);
+    sqlite3_stmt *figures = status_prepare_query(database, sql_figures, text);
     const int is_sound = figures && sqlite3_step(figures) == SQLITE_ROW &&
                          sqlite3_column_type(figures, 0) == SQLITE_INTEGER;
     enum exit_code code = EXIT_BAD_DATA;
@@ -169,22 +170,22 @@ static enum exit_code tell(const struct request *request, sqlite3 *database, con
         if (request->as_json) {
             json_print_text(text);
         } else {
-            print_text(database, figures, text);
+            status_print_text(database, figures, text);
         }
         /* main() detects and reports lost output. */
-        code = standard_output_flush(stdout) == 0 ? judge(figures) : EXIT_NOT_SO;
+        code = standard_output_flush(stdout) == 0 ? status_exit_code(figures) : EXIT_NOT_SO;
     }
     sqlite3_finalize(figures);
     return code;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code status_run(int argc, const char *const *argv)
 {
     static char text[STATUS_TEXT_MAX];
     struct request request;
     sqlite3 *database = NULL;
-    enum exit_code code = read_words(&request, argc, argv);
-    code = code == EXIT_OK ? read_file(request.file, text) : code;
+    enum exit_code code = status_read_words(&request, argc, argv);
+    code = code == EXIT_OK ? status_read_file(request.file, text) : code;
     if (code != EXIT_OK) {
         return code;
     }
@@ -193,7 +194,7 @@ static enum exit_code run(int argc, const char *const *argv)
         sqlite3_close(database);
         return EXIT_IO;
     }
-    code = tell(&request, database, text);
+    code = status_print_report(&request, database, text);
     sqlite3_close(database);
     return code;
 }
@@ -206,5 +207,5 @@ const struct ctl_command ctl_status = {
              "as it is. 'machine' and 'files' are what the menu's page Ready? says.\n"
              "Exit code: 0 it runs and keeps what it earns; 1 it has ended, stands\n"
              "still or cannot keep it; 65 FILE is something else; 74 there is none.\n",
-    .run = run,
+    .run = status_run,
 };

@@ -16,7 +16,7 @@
 
 struct svg {
     FILE *file; /* File of `out`. */
-    struct out_file out;
+    struct atomic_file out;
 };
 
 /* Creates a picture with a background of the given size in pixels. Returns false and sets errno if

@@ -16,7 +16,7 @@
 #define PROGRESS_TICKS (2u * CORE_TICK_HZ)
 
 /* Prints the progress if standard error is a terminal. */
-static void tell_progress(const struct tank_lab *lab)
+static void tank_print_progress(const struct tank_lab *lab)
 {
     if (lab->tick % PROGRESS_TICKS == 0 && isatty(STDERR_FILENO)) {
         fprintf(stderr, "\r%u of %u s", lab->tick / CORE_TICK_HZ,
@@ -29,7 +29,7 @@ static void tell_progress(const struct tank_lab *lab)
  * prints one line to standard error and returns EXIT_NOT_SO if the environment has changed. */
 static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
 {
-    const struct tank_plan *plan = lab->plan;
+    const struct tank_options *plan = lab->plan;
     if (trace->file) {
         tank_trace_add(trace, &lab->tank, 0);
     }
@@ -41,14 +41,14 @@ static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
         if (trace->file && lab->tick % plan->trace_every == 0) {
             tank_trace_add(trace, &lab->tank, lab->tick);
         }
-        tell_progress(lab);
+        tank_print_progress(lab);
     }
     return EXIT_OK;
 }
 
-static enum exit_code measure(struct tank_lab *lab)
+static enum exit_code tank_measure_lab(struct tank_lab *lab)
 {
-    const struct tank_plan *plan = lab->plan;
+    const struct tank_options *plan = lab->plan;
     struct tank_trace trace = { 0 };
     enum exit_code code = plan->trace ? tank_trace_open(&trace, plan->trace) : EXIT_OK;
     if (code != EXIT_OK) {
@@ -65,10 +65,10 @@ static enum exit_code measure(struct tank_lab *lab)
     return EXIT_OK;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code tank_run(int argc, const char *const *argv)
 {
-    struct tank_plan plan;
-    enum exit_code code = tank_plan_read(&plan, argc, argv);
+    struct tank_options plan;
+    enum exit_code code = tank_options_read(&plan, argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
@@ -79,7 +79,7 @@ static enum exit_code run(int argc, const char *const *argv)
     }
     code = tank_lab_open(lab, &plan);
     if (code == EXIT_OK) {
-        code = measure(lab);
+        code = tank_measure_lab(lab);
         tank_lab_close(lab);
     }
     huge_pages_free(lab, sizeof *lab);
@@ -89,6 +89,6 @@ static enum exit_code run(int argc, const char *const *argv)
 const struct ctl_command ctl_tank = {
     .name = "tank",
     .summary = "a tank of fish without a screen: figures as text or JSON, trajectories as CSV",
-    .usage = tank_plan_usage,
-    .run = run,
+    .usage = tank_options_usage,
+    .run = tank_run,
 };

@@ -24,7 +24,7 @@
 static const char path_speaker[] = "kingyoctl tank: --poi-path";
 static const char place_speaker[] = "kingyoctl tank: --place";
 
-uint32_t tank_lab_seconds(const struct tank_plan *plan)
+uint32_t tank_lab_seconds(const struct tank_options *plan)
 {
     return plan->tick_count / CORE_TICK_HZ + 1u;
 }
@@ -90,7 +90,7 @@ static void count_fish(struct tank_lab *lab)
 static void observe(struct tank_lab *lab)
 {
     count_fish(lab);
-    meetings_watch(&lab->meetings, &lab->tank, lab->tick - lab->observed_tick);
+    tank_meetings_update(&lab->meetings, &lab->tank, lab->tick - lab->observed_tick);
     overlap_add(&lab->overlap, &lab->tank, &lab->overlaps);
     lab->observed_tick = lab->tick;
 }
@@ -111,8 +111,8 @@ static float elapsed_ns(const struct timespec *from)
  * caches, so the ticks of the next broad-phase period are slower and are left out. */
 static int is_timed(const struct tank_lab *lab)
 {
-    return lab->observe_every <= CROWD_LOOK_TICKS || lab->observed_tick == 0 ||
-           lab->tick >= lab->observed_tick + CROWD_LOOK_TICKS;
+    return lab->observe_every <= BROAD_PHASE_UPDATE_TICKS || lab->observed_tick == 0 ||
+           lab->tick >= lab->observed_tick + BROAD_PHASE_UPDATE_TICKS;
 }
 
 static void tick_tank(struct tank_lab *lab, struct obstacle *obstacles, uint32_t count)
@@ -152,14 +152,14 @@ static void tick_with_poi(struct tank_lab *lab)
     };
     lab->output.sound_count = 0;
     poi_tick(&lab->poi, &grip, &lab->tank, &lab->bowl);
-    wake_tick(&lab->poi, &lab->tank.water, lab->tank.size_m);
+    surface_disturbance_tick(&lab->poi, &lab->tank.water, lab->tank.size_m);
     if (lab->tick % 2u == 0) {
         water_step(&lab->tank.water, lab->tank.size_m);
     }
     struct obstacle ring = poi_obstacle(&lab->poi);
     cast_shades(lab);
     tick_tank(lab, &ring, 1);
-    poi_give_way(&lab->poi, &ring);
+    poi_apply_reaction(&lab->poi, &ring);
     const struct stall stall = { &lab->tank, &lab->bowl, 1 };
     struct catch_result caught[POI_MAX] = { 0 };
     catch_tick(&lab->poi, 0, &stall, lab->tick, &lab->output, caught);
@@ -211,7 +211,7 @@ static enum exit_code open_or_say(struct tank_lab *lab, const struct tank_config
 static enum exit_code open_placed(struct tank_lab *lab, struct tank_config *config,
                                   struct tank_place *place)
 {
-    const struct tank_plan *plan = lab->plan;
+    const struct tank_options *plan = lab->plan;
     enum exit_code code = tank_place_read(place, place_speaker, plan->place);
     if (code != EXIT_OK) {
         return code;
@@ -257,13 +257,13 @@ static enum exit_code open_poi(struct tank_lab *lab)
     if (code == EXIT_OK) {
         const struct poi_target hand = tank_path_at(&lab->path, 0.0);
         poi_init(&lab->poi, POI_GRADE, hand.position_m, lab->plan->config.seed);
-        lab->poi.link = POI_LINK_LIVE;
+        lab->poi.link = POI_SOURCE_LIVE;
         lab->poi.angles = hand.angles;
     }
     return code;
 }
 
-enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan)
+enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *plan)
 {
     lab->plan = plan;
     enum exit_code code = open_tank(lab);

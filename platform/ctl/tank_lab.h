@@ -27,7 +27,7 @@ struct lab_sums {
 };
 
 struct tank_lab {
-    const struct tank_plan *plan;
+    const struct tank_options *plan;
     struct tank tank;
     struct poi poi; /* Poi that follows the path. Used only if path.count > 0. */
     struct bowl bowl; /* Absent bowl, because a poi without a game has none. */
@@ -38,14 +38,14 @@ struct tank_lab {
     struct overlap overlap;
     struct overlap_count overlaps;
     struct lab_sums sums;
-    struct meetings meetings;
+    struct tank_meetings meetings;
     float oxygen_start_mg_l;
     uint32_t observe_every; /* Ticks from one observation to the next. */
     uint32_t observed_tick; /* Tick count at the last observation. */
     uint32_t timed_count; /* Number of used entries of tick_ns. */
     /* CPU time of the tank's tick alone in nanoseconds, for each timed tick. The array has
      * plan->tick_count elements. Every tick is timed if `observe_every` is at most
-     * CROWD_LOOK_TICKS. */
+     * BROAD_PHASE_UPDATE_TICKS. */
     float *tick_ns;
     /* Fish within the shades at the start and after each second. The array has tank_lab_seconds()
      * elements. */
@@ -56,11 +56,11 @@ struct tank_lab {
 };
 
 /* Returns the number of elements of `shade_count`: the start and each whole second of the run. */
-uint32_t tank_lab_seconds(const struct tank_plan *plan);
+uint32_t tank_lab_seconds(const struct tank_options *plan);
 
 /* Opens the tank of the plan and reads the plan's files. `lab` must be zero. The plan must outlive
  * the lab. Returns EXIT_OK, or prints one line to standard error and returns another code. */
-enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_plan *plan);
+enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *plan);
 
 /* Advances the tank by one tick and measures its time. After every `observe_every`th tick and after
  * the last tick of the plan, the function also measures overlaps, encounters, gaits and speeds. */

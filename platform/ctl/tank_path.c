@@ -40,15 +40,15 @@ static struct tank_path_row row_of(const double value[COLUMN_COUNT])
     };
 }
 
-static enum exit_code take_row(struct tank_path *path, const struct csv *csv,
-                               const double value[COLUMN_COUNT])
+static enum exit_code tank_path_take_row(struct tank_path *path, const struct csv *csv,
+                                         const double value[COLUMN_COUNT])
 {
     if (path->count == TANK_PATH_MAX) {
-        return csv_refuse(csv, T_S, "more than %u rows", TANK_PATH_MAX);
+        return csv_error(csv, T_S, "more than %u rows", TANK_PATH_MAX);
     }
     if (path->count > 0 && value[T_S] <= path->row[path->count - 1u].t_s) {
-        return csv_refuse(csv, T_S, "%g s is not after the row before, %g s", value[T_S],
-                          path->row[path->count - 1u].t_s);
+        return csv_error(csv, T_S, "%g s is not after the row before, %g s", value[T_S],
+                         path->row[path->count - 1u].t_s);
     }
     path->row[path->count++] = row_of(value);
     return EXIT_OK;
@@ -64,7 +64,7 @@ enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const
     while (code == EXIT_OK && !is_end) {
         code = csv_row(&csv, value, &is_end);
         if (code == EXIT_OK && !is_end) {
-            code = take_row(path, &csv, value);
+            code = tank_path_take_row(path, &csv, value);
         }
     }
     if (code == EXIT_OK && path->count == 0) {

@@ -87,8 +87,8 @@ static struct tank_stage stage_of(const double value[COLUMN_COUNT])
     };
 }
 
-static enum exit_code take_row(struct tank_place *place, const struct csv *csv,
-                               const double value[COLUMN_COUNT])
+static enum exit_code tank_place_take_row(struct tank_place *place, const struct csv *csv,
+                                          const double value[COLUMN_COUNT])
 {
     if (place->count > 0 && value[TICK] != place->tick) {
         place->rows_left_out++;
@@ -96,10 +96,10 @@ static enum exit_code take_row(struct tank_place *place, const struct csv *csv,
     }
     const struct tank_stage stage = stage_of(value);
     if (stage.gait == GAIT_HELD) {
-        return csv_refuse(csv, GAIT, "nobody is here to hold it; leave it out, or let it swim");
+        return csv_error(csv, GAIT, "nobody is here to hold it; leave it out, or let it swim");
     }
     if (place->count == TANK_FISH_MAX) {
-        return csv_refuse(csv, X_CM, "more than %u fish", TANK_FISH_MAX);
+        return csv_error(csv, X_CM, "more than %u fish", TANK_FISH_MAX);
     }
     place->tick = value[TICK];
     place->line[place->count] = csv->line;
@@ -117,7 +117,7 @@ enum exit_code tank_place_read(struct tank_place *place, const char *speaker, co
     while (code == EXIT_OK && !is_end) {
         code = csv_row(&csv, value, &is_end);
         if (code == EXIT_OK && !is_end) {
-            code = take_row(place, &csv, value);
+            code = tank_place_take_row(place, &csv, value);
         }
     }
     if (code == EXIT_OK && place->count == 0) {

@@ -65,7 +65,7 @@ struct words {
     double figure[FIGURE_COUNT];
     uint8_t preset;
     uint8_t pump;     /* Setting of the pump, enum pump. */
-    uint8_t search;   /* Method of the pair search, enum pairs_search. */
+    uint8_t search;   /* Method of the pair search, enum pair_search. */
     uint8_t balls;    /* 1 for --spaces ball. */
     /* Width, depth and breadth of the tank. A value of 0 selects the size of the preset. */
     double size_cm[3];
@@ -74,7 +74,8 @@ struct words {
     const char *fish;
 };
 
-static enum exit_code refuse(const char *option, const char *value, const char *expected)
+static enum exit_code tank_options_error(const char *option, const char *value,
+                                         const char *expected)
 {
     return ctl_usage(name, "%s: '%.100s' is not right; expected %s", option, value ? value : "",
                      expected);
@@ -92,13 +93,13 @@ static enum exit_code take_figure(struct words *words, enum figure figure, const
     if (!right) {
         snprintf(expected, sizeof expected, "%s from %.10g to %.10g",
                  range->is_whole ? "a whole number" : "a number", range->min, range->max);
-        return refuse(range->option, value, expected);
+        return tank_options_error(range->option, value, expected);
     }
     words->given[figure] = 1;
     return EXIT_OK;
 }
 
-static enum exit_code take_preset(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_preset(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)plan;
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
@@ -107,10 +108,10 @@ static enum exit_code take_preset(struct tank_plan *plan, struct words *words, c
             return EXIT_OK;
         }
     }
-    return refuse("--preset", value, "thesis, official or festival");
+    return tank_options_error("--preset", value, "thesis, official or festival");
 }
 
-static enum exit_code take_fish(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_fish(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)plan;
     words->fish = value ? value : "";
@@ -127,10 +128,10 @@ static enum exit_code take_choice(const char *option, const char *value, const c
         return EXIT_OK;
     }
     snprintf(expected, sizeof expected, "%s or %s", first, second);
-    return refuse(option, value, expected);
+    return tank_options_error(option, value, expected);
 }
 
-static enum exit_code take_pump(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_pump(struct tank_options *plan, struct words *words, const char *value)
 {
     uint8_t is_off;
     (void)plan;
@@ -139,16 +140,16 @@ static enum exit_code take_pump(struct tank_plan *plan, struct words *words, con
     return code;
 }
 
-static enum exit_code take_pairs(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_pairs(struct tank_options *plan, struct words *words, const char *value)
 {
     uint8_t is_all;
     (void)plan;
     const enum exit_code code = take_choice("--pairs", value, "grid", "all", &is_all);
-    words->search = is_all ? PAIRS_ALL : PAIRS_GRID;
+    words->search = is_all ? PAIR_SEARCH_ALL : PAIR_SEARCH_GRID;
     return code;
 }
 
-static enum exit_code take_spaces(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_spaces(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)plan;
     return take_choice("--spaces", value, "box", "ball", &words->balls);
@@ -157,28 +158,29 @@ static enum exit_code take_spaces(struct tank_plan *plan, struct words *words, c
 static enum exit_code take_path(const char **path, const char *option, const char *value)
 {
     *path = value;
-    return value && *value ? EXIT_OK : refuse(option, value, "a path");
+    return value && *value ? EXIT_OK : tank_options_error(option, value, "a path");
 }
 
-static enum exit_code take_poi_path(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_poi_path(struct tank_options *plan, struct words *words,
+                                    const char *value)
 {
     (void)words;
     return take_path(&plan->poi_path, "--poi-path", value);
 }
 
-static enum exit_code take_place(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_place(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)words;
     return take_path(&plan->place, "--place", value);
 }
 
-static enum exit_code take_trace(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_trace(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)words;
     return take_path(&plan->trace, "--trace", value);
 }
 
-static enum exit_code take_json(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_json(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)words;
     (void)value;
@@ -206,7 +208,7 @@ static int read_list(const char *text, const struct range *parts, int count, dou
     return text != NULL;
 }
 
-static enum exit_code take_size(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_size(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)plan;
     static const struct range parts[3] = {
@@ -215,14 +217,14 @@ static enum exit_code take_size(struct tank_plan *plan, struct words *words, con
         { "breadth", CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M), 0 },
     };
     if (!read_list(value, parts, 3, words->size_cm)) {
-        return refuse("--size-cm", value,
-                      "WIDTH,DEPTH,BREADTH of the water: 30 to 200 cm, "
-                      "5 to 50 cm, 30 to 200 cm");
+        return tank_options_error("--size-cm", value,
+                                  "WIDTH,DEPTH,BREADTH of the water: 30 to 200 cm, "
+                                  "5 to 50 cm, 30 to 200 cm");
     }
     return EXIT_OK;
 }
 
-static enum exit_code take_shade(struct tank_plan *plan, struct words *words, const char *value)
+static enum exit_code take_shade(struct tank_options *plan, struct words *words, const char *value)
 {
     (void)words;
     static const struct range parts[5] = {
@@ -237,9 +239,10 @@ static enum exit_code take_shade(struct tank_plan *plan, struct words *words, co
         return ctl_usage(name, "--shade: at most %u shades", SHADE_MAX);
     }
     if (!read_list(value, parts, 5, part) || part[3] >= part[4]) {
-        return refuse("--shade", value,
-                      "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 1 to 30 cm, "
-                      "0 <= FROM_S < TO_S <= 36000");
+        return tank_options_error(
+            "--shade", value,
+            "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 1 to 30 cm, "
+            "0 <= FROM_S < TO_S <= 36000");
     }
     plan->shade[plan->shade_count++] = (struct plan_shade){
         0.01 * part[0], 0.01 * part[1], 0.01 * part[2], part[3], part[4],
@@ -250,7 +253,7 @@ static enum exit_code take_shade(struct tank_plan *plan, struct words *words, co
 /* Options whose value is not a number. */
 struct option {
     const char *name;
-    enum exit_code (*take)(struct tank_plan *plan, struct words *words, const char *value);
+    enum exit_code (*take)(struct tank_options *plan, struct words *words, const char *value);
     uint8_t word_count; /* Number of words of the option, including its value. */
 };
 
@@ -264,8 +267,8 @@ static const struct option table[] = {
 };
 
 /* Parses the option and its value. Sets `*used` to the number of words that were read. */
-static enum exit_code take_option(struct tank_plan *plan, struct words *words, const char *option,
-                                  const char *value, int *used)
+static enum exit_code tank_options_take_option(struct tank_options *plan, struct words *words,
+                                               const char *option, const char *value, int *used)
 {
     *used = 2;
     for (enum figure figure = 0; figure < FIGURE_COUNT; figure++) {
@@ -295,7 +298,7 @@ static double waters(const struct tank_config *config)
 }
 
 /* Sets the number of fish. Without --fish, the tank is as dense as the preset. */
-static enum exit_code settle_fish(struct tank_plan *plan, const struct words *words)
+static enum exit_code settle_fish(struct tank_options *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;
     char tank[96];
@@ -305,7 +308,7 @@ static enum exit_code settle_fish(struct tank_plan *plan, const struct words *wo
     if (words->fish) {
         return number_parse(words->fish, 1, most, &config->fish_count)
                    ? EXIT_OK
-                   : refuse("--fish", words->fish, tank);
+                   : tank_options_error("--fish", words->fish, tank);
     }
     const double as_dense = round((double)config->fish_count * waters(config));
     if (as_dense > (double)most) {
@@ -340,7 +343,7 @@ static void settle_water(struct tank_config *config, const struct words *words)
     }
 }
 
-static enum exit_code settle(struct tank_plan *plan, const struct words *words)
+static enum exit_code tank_options_finish(struct tank_options *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;
     const double *figure = words->figure;
@@ -376,17 +379,17 @@ static enum exit_code settle(struct tank_plan *plan, const struct words *words)
     return settle_fish(plan, words);
 }
 
-enum exit_code tank_plan_read(struct tank_plan *plan, int argc, const char *const *argv)
+enum exit_code tank_options_read(struct tank_options *plan, int argc, const char *const *argv)
 {
     struct words words = { .preset = TANK_PRESET_THESIS };
     int used = 0;
-    *plan = (struct tank_plan){ 0 };
+    *plan = (struct tank_options){ 0 };
     for (int i = 0; i < argc; i += used) {
         const char *value = i + 1 < argc ? argv[i + 1] : NULL;
-        const enum exit_code code = take_option(plan, &words, argv[i], value, &used);
+        const enum exit_code code = tank_options_take_option(plan, &words, argv[i], value, &used);
         if (code != EXIT_OK) {
             return code;
         }
     }
-    return settle(plan, &words);
+    return tank_options_finish(plan, &words);
 }

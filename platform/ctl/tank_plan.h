@@ -14,7 +14,7 @@ struct plan_shade {
     double x_m, z_m, radius_m, from_s, to_s;
 };
 
-struct tank_plan {
+struct tank_options {
     struct tank_config config;
     double seconds;
     uint32_t tick_count;
@@ -32,9 +32,9 @@ struct tank_plan {
 
 /* Parses the options into `plan`, starting from the values of the preset. `plan` keeps pointers
  * into argv. Returns EXIT_OK, or prints one line to standard error and returns another code. */
-enum exit_code tank_plan_read(struct tank_plan *plan, int argc, const char *const *argv);
+enum exit_code tank_options_read(struct tank_options *plan, int argc, const char *const *argv);
 
 /* Text that --help prints. */
-extern const char tank_plan_usage[];
+extern const char tank_options_usage[];
 
 #endif

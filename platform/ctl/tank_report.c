@@ -53,7 +53,7 @@ struct tank_figures tank_figures_of(struct tank_lab *lab)
 
 /* ---- JSON ----------------------------------------------------------------------------------- */
 
-static void put(const char *before, double value, uint32_t decimals)
+static void tank_report_put(const char *before, double value, uint32_t decimals)
 {
     char digits[NUMBER_FIXED_MAX];
     const uint32_t length = number_print_fixed(digits, value, decimals);
@@ -69,7 +69,7 @@ static void put_counts(const char *before, const uint32_t *counts, uint32_t coun
     putchar(']');
 }
 
-static void put_meetings(const struct meetings *meetings)
+static void put_meetings(const struct tank_meetings *meetings)
 {
     printf(", \"encounters\": {\"head_on\": %llu, \"side\": %llu, \"rear_end\": %llu, "
            "\"by_yaw\": %llu, \"by_pitch\": %llu}",
@@ -83,25 +83,25 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
     const uint32_t seconds = tank_lab_seconds(lab->plan);
     printf("{\"preset\": \"%s\", \"fish\": %u", tank_preset(lab->tank.preset)->name,
            lab->tank.fish_count);
-    put(", \"seconds\": ", lab->plan->seconds, 3);
+    tank_report_put(", \"seconds\": ", lab->plan->seconds, 3);
     printf(", \"seed\": %u, \"ticks\": %u, \"observe_every\": %u, \"state_hash\": \"%016llx\"",
            lab->tank.seed, lab->tick, lab->observe_every, (unsigned long long)tank_lab_hash(lab));
-    put(", \"ns_per_fish_tick\": ", figures->ns_per_fish_tick, 1);
-    put(", \"tick_ms_median\": ", figures->tick_ms_median, 6);
-    put(", \"tick_ms_p99\": ", figures->tick_ms_p99, 6);
+    tank_report_put(", \"ns_per_fish_tick\": ", figures->ns_per_fish_tick, 1);
+    tank_report_put(", \"tick_ms_median\": ", figures->tick_ms_median, 6);
+    tank_report_put(", \"tick_ms_p99\": ", figures->tick_ms_p99, 6);
     printf(", \"body_overlaps\": %llu", (unsigned long long)lab->overlaps.pairs);
-    put(", \"deepest_overlap_mm\": ", lab->overlaps.deepest_mm, 4);
+    tank_report_put(", \"deepest_overlap_mm\": ", lab->overlaps.deepest_mm, 4);
     put_meetings(&lab->meetings);
-    put(", \"gait_share\": {\"burst\": ", figures->share[GAIT_BURST], 6);
-    put(", \"swim\": ", figures->share[GAIT_SWIM], 6);
-    put(", \"rest\": ", figures->share[GAIT_REST], 6);
-    put(", \"other\": ", figures->other_share, 6);
-    put("}, \"speed_cm_s\": {\"mean\": ", figures->speed_mean_cm_s, 4);
-    put(", \"max\": ", figures->speed_max_cm_s, 4);
-    put("}, \"stamina_mean\": ", figures->stamina_mean, 4);
-    put(", \"surfacing_share\": ", figures->surfacing_share, 6);
-    put(", \"oxygen_mg_l\": {\"start\": ", (double)lab->oxygen_start_mg_l, 4);
-    put(", \"end\": ", (double)tank_lab_oxygen_mg_l(lab), 4);
+    tank_report_put(", \"gait_share\": {\"burst\": ", figures->share[GAIT_BURST], 6);
+    tank_report_put(", \"swim\": ", figures->share[GAIT_SWIM], 6);
+    tank_report_put(", \"rest\": ", figures->share[GAIT_REST], 6);
+    tank_report_put(", \"other\": ", figures->other_share, 6);
+    tank_report_put("}, \"speed_cm_s\": {\"mean\": ", figures->speed_mean_cm_s, 4);
+    tank_report_put(", \"max\": ", figures->speed_max_cm_s, 4);
+    tank_report_put("}, \"stamina_mean\": ", figures->stamina_mean, 4);
+    tank_report_put(", \"surfacing_share\": ", figures->surfacing_share, 6);
+    tank_report_put(", \"oxygen_mg_l\": {\"start\": ", (double)lab->oxygen_start_mg_l, 4);
+    tank_report_put(", \"end\": ", (double)tank_lab_oxygen_mg_l(lab), 4);
     put_counts("}, \"shade_count\": [", lab->shade_count, seconds);
     put_counts(", \"surfacing_count\": [", lab->surfacing_count, seconds);
     puts("}");
@@ -109,7 +109,7 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
 
 /* ---- Text ----------------------------------------------------------------------------------- */
 
-static void bar(const char *label, double share)
+static void tank_report_print_bar(const char *label, double share)
 {
     const int full = (int)(share * BAR_WIDTH + 0.5);
     printf("  %-8s %5.1f %% ", label, 100.0 * share);
@@ -150,7 +150,7 @@ static void text_about(const struct tank_lab *lab)
 void tank_report_text(const struct tank_lab *lab, const struct tank_figures *figures)
 {
     const uint32_t seconds = tank_lab_seconds(lab->plan);
-    const struct meetings *meetings = &lab->meetings;
+    const struct tank_meetings *meetings = &lab->meetings;
     text_about(lab);
     printf("cost         %.0f ns a fish and tick; a tick %.3f ms median, %.3f ms p99\n",
            figures->ns_per_fish_tick, figures->tick_ms_median, figures->tick_ms_p99);
@@ -167,10 +167,10 @@ void tank_report_text(const struct tank_lab *lab, const struct tank_figures *fig
     printf("oxygen       %.2f mg/L at the start, %.2f mg/L at the end\n",
            (double)lab->oxygen_start_mg_l, (double)tank_lab_oxygen_mg_l(lab));
     puts("gaits");
-    bar("burst", figures->share[GAIT_BURST]);
-    bar("swim", figures->share[GAIT_SWIM]);
-    bar("rest", figures->share[GAIT_REST]);
-    bar("other", figures->other_share);
+    tank_report_print_bar("burst", figures->share[GAIT_BURST]);
+    tank_report_print_bar("swim", figures->share[GAIT_SWIM]);
+    tank_report_print_bar("rest", figures->share[GAIT_REST]);
+    tank_report_print_bar("other", figures->other_share);
     if (lab->plan->shade_count > 0) {
         sparks("in the shade", lab->shade_count, seconds);
     }

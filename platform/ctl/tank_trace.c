@@ -25,7 +25,7 @@ const char *tank_trace_gait(uint8_t gait)
     return gait_names[gait];
 }
 
-static enum exit_code tell(const struct tank_trace *trace, int error)
+static enum exit_code tank_trace_print_error(const struct tank_trace *trace, int error)
 {
     print_error("kingyoctl tank: --trace: %s: %s", trace->path, strerror(error));
     return EXIT_IO;
@@ -34,9 +34,9 @@ static enum exit_code tell(const struct tank_trace *trace, int error)
 enum exit_code tank_trace_open(struct tank_trace *trace, const char *path)
 {
     trace->path = path;
-    const int error = out_open(&trace->out, path);
+    const int error = atomic_file_open(&trace->out, path);
     if (error) {
-        return tell(trace, -error);
+        return tank_trace_print_error(trace, -error);
     }
     trace->file = trace->out.file;
     fputs("tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm,"
@@ -87,7 +87,7 @@ void tank_trace_add(struct tank_trace *trace, const struct tank *tank, uint32_t 
 
 enum exit_code tank_trace_close(struct tank_trace *trace)
 {
-    const int error = out_close(&trace->out);
+    const int error = atomic_file_close(&trace->out);
     trace->file = NULL;
-    return error ? tell(trace, -error) : EXIT_OK;
+    return error ? tank_trace_print_error(trace, -error) : EXIT_OK;
 }

@@ -12,7 +12,7 @@
 
 struct tank_trace {
     const char *path;
-    struct out_file out;
+    struct atomic_file out;
     FILE *file; /* File of `out` while the trace is open. */
 };
 

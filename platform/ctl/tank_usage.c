@@ -2,7 +2,7 @@
  * text. */
 #include "platform/ctl/tank_plan.h"
 
-const char tank_plan_usage[] =
+const char tank_options_usage[] =
     "The tank\n"
     "  --preset NAME          thesis, official or festival (thesis)\n"
     "  --fish N               how many, up to 131,072 as far as the water holds them\n"

@@ -46,7 +46,7 @@ static float *append(struct samples *s, float progress, bool settled, const floa
 /* Copies `from` to `to` and inserts the middle of each interval whose error is too large. Returns
  * the number of inserted samples. */
 static uint32_t refine(const struct samples *from, struct samples *to,
-                       const struct track_function *f, float tolerance)
+                       const struct piecewise_fit_function *f, float tolerance)
 {
     uint32_t halved = 0;
     for (uint32_t i = 0; i < from->count; i++) {
@@ -72,7 +72,7 @@ static uint32_t refine(const struct samples *from, struct samples *to,
 
 /* Runs one pass and replaces `s` with the refined samples. Returns false if memory allocation
  * fails. */
-static bool halve(struct samples *s, const struct track_function *f, float tolerance,
+static bool halve(struct samples *s, const struct piecewise_fit_function *f, float tolerance,
                   uint32_t *halved)
 {
     struct samples finer;
@@ -86,8 +86,8 @@ static bool halve(struct samples *s, const struct track_function *f, float toler
     return true;
 }
 
-bool track_fit(struct track *track, const struct track_function *function, const float *marks,
-               uint32_t mark_count, float tolerance)
+bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_function *function,
+                       const float *marks, uint32_t mark_count, float tolerance)
 {
     CORE_ASSERT(mark_count >= 2);
     struct samples s;
@@ -97,10 +97,10 @@ bool track_fit(struct track *track, const struct track_function *function, const
         CORE_ASSERT(i == 0 || marks[i] > marks[i - 1]);
         function->ask(function->self, marks[i], append(&s, marks[i], i + 1 == mark_count, NULL));
     }
-    for (uint32_t pass = 0; good && halved > 0 && pass < TRACK_HALVINGS; pass++) {
+    for (uint32_t pass = 0; good && halved > 0 && pass < PIECEWISE_FIT_HALVINGS; pass++) {
         good = halve(&s, function, tolerance, &halved);
     }
-    *track = (struct track){ .count = good ? s.count : 0, .width = s.width };
+    *track = (struct piecewise_fit){ .count = good ? s.count : 0, .width = s.width };
     track->progress = good ? malloc(s.count * sizeof *track->progress) : NULL;
     if (!track->progress) {
         samples_free(&s);
@@ -114,9 +114,9 @@ bool track_fit(struct track *track, const struct track_function *function, const
     return true;
 }
 
-void track_free(struct track *track)
+void piecewise_fit_free(struct piecewise_fit *track)
 {
     free(track->progress);
     free(track->values);
-    *track = (struct track){ 0 };
+    *track = (struct piecewise_fit){ 0 };
 }

@@ -11,9 +11,9 @@
 
 /* Maximum number of halvings. The smallest interval is a 16,384th of the interval between two
  * marks. */
-#define TRACK_HALVINGS 14u
+#define PIECEWISE_FIT_HALVINGS 14u
 
-struct track_function {
+struct piecewise_fit_function {
     uint32_t width; /* Number of values of the function at one progress. */
     void (*ask)(const void *self, float progress, float *values);
     /* Returns the error if the mean of `from` and `to` is used instead of `exact`. */
@@ -21,7 +21,7 @@ struct track_function {
     const void *self;
 };
 
-struct track {
+struct piecewise_fit {
     uint32_t count, width;
     /* Progress of each sample, in rising order. The array has `count` elements and belongs to the
      * track. */
@@ -33,10 +33,10 @@ struct track {
 /* Samples the function at every mark. There are at least two marks, in rising order from 0 to 1.
  * Adds samples until the error in the middle of every two neighbours is at most `tolerance`.
  * Returns false if memory allocation fails. */
-bool track_fit(struct track *track, const struct track_function *function, const float *marks,
-               uint32_t mark_count, float tolerance);
+bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_function *function,
+                       const float *marks, uint32_t mark_count, float tolerance);
 
 /* Frees the samples of a track. */
-void track_free(struct track *track);
+void piecewise_fit_free(struct piecewise_fit *track);
 
 #endif

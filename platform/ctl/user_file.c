@@ -6,7 +6,7 @@
 #include "platform/plain_file.h"
 #include "platform/print.h"
 
-enum exit_code user_file_refuse(const char *speaker, const char *path, uint32_t size_max, int error)
+enum exit_code user_file_error(const char *speaker, const char *path, uint32_t size_max, int error)
 {
     if (error == EFBIG) {
         const int in_kib = size_max < 1u << 20;
@@ -14,12 +14,12 @@ enum exit_code user_file_refuse(const char *speaker, const char *path, uint32_t 
                     in_kib ? "KiB" : "MiB");
         return EXIT_BAD_DATA;
     }
-    print_error("%s: %s: %s", speaker, path, plain_file_error(error));
+    print_error("%s: %s: %s", speaker, path, regular_file_error(error));
     return EXIT_IO;
 }
 
 enum exit_code user_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out)
 {
-    *out = plain_file_open(path, size_max);
-    return *out ? EXIT_OK : user_file_refuse(speaker, path, size_max, errno);
+    *out = regular_file_open(path, size_max);
+    return *out ? EXIT_OK : user_file_error(speaker, path, size_max, errno);
 }

@@ -15,7 +15,6 @@ enum exit_code user_file_open(const char *speaker, const char *path, uint32_t si
 
 /* Prints the error line for a read that failed with `error`. Returns the exit code of
  * user_file_open() for the error. */
-enum exit_code user_file_refuse(const char *speaker, const char *path, uint32_t size_max,
-                                int error);
+enum exit_code user_file_error(const char *speaker, const char *path, uint32_t size_max, int error);
 
 #endif

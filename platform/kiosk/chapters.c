@@ -13,10 +13,10 @@ static int32_t withheld_told(int32_t told, int32_t kept)
     return told == kept ? (kept != 0 ? PIN_WITHHELD : 0) : kept == 0 ? PIN_WITHHELD : 0;
 }
 
-void chapters_withhold_pin(struct core_config *config, int32_t *told)
+void session_recorder_withhold_pin(struct core_config *config, int32_t *told)
 {
-    int32_t *kept = &config->memory.settings.value[SET_PIN];
-    int32_t *begun = &config->chapter.adjust.told.value[SET_PIN];
+    int32_t *kept = &config->persistent.settings.value[SET_PIN];
+    int32_t *begun = &config->session.settings_edit.told.value[SET_PIN];
     *begun = withheld_told(*begun, *kept);
     if (told) {
         *told = withheld_told(*told, *kept);
@@ -29,20 +29,20 @@ static int is_pin(int32_t value)
     return value != 0 && value != PIN_WITHHELD;
 }
 
-int chapters_start_has_pin(const struct core_config *config)
+int session_recorder_start_has_pin(const struct core_config *config)
 {
-    return is_pin(config->memory.settings.value[SET_PIN]) ||
-           is_pin(config->chapter.adjust.told.value[SET_PIN]);
+    return is_pin(config->persistent.settings.value[SET_PIN]) ||
+           is_pin(config->session.settings_edit.told.value[SET_PIN]);
 }
 
-int chapters_types_pin(const struct core *core)
+int session_recorder_types_pin(const struct core *core)
 {
     const struct menu *menu = &core->game.menu;
     return core->game.phase == PHASE_MENU &&
            (menu->page == MENU_PIN || menu->page == MENU_NEW_PIN) && menu->pin_count > 0;
 }
 
-void chapters_begin(struct chapters *chapters, const struct core *core)
+void session_recorder_begin(struct session_recorder *chapters, const struct core *core)
 {
     CORE_ASSERT(core_is_fresh(core));
     memset(&chapters->totals, 0, sizeof chapters->totals);
@@ -51,12 +51,13 @@ void chapters_begin(struct chapters *chapters, const struct core *core)
     chapters->seen_id = core->game.ledger.last_id;
     chapters->has_pin = 0;
     chapters->start = core->config;
-    chapters_withhold_pin(&chapters->start, NULL);
+    session_recorder_withhold_pin(&chapters->start, NULL);
     replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &core->config,
                      chapters->totals.hash);
 }
 
-static void add_tick(struct chapters *chapters, const struct input *input, const struct core *core)
+static void add_tick(struct session_recorder *chapters, const struct input *input,
+                     const struct core *core)
 {
     struct replay_writer *writer = &chapters->writer;
     uint32_t digest = 0;
@@ -84,7 +85,8 @@ static int is_ranked(const struct core *core, const struct ledger_entry *entry)
     return place < RANK_ROWS;
 }
 
-static void keep_round(struct chapters *chapters, uint32_t round_id, const struct core *core)
+static void keep_round(struct session_recorder *chapters, uint32_t round_id,
+                       const struct core *core)
 {
     if (chapters->round_id != 0 || chapters->has_pin) {
         chapters->missed++;
@@ -103,7 +105,7 @@ static void keep_round(struct chapters *chapters, uint32_t round_id, const struc
 }
 
 /* Blocks the thread that runs the ticks forever if another thread panics. */
-static void stop_if_frozen(struct chapters *chapters)
+static void stop_if_frozen(struct session_recorder *chapters)
 {
     while (atomic_load(&chapters->is_frozen)) {
         atomic_store(&chapters->is_busy, 0);
@@ -111,7 +113,7 @@ static void stop_if_frozen(struct chapters *chapters)
     }
 }
 
-void chapters_before(struct chapters *chapters, const struct input *input)
+void session_recorder_before(struct session_recorder *chapters, const struct input *input)
 {
     atomic_store(&chapters->is_busy, 1);
     stop_if_frozen(chapters);
@@ -119,15 +121,15 @@ void chapters_before(struct chapters *chapters, const struct input *input)
     atomic_store(&chapters->is_in_tick, 1);
 }
 
-static void note_tick(struct chapters *chapters, const struct input *input, const struct core *core,
-                      const struct output *output)
+static void note_tick(struct session_recorder *chapters, const struct input *input,
+                      const struct core *core, const struct output *output)
 {
     if (core_is_fresh(core)) { /* The configuration of the new session includes the effect of this
                                   tick. */
-        chapters_begin(chapters, core);
+        session_recorder_begin(chapters, core);
         return;
     }
-    chapters->has_pin = chapters->has_pin || chapters_types_pin(core);
+    chapters->has_pin = chapters->has_pin || session_recorder_types_pin(core);
     add_tick(chapters, input, core);
     while (chapters->seen_id != core->game.ledger.last_id) {
         const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
@@ -137,32 +139,33 @@ static void note_tick(struct chapters *chapters, const struct input *input, cons
     }
 }
 
-void chapters_tick(struct chapters *chapters, const struct input *input, const struct core *core,
-                   const struct output *output)
+void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
+                           const struct core *core, const struct output *output)
 {
     atomic_store(&chapters->is_in_tick, 0);
     note_tick(chapters, input, core, output);
     atomic_store(&chapters->is_busy, 0);
 }
 
-int chapters_freeze(struct chapters *chapters, int is_own)
+int session_recorder_freeze(struct session_recorder *chapters, int is_own)
 {
     if (is_own) {
         return !atomic_load(&chapters->is_busy) || atomic_load(&chapters->is_in_tick);
     }
     atomic_store(&chapters->is_frozen, 1);
-    for (int i = 0; i < CHAPTERS_FREEZE_MS && atomic_load(&chapters->is_busy); i++) {
+    for (int i = 0; i < SESSION_RECORDER_FREEZE_MS && atomic_load(&chapters->is_busy); i++) {
         poll(NULL, 0, 1);
     }
     return !atomic_load(&chapters->is_busy);
 }
 
-int chapters_has_begun(const struct chapters *chapters)
+int session_recorder_has_begun(const struct session_recorder *chapters)
 {
     return chapters->writer.offset > 0;
 }
 
-int chapters_dump(struct chapters *chapters, const struct core *core, int is_sound, int fd)
+int session_recorder_dump(struct session_recorder *chapters, const struct core *core, int is_sound,
+                          int fd)
 {
     uint64_t hash = chapters->totals.hash;
     if (is_sound && atomic_load(&chapters->is_in_tick)) {
@@ -177,24 +180,25 @@ int chapters_dump(struct chapters *chapters, const struct core *core, int is_sou
 
 /* Offers the replay only after its round is on disk, because the store drops replays of unknown
  * rounds. */
-int chapters_offer(struct chapters *chapters, const struct hal_storage *storage)
+int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
 {
     const struct hal_storage_ops *ops = storage->ops;
     if (chapters->round_id != 0 && !chapters->is_sealed) {
-        chapters->is_sealed = (uint8_t)replay_seal_next(&chapters->seal, CHAPTERS_SEAL_SIZE);
+        chapters->is_sealed =
+            (uint8_t)replay_seal_next(&chapters->seal, SESSION_RECORDER_SEAL_SIZE);
     }
     if (chapters->round_id == 0 || !chapters->is_sealed ||
         ops->saved_id(storage->self) < chapters->round_id) {
         return 0;
     }
     if (chapters->is_lent) {
-        const int is_done = ops->replay_kept_id(storage->self) == chapters->round_id;
+        const int is_done = ops->stored_replay_id(storage->self) == chapters->round_id;
         chapters->round_id = is_done ? 0 : chapters->round_id;
         chapters->is_lent = !is_done;
         return 0;
     }
-    const int result = ops->keep_replay(storage->self, chapters->round_id, chapters->replay,
-                                        chapters->replay_size);
+    const int result = ops->store_replay(storage->self, chapters->round_id, chapters->replay,
+                                         chapters->replay_size);
     if (result == HAL_OK) {
         chapters->is_lent = 1;
     } else if (result != HAL_ERR_BUSY) {

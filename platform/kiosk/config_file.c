@@ -38,7 +38,7 @@ static int object(struct reading *reading, const char *format, ...)
 /* ---- Lines ---------------------------------------------------------------------------------- */
 
 /* Removes the white space around `text`, in place. */
-static char *trim(char *text)
+static char *config_file_trim(char *text)
 {
     while (isspace((unsigned char)*text)) {
         text++;
@@ -63,7 +63,7 @@ static void cut_comment(char *line)
 
 /* Reads the next line. Returns 0 at the end. A line that is too long is read to its end, and
  * `*is_long` is set. */
-static int next_line(FILE *file, char line[CONFIG_LINE_MAX], int *is_long)
+static int config_file_next_line(FILE *file, char line[CONFIG_LINE_MAX], int *is_long)
 {
     if (!fgets(line, CONFIG_LINE_MAX, file)) {
         return 0;
@@ -86,7 +86,7 @@ static int begin_section(struct reading *reading, char *text)
         return object(reading, "a section is [NAME] and nothing else; its lines are passed over");
     }
     *end = '\0';
-    const char *name = trim(text + 1);
+    const char *name = config_file_trim(text + 1);
     for (size_t i = 0; i < SECTION_COUNT; i++) {
         if (strcmp(section_names[i], name) == 0) {
             reading->section = section_names[i];
@@ -115,8 +115,8 @@ static int is_here(struct reading *reading, const char *key, const char *section
 static int read_setting(struct reading *reading, uint32_t id, const char *key, const char *value)
 {
     char range[SETTING_RANGE_MAX];
-    struct asked *file = &reading->options->file;
-    if (!is_here(reading, key, setting_section(setting_of(id)->group))) {
+    struct options_query_result *file = &reading->options->file;
+    if (!is_here(reading, key, setting_section(settings_entry(id)->group))) {
         return -1;
     }
     if (!setting_parse(id, value, &file->value[id])) {
@@ -140,7 +140,7 @@ static int read_option(struct reading *reading, const struct option *option, con
     }
     if (!option->set(&tried, value)) {
         return object(reading, "%s: wrong value '%.60s'; expected %s", option->name, value,
-                      option_says(option, option->expects, text));
+                      option_text(option, option->expects, text));
     }
     if (option_wires_clash(&tried, text)) {
         return object(reading, "%s", text);
@@ -163,10 +163,10 @@ static int read_key(struct reading *reading, const char *key, const char *value)
 }
 
 /* Parses one line. Returns 0, or -1 with reading->why. */
-static int read_line(struct reading *reading, char *line)
+static int config_file_read_line(struct reading *reading, char *line)
 {
     cut_comment(line);
-    char *text = trim(line);
+    char *text = config_file_trim(line);
     if (*text == '\0') {
         return 0;
     }
@@ -181,7 +181,7 @@ static int read_line(struct reading *reading, char *line)
         return object(reading, "no '='; expected KEY = VALUE");
     }
     *equals = '\0';
-    return read_key(reading, trim(text), trim(equals + 1));
+    return read_key(reading, config_file_trim(text), config_file_trim(equals + 1));
 }
 
 /* ---- Files ---------------------------------------------------------------------------------- */
@@ -192,7 +192,7 @@ struct warnings {
     unsigned count;
 };
 
-static void tell(struct warnings *warnings, unsigned line, const char *why)
+static void config_file_add_warning(struct warnings *warnings, unsigned line, const char *why)
 {
     char text[OPTIONS_PATH_MAX + WHY_MAX];
     if (++warnings->count <= CONFIG_WARNINGS_MAX && warnings->warn) {
@@ -219,24 +219,24 @@ static void check_fish(struct reading *reading, unsigned line, struct warnings *
     char says[OPTION_TEXT_MAX], why[WHY_MAX];
     if (option_too_many_fish(reading->options, says)) {
         snprintf(why, sizeof why, "fish: %s", says);
-        tell(warnings, line, why);
+        config_file_add_warning(warnings, line, why);
         reading->options->file.is_set[SET_FISH] = 0;
     }
 }
 
-static void read_lines(struct reading *reading, FILE *file, struct warnings *warnings)
+static void config_file_read_lines(struct reading *reading, FILE *file, struct warnings *warnings)
 {
     char line[CONFIG_LINE_MAX];
     unsigned fish_line = 0;
     int is_long = 0;
-    for (unsigned number = 1; next_line(file, line, &is_long); number++) {
+    for (unsigned number = 1; config_file_next_line(file, line, &is_long); number++) {
         const size_t mark = number == 1 && strncmp(line, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
         const uint8_t had_fish = reading->options->file.is_set[SET_FISH];
         const int32_t fish = reading->options->file.value[SET_FISH];
         if (is_long) {
-            tell(warnings, number, "the line is too long, and passed over");
-        } else if (read_line(reading, line + mark)) {
-            tell(warnings, number, reading->why);
+            config_file_add_warning(warnings, number, "the line is too long, and passed over");
+        } else if (config_file_read_line(reading, line + mark)) {
+            config_file_add_warning(warnings, number, reading->why);
         }
         if (reading->options->file.is_set[SET_FISH] != had_fish ||
             reading->options->file.value[SET_FISH] != fish) {
@@ -247,17 +247,17 @@ static void read_lines(struct reading *reading, FILE *file, struct warnings *war
     tell_rest(warnings);
 }
 
-int options_read_config(struct options *options, const char *path, void (*warn)(const char *line))
+int config_file_read(struct options *options, const char *path, void (*warn)(const char *line))
 {
     struct reading reading = { .options = options, .section = "" };
     struct warnings warnings = { .path = path, .warn = warn };
-    FILE *file = plain_file_open(path, CONFIG_SIZE_MAX);
+    FILE *file = regular_file_open(path, CONFIG_SIZE_MAX);
     if (!file) {
         return -errno;
     }
     errno = 0;
     options->is_file = 1;
-    read_lines(&reading, file, &warnings);
+    config_file_read_lines(&reading, file, &warnings);
     options->is_file = 0;
     const int error = ferror(file) ? (errno ? -errno : -EIO) : 0;
     fclose(file);
@@ -270,7 +270,7 @@ static void print_settings(FILE *out, const char *section)
 {
     char range[SETTING_RANGE_MAX], value[SETTING_TEXT_MAX];
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const struct setting *setting = setting_of(id);
+        const struct setting *setting = settings_entry(id);
         const char *own = setting_section(setting->group);
         if (own && strcmp(own, section) == 0) {
             setting_range(id, range);

@@ -22,8 +22,8 @@
 
 /* Reads `path` into `options`: settings into options->file, other keys as the command line does.
  * `warn` (may be null) gets "FILE:LINE: reason", with the range of a value. Returns 0, or a
- * negative errno of plain_file_open() if the file cannot be read. */
-int options_read_config(struct options *options, const char *path, void (*warn)(const char *line));
+ * negative errno of regular_file_open() if the file cannot be read. */
+int config_file_read(struct options *options, const char *path, void (*warn)(const char *line));
 
 /* Writes an example file that contains only comments: every key with its purpose, range and
  * default. */

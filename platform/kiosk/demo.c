@@ -29,7 +29,7 @@
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
 
 struct demo {
-    struct session *session;
+    struct run_common *session;
     const char *folder;
     struct contact_sheet sheet;
     uint64_t now_ns, end_ns;
@@ -48,12 +48,12 @@ static void wire(struct demo *demo)
         .on_demand = options->replay[0] != '\0', /* The demonstration measures its frame times, and
                                                     therefore draws every frame. */
         .view = tank_preset(options->tank)->view,
-        .shelf = &demo->session->shelf,
+        .library = &demo->session->library,
     };
     board_open_rehearsal(&demo->session->hal, &board, START_NS);
 }
 
-static enum exit_code begin(struct demo *demo)
+static enum exit_code demo_begin(struct demo *demo)
 {
     const struct options *options = &demo->session->options;
     struct kiosk_config config = {
@@ -63,12 +63,12 @@ static enum exit_code begin(struct demo *demo)
         },
         .stopwatch = clock_device(),
     };
-    struct settings *settings = &config.core.memory.settings;
+    struct settings *settings = &config.core.persistent.settings;
     options_first(options, settings);
     options_last(options, settings);
     settings_hide_pin(settings, config.core.seed);
     settings->value[SET_PLAY] = PLAY_FREE; /* The bot has no coins. */
-    if (!options_ask(options, SET_MODES)) {
+    if (!options_query(options, SET_MODES)) {
         settings->value[SET_MODES] = 1 << MODE_FESTIVAL;
     }
     const uint32_t round_s = options->demo_s > AFTER_ROUND_S ? options->demo_s - AFTER_ROUND_S : 0;
@@ -80,7 +80,7 @@ static enum exit_code begin(struct demo *demo)
     demo->whole_replay = options->replay[0] && !options->demo;
     demo->end_ns = demo->whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ
                                 : options->demo_s * NS_PER_S;
-    return session_begin(demo->session, &config);
+    return run_common_begin(demo->session, &config);
 }
 
 /* ---- Pictures ------------------------------------------------------------------------------- */
@@ -89,7 +89,7 @@ static int plan_sheet(struct demo *demo, const struct hal_image *image)
 {
     demo->sheet.rgb = malloc(contact_sheet_plan(&demo->sheet, image->width, image->height));
     if (!demo->sheet.rgb) {
-        say(SAY_ERROR, "no memory for the contact sheet");
+        log_print(LOG_LEVEL_ERROR, "no memory for the contact sheet");
         return -1;
     }
     contact_sheet_clear(&demo->sheet);
@@ -101,7 +101,7 @@ static void take_shot(struct demo *demo)
     char path[PATH_SIZE];
     struct hal_image image;
     snprintf(path, sizeof path, "%s/shot-%02u.png", demo->folder, demo->shots + 1);
-    if (session_shot(demo->session, path, &image) ||
+    if (run_common_shot(demo->session, path, &image) ||
         (!demo->sheet.rgb && plan_sheet(demo, &image))) {
         demo->failed = 1;
         return;
@@ -126,7 +126,7 @@ static void write_sheet(struct demo *demo)
             ? png_write(path, demo->sheet.rgb, demo->sheet.width, demo->sheet.height)
             : 0;
     if (error) {
-        say(SAY_ERROR, "%s: cannot write: %s", path, strerror(-error));
+        log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", path, strerror(-error));
         demo->failed = 1;
     }
     free(demo->sheet.rgb);
@@ -142,7 +142,7 @@ static int round_is_under_way(const struct core *core)
 /* Skips the wait for the start, during which the bot's poi is beside the tank. */
 static enum kiosk_end skip_to_round(struct demo *demo)
 {
-    struct session *session = demo->session;
+    struct run_common *session = demo->session;
     const struct core *core = &session->kiosk.core;
     enum kiosk_end end = KIOSK_RUNS;
     while (end == KIOSK_RUNS && !*session->stop && !round_is_under_way(core) &&
@@ -155,7 +155,7 @@ static enum kiosk_end skip_to_round(struct demo *demo)
 
 /* Reports the progress: one line that is updated on a terminal, otherwise a line each five
  * seconds. */
-static void tell_progress(const struct demo *demo)
+static void demo_print_progress(const struct demo *demo)
 {
     const int on_terminal = isatty(STDERR_FILENO);
     const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
@@ -167,9 +167,9 @@ static void tell_progress(const struct demo *demo)
     }
 }
 
-static enum kiosk_end run(struct demo *demo)
+static enum kiosk_end demo_run_frames(struct demo *demo)
 {
-    struct session *session = demo->session;
+    struct run_common *session = demo->session;
     enum kiosk_end end = session->options.replay[0] ? KIOSK_RUNS : skip_to_round(demo);
     while (end == KIOSK_RUNS && !*session->stop &&
            (demo->whole_replay || demo->now_ns < demo->end_ns)) {
@@ -179,7 +179,7 @@ static enum kiosk_end run(struct demo *demo)
         }
         board_rehearsal_advance(FRAME_NS);
         demo->now_ns += FRAME_NS;
-        tell_progress(demo);
+        demo_print_progress(demo);
     }
     if (isatty(STDERR_FILENO)) {
         fputc('\n', stderr);
@@ -194,7 +194,7 @@ static double ms(uint64_t ns)
 
 static void print_summary(const struct demo *demo)
 {
-    const struct session *session = demo->session;
+    const struct run_common *session = demo->session;
     const struct kiosk *kiosk = &session->kiosk;
     const struct timing *frame = &kiosk->work_time;
     const double ticks = kiosk->core.tick > 0 ? kiosk->core.tick : 1;
@@ -228,7 +228,7 @@ static void print_summary(const struct demo *demo)
     }
 }
 
-enum exit_code demo_run(struct session *session)
+enum exit_code demo_run(struct run_common *session)
 {
     const struct options *options = &session->options;
     struct demo demo = {
@@ -237,29 +237,29 @@ enum exit_code demo_run(struct session *session)
         .height = options->height ? options->height : 720,
     };
     demo.folder = options->shots[0] ? options->shots : FOLDER_DEFAULT;
-    enum exit_code code = session_make_folder(demo.folder);
+    enum exit_code code = run_common_make_folder(demo.folder);
     if (code != EXIT_OK) {
         return code;
     }
     wire(&demo);
-    code = session_make_room(session, demo.width, demo.height);
+    code = run_common_make_room(session, demo.width, demo.height);
     if (code == EXIT_OK) {
-        code = begin(&demo);
+        code = demo_begin(&demo);
     }
     if (code != EXIT_OK) {
         return code;
     }
-    session_tell_shelf(session);
-    const enum kiosk_end end = run(&demo);
+    run_common_print_library(session);
+    const enum kiosk_end end = demo_run_frames(&demo);
     if (demo.shots == 0) {
-        say(SAY_ERROR, "no picture could be made here");
+        log_print(LOG_LEVEL_ERROR, "no picture could be made here");
     }
     write_sheet(&demo);
     print_summary(&demo);
-    code = session_end(session);
+    code = run_common_end(session);
     session->hal.display.ops->close(session->hal.display.self);
     if (end == KIOSK_FLOAT) {
-        return session_tell_float();
+        return run_common_print_float();
     }
     if (code == EXIT_OK && (demo.failed || demo.shots == 0 || end == KIOSK_DISPLAY_LOST)) {
         code = EXIT_NOT_SO;

@@ -10,6 +10,6 @@
 #define DEMO_SEED 2013u /* Default seed, so that two users see the same demonstration. */
 
 /* Runs the demonstration. Returns an exit code; errors were reported. */
-enum exit_code demo_run(struct session *session);
+enum exit_code demo_run(struct run_common *session);
 
 #endif

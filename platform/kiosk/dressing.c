@@ -49,7 +49,7 @@ static void name_devices(struct scene_devices *devices, const struct hal *hal)
 static struct scene_file store_row(const struct hal_storage *store)
 {
     struct scene_file row = {
-        .state = store->ops->is_well(store->self) && !store->ops->refuses_edits(store->self)
+        .state = store->ops->is_healthy(store->self) && !store->ops->edits_failed(store->self)
                      ? FILE_USED
                      : FILE_REFUSED,
     };
@@ -72,7 +72,7 @@ static void name_files(struct scene *scene, const struct hal *hal, const struct 
     }
 }
 
-uint8_t dressing_file_count(const struct file_notes *notes)
+uint8_t operator_view_file_count(const struct file_notes *notes)
 {
     return (uint8_t)(1u + (notes ? file_notes_rows(notes) : 0u));
 }
@@ -94,7 +94,7 @@ static void tell_about(struct scene_devices *devices, const struct hal *hal)
     }
 }
 
-static struct scene_axes axes_of(const struct poi_input *says, const struct poi_hand *hand)
+static struct scene_axes axes_of(const struct poi_input *says, const struct poi_sampler *hand)
 {
     return (struct scene_axes){
         .link = says->link,
@@ -105,15 +105,15 @@ static struct scene_axes axes_of(const struct poi_input *says, const struct poi_
     };
 }
 
-static void seal_scores(struct scene_board *board, const struct hal_storage *store)
+static void seal_scores(struct scene_leaderboard *board, const struct hal_storage *store)
 {
-    for (uint32_t i = 0; i < SCENE_BOARD_ROWS && board->shown; i++) {
+    for (uint32_t i = 0; i < SCENE_LEADERBOARD_ROWS && board->shown; i++) {
         struct scene_row *row = &board->row[i];
         row->is_sealed = row->caught > 0 && store->ops->has_replay(store->self, row->round_id);
     }
 }
 
-void line_book_note(struct line_book *book, const struct button_sample *sample)
+void operator_view_lines_add(struct operator_view_lines *book, const struct button_sample *sample)
 {
     book->raw = sample->raw;
     book->missing = sample->missing;
@@ -126,7 +126,7 @@ void line_book_note(struct line_book *book, const struct button_sample *sample)
     }
 }
 
-static void tell_lines(struct scene_devices *devices, const struct line_book *book)
+static void tell_lines(struct scene_devices *devices, const struct operator_view_lines *book)
 {
     devices->line_raw = book->raw;
     devices->buttons_missing = book->missing;
@@ -141,22 +141,23 @@ static uint32_t frames_a_second(uint64_t frame_ns)
     return frame_ns > 0 ? (uint32_t)((1000000000ull + frame_ns / 2u) / frame_ns) : 0u;
 }
 
-void dressing_put(struct scene *scene, const struct hal *hal, const struct dressing *dressing)
+void operator_view_fill(struct scene *scene, const struct hal *hal,
+                        const struct operator_view *operator_view)
 {
     struct scene_devices *devices = &scene->devices;
-    seal_scores(&scene->board, &hal->storage);
+    seal_scores(&scene->leaderboard, &hal->storage);
     if (scene->phase != PHASE_MENU) {
         return;
     }
-    devices->machine = *dressing->machine;
+    devices->machine = *operator_view->machine;
     name_devices(devices, hal);
-    name_files(scene, hal, dressing->notes);
+    name_files(scene, hal, operator_view->notes);
     tell_about(devices, hal);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        devices->axes[i] = axes_of(&dressing->input->poi[i], &dressing->hands[i]);
+        devices->axes[i] = axes_of(&operator_view->input->poi[i], &operator_view->hands[i]);
     }
-    devices->button_faults = dressing->button_faults;
-    devices->files_refused = dressing->notes ? dressing->notes->refused_count : 0u;
-    devices->frames_a_second = frames_a_second(dressing->frame_ns);
-    tell_lines(devices, dressing->lines);
+    devices->button_faults = operator_view->button_faults;
+    devices->files_refused = operator_view->notes ? operator_view->notes->refused_count : 0u;
+    devices->frames_a_second = frames_a_second(operator_view->frame_ns);
+    tell_lines(devices, operator_view->lines);
 }

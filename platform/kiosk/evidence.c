@@ -26,7 +26,8 @@ static int write_count(const struct evidence *evidence)
 {
     const int error = panics_write(&evidence->panics, evidence->folder - 1);
     if (error) {
-        say(SAY_ERROR, "%s/" PANICS_FILE ": cannot write: %s", evidence->data, panics_error(error));
+        log_print(LOG_LEVEL_ERROR, "%s/" PANICS_FILE ": cannot write: %s", evidence->data,
+                  panics_error(error));
     }
     return error;
 }
@@ -37,7 +38,7 @@ static void forget_refused(struct evidence *evidence)
 {
     atomic_store(&evidence->is_clearing, 1);
     if (atomic_load(&evidence->has_frame) && !atomic_load(&evidence->has_panicked)) {
-        panics_forget(&evidence->panics);
+        panics_clear(&evidence->panics);
         write_count(evidence);
     }
     atomic_store(&evidence->is_clearing, 0);
@@ -78,25 +79,26 @@ static void leave_out(struct evidence *evidence)
     const enum panics_left left = panics_try(panics);
     const int result = write_count(evidence) ? -1 : ledger_leave_out(evidence->data, left, words);
     if (result == 0) {
-        panics_leave(panics, evidence->boot);
+        panics_set_left_out(panics, evidence->boot);
     } else if (result == LEDGER_LEAVE_NONE) {
-        panics_forget(panics);
+        panics_clear(panics);
     }
     panics->attempt = LEFT_NOTHING;
     write_count(evidence);
     if (panics_is_due(panics)) {
         wait_for_good_run(evidence);
     }
-    say(SAY_ERROR, "after %s this start %s %s: %s", cause,
-        result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
+    log_print(LOG_LEVEL_ERROR, "after %s this start %s %s: %s", cause,
+              result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
 }
 
 /* Skips the next attempt, because the last attempt ended its process. */
 static void skip_leave_out(struct evidence *evidence)
 {
-    say(SAY_ERROR, "the last start ended while it left out %s; this start leaves out nothing",
-        panics_left_name(evidence->panics.attempt));
-    panics_forget(&evidence->panics);
+    log_print(LOG_LEVEL_ERROR,
+              "the last start ended while it left out %s; this start leaves out nothing",
+              panics_left_name(evidence->panics.attempt));
+    panics_clear(&evidence->panics);
     write_count(evidence);
 }
 
@@ -110,10 +112,11 @@ static int has_work(const struct panics *panics)
 static void hold_and_leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
-    const int hold = folder_hold(evidence->data);
+    const int hold = directory_lock(evidence->data);
     if (hold == -EWOULDBLOCK) {
-        say(SAY_ERROR, "%s: another stall has the folder open; nothing is left out after panics",
-            evidence->data);
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: another stall has the folder open; nothing is left out after panics",
+                  evidence->data);
         return;
     }
     const int is_read = panics_read(panics, evidence->folder - 1) == 0;
@@ -127,7 +130,7 @@ static void hold_and_leave_out(struct evidence *evidence)
     }
 }
 
-void evidence_open(struct evidence *evidence, const char *data, struct chapters *chapters,
+void evidence_open(struct evidence *evidence, const char *data, struct session_recorder *chapters,
                    const struct core *core)
 {
     const int folder = data && data[0] ? open(data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
@@ -139,8 +142,8 @@ void evidence_open(struct evidence *evidence, const char *data, struct chapters 
     }
     const int error = panics_read(&evidence->panics, folder);
     if (error) {
-        say(SAY_WARNING, "%s/" PANICS_FILE ": %s; panics are counted from zero", data,
-            panics_error(error));
+        log_print(LOG_LEVEL_WARNING, "%s/" PANICS_FILE ": %s; panics are counted from zero", data,
+                  panics_error(error));
     }
     if (has_work(&evidence->panics)) {
         hold_and_leave_out(evidence);
@@ -176,14 +179,14 @@ static int make_file(int folder, const char *name)
 /* Returns 0 or a negative errno. */
 static int write_replay(const struct evidence *evidence, const char *name, int is_sound)
 {
-    if (!evidence->chapters || !chapters_has_begun(evidence->chapters)) {
+    if (!evidence->chapters || !session_recorder_has_begun(evidence->chapters)) {
         return -ENODATA;
     }
     const int file = make_file(evidence->folder - 1, name);
     if (file < 0) {
         return file;
     }
-    int error = chapters_dump(evidence->chapters, evidence->core, is_sound, file);
+    int error = session_recorder_dump(evidence->chapters, evidence->core, is_sound, file);
     if (!error && fsync(file) != 0) {
         error = -errno;
     }
@@ -191,7 +194,8 @@ static int write_replay(const struct evidence *evidence, const char *name, int i
     return error;
 }
 
-static void tell(const struct evidence *evidence, const char *reason, const char *name, int error)
+static void evidence_log_error(const struct evidence *evidence, const char *reason,
+                               const char *name, int error)
 {
     struct panic_text text = { 0 };
     panic_put(&text, "panic: ");
@@ -209,14 +213,14 @@ static void tell(const struct evidence *evidence, const char *reason, const char
         panic_put(&text, ": the game could not be written, error ");
         panic_put_number(&text, (uint32_t)-error);
     }
-    say_plain(SAY_CRITICAL, text.out);
+    log_print_raw(LOG_LEVEL_CRITICAL, text.out);
 }
 
 /* Stops the thread that runs the ticks. Without evidence_open() that is the main thread. */
 static int freeze(const struct evidence *evidence)
 {
     const int is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
-    return evidence->chapters ? chapters_freeze(evidence->chapters, is_own) : is_own;
+    return evidence->chapters ? session_recorder_freeze(evidence->chapters, is_own) : is_own;
 }
 
 /* Waits until outlive_refused() has written the count, EVIDENCE_WAIT_MS at most. */
@@ -243,6 +247,6 @@ int evidence_write(struct evidence *evidence, const char *reason)
         panics_write(panics, evidence->folder - 1);
         error = write_replay(evidence, name, is_sound);
     }
-    tell(evidence, reason, name, error);
+    evidence_log_error(evidence, reason, name, error);
     return is_sound;
 }

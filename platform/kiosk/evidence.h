@@ -21,7 +21,7 @@
 struct evidence {
     int folder;              /* Descriptor of the data folder + 1; 0: none. */
     const char *data;        /* Path of the data folder, for messages. */
-    struct chapters *chapters; /* Null: no session is recorded. */
+    struct session_recorder *chapters; /* Null: no session is recorded. */
     const struct core *core;
     pid_t thread;            /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
@@ -37,7 +37,7 @@ struct evidence {
  * the stored data is left out (store/ledger_leave.h), which is logged. If that fails, the next
  * start tries again, unless this process runs for ten minutes; then a thread clears the count.
  * Without a folder panics are only reported. */
-void evidence_open(struct evidence *evidence, const char *data, struct chapters *chapters,
+void evidence_open(struct evidence *evidence, const char *data, struct session_recorder *chapters,
                    const struct core *core);
 
 /* Call after the first frame. */

@@ -6,120 +6,121 @@
 
 #include "platform/cpu.h"
 
-static int no_such_stall(struct judge *judge)
+static int no_such_stall(struct replay_verifier *verifier)
 {
-    struct replay_problem *problem = &judge->replayer.reader.problem;
+    struct replay_problem *problem = &verifier->replayer.reader.problem;
     *problem = (struct replay_problem){ .offset = REPLAY_HEADER_SIZE };
     snprintf(problem->text, sizeof problem->text, "this program has no such stall");
-    judge->is_damaged = 1;
+    verifier->is_damaged = 1;
     return -1;
 }
 
-int judge_open(struct judge *judge, const uint8_t *bytes, size_t size)
+int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes, size_t size)
 {
     struct core_config config;
-    judge->round = (struct ledger_entry){ 0 };
-    judge->said = (struct replay_totals){ 0 };
-    judge->round_tick = 0;
-    judge->is_read = judge->is_refused = 0;
-    judge->bytes = bytes;
-    judge->size = size;
-    memset(&judge->output, 0, sizeof judge->output);
+    verifier->round = (struct ledger_entry){ 0 };
+    verifier->said = (struct replay_totals){ 0 };
+    verifier->round_tick = 0;
+    verifier->is_read = verifier->is_refused = 0;
+    verifier->bytes = bytes;
+    verifier->size = size;
+    memset(&verifier->output, 0, sizeof verifier->output);
     cpu_set_float();
-    judge->is_damaged = replayer_begin_in(&judge->replayer, bytes, size, &config) != 0;
-    return judge->is_damaged ? -1 : 0;
+    verifier->is_damaged = replayer_begin_in(&verifier->replayer, bytes, size, &config) != 0;
+    return verifier->is_damaged ? -1 : 0;
 }
 
 /* Creates the initial state of the replay. */
-static int make_stall(struct judge *judge)
+static int make_stall(struct replay_verifier *verifier)
 {
     struct core_config config;
-    if (replayer_begin_in(&judge->replayer, judge->bytes, judge->size, &config)) {
-        judge->is_damaged = 1;
+    if (replayer_begin_in(&verifier->replayer, verifier->bytes, verifier->size, &config)) {
+        verifier->is_damaged = 1;
         return -1;
     }
     config.lanes = cpu_lanes();
-    judge->input = (struct input){ 0 };
-    const enum core_error error = core_init(&judge->core, &config);
-    judge->is_refused = error == CORE_ERR_FLOAT;
+    verifier->input = (struct input){ 0 };
+    const enum core_error error = core_init(&verifier->core, &config);
+    verifier->is_refused = error == CORE_ERR_FLOAT;
     if (error != CORE_OK) {
-        return judge->is_refused ? -1 : no_such_stall(judge);
+        return verifier->is_refused ? -1 : no_such_stall(verifier);
     }
-    judge->seen_id = judge->core.game.ledger.last_id;
-    judge->is_read = 1;
+    verifier->seen_id = verifier->core.game.ledger.last_id;
+    verifier->is_read = 1;
     return 0;
 }
 
-int judge_read(struct judge *judge)
+int replay_verifier_read(struct replay_verifier *verifier)
 {
-    struct replay_reader *reader = &judge->replayer.reader;
-    int more = judge->is_damaged ? -1 : 1;
+    struct replay_reader *reader = &verifier->replayer.reader;
+    int more = verifier->is_damaged ? -1 : 1;
     for (uint32_t tick = 0; more == 1 && tick < REPLAY_CHUNK_TICKS; tick++) {
-        more = replay_next(reader, &judge->input);
-        if (more == 1 && reader->totals.rounds != judge->said.rounds) {
-            judge->said.rounds = reader->totals.rounds;
-            judge->round_tick = reader->tick;
+        more = replay_next(reader, &verifier->input);
+        if (more == 1 && reader->totals.rounds != verifier->said.rounds) {
+            verifier->said.rounds = reader->totals.rounds;
+            verifier->round_tick = reader->tick;
         }
     }
     if (more == 0) {
-        judge->said = reader->totals;
+        verifier->said = reader->totals;
         replay_close(reader);
-        return make_stall(judge);
+        return make_stall(verifier);
     }
-    judge->is_damaged = more < 0;
+    verifier->is_damaged = more < 0;
     return more;
 }
 
-int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size)
+int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes, size_t size)
 {
-    int more = judge_open(judge, bytes, size) ? -1 : 1;
+    int more = replay_verifier_open(verifier, bytes, size) ? -1 : 1;
     while (more == 1) {
-        more = judge_read(judge);
+        more = replay_verifier_read(verifier);
     }
     return more;
 }
 
-static void note_entries(struct judge *judge)
+static void note_entries(struct replay_verifier *verifier)
 {
-    while (judge->seen_id != judge->core.game.ledger.last_id) {
-        const struct ledger_entry *entry = &judge->output.entries[++judge->seen_id % LEDGER_RING];
-        if (entry->id == judge->seen_id && entry->kind == LEDGER_ROUND) {
-            judge->round = *entry;
+    while (verifier->seen_id != verifier->core.game.ledger.last_id) {
+        const struct ledger_entry *entry =
+            &verifier->output.entries[++verifier->seen_id % LEDGER_RING];
+        if (entry->id == verifier->seen_id && entry->kind == LEDGER_ROUND) {
+            verifier->round = *entry;
         }
     }
 }
 
-int judge_tick(struct judge *judge)
+int replay_verifier_tick(struct replay_verifier *verifier)
 {
-    struct replayer *replayer = &judge->replayer;
+    struct replayer *replayer = &verifier->replayer;
     const struct kiosk_source source = replayer_source(replayer);
     const struct kiosk_tap tap = replayer_tap(replayer);
-    if (judge->is_damaged || judge->is_refused || !judge->is_read ||
-        replayer->difference.found || !source.next(source.self, &judge->input)) {
+    if (verifier->is_damaged || verifier->is_refused || !verifier->is_read ||
+        replayer->difference.found || !source.next(source.self, &verifier->input)) {
         return 0;
     }
-    judge->output.sound_count = 0;
-    judge->is_refused =
-        core_tick(&judge->core, &judge->input, &judge->output) == CORE_ERR_FLOAT;
-    if (judge->is_refused) {
+    verifier->output.sound_count = 0;
+    verifier->is_refused =
+        core_tick(&verifier->core, &verifier->input, &verifier->output) == CORE_ERR_FLOAT;
+    if (verifier->is_refused) {
         return 0;
     }
-    tap.tick(tap.self, &judge->input, &judge->core);
-    note_entries(judge);
+    tap.tick(tap.self, &verifier->input, &verifier->core);
+    note_entries(verifier);
     return 1;
 }
 
-int judge_is_at_round(const struct judge *judge)
+int replay_verifier_is_at_round(const struct replay_verifier *verifier)
 {
-    return judge->replayer.totals.ticks >= judge->round_tick;
+    return verifier->replayer.totals.ticks >= verifier->round_tick;
 }
 
 /* Compares a row of the ranking. Returns 1 if it equals the game, -1 if it differs, 0 if it is of
  * another round. */
-static int look_at_row(const struct judge *judge, const struct rank_row *row, uint8_t mode,
-                       uint32_t round_id)
+static int look_at_row(const struct replay_verifier *verifier, const struct rank_row *row,
+                       uint8_t mode, uint32_t round_id)
 {
-    const struct round_record *round = &judge->round.round;
+    const struct round_record *round = &verifier->round.round;
     if (row->caught == 0 || row->round_id != round_id) {
         return 0;
     }
@@ -129,13 +130,14 @@ static int look_at_row(const struct judge *judge, const struct rank_row *row, ui
                : -1;
 }
 
-static int agrees_with(const struct judge *judge, const struct ranking *ranking, uint32_t round_id)
+static int agrees_with(const struct replay_verifier *verifier, const struct ranking *ranking,
+                       uint32_t round_id)
 {
     uint32_t found = 0;
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
             const struct rank_row *row = &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS];
-            const int says = look_at_row(judge, row, mode, round_id);
+            const int says = look_at_row(verifier, row, mode, round_id);
             if (says < 0) {
                 return 0;
             }
@@ -178,21 +180,22 @@ static int is_entry(const struct ledger_entry *played, const struct ledger_entry
            same_players(a, b) && same_stall(a, b);
 }
 
-enum verdict judge_say(const struct judge *judge, const struct ranking *ranking, uint32_t round_id,
-                       const struct ledger_entry *kept)
+enum replay_verdict replay_verifier_result(const struct replay_verifier *verifier,
+                                           const struct ranking *ranking, uint32_t round_id,
+                                           const struct ledger_entry *kept)
 {
-    const struct replayer *replayer = &judge->replayer;
-    if (judge->is_refused) {
-        return VERDICT_UNCHECKED;
+    const struct replayer *replayer = &verifier->replayer;
+    if (verifier->is_refused) {
+        return REPLAY_VERDICT_UNCHECKED;
     }
-    if (judge->is_damaged || !judge->is_read || replayer->damaged) {
-        return VERDICT_DAMAGED;
+    if (verifier->is_damaged || !verifier->is_read || replayer->damaged) {
+        return REPLAY_VERDICT_DAMAGED;
     }
-    if (replayer->difference.found || replayer->totals.ticks != judge->said.ticks ||
-        judge->round.id != round_id || judge->round.round.by_bot ||
-        judge->round.round.unscored || !agrees_with(judge, ranking, round_id) ||
-        (kept->id != 0 && !is_entry(&judge->round, kept))) {
-        return VERDICT_OTHER;
+    if (replayer->difference.found || replayer->totals.ticks != verifier->said.ticks ||
+        verifier->round.id != round_id || verifier->round.round.by_bot ||
+        verifier->round.round.unscored || !agrees_with(verifier, ranking, round_id) ||
+        (kept->id != 0 && !is_entry(&verifier->round, kept))) {
+        return REPLAY_VERDICT_OTHER;
     }
-    return VERDICT_GENUINE;
+    return REPLAY_VERDICT_GENUINE;
 }

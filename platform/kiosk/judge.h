@@ -19,16 +19,16 @@
 
 #include "platform/kiosk/replayer.h"
 
-enum verdict {
-    VERDICT_GENUINE = 0,
-    VERDICT_OTHER,   /* The game differs from the recording (replayer.difference), or gives a score
-                        other than the ranking's. */
-    VERDICT_DAMAGED, /* The bytes are no valid recording: replayer.reader.problem. */
-    VERDICT_UNCHECKED, /* Not verified, because the core returned CORE_ERR_FLOAT. */
-    VERDICT_COUNT,
+enum replay_verdict {
+    REPLAY_VERDICT_GENUINE = 0,
+    REPLAY_VERDICT_OTHER,   /* The game differs from the recording (replayer.difference), or
+                               gives a score other than the ranking's. */
+    REPLAY_VERDICT_DAMAGED, /* The bytes are no valid recording: replayer.reader.problem. */
+    REPLAY_VERDICT_UNCHECKED, /* Not verified, because the core returned CORE_ERR_FLOAT. */
+    REPLAY_VERDICT_COUNT,
 };
 
-struct judge {
+struct replay_verifier {
     struct replayer replayer;
     struct core core;
     struct input input;
@@ -46,28 +46,30 @@ struct judge {
 };
 
 /* Sets the calling thread's floating-point control and opens a replay. The bytes must outlive the
- * verification. Returns 0, or -1 if nothing can be played; the result is then VERDICT_DAMAGED. */
-int judge_open(struct judge *judge, const uint8_t *bytes, size_t size);
+ * verification. Returns 0, or -1 if nothing can be played; the result is then
+ * REPLAY_VERDICT_DAMAGED. */
+int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes, size_t size);
 
 /* Parses at most one second of the open replay, so that the work fits into a frame. Returns 1 if
  * more is left, 0 if the replay is parsed and its initial state was created, or -1 as
- * judge_open(). */
-int judge_read(struct judge *judge);
+ * replay_verifier_open(). */
+int replay_verifier_read(struct replay_verifier *verifier);
 
 /* Opens and parses a replay completely. Returns 0 or -1. */
-int judge_begin(struct judge *judge, const uint8_t *bytes, size_t size);
+int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes, size_t size);
 
 /* Runs one tick. Returns 1, or 0 at the end: of the replay, at the first difference, or because the
  * core rejected the tick. */
-int judge_tick(struct judge *judge);
+int replay_verifier_tick(struct replay_verifier *verifier);
 
 /* Returns 1 if the last round, which is the score's, has begun. */
-int judge_is_at_round(const struct judge *judge);
+int replay_verifier_is_at_round(const struct replay_verifier *verifier);
 
 /* Returns the result. Call after the end. Every row of `ranking` with the round `round_id` must
  * equal this game, and there must be at least one. If the ledger still has the round, its entry
  * `kept` must equal the game's entry; otherwise the id of `kept` is 0. */
-enum verdict judge_say(const struct judge *judge, const struct ranking *ranking, uint32_t round_id,
-                       const struct ledger_entry *kept);
+enum replay_verdict replay_verifier_result(const struct replay_verifier *verifier,
+                                           const struct ranking *ranking, uint32_t round_id,
+                                           const struct ledger_entry *kept);
 
 #endif

@@ -19,15 +19,15 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     cpu_set_float();
     kiosk->config = *config;
     kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* State of the outputs at start. */
-    kiosk->saving.accepted_id = kiosk->output.entry_id = config->core.memory.ledger.last_id;
+    kiosk->saving.accepted_id = kiosk->output.entry_id = config->core.persistent.ledger.last_id;
     const enum core_error error = core_init(&kiosk->core, &config->core);
     if (error != CORE_OK) {
         return error;
     }
-    voice_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
+    audio_output_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
     sample_open(kiosk, hal);
     if (config->chapters) {
-        chapters_begin(config->chapters, &kiosk->core);
+        session_recorder_begin(config->chapters, &kiosk->core);
     }
     core_scene(&kiosk->core, &kiosk->scene);
     present_view(kiosk, hal);
@@ -51,17 +51,17 @@ static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         struct poi_input *poi = &kiosk->input.poi[i];
-        poi_hand_at(&kiosk->hands[i], index, tick_count, kiosk->sampled_ns, poi);
-        poi->link = kiosk->config.bot[i] ? (uint8_t)POI_LINK_BOT : poi->link;
+        poi_sampler_at(&kiosk->hands[i], index, tick_count, kiosk->sampled_ns, poi);
+        poi->link = kiosk->config.bot[i] ? (uint8_t)POI_SOURCE_BOT : poi->link;
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        kiosk->input.shade[i] = shade_hand_at(&kiosk->shades[i], index, tick_count);
+        kiosk->input.shade[i] = fan_sampler_at(&kiosk->shades[i], index, tick_count);
     }
 }
 
 static int is_encore_on(const struct kiosk *kiosk)
 {
-    return kiosk->config.encore && kiosk->config.encore->state != ENCORE_OFF;
+    return kiosk->config.playback && kiosk->config.playback->state != ENCORE_OFF;
 }
 
 /* Redirects input during a score playback: poses and buttons control the playback, and the kiosk
@@ -69,10 +69,10 @@ static int is_encore_on(const struct kiosk *kiosk)
 static void lend_hands(struct kiosk *kiosk)
 {
     if (is_encore_on(kiosk)) {
-        encore_heeds(kiosk->config.encore, kiosk->input.pressed, kiosk->input.poi);
+        score_playback_handle_input(kiosk->config.playback, kiosk->input.pressed, kiosk->input.poi);
         kiosk->input.pressed = kiosk->input.held = 0;
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            kiosk->input.poi[i].link = POI_LINK_ABSENT;
+            kiosk->input.poi[i].link = POI_SOURCE_ABSENT;
         }
     }
 }
@@ -97,17 +97,18 @@ static void time_reports(struct kiosk *kiosk, const struct hal *hal)
 {
     const uint64_t now_ns = hal_now_ns(hal->clock);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_hand_time(&kiosk->hands[i], now_ns, &kiosk->report_wait);
+        poi_sampler_time(&kiosk->hands[i], now_ns, &kiosk->report_wait);
     }
 }
 
-/* Runs a tick. Returns 0 if the core rejected the tick; then the kiosk has ended. chapters_before()
- * is called before the tap because a panic of another thread stops this thread there. */
+/* Runs a tick. Returns 0 if the core rejected the tick; then the kiosk has ended.
+ * session_recorder_before() is called before the tap because a panic of another thread stops this
+ * thread there. */
 static int run_tick(struct kiosk *kiosk)
 {
     const struct kiosk_tap *tap = &kiosk->config.tap;
     if (kiosk->config.chapters) {
-        chapters_before(kiosk->config.chapters, &kiosk->input);
+        session_recorder_before(kiosk->config.chapters, &kiosk->input);
     }
     if (tap->before) {
         tap->before(tap->self, &kiosk->input);
@@ -117,13 +118,13 @@ static int run_tick(struct kiosk *kiosk)
         return 0;
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        output_feel(&kiosk->felt[i], &kiosk->output.poi[i]);
+        output_merge_force(&kiosk->felt[i], &kiosk->output.poi[i]);
     }
     if (tap->tick) {
         tap->tick(tap->self, &kiosk->input, &kiosk->core);
     }
     if (kiosk->config.chapters) {
-        chapters_tick(kiosk->config.chapters, &kiosk->input, &kiosk->core, &kiosk->output);
+        session_recorder_tick(kiosk->config.chapters, &kiosk->input, &kiosk->core, &kiosk->output);
     }
     kiosk->input.pressed = 0; /* A press is valid for one tick. */
     memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
@@ -133,10 +134,10 @@ static int run_tick(struct kiosk *kiosk)
 static void end_ticks(struct kiosk *kiosk)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_hand_end(&kiosk->hands[i]);
+        poi_sampler_end(&kiosk->hands[i]);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        shade_hand_end(&kiosk->shades[i]);
+        fan_sampler_end(&kiosk->shades[i]);
     }
     core_scene(&kiosk->core, &kiosk->scene);
 }
@@ -163,16 +164,17 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
 /* Shows a score playback in place of the kiosk. */
 static void show_encore(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
 {
-    struct encore *encore = kiosk->config.encore;
-    if (!encore) {
+    struct score_playback *playback = kiosk->config.playback;
+    if (!playback) {
         return;
     }
     if (kiosk->wanted_replay_id != 0) {
-        encore_ask(encore, kiosk->wanted_replay_id);
+        score_playback_request(playback, kiosk->wanted_replay_id);
         kiosk->wanted_replay_id = 0;
     }
-    encore_frame(encore, hal, &kiosk->config.stopwatch, &kiosk->core.game.ranking, tick_count);
-    encore_show(encore, &kiosk->scene, &kiosk->output);
+    score_playback_frame(playback, hal, &kiosk->config.stopwatch, &kiosk->core.game.ranking,
+                         tick_count);
+    score_playback_show(playback, &kiosk->scene, &kiosk->output);
 }
 
 static uint64_t stopwatch_ns(const struct kiosk *kiosk)
@@ -193,41 +195,42 @@ static void begin_frame(struct kiosk *kiosk)
 /* Reads the system health and passes on acknowledgements. Neither call blocks. */
 static void meet_machine(struct kiosk *kiosk, const struct hal *hal)
 {
-    struct machine *machine = kiosk->config.machine;
+    struct system_health *machine = kiosk->config.machine;
     kiosk->machine.watch = hal->watchdog.ops->watches(hal->watchdog.self);
     kiosk->machine.missed = kiosk->config.chapters ? kiosk->config.chapters->missed : 0u;
     if (!machine) {
         return;
     }
     if (kiosk->has_acknowledged) {
-        kiosk->has_acknowledged = !machine_acknowledge(machine);
+        kiosk->has_acknowledged = !system_health_acknowledge(machine);
     }
-    machine_read(machine, &kiosk->machine);
+    system_health_read(machine, &kiosk->machine);
 }
 
 static void dress_scene(struct kiosk *kiosk, const struct hal *hal)
 {
     kiosk->scene.asks_quit = (uint8_t)kiosk_asks_to_quit(kiosk);
     meet_machine(kiosk, hal);
-    const struct dressing dressing = { .notes = kiosk->config.notes,
-                                       .input = &kiosk->input,
-                                       .hands = kiosk->hands,
-                                       .lines = &kiosk->lines,
-                                       .button_faults = kiosk->faults.buttons,
-                                       .machine = &kiosk->machine,
-                                       .frame_ns = timing_quantile_ns(&kiosk->frame_time, 0.5) };
-    dressing_put(&kiosk->scene, hal, &dressing);
+    const struct operator_view operator_view = { .notes = kiosk->config.notes,
+                                                 .input = &kiosk->input,
+                                                 .hands = kiosk->hands,
+                                                 .lines = &kiosk->lines,
+                                                 .button_faults = kiosk->faults.buttons,
+                                                 .machine = &kiosk->machine,
+                                                 .frame_ns =
+                                                     timing_quantile_ns(&kiosk->frame_time, 0.5) };
+    operator_view_fill(&kiosk->scene, hal, &operator_view);
 }
 
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
 {
     begin_frame(kiosk);
-    const uint32_t tick_due = pace_ticks_due(&kiosk->pace, hal_now_ns(hal->clock));
+    const uint32_t tick_due = frame_pacer_ticks_due(&kiosk->pace, hal_now_ns(hal->clock));
     sample_devices(kiosk, hal);
     if (tick_due > 0) {
         time_reports(kiosk, hal);
     }
-    lighting_notice(&kiosk->lighting, &kiosk->input, kiosk->core.game.phase == PHASE_ATTRACT);
+    dimmer_notice(&kiosk->dimmer, &kiosk->input, kiosk->core.game.phase == PHASE_ATTRACT);
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
     show_encore(kiosk, hal, tick_count);
@@ -248,8 +251,8 @@ static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
 {
     struct ledger_entry entry;
     if (!kiosk->config.source.next && saving_is_done(&kiosk->saving, &kiosk->output) &&
-        upkeep_last_word(&kiosk->core, &kiosk->input, &entry)) {
-        hal->storage.ops->keep(hal->storage.self, &entry);
+        health_log_final(&kiosk->core, &kiosk->input, &entry)) {
+        hal->storage.ops->append(hal->storage.self, &entry);
     }
 }
 

@@ -21,9 +21,9 @@
 #include "platform/kiosk/timing.h"
 #include "platform/kiosk/voice.h"
 
-struct chapters;
-struct encore;
-struct machine;
+struct session_recorder;
+struct score_playback;
+struct system_health;
 
 /* Callbacks with each tick's input before the tick, and with the state after the tick; used by the
  * recorder. They must not change either. */
@@ -45,9 +45,9 @@ struct kiosk_config {
     struct hal_clock stopwatch; /* Real time for statistics only; never reaches the core. */
     const struct file_notes *notes; /* Notes for the operator's menu; must outlive the kiosk. Null:
                                        none. */
-    struct machine *machine;    /* System health monitor; must outlive the kiosk. Null: none. */
-    struct chapters *chapters;  /* Session recorder; must outlive the kiosk. Null: none. */
-    struct encore *encore;      /* Score playback; must outlive the kiosk. Null: none. */
+    struct system_health *machine;  /* System health monitor; must outlive the kiosk. Null: none. */
+    struct session_recorder *chapters; /* Session recorder; must outlive the kiosk. Null: none. */
+    struct score_playback *playback;   /* Score playback; must outlive the kiosk. Null: none. */
     struct kiosk_tap tap;       /* Null functions: no callbacks. */
     struct kiosk_source source; /* Null function: the devices are the source. */
 };
@@ -77,25 +77,27 @@ struct kiosk {
     struct input input;    /* Input of the next tick; edges stay in it until one tick has used
                               them. */
     struct output output;
-    struct poi_force felt[POI_MAX]; /* Forces of all ticks of the frame; see output_feel(). */
+    struct poi_force
+        felt[POI_MAX]; /* Forces of all ticks of the frame; see output_merge_force(). */
     struct scene scene;
-    struct pace pace;
-    struct poi_hand hands[POI_MAX];
-    struct shade_hand shades[SHADE_MAX];
+    struct frame_pacer pace;
+    struct poi_sampler hands[POI_MAX];
+    struct fan_sampler shades[SHADE_MAX];
     uint64_t sampled_ns;   /* Time of the last device poll. */
     uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display; 0: not lost. */
-    struct lighting lighting;
+    struct dimmer dimmer;
     struct view view;      /* Camera view that display and pois were given last. */
-    struct showing showing; /* Display transform that display and pois were given last. */
+    struct display_settings
+        display_settings; /* Display transform that display and pois were given last. */
     struct saving saving;
-    struct late late;
-    struct voice voice;
-    struct switches switches;
+    struct offline_flush late;
+    struct audio_output voice;
+    struct output_lines switches;
     uint64_t restart_ns;       /* Time at which a restart no longer waits for the store; 0: no
                                   restart is requested. */
     uint64_t quit_until_ns;    /* Time until which a second press of the quit key ends the kiosk; 0:
                                   no first press. */
-    uint32_t told_orders;      /* Value of output.order_count up to which commands were executed. */
+    uint32_t told_orders; /* Value of output.command_count up to which commands were executed. */
     uint32_t wanted_replay_id; /* Round that the operator wants to see; 0: none. */
     uint8_t has_acknowledged;  /* 1: the operator has acknowledged quarantined files, and the
                                   monitor must mark them. */
@@ -106,7 +108,7 @@ struct kiosk {
     struct kiosk_faults faults;
     uint32_t float_resets;    /* Frames before which the floating-point control had to be restored,
                                  because a library had changed it. */
-    struct line_book lines;   /* Statistics of button and coin lines. */
+    struct operator_view_lines lines; /* Statistics of button and coin lines. */
     struct timing frame_time; /* Time between the starts of two frames, on the stopwatch. */
     struct timing work_time;  /* Time from the start to the end of kiosk_frame(). */
     struct timing report_wait; /* Time from a poi's report to the tick that uses it. */

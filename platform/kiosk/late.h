@@ -12,16 +12,17 @@
 #include "platform/hal.h"
 
 /* State of the transfer. Zero: nothing was transferred yet. */
-struct late {
+struct offline_flush {
     struct audits told;       /* Audits of this kiosk that are on disk in the store. */
-    struct purse told_purse;  /* Balance of this kiosk that is on disk in the store. */
+    struct balance told_purse; /* Balance of this kiosk that is on disk in the store. */
     struct audits asked;      /* Audits that will be on disk when the current write succeeds. */
-    struct purse asked_purse;
+    struct balance asked_purse;
     uint8_t is_asked;
 };
 
 /* Transfers the remaining amounts. Call once a frame, while such a store exists and no game runs.
  * Returns 1 if everything is on disk, so that the kiosk may restart in this frame. */
-int late_is_told(struct late *late, const struct hal_storage *storage, const struct core *core);
+int offline_flush_step(struct offline_flush *flush, const struct hal_storage *storage,
+                       const struct core *core);
 
 #endif

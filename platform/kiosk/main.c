@@ -19,7 +19,7 @@
 #include "platform/standard_streams.h"
 
 static volatile sig_atomic_t stop;
-static struct session evening; /* Static because of its size of several MB. */
+static struct run_common evening; /* Static because of its size of several MB. */
 
 static void on_signal(int number)
 {
@@ -36,16 +36,16 @@ static void catch_signals(void)
     signal(SIGPIPE, SIG_IGN);
 }
 
-static void warn(const char *line)
+static void kiosk_main_warn(const char *line)
 {
-    say(SAY_WARNING, "%s", line);
+    log_print(LOG_LEVEL_WARNING, "%s", line);
 }
 
 /* Reports a rejected line of the configuration, also in the operator's menu. */
 static void warn_of_config(const char *line)
 {
-    warn(line);
-    session_note_refused(&evening, line);
+    kiosk_main_warn(line);
+    run_common_note_refused(&evening, line);
 }
 
 /* Returns the language of the machine's locale: Japanese or, in all other cases, English. The
@@ -81,10 +81,10 @@ static enum exit_code read_config(struct options *options, const char *path)
     char line[OPTIONS_PATH_MAX + 64];
     const int is_named = options->config[0] != '\0';
     *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
-    const int failed = options_read_config(options, path, warn_of_config);
+    const int failed = config_file_read(options, path, warn_of_config);
     if (failed) {
-        snprintf(line, sizeof line, "%s: cannot read: %s", path, plain_file_error(-failed));
-        (is_named ? warn : warn_of_config)(line);
+        snprintf(line, sizeof line, "%s: cannot read: %s", path, regular_file_error(-failed));
+        (is_named ? kiosk_main_warn : warn_of_config)(line);
     }
     return failed && is_named ? EXIT_IO : EXIT_OK;
 }
@@ -106,7 +106,7 @@ static enum exit_code read_options(struct options *options, int argc, char **arg
         failed = options_parse(options, argc, words, error);
     }
     if (failed) {
-        warn(error);
+        kiosk_main_warn(error);
         return EXIT_USAGE;
     }
     return EXIT_OK;
@@ -114,14 +114,14 @@ static enum exit_code read_options(struct options *options, int argc, char **arg
 
 static void last_wish(void *self, const char *reason)
 {
-    struct session *session = self;
+    struct run_common *session = self;
     const int is_sound = evidence_write(&session->evidence, reason);
     if (is_sound && session->options.record[0]) {
         recorder_end_in_panic(&session->recorder);
     }
 }
 
-static enum exit_code run_without_screen(struct session *session, const char *why)
+static enum exit_code run_without_screen(struct run_common *session, const char *why)
 {
     print_line(stdout, "No screen: %s. %s", why,
                session->options.replay[0]
@@ -131,37 +131,37 @@ static enum exit_code run_without_screen(struct session *session, const char *wh
     return demo_run(session);
 }
 
-static enum exit_code run(struct session *session)
+static enum exit_code kiosk_main_run(struct run_common *session)
 {
     char why[HAL_TEXT_SIZE];
     struct options *options = &session->options;
     if (options->demo) {
         return demo_run(session);
     }
-    if (!play_waits_for_screen() && !board_has_screen(why, sizeof why)) {
+    if (!run_interactive_waits_for_screen() && !board_has_screen(why, sizeof why)) {
         return run_without_screen(session, why);
     }
     options->machine.is_set[SET_LANGUAGE] = 1;
     options->machine.value[SET_LANGUAGE] = machine_language();
-    if (!play_open(session)) {
+    if (!run_interactive_open(session)) {
         const struct hal_display *display = &session->hal.display;
         options->machine.is_set[SET_LANGUAGE] = 0;
         return run_without_screen(session, display->ops->describe(display->self));
     }
-    return play_run(session);
+    return run_interactive_run(session);
 }
 
 /* Executes the program again with the same options. After an update of the package this is the new
  * version. */
-static void begin_anew(const struct session *session, char **argv)
+static void begin_anew(const struct run_common *session, char **argv)
 {
     if (session->options.record[0]) {
-        warn("a restart would write over the recording: start it again by hand");
+        kiosk_main_warn("a restart would write over the recording: start it again by hand");
         return;
     }
     execvp(argv[0], argv);
     execv("/proc/self/exe", argv);
-    warn("cannot restart: start it again by hand");
+    kiosk_main_warn("cannot restart: start it again by hand");
 }
 
 static enum exit_code run_words(int argc, char **argv)
@@ -181,16 +181,16 @@ static enum exit_code run_words(int argc, char **argv)
     catch_signals();
     panic_prepare(last_wish, &evening);
     /* The kiosk starts without its data folder, too; the store reports the reason. */
-    code = evening.options.shots[0] ? session_make_folder(evening.options.shots) : EXIT_OK;
+    code = evening.options.shots[0] ? run_common_make_folder(evening.options.shots) : EXIT_OK;
     if (code == EXIT_OK) {
-        code = session_check(&evening);
+        code = run_common_check(&evening);
     }
     if (code == EXIT_OK) {
-        code = run(&evening);
+        code = kiosk_main_run(&evening);
     }
     if (evening.kiosk.end == KIOSK_RESTART) {
         if (evening.kiosk.restart_ns == 0) {
-            warn("the store is there at last: beginning anew, to go on from it");
+            kiosk_main_warn("the store is there at last: beginning anew, to go on from it");
         }
         begin_anew(&evening, argv);
     }
@@ -202,10 +202,10 @@ int main(int argc, char **argv)
 {
     char line[128];
     const int closed = standard_streams_open();
-    say_prepare();
+    log_open();
     if (closed) {
         snprintf(line, sizeof line, "/dev/null: %s", strerror(-closed));
-        warn(line);
+        kiosk_main_warn(line);
         return EXIT_IO;
     }
     evening.stop = &stop;
@@ -214,7 +214,7 @@ int main(int argc, char **argv)
     const int lost = standard_output_finish();
     if (lost && code == EXIT_OK) {
         snprintf(line, sizeof line, "standard output: %s", strerror(-lost));
-        warn(line);
+        kiosk_main_warn(line);
         return EXIT_IO;
     }
     return (int)code;

@@ -13,12 +13,12 @@
 
 /* ---- Values --------------------------------------------------------------------------------- */
 
-static struct asked *asked(struct options *options)
+static struct options_query_result *asked(struct options *options)
 {
     return options->is_file ? &options->file : &options->words;
 }
 
-static int ask(struct options *options, uint32_t id, int32_t value)
+static int option_table_add(struct options *options, uint32_t id, int32_t value)
 {
     asked(options)->value[id] = value;
     asked(options)->is_set[id] = 1;
@@ -29,14 +29,15 @@ static int ask(struct options *options, uint32_t id, int32_t value)
 static int ask_text(struct options *options, uint32_t id, const char *text)
 {
     int32_t value;
-    return setting_parse(id, text, &value) && ask(options, id, value);
+    return setting_parse(id, text, &value) && option_table_add(options, id, value);
 }
 
 static int ask_number(struct options *options, uint32_t id, const char *text, uint32_t least,
                       uint32_t most)
 {
     uint32_t number;
-    return number_parse(text, least, most, &number) && ask(options, id, (int32_t)number);
+    return number_parse(text, least, most, &number) &&
+           option_table_add(options, id, (int32_t)number);
 }
 
 static int copy_path(char out[OPTIONS_PATH_MAX], const char *text)
@@ -94,7 +95,7 @@ static int set_keyboard(struct options *options, const char *value)
 static int set_usb(struct options *options, const char *value)
 {
     if (strlen(value) >= BOARD_USB_SIZE || options->usb_count == BOARD_USB_MAX ||
-        !board_reads_usb(value)) {
+        !board_check_usb(value)) {
         return 0;
     }
     memcpy(options->usb[options->usb_count++], value, strlen(value) + 1u);
@@ -102,21 +103,22 @@ static int set_usb(struct options *options, const char *value)
 }
 
 /* Parses the single GPIO line option in `value`. */
-static int read_wire(const char *value, char line[1][BOARD_LINE_SIZE], char why[HAL_TEXT_SIZE])
+static int option_table_read_wire(const char *value, char line[1][BOARD_LINE_SIZE],
+                                  char why[HAL_TEXT_SIZE])
 {
     if (strlen(value) >= BOARD_LINE_SIZE) {
         snprintf(why, HAL_TEXT_SIZE, "longer than %u characters", BOARD_LINE_SIZE - 1u);
         return -1;
     }
     memcpy(line[0], value, strlen(value) + 1u);
-    return board_reads_lines((const char (*)[BOARD_LINE_SIZE])line, 1, why);
+    return board_check_lines((const char(*)[BOARD_LINE_SIZE])line, 1, why);
 }
 
 static int set_line(struct options *options, const char *value)
 {
     char why[HAL_TEXT_SIZE];
     char(*line)[BOARD_LINE_SIZE] = &options->line[options->line_count];
-    if (options->line_count == BOARD_LINE_MAX || read_wire(value, line, why)) {
+    if (options->line_count == BOARD_LINE_MAX || option_table_read_wire(value, line, why)) {
         return 0;
     }
     options->line_count++;
@@ -161,7 +163,7 @@ static int set_fish(struct options *options, const char *value)
 static int set_mode(struct options *options, const char *value)
 {
     if (strcmp(value, "choose") == 0) {
-        return ask(options, SET_MODES, OPTIONS_MODES_ALL);
+        return option_table_add(options, SET_MODES, OPTIONS_MODES_ALL);
     }
     return !strchr(value, ',') && ask_text(options, SET_MODES, value);
 }
@@ -179,12 +181,12 @@ static int set_players(struct options *options, const char *value)
 static int set_coins(struct options *options, const char *value)
 {
     uint32_t coins;
-    if (!number_parse(value, 0, (uint32_t)setting_of(SET_PRICE)->max, &coins)) {
+    if (!number_parse(value, 0, (uint32_t)settings_entry(SET_PRICE)->max, &coins)) {
         return 0;
     }
-    return coins == 0 ? ask(options, SET_PLAY, PLAY_FREE)
-                      : ask(options, SET_PLAY, PLAY_PAID) &&
-                            ask(options, SET_PRICE, (int32_t)coins);
+    return coins == 0 ? option_table_add(options, SET_PLAY, PLAY_FREE)
+                      : option_table_add(options, SET_PLAY, PLAY_PAID) &&
+                            option_table_add(options, SET_PRICE, (int32_t)coins);
 }
 
 static int set_tickets(struct options *options, const char *value)
@@ -302,7 +304,7 @@ const struct option *option_find(const char *name, size_t length)
     return NULL;
 }
 
-const char *option_says(const struct option *option, const char *text, char out[OPTION_TEXT_MAX])
+const char *option_text(const struct option *option, const char *text, char out[OPTION_TEXT_MAX])
 {
     if (option->set != set_fish) {
         return text;
@@ -336,7 +338,7 @@ const char *option_objects(const struct option *option, const char *value,
     if (option->set == set_setting) {
         return object_to_setting(value, out);
     }
-    if (option->set != set_line || read_wire(value, line, why) == 0) {
+    if (option->set != set_line || option_table_read_wire(value, line, why) == 0) {
         return NULL;
     }
     snprintf(out, OPTION_TEXT_MAX, "%s", why);
@@ -346,7 +348,7 @@ const char *option_objects(const struct option *option, const char *value,
 int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX])
 {
     char why[HAL_TEXT_SIZE];
-    if (board_reads_lines((const char (*)[BOARD_LINE_SIZE])options->line, options->line_count,
+    if (board_check_lines((const char(*)[BOARD_LINE_SIZE])options->line, options->line_count,
                           why) == 0) {
         return 0;
     }
@@ -356,7 +358,7 @@ int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]
 
 int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])
 {
-    const struct asked *by = options->is_file ? &options->file : &options->words;
+    const struct options_query_result *by = options->is_file ? &options->file : &options->words;
     const uint32_t most = fish_max(options->tank);
     if (!by->is_set[SET_FISH] || by->value[SET_FISH] <= (int32_t)most) {
         return 0;

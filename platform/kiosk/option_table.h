@@ -13,7 +13,7 @@ struct option {
     const char *name;
     const char *value;     /* Name of the value in --help; null: no value; in brackets: optional. */
     const char *help;
-    const char *expects;   /* Text about valid values. option_says() may extend it. */
+    const char *expects; /* Text about valid values. option_text() may extend it. */
     int (*set)(struct options *options, const char *value); /* Returns 1, or 0 if the value is
                                                                invalid. */
     /* Section of the option in the configuration file. "" for an option that a setting has
@@ -28,7 +28,7 @@ const struct option *option_at(uint32_t index);
 const struct option *option_find(const char *name, size_t length);
 
 /* Returns `text`; for --fish also the limits of each tank, in the order of --tank's names. */
-const char *option_says(const struct option *option, const char *text, char out[OPTION_TEXT_MAX]);
+const char *option_text(const struct option *option, const char *text, char out[OPTION_TEXT_MAX]);
 
 /* Returns why `value` is invalid if the option has a more specific message than the valid range;
  * else null. */

@@ -54,7 +54,7 @@ static int parse_one(struct options *options, int argc, const char *const *argv,
     }
     if (option->value && option->value[0] != '[' && !value) {
         snprintf(error, OPTIONS_ERROR_MAX, "--%s needs a value: %s", option->name,
-                 option_says(option, option->expects, expects));
+                 option_text(option, option->expects, expects));
         return -1;
     }
     if (!option->set(options, value)) {
@@ -64,7 +64,7 @@ static int parse_one(struct options *options, int argc, const char *const *argv,
             return -1;
         }
         snprintf(error, OPTIONS_ERROR_MAX, "--%s: '%.100s' is not right; expected %s", option->name,
-                 value ? value : "", option_says(option, option->expects, expects));
+                 value ? value : "", option_text(option, option->expects, expects));
         return -1;
     }
     return 0;
@@ -111,7 +111,7 @@ void options_print_help(void)
     for (uint32_t i = 0; (option = option_at(i)) != NULL; i++) {
         char left[40], right[OPTION_TEXT_MAX];
         snprintf(left, sizeof left, "--%s %s", option->name, option->value ? option->value : "");
-        printf("  %-18s %s\n", left, option_says(option, option->help, right));
+        printf("  %-18s %s\n", left, option_text(option, option->help, right));
     }
     puts("\nEach player needs a controller; a seat without one waits empty, and with --poi bot\n"
          "the stall's bot plays them all. With --poi auto the first player gets the best that is\n"
@@ -128,7 +128,7 @@ void options_print_help(void)
 
 /* ---- Settings -------------------------------------------------------------------------------- */
 
-static void put_asked(const struct asked *asked, struct settings *settings)
+static void put_asked(const struct options_query_result *asked, struct settings *settings)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         if (asked->is_set[id]) {
@@ -149,7 +149,7 @@ void options_last(const struct options *options, struct settings *settings)
     put_asked(&options->words, settings);
 }
 
-int options_ask(const struct options *options, uint32_t id)
+int options_query(const struct options *options, uint32_t id)
 {
     return options->file.is_set[id] || options->words.is_set[id];
 }

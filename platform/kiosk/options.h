@@ -27,7 +27,7 @@ enum exit_code {
 };
 
 /* Settings that one source sets explicitly. */
-struct asked {
+struct options_query_result {
     int32_t value[SETTING_COUNT];
     uint8_t is_set[SETTING_COUNT];
 };
@@ -42,9 +42,9 @@ struct options {
     uint32_t seed;
     uint8_t tank;                  /* enum tank_preset_id */
     uint8_t is_file;               /* 1: the current values come from the file. */
-    struct asked machine;          /* Settings from the machine's locale. */
-    struct asked file;             /* Settings from the configuration file. */
-    struct asked words;            /* Settings from the command line. */
+    struct options_query_result machine; /* Settings from the machine's locale. */
+    struct options_query_result file;    /* Settings from the configuration file. */
+    struct options_query_result words;   /* Settings from the command line. */
     uint8_t keyboard;              /* enum board_keyboard */
     uint8_t usb_count, line_count;
     char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
@@ -69,7 +69,7 @@ void options_first(const struct options *options, struct settings *settings);
 void options_last(const struct options *options, struct settings *settings);
 
 /* Returns 1 if the file or the command line sets this setting. */
-int options_ask(const struct options *options, uint32_t id);
+int options_query(const struct options *options, uint32_t id);
 
 /* Prints the text of --help. */
 void options_print_help(void);

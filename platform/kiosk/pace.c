@@ -23,7 +23,7 @@ static uint64_t distance(uint64_t a, uint64_t b)
 
 /* Sets two ticks for a frame similar to a 60 Hz one, as long as the due time also stays near two
  * ticks. Returns 1 if so. */
-static int snap(struct pace *pace, uint64_t elapsed_ns)
+static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
     const int64_t snap = SNAP_NS * (int64_t)CORE_TICK_HZ;
@@ -34,7 +34,7 @@ static int snap(struct pace *pace, uint64_t elapsed_ns)
     return 1;
 }
 
-uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns)
+uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns)
 {
     if (!pace->started) {
         pace->started = 1;
@@ -55,14 +55,14 @@ uint32_t pace_ticks_due(struct pace *pace, uint64_t now_ns)
     }
     uint64_t ticks = (uint64_t)pace->owed / NS_PER_S;
     pace->owed %= (int64_t)NS_PER_S;
-    if (ticks > PACE_TICKS_MAX) {
-        pace->dropped += ticks - PACE_TICKS_MAX;
-        ticks = PACE_TICKS_MAX;
+    if (ticks > FRAME_PACER_TICKS_MAX) {
+        pace->dropped += ticks - FRAME_PACER_TICKS_MAX;
+        ticks = FRAME_PACER_TICKS_MAX;
     }
     return (uint32_t)ticks;
 }
 
-uint64_t pace_rest_ns(struct pace_rest *rest, uint64_t took_ns)
+uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns)
 {
     if (rest->mean_ns == 0) {
         rest->mean_ns = FRAME_NS; /* A screen is assumed to have vertical sync until the mean shows

@@ -16,9 +16,10 @@ static void end_sweep(struct pin_sweep *sweep)
 {
     sweep->stage = PIN_SWEEP_DONE;
     if (sweep->cleaned + sweep->left > 0) {
-        say(SAY_WARNING, "kept replays of an older version: the PIN was removed from %u; %u still "
-                         "hold one, because they do not verify or a PIN is typed in them",
-            sweep->cleaned, sweep->left);
+        log_print(LOG_LEVEL_WARNING,
+                  "kept replays of an older version: the PIN was removed from %u; %u still "
+                  "hold one, because they do not verify or a PIN is typed in them",
+                  sweep->cleaned, sweep->left);
     }
 }
 
@@ -32,8 +33,8 @@ static void seek(struct pin_sweep *sweep, struct ledger_file *file)
     }
     if (ledger_file_get_replay(file, sweep->round_id, sweep->replay, sizeof sweep->replay,
                                &sweep->size) == SQLITE_OK &&
-        judge_open(&sweep->judge, sweep->replay, sweep->size) == 0 &&
-        chapters_start_has_pin(&sweep->judge.replayer.reader.header.config)) {
+        replay_verifier_open(&sweep->judge, sweep->replay, sweep->size) == 0 &&
+        session_recorder_start_has_pin(&sweep->judge.replayer.reader.header.config)) {
         ledger_file_round(file, sweep->round_id, &sweep->kept);
         sweep->is_check = 0;
         sweep->stage = PIN_SWEEP_READ;
@@ -44,11 +45,11 @@ static void seek(struct pin_sweep *sweep, struct ledger_file *file)
  * the start. The PIN has no other effect on the state until digits are typed. */
 static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struct core *core))
 {
-    int32_t *kept = &core->config.memory.settings.value[SET_PIN];
-    int32_t *begun = &core->config.chapter.adjust.told.value[SET_PIN];
-    int32_t *told = &core->game.adjust.told.value[SET_PIN];
+    int32_t *kept = &core->config.persistent.settings.value[SET_PIN];
+    int32_t *begun = &core->config.session.settings_edit.told.value[SET_PIN];
+    int32_t *told = &core->game.settings_edit.told.value[SET_PIN];
     const int32_t before[] = { *kept, *begun, *told };
-    chapters_withhold_pin(&core->config, told);
+    session_recorder_withhold_pin(&core->config, told);
     const uint64_t result = hash(core);
     *kept = before[0];
     *begun = before[1];
@@ -58,16 +59,16 @@ static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struc
 
 static int begin_recording(struct pin_sweep *sweep)
 {
-    struct judge *judge = &sweep->judge;
+    struct replay_verifier *judge = &sweep->judge;
     struct core_config *config = &judge->replayer.reader.header.config;
-    chapters_withhold_pin(config, NULL);
+    session_recorder_withhold_pin(config, NULL);
     return replay_create_in(&sweep->writer, sweep->made, sizeof sweep->made, config,
                             hash_without_pin(&judge->core, core_hash));
 }
 
 static void read_on(struct pin_sweep *sweep)
 {
-    const int more = judge_read(&sweep->judge);
+    const int more = replay_verifier_read(&sweep->judge);
     if (more < 0 || (more == 0 && !sweep->is_check && begin_recording(sweep) != 0)) {
         end_replay(sweep, 0);
     } else if (more == 0) {
@@ -93,17 +94,17 @@ static void record_tick(struct pin_sweep *sweep)
 /* Replaces the old recording by the new one when both have been verified. */
 static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    struct judge *judge = &sweep->judge;
+    struct replay_verifier *judge = &sweep->judge;
     int code = SQLITE_OK;
-    if (judge_say(judge, &file->content.memory.ranking, sweep->round_id, &sweep->kept) !=
-        VERDICT_GENUINE) {
+    if (replay_verifier_result(judge, &file->content.memory.ranking, sweep->round_id,
+                               &sweep->kept) != REPLAY_VERDICT_GENUINE) {
         end_replay(sweep, 0);
     } else if (sweep->is_check) {
         code = ledger_file_renew_replay(file, sweep->round_id, sweep->made, judge->size);
         end_replay(sweep, code == SQLITE_OK);
     } else if (replay_finish(&sweep->writer, hash_without_pin(&judge->core, core_hash)) != 0 ||
-               judge_open(judge, sweep->made,
-                          (size_t)sweep->writer.offset + REPLAY_END_SIZE) != 0) {
+               replay_verifier_open(judge, sweep->made,
+                                    (size_t)sweep->writer.offset + REPLAY_END_SIZE) != 0) {
         end_replay(sweep, 0);
     } else {
         sweep->is_check = 1;
@@ -114,10 +115,10 @@ static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 
 static int play_on(struct pin_sweep *sweep, struct ledger_file *file)
 {
-    if (!judge_tick(&sweep->judge)) {
+    if (!replay_verifier_tick(&sweep->judge)) {
         return end_play(sweep, file);
     }
-    if (!sweep->is_check && chapters_types_pin(&sweep->judge.core)) {
+    if (!sweep->is_check && session_recorder_types_pin(&sweep->judge.core)) {
         end_replay(sweep, 0);
     } else if (!sweep->is_check) {
         record_tick(sweep);

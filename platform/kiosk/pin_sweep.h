@@ -27,12 +27,12 @@ struct pin_sweep {
     uint32_t round_id;  /* Round of the replay examined last; 0: none yet. */
     uint32_t cleaned;   /* Replays that were replaced. */
     uint32_t left;      /* Replays that still contain a PIN. */
-    struct judge judge;
+    struct replay_verifier judge;
     struct replay_writer writer;
     struct ledger_entry kept;   /* Entry of the round in the ledger. */
     size_t size;                /* Size of `replay` in bytes. */
-    uint8_t replay[CHAPTERS_SIZE]; /* The stored recording. */
-    uint8_t made[CHAPTERS_SIZE];   /* The new recording. */
+    uint8_t replay[SESSION_RECORDER_SIZE]; /* The stored recording. */
+    uint8_t made[SESSION_RECORDER_SIZE];   /* The new recording. */
 };
 
 /* Returns the background work for struct storage. Each step reads one stored replay, parses a

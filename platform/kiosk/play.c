@@ -31,7 +31,7 @@ static void tell_devices(const struct hal *hal)
         tell_device("poi", hal->poi[i].ops->describe(hal->poi[i].self));
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        tell_device("fan", hal->shade[i].ops->describe(hal->shade[i].self));
+        tell_device("fan", hal->fan[i].ops->describe(hal->fan[i].self));
     }
     tell_device("buttons", hal->buttons.ops->describe(hal->buttons.self));
     tell_device("switches", hal->switches.ops->describe(hal->switches.self));
@@ -47,7 +47,7 @@ static void tell_seats(const struct kiosk *kiosk)
 {
     char text[HAL_TEXT_SIZE] = "";
     for (uint32_t i = 1; i < kiosk->core.config.players; i++) {
-        if (!kiosk->config.bot[i] && kiosk->hands[i].link == POI_LINK_ABSENT) {
+        if (!kiosk->config.bot[i] && kiosk->hands[i].link == POI_SOURCE_ABSENT) {
             const size_t length = strlen(text);
             snprintf(text + length, sizeof text - length, "%s%u", length ? ", " : "", i + 1u);
         }
@@ -82,14 +82,14 @@ static void tell_reports(const struct kiosk *kiosk)
 
 /* Closes the store and then reports the statistics, which include unsaved data. Returns EXIT_IO if
  * coins, rounds or edits are lost. */
-static enum exit_code tell_end(struct session *session, enum kiosk_end end)
+static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
 {
     struct kiosk *kiosk = &session->kiosk;
     const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
     if (end == KIOSK_DISPLAY_LOST) {
-        say(SAY_ERROR, "the display was lost after %u s: %s",
-            kiosk->core.tick / CORE_TICK_HZ,
-            session->hal.display.ops->describe(session->hal.display.self));
+        log_print(LOG_LEVEL_ERROR, "the display was lost after %u s: %s",
+                  kiosk->core.tick / CORE_TICK_HZ,
+                  session->hal.display.ops->describe(session->hal.display.self));
     }
     printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
            (unsigned long long)kiosk->frames,
@@ -100,24 +100,24 @@ static enum exit_code tell_end(struct session *session, enum kiosk_end end)
     tell_reports(kiosk);
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
-        say(SAY_ERROR, "%u entries or graphs could not be written (%s)", lost,
-            storage->ops->describe(storage->self));
+        log_print(LOG_LEVEL_ERROR, "%u entries or graphs could not be written (%s)", lost,
+                  storage->ops->describe(storage->self));
     }
     return lost > 0 ? EXIT_IO : EXIT_OK;
 }
 
 static enum exit_code code_of_end(enum kiosk_end end)
 {
-    return end == KIOSK_FLOAT          ? session_tell_float()
+    return end == KIOSK_FLOAT          ? run_common_print_float()
            : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
                                        : EXIT_OK;
 }
 
 /* Returns the worse result of the store and the recording, otherwise that of the display. */
-static enum exit_code end_play(struct session *session, enum kiosk_end end)
+static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 {
     const enum exit_code told = tell_end(session, end);
-    const enum exit_code code = session_end(session);
+    const enum exit_code code = run_common_end(session);
     const enum exit_code ended = code_of_end(end);
     return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
 }
@@ -126,14 +126,14 @@ static enum exit_code end_play(struct session *session, enum kiosk_end end)
  * the loss of their connection, so that no call may return into them. */
 static void on_display_lost(void *self)
 {
-    struct session *session = self;
+    struct run_common *session = self;
     const enum exit_code code = end_play(session, KIOSK_DISPLAY_LOST);
-    board_let_go(&session->hal);
+    board_release_store(&session->hal);
     fflush(NULL);
     _exit((int)code);
 }
 
-int play_waits_for_screen(void)
+int run_interactive_waits_for_screen(void)
 {
     const char *socket = getenv("NOTIFY_SOCKET");
     return socket && socket[0];
@@ -147,44 +147,44 @@ static uint8_t keyboard_of(const struct options *options)
     return options->keyboard == BOARD_KEYBOARD_AUTO ? automatic : options->keyboard;
 }
 
-int play_open(struct session *session)
+int run_interactive_open(struct run_common *session)
 {
     struct options *options = &session->options;
     struct display_events events;
     if (!options->data[0]) {
-        folder_default_data(options->data);
+        directory_default_data(options->data);
     }
-    folder_make(options->data); /* Before evidence_open(); the store reports a failure. */
+    directory_make(options->data); /* Before evidence_open(); the store reports a failure. */
     evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
     const struct board_options board = {
         .poi = options->poi,
         .keyboard = keyboard_of(options),
         .usb_count = options->usb_count,
-        .usb = (const char (*)[BOARD_USB_SIZE])options->usb,
+        .usb = (const char(*)[BOARD_USB_SIZE])options->usb,
         .line_count = options->line_count,
-        .line = (const char (*)[BOARD_LINE_SIZE])options->line,
+        .line = (const char(*)[BOARD_LINE_SIZE])options->line,
         .full_screen = options->width == 0,
-        .waits_for_screen = play_waits_for_screen() != 0,
+        .waits_for_screen = run_interactive_waits_for_screen() != 0,
         .width = options->width,
         .height = options->height,
         .data_dir = options->data[0] ? options->data : NULL,
         .view = tank_preset(options->tank)->view,
         .on_display_lost = on_display_lost,
         .on_display_lost_self = session,
-        .shelf = &session->shelf,
-        .on_refused = session_note_refused,
+        .library = &session->library,
+        .on_refused = run_common_note_refused,
         .on_refused_self = session,
     };
     board_open(&session->hal, &board);
     const struct hal_display *display = &session->hal.display;
-    if (display->ops->poll(display->self, &events) == HAL_ERR_NONE) {
+    if (display->ops->poll(display->self, &events) == HAL_ERR_ABSENT) {
         board_close(&session->hal);
         return 0;
     }
     return 1;
 }
 
-static enum exit_code begin(struct session *session)
+static enum exit_code run_interactive_begin(struct run_common *session)
 {
     const struct options *options = &session->options;
     const struct hal_storage *storage = &session->hal.storage;
@@ -195,35 +195,35 @@ static enum exit_code begin(struct session *session)
         },
         .stopwatch = clock_device(),
     };
-    struct settings *settings = &config.core.memory.settings;
+    struct settings *settings = &config.core.persistent.settings;
     options_first(options, settings);
-    storage->ops->remember(storage->self, &config.core.memory);
+    storage->ops->load(storage->self, &config.core.persistent);
     options_last(options, settings);
     settings_hide_pin(settings, config.core.seed);
     settings_apply(settings, &config.core);
     for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = options->poi == BOARD_POI_BOT;
     }
-    return session_begin(session, &config);
+    return run_common_begin(session, &config);
 }
 
 /* Takes a picture if one is due. After the first failure no more pictures are taken, so that the
  * error is reported only once. */
-static void shoot_if_due(struct session *session, uint32_t *shots)
+static void shoot_if_due(struct run_common *session, uint32_t *shots)
 {
     char path[OPTIONS_PATH_MAX + 32];
     struct hal_image image;
     if (session->options.shots[0] && *shots < UINT32_MAX &&
         session->kiosk.core.tick >= (*shots + 1) * SHOT_TICKS) {
         snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++*shots);
-        if (session_shot(session, path, &image)) {
+        if (run_common_shot(session, path, &image)) {
             *shots = UINT32_MAX;
         }
     }
 }
 
 /* Reports that the picture was lost, and that it is back, once each. */
-static void tell_picture(const struct session *session, int *was_away)
+static void tell_picture(const struct run_common *session, int *was_away)
 {
     const struct hal_display *display = &session->hal.display;
     const int is_away = session->kiosk.display_retry_ns > 0;
@@ -236,20 +236,21 @@ static void tell_picture(const struct session *session, int *was_away)
 
 /* Reports a changed floating-point control once, because a library that changes it does so in each
  * frame. */
-static void tell_float(const struct session *session, int *is_told)
+static void tell_float(const struct run_common *session, int *is_told)
 {
     if (session->kiosk.float_resets > 0 && !*is_told) {
-        say(SAY_WARNING, "a library changed how this thread computes (denormal numbers or "
-                         "rounding): it is set back before each frame");
+        log_print(LOG_LEVEL_WARNING,
+                  "a library changed how this thread computes (denormal numbers or "
+                  "rounding): it is set back before each frame");
         *is_told = 1;
     }
 }
 
-static enum kiosk_end run(struct session *session)
+static enum kiosk_end run_interactive_loop(struct run_common *session)
 {
     const struct hal_clock clock = clock_device();
     enum kiosk_end end = KIOSK_RUNS;
-    struct pace_rest rest = { 0 };
+    struct frame_pacer_sleep rest = { 0 };
     uint32_t shots = 0;
     int was_away = 0, is_float_told = 0;
     while (end == KIOSK_RUNS && !*session->stop) {
@@ -259,9 +260,9 @@ static enum kiosk_end run(struct session *session)
         tell_picture(session, &was_away);
         tell_float(session, &is_float_told);
         shoot_if_due(session, &shots);
-        status_tell(&session->status, &session->kiosk, &session->hal, begin_ns);
+        status_update(&session->status, &session->kiosk, &session->hal, begin_ns);
         const uint64_t end_ns = clock.ops->now_ns(clock.self);
-        const uint64_t rest_ns = pace_rest_ns(&rest, end_ns - begin_ns);
+        const uint64_t rest_ns = frame_pacer_sleep_ns(&rest, end_ns - begin_ns);
         if (rest_ns > 0) {
             clock_sleep_until(end_ns + rest_ns);
         }
@@ -269,19 +270,19 @@ static enum kiosk_end run(struct session *session)
     return end;
 }
 
-enum exit_code play_run(struct session *session)
+enum exit_code run_interactive_run(struct run_common *session)
 {
-    enum exit_code code = begin(session);
+    enum exit_code code = run_interactive_begin(session);
     if (code != EXIT_OK) {
         board_close(&session->hal);
         return code;
     }
     tell_devices(&session->hal);
     tell_seats(&session->kiosk);
-    session_tell_shelf(session);
+    run_common_print_library(session);
     fflush(stdout);
     status_begin(&session->status, getenv("RUNTIME_DIRECTORY"));
-    const enum kiosk_end end = run(session);
+    const enum kiosk_end end = run_interactive_loop(session);
     status_end(&session->status);
     code = end_play(session, end);
     board_close(&session->hal);

@@ -6,12 +6,12 @@
 
 /* Returns 1 if the kiosk starts without a screen and uses one that appears later. This applies to a
  * start by a service manager ($NOTIFY_SOCKET), where no user could read an error message. */
-int play_waits_for_screen(void);
+int run_interactive_waits_for_screen(void);
 
 /* Opens the board. Returns 1 if session->hal has a display or waits for one. */
-int play_open(struct session *session);
+int run_interactive_open(struct run_common *session);
 
 /* Runs frames until the end. Returns an exit code; errors were reported. */
-enum exit_code play_run(struct session *session);
+enum exit_code run_interactive_run(struct run_common *session);
 
 #endif

@@ -12,27 +12,26 @@
 
 void present_view(struct kiosk *kiosk, const struct hal *hal)
 {
-    const struct showing showing =
-        lighting_step(&kiosk->lighting, &kiosk->core.config.memory.settings, &kiosk->input,
-                      kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
-    if (memcmp(&kiosk->showing, &showing, sizeof showing) == 0 &&
+    const struct display_settings display_settings =
+        dimmer_step(&kiosk->dimmer, &kiosk->core.config.persistent.settings, &kiosk->input,
+                    kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
+    if (memcmp(&kiosk->display_settings, &display_settings, sizeof display_settings) == 0 &&
         memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
         return;
     }
     kiosk->view = kiosk->scene.view;
-    kiosk->showing = showing;
-    hal->display.ops->place(hal->display.self, &showing);
+    kiosk->display_settings = display_settings;
+    hal->display.ops->set_transform(hal->display.self, &display_settings);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        hal->poi[i].ops->look(hal->poi[i].self, &kiosk->view, &showing);
+        hal->poi[i].ops->set_view(hal->poi[i].self, &kiosk->view, &display_settings);
     }
 }
 
 static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
 {
-    kiosk->faults.audio += voice_put(&kiosk->voice, &hal->audio, &kiosk->output,
-                                     &kiosk->core.config.memory.settings,
-                                     kiosk->core.game.phase == PHASE_ATTRACT,
-                                     hal_now_ns(hal->clock));
+    kiosk->faults.audio += audio_output_play(
+        &kiosk->voice, &hal->audio, &kiosk->output, &kiosk->core.config.persistent.settings,
+        kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
 }
 
 /* Sets the outputs. During a replay nothing is set: its coins were metered when they were inserted,
@@ -40,28 +39,29 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
 static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 {
     if (!kiosk->config.source.next) {
-        kiosk->faults.switches += switches_put(&kiosk->switches, &hal->switches, &kiosk->output,
-                                               hal_now_ns(hal->clock));
+        kiosk->faults.switches += output_lines_put(&kiosk->switches, &hal->switches, &kiosk->output,
+                                                   hal_now_ns(hal->clock));
     }
 }
 
-_Static_assert(PACE_TICKS_MAX / MENU_TAKE_TICKS + 2u <= DESK_ORDER_MAX,
+_Static_assert(FRAME_PACER_TICKS_MAX / MENU_TAKE_TICKS + 2u <= CONTROLLER_COMMAND_MAX,
                "a take in the first tick, one after each pause, and the menu that closes itself");
 
 /* Executes the commands of the frame in their order. */
 static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct output *output = &kiosk->output;
-    while (!kiosk->config.source.next && kiosk->told_orders != output->order_count) {
-        const struct desk_order *order = &output->orders[kiosk->told_orders++ % DESK_ORDER_MAX];
-        if (order->kind == DESK_RESTART) {
+    while (!kiosk->config.source.next && kiosk->told_orders != output->command_count) {
+        const struct controller_command *order =
+            &output->commands[kiosk->told_orders++ % CONTROLLER_COMMAND_MAX];
+        if (order->kind == COMMAND_RESTART) {
             kiosk->restart_ns = hal_now_ns(hal->clock) + RESTART_WAIT_NS;
-        } else if (order->kind == DESK_REPLAY) {
+        } else if (order->kind == COMMAND_REPLAY) {
             kiosk->wanted_replay_id = order->round_id;
-        } else if (order->kind == DESK_SEEN) {
+        } else if (order->kind == COMMAND_SEEN) {
             kiosk->has_acknowledged = 1;
         } else {
-            hal->controllers.ops->order(hal->controllers.self, order);
+            hal->controllers.ops->command(hal->controllers.self, order);
         }
     }
 }
@@ -73,9 +73,9 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
-           !kiosk->config.tap.tick && kiosk->core.game.ledger.purse.open == OPEN_NONE &&
+           !kiosk->config.tap.tick && kiosk->core.game.ledger.balance.open == PAYMENT_NONE &&
            hal->storage.ops->wants_restart(hal->storage.self) &&
-           late_is_told(&kiosk->late, &hal->storage, &kiosk->core);
+           offline_flush_step(&kiosk->late, &hal->storage, &kiosk->core);
 }
 
 /* Ends the kiosk for a restart that the operator requested, once the store has every entry or will
@@ -95,8 +95,8 @@ static void end_for_restart(struct kiosk *kiosk, const struct hal *hal)
 static void present_forces(struct kiosk *kiosk, const struct hal *hal)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (kiosk->hands[i].link == POI_LINK_LIVE) {
-            const int result = hal->poi[i].ops->feel(hal->poi[i].self, &kiosk->felt[i]);
+        if (kiosk->hands[i].link == POI_SOURCE_LIVE) {
+            const int result = hal->poi[i].ops->set_force(hal->poi[i].self, &kiosk->felt[i]);
             kiosk->faults.poi += (uint32_t)hal_is_fault(result);
         }
     }
@@ -114,7 +114,7 @@ static void present_savings(struct kiosk *kiosk, const struct hal *hal)
         faults += saving_put_edit(&kiosk->saving, storage, &kiosk->output, now_ns);
     }
     if (kiosk->config.chapters) {
-        faults += (uint32_t)chapters_offer(kiosk->config.chapters, storage);
+        faults += (uint32_t)session_recorder_offer(kiosk->config.chapters, storage);
     }
     kiosk->faults.storage += faults;
 }

@@ -91,8 +91,8 @@ void replayer_end(struct replayer *replayer)
     replay_close(&replayer->reader);
 }
 
-enum exit_code replayer_tell_problem(const char *speaker, const char *path,
-                                     const struct replay_problem *problem)
+enum exit_code replayer_print_problem(const char *speaker, const char *path,
+                                      const struct replay_problem *problem)
 {
     print_error("%s: %s: byte %llu: %s", speaker, path, (unsigned long long)problem->offset,
                 problem->text);

@@ -45,7 +45,7 @@ void replayer_end(struct replayer *replayer);
 
 /* Writes one line to standard error, "SPEAKER: PATH: byte N: ...". Returns the matching exit
  * code. */
-enum exit_code replayer_tell_problem(const char *speaker, const char *path,
-                                     const struct replay_problem *problem);
+enum exit_code replayer_print_problem(const char *speaker, const char *path,
+                                      const struct replay_problem *problem);
 
 #endif

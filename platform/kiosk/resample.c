@@ -32,7 +32,7 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
         drop_second(resampler);
     }
     resampler->path[resampler->count++] = next;
-    return trust_can_read(&next.target);
+    return input_pose_is_finite(&next.target);
 }
 
 /* Returns a point on the path between two reports. An invalid report is skipped. Before a jump or
@@ -41,11 +41,11 @@ static struct poi_target target_on_way(const struct poi_sample *from, const stru
                                        float t)
 {
     const uint64_t gap_ns = to->time_ns - from->time_ns;
-    if (!trust_can_read(&from->target)) {
+    if (!input_pose_is_finite(&from->target)) {
         return to->target;
     }
-    if (!trust_can_read(&to->target) ||
-        trust_is_leap(&from->target, &to->target, (float)gap_ns * 1e-9f, to->has_wrist)) {
+    if (!input_pose_is_finite(&to->target) ||
+        input_pose_is_jump(&from->target, &to->target, (float)gap_ns * 1e-9f, to->has_wrist)) {
         return t < 1.0f ? from->target : to->target;
     }
     return pose_between(from->target, to->target, t);

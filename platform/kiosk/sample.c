@@ -15,9 +15,9 @@ static void read_wall(struct kiosk *kiosk, const struct hal *hal)
 
 static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat, uint64_t now_ns)
 {
-    kiosk->faults.poi += poi_hand_open(&kiosk->hands[seat], &hal->poi[seat], now_ns);
+    kiosk->faults.poi += poi_sampler_open(&kiosk->hands[seat], &hal->poi[seat], now_ns);
     if (seat < SHADE_MAX) {
-        kiosk->faults.shade += shade_hand_open(&kiosk->shades[seat], &hal->shade[seat], now_ns);
+        kiosk->faults.shade += fan_sampler_open(&kiosk->shades[seat], &hal->fan[seat], now_ns);
     }
 }
 
@@ -76,7 +76,7 @@ static void sample_buttons(struct kiosk *kiosk, const struct hal *hal)
         kiosk->input.coin_count[line] += buttons.coin_count[line];
     }
     kiosk->faults.buttons += buttons.faults;
-    line_book_note(&kiosk->lines, &buttons);
+    operator_view_lines_add(&kiosk->lines, &buttons);
     if (buttons.full_screen) {
         hal->display.ops->toggle_full_screen(hal->display.self);
     }
@@ -100,9 +100,9 @@ static void sample_display(struct kiosk *kiosk, const struct hal *hal)
 static void sample_store(struct kiosk *kiosk, const struct hal_storage *storage)
 {
     kiosk->input.record_saved_id = storage->ops->saved_id(storage->self);
-    kiosk->input.edit_saved_id = storage->ops->kept_edit_id(storage->self);
-    kiosk->input.edit_refused = storage->ops->refuses_edits(storage->self) != 0;
-    kiosk->input.store_well = storage->ops->is_well(storage->self) != 0;
+    kiosk->input.edit_saved_id = storage->ops->stored_edit_id(storage->self);
+    kiosk->input.edit_refused = storage->ops->edits_failed(storage->self) != 0;
+    kiosk->input.store_well = storage->ops->is_healthy(storage->self) != 0;
     kiosk->faults.storage += saving_refused(&kiosk->saving, storage);
 }
 
@@ -110,20 +110,20 @@ void sample_devices(struct kiosk *kiosk, const struct hal *hal)
 {
     sample_display(kiosk, hal); /* First, because it fills the event queue from which a desktop's
                                    mouse and keyboard are read. */
-    hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.desk);
-    kiosk->input.desk.file_count = dressing_file_count(kiosk->config.notes);
+    hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.controllers);
+    kiosk->input.controllers.file_count = operator_view_file_count(kiosk->config.notes);
     const uint64_t now_ns = kiosk->sampled_ns = hal_now_ns(hal->clock);
     arrange_seats(kiosk, hal);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        kiosk->faults.poi += poi_hand_sample(&kiosk->hands[i], &hal->poi[i], now_ns);
+        kiosk->faults.poi += poi_sampler_sample(&kiosk->hands[i], &hal->poi[i], now_ns);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        kiosk->faults.shade += shade_hand_sample(&kiosk->shades[i], &hal->shade[i], now_ns);
+        kiosk->faults.shade += fan_sampler_sample(&kiosk->shades[i], &hal->fan[i], now_ns);
     }
     sample_buttons(kiosk, hal); /* After the pois, because polling a poi also reads its controller's
                                    buttons. */
     sample_store(kiosk, &hal->storage);
-    kiosk->input.tickets_done = switches_done(&kiosk->switches, &hal->switches, HAL_TICKET);
+    kiosk->input.tickets_done = output_lines_are_done(&kiosk->switches, &hal->switches, HAL_TICKET);
     read_wall(kiosk, hal);
     kiosk->input.dropped_ticks = (uint32_t)kiosk->pace.dropped;
     kiosk->input.device_faults = kiosk_fault_count(&kiosk->faults);

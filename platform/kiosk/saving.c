@@ -10,7 +10,7 @@ static int is_settled(struct saving *saving, int result, uint64_t now_ns)
     if (hal_is_fault(result)) {
         saving->retry_ns = now_ns + RETRY_NS;
     }
-    return result == HAL_OK || result == HAL_ERR_NONE;
+    return result == HAL_OK || result == HAL_ERR_ABSENT;
 }
 
 uint32_t saving_put_entries(struct saving *saving, const struct hal_storage *storage,
@@ -20,7 +20,7 @@ uint32_t saving_put_entries(struct saving *saving, const struct hal_storage *sto
         const uint32_t behind = output->entry_id - saving->accepted_id;
         saving->accepted_id += behind > LEDGER_RING ? behind - LEDGER_RING : 0u;
         const uint32_t place = (saving->accepted_id + 1u) % LEDGER_RING;
-        const int result = storage->ops->keep(storage->self, &output->entries[place]);
+        const int result = storage->ops->append(storage->self, &output->entries[place]);
         if (!is_settled(saving, result, now_ns)) {
             return (uint32_t)hal_is_fault(result);
         }
@@ -35,7 +35,7 @@ uint32_t saving_put_edit(struct saving *saving, const struct hal_storage *storag
     if (output->edit.id == saving->accepted_edit_id || now_ns < saving->retry_ns) {
         return 0;
     }
-    const int result = storage->ops->keep_edit(storage->self, &output->edit);
+    const int result = storage->ops->store_edit(storage->self, &output->edit);
     if (is_settled(saving, result, now_ns)) {
         saving->accepted_edit_id = output->edit.id;
     }

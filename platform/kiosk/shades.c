@@ -6,14 +6,14 @@
 #define RETRY_NS 1000000000ull
 #define RANGE_MAX_M 1000.0f
 
-uint32_t shade_hand_open(struct shade_hand *hand, const struct hal_shade *device, uint64_t now_ns)
+uint32_t fan_sampler_open(struct fan_sampler *hand, const struct hal_fan *device, uint64_t now_ns)
 {
     const int result = device->ops->open(device->self);
     hand->retry_ns = now_ns + RETRY_NS;
-    hand->link = result == HAL_OK ? POI_LINK_LIVE
-                 : result == HAL_ERR_NONE ? POI_LINK_ABSENT
-                                          : POI_LINK_LOST;
-    return hand->link == POI_LINK_LOST;
+    hand->link = result == HAL_OK           ? POI_SOURCE_LIVE
+                 : result == HAL_ERR_ABSENT ? POI_SOURCE_ABSENT
+                                            : POI_SOURCE_LOST;
+    return hand->link == POI_SOURCE_LOST;
 }
 
 /* Returns 1 if the position is in range. NaN compares false and is therefore out of range. */
@@ -23,15 +23,14 @@ static int is_sane(const struct shade_input *shade)
            f_abs(shade->radius_m) <= RANGE_MAX_M;
 }
 
-uint32_t shade_hand_sample(struct shade_hand *hand, const struct hal_shade *device,
-                           uint64_t now_ns)
+uint32_t fan_sampler_sample(struct fan_sampler *hand, const struct hal_fan *device, uint64_t now_ns)
 {
     struct shade_input reading = { 0 };
     uint32_t faults = 0;
-    if (hand->link == POI_LINK_LOST && now_ns >= hand->retry_ns) {
-        faults += shade_hand_open(hand, device, now_ns);
+    if (hand->link == POI_SOURCE_LOST && now_ns >= hand->retry_ns) {
+        faults += fan_sampler_open(hand, device, now_ns);
     }
-    if (hand->link != POI_LINK_LIVE) {
+    if (hand->link != POI_SOURCE_LIVE) {
         return faults;
     }
     const int result = device->ops->poll(device->self, &reading);
@@ -40,15 +39,15 @@ uint32_t shade_hand_sample(struct shade_hand *hand, const struct hal_shade *devi
         return faults;
     }
     if (result == HAL_ERR_GONE) {
-        hand->link = POI_LINK_LOST;
+        hand->link = POI_SOURCE_LOST;
         hand->retry_ns = now_ns + RETRY_NS;
         hand->to = (struct shade_input){ 0 };
     }
-    return faults + (result != HAL_ERR_BUSY && result != HAL_ERR_NONE);
+    return faults + (result != HAL_ERR_BUSY && result != HAL_ERR_ABSENT);
 }
 
-struct shade_input shade_hand_at(const struct shade_hand *hand, uint32_t index,
-                                 uint32_t tick_count)
+struct shade_input fan_sampler_at(const struct fan_sampler *hand, uint32_t index,
+                                  uint32_t tick_count)
 {
     CORE_ASSERT(index < tick_count);
     struct shade_input at = hand->to;
@@ -61,7 +60,7 @@ struct shade_input shade_hand_at(const struct shade_hand *hand, uint32_t index,
     return at;
 }
 
-void shade_hand_end(struct shade_hand *hand)
+void fan_sampler_end(struct fan_sampler *hand)
 {
     hand->from = hand->to;
 }

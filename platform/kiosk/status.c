@@ -33,7 +33,7 @@ static void take_devices(struct status_report *report, const struct hal *hal)
         take_device(report, "poi", hal->poi[i].ops->describe(hal->poi[i].self));
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        take_device(report, "fan", hal->shade[i].ops->describe(hal->shade[i].self));
+        take_device(report, "fan", hal->fan[i].ops->describe(hal->fan[i].self));
     }
     take_device(report, "buttons", hal->buttons.ops->describe(hal->buttons.self));
     take_device(report, "switches", hal->switches.ops->describe(hal->switches.self));
@@ -47,10 +47,10 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
 {
     const struct core *core = &kiosk->core;
     report->up_s = core->tick / CORE_TICK_HZ;
-    report->boot = core->config.memory.ledger.boots;
+    report->boot = core->config.persistent.ledger.boots;
     report->phase = core->game.phase;
     report->players = core->config.players;
-    report->purse = core->game.ledger.purse;
+    report->balance = core->game.ledger.balance;
     report->tickets_out = core->game.audits.count[AUDIT_TICKETS_OUT];
     report->entry_id = kiosk->output.entry_id;
     report->saved_id = kiosk->input.record_saved_id;
@@ -111,11 +111,11 @@ static void write_report(struct status *status, struct status_report *report)
     report->pid = (uint32_t)getpid();
     const int error = write_file(status, status_format(report, status->text));
     if (error && atomic_fetch_add(&status->failed, 1) == 0) {
-        say(SAY_ERROR, "%s: cannot write: %s", status->path, strerror(-error));
+        log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", status->path, strerror(-error));
     }
 }
 
-static void *run(void *self)
+static void *status_thread(void *self)
 {
     struct status *status = self;
     struct status_report report; /* Copy of the thread, because the frame loop overwrites the
@@ -150,11 +150,11 @@ void status_begin(struct status *status, const char *folder)
     snprintf(status->part, sizeof status->part, "%.*s/." STATUS_FILE, PATH_MAX - 32, folder);
     pthread_mutex_init(&status->mutex, NULL);
     pthread_cond_init(&status->changed, NULL);
-    status->runs = pthread_create(&status->thread, NULL, run, status) == 0;
+    status->runs = pthread_create(&status->thread, NULL, status_thread, status) == 0;
 }
 
-void status_tell(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
-                 uint64_t now_ns)
+void status_update(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
+                   uint64_t now_ns)
 {
     const int has_changed = kiosk->input.store_well != status->told_well;
     if (!status->runs || (now_ns < status->next_ns && !has_changed)) {

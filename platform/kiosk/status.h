@@ -31,7 +31,7 @@ struct status_report {
     uint32_t boot;         /* Starts counted by the store; 0: no store. */
     uint8_t phase;         /* enum scene_phase */
     uint8_t players;
-    struct purse purse;
+    struct balance balance;
     uint32_t tickets_out;  /* Tickets passed to the dispenser, as counted in the audits. */
     uint32_t entry_id, saved_id; /* Newest entry of the ledger, and newest entry on disk. */
     uint8_t store_well;
@@ -81,8 +81,8 @@ void status_begin(struct status *status, const char *folder);
 /* Makes a report if one is due. Call once a frame; `now_ns` is on the frame loop's clock. Never
  * blocks: while the thread holds the lock, this second's report is skipped. A change of
  * `store_well` is reported at once. */
-void status_tell(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
-                 uint64_t now_ns);
+void status_update(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
+                   uint64_t now_ns);
 
 /* Stops the thread and deletes the file, because a closed kiosk has no status. */
 void status_end(struct status *status);

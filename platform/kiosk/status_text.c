@@ -14,8 +14,8 @@ struct text_out {
     size_t used;
 };
 
-__attribute__((format(printf, 2, 3)))
-static void put(struct text_out *text, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void status_text_put(struct text_out *text,
+                                                                  const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -29,21 +29,21 @@ static void put(struct text_out *text, const char *format, ...)
 static void put_string(struct text_out *text, const char *words)
 {
     char one[JSON_CHAR_SIZE];
-    put(text, "\"");
+    status_text_put(text, "\"");
     while (*words) {
         words = json_char(words, one);
-        put(text, "%s", one);
+        status_text_put(text, "%s", one);
     }
-    put(text, "\"");
+    status_text_put(text, "\"");
 }
 
 static const char *phase_name(uint8_t phase)
 {
     static const char *const names[] = {
-        [PHASE_ATTRACT] = "attract", [PHASE_READY] = "ready",   [PHASE_ROUND] = "round",
-        [PHASE_RESULT] = "result",   [PHASE_CHOOSE] = "choose", [PHASE_LAB] = "lab",
-        [PHASE_ALBUM] = "album",     [PHASE_MENU] = "menu",     [PHASE_NAME] = "name",
-        [PHASE_BOARD] = "board",
+        [PHASE_ATTRACT] = "attract",   [PHASE_READY] = "ready",        [PHASE_ROUND] = "round",
+        [PHASE_RESULT] = "result",     [PHASE_MODE_SELECT] = "choose", [PHASE_LAB] = "lab",
+        [PHASE_ALBUM] = "album",       [PHASE_MENU] = "menu",          [PHASE_NAME] = "name",
+        [PHASE_LEADERBOARD] = "board",
     };
     const int is_known = phase < sizeof names / sizeof names[0] && names[phase];
     return is_known ? names[phase] : "other";
@@ -56,18 +56,22 @@ static const char *boolean(int is_so)
 
 static void put_stall(struct text_out *text, const struct status_report *report)
 {
-    const struct purse *purse = &report->purse;
-    put(text, "  \"version\": \"" KINGYO_VERSION "\",\n  \"pid\": %u,\n  \"written_ms\": %llu,\n"
-              "  \"up_s\": %u,\n  \"boot\": %u,\n  \"phase\": \"%s\",\n  \"players\": %u,\n",
-        report->pid, (unsigned long long)report->written_ms, report->up_s, report->boot,
-        phase_name(report->phase), report->players);
-    put(text, "  \"credits\": {\"paid\": %u, \"service\": %u, \"units\": %u, \"untold\": %u, "
-              "\"round_open\": %s},\n",
-        purse->paid, purse->service, purse->units, purse->untold,
-        boolean(purse->open != OPEN_NONE));
-    put(text, "  \"tickets\": {\"owed\": %u, \"dispensed\": %u},\n", purse->tickets,
-        report->tickets_out);
-    put(text, "  \"store\": {\"well\": %s, \"entry_id\": %u, \"saved_id\": %u, \"waiting\": %u},\n",
+    const struct balance *balance = &report->balance;
+    status_text_put(text,
+                    "  \"version\": \"" KINGYO_VERSION
+                    "\",\n  \"pid\": %u,\n  \"written_ms\": %llu,\n"
+                    "  \"up_s\": %u,\n  \"boot\": %u,\n  \"phase\": \"%s\",\n  \"players\": %u,\n",
+                    report->pid, (unsigned long long)report->written_ms, report->up_s, report->boot,
+                    phase_name(report->phase), report->players);
+    status_text_put(text,
+                    "  \"credits\": {\"paid\": %u, \"service\": %u, \"units\": %u, \"untold\": %u, "
+                    "\"round_open\": %s},\n",
+                    balance->paid, balance->service, balance->units, balance->unlogged,
+                    boolean(balance->open != PAYMENT_NONE));
+    status_text_put(text, "  \"tickets\": {\"owed\": %u, \"dispensed\": %u},\n", balance->tickets,
+                    report->tickets_out);
+    status_text_put(
+        text, "  \"store\": {\"well\": %s, \"entry_id\": %u, \"saved_id\": %u, \"waiting\": %u},\n",
         boolean(report->store_well), report->entry_id, report->saved_id,
         report->entry_id - report->saved_id);
 }
@@ -75,17 +79,19 @@ static void put_stall(struct text_out *text, const struct status_report *report)
 static void put_figures(struct text_out *text, const struct status_report *report)
 {
     const struct kiosk_faults *faults = &report->faults;
-    put(text, "  \"frames\": {\"count\": %llu, \"median_ms\": %.1f, \"p99_ms\": %.1f},\n"
-              "  \"ticks\": {\"count\": %u, \"dropped\": %llu},\n",
-        (unsigned long long)report->frames, (double)report->frame_median_ns * 1e-6,
-        (double)report->frame_p99_ns * 1e-6, report->ticks,
-        (unsigned long long)report->dropped_ticks);
-    put(text, "  \"faults\": {\"poi\": %u, \"fan\": %u, \"display\": %u, \"sound\": %u, "
-              "\"store\": %u, \"buttons\": %u, \"switches\": %u, \"buttons_missing\": %u, "
-              "\"float\": %u},\n",
-        faults->poi, faults->shade, faults->display, faults->audio, faults->storage,
-        faults->buttons, faults->switches, (unsigned)__builtin_popcount(report->buttons_missing),
-        report->float_resets);
+    status_text_put(text,
+                    "  \"frames\": {\"count\": %llu, \"median_ms\": %.1f, \"p99_ms\": %.1f},\n"
+                    "  \"ticks\": {\"count\": %u, \"dropped\": %llu},\n",
+                    (unsigned long long)report->frames, (double)report->frame_median_ns * 1e-6,
+                    (double)report->frame_p99_ns * 1e-6, report->ticks,
+                    (unsigned long long)report->dropped_ticks);
+    status_text_put(text,
+                    "  \"faults\": {\"poi\": %u, \"fan\": %u, \"display\": %u, \"sound\": %u, "
+                    "\"store\": %u, \"buttons\": %u, \"switches\": %u, \"buttons_missing\": %u, "
+                    "\"float\": %u},\n",
+                    faults->poi, faults->shade, faults->display, faults->audio, faults->storage,
+                    faults->buttons, faults->switches,
+                    (unsigned)__builtin_popcount(report->buttons_missing), report->float_resets);
 }
 
 static const char *keeps_name(uint8_t keeps)
@@ -108,9 +114,9 @@ static const char *watch_name(uint8_t watch)
 static void put_known(struct text_out *text, const char *name, int is_known, int64_t value)
 {
     if (is_known) {
-        put(text, "\"%s\": %lld", name, (long long)value);
+        status_text_put(text, "\"%s\": %lld", name, (long long)value);
     } else {
-        put(text, "\"%s\": null", name);
+        status_text_put(text, "\"%s\": null", name);
     }
 }
 
@@ -118,36 +124,38 @@ static void put_known(struct text_out *text, const char *name, int is_known, int
 static void put_machine(struct text_out *text, const struct status_report *report)
 {
     const struct scene_machine *machine = &report->machine;
-    put(text, "  \"machine\": {\"data\": \"%s\", ", keeps_name(machine->keeps));
+    status_text_put(text, "  \"machine\": {\"data\": \"%s\", ", keeps_name(machine->keeps));
     put_known(text, "backup_min", machine->has_backup, machine->backup_min);
-    put(text, ", ");
+    status_text_put(text, ", ");
     put_known(text, "free_mib", machine->has_looked, machine->room_mib);
-    put(text, ", ");
+    status_text_put(text, ", ");
     put_known(text, "heat_margin_c", machine->has_heat, machine->heat_margin_c);
-    put(text, ", \"watchdog\": \"%s\", ", watch_name(machine->watch));
+    status_text_put(text, ", \"watchdog\": \"%s\", ", watch_name(machine->watch));
     put_known(text, "clock_day", report->day != 0, report->day);
-    put(text, ", ");
+    status_text_put(text, ", ");
     put_known(text, "clock_minute", report->day != 0, report->minute);
-    put(text, ", \"clock_went_back\": %s},\n", boolean(machine->is_clock_back));
-    put(text, "  \"files\": {\"refused\": %u, \"set_aside\": %u, \"replays_missed\": %u},\n",
-        report->files_refused, machine->aside, machine->missed);
-    put(text, "  \"panics\": {\"count\": %u, \"left_out\": \"%s\"},\n", machine->panics,
-        panics_left_name(machine->left_out));
+    status_text_put(text, ", \"clock_went_back\": %s},\n", boolean(machine->is_clock_back));
+    status_text_put(text,
+                    "  \"files\": {\"refused\": %u, \"set_aside\": %u, \"replays_missed\": %u},\n",
+                    report->files_refused, machine->aside, machine->missed);
+    status_text_put(text, "  \"panics\": {\"count\": %u, \"left_out\": \"%s\"},\n", machine->panics,
+                    panics_left_name(machine->left_out));
 }
 
 size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])
 {
     struct text_out text = { .out = out };
-    put(&text, "{\n");
+    status_text_put(&text, "{\n");
     put_stall(&text, report);
     put_figures(&text, report);
     put_machine(&text, report);
-    put(&text, "  \"devices\": [");
+    status_text_put(&text, "  \"devices\": [");
     for (uint32_t i = 0; i < report->device_count; i++) {
-        put(&text, "%s\n    {\"part\": \"%s\", \"text\": ", i ? "," : "", report->device[i].part);
+        status_text_put(&text, "%s\n    {\"part\": \"%s\", \"text\": ", i ? "," : "",
+                        report->device[i].part);
         put_string(&text, report->device[i].text);
-        put(&text, "}");
+        status_text_put(&text, "}");
     }
-    put(&text, "\n  ]\n}\n");
+    status_text_put(&text, "\n  ]\n}\n");
     return text.used;
 }

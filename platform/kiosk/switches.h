@@ -10,7 +10,7 @@
 #include "core/output.h"
 #include "platform/hal.h"
 
-struct switches {
+struct output_lines {
     uint32_t active;                     /* Levels that the driver accepted last, one bit (1 << enum
                                             hal_switch) each. */
     uint32_t given[HAL_SWITCH_COUNT];    /* Pulses that the driver accepted since the start. */
@@ -19,12 +19,12 @@ struct switches {
 
 /* Sets the lamp and the coin lockout, and issues a pulse of the meter and of the ticket dispenser
  * for each new count. Call once a frame. Returns the number of faults. */
-uint32_t switches_put(struct switches *switches, const struct hal_switches *device,
-                      const struct output *output, uint64_t now_ns);
+uint32_t output_lines_put(struct output_lines *switches, const struct hal_switches *device,
+                          const struct output *output, uint64_t now_ns);
 
 /* Returns the number of pulses that have ended since the start. Pulses of an output that this
  * cabinet lacks end at once. */
-uint32_t switches_done(const struct switches *switches, const struct hal_switches *device,
-                       enum hal_switch which);
+uint32_t output_lines_are_done(const struct output_lines *switches,
+                               const struct hal_switches *device, enum hal_switch which);
 
 #endif

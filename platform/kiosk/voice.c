@@ -4,29 +4,30 @@
 #define NS_PER_S 1000000000ull
 #define RETRY_NS NS_PER_S /* Interval between two searches for a card. */
 
-static void look_for_card(struct voice *voice, const struct hal_audio *audio, uint64_t now_ns)
+static void look_for_card(struct audio_output *voice, const struct hal_audio *audio,
+                          uint64_t now_ns)
 {
     voice->retry_ns = audio->ops->open(audio->self) == HAL_OK ? 0 : now_ns + RETRY_NS;
 }
 
-void voice_open(struct voice *voice, const struct hal_audio *audio, uint64_t now_ns)
+void audio_output_open(struct audio_output *voice, const struct hal_audio *audio, uint64_t now_ns)
 {
     look_for_card(voice, audio, now_ns);
 }
 
-float voice_gain(const struct settings *settings)
+float audio_output_gain(const struct settings *settings)
 {
     const float share = 0.01f * (float)settings->value[SET_VOLUME];
     return share * share;
 }
 
-int voice_is_heard(const struct settings *settings, uint64_t attract_s)
+int audio_output_is_audible(const struct settings *settings, uint64_t attract_s)
 {
     const uint64_t every = (uint64_t)settings->value[SET_ATTRACT_SOUND];
-    return every > 0 && attract_s / VOICE_SHOW_S % every == 0;
+    return every > 0 && attract_s / AUDIO_OUTPUT_SHOW_S % every == 0;
 }
 
-static int is_silent(struct voice *voice, const struct settings *settings, int is_attract,
+static int is_silent(struct audio_output *voice, const struct settings *settings, int is_attract,
                      uint64_t now_ns)
 {
     if (!is_attract) {
@@ -36,14 +37,14 @@ static int is_silent(struct voice *voice, const struct settings *settings, int i
     if (voice->attract_ns == 0) {
         voice->attract_ns = now_ns;
     }
-    return !voice_is_heard(settings, (now_ns - voice->attract_ns) / NS_PER_S);
+    return !audio_output_is_audible(settings, (now_ns - voice->attract_ns) / NS_PER_S);
 }
 
-uint32_t voice_put(struct voice *voice, const struct hal_audio *audio,
-                   const struct output *output, const struct settings *settings, int is_attract,
-                   uint64_t now_ns)
+uint32_t audio_output_play(struct audio_output *voice, const struct hal_audio *audio,
+                           const struct output *output, const struct settings *settings,
+                           int is_attract, uint64_t now_ns)
 {
-    const float gain = voice_gain(settings);
+    const float gain = audio_output_gain(settings);
     uint32_t faults = 0;
     if (voice->retry_ns > 0 && now_ns >= voice->retry_ns) {
         look_for_card(voice, audio, now_ns);

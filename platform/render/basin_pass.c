@@ -18,7 +18,15 @@ struct face {
     float normal[3];
 };
 
-enum part { PART_FLOOR, PART_WALLS, PART_SURFACE, PART_COUNTER, PART_SIDES, PART_RIM, PART_END };
+enum contact_solver {
+    PART_FLOOR,
+    PART_WALLS,
+    PART_SURFACE,
+    PART_COUNTER,
+    PART_SIDES,
+    PART_RIM,
+    PART_END
+};
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
@@ -85,7 +93,7 @@ static void upload_faces(struct basin_pass *pass)
     glBindVertexArray(0);
 }
 
-static void draw_part(const struct basin_pass *pass, enum part part)
+static void draw_part(const struct basin_pass *pass, enum contact_solver part)
 {
     const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;
     const GLint end = part_faces[part + 1] * (GLint)VERTICES_PER_FACE;

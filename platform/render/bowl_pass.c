@@ -24,8 +24,8 @@ static void profile(float t, bool outside, float *r, float *y)
 {
     const float angle = t * 0.5f * F_PI;
     const float grow = outside ? WALL : 0.0f;
-    *r = f_exp(0.62f * f_ln(f_max(f_sin(angle), 1e-4f))) + grow;
-    *y = -(outside ? 1.0f : BOTTOM) * f_exp(0.85f * f_ln(f_max(f_cos(angle), 1e-4f)));
+    *r = f_exp(0.62f * f_log(f_max(f_sin(angle), 1e-4f))) + grow;
+    *y = -(outside ? 1.0f : BOTTOM) * f_exp(0.85f * f_log(f_max(f_cos(angle), 1e-4f)));
 }
 
 static struct shape_vertex shell_point(float u, float v, const void *context)
@@ -124,7 +124,7 @@ void bowl_pass_close(struct bowl_pass *pass)
 static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
 {
     const vec3 at = bowl->position_m;
-    const struct basis axes = basis_from_angles(bowl->angles);
+    const struct basis axes = vec_basis_from_angles(bowl->angles);
     const float heel[9] = { axes.right.x, axes.right.y, axes.right.z, axes.up.x, axes.up.y,
                             axes.up.z,    axes.back.x,  axes.back.y,  axes.back.z };
     const float level = -bowl->water_below_m / bowl->depth_m;

@@ -19,7 +19,7 @@
 #define PAINT_DRAWS 20u /* Number of frames in which a fish of lab or album is painted at full
                            resolution. */
 
-static int fail(struct display_gl *display, const char *what, const char *why)
+static int display_gl_fail(struct display_gl *display, const char *what, const char *why)
 {
     snprintf(display->text, sizeof display->text, "no picture: %s: %s", what, why);
     return HAL_ERR_GONE;
@@ -28,7 +28,7 @@ static int fail(struct display_gl *display, const char *what, const char *why)
 static void on_broken(void *context)
 {
     struct display_gl *const display = context;
-    fail(display, "screen", "the connection to the X server broke");
+    display_gl_fail(display, "screen", "the connection to the X server broke");
     display->lost = true;
     if (!display->broken && display->on_lost) {
         display->broken = true;
@@ -38,7 +38,7 @@ static void on_broken(void *context)
 }
 
 /* Releases everything, so that a second open() after HAL_ERR_GONE starts from nothing. */
-static void release(struct display_gl *display)
+static void display_gl_release(struct display_gl *display)
 {
     if (display->context && !display->broken) {
         renderer_close(&display->renderer);
@@ -68,7 +68,7 @@ static const char *sockets_of(const struct display_gl *display)
     return display->config.sockets ? display->config.sockets : "/sys/class/drm";
 }
 
-static uint64_t now_ns(void)
+static uint64_t display_gl_now_ns(void)
 {
     const struct hal_clock clock = clock_device();
     return clock.ops->now_ns(clock.self);
@@ -81,7 +81,7 @@ static int has_nothing_plugged(struct display_gl *display)
     const char *driver = SDL_getenv("SDL_VIDEODRIVER");
     display->is_bare = !display->config.off_screen && driver && strcasecmp(driver, "kmsdrm") == 0;
     display->plugged = connectors_read(sockets_of(display));
-    display->looked_ns = now_ns();
+    display->looked_ns = display_gl_now_ns();
     display->changed_looks = 0;
     return display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0;
 }
@@ -100,11 +100,12 @@ static int create_window(struct display_gl *display)
     }
     drm_card_prefer();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-        return fail(display, "SDL video does not start", SDL_GetError());
+        return display_gl_fail(display, "SDL video does not start", SDL_GetError());
     }
     if (shows_nothing(display)) {
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
-        return fail(display, "no screen answers", "SDL found only one that shows nothing");
+        return display_gl_fail(display, "no screen answers",
+                               "SDL found only one that shows nothing");
     }
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
@@ -115,7 +116,7 @@ static int create_window(struct display_gl *display)
         SDL_CreateWindow(config->title ? config->title : "Kingyo", SDL_WINDOWPOS_CENTERED,
                          SDL_WINDOWPOS_CENTERED, width, height, flags);
     if (!display->window) {
-        const int error = fail(display, "SDL opens no window", SDL_GetError());
+        const int error = display_gl_fail(display, "SDL opens no window", SDL_GetError());
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return error;
     }
@@ -131,7 +132,7 @@ static int create_context(struct display_gl *display)
 {
     display->context = SDL_GL_CreateContext(display->window);
     if (!display->context) {
-        return fail(display, "no OpenGL ES 3.0 context", SDL_GetError());
+        return display_gl_fail(display, "no OpenGL ES 3.0 context", SDL_GetError());
     }
     if (SDL_GL_SetSwapInterval(display->config.off_screen ? 0 : 1) != 0) {
         SDL_ClearError(); /* Some drivers do not support a swap interval. The frame loop paces
@@ -145,13 +146,13 @@ static int create_context(struct display_gl *display)
         .height = (uint32_t)height,
         .scene_scale = display->config.scene_scale,
         .samples = display->config.samples,
-        .shelf = display->config.shelf,
+        .library = display->config.library,
     };
     if (renderer_open(&display->renderer, &wanted) != HAL_OK) {
-        return fail(display, "renderer", renderer_error(&display->renderer));
+        return display_gl_fail(display, "renderer", renderer_error(&display->renderer));
     }
     if (display->is_placed) {
-        renderer_place(&display->renderer, &display->showing);
+        renderer_place(&display->renderer, &display->display_settings);
     }
     return HAL_OK;
 }
@@ -175,21 +176,21 @@ static void begin_to_govern(struct display_gl *display)
 static int govern(struct display_gl *display, const struct scene *scene)
 {
     const uint32_t looks = atomic_load(&display->thermal.looks);
-    if (!display->is_governed || display->renderer.placing.light <= 0.0f) {
+    if (!display->is_governed || display->renderer.transform.light <= 0.0f) {
         return HAL_OK; /* A night picture draws nothing, so its frame time does not measure the cost
                           of drawing. */
     }
     if (looks != display->heat_looks) {
         display->heat_looks = looks;
-        governor_heat(&display->governor, atomic_load(&display->thermal.margin_mdeg));
+        governor_set_temperature(&display->governor, atomic_load(&display->thermal.margin_mdeg));
     }
     const bool may_refine = scene->phase == PHASE_ATTRACT || scene->phase == PHASE_MENU;
-    const uint32_t step = governor_frame(&display->governor, now_ns(), may_refine);
+    const uint32_t step = governor_frame(&display->governor, display_gl_now_ns(), may_refine);
     if (step == display->renderer.step) {
         return HAL_OK;
     }
     if (renderer_lower(&display->renderer, step) != HAL_OK) {
-        return fail(display, "quality", renderer_error(&display->renderer));
+        return display_gl_fail(display, "quality", renderer_error(&display->renderer));
     }
     renderer_describe(&display->renderer, display->text, sizeof display->text);
     return HAL_OK;
@@ -198,11 +199,12 @@ static int govern(struct display_gl *display, const struct scene *scene)
 static int display_open(void *self)
 {
     struct display_gl *const display = self;
-    release(display);
+    display_gl_release(display);
     display->lost = display->broken = false;
     if (has_nothing_plugged(display)) {
         display->lost = true;
-        return fail(display, "screen", "none is plugged in; it is looked for each second");
+        return display_gl_fail(display, "screen",
+                               "none is plugged in; it is looked for each second");
     }
     int error = create_window(display);
     if (error == HAL_OK) {
@@ -210,7 +212,7 @@ static int display_open(void *self)
         error = create_context(display);
     }
     if (error != HAL_OK) {
-        release(display);
+        display_gl_release(display);
         display->lost = true;
         return error;
     }
@@ -226,7 +228,7 @@ static int display_open(void *self)
  * is pushed in. */
 static void watch_plugs(struct display_gl *display)
 {
-    const uint64_t now = now_ns();
+    const uint64_t now = display_gl_now_ns();
     if (!display->is_bare || now - display->looked_ns < LOOK_NS) {
         return;
     }
@@ -235,8 +237,9 @@ static void watch_plugs(struct display_gl *display)
     const bool is_other = plugged.count > 0 && plugged.which != display->plugged.which;
     display->changed_looks = (uint8_t)(is_other ? display->changed_looks + 1u : 0u);
     if (display->changed_looks >= LOOKS) {
-        release(display);
-        fail(display, "screen", plugged.connected ? "another was plugged in" : "it was pulled out");
+        display_gl_release(display);
+        display_gl_fail(display, "screen",
+                        plugged.connected ? "another was plugged in" : "it was pulled out");
         display->lost = true;
     }
 }
@@ -264,8 +267,8 @@ static int display_poll(void *self, struct display_events *out)
             out->quit = 1;
         }
     }
-    const struct placing *const drawn = &display->renderer.placing;
-    out->upright = drawn->width < OVERLAY_UPRIGHT_ASPECT * drawn->height;
+    const struct display_transform *const drawn = &display->renderer.transform;
+    out->upright = drawn->width < POINTER_UPRIGHT_ASPECT * drawn->height;
     out->lost = display->broken; /* SDL_PumpEvents() may have detected the broken connection. */
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
@@ -283,7 +286,7 @@ static int follow_size(struct display_gl *display)
         return HAL_OK;
     }
     if (renderer_resize(&display->renderer, (uint32_t)width, (uint32_t)height) != HAL_OK) {
-        return fail(display, "resize", renderer_error(&display->renderer));
+        return display_gl_fail(display, "resize", renderer_error(&display->renderer));
     }
     renderer_describe(&display->renderer, display->text, sizeof display->text);
     return HAL_OK;
@@ -308,7 +311,7 @@ static int display_present(void *self, const struct scene *scene)
     renderer_draw(&display->renderer, scene);
     SDL_GL_SwapWindow(display->window);
     if (!display->lost && !renderer_is_alive(&display->renderer)) {
-        fail(display, "frame", renderer_error(&display->renderer));
+        display_gl_fail(display, "frame", renderer_error(&display->renderer));
         display->lost = true;
     }
     if (!display->lost && govern(display, scene) != HAL_OK) {
@@ -317,13 +320,13 @@ static int display_present(void *self, const struct scene *scene)
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
 
-static void display_place(void *self, const struct showing *showing)
+static void display_set_transform(void *self, const struct display_settings *display_settings)
 {
     struct display_gl *const display = self;
-    display->showing = *showing;
+    display->display_settings = *display_settings;
     display->is_placed = true;
     if (display->context && !display->lost) {
-        renderer_place(&display->renderer, showing);
+        renderer_place(&display->renderer, display_settings);
     }
 }
 
@@ -369,7 +372,7 @@ static void display_close(void *self)
 {
     struct display_gl *const display = self;
     thermal_stop(&display->thermal);
-    release(display);
+    display_gl_release(display);
 }
 
 static const char *display_describe(void *self)
@@ -384,7 +387,7 @@ struct hal_display display_gl_device(struct display_gl *display)
         .open = display_open,
         .poll = display_poll,
         .present = display_present,
-        .place = display_place,
+        .set_transform = display_set_transform,
         .toggle_full_screen = display_toggle_full_screen,
         .capture = display_capture,
         .close = display_close,

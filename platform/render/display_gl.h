@@ -27,7 +27,7 @@ struct display_gl_config {
     float scene_scale; /* Scene pixels per screen pixel and axis, [0.25, 2]; 0: chosen by renderer
                           (quality.h). */
     uint32_t samples;  /* Multisampling; 0: chosen by renderer. */
-    const struct shelf *shelf; /* Makers' species, as in struct renderer_config. */
+    const struct library *library; /* Makers' species, as in struct renderer_config. */
     const char *sockets; /* Directory of the kernel's connectors; null: /sys/class/drm. */
 };
 
@@ -38,7 +38,7 @@ struct display_gl {
     struct renderer renderer;
     struct scene shown; /* Last scene shown. capture() draws it again because a swap destroys the
                            back buffer. */
-    struct showing showing; /* Display geometry, also for the next screen. */
+    struct display_settings display_settings; /* Display geometry, also for the next screen. */
     bool has_shown, full_screen, is_placed;
     bool lost;   /* The display shows nothing any more. open() starts it again. */
     bool broken; /* The connection to an X server broke. No further call may use it. */

@@ -27,12 +27,12 @@ void drip_pass_close(struct drip_pass *pass)
 /* Returns the lowest point of the ring; for a level ring, the centre of the sagging paper. */
 static vec3 low_side(const struct scene_poi *poi)
 {
-    const vec3 up = basis_from_angles(poi->angles).up;
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
     /* Direction of steepest descent in the ring's plane. */
     const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y);
     const float steep = v3_length(down);
     const float reach_m = RING_REACH * poi->ring_radius_m * f_smoothstep(0.03f, 0.20f, steep);
-    return v3_mad(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)), reach_m);
+    return v3_muladd(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)), reach_m);
 }
 
 void drip_pass_draw(const struct drip_pass *pass, const struct scene *scene)

@@ -28,10 +28,10 @@ static void blacken(GLint left, GLint bottom, GLint right, GLint top)
 }
 
 /* Draws the four black strips beside the picture. An empty strip costs nothing. */
-static void margins(const struct placing *placing)
+static void margins(const struct display_transform *transform)
 {
-    const struct placing_part part = placing_part_of(placing);
-    const GLint width = (GLint)placing->screen_width, height = (GLint)placing->screen_height;
+    const struct display_rect part = display_picture_rect(transform);
+    const GLint width = (GLint)transform->screen_width, height = (GLint)transform->screen_height;
     const GLint left = (GLint)part.left, right = (GLint)part.right;
     const GLint top = height - (GLint)part.top, bottom = height - (GLint)part.bottom;
     glEnable(GL_SCISSOR_TEST);
@@ -43,20 +43,20 @@ static void margins(const struct placing *placing)
     glDisable(GL_SCISSOR_TEST);
 }
 
-void edge_pass_draw(const struct edge_pass *pass, const struct placing *placing)
+void edge_pass_draw(const struct edge_pass *pass, const struct display_transform *transform)
 {
-    if (placing->light < 1.0f) {
-        glViewport(0, 0, (GLsizei)placing->screen_width, (GLsizei)placing->screen_height);
+    if (transform->light < 1.0f) {
+        glViewport(0, 0, (GLsizei)transform->screen_width, (GLsizei)transform->screen_height);
         glDisable(GL_DEPTH_TEST);
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         glUseProgram(pass->program);
-        glUniform1f(pass->dark, 1.0f - placing->light);
+        glUniform1f(pass->dark, 1.0f - transform->light);
         glBindVertexArray(pass->no_attributes);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glBindVertexArray(0);
     }
-    margins(placing);
+    margins(transform);
 }
 
 void edge_pass_night(void)

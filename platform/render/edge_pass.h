@@ -14,9 +14,9 @@ struct edge_pass {
 void edge_pass_open(struct gl_status *status, struct edge_pass *pass);
 void edge_pass_close(struct edge_pass *pass);
 
-/* Draws over the bound framebuffer, which is the screen of `placing`. Leaves blending on and the
+/* Draws over the bound framebuffer, which is the screen of `transform`. Leaves blending on and the
  * scissor test off. */
-void edge_pass_draw(const struct edge_pass *pass, const struct placing *placing);
+void edge_pass_draw(const struct edge_pass *pass, const struct display_transform *transform);
 
 /* Draws a black screen, in place of edge_pass_draw() while the brightness is 0. */
 void edge_pass_night(void);

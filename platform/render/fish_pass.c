@@ -17,7 +17,7 @@ static struct fish_program program(struct gl_status *status, const char *name,
                                    const char *variant, bool fins)
 {
     char defines[DEFINES_SIZE];
-    pose_defines(defines, sizeof defines, &species_wakin, fins);
+    fish_poses_defines(defines, sizeof defines, &species_wakin, fins);
     const size_t length = strlen(defines);
     snprintf(defines + length, sizeof defines - length, "%s", variant);
     const GLuint program = gl_morph_program(status, name, defines, shader_fish_vert,
@@ -105,7 +105,7 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
 
 static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
 {
-    const struct basis axes = basis_from_angles(fish->angles);
+    const struct basis axes = vec_basis_from_angles(fish->angles);
     const uint32_t look = fish->look;
     *out = (struct fish_instance){
         .place = { fish->position_m.x, fish->position_m.y, fish->position_m.z, fish->length_m },

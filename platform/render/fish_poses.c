@@ -6,8 +6,8 @@
 
 #include "core/base/panic.h"
 
-uint32_t pose_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
-                   uint32_t anchor_count)
+uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
+                         uint32_t anchor_count)
 {
     CORE_ASSERT(curve_count <= MORPH_CURVE_MAX);
     CORE_ASSERT(anchor_count <= ANCHOR_MAX);
@@ -41,7 +41,7 @@ static uint32_t riding(const struct species_mesh *mesh, bool fins)
     return most;
 }
 
-void pose_defines(char *out, size_t size, const struct species *species, bool fins)
+void fish_poses_defines(char *out, size_t size, const struct species *species, bool fins)
 {
     const uint32_t near = riding(&species->lod[0], fins), far = riding(&species->lod[1], fins);
     snprintf(out, size,
@@ -103,8 +103,8 @@ void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint3
         poses->run_first = row;
     }
     morph_pose(rig, poses->mesh, progress, &poses->pose);
-    pose_pack(poses->run + poses->run_count * poses->width, &poses->pose, poses->curve_count,
-              poses->mesh->anchor_count);
+    fish_poses_pack(poses->run + poses->run_count * poses->width, &poses->pose, poses->curve_count,
+                    poses->mesh->anchor_count);
     poses->progress[row] = progress;
     poses->run_count++;
     poses->posed_count++;

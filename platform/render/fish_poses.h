@@ -14,12 +14,12 @@
 
 /* Writes a pose as morph.glsl reads it: two texels a curve, then two an anchor. Returns the number
  * of texels. `curve_count` is the shader's CURVES; the anchors are the mesh's. */
-uint32_t pose_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
-                   uint32_t anchor_count);
+uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
+                         uint32_t anchor_count);
 
 /* Writes "#define KEYS 5" and the other definitions for a program that draws only this species, or
  * only its `fins`. */
-void pose_defines(char *out, size_t size, const struct species *species, bool fins);
+void fish_poses_defines(char *out, size_t size, const struct species *species, bool fins);
 
 struct fish_poses {
     const struct species_mesh *mesh;

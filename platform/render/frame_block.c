@@ -35,7 +35,7 @@ static void multiply(float out[16], const float a[16], const float b[16])
     }
 }
 
-static void look(float out[16], const struct basis *axes, vec3 eye)
+static void frame_block_view_matrix(float out[16], const struct basis *axes, vec3 eye)
 {
     const float m[16] = {
         axes->right.x,
@@ -68,7 +68,7 @@ static void project(float out[16], float tan_y, float aspect)
     out[14] = 2.0f * FAR_M * NEAR_M / (NEAR_M - FAR_M);
 }
 
-static void set(float out[4], float x, float y, float z, float w)
+static void frame_block_set(float out[4], float x, float y, float z, float w)
 {
     out[0] = x;
     out[1] = y;
@@ -89,35 +89,36 @@ void frame_close(struct frame *frame)
 
 /* Transforms from the picture's clip space to the screen's, so that every pass draws at its final
  * place. */
-static void turn(float out[16], const struct placing *placing)
+static void frame_block_screen_transform(float out[16], const struct display_transform *transform)
 {
     float turned[4], move[2];
     memset(out, 0, 16 * sizeof *out);
-    placing_clip(placing, turned, move);
-    set(out, turned[0], turned[1], 0.0f, 0.0f);
-    set(out + 4, turned[2], turned[3], 0.0f, 0.0f);
+    display_clip_matrix(transform, turned, move);
+    frame_block_set(out, turned[0], turned[1], 0.0f, 0.0f);
+    frame_block_set(out + 4, turned[2], turned[3], 0.0f, 0.0f);
     out[10] = 1.0f;
-    set(out + 12, move[0], move[1], 0.0f, 1.0f);
+    frame_block_set(out + 12, move[0], move[1], 0.0f, 1.0f);
 }
 
-static void set_camera(struct frame *frame, const struct view *view, const struct placing *placing)
+static void set_camera(struct frame *frame, const struct view *view,
+                       const struct display_transform *transform)
 {
-    const float aspect = placing->width / placing->height;
+    const float aspect = transform->width / transform->height;
     float rotation[16];
     float projection[16];
     float seen[16];
     float placed[16];
     const struct basis axes = view_basis(view);
     const float tan_y = view_half_height_tan(view, aspect);
-    look(rotation, &axes, view->eye_m);
+    frame_block_view_matrix(rotation, &axes, view->eye_m);
     project(projection, tan_y, aspect);
     multiply(seen, projection, rotation);
-    turn(placed, placing);
+    frame_block_screen_transform(placed, transform);
     multiply(frame->block.view_projection, placed, seen);
     memcpy(frame->block.placed, (float[4]){ placed[0], placed[1], placed[4], placed[5] },
            sizeof frame->block.placed);
     frame->view.eye_m = view->eye_m;
-    frame->view.focal_px = 0.5f * placing->height / tan_y;
+    frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
 
 /* Sets how far the refracted picture moves on the screen per unit of slope: one metre at the
@@ -129,8 +130,9 @@ static void set_bend(struct frame *frame, const struct scene *scene, float aspec
     const float distance = v3_length(v3_sub(view->eye_m, view->target_m));
     const float half_height_m = view_half_height_tan(view, aspect) * distance;
     const float shift_m = REFRACTION * scene->tank_size_m.y;
-    set(frame->block.bend, 0.5f * shift_m / (half_height_m * aspect),
-        0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f, 0.0f);
+    frame_block_set(frame->block.bend, 0.5f * shift_m / (half_height_m * aspect),
+                    0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f,
+                    0.0f);
 }
 
 /* Adds the shadow ellipses, fans first. Floor and walls take the shadows of the pois, including
@@ -141,37 +143,40 @@ static void set_shades(struct frame_block *block, const struct scene *scene)
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         const struct scene_fan *const fan = &scene->fan[i];
         if (fan->present) {
-            set(block->shades[count++], fan->x_m, fan->z_m, fan->radius_m, fan->dark);
+            frame_block_set(block->shades[count++], fan->x_m, fan->z_m, fan->radius_m, fan->dark);
         }
     }
     block->bend[2] = (float)count;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct scene_poi *const poi = &scene->poi[i];
         if (poi->present && poi->shade_dark > 0.0f) {
-            set(block->shades[count++], poi->position_m.x, poi->position_m.z,
-                poi->ring_radius_m, poi->shade_dark);
+            frame_block_set(block->shades[count++], poi->position_m.x, poi->position_m.z,
+                            poi->ring_radius_m, poi->shade_dark);
         }
     }
     block->bend[3] = (float)count;
 }
 
-void frame_begin(struct frame *frame, const struct scene *scene, const struct placing *placing)
+void frame_begin(struct frame *frame, const struct scene *scene,
+                 const struct display_transform *transform)
 {
     struct frame_block *const block = &frame->block;
-    const float aspect = placing->width / placing->height;
+    const float aspect = transform->width / transform->height;
     const float seconds = (float)(scene->tick % SECONDS_WRAP_TICKS) * CORE_TICK_S;
     const float layers = seconds * CAUSTIC_LAYERS_HZ;
     const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
     const vec3 size = scene->tank_size_m;
-    set_camera(frame, &scene->view, placing);
+    set_camera(frame, &scene->view, transform);
     set_bend(frame, scene, aspect);
     set_shades(block, scene);
-    set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z, seconds);
-    set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z, scene->wall_height_m - size.y);
-    set(block->screen, 1.0f / placing->screen_width, 1.0f / placing->screen_height,
-        ABSORPTION_OVER_DEPTH / size.y, layers - loops * (float)ASSET_CAUSTICS_FRAMES);
-    set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
-        SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
+    frame_block_set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z,
+                    seconds);
+    frame_block_set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z,
+                    scene->wall_height_m - size.y);
+    frame_block_set(block->screen, 1.0f / transform->screen_width, 1.0f / transform->screen_height,
+                    ABSORPTION_OVER_DEPTH / size.y, layers - loops * (float)ASSET_CAUSTICS_FRAMES);
+    frame_block_set(block->shadow, 2.0f / (size.x * SHADOW_MARGIN), 2.0f / (size.z * SHADOW_MARGIN),
+                    SHADOW_DRIFT_X, SHADOW_DRIFT_Z);
     glBindBuffer(GL_UNIFORM_BUFFER, frame->buffer);
     gl_buffer_refill(GL_UNIFORM_BUFFER, block, sizeof *block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame->buffer);
@@ -179,10 +184,11 @@ void frame_begin(struct frame *frame, const struct scene *scene, const struct pl
 
 void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale)
 {
-    const struct basis axes = basis_from_angles(angles);
+    const struct basis axes = vec_basis_from_angles(angles);
     const vec3 columns[3] = { axes.right, axes.up, axes.back };
     for (int i = 0; i < 3; i++) {
-        set(out + i * 4, columns[i].x * scale, columns[i].y * scale, columns[i].z * scale, 0.0f);
+        frame_block_set(out + i * 4, columns[i].x * scale, columns[i].y * scale,
+                        columns[i].z * scale, 0.0f);
     }
-    set(out + 12, position_m.x, position_m.y, position_m.z, 1.0f);
+    frame_block_set(out + 12, position_m.x, position_m.y, position_m.z, 1.0f);
 }

@@ -38,8 +38,9 @@ struct frame {
 void frame_open(struct frame *frame);
 void frame_close(struct frame *frame);
 
-/* Computes the block for `scene` with the display geometry `placing`, and uploads it. */
-void frame_begin(struct frame *frame, const struct scene *scene, const struct placing *placing);
+/* Computes the block for `scene` with the display geometry `transform`, and uploads it. */
+void frame_begin(struct frame *frame, const struct scene *scene,
+                 const struct display_transform *transform);
 
 /* Writes a body's pose as a column-major matrix, with `scale` metres per unit along each of its
  * axes. */

@@ -43,7 +43,7 @@ static void be_timely(struct governor *governor, bool may_refine)
     }
 }
 
-static void judge(struct governor *governor, bool may_refine)
+static void governor_adjust_quality(struct governor *governor, bool may_refine)
 {
     const uint64_t mean_ns = governor->sum_ns / governor->count;
     governor->sum_ns = governor->count = 0;
@@ -66,12 +66,12 @@ uint32_t governor_frame(struct governor *governor, uint64_t now_ns, bool may_ref
         governor->count++;
     }
     if (governor->sum_ns >= GOVERNOR_LOOK_S * NS_PER_S) {
-        judge(governor, may_refine);
+        governor_adjust_quality(governor, may_refine);
     }
     return governor->step > governor->heat ? governor->step : governor->heat;
 }
 
-void governor_heat(struct governor *governor, int32_t margin_mdeg)
+void governor_set_temperature(struct governor *governor, int32_t margin_mdeg)
 {
     if (margin_mdeg < GOVERNOR_HOT_MDEG && governor->heat < QUALITY_STEP_MAX) {
         governor->heat++;

@@ -45,6 +45,6 @@ uint32_t governor_frame(struct governor *governor, uint64_t now_ns, bool may_ref
 
 /* Call every few seconds. `margin_mdeg` is the distance to the temperature at which the machine
  * throttles itself, in m°C. */
-void governor_heat(struct governor *governor, int32_t margin_mdeg);
+void governor_set_temperature(struct governor *governor, int32_t margin_mdeg);
 
 #endif

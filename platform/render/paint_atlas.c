@@ -22,7 +22,7 @@ struct place {
     uint32_t x, y, width, height; /* Texels. */
 };
 
-static struct place place_of(uint32_t cell)
+static struct place paint_atlas_place_of(uint32_t cell)
 {
     return (struct place){ cell % CELLS_A_ROW * PAINT_CELL_WIDTH,
                            PAINT_BODY_HEIGHT + cell / CELLS_A_ROW * PAINT_CELL_HEIGHT,
@@ -31,7 +31,7 @@ static struct place place_of(uint32_t cell)
 
 /* Returns the cell of a vertex. A median fin has one cell, regardless of its side. A vertex of a
  * paired fin without a side uses the right fin's cell. */
-static struct place find(const struct species_vertex *vertex)
+static struct place paint_atlas_find_cell(const struct species_vertex *vertex)
 {
     uint32_t found = CELL_COUNT;
     CORE_ASSERT(vertex->part < PART_COUNT);
@@ -45,7 +45,7 @@ static struct place find(const struct species_vertex *vertex)
         }
     }
     CORE_ASSERT(found < CELL_COUNT);
-    return place_of(found);
+    return paint_atlas_place_of(found);
 }
 
 /* Returns the centre of the texel row (or column) at fraction `t` of `count`, as a fraction of the
@@ -58,12 +58,12 @@ static float middle(uint32_t first, uint32_t count, float t)
 
 void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
 {
-    const struct place place = find(vertex);
+    const struct place place = paint_atlas_find_cell(vertex);
     uv[0] = middle(place.x, place.width, vertex->u);
     uv[1] = middle(place.y, place.height, vertex->v);
 }
 
-static float along(float at, uint32_t first, uint32_t count)
+static float paint_atlas_along(float at, uint32_t first, uint32_t count)
 {
     return f_clamp((at - (float)first - 0.5f) / (float)(count - 1u), 0.0f, 1.0f);
 }
@@ -79,10 +79,10 @@ bool paint_atlas_at(float x, float y, struct species_vertex *vertex)
         return false;
     }
     const struct place place =
-        body ? (struct place){ 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT } : place_of(cell);
+        body ? (struct place){ 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT } : paint_atlas_place_of(cell);
     *vertex = (struct species_vertex){
-        .u = along(x, place.x, place.width),
-        .v = along(y, place.y, place.height),
+        .u = paint_atlas_along(x, place.x, place.width),
+        .v = paint_atlas_along(y, place.y, place.height),
         .part = body ? PART_BODY : cells[cell].part,
         .side = body ? SIDE_MIDDLE : cells[cell].side,
         .anchor = ANCHOR_NONE,

@@ -170,7 +170,7 @@ static void set_rests(const struct poi_pass *pass, const struct scene *scene,
         if (fish->place != SCENE_ON_POI || away_m > poi->ring_radius_m * 1.5f) {
             continue;
         }
-        const vec3 back = basis_from_angles(fish->angles).back;
+        const vec3 back = vec_basis_from_angles(fish->angles).back;
         const float rest[4] = { fish->position_m.x, fish->position_m.y, fish->position_m.z,
                                 fish->length_m };
         memcpy(rests[count], rest, sizeof rest);

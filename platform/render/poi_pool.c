@@ -14,7 +14,7 @@ struct relief {
 
 static void survey(struct relief *relief, const struct scene_poi *poi)
 {
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const float radius_m = poi->ring_radius_m;
     *relief = (struct relief){ .low_m = 1.0f, .high_m = -1.0f };
     for (uint32_t i = 0; i < LINES * LINES; i++) {

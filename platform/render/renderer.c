@@ -22,7 +22,7 @@ static void reset_state(void)
 
 static void prepare(struct renderer *renderer, const struct scene *scene)
 {
-    frame_begin(&renderer->frame, scene, &renderer->placing);
+    frame_begin(&renderer->frame, scene, &renderer->transform);
     fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
     basin_pass_prepare(&renderer->basin, scene);
     poi_pass_prepare(&renderer->poi, scene);
@@ -196,7 +196,7 @@ static void draw_ui(struct renderer *renderer, const struct scene *scene)
     if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {
         specimen_pass_work(&renderer->specimens, true);
     }
-    ui_draw(&renderer->ui, &renderer->specimens, scene, &renderer->placing);
+    ui_draw(&renderer->ui, &renderer->specimens, scene, &renderer->transform);
 }
 
 /* Draws lab or album, which cover the tank. Their specimens use multisampling if there is any. */
@@ -211,7 +211,7 @@ static void draw_page(struct renderer *renderer, const struct scene *scene)
 void renderer_draw(struct renderer *renderer, const struct scene *scene)
 {
     reset_state();
-    if (renderer->placing.light <= 0.0f) {
+    if (renderer->transform.light <= 0.0f) {
         edge_pass_night();
         return;
     }
@@ -222,6 +222,6 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene)
         finish_screen(renderer);
         draw_ui(renderer, scene);
     }
-    edge_pass_draw(&renderer->edge, &renderer->placing);
+    edge_pass_draw(&renderer->edge, &renderer->transform);
     step_done(renderer, STEP_UI);
 }

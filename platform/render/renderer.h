@@ -29,8 +29,8 @@ struct renderer_config {
     uint32_t width, height; /* Pixels, > 0. */
     float scene_scale;      /* Scale as in struct display_gl_config. */
     uint32_t samples;
-    const struct shelf *shelf; /* Makers' species; null: none. Must stay valid and at the same
-                                  address while the renderer is open. */
+    const struct library *library; /* Makers' species; null: none. Must stay valid and at the
+                                      same address while the renderer is open. */
 };
 
 /* The steps of a frame, for measurements. */
@@ -48,9 +48,9 @@ enum render_step {
 struct renderer {
     struct gl_status status;
     struct renderer_config config; /* Configuration; its size follows the window. */
-    struct showing showing;
-    struct placing placing;        /* Display geometry of the picture on a screen of the current
-                                      size. */
+    struct display_settings display_settings;
+    struct display_transform transform; /* Display geometry of the picture on a screen of the
+                                           current size. */
     struct quality quality;
     uint32_t step;                 /* Current step of quality_lower(). */
     uint32_t samples_max, side_max; /* Limits of the current context. */
@@ -87,8 +87,8 @@ void renderer_close(struct renderer *renderer);
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
 
 /* Sets the display geometry of all later pictures. Initially the picture fills the screen.
- * `showing` is copied. */
-void renderer_place(struct renderer *renderer, const struct showing *showing);
+ * `display_settings` is copied. */
+void renderer_place(struct renderer *renderer, const struct display_settings *display_settings);
 
 /* Sets the step of quality_lower() for all later pictures. Costs nothing if the step did not
  * change. Returns HAL_ERR_GONE if the new targets fail. */

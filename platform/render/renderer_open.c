@@ -99,7 +99,7 @@ static void open_passes(struct renderer *renderer)
     if (!ui_init(&renderer->ui, why, sizeof why)) {
         gl_fail(status, "words: %s", why);
     }
-    renderer->ui.memory.shelf = renderer->config.shelf;
+    renderer->ui.memory.library = renderer->config.library;
 }
 
 int renderer_open(struct renderer *renderer, const struct renderer_config *config)
@@ -107,7 +107,7 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     GLint samples_max = 1, side_max = GL_TEXTURE_SURE;
     memset(renderer, 0, sizeof *renderer);
     renderer->config = *config;
-    renderer_place(renderer, &(struct showing){ .light = 1.0f });
+    renderer_place(renderer, &(struct display_settings){ .light = 1.0f });
     glGetIntegerv(GL_MAX_SAMPLES, &samples_max);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
     renderer->samples_max = (uint32_t)samples_max;
@@ -136,11 +136,11 @@ void renderer_close(struct renderer *renderer)
     frame_close(&renderer->frame);
 }
 
-void renderer_place(struct renderer *renderer, const struct showing *showing)
+void renderer_place(struct renderer *renderer, const struct display_settings *display_settings)
 {
-    renderer->showing = *showing;
-    renderer->placing = placing_of(showing, (float)renderer->config.width,
-                                   (float)renderer->config.height);
+    renderer->display_settings = *display_settings;
+    renderer->transform = display_transform_of(display_settings, (float)renderer->config.width,
+                                               (float)renderer->config.height);
 }
 
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
@@ -150,7 +150,7 @@ int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
     }
     renderer->config.width = width;
     renderer->config.height = height;
-    renderer_place(renderer, &renderer->showing);
+    renderer_place(renderer, &renderer->display_settings);
     close_targets(renderer);
     open_targets(renderer);
     return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;

@@ -23,7 +23,7 @@ struct sink {
 
 /* Appends bytes to the sink and drops what does not fit. Patterns contain no multi-byte character
  * that could be cut. */
-static void put(struct sink *sink, const char *at, size_t size)
+static void message_translate_put(struct sink *sink, const char *at, size_t size)
 {
     size_t room = sink->size - 1u - sink->used;
     if (size > room) {
@@ -45,7 +45,7 @@ static bool starts_with(struct span text, const char *literal, size_t size)
 
 /* Returns the position of the first `literal` in `text`, or a position past the end if there is
  * none. An empty literal matches at the end. */
-static size_t find(struct span text, const char *literal, size_t size)
+static size_t message_translate_find(struct span text, const char *literal, size_t size)
 {
     size_t at = size == 0 ? text.size : 0;
     while (at <= text.size &&
@@ -69,7 +69,7 @@ static bool matches(struct span line, const char *pattern, struct span gap[GAPS_
         pattern = brace + 2;
         brace = strstr(pattern, "{}");
         literal = brace ? (size_t)(brace - pattern) : strlen(pattern);
-        const size_t at = brace               ? find(rest, pattern, literal)
+        const size_t at = brace                  ? message_translate_find(rest, pattern, literal)
                           : rest.size >= literal ? rest.size - literal
                                                  : rest.size + 1u;
         if (at > rest.size ||
@@ -96,17 +96,17 @@ static void write(struct sink *sink, uint8_t language, struct span line, uint32_
 
 /* Fills the pattern's gaps. The text of a gap may itself be a translatable line, such as the reason
  * of a failure. */
-static void fill(struct sink *sink, uint8_t language, enum text_key key,
-                 const struct span gap[GAPS_MAX], uint32_t depth)
+static void message_translate_fill_gap(struct sink *sink, uint8_t language, enum text_key key,
+                                       const struct span gap[GAPS_MAX], uint32_t depth)
 {
     const char *words = text_words(language, key);
     uint32_t next = 0;
     for (const char *brace; (brace = strstr(words, "{}")) != NULL && next < GAPS_MAX; next++) {
-        put(sink, words, (size_t)(brace - words));
+        message_translate_put(sink, words, (size_t)(brace - words));
         write(sink, language, gap[next], depth + 1u);
         words = brace + 2;
     }
-    put(sink, words, strlen(words));
+    message_translate_put(sink, words, strlen(words));
 }
 
 /* Translates the whole line if its pattern is known, otherwise each part between "; ". Recurses at
@@ -116,26 +116,26 @@ static void write(struct sink *sink, uint8_t language, struct span line, uint32_
     struct span gap[GAPS_MAX] = { { NULL, 0 } };
     enum text_key key = depth < DEPTH_MAX ? pattern_of(line, gap) : TEXT_COUNT;
     for (size_t half; key == TEXT_COUNT && depth < DEPTH_MAX &&
-                      (half = find(line, "; ", 2)) < line.size;) {
+                      (half = message_translate_find(line, "; ", 2)) < line.size;) {
         const struct span remark = { line.at, half };
         key = pattern_of(remark, gap);
         if (key != TEXT_COUNT) {
-            fill(sink, language, key, gap, depth);
+            message_translate_fill_gap(sink, language, key, gap, depth);
         } else {
-            put(sink, remark.at, remark.size);
+            message_translate_put(sink, remark.at, remark.size);
         }
-        put(sink, "; ", 2);
+        message_translate_put(sink, "; ", 2);
         line = (struct span){ line.at + half + 2u, line.size - half - 2u };
         key = pattern_of(line, gap);
     }
     if (key != TEXT_COUNT) {
-        fill(sink, language, key, gap, depth);
+        message_translate_fill_gap(sink, language, key, gap, depth);
     } else {
-        put(sink, line.at, line.size);
+        message_translate_put(sink, line.at, line.size);
     }
 }
 
-void says(char *out, size_t out_size, uint8_t language, const char *line)
+void message_translate(char *out, size_t out_size, uint8_t language, const char *line)
 {
     struct sink sink = { .out = out, .size = out_size };
     out[0] = '\0';

@@ -13,10 +13,10 @@
 #include "core/scene.h"
 
 /* Size of a translated line: three bytes a letter, the maximum for Japanese. */
-#define SAYS_SIZE (3u * SCENE_LINE_SIZE)
+#define MESSAGE_TRANSLATE_SIZE (3u * SCENE_LINE_SIZE)
 
 /* Writes `line` in that language (enum language), cut at a whole character when `out` is full.
  * Parts separated by "; " are translated one by one. */
-void says(char *out, size_t out_size, uint8_t language, const char *line);
+void message_translate(char *out, size_t out_size, uint8_t language, const char *line);
 
 #endif

@@ -18,22 +18,22 @@ static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum fo
                                                  .format = format,
                                                  .width = PAINT_SIZE,
                                                  .height = PAINT_SIZE,
-                                                 .layers = SKIN_SHEETS });
+                                                 .layers = FISH_TEXTURE_SHEETS });
 }
 
-void skin_open(struct gl_status *status, struct skin *skin)
+void fish_texture_open(struct gl_status *status, struct fish_texture *skin)
 {
     skin->paints = sheets(status, GL_RGBA8, GL_RGBA);
     skin->shines = sheets(status, GL_R8, GL_RED);
 }
 
-void skin_close(struct skin *skin)
+void fish_texture_close(struct fish_texture *skin)
 {
     const GLuint textures[2] = { skin->paints, skin->shines };
     glDeleteTextures(2, textures);
 }
 
-float skin_scales(const struct skin *skin)
+float fish_texture_scales(const struct fish_texture *skin)
 {
     /* About 30 scales on a carp, 50 on a bream. */
     static const float along[] = { [FORM_FUSIFORM] = 31.0f, [FORM_COMPRESSED] = 50.0f,
@@ -46,7 +46,7 @@ float skin_scales(const struct skin *skin)
 
 /* Takes dot marks that stand for scales out of the painting where the shader draws scales with
  * rims. The entries stay in the coat, because marks of two keys correspond by their index. */
-static void leave_out_dots(struct skin *skin)
+static void leave_out_dots(struct fish_texture *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
         struct species_coat *const coat = &skin->species.coats[key];
@@ -67,7 +67,7 @@ static bool is_lines(const struct species_mark *mark)
 }
 
 /* Removes marks that the shader draws as lines from the painting. The marks stay in skin->lined. */
-static void leave_out_lines(struct skin *skin)
+static void leave_out_lines(struct fish_texture *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
         struct species_coat *const coat = &skin->species.coats[key];
@@ -81,18 +81,18 @@ static void leave_out_lines(struct skin *skin)
     }
 }
 
-void skin_wear(struct skin *skin, const struct species *species)
+void fish_texture_bind(struct fish_texture *skin, const struct species *species)
 {
     const uint32_t steps = species->card.key_count - 1u;
     CORE_ASSERT(steps >= 1 && steps < MORPH_KEY_MAX);
     skin->species = *species;
-    skin->per_key = (SKIN_SHEETS - 1u) / steps;
+    skin->per_key = (FISH_TEXTURE_SHEETS - 1u) / steps;
     skin->sheet_count = steps * skin->per_key + 1u;
     skin->shown = skin->shown_px = 0.0f;
     memset(skin->bands_done, 0, sizeof skin->bands_done);
     memset(skin->is_coarse, 0, sizeof skin->is_coarse);
     leave_out_lines(skin);
-    if (skin_scales(skin) > 0.0f) {
+    if (fish_texture_scales(skin) > 0.0f) {
         leave_out_dots(skin);
     }
 }
@@ -106,11 +106,11 @@ static uint8_t byte(float x)
 struct painting {
     const struct species *species;
     float weights[MORPH_KEY_MAX];
-    struct skin_brush *brush;
+    struct fish_texture_brush *brush;
 };
 
-static struct painting painting_of(const struct skin *skin, struct skin_brush *brush,
-                                   uint32_t sheet)
+static struct painting painting_of(const struct fish_texture *skin,
+                                   struct fish_texture_brush *brush, uint32_t sheet)
 {
     struct painting painting = { .species = &skin->species, .brush = brush };
     const uint32_t key = sheet / skin->per_key;
@@ -132,7 +132,8 @@ static bool paint_point(const struct painting *painting, float x, float y, struc
     return true;
 }
 
-static void put(const struct painting *painting, uint32_t index, const struct paint *paint)
+static void fish_texture_put(const struct painting *painting, uint32_t index,
+                             const struct paint *paint)
 {
     const uint8_t texel[4] = { byte(paint->colour.x), byte(paint->colour.y), byte(paint->colour.z),
                                byte(paint->clear) };
@@ -144,11 +145,11 @@ static void put(const struct painting *painting, uint32_t index, const struct pa
 static void paint_plainly(const struct painting *painting, uint32_t first)
 {
     struct paint paint;
-    for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
+    for (uint32_t i = 0; i < FISH_TEXTURE_BAND * PAINT_SIZE; i++) {
         const float x = (float)(i % PAINT_SIZE) + 0.5f;
         const float y = (float)(first + i / PAINT_SIZE) + 0.5f;
         if (paint_point(painting, x, y, &paint)) {
-            put(painting, i, &paint);
+            fish_texture_put(painting, i, &paint);
         }
     }
 }
@@ -157,12 +158,12 @@ static void paint_plainly(const struct painting *painting, uint32_t first)
 
 static void paint_coarse_points(const struct painting *painting)
 {
-    const float middle = 0.5f * (float)SKIN_COARSE;
-    for (uint32_t i = 0; i < SKIN_COARSE_SIZE * SKIN_COARSE_SIZE; i++) {
+    const float middle = 0.5f * (float)FISH_TEXTURE_COARSE;
+    for (uint32_t i = 0; i < FISH_TEXTURE_COARSE_SIZE * FISH_TEXTURE_COARSE_SIZE; i++) {
         struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
         float *const point = painting->brush->coarse[i];
-        paint_point(painting, (float)(i % SKIN_COARSE_SIZE * SKIN_COARSE) + middle,
-                    (float)(i / SKIN_COARSE_SIZE * SKIN_COARSE) + middle, &paint);
+        paint_point(painting, (float)(i % FISH_TEXTURE_COARSE_SIZE * FISH_TEXTURE_COARSE) + middle,
+                    (float)(i / FISH_TEXTURE_COARSE_SIZE * FISH_TEXTURE_COARSE) + middle, &paint);
         point[0] = paint.colour.x;
         point[1] = paint.colour.y;
         point[2] = paint.colour.z;
@@ -175,9 +176,9 @@ static void paint_coarse_points(const struct painting *painting)
  * the weight of the second. */
 static float beside(uint32_t at, uint32_t size, uint32_t points[2])
 {
-    const float first = (float)(at - at % size) / (float)SKIN_COARSE;
-    const float last = first + (float)(size / SKIN_COARSE) - 1.0f;
-    const float x = f_clamp(((float)at + 0.5f) / (float)SKIN_COARSE - 0.5f, first, last);
+    const float first = (float)(at - at % size) / (float)FISH_TEXTURE_COARSE;
+    const float last = first + (float)(size / FISH_TEXTURE_COARSE) - 1.0f;
+    const float x = f_clamp(((float)at + 0.5f) / (float)FISH_TEXTURE_COARSE - 0.5f, first, last);
     points[0] = (uint32_t)x;
     points[1] = (float)points[0] + 1.0f <= last ? points[0] + 1u : points[0];
     return x - (float)points[0];
@@ -193,14 +194,16 @@ static void smooth_texel(const struct painting *painting, uint32_t index, uint32
     for (uint32_t i = 0; i < 5; i++) {
         float line[2];
         for (uint32_t k = 0; k < 2; k++) {
-            const uint32_t row = rows[k] * SKIN_COARSE_SIZE;
+            const uint32_t row = rows[k] * FISH_TEXTURE_COARSE_SIZE;
             line[k] = f_lerp(painting->brush->coarse[row + columns[0]][i],
                              painting->brush->coarse[row + columns[1]][i], right);
         }
         value[i] = f_lerp(line[0], line[1], down);
     }
-    put(painting, index, &(struct paint){ .colour = { value[0], value[1], value[2] },
-                                          .clear = value[3], .shine = value[4] });
+    fish_texture_put(painting, index,
+                     &(struct paint){ .colour = { value[0], value[1], value[2] },
+                                      .clear = value[3],
+                                      .shine = value[4] });
 }
 
 static bool differ(const uint8_t a[4], const uint8_t b[4])
@@ -222,21 +225,21 @@ static void paint_finely(const struct painting *painting, uint32_t index, uint32
         if (!paint_point(painting, (float)x + right, (float)y + down, &paint)) {
             return;
         }
-        mean.colour = v3_mad(mean.colour, paint.colour, 0.25f);
+        mean.colour = v3_muladd(mean.colour, paint.colour, 0.25f);
         mean.clear += 0.25f * paint.clear;
         mean.shine += 0.25f * paint.shine;
     }
-    put(painting, index, &mean);
+    fish_texture_put(painting, index, &mean);
 }
 
 /* Smooths the edges of marks. An edge may be narrower than a texel, and a slit painted from one
  * point a texel would be ragged. */
 static void smooth_rims(const struct painting *painting, uint32_t first)
 {
-    bool rim[SKIN_BAND * PAINT_SIZE] = { false };
-    for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
+    bool rim[FISH_TEXTURE_BAND * PAINT_SIZE] = { false };
+    for (uint32_t i = 0; i < FISH_TEXTURE_BAND * PAINT_SIZE; i++) {
         const uint32_t right = i % PAINT_SIZE < PAINT_SIZE - 1u ? i + 1u : i;
-        const uint32_t below = i + PAINT_SIZE < SKIN_BAND * PAINT_SIZE ? i + PAINT_SIZE : i;
+        const uint32_t below = i + PAINT_SIZE < FISH_TEXTURE_BAND * PAINT_SIZE ? i + PAINT_SIZE : i;
         const uint8_t(*const texels)[4] = (const uint8_t(*)[4])painting->brush->paint;
         if (differ(texels[i], texels[right])) {
             rim[i] = rim[right] = true;
@@ -245,40 +248,41 @@ static void smooth_rims(const struct painting *painting, uint32_t first)
             rim[i] = rim[below] = true;
         }
     }
-    for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
+    for (uint32_t i = 0; i < FISH_TEXTURE_BAND * PAINT_SIZE; i++) {
         if (rim[i]) {
             paint_finely(painting, i, i % PAINT_SIZE, first + i / PAINT_SIZE);
         }
     }
 }
 
-static void send(const struct skin *skin, const struct skin_brush *brush, uint32_t sheet,
-                 uint32_t first)
+static void send(const struct fish_texture *skin, const struct fish_texture_brush *brush,
+                 uint32_t sheet, uint32_t first)
 {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, skin->paints);
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)sheet, PAINT_SIZE, SKIN_BAND,
-                    1, GL_RGBA, GL_UNSIGNED_BYTE, brush->paint);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)sheet, PAINT_SIZE,
+                    FISH_TEXTURE_BAND, 1, GL_RGBA, GL_UNSIGNED_BYTE, brush->paint);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, skin->shines);
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)sheet, PAINT_SIZE, SKIN_BAND,
-                    1, GL_RED, GL_UNSIGNED_BYTE, brush->shine);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)sheet, PAINT_SIZE,
+                    FISH_TEXTURE_BAND, 1, GL_RED, GL_UNSIGNED_BYTE, brush->shine);
 }
 
-static void paint_coarsely(struct skin *skin, struct skin_brush *brush, uint32_t sheet)
+static void paint_coarsely(struct fish_texture *skin, struct fish_texture_brush *brush,
+                           uint32_t sheet)
 {
     const struct painting painting = painting_of(skin, brush, sheet);
     paint_coarse_points(&painting);
-    for (uint32_t band = 0; band < SKIN_BANDS; band++) {
-        for (uint32_t i = 0; i < SKIN_BAND * PAINT_SIZE; i++) {
-            smooth_texel(&painting, i, i % PAINT_SIZE, band * SKIN_BAND + i / PAINT_SIZE);
+    for (uint32_t band = 0; band < FISH_TEXTURE_BANDS; band++) {
+        for (uint32_t i = 0; i < FISH_TEXTURE_BAND * PAINT_SIZE; i++) {
+            smooth_texel(&painting, i, i % PAINT_SIZE, band * FISH_TEXTURE_BAND + i / PAINT_SIZE);
         }
-        send(skin, brush, sheet, band * SKIN_BAND);
+        send(skin, brush, sheet, band * FISH_TEXTURE_BAND);
     }
     skin->is_coarse[sheet] = true;
 }
 
-void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[MORPH_KEY_MAX],
-               float length_px, float out[3])
+void fish_texture_request(struct fish_texture *skin, struct fish_texture_brush *brush,
+                          const float weights[MORPH_KEY_MAX], float length_px, float out[3])
 {
     float mean = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -304,13 +308,13 @@ void skin_show(struct skin *skin, struct skin_brush *brush, const float weights[
 }
 
 /* Returns the unfinished sheet nearest to the one shown, or sheet_count. */
-static uint32_t next_sheet(const struct skin *skin)
+static uint32_t next_sheet(const struct fish_texture *skin)
 {
     uint32_t best = skin->sheet_count;
     float least = 1e9f;
     for (uint32_t sheet = 0; sheet < skin->sheet_count; sheet++) {
         const float far = f_abs((float)sheet - skin->shown);
-        if (skin->bands_done[sheet] < SKIN_BANDS && far < least) {
+        if (skin->bands_done[sheet] < FISH_TEXTURE_BANDS && far < least) {
             best = sheet;
             least = far;
         }
@@ -318,7 +322,8 @@ static uint32_t next_sheet(const struct skin *skin)
     return best;
 }
 
-uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands)
+uint32_t fish_texture_work(struct fish_texture *skin, struct fish_texture_brush *brush,
+                           uint32_t bands)
 {
     while (bands > 0) {
         const uint32_t sheet = next_sheet(skin);
@@ -326,32 +331,32 @@ uint32_t skin_work(struct skin *skin, struct skin_brush *brush, uint32_t bands)
             break;
         }
         const struct painting painting = painting_of(skin, brush, sheet);
-        const uint32_t first = skin->bands_done[sheet] * SKIN_BAND;
+        const uint32_t first = skin->bands_done[sheet] * FISH_TEXTURE_BAND;
         paint_plainly(&painting, first);
         smooth_rims(&painting, first);
         send(skin, brush, sheet, first);
         skin->bands_done[sheet]++;
-        skin->is_coarse[sheet] |= skin->bands_done[sheet] == SKIN_BANDS;
+        skin->is_coarse[sheet] |= skin->bands_done[sheet] == FISH_TEXTURE_BANDS;
         bands--;
     }
     return bands;
 }
 
-bool skin_is_done(const struct skin *skin)
+bool fish_texture_is_done(const struct fish_texture *skin)
 {
     return next_sheet(skin) == skin->sheet_count;
 }
 
-bool skin_is_fine(const struct skin *skin)
+bool fish_texture_is_fine(const struct fish_texture *skin)
 {
     const uint32_t sheet = next_sheet(skin);
     return sheet == skin->sheet_count || f_abs((float)sheet - skin->shown) >= 1.0f;
 }
 
-static struct skin_lines lines_of(const struct species_mark *mark, float share)
+static struct fish_texture_lines lines_of(const struct species_mark *mark, float share)
 {
     const float step = f_max(mark->to - mark->from, 1e-3f) / f_max((float)mark->count, 1.0f);
-    return (struct skin_lines){
+    return (struct fish_texture_lines){
         .place = { mark->from, step, (float)mark->count, mark->slant },
         .shape = { 0.5f * mark->width, mark->low, mark->high, share },
         .colour = { (float)(mark->colour >> 16 & 255u) / 255.0f,
@@ -363,17 +368,17 @@ static struct skin_lines lines_of(const struct species_mark *mark, float share)
 /* Writes the lines of the keys with the largest weights, each faded by its weight, as paint_at()
  * fades marks that keys do not share. Neighbouring keys of a larva differ in the number of muscles,
  * so their lines cannot be blended. */
-void skin_lines(const struct skin *skin, const float weights[MORPH_KEY_MAX],
-                struct skin_lines lines[SKIN_LINES])
+void fish_texture_lines(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX],
+                        struct fish_texture_lines lines[FISH_TEXTURE_LINES])
 {
     float sum = 0.0f;
-    memset(lines, 0, SKIN_LINES * sizeof *lines);
+    memset(lines, 0, FISH_TEXTURE_LINES * sizeof *lines);
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
         sum += f_max(weights[key], 0.0f);
     }
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
         const float share = f_max(weights[key], 0.0f) / f_max(sum, 1e-6f);
-        struct skin_lines *const least =
+        struct fish_texture_lines *const least =
             lines[0].shape[3] < lines[1].shape[3] ? &lines[0] : &lines[1];
         if (skin->lined[key].count > 0 && share > least->shape[3]) {
             *least = lines_of(&skin->lined[key], share);
@@ -381,7 +386,7 @@ void skin_lines(const struct skin *skin, const float weights[MORPH_KEY_MAX],
     }
 }
 
-float skin_clearness(const struct skin *skin, const float weights[MORPH_KEY_MAX])
+float fish_texture_opacity(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX])
 {
     float clear = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {

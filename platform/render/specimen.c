@@ -7,11 +7,11 @@
                                              it depth. */
 
 /* Rotates (x, y) by an angle whose cosine and sine are `c` and `s`. */
-static void turn(vec3 *x, vec3 *y, float c, float s)
+static void specimen_rotate(vec3 *x, vec3 *y, float c, float s)
 {
     const vec3 before = *x;
-    *x = v3_mad(v3_scale(before, c), *y, s);
-    *y = v3_mad(v3_scale(*y, c), before, -s);
+    *x = v3_muladd(v3_scale(before, c), *y, s);
+    *y = v3_muladd(v3_scale(*y, c), before, -s);
 }
 
 struct specimen_axes specimen_axes(const struct specimen *specimen)
@@ -19,9 +19,9 @@ struct specimen_axes specimen_axes(const struct specimen *specimen)
     struct specimen_axes axes = { .right = { 0.0f, 0.0f, 1.0f },
                                   .up = { 0.0f, 1.0f, 0.0f },
                                   .toward = { -1.0f, 0.0f, 0.0f } };
-    turn(&axes.right, &axes.toward, f_cos(specimen->yaw_rad), f_sin(specimen->yaw_rad));
-    turn(&axes.toward, &axes.up, f_cos(specimen->pitch_rad), f_sin(specimen->pitch_rad));
-    turn(&axes.up, &axes.right, f_cos(specimen->roll_rad), f_sin(specimen->roll_rad));
+    specimen_rotate(&axes.right, &axes.toward, f_cos(specimen->yaw_rad), f_sin(specimen->yaw_rad));
+    specimen_rotate(&axes.toward, &axes.up, f_cos(specimen->pitch_rad), f_sin(specimen->pitch_rad));
+    specimen_rotate(&axes.up, &axes.right, f_cos(specimen->roll_rad), f_sin(specimen->roll_rad));
     return axes;
 }
 

@@ -64,7 +64,7 @@ void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
     glGenVertexArrays(1, &pass->no_attributes);
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         struct specimen_slot *const slot = &pass->slots[i];
-        skin_open(status, &slot->skin);
+        fish_texture_open(status, &slot->skin);
         for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
             fish_mesh_reserve(&slot->mesh[lod]);
         }
@@ -80,7 +80,7 @@ void specimen_pass_close(struct specimen_pass *pass)
     glDeleteVertexArrays(1, &pass->no_attributes);
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         struct specimen_slot *const slot = &pass->slots[i];
-        skin_close(&slot->skin);
+        fish_texture_close(&slot->skin);
         for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
             fish_mesh_close(&slot->mesh[lod]);
         }
@@ -90,7 +90,7 @@ void specimen_pass_close(struct specimen_pass *pass)
 
 /* Returns the fish texture of a built-in species with identical coats, or null. The ordinary morph
  * of a species thus shares the texture of the species. */
-static struct skin *skin_like(struct specimen_pass *pass, const struct species *species)
+static struct fish_texture *skin_like(struct specimen_pass *pass, const struct species *species)
 {
     const struct species_card *const card = &species->card;
     for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
@@ -104,8 +104,8 @@ static struct skin *skin_like(struct specimen_pass *pass, const struct species *
     return NULL;
 }
 
-static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
-                 const struct specimen *specimen)
+static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_slot *slot,
+                                    const struct specimen *specimen)
 {
     const struct species *const species = specimen->species;
     slot->species = species;
@@ -118,7 +118,7 @@ static void fill(struct specimen_pass *pass, struct specimen_slot *slot,
     slot->worn = skin_like(pass, species);
     if (!slot->worn) {
         slot->worn = &slot->skin;
-        skin_wear(&slot->skin, species);
+        fish_texture_bind(&slot->skin, species);
     }
 }
 
@@ -153,7 +153,7 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
     struct specimen_slot *const home = home_of(pass, specimen->species);
     struct specimen_slot *const slot = home ? home : other_of(pass, specimen);
     if (slot->species != specimen->species || (!home && slot->edition != specimen->edition)) {
-        fill(pass, slot, specimen);
+        specimen_pass_fill_slot(pass, slot, specimen);
     }
     slot->last_used = ++pass->draw_count;
     return slot;
@@ -161,17 +161,17 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
 
 /* Returns the texture to paint next: the visible coarse texture with the largest fish, otherwise
  * any unfinished texture, or null if all are finished. */
-static struct skin *unfinished(struct specimen_pass *pass, bool *is_seen)
+static struct fish_texture *unfinished(struct specimen_pass *pass, bool *is_seen)
 {
-    struct skin *found = NULL;
+    struct fish_texture *found = NULL;
     *is_seen = false;
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         struct specimen_slot *const slot = &pass->slots[i];
-        struct skin *const skin = &slot->skin;
-        if (!slot->species || slot->worn != skin || skin_is_done(skin)) {
+        struct fish_texture *const skin = &slot->skin;
+        if (!slot->species || slot->worn != skin || fish_texture_is_done(skin)) {
             continue;
         }
-        const bool seen = skin->shown_px > 0.0f && !skin_is_fine(skin);
+        const bool seen = skin->shown_px > 0.0f && !fish_texture_is_fine(skin);
         if (!found || (seen && !*is_seen) ||
             (seen == *is_seen && skin->shown_px > found->shown_px)) {
             found = skin;
@@ -186,13 +186,14 @@ static void fill_ahead(struct specimen_pass *pass)
 {
     for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
         if (!pass->slots[i].species) {
-            fill(pass, &pass->slots[i], &(struct specimen){ .species = species_table[i] });
+            specimen_pass_fill_slot(pass, &pass->slots[i],
+                                    &(struct specimen){ .species = species_table[i] });
             return;
         }
     }
 }
 
-static uint64_t now_ns(void)
+static uint64_t specimen_pass_now_ns(void)
 {
     const struct hal_clock clock = clock_device();
     return clock.ops->now_ns(clock.self);
@@ -200,14 +201,14 @@ static uint64_t now_ns(void)
 
 void specimen_pass_work(struct specimen_pass *pass, bool ahead)
 {
-    const uint64_t start_ns = now_ns();
+    const uint64_t start_ns = specimen_pass_now_ns();
     bool is_seen;
-    struct skin *skin = unfinished(pass, &is_seen);
+    struct fish_texture *skin = unfinished(pass, &is_seen);
     if (!skin && ahead) {
         fill_ahead(pass);
     }
-    while (skin && now_ns() - start_ns < (is_seen ? WORK_NS : REST_NS)) {
-        skin_work(skin, &pass->brush, 1);
+    while (skin && specimen_pass_now_ns() - start_ns < (is_seen ? WORK_NS : REST_NS)) {
+        fish_texture_work(skin, &pass->brush, 1);
         skin = unfinished(pass, &is_seen);
     }
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
@@ -217,7 +218,8 @@ void specimen_pass_work(struct specimen_pass *pass, bool ahead)
 
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen)
 {
-    skin_work(slot_of(pass, specimen)->worn, &pass->brush, SKIN_SHEETS * SKIN_BANDS);
+    fish_texture_work(slot_of(pass, specimen)->worn, &pass->brush,
+                      FISH_TEXTURE_SHEETS * FISH_TEXTURE_BANDS);
 }
 
 static void colour_of(float out[4], uint32_t rgba)
@@ -231,15 +233,16 @@ static void colour_of(float out[4], uint32_t rgba)
 struct told {
     float sheets[3];
     float look[4];
-    const struct placing *placing;
-    struct skin_lines lines[SKIN_LINES];
+    const struct display_transform *transform;
+    struct fish_texture_lines lines[FISH_TEXTURE_LINES];
 };
 
-static void send_screen(const struct specimen_screen *screen, const struct placing *placing)
+static void send_screen(const struct specimen_screen *screen,
+                        const struct display_transform *transform)
 {
     float turn[4], move[2];
-    placing_clip(placing, turn, move);
-    glUniform2f(screen->size, placing->width, placing->height);
+    display_clip_matrix(transform, turn, move);
+    glUniform2f(screen->size, transform->width, transform->height);
     glUniformMatrix2fv(screen->turn, 1, GL_FALSE, turn);
     glUniform2fv(screen->move, 1, move);
 }
@@ -256,14 +259,14 @@ static void send(const struct specimen_program *program, const struct specimen *
     glUseProgram(program->name);
     glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
     glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
-    send_screen(&program->screen, told->placing);
+    send_screen(&program->screen, told->transform);
     glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
     glUniform4fv(program->look, 1, told->look);
     glUniform4fv(program->tint, 1, tint);
     glUniform4f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
                 specimen->ripe, specimen->maturity);
     glUniform3fv(program->sheets, 1, told->sheets);
-    for (GLint i = 0; i < (GLint)SKIN_LINES && program->line_place >= 0; i++) {
+    for (GLint i = 0; i < (GLint)FISH_TEXTURE_LINES && program->line_place >= 0; i++) {
         glUniform4fv(program->line_place + i, 1, told->lines[i].place);
         glUniform4fv(program->line_shape + i, 1, told->lines[i].shape);
         glUniform3fv(program->line_colour + i, 1, told->lines[i].colour);
@@ -271,11 +274,11 @@ static void send(const struct specimen_program *program, const struct specimen *
 }
 
 static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
-                        const struct placing *placing)
+                        const struct display_transform *transform)
 {
     glUseProgram(pass->shadow.name);
     glUniform3f(pass->shadow.place, specimen->x_px, specimen->y_px, specimen->length_px);
-    send_screen(&pass->shadow.screen, placing);
+    send_screen(&pass->shadow.screen, transform);
     glUniform3f(pass->shadow.look, specimen->shadow * (1.0f - specimen->fade),
                 f_abs(f_cos(specimen->yaw_rad)), 0.0f);
     glBindVertexArray(pass->no_attributes);
@@ -285,7 +288,7 @@ static void draw_shadow(const struct specimen_pass *pass, const struct specimen 
 /* Clears the depth around the specimen. Earlier depth is not needed because every specimen has its
  * own place on the page. */
 static void clear_depth(const struct specimen *specimen, float reach_lengths,
-                        const struct placing *p)
+                        const struct display_transform *p)
 {
     const float reach = (reach_lengths + SWAY_LENGTHS) * specimen->length_px;
     const float x = p->x + p->xx * specimen->x_px + p->xy * specimen->y_px;
@@ -339,35 +342,36 @@ static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *
 
 static void send_pose(struct specimen_pass *pass, uint32_t anchor_count)
 {
-    pose_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, anchor_count);
+    fish_poses_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, anchor_count);
     glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
     gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, pass->pose_buffer);
 }
 
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
-                        const struct placing *placing)
+                        const struct display_transform *transform)
 {
     CORE_ASSERT(specimen->length_px > 0.0f);
     struct specimen_slot *const slot = slot_of(pass, specimen);
     const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
     const struct species_mesh *const mesh = &slot->species->lod[lod];
-    struct told told = { .look = { 1.0f - specimen->fade, skin_scales(slot->worn) },
-                         .placing = placing };
+    struct told told = { .look = { 1.0f - specimen->fade, fish_texture_scales(slot->worn) },
+                         .transform = transform };
     morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
-    skin_show(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px, told.sheets);
-    skin_lines(slot->worn, pass->pose.weight[0], told.lines);
+    fish_texture_request(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px,
+                         told.sheets);
+    fish_texture_lines(slot->worn, pass->pose.weight[0], told.lines);
     send_pose(pass, mesh->anchor_count);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (specimen->shadow > 0.0f) {
-        draw_shadow(pass, specimen, placing);
+        draw_shadow(pass, specimen, transform);
     }
-    told.look[2] = skin_clearness(slot->worn, pass->pose.weight[0]);
+    told.look[2] = fish_texture_opacity(slot->worn, pass->pose.weight[0]);
     send(&pass->body, specimen, slot, &told);
     send(&pass->fin, specimen, slot, &told);
-    clear_depth(specimen, mesh->reach, placing);
+    clear_depth(specimen, mesh->reach, transform);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->worn->paints);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->worn->shines);
     gl_bind_texture(2, GL_TEXTURE_2D_ARRAY, pass->patterns);

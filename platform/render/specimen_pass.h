@@ -35,11 +35,11 @@ struct specimen_slot {
     uint32_t edition;
     uint32_t last_used;   /* Value of draw_count at the last use, to find the least recently used
                              slot. */
-    struct skin *worn;    /* The slot's own texture, or a built-in species' texture with the same
-                             paint. */
+    struct fish_texture *worn; /* The slot's own texture, or a built-in species' texture with the
+                                  same paint. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Rig with the species' own curves. */
-    struct skin skin;
+    struct fish_texture skin;
 };
 
 struct specimen_pass {
@@ -51,7 +51,7 @@ struct specimen_pass {
     struct morph_pose pose;
     float texels[POSE_TEXELS_MAX][4];
     struct fish_mesh_memory memory;
-    struct skin_brush brush;
+    struct fish_texture_brush brush;
 };
 
 /* Builds programs and buffers. `textures` must stay open as long as the pass; only their patterns
@@ -69,9 +69,9 @@ void specimen_pass_work(struct specimen_pass *pass, bool ahead);
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen);
 
 /* Draws one specimen into the bound framebuffer, which must have depth and be the screen of
- * `placing`, over the existing picture. Clears the depth around the specimen. Leaves blending on
+ * `transform`, over the existing picture. Clears the depth around the specimen. Leaves blending on
  * with (ONE, ONE_MINUS_SRC_ALPHA), depth test and culling off, vertex array 0, scissor off. */
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
-                        const struct placing *placing);
+                        const struct display_transform *transform);
 
 #endif

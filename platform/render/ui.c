@@ -112,9 +112,9 @@ int ui_init(struct ui *ui, char *why, size_t why_size)
     return 1;
 }
 
-static void set_state(const struct ui *ui, const struct placing *placing)
+static void set_state(const struct ui *ui, const struct display_transform *transform)
 {
-    glViewport(0, 0, (GLsizei)placing->screen_width, (GLsizei)placing->screen_height);
+    glViewport(0, 0, (GLsizei)transform->screen_width, (GLsizei)transform->screen_height);
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE);
@@ -130,7 +130,7 @@ static void set_state(const struct ui *ui, const struct placing *placing)
 /* Draws the quads from `first` up to `limit` that share a kind, in one call. Returns the index of
  * the next quad. */
 static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
-                         const struct placing *placing)
+                         const struct display_transform *transform)
 {
     const uint8_t kind = ui->batch.kinds[first];
     float turn[4], move[2];
@@ -139,8 +139,8 @@ static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
         end++;
     }
     glUseProgram(ui->programs[kind]);
-    placing_clip(placing, turn, move);
-    glUniform2f(ui->to_clip[kind], 2.0f / placing->width, -2.0f / placing->height);
+    display_clip_matrix(transform, turn, move);
+    glUniform2f(ui->to_clip[kind], 2.0f / transform->width, -2.0f / transform->height);
     glUniformMatrix2fv(ui->turn[kind], 1, GL_FALSE, turn);
     glUniform2fv(ui->move[kind], 1, move);
     glDrawElements(GL_TRIANGLES, (GLsizei)((end - first) * INDICES_PER_QUAD), GL_UNSIGNED_SHORT,
@@ -149,19 +149,20 @@ static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
 }
 
 static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
-                       const struct placing *placing)
+                       const struct display_transform *transform)
 {
     if (first < limit) {
-        set_state(ui, placing);
+        set_state(ui, transform);
     }
     while (first < limit) {
-        first = draw_run(ui, first, limit, placing);
+        first = draw_run(ui, first, limit, transform);
     }
 }
 
-void ui_show(struct ui *ui, struct specimen_pass *specimens, const struct placing *placing)
+void ui_show(struct ui *ui, struct specimen_pass *specimens,
+             const struct display_transform *transform)
 {
-    set_state(ui, placing);
+    set_state(ui, transform);
     /* New storage each frame, so that the driver need not wait for the previous frame's drawing. */
     glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0,
@@ -169,19 +170,19 @@ void ui_show(struct ui *ui, struct specimen_pass *specimens, const struct placin
                     ui->batch.vertices);
     uint32_t quad = 0;
     for (uint32_t i = 0; i < ui->batch.specimen_count && specimens != NULL; i++) {
-        draw_quads(ui, quad, ui->batch.specimen_quad[i], placing);
+        draw_quads(ui, quad, ui->batch.specimen_quad[i], transform);
         quad = ui->batch.specimen_quad[i];
-        specimen_pass_draw(specimens, &ui->batch.specimens[i], placing);
+        specimen_pass_draw(specimens, &ui->batch.specimens[i], transform);
     }
-    draw_quads(ui, quad, ui->batch.quad_count, placing);
+    draw_quads(ui, quad, ui->batch.quad_count, transform);
     glBindVertexArray(0);
 }
 
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
-             const struct placing *placing)
+             const struct display_transform *transform)
 {
-    ui_screens(&ui->batch, &ui->memory, scene, placing->width, placing->height);
-    ui_show(ui, specimens, placing);
+    ui_screens(&ui->batch, &ui->memory, scene, transform->width, transform->height);
+    ui_show(ui, specimens, transform);
 }
 
 void ui_close(struct ui *ui)

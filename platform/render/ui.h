@@ -33,7 +33,7 @@ struct ui {
  * `why`. */
 int ui_init(struct ui *ui, char *why, size_t why_size);
 
-/* Draws the user interface over the bound framebuffer, which is the screen of `placing`.
+/* Draws the user interface over the bound framebuffer, which is the screen of `transform`.
  * `specimens` draws the batch's specimens between its quads. If `specimens` is null, they are
  * omitted and the framebuffer needs no depth. Needs no other state than the bound framebuffer.
  *
@@ -42,10 +42,11 @@ int ui_init(struct ui *ui, char *why, size_t why_size);
  * state). One of the programs is current, the vertex array is 0, and units 0 and 1 have
  * textures. */
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
-             const struct placing *placing);
+             const struct display_transform *transform);
 
 /* Draws the current content of the batch, with the same conditions as ui_draw(). */
-void ui_show(struct ui *ui, struct specimen_pass *specimens, const struct placing *placing);
+void ui_show(struct ui *ui, struct specimen_pass *specimens,
+             const struct display_transform *transform);
 
 /* Frees the OpenGL objects. The same context must be current. */
 void ui_close(struct ui *ui);

@@ -12,17 +12,19 @@
 
 /* ---- Layout of the pictures ------------------------------------------------------------------ */
 
-struct grid {
+struct spatial_grid {
     uint32_t columns, rows;
     float left, top, width, height, gap;
 };
 
-static struct grid grid_of(const struct ui_frame *frame, uint32_t count)
+static struct spatial_grid grid_of(const struct ui_frame *frame, uint32_t count)
 {
     const float u = frame->unit;
     const int upright = frame->height > 1.2f * frame->width;
-    struct grid grid = { .columns = upright ? (count > 3u ? 2u : 1u) : count > 3u ? 3u : count,
-                         .gap = 18.0f * u };
+    struct spatial_grid grid = { .columns = upright      ? (count > 3u ? 2u : 1u)
+                                            : count > 3u ? 3u
+                                                         : count,
+                                 .gap = 18.0f * u };
     grid.rows = (count + grid.columns - 1u) / grid.columns;
     const float top = 118.0f * u, foot = 108.0f * u;
     const float wide = frame->width - 48.0f * u, high = frame->height - top - foot;
@@ -38,7 +40,8 @@ static struct grid grid_of(const struct ui_frame *frame, uint32_t count)
 }
 
 /* Returns the box of a picture. A last row that is not full is centred. */
-static struct ui_box place_of(const struct grid *grid, uint32_t index, uint32_t count)
+static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t index,
+                                       uint32_t count)
 {
     const uint32_t row = index / grid->columns, column = index % grid->columns;
     const uint32_t in_row =
@@ -182,7 +185,7 @@ static void head(const struct ui_frame *frame, const struct scene *scene)
 void ui_album(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct scene_album *album = &scene->album;
-    const struct grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
+    const struct spatial_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = 0x171d42ffu });
@@ -192,7 +195,7 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
     head(frame, scene);
     for (uint32_t i = 0; i < album->fish_count; i++) {
         const float in = ui_smooth(0.15f * (float)i, 0.15f * (float)i + 0.4f, scene->phase_s);
-        struct ui_box box = place_of(&grid, i, album->fish_count);
+        struct ui_box box = ui_album_place_of(&grid, i, album->fish_count);
         box.y += 30.0f * frame->unit * (1.0f - in);
         frame->batch->opacity = in;
         picture(frame, scene, i, box);

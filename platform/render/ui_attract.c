@@ -33,14 +33,14 @@ static void key_lines(const struct ui_frame *frame, const struct scene *scene)
 
 void ui_attract(const struct ui_frame *frame, const struct scene *scene)
 {
-    const float u = frame->unit, board = ui_board_in(&scene->board);
+    const float u = frame->unit, board = ui_leaderboard_in(&scene->leaderboard);
     const float risen = fmaxf(1.0f - ui_smooth(0.0f, 0.8f, scene->phase_s), board);
     if (risen < 1.0f) {
         ui_noren(frame, risen);
     }
     if (board > 0.0f) { /* The curtain leaves room for the leaderboard, and the credits move
                            aside. */
-        ui_board(frame, &scene->board, 16.0f * u, frame->height - 160.0f * u);
+        ui_leaderboard(frame, &scene->leaderboard, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     } else {
         best_tag(frame, scene, frame->height - 174.0f * u);

@@ -9,21 +9,21 @@
 #include "core/scene.h"
 #include "platform/render/specimen.h"
 
-#define BENCH_STEPS 64u /* Steps of a trajectory from hatching on. */
+#define LAB_PREVIEW_STEPS 64u /* Steps of a trajectory from hatching on. */
 
-enum bench_point { BENCH_DORSAL = 0, BENCH_EYE, BENCH_POINT_COUNT };
+enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_POINT_COUNT };
 
-struct bench_way {
+struct lab_preview_path {
     bool is_there; /* False if the species lacks the point. A ray has no dorsal root. */
-    vec3 at[BENCH_STEPS + 1u];       /* Positions in lengths, in the body's frame, from hatching
+    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions in lengths, in the body's frame, from hatching
                                         on. */
-    vec3 ordinary[BENCH_STEPS + 1u]; /* Positions of the same point in the ordinary morph. */
+    vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the same point in the ordinary morph. */
     float bow; /* Largest distance of the trajectory from the straight line, in lengths. */
 };
 
 /* State of the growth lab's picture, about 180 KB, mostly the tables of the ordinary morph.
  * Zero-initialized: no species yet. */
-struct ui_bench {
+struct ui_lab_preview {
     const struct species *species; /* Selected species; null: none. */
     uint32_t edition;              /* Counts the selected species. */
     struct species_card card;      /* Copy of the card from which the other fields were computed. */
@@ -31,14 +31,14 @@ struct ui_bench {
     struct morph_rig ordinary_rig;
     struct species ordinary;
     struct straight_memory memory;
-    struct bench_way ways[BENCH_POINT_COUNT];
+    struct lab_preview_path ways[LAB_PREVIEW_POINT_COUNT];
     struct specimen_bounds bounds; /* Extent of the fish over all ages, in its usual view. */
     struct morph_pose pose;        /* Scratch. */
 };
 
 /* Selects a species with that card and recomputes only what changed. `card` has as many keys as the
  * species. */
-void ui_bench_set(struct ui_bench *bench, const struct species *species,
-                  const struct species_card *card);
+void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *species,
+                        const struct species_card *card);
 
 #endif

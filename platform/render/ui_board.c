@@ -18,23 +18,23 @@ enum text_key ui_place_key(uint8_t period)
     return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
 }
 
-enum text_key ui_board_key(uint8_t period)
+enum text_key ui_leaderboard_key(uint8_t period)
 {
     static const enum text_key keys[RANK_PERIOD_COUNT] = { TEXT_BOARD_DAY, TEXT_BOARD_WEEK,
                                                            TEXT_BOARD_EVER };
     return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
 }
 
-static uint32_t row_count(const struct scene_board *board)
+static uint32_t row_count(const struct scene_leaderboard *board)
 {
     uint32_t count = 0;
-    while (count < SCENE_BOARD_ROWS && board->row[count].caught > 0) {
+    while (count < SCENE_LEADERBOARD_ROWS && board->row[count].caught > 0) {
         count++;
     }
     return count;
 }
 
-float ui_board_in(const struct scene_board *board)
+float ui_leaderboard_in(const struct scene_leaderboard *board)
 {
     return board->shown ? ui_smooth(0.0f, COME_S, board->shown_s) *
                               ui_smooth(0.0f, GO_S, board->left_s)
@@ -42,8 +42,8 @@ float ui_board_in(const struct scene_board *board)
 }
 
 /* Draws a heading such as "Festival: today's best", white on a band of dyed cloth. */
-static void heading(const struct ui_frame *frame, const struct scene_board *board,
-                    struct ui_box box)
+static void ui_leaderboard_heading(const struct ui_frame *frame,
+                                   const struct scene_leaderboard *board, struct ui_box box)
 {
     const float u = frame->unit, inset = 12.0f * u;
     const struct ui_box band = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
@@ -59,7 +59,7 @@ static void heading(const struct ui_frame *frame, const struct scene_board *boar
     ui_text(frame->batch, &mode, band.x + 20.0f * u, ui_text_middle(&mode, y),
             ui_mode_name(frame->language, board->mode));
     ui_text(frame->batch, &title, band.x + band.width - 20.0f * u, ui_text_middle(&title, y),
-            text_words(frame->language, ui_board_key(board->period)));
+            text_words(frame->language, ui_leaderboard_key(board->period)));
 }
 
 /* Draws the place number in gold, silver or bronze, otherwise without a medal. */
@@ -139,10 +139,10 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
     }
 }
 
-void ui_board(const struct ui_frame *frame, const struct scene_board *board, float top,
-              float bottom)
+void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard *board, float top,
+                    float bottom)
 {
-    const float u = frame->unit, in = ui_board_in(board);
+    const float u = frame->unit, in = ui_leaderboard_in(board);
     if (in <= 0.0f) {
         return;
     }
@@ -156,7 +156,7 @@ void ui_board(const struct ui_frame *frame, const struct scene_board *board, flo
                                 height };
     frame->batch->opacity = in;
     ui_card(frame, box);
-    heading(frame, board, box);
+    ui_leaderboard_heading(frame, board, box);
     for (uint32_t i = 0; i < rows; i++) {
         const float since_s = board->shown_s - ROW_COMES_S * (float)(rows - i);
         frame->batch->opacity = in * ui_smooth(0.1f, 0.35f, since_s);
@@ -170,6 +170,6 @@ void ui_board(const struct ui_frame *frame, const struct scene_board *board, flo
 void ui_ranking(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
-    ui_board(frame, &scene->board, 24.0f * u, frame->height - 110.0f * u);
+    ui_leaderboard(frame, &scene->leaderboard, 24.0f * u, frame->height - 110.0f * u);
     ui_start_ribbon(frame, scene, frame->height - 58.0f * u, TEXT_AGAIN);
 }

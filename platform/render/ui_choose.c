@@ -96,7 +96,7 @@ static void seconds_ring(const struct ui_frame *frame, const struct scene *scene
     text_number(number, sizeof number, "{}", (uint32_t)ceilf(left));
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = UI_NIGHT,
                                                .shape = { 0, 0, radius } });
-    const float part = ui_clamp01(left / ((float)GAME_CHOOSE_TICKS * CORE_TICK_S));
+    const float part = ui_clamp01(left / ((float)GAME_MODE_SELECT_TICKS * CORE_TICK_S));
     ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_RING, .fill = UI_GOLD,
                                                .line = 0xffffff28u,
                                                .shape = { radius, 6.0f * u, part } });

@@ -101,7 +101,7 @@ int ui_refuses_coins(const struct scene *scene)
     return scene->credit.unpaid && scene->credit.warnings != 0 && !ui_lacks_poi(scene);
 }
 
-float ui_asking(const struct scene *scene)
+float ui_credit_prompt(const struct scene *scene)
 {
     return scene->credit.unpaid ? 1.0f - ui_smooth(0.0f, ASK_S, scene->credit.asked_s) : 0.0f;
 }

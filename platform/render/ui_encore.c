@@ -7,7 +7,7 @@
 #define BAR_WIDTH 360.0f
 #define BAR_HEIGHT 8.0f
 
-void ui_chapter_veil(const struct ui_frame *frame, const struct scene *scene)
+void ui_score_playback_fade(const struct ui_frame *frame, const struct scene *scene)
 {
     if (scene->veil > 0.0f) {
         const struct ui_box all = { 0.0f, 0.0f, frame->width, frame->height };
@@ -21,9 +21,9 @@ struct verdict_paint {
     uint32_t fill;
 };
 
-static struct verdict_paint paint_of(uint8_t encore)
+static struct verdict_paint ui_score_playback_paint_of(uint8_t playback)
 {
-    switch (encore) {
+    switch (playback) {
     case ENCORE_SEEKS:
         return (struct verdict_paint){ TEXT_ENCORE_SEEKS, UI_NIGHT };
     case ENCORE_PLAYS:
@@ -37,7 +37,7 @@ static struct verdict_paint paint_of(uint8_t encore)
     }
 }
 
-static void bar(const struct ui_frame *frame, float y, float share)
+static void ui_score_playback_bar(const struct ui_frame *frame, float y, float share)
 {
     const float u = frame->unit, width = BAR_WIDTH * u, height = BAR_HEIGHT * u;
     const struct ui_box whole = { 0.5f * (frame->width - width), y, width, height };
@@ -47,17 +47,17 @@ static void bar(const struct ui_frame *frame, float y, float share)
     ui_shape(frame->batch, &(struct ui_shape){ .box = done, .kind = UI_PANEL, .fill = UI_GOLD });
 }
 
-void ui_encore(const struct ui_frame *frame, const struct scene *scene)
+void ui_score_playback(const struct ui_frame *frame, const struct scene *scene)
 {
-    if (scene->encore == ENCORE_OFF || scene->encore >= ENCORE_COUNT) {
+    if (scene->playback == ENCORE_OFF || scene->playback >= ENCORE_COUNT) {
         return;
     }
     const float u = frame->unit;
-    const struct verdict_paint paint = paint_of(scene->encore);
-    const int is_end = scene->encore != ENCORE_SEEKS && scene->encore != ENCORE_PLAYS;
+    const struct verdict_paint paint = ui_score_playback_paint_of(scene->playback);
+    const int is_end = scene->playback != ENCORE_SEEKS && scene->playback != ENCORE_PLAYS;
     const struct ui_ribbon ribbon = {
         .x = 0.5f * frame->width,
-        .y = scene->encore == ENCORE_SEEKS ? 0.5f * frame->height : frame->height - 120.0f * u,
+        .y = scene->playback == ENCORE_SEEKS ? 0.5f * frame->height : frame->height - 120.0f * u,
         .size_px = (is_end ? 40.0f : 30.0f) * u,
         .font = FONT_BODY,
         .fill = paint.fill,
@@ -67,7 +67,7 @@ void ui_encore(const struct ui_frame *frame, const struct scene *scene)
     };
     frame->batch->opacity = 1.0f;
     ui_ribbon(frame, &ribbon, text_words(frame->language, (enum text_key)paint.words));
-    if (scene->encore == ENCORE_SEEKS) {
-        bar(frame, ribbon.y + 44.0f * u, scene->encore_progress);
+    if (scene->playback == ENCORE_SEEKS) {
+        ui_score_playback_bar(frame, ribbon.y + 44.0f * u, scene->encore_progress);
     }
 }

@@ -6,9 +6,9 @@
 #include "platform/render/ui_parts.h"
 
 /* Darkens the tank below all text. Draws nothing while the tank is at full brightness. */
-void ui_chapter_veil(const struct ui_frame *frame, const struct scene *scene);
+void ui_score_playback_fade(const struct ui_frame *frame, const struct scene *scene);
 
 /* Draws the playback's ribbon over everything. Draws nothing without a playback. */
-void ui_encore(const struct ui_frame *frame, const struct scene *scene);
+void ui_score_playback(const struct ui_frame *frame, const struct scene *scene);
 
 #endif

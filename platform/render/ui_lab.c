@@ -32,7 +32,7 @@ float lab_px_y(const struct lab_page *page, float y)
 
 struct ui_box lab_place(const struct lab_page *page, enum lab_part part)
 {
-    const struct overlay_box box = lab_box(page->lab->upright, page->lab->card.key_count, part);
+    const struct layout_box box = lab_box(page->lab->upright, page->lab->card.key_count, part);
     const float u = page->frame.unit;
     return (struct ui_box){ lab_px_x(page, box.x), lab_px_y(page, box.y), box.width * u,
                             box.height * u };
@@ -171,7 +171,7 @@ static void buttons(const struct lab_page *page)
     for (uint32_t i = 0; i < TEMPLATE_COUNT; i++) {
         word_button(page, &(struct button){ .part = (enum lab_part)(LAB_OWN + i),
                                             .words = text_words(language, templates[i]),
-                                            .is_on = lab->template == i });
+                                            .is_on = lab->template_id == i });
     }
     play_button(page);
     save_button(page);
@@ -223,7 +223,7 @@ static void refused_words(const struct lab_page *page, struct ui_box room)
 
 /* Draws a rejected file's name above the reason. */
 static void fault_words(const struct lab_page *page, struct ui_box room,
-                        const struct shelf_line *fault)
+                        const struct library_line *fault)
 {
     const float half = 0.5f * room.height;
     const struct ui_box upper = { room.x, room.y, room.width, half };
@@ -240,7 +240,7 @@ static void help_line(const struct lab_page *page)
 {
     const struct ui_box room = line_room(page);
     const uint32_t counted = page->lab->refused > 0;
-    const uint32_t faults = page->shelf != NULL ? shelf_fault_count(page->shelf) : 0u;
+    const uint32_t faults = page->library != NULL ? library_fault_count(page->library) : 0u;
     const uint32_t turn = (uint32_t)(page->frame.time_s / TURN_S) % (1u + counted + faults);
     if (room.height <= 0.0f) {
         return;
@@ -251,7 +251,7 @@ static void help_line(const struct lab_page *page)
     } else if (turn <= counted) {
         refused_words(page, room);
     } else {
-        const struct shelf_line fault = shelf_fault(page->shelf, turn - 1u - counted);
+        const struct library_line fault = library_fault(page->library, turn - 1u - counted);
         fault_words(page, room, &fault);
     }
 }
@@ -279,9 +279,9 @@ static void hand(const struct lab_page *page)
 /* ---- The page ------------------------------------------------------------------------------- */
 
 static struct lab_page open_page(const struct ui_frame *frame, const struct scene *scene,
-                                 struct ui_bench *bench)
+                                 struct ui_lab_preview *bench)
 {
-    const struct overlay_point canvas = overlay_size(scene->lab.upright);
+    const struct layout_point canvas = pointer_layout_size(scene->lab.upright);
     struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
     page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
     if (scene->lab.upright) {
@@ -301,8 +301,8 @@ static const struct species *species_of(const struct ui_memory *memory,
     const struct species *species = NULL;
     if (index < species_table_count) {
         species = species_table[index];
-    } else if (memory->shelf != NULL && index < shelf_count(memory->shelf)) {
-        species = shelf_species(memory->shelf, index);
+    } else if (memory->library != NULL && index < library_count(memory->library)) {
+        species = library_species(memory->library, index);
     }
     const int fits = species != NULL && species->card.key_count == lab->card.key_count &&
                      strcmp(species->card.id, lab->card.id) == 0;
@@ -313,10 +313,10 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
 {
     const struct species *species = species_of(memory, &scene->lab);
     if (species != NULL) {
-        ui_bench_set(&memory->bench, species, &scene->lab.card);
+        ui_lab_preview_set(&memory->bench, species, &scene->lab.card);
     }
     struct lab_page page = open_page(frame, scene, species != NULL ? &memory->bench : NULL);
-    page.shelf = memory->shelf;
+    page.library = memory->library;
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = CLOTH_EDGE });

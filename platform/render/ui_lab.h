@@ -20,8 +20,9 @@
 struct lab_page {
     struct ui_frame frame;       /* Frame whose `unit` is one canvas unit. */
     const struct scene_lab *lab;
-    struct ui_bench *bench;      /* Null: this kiosk lacks the species. */
-    const struct shelf *shelf;   /* Species library with the rejected makers' files; null: none. */
+    struct ui_lab_preview *bench; /* Null: this kiosk lacks the species. */
+    const struct library
+        *library;                /* Species library with the rejected makers' files; null: none. */
     float x, y;                  /* Position of the canvas' corner on the screen. */
 };
 

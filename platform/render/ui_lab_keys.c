@@ -14,7 +14,7 @@ static enum lab_part part_of_key(uint32_t key)
 
 static void portrait(const struct lab_page *page, struct ui_box box, uint32_t key)
 {
-    const struct ui_bench *bench = page->bench;
+    const struct ui_lab_preview *bench = page->bench;
     const struct specimen_bounds *reach = &bench->bounds;
     const uint32_t last = page->lab->card.key_count - 1u;
     struct specimen fish = { .species = bench->species, .edition = bench->edition,

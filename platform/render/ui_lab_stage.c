@@ -56,7 +56,7 @@ static struct span_px free_span(const struct lab_page *page, const struct tank_r
 /* Returns the largest length that fits at every age, reduced while the fish is young. */
 static float length_px(const struct lab_page *page, const struct tank_room *room)
 {
-    const struct ui_bench *bench = page->bench;
+    const struct ui_lab_preview *bench = page->bench;
     const struct specimen_bounds *reach = &bench->bounds;
     const float u = page->frame.unit;
     const float wide = (room->box.width - 64.0f * u) / fmaxf(reach->left + reach->right, 0.1f);
@@ -68,7 +68,7 @@ static float length_px(const struct lab_page *page, const struct tank_room *room
 
 static struct specimen fish_in(const struct lab_page *page, const struct tank_room *room)
 {
-    const struct ui_bench *bench = page->bench;
+    const struct ui_lab_preview *bench = page->bench;
     const struct specimen_bounds *reach = &bench->bounds;
     const struct span_px span = free_span(page, room);
     const float time_s = page->frame.time_s;
@@ -123,7 +123,7 @@ static void bracket(const struct lab_page *page, float x, float length_px, float
     }
 }
 
-static void mark(const struct lab_page *page, float x, float y, int is_coarse)
+static void ui_lab_stage_draw_mark(const struct lab_page *page, float x, float y, int is_coarse)
 {
     const float u = page->frame.unit;
     const float from[2] = { x, y + 2.5f * u };
@@ -169,7 +169,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
             break;
         }
         if (x >= rule.x + 6.0f * u) {
-            mark(page, x, rule.y, is_coarse);
+            ui_lab_stage_draw_mark(page, x, rule.y, is_coarse);
         }
         if (x >= rule.x + 6.0f * u && is_coarse && x < right - 34.0f * u) {
             figure(page, x, rule.y, (float)i * fine, in_cm);
@@ -180,7 +180,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
 
 /* ---- Words ---------------------------------------------------------------------------------- */
 
-static void tell(const struct lab_page *page, const struct tank_room *room)
+static void ui_lab_stage_draw_words(const struct lab_page *page, const struct tank_room *room)
 {
     const float u = page->frame.unit;
     const struct scene_lab *lab = page->lab;
@@ -224,18 +224,18 @@ static void caption(const struct lab_page *page, const struct tank_room *room, e
 
 /* ---- Trajectories ---------------------------------------------------------------------------- */
 
-static void put(const struct specimen *fish, vec3 point, float out[2])
+static void ui_lab_stage_put(const struct specimen *fish, vec3 point, float out[2])
 {
     specimen_project(fish, point, &out[0], &out[1]);
 }
 
 static void way_line(const struct lab_page *page, const struct specimen *fish,
-                     const vec3 at[BENCH_STEPS + 1u], float width, uint32_t colour)
+                     const vec3 at[LAB_PREVIEW_STEPS + 1u], float width, uint32_t colour)
 {
-    for (uint32_t i = 0; i < BENCH_STEPS; i++) {
+    for (uint32_t i = 0; i < LAB_PREVIEW_STEPS; i++) {
         float from[2], to[2];
-        put(fish, at[i], from);
-        put(fish, at[i + 1u], to);
+        ui_lab_stage_put(fish, at[i], from);
+        ui_lab_stage_put(fish, at[i + 1u], to);
         ui_segment(page->frame.batch, from, to, width * page->frame.unit, colour);
     }
 }
@@ -245,7 +245,7 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
 {
     float middle[2];
     const float r = radius * page->frame.unit;
-    put(fish, at, middle);
+    ui_lab_stage_put(fish, at, middle);
     ui_shape(page->frame.batch,
              &(struct ui_shape){ .box = { middle[0] - r, middle[1] - r, 2.0f * r, 2.0f * r },
                                  .kind = UI_PANEL, .fill = fill, .line = line,
@@ -254,13 +254,13 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
 
 /* Returns the dot size, smaller for a short trajectory. An eye's trajectory is about 20 px long. */
 static float dot_size(const struct lab_page *page, const struct specimen *fish,
-                      const struct bench_way *way)
+                      const struct lab_preview_path *way)
 {
     float length_px = 0.0f;
-    for (uint32_t i = 0; i < BENCH_STEPS; i++) {
+    for (uint32_t i = 0; i < LAB_PREVIEW_STEPS; i++) {
         float from[2], to[2];
-        put(fish, way->at[i], from);
-        put(fish, way->at[i + 1u], to);
+        ui_lab_stage_put(fish, way->at[i], from);
+        ui_lab_stage_put(fish, way->at[i + 1u], to);
         length_px += hypotf(to[0] - from[0], to[1] - from[1]);
     }
     const float share = length_px / (page->frame.unit * DOT_WAY);
@@ -270,10 +270,10 @@ static float dot_size(const struct lab_page *page, const struct specimen *fish,
 /* Draws the trajectory of a point (figures 3.4 and 3.5) and the line of the ordinary morph
  * (figure 3.2). A dot marks each key, and a ring the current position. */
 static void one_way(const struct lab_page *page, const struct specimen *fish,
-                    const struct bench_way *way, uint32_t colour)
+                    const struct lab_preview_path *way, uint32_t colour)
 {
     const uint32_t keys = page->lab->card.key_count;
-    const uint32_t now = (uint32_t)(page->lab->progress * (float)BENCH_STEPS + 0.5f);
+    const uint32_t now = (uint32_t)(page->lab->progress * (float)LAB_PREVIEW_STEPS + 0.5f);
     if (!way->is_there) {
         return;
     }
@@ -282,7 +282,7 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     way_line(page, fish, way->at, 1.5f + 2.5f * size, colour);
     for (uint32_t key = 0; key < keys; key++) {
         const uint32_t step =
-            (uint32_t)((float)key / (float)(keys - 1u) * (float)BENCH_STEPS + 0.5f);
+            (uint32_t)((float)key / (float)(keys - 1u) * (float)LAB_PREVIEW_STEPS + 0.5f);
         way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key),
                 0xffffffffu);
     }
@@ -294,18 +294,18 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
 static enum text_key way_name(const struct lab_page *page, uint32_t point)
 {
     const int stings = page->lab->card.motion == MOTION_WING;
-    return point == BENCH_EYE ? TEXT_LAB_EYE : stings ? TEXT_LAB_STING : TEXT_LAB_DORSAL;
+    return point == LAB_PREVIEW_EYE ? TEXT_LAB_EYE : stings ? TEXT_LAB_STING : TEXT_LAB_DORSAL;
 }
 
 /* Draws the legend above the snout, where the stage has room: each trajectory's distance from the
  * straight line, in lengths. */
 static void way_legend(const struct lab_page *page, const struct tank_room *room)
 {
-    static const uint32_t colours[BENCH_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
+    static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
     const float u = page->frame.unit;
     float y = room->box.y + (page->lab->compare ? 74.0f : 88.0f) * u;
-    for (uint32_t i = 0; i < BENCH_POINT_COUNT; i++) {
-        const struct bench_way *way = &page->bench->ways[i];
+    for (uint32_t i = 0; i < LAB_PREVIEW_POINT_COUNT; i++) {
+        const struct lab_preview_path *way = &page->bench->ways[i];
         char words[TEXT_LINE_MAX];
         if (!way->is_there) {
             continue;
@@ -327,8 +327,8 @@ static void way_legend(const struct lab_page *page, const struct tank_room *room
 
 static void ways(const struct lab_page *page, const struct specimen *fish)
 {
-    one_way(page, fish, &page->bench->ways[BENCH_DORSAL], WAY_GOLD);
-    one_way(page, fish, &page->bench->ways[BENCH_EYE], WAY_PINK);
+    one_way(page, fish, &page->bench->ways[LAB_PREVIEW_DORSAL], WAY_GOLD);
+    one_way(page, fish, &page->bench->ways[LAB_PREVIEW_EYE], WAY_PINK);
 }
 
 /* ---- The stage ------------------------------------------------------------------------------ */
@@ -380,7 +380,7 @@ static void fish_and_figures(const struct lab_page *page)
         rival(page);
         caption(page, &room, TEXT_LAB_OURS);
     } else {
-        tell(page, &room);
+        ui_lab_stage_draw_words(page, &room);
     }
     if (page->lab->path) {
         ways(page, &fish);

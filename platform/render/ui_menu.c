@@ -5,7 +5,7 @@
 
 /* ---- Shared --------------------------------------------------------------------------------- */
 
-struct ui_box menu_place(const struct menu_view *view, struct overlay_box box)
+struct ui_box menu_place(const struct menu_view *view, struct layout_box box)
 {
     const float u = view->frame.unit;
     return (struct ui_box){ view->x + box.x * u, view->y + box.y * u, box.width * u,
@@ -155,8 +155,8 @@ static void poles(const struct menu_view *view, uint32_t body_count)
 
 static void tags(const struct menu_view *view)
 {
-    const uint8_t page = view->menu->page, body = menu_sheet_of(page)->body;
-    const int is_hung = body == BODY_HUNG || body == BODY_PAGES;
+    const uint8_t page = view->menu->page, body = menu_page_desc_of(page)->body;
+    const int is_hung = body == MENU_BODY_TILES || body == MENU_BODY_PAGES;
     const uint32_t body_count = menu_body_count(page);
     if (is_hung) {
         poles(view, body_count);
@@ -187,8 +187,8 @@ static void title(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct ui_box box =
-        menu_place(view, upright ? (struct overlay_box){ 40.0f, 40.0f, 774.0f, 110.0f }
-                                 : (struct overlay_box){ 320.0f, 18.0f, 640.0f, 96.0f });
+        menu_place(view, upright ? (struct layout_box){ 40.0f, 40.0f, 774.0f, 110.0f }
+                                 : (struct layout_box){ 320.0f, 18.0f, 640.0f, 96.0f });
     struct ui_text style = menu_brush(view, 92.0f, MENU_CREAM);
     style.outline_em = 0.03f;
     style.soft_em = 0.1f;
@@ -199,15 +199,15 @@ static void title(const struct menu_view *view)
 static void keys(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
-    const struct menu_sheet *sheet = menu_sheet_of(view->menu->page);
-    const enum text_key key = view->menu->page == MENU_SELF_TEST ? TEXT_CHECK_KEYS
-                              : sheet->watches               ? TEXT_MENU_WATCH_KEYS
-                              : sheet->body == BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
-                                                             : TEXT_MENU_KEYS;
+    const struct menu_page_desc *sheet = menu_page_desc_of(view->menu->page);
+    const enum text_key key = view->menu->page == MENU_SELF_TEST  ? TEXT_CHECK_KEYS
+                              : sheet->watches                    ? TEXT_MENU_WATCH_KEYS
+                              : sheet->body == MENU_BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
+                                                                  : TEXT_MENU_KEYS;
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     ui_words_in(&view->frame,
-                menu_place(view, upright ? (struct overlay_box){ 27.0f, 1366.0f, 800.0f, 34.0f }
-                                         : (struct overlay_box){ 60.0f, 684.0f, 1160.0f, 32.0f }),
+                menu_place(view, upright ? (struct layout_box){ 27.0f, 1366.0f, 800.0f, 34.0f }
+                                         : (struct layout_box){ 60.0f, 684.0f, 1160.0f, 32.0f }),
                 &style, menu_text(view, key));
 }
 
@@ -225,7 +225,7 @@ static void hand(const struct menu_view *view)
  * camera's, which the pointer uses. */
 static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
 {
-    const struct overlay_point canvas = overlay_size(scene->menu.upright);
+    const struct layout_point canvas = pointer_layout_size(scene->menu.upright);
     struct menu_view view = { .frame = *frame, .scene = scene, .menu = &scene->menu,
                               .devices = &scene->devices };
     view.frame.unit = scene->menu.upright
@@ -238,10 +238,10 @@ static struct menu_view open_view(const struct ui_frame *frame, const struct sce
 
 static void body(const struct menu_view *view)
 {
-    const uint8_t kind = menu_sheet_of(view->menu->page)->body;
-    if (kind == BODY_SETTINGS) {
+    const uint8_t kind = menu_page_desc_of(view->menu->page)->body;
+    if (kind == MENU_BODY_SETTINGS) {
         menu_settings(view);
-    } else if (kind == BODY_BITS) {
+    } else if (kind == MENU_BODY_BITS) {
         menu_bits(view);
     }
     if (menu_words_of(view->menu->page)->draw) {

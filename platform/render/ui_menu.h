@@ -52,7 +52,7 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
 void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size);
 
 /* Returns the screen position of a canvas box. */
-struct ui_box menu_place(const struct menu_view *view, struct overlay_box box);
+struct ui_box menu_place(const struct menu_view *view, struct layout_box box);
 
 /* Returns a tag's own box; empty when the tag is not available. */
 struct ui_box menu_tag_place(const struct menu_view *view, uint32_t tag);
@@ -97,7 +97,7 @@ void menu_earnings(const struct menu_view *view);
 void menu_plays(const struct menu_view *view);
 void menu_hours(const struct menu_view *view);
 void menu_machine(const struct menu_view *view);
-void menu_sure(const struct menu_view *view);
+void menu_confirm(const struct menu_view *view);
 void menu_about(const struct menu_view *view);
 void menu_card(const struct menu_view *view);
 void menu_pin(const struct menu_view *view);

@@ -8,7 +8,7 @@
 #include "platform/render/ui_menu.h"
 
 struct places {
-    struct overlay_box page;
+    struct layout_box page;
     float name_width; /* 0: the name is above its status line. */
     float head, pitch, line;
     uint32_t line_count;
@@ -25,7 +25,8 @@ static const struct places upright_places = {
 
 /* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and how much of the books
  * is on disk. */
-static void heading(const struct menu_view *view, const struct places *places, struct ui_box box)
+static void ui_menu_about_heading(const struct menu_view *view, const struct places *places,
+                                  struct ui_box box)
 {
     const struct scene_menu *menu = view->menu;
     const float u = view->frame.unit;
@@ -60,8 +61,8 @@ static void device(const struct menu_view *view, const struct places *places, st
     const float top = box.y + (places->head + (float)index * places->pitch) * u;
     const float left = box.x + (22.0f + places->name_width) * u;
     const float room = box.x + box.width - 22.0f * u - left;
-    char row[SAYS_SIZE], said[SAYS_SIZE];
-    says(said, sizeof said, view->frame.language, view->devices->about[index]);
+    char row[MESSAGE_TRANSLATE_SIZE], said[MESSAGE_TRANSLATE_SIZE];
+    message_translate(said, sizeof said, view->frame.language, view->devices->about[index]);
     const char *words = *said ? said : menu_text(view, TEXT_DEVICE_NONE);
     menu_words_at(view, box.x + 22.0f * u, top + 0.5f * places->line * u,
                   is_beside ? (places->name_width - 12.0f) * u : room, 0.0f, &name,
@@ -85,7 +86,7 @@ void menu_about(const struct menu_view *view)
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
                                  .line = 0xb5762fffu, .shape = { 0, 0, 10.0f * u, 2.0f * u } });
-    heading(view, places, box);
+    ui_menu_about_heading(view, places, box);
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         device(view, places, box, i);
     }

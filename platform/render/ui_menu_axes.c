@@ -34,17 +34,17 @@ static float value_of(const struct scene_axes *seat, uint32_t axis)
 static struct ui_box cell(const struct menu_view *view, uint32_t seat)
 {
     const int upright = view->menu->upright;
-    return menu_place(view, upright ? (struct overlay_box){ 27.0f, 200.0f + 258.0f * (float)seat,
-                                                            800.0f, 240.0f }
-                                    : (struct overlay_box){ 40.0f + 610.0f * (float)(seat % 2u),
-                                                            120.0f + 240.0f * (float)(seat / 2u),
-                                                            590.0f, 228.0f });
+    return menu_place(
+        view, upright
+                  ? (struct layout_box){ 27.0f, 200.0f + 258.0f * (float)seat, 800.0f, 240.0f }
+                  : (struct layout_box){ 40.0f + 610.0f * (float)(seat % 2u),
+                                         120.0f + 240.0f * (float)(seat / 2u), 590.0f, 228.0f });
 }
 
 /* Draws a bar from the middle to the right or to the left, and the value beside it in mm or
  * degrees. */
-static void bar(const struct menu_view *view, const struct scene_axes *seat, struct ui_box box,
-                uint32_t axis)
+static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_axes *seat,
+                             struct ui_box box, uint32_t axis)
 {
     const float u = view->frame.unit, value = value_of(seat, axis);
     const struct ui_text name = menu_style(view, 22.0f, UI_INK_SOFT);
@@ -73,15 +73,15 @@ static void bar(const struct menu_view *view, const struct scene_axes *seat, str
 
 static enum text_key link_name(uint8_t link)
 {
-    return link == POI_LINK_LIVE   ? TEXT_AXIS_LIVE
-           : link == POI_LINK_BOT  ? TEXT_AXIS_BOT
-           : link == POI_LINK_LOST ? TEXT_AXIS_LOST
-                                   : TEXT_AXIS_ABSENT;
+    return link == POI_SOURCE_LIVE   ? TEXT_AXIS_LIVE
+           : link == POI_SOURCE_BOT  ? TEXT_AXIS_BOT
+           : link == POI_SOURCE_LOST ? TEXT_AXIS_LOST
+                                     : TEXT_AXIS_ABSENT;
 }
 
 /* Draws slot, state, rate and gap above the bars. */
-static void heading(const struct menu_view *view, const struct scene_axes *seat, uint32_t index,
-                    struct ui_box box)
+static void ui_menu_axes_heading(const struct menu_view *view, const struct scene_axes *seat,
+                                 uint32_t index, struct ui_box box)
 {
     const float u = view->frame.unit, y = box.y + 30.0f * u;
     const int is_late = seat->gap_ms >= GAP_BAD_MS;
@@ -92,7 +92,7 @@ static void heading(const struct menu_view *view, const struct scene_axes *seat,
     ui_player_mark(&view->frame, box.x + 34.0f * u, y, 18.0f * u, index);
     menu_words_at(view, box.x + 64.0f * u, y, 0.24f * box.width, 0.0f, &state,
                   menu_text(view, link_name(seat->link)));
-    if (seat->link != POI_LINK_LIVE) {
+    if (seat->link != POI_SOURCE_LIVE) {
         return;
     }
     text_number(words, sizeof words, menu_text(view, TEXT_AXIS_RATE), seat->report_count);
@@ -110,15 +110,16 @@ static void seat_sheet(const struct menu_view *view, uint32_t index)
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
                                  .line = 0xb5762fffu, .shape = { 0, 0, 10.0f * u, 2.0f * u } });
-    heading(view, seat, index, box);
-    if (seat->link != POI_LINK_LIVE) {
+    ui_menu_axes_heading(view, seat, index, box);
+    if (seat->link != POI_SOURCE_LIVE) {
         return;
     }
     const float pitch = (box.height - 68.0f * u) / 3.0f, width = 0.5f * box.width - 34.0f * u;
     for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Positions to the left, rotations to the
                                                             right. */
         const float x = box.x + 22.0f * u + (axis >= 3u ? width + 24.0f * u : 0.0f);
-        bar(view, seat,
+        ui_menu_axes_bar(
+            view, seat,
             (struct ui_box){ x, box.y + 58.0f * u + (float)(axis % 3u) * pitch, width, pitch },
             axis);
     }

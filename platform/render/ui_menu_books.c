@@ -18,7 +18,7 @@ struct book_line {
 
 /* ---- Paper and numbers ---------------------------------------------------------------------- */
 
-static struct ui_box sheet(const struct menu_view *view, struct overlay_box place)
+static struct ui_box sheet(const struct menu_view *view, struct layout_box place)
 {
     const float u = view->frame.unit;
     const struct ui_box box = menu_place(view, place);
@@ -93,10 +93,10 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
 
 /* ---- Money and the machine ------------------------------------------------------------------ */
 
-static struct overlay_box whole(const struct menu_view *view)
+static struct layout_box whole(const struct menu_view *view)
 {
-    return view->menu->upright ? (struct overlay_box){ 27.0f, 200.0f, 800.0f, 1010.0f }
-                               : (struct overlay_box){ 100.0f, 124.0f, 1080.0f, 464.0f };
+    return view->menu->upright ? (struct layout_box){ 27.0f, 200.0f, 800.0f, 1010.0f }
+                               : (struct layout_box){ 100.0f, 124.0f, 1080.0f, 464.0f };
 }
 
 void menu_earnings(const struct menu_view *view)
@@ -190,13 +190,13 @@ void menu_plays(const struct menu_view *view)
     };
     const uint32_t count = sizeof book / sizeof book[0];
     if (view->menu->upright) {
-        lines(view, sheet(view, (struct overlay_box){ 27.0f, 200.0f, 800.0f, 640.0f }), 1u, book,
+        lines(view, sheet(view, (struct layout_box){ 27.0f, 200.0f, 800.0f, 640.0f }), 1u, book,
               count);
-        by_mode(view, sheet(view, (struct overlay_box){ 27.0f, 860.0f, 800.0f, 350.0f }));
+        by_mode(view, sheet(view, (struct layout_box){ 27.0f, 860.0f, 800.0f, 350.0f }));
     } else {
-        lines(view, sheet(view, (struct overlay_box){ 40.0f, 124.0f, 560.0f, 464.0f }), 1u, book,
+        lines(view, sheet(view, (struct layout_box){ 40.0f, 124.0f, 560.0f, 464.0f }), 1u, book,
               count);
-        by_mode(view, sheet(view, (struct overlay_box){ 620.0f, 124.0f, 620.0f, 464.0f }));
+        by_mode(view, sheet(view, (struct layout_box){ 620.0f, 124.0f, 620.0f, 464.0f }));
     }
 }
 
@@ -264,16 +264,16 @@ void menu_hours(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct ui_box hours =
-        sheet(view, upright ? (struct overlay_box){ 27.0f, 200.0f, 800.0f, 490.0f }
-                            : (struct overlay_box){ 40.0f, 124.0f, 720.0f, 424.0f });
+        sheet(view, upright ? (struct layout_box){ 27.0f, 200.0f, 800.0f, 490.0f }
+                            : (struct layout_box){ 40.0f, 124.0f, 720.0f, 424.0f });
     const struct ui_box days =
-        sheet(view, upright ? (struct overlay_box){ 27.0f, 710.0f, 800.0f, 440.0f }
-                            : (struct overlay_box){ 780.0f, 124.0f, 460.0f, 424.0f });
+        sheet(view, upright ? (struct layout_box){ 27.0f, 710.0f, 800.0f, 440.0f }
+                            : (struct layout_box){ 780.0f, 124.0f, 460.0f, 424.0f });
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     bars(view, hours, TEXT_AUD_BY_HOUR, AUDIT_HOUR, 24, name_hour);
     bars(view, days, TEXT_AUD_BY_WEEKDAY, AUDIT_WEEKDAY, 7, name_day);
     ui_words_in(&view->frame,
-                menu_place(view, upright ? (struct overlay_box){ 27.0f, 1170.0f, 800.0f, 40.0f }
-                                         : (struct overlay_box){ 60.0f, 558.0f, 1160.0f, 36.0f }),
+                menu_place(view, upright ? (struct layout_box){ 27.0f, 1170.0f, 800.0f, 40.0f }
+                                         : (struct layout_box){ 60.0f, 558.0f, 1160.0f, 36.0f }),
                 &style, menu_text(view, TEXT_AUD_NO_CLOCK));
 }

@@ -7,7 +7,7 @@
 #include "platform/render/ui_menu.h"
 
 struct places {
-    struct overlay_box basin, state, name, words;
+    struct layout_box basin, state, name, words;
 };
 
 static const struct places wide = {
@@ -62,7 +62,7 @@ static enum text_key fault_words(uint8_t fault)
 static enum text_key words_of(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
-    const int is_there = view->devices->axes[menu->seat].link == POI_LINK_LIVE;
+    const int is_there = view->devices->axes[menu->seat].link == POI_SOURCE_LIVE;
     return menu->calibrate_step == CALIBRATE_REFUSED ? fault_words(menu->calibrate_fault)
            : menu->calibrate_step == CALIBRATE_DONE  ? TEXT_CALIBRATE_DONE_WORDS
            : !is_there                               ? TEXT_CALIBRATE_NO_POI
@@ -147,7 +147,7 @@ static void marks(const struct menu_view *view, struct ui_box pool)
             ui_fish_sign(&view->frame, x, y, 54.0f * u);
         } else {
             ring(view, x, y, (is_now ? 30.0f : 16.0f) * u,
-                 is_now ? view->menu->calibrate_progress : 0.0f);
+                 is_now ? view->menu->menu_calibrate_progress : 0.0f);
         }
         if (is_now) {
             ui_poi_sign(&view->frame, x, y, 21.0f * u, 1.0f, ui_player_colours[view->menu->seat]);
@@ -160,7 +160,8 @@ static void live_poi(const struct menu_view *view, struct ui_box pool)
 {
     const struct scene_menu *menu = view->menu;
     float x, y;
-    if (view->devices->axes[menu->seat].link != POI_LINK_LIVE || is_corner(menu->calibrate_step)) {
+    if (view->devices->axes[menu->seat].link != POI_SOURCE_LIVE ||
+        is_corner(menu->calibrate_step)) {
         return;
     }
     place_in(view, pool, menu->calibrated_m, &x, &y);
@@ -181,7 +182,7 @@ static void laid_flat(const struct menu_view *view, struct ui_box pool)
     ui_segment(view->frame.batch, left, right, 9.0f * u, 0xfff6e2ffu);
     ui_segment(view->frame.batch, right, grip, 14.0f * u,
                ui_player_colours[view->menu->seat]);
-    ring(view, x, water - 130.0f * u, 30.0f * u, view->menu->calibrate_progress);
+    ring(view, x, water - 130.0f * u, 30.0f * u, view->menu->menu_calibrate_progress);
 }
 
 static void state_line(const struct menu_view *view, struct ui_box box)

@@ -21,7 +21,7 @@
 #define GREY_COUNT 11u
 #define SUBTLE_COUNT 4u
 
-static void fill(const struct menu_view *view, struct ui_box box, uint32_t colour)
+static void ui_menu_card_fill_box(const struct menu_view *view, struct ui_box box, uint32_t colour)
 {
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
@@ -32,13 +32,15 @@ static void fill(const struct menu_view *view, struct ui_box box, uint32_t colou
 static void line_across(const struct menu_view *view, float y, float from, float to, float px,
                         uint32_t colour)
 {
-    fill(view, (struct ui_box){ floorf(from), floorf(y), floorf(to) - floorf(from), px }, colour);
+    ui_menu_card_fill_box(
+        view, (struct ui_box){ floorf(from), floorf(y), floorf(to) - floorf(from), px }, colour);
 }
 
 static void line_down(const struct menu_view *view, float x, float from, float to, float px,
                       uint32_t colour)
 {
-    fill(view, (struct ui_box){ floorf(x), floorf(from), px, floorf(to) - floorf(from) }, colour);
+    ui_menu_card_fill_box(
+        view, (struct ui_box){ floorf(x), floorf(from), px, floorf(to) - floorf(from) }, colour);
 }
 
 /* Draws an outline whose lines are inside the box. */
@@ -95,7 +97,8 @@ static void colours(const struct menu_view *view, struct ui_box band)
     for (uint32_t i = 0; i < COLOUR_COUNT; i++) {
         const float from = floorf(band.x + (float)i * width);
         const float to = floorf(band.x + (float)(i + 1u) * width);
-        fill(view, (struct ui_box){ from, band.y, to - from, band.height }, bars[i]);
+        ui_menu_card_fill_box(view, (struct ui_box){ from, band.y, to - from, band.height },
+                              bars[i]);
     }
 }
 
@@ -113,15 +116,16 @@ static void greys(const struct menu_view *view, struct ui_box band)
     for (uint32_t i = 0; i < GREY_COUNT; i++) {
         const float from = floorf(band.x + (float)i * width);
         const float to = floorf(band.x + (float)(i + 1u) * width);
-        fill(view, (struct ui_box){ from, band.y, to - from, band.height },
-             grey_of(255u * i / (GREY_COUNT - 1u)));
+        ui_menu_card_fill_box(view, (struct ui_box){ from, band.y, to - from, band.height },
+                              grey_of(255u * i / (GREY_COUNT - 1u)));
     }
     const float size = 0.25f * width;
     for (uint32_t i = 0; i < SUBTLE_COUNT; i++) {
         const float first = i < SUBTLE_COUNT / 2u ? band.x : band.x + band.width - width;
         const float x = first + (i % 2u ? 0.60f : 0.15f) * width;
-        fill(view, (struct ui_box){ x, band.y + 0.5f * (band.height - size), size, size },
-             grey_of(subtle[i]));
+        ui_menu_card_fill_box(
+            view, (struct ui_box){ x, band.y + 0.5f * (band.height - size), size, size },
+            grey_of(subtle[i]));
     }
 }
 
@@ -153,7 +157,7 @@ void menu_card(const struct menu_view *view)
     const float least = fminf(width, height), side = fmaxf(floorf(least / GRID_ROWS), 1.0f);
     const float left = 0.5f * width - 3.0f * side, middle = 0.5f * height;
     const struct ui_box whole = { 0.0f, 0.0f, width, height };
-    fill(view, whole, CARD_BLACK);
+    ui_menu_card_fill_box(view, whole, CARD_BLACK);
     grid(view, side);
     circle(view, 4.0f * side);
     colours(view, (struct ui_box){ left, middle - 2.5f * side, 6.0f * side, 1.5f * side });

@@ -12,9 +12,9 @@ struct state_words {
 static const struct state_words states[CONTROLLER_STATE_COUNT] = {
     [CONTROLLER_NONE] = { TEXT_STATE_LOST, TEXT_ROW_NONE, 0x5a4648ffu },
     [CONTROLLER_FREE] = { TEXT_STATE_FREE, TEXT_ROW_FREE, 0x2b4c8cffu },
-    [CONTROLLER_PLAYS] = { TEXT_STATE_PLAYS, TEXT_ROW_PLAYS, 0x17754effu },
+    [CONTROLLER_ACTIVE] = { TEXT_STATE_PLAYS, TEXT_ROW_PLAYS, 0x17754effu },
     [CONTROLLER_LOST] = { TEXT_STATE_LOST, TEXT_ROW_LOST, 0xa85a12ffu },
-    [CONTROLLER_BARRED] = { TEXT_STATE_BARRED, TEXT_ROW_BARRED, 0x5a4648ffu },
+    [CONTROLLER_UNSUPPORTED] = { TEXT_STATE_BARRED, TEXT_ROW_BARRED, 0x5a4648ffu },
     [CONTROLLER_DENIED] = { TEXT_STATE_DENIED, TEXT_ROW_DENIED, 0xb3261effu },
 };
 
@@ -46,15 +46,15 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
 /* Draws a whole poi for a controller that is in use or available, a torn one otherwise. */
 static void state_sign(const struct menu_view *view, float x, float y, float radius, uint8_t state)
 {
-    const float paper = state == CONTROLLER_PLAYS || state == CONTROLLER_FREE ? 1.0f : 0.2f;
+    const float paper = state == CONTROLLER_ACTIVE || state == CONTROLLER_FREE ? 1.0f : 0.2f;
     ui_poi_sign(&view->frame, x, y, radius, paper,
-                state == CONTROLLER_PLAYS ? ui_player_colours[0] : states[state].paint);
+                state == CONTROLLER_ACTIVE ? ui_player_colours[0] : states[state].paint);
 }
 
 static void row(const struct menu_view *view, uint32_t index)
 {
     const float u = view->frame.unit;
-    const uint8_t state = view->menu->desk.state[index];
+    const uint8_t state = view->menu->controllers.state[index];
     const struct ui_box box = menu_tag_place(view, index);
     const float slip_width = 170.0f * u, slip_height = 38.0f * u;
     char name[SCENE_NAME_SIZE + 1u];
@@ -77,16 +77,16 @@ static void row(const struct menu_view *view, uint32_t index)
 /* Draws the reason why there is no controller, as reported by the controller manager. */
 static void nothing_there(const struct menu_view *view)
 {
-    char said[SAYS_SIZE];
-    says(said, sizeof said, view->frame.language, view->devices->controllers);
+    char said[MESSAGE_TRANSLATE_SIZE];
+    message_translate(said, sizeof said, view->frame.language, view->devices->controllers);
     const int upright = view->menu->upright;
     const struct ui_text words = menu_style(view, 32.0f, MENU_CREAM);
     const struct ui_text line = menu_style(view, 24.0f, 0xf0c089ffu);
     const float y = upright ? 560.0f : 280.0f, x = upright ? 27.0f : 60.0f;
-    const float width = overlay_size(upright).x - 2.0f * x;
-    ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y, width, 60.0f }), &words,
+    const float width = pointer_layout_size(upright).x - 2.0f * x;
+    ui_words_in(&view->frame, menu_place(view, (struct layout_box){ x, y, width, 60.0f }), &words,
                 menu_text(view, TEXT_MENU_NONE));
-    ui_words_in(&view->frame, menu_place(view, (struct overlay_box){ x, y + 64.0f, width, 50.0f }),
+    ui_words_in(&view->frame, menu_place(view, (struct layout_box){ x, y + 64.0f, width, 50.0f }),
                 &line, said);
 }
 
@@ -109,14 +109,14 @@ void menu_one_controller(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const float u = view->frame.unit;
-    const uint8_t state = view->menu->desk.state[view->menu->row];
+    const uint8_t state = view->menu->controllers.state[view->menu->row];
     const struct ui_text style = menu_style(view, 30.0f, MENU_INK);
     const struct ui_text words = menu_style(view, 26.0f, MENU_CREAM);
     char name[SCENE_NAME_SIZE + 1u];
     name_of(view, view->menu->row, name, sizeof name);
     const struct ui_box slip =
-        menu_place(view, upright ? (struct overlay_box){ 27.0f, 240.0f, 800.0f, 90.0f }
-                                 : (struct overlay_box){ 190.0f, 128.0f, 900.0f, 66.0f });
+        menu_place(view, upright ? (struct layout_box){ 27.0f, 240.0f, 800.0f, 90.0f }
+                                 : (struct layout_box){ 190.0f, 128.0f, 900.0f, 66.0f });
     ui_shape(view->frame.batch, &(struct ui_shape){ .box = slip, .kind = UI_WASHI,
                                                     .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
                                                     .shape = { 0, 0, 10.0f * u, 2.0f * u } });
@@ -129,7 +129,7 @@ void menu_one_controller(const struct menu_view *view)
                                 slip.y + 0.5f * slip.height - 21.0f * u, 174.0f * u, 42.0f * u },
                state);
     ui_words_in(&view->frame,
-                menu_place(view, upright ? (struct overlay_box){ 27.0f, 1150.0f, 800.0f, 60.0f }
-                                         : (struct overlay_box){ 60.0f, 540.0f, 1160.0f, 50.0f }),
+                menu_place(view, upright ? (struct layout_box){ 27.0f, 1150.0f, 800.0f, 60.0f }
+                                         : (struct layout_box){ 60.0f, 540.0f, 1160.0f, 50.0f }),
                 &words, menu_text(view, states[state].words));
 }

@@ -5,13 +5,13 @@
 #include "platform/render/says.h"
 #include "platform/render/ui_menu.h"
 
-#define WORDS_SIZE (SAYS_SIZE + TEXT_LINE_MAX + 4u)
+#define WORDS_SIZE (MESSAGE_TRANSLATE_SIZE + TEXT_LINE_MAX + 4u)
 
 struct places {
     float x, y, width, pitch, height;
     float name_height, line_height;
     uint32_t line_count; /* Lines of a reason. SCENE_LINE_SIZE letters of usual widths fit. */
-    struct overlay_box count;
+    struct layout_box count;
 };
 
 static const struct places wide = {
@@ -112,7 +112,7 @@ static const char *words_of(const struct menu_view *view, uint32_t row,
                     view->devices->machine.missed);
         length = (size_t)snprintf(out, out_size, "%s  ", missed);
     }
-    says(out + length, out_size - length, view->frame.language, file->words);
+    message_translate(out + length, out_size - length, view->frame.language, file->words);
     return out;
 }
 
@@ -122,8 +122,8 @@ static void slip(const struct menu_view *view, const struct places *places, uint
     const uint32_t row = view->menu->file_first + index;
     const float u = view->frame.unit, slip_width = 130.0f * u, slip_height = 30.0f * u;
     const struct ui_box box =
-        menu_place(view, (struct overlay_box){ places->x, places->y + (float)index * places->pitch,
-                                               places->width, places->height });
+        menu_place(view, (struct layout_box){ places->x, places->y + (float)index * places->pitch,
+                                              places->width, places->height });
     const struct ui_box reason = { box.x + 16.0f * u, box.y + places->name_height * u,
                                    box.width - 32.0f * u, box.height };
     struct ui_text name = menu_style(view, 26.0f, UI_INK);
@@ -147,7 +147,7 @@ void menu_files(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
     const struct places *places = menu->upright ? &upright_places : &wide;
-    const uint32_t shown = menu_files_shown(menu->upright), count = menu->desk.file_count;
+    const uint32_t shown = menu_files_shown(menu->upright), count = menu->controllers.file_count;
     const uint32_t first = menu->file_first;
     const uint32_t behind = first + shown < count ? first + shown : count;
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);

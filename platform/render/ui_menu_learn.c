@@ -24,12 +24,12 @@ static const struct step_words steps[LEARN_STEP_COUNT] = {
     [LEARN_DIP] = { TEXT_LEARN_DIP, TEXT_LEARN_DIP_WORDS, 0.0f, 0.62f },
     [LEARN_TRY] = { TEXT_LEARN_TRY, TEXT_LEARN_TRY_WORDS, 0.0f, 0.0f },
     [LEARN_FAILED] = { TEXT_LEARN_FAILED, TEXT_LEARN_FAILED_WORDS, 0.0f, 0.0f },
-    [LEARN_UNKEPT] = { TEXT_LEARN_UNKEPT, TEXT_LEARN_UNKEPT_WORDS, 0.0f, 0.0f },
+    [LEARN_NOT_SAVED] = { TEXT_LEARN_UNKEPT, TEXT_LEARN_UNKEPT_WORDS, 0.0f, 0.0f },
 };
 
 /* Positions of the page's parts. */
 struct places {
-    struct overlay_box basin, name, words, dots;
+    struct layout_box basin, name, words, dots;
 };
 
 static const struct places wide = {
@@ -104,9 +104,9 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
 {
     const float u = view->frame.unit, t = way(view->frame.time_s);
     const struct scene_menu *menu = view->menu;
-    const struct overlay_point canvas = overlay_size(menu->upright);
+    const struct layout_point canvas = pointer_layout_size(menu->upright);
     float x = 0.5f, y = 0.5f;
-    const int plays = step == LEARN_TRY || step == LEARN_UNKEPT;
+    const int plays = step == LEARN_TRY || step == LEARN_NOT_SAVED;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
     if (plays && menu->has_hand) { /* The taught controller moves this poi. */
         x = menu->x / canvas.x;
@@ -122,7 +122,7 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     const float left = box.x + 70.0f * u, top = box.y + 70.0f * u;
     const float px = left + x * (box.width - 140.0f * u), py = top + y * (box.height - 140.0f * u);
     if (step >= LEARN_REST && step <= LEARN_DIP) {
-        progress_ring(view, px, py, (float)menu->desk.learn_progress / 255.0f);
+        progress_ring(view, px, py, (float)menu->controllers.learn_progress / 255.0f);
     }
     ui_poi_sign(&view->frame, px, py, radius, paper, ui_player_colours[0]);
 }
@@ -151,7 +151,7 @@ static void dots(const struct menu_view *view, struct ui_box box, uint8_t step)
 void menu_learning(const struct menu_view *view)
 {
     const struct places *places = view->menu->upright ? &upright_places : &wide;
-    const uint8_t step = view->menu->desk.learn_step;
+    const uint8_t step = view->menu->controllers.learn_step;
     const struct ui_box basin = menu_place(view, places->basin);
     const struct ui_text name = menu_brush(view, 150.0f, MENU_CREAM);
     const struct ui_text words = menu_style(view, 30.0f, MENU_CREAM);

@@ -23,15 +23,15 @@ static struct ui_box cell(const struct menu_view *view, uint32_t index)
     const uint32_t columns = upright ? 2u : 5u;
     const float width = upright ? 385.0f : 218.0f, height = upright ? 150.0f : 188.0f;
     const float gap = upright ? 30.0f : 18.0f;
-    const float left = 0.5f * (overlay_size(upright).x - (float)columns * width -
+    const float left = 0.5f * (pointer_layout_size(upright).x - (float)columns * width -
                                (float)(columns - 1u) * gap);
-    return menu_place(view, (struct overlay_box){
-                                left + (float)(index % columns) * (width + gap),
-                                (upright ? 206.0f : 118.0f) +
-                                    (float)(index / columns) * (height + gap),
-                                width,
-                                height,
-                            });
+    return menu_place(view,
+                      (struct layout_box){
+                          left + (float)(index % columns) * (width + gap),
+                          (upright ? 206.0f : 118.0f) + (float)(index / columns) * (height + gap),
+                          width,
+                          height,
+                      });
 }
 
 static void lamp(const struct menu_view *view, float x, float y, float radius, float lit)
@@ -141,8 +141,8 @@ static void state_of_lines(const struct menu_view *view, float x, float y, float
 {
     const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
     const struct ui_text style = menu_style(view, 22.0f, paint);
-    char row[SAYS_SIZE], said[SAYS_SIZE];
-    says(said, sizeof said, view->frame.language, view->devices->lines);
+    char row[MESSAGE_TRANSLATE_SIZE], said[MESSAGE_TRANSLATE_SIZE];
+    message_translate(said, sizeof said, view->frame.language, view->devices->lines);
     const char *words = said;
     for (uint32_t i = 0; i < STATE_ROWS && *words; i++) {
         const size_t size = i + 1u == STATE_ROWS
@@ -150,7 +150,7 @@ static void state_of_lines(const struct menu_view *view, float x, float y, float
                                 : menu_fill_line(&style, words, width * view->frame.unit);
         snprintf(row, sizeof row, "%.*s", (int)size, words);
         ui_words_in(&view->frame,
-                    menu_place(view, (struct overlay_box){ x, y + 28.0f * (float)i, width, 28.0f }),
+                    menu_place(view, (struct layout_box){ x, y + 28.0f * (float)i, width, 28.0f }),
                     &style, row);
         words += size;
     }
@@ -162,7 +162,7 @@ static void notes(const struct menu_view *view)
     const int upright = view->menu->upright;
     const struct ui_text warm = menu_style(view, 24.0f, 0xf0c089ffu);
     const float x = upright ? 27.0f : 60.0f, y = upright ? 1100.0f : 517.0f;
-    const float width = overlay_size(upright).x - 2.0f * x;
+    const float width = pointer_layout_size(upright).x - 2.0f * x;
     char faults[TEXT_LINE_MAX], words[TEXT_LINE_MAX + 64u];
     text_number(faults, sizeof faults, menu_text(view, TEXT_LINE_FAULTS),
                 view->devices->button_faults);
@@ -170,12 +170,12 @@ static void notes(const struct menu_view *view)
              upright ? "" : "      ", upright ? "" : faults);
     state_of_lines(view, x, y, width);
     ui_words_in(&view->frame,
-                menu_place(view, (struct overlay_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
+                menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
                 &warm, words);
     if (upright) { /* One row is too narrow for both. */
         ui_words_in(&view->frame,
-                    menu_place(view, (struct overlay_box){ x, y + 28.0f * STATE_ROWS + 32.0f, width,
-                                                           32.0f }),
+                    menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS + 32.0f, width,
+                                                          32.0f }),
                     &warm, faults);
     }
 }

@@ -8,9 +8,9 @@ static struct ui_box slot(const struct menu_view *view, uint32_t index)
     const int upright = view->menu->upright;
     const float size = upright ? 120.0f : 92.0f, gap = upright ? 36.0f : 28.0f;
     const float width = (float)MENU_PIN_DIGITS * (size + gap) - gap;
-    const float left = 0.5f * (overlay_size(upright).x - width);
-    return menu_place(view, (struct overlay_box){ left + (float)index * (size + gap),
-                                                  upright ? 260.0f : 124.0f, size, size });
+    const float left = 0.5f * (pointer_layout_size(upright).x - width);
+    return menu_place(view, (struct layout_box){ left + (float)index * (size + gap),
+                                                 upright ? 260.0f : 124.0f, size, size });
 }
 
 static char digit_at(const struct scene_menu *menu, uint32_t index)
@@ -74,7 +74,7 @@ void menu_pin(const struct menu_view *view)
     slots(view);
     keys(view);
     ui_words_in(&view->frame,
-                menu_place(view, upright ? (struct overlay_box){ 27.0f, 184.0f, 800.0f, 44.0f }
-                                         : (struct overlay_box){ 60.0f, 218.0f, 1160.0f, 38.0f }),
+                menu_place(view, upright ? (struct layout_box){ 27.0f, 184.0f, 800.0f, 44.0f }
+                                         : (struct layout_box){ 60.0f, 218.0f, 1160.0f, 38.0f }),
                 &style, words);
 }

@@ -18,7 +18,7 @@ struct places {
     uint32_t columns, rows; /* Filled from above, column by column. */
     float x, y, width, height, gap, pitch;
     float name_width;
-    struct overlay_box verdict;
+    struct layout_box verdict;
 };
 
 static const struct places wide = {
@@ -105,10 +105,11 @@ static struct said heat_says(const struct scene_machine *machine, uint8_t state)
 }
 
 /* Returns the text of a row that has figures. */
-static struct said figures_say(const struct menu_view *view, uint32_t check, uint8_t state)
+static struct said figures_say(const struct menu_view *view, uint32_t self_test_check_row,
+                               uint8_t state)
 {
     const struct scene_machine *machine = &view->devices->machine;
-    switch (check) {
+    switch (self_test_check_row) {
     case SELF_BACKUP:
         return backup_says(machine, state);
     case SELF_DATA:
@@ -153,36 +154,37 @@ static void clock_words(const struct scene_self_test *self, char *out, size_t ou
              self->minute / 60u, self->minute % 60u);
 }
 
-static void row_words(const struct menu_view *view, uint32_t check, uint8_t state, char *out,
-                      size_t out_size)
+static void row_words(const struct menu_view *view, uint32_t self_test_check_row, uint8_t state,
+                      char *out, size_t out_size)
 {
-    const enum text_key key = plain[check][state];
-    const int is_asked_of_the_machine = check >= SELF_BACKUP && check <= SELF_HEAT &&
-                                        check != SELF_FILES && check != SELF_CLOCK;
+    const enum text_key key = plain[self_test_check_row][state];
+    const int is_asked_of_the_machine =
+        self_test_check_row >= SELF_BACKUP && self_test_check_row <= SELF_HEAT &&
+        self_test_check_row != SELF_FILES && self_test_check_row != SELF_CLOCK;
     const int is_silent = is_asked_of_the_machine && !view->devices->machine.has_looked;
     if (state == SELF_WAITS || is_silent) {
         snprintf(out, out_size, "%s",
                  menu_text(view, state == SELF_WAITS ? TEXT_CHECK_WAITS : TEXT_CHECK_SILENT));
-    } else if (check == SELF_CLOCK && state == SELF_GOOD) {
+    } else if (self_test_check_row == SELF_CLOCK && state == SELF_GOOD) {
         clock_words(&view->menu->self, out, out_size);
     } else if (key) {
         snprintf(out, out_size, "%s", menu_text(view, key));
     } else {
-        const struct said said = figures_say(view, check, state);
+        const struct said said = figures_say(view, self_test_check_row, state);
         text_number(out, out_size, menu_text(view, said.key), said.number);
     }
 }
 
 /* ---- Rows ------------------------------------------------------------------------------------ */
 
-static uint32_t paint_of(uint8_t state)
+static uint32_t ui_menu_self_paint_of(uint8_t state)
 {
     return state == SELF_GOOD ? GOOD_PAINT : state == SELF_BAD ? BAD_PAINT : ASK_PAINT;
 }
 
 /* Draws a check's sign: a tick, a cross, or an exclamation mark. A question mark stands for a
  * check to be done by the operator, and three dots for a check without a result yet. */
-static void mark(const struct menu_view *view, float x, float y, uint8_t state)
+static void self_test_draw_mark(const struct menu_view *view, float x, float y, uint8_t state)
 {
     const float u = view->frame.unit, r = 13.0f * u;
     const float low[2] = { x - 0.3f * r, y + 0.8f * r };
@@ -250,22 +252,22 @@ static void wrap(const struct menu_view *view, struct ui_box box, const struct u
     }
 }
 
-static void check(const struct menu_view *view, const struct places *places, uint32_t index,
-                  uint8_t state)
+static void self_test_check_row(const struct menu_view *view, const struct places *places,
+                                uint32_t index, uint8_t state)
 {
     const float u = view->frame.unit;
     const float x = places->x + (float)(index / places->rows) * (places->width + places->gap);
     const float y = places->y + (float)(index % places->rows) * places->pitch;
     const struct ui_box box =
-        menu_place(view, (struct overlay_box){ x, y, places->width, places->height });
+        menu_place(view, (struct layout_box){ x, y, places->width, places->height });
     const struct ui_text name = menu_style(view, 26.0f, UI_INK);
     const struct ui_text line =
-        menu_style(view, 22.0f, state == SELF_GOOD ? UI_INK_SOFT : paint_of(state));
+        menu_style(view, 22.0f, state == SELF_GOOD ? UI_INK_SOFT : ui_menu_self_paint_of(state));
     const float left = box.x + (52.0f + places->name_width) * u;
     char words[2u * TEXT_LINE_MAX];
     row_words(view, index, state, words, sizeof words);
-    sheet(view, box, paint_of(state));
-    mark(view, box.x + 28.0f * u, box.y + 0.5f * box.height, state);
+    sheet(view, box, ui_menu_self_paint_of(state));
+    self_test_draw_mark(view, box.x + 28.0f * u, box.y + 0.5f * box.height, state);
     menu_words_at(view, box.x + 52.0f * u, box.y + 0.5f * box.height,
                   (places->name_width - 8.0f) * u, 0.0f, &name, menu_text(view, names[index]));
     wrap(view, (struct ui_box){ left, box.y + 4.0f * u, box.x + box.width - 10.0f * u - left,
@@ -293,11 +295,11 @@ static void verdict(const struct menu_view *view, const struct places *places, u
     const float u = view->frame.unit;
     const uint8_t kind = next < SELF_CHECKS ? state[next] : (uint8_t)SELF_GOOD;
     const struct ui_box box = menu_place(view, places->verdict);
-    const struct ui_text large = menu_style(view, 40.0f, paint_of(kind));
+    const struct ui_text large = menu_style(view, 40.0f, ui_menu_self_paint_of(kind));
     const struct ui_text small = menu_style(view, 28.0f, UI_INK);
     char words[2u * TEXT_LINE_MAX], line[3u * TEXT_LINE_MAX];
     const float x = box.x + 0.5f * box.width, room = box.width - 40.0f * u;
-    sheet(view, box, paint_of(kind));
+    sheet(view, box, ui_menu_self_paint_of(kind));
     verdict_words(view, next, state, words, sizeof words);
     menu_words_at(view, x, box.y + (next < SELF_CHECKS ? 0.3f : 0.5f) * box.height, room, 0.5f,
                   &large, words);
@@ -314,7 +316,7 @@ void menu_self_test(const struct menu_view *view)
     const struct places *places = view->menu->upright ? &upright_places : &wide;
     const uint32_t next = self_test_judge(view->scene, state);
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
-        check(view, places, i, state[i]);
+        self_test_check_row(view, places, i, state[i]);
     }
     verdict(view, places, next, state);
 }

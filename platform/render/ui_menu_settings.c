@@ -12,7 +12,7 @@ struct places {
     float inset, name_width, value_width;
     float range_x, range_width;
     int two_lines; /* The range is below the name. */
-    struct overlay_box help, saved;
+    struct layout_box help, saved;
     uint32_t help_lines;
 };
 
@@ -46,7 +46,7 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
                       size_t out_size)
 {
     const struct setting_words *words = menu_setting_words_of(id);
-    switch (setting_of(id)->kind) {
+    switch (settings_entry(id)->kind) {
     case KIND_CHOICE:
         if (words->choices[0]) {
             snprintf(out, out_size, "%s", menu_text(view, words->choices[value]));
@@ -54,7 +54,7 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
         }
         break;
     case KIND_BITS:
-        snprintf(out, out_size, "%d / %d", count_bits(value), count_bits(setting_of(id)->max));
+        snprintf(out, out_size, "%d / %d", count_bits(value), count_bits(settings_entry(id)->max));
         return;
     case KIND_MINUTE:
         snprintf(out, out_size, "%02d:%02d", (int)value / 60, (int)value % 60);
@@ -72,7 +72,7 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
 
 static int32_t max_of(const struct menu_view *view, uint32_t id)
 {
-    return id == SET_FISH ? (int32_t)view->menu->fish_max : setting_of(id)->max;
+    return id == SET_FISH ? (int32_t)view->menu->fish_max : settings_entry(id)->max;
 }
 
 /* Writes choices such as "free / paid / event". */
@@ -80,7 +80,7 @@ static void choice_words(const struct menu_view *view, uint32_t id, char *out, s
 {
     size_t used = 0;
     out[0] = 0;
-    for (int32_t value = 0; value <= setting_of(id)->max && used < out_size; value++) {
+    for (int32_t value = 0; value <= settings_entry(id)->max && used < out_size; value++) {
         char word[TEXT_LINE_MAX / 2u];
         menu_value_words(view, id, value, word, sizeof word);
         used += (size_t)snprintf(out + used, out_size - used, "%s%s", value ? " / " : "", word);
@@ -92,14 +92,14 @@ static void choice_words(const struct menu_view *view, uint32_t id, char *out, s
 static void span_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     const struct setting_words *words = menu_setting_words_of(id);
-    const int has_zero = setting_of(id)->min == 0 && words->zero != 0;
+    const int has_zero = settings_entry(id)->min == 0 && words->zero != 0;
     const char *unit = words->one ? "{}" : menu_text(view, words->unit);
     const char *hole = strstr(unit, "{}");
     const int max = (int)max_of(view, id);
-    int32_t min = setting_of(id)->min;
+    int32_t min = settings_entry(id)->min;
     char span[48];
-    while (has_zero && (min == 0 || !setting_allows(id, min))) {
-        min += setting_of(id)->step;
+    while (has_zero && (min == 0 || !settings_allows(id, min))) {
+        min += settings_entry(id)->step;
     }
     if (words->unit == TEXT_VAL_PER_MILLE) {
         snprintf(out, out_size, "0.0 - %d.%d %%", max / 10, max % 10);
@@ -107,14 +107,14 @@ static void span_words(const struct menu_view *view, uint32_t id, char *out, siz
     }
     snprintf(span, sizeof span, "%d - %d", (int)min, max);
     snprintf(out, out_size, "%s%s%.*s%s%s",
-             has_zero && setting_of(id)->standard != 0 ? menu_text(view, words->zero) : "",
-             has_zero && setting_of(id)->standard != 0 ? " / " : "",
+             has_zero && settings_entry(id)->standard != 0 ? menu_text(view, words->zero) : "",
+             has_zero && settings_entry(id)->standard != 0 ? " / " : "",
              hole ? (int)(hole - unit) : 0, unit, span, hole ? hole + 2 : "");
 }
 
 void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
-    const struct setting *setting = setting_of(id);
+    const struct setting *setting = settings_entry(id);
     char standard[TEXT_LINE_MAX / 2u], range[TEXT_LINE_MAX] = "";
     if (setting->kind == KIND_CHOICE && menu_setting_words_of(id)->choices[0]) {
         choice_words(view, id, range, sizeof range);
@@ -152,7 +152,7 @@ static void setting_board(const struct menu_view *view, const struct places *pla
 {
     const float u = view->frame.unit;
     const int32_t value = view->menu->settings.value[id];
-    const int is_changed = value != setting_of(id)->standard;
+    const int is_changed = value != settings_entry(id)->standard;
     const float middle = box.y + 0.47f * box.height;
     const float name_y = places->two_lines ? box.y + 0.30f * box.height : middle;
     const float range_y = places->two_lines ? box.y + 0.70f * box.height : middle;
@@ -241,7 +241,7 @@ static void tell_pointed(const struct menu_view *view, const struct places *plac
     } else if (is_row && page < MENU_PAGE_COUNT) {
         help(view, places, menu_text(view, menu_words_of(page)->about));
     } else if (menu->tag == body_count + SETTINGS_STANDARD && id < SETTING_COUNT) {
-        menu_value_words(view, id, setting_of(id)->standard, standard, sizeof standard);
+        menu_value_words(view, id, settings_entry(id)->standard, standard, sizeof standard);
         snprintf(words, sizeof words, "%s → %s", menu_text(view, menu_setting_words_of(id)->name),
                  standard);
         help(view, places, words);
@@ -275,7 +275,7 @@ static void bit_board(const struct menu_view *view, const struct places *places,
     const float range_y = places->two_lines ? box.y + 0.70f * box.height : middle;
     const float right = box.x + box.width - places->inset * u;
     const int is_on = (view->menu->settings.value[id] >> bit & 1) != 0;
-    const int is_standard = (setting_of(id)->standard >> bit & 1) != 0;
+    const int is_standard = (settings_entry(id)->standard >> bit & 1) != 0;
     const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
     const struct ui_text range = sized(view, &box, places->range_size, MENU_INK_SOFT);
     const struct ui_text state =
@@ -300,7 +300,7 @@ void menu_bits(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
     const struct places *places = menu->upright ? &upright_places : &wide;
-    const uint32_t id = menu_sheet_of(menu->page)->about;
+    const uint32_t id = menu_page_desc_of(menu->page)->about;
     const struct setting_words *words = menu_setting_words_of(id);
     for (uint32_t bit = 0; bit < menu_body_count(menu->page); bit++) {
         if (menu->tags >> bit & 1u) {

@@ -15,14 +15,14 @@ static enum text_key cost(uint8_t page)
                                   : TEXT_SURE_FACTORY_WORDS;
 }
 
-void menu_sure(const struct menu_view *view)
+void menu_confirm(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
     const int upright = menu->upright;
     const float u = view->frame.unit;
     const struct ui_box box =
-        menu_place(view, upright ? (struct overlay_box){ 27.0f, 480.0f, 800.0f, 300.0f }
-                                 : (struct overlay_box){ 140.0f, 210.0f, 1000.0f, 250.0f });
+        menu_place(view, upright ? (struct layout_box){ 27.0f, 480.0f, 800.0f, 300.0f }
+                                 : (struct layout_box){ 140.0f, 210.0f, 1000.0f, 250.0f });
     const struct ui_text asks = menu_style(view, 38.0f, UI_INK);
     const struct ui_text costs = menu_style(view, 24.0f, UI_INK_SOFT);
     const struct ui_text about = menu_style(view, 26.0f, 0xc23a22ffu);

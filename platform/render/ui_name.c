@@ -21,7 +21,7 @@ struct slate {
 
 static struct slate open_slate(const struct ui_frame *frame, const struct scene *scene)
 {
-    const struct overlay_point canvas = overlay_size(scene->name.upright);
+    const struct layout_point canvas = pointer_layout_size(scene->name.upright);
     struct slate slate = { .frame = *frame, .name = &scene->name };
     slate.frame.unit = scene->name.upright
                            ? frame->width / canvas.x
@@ -32,7 +32,7 @@ static struct slate open_slate(const struct ui_frame *frame, const struct scene 
     return slate;
 }
 
-static struct ui_box place(const struct slate *slate, struct overlay_box box)
+static struct ui_box place(const struct slate *slate, struct layout_box box)
 {
     const float u = slate->frame.unit;
     return (struct ui_box){ slate->x + box.x * u, slate->y + box.y * u, box.width * u,
@@ -62,11 +62,11 @@ static void title(const struct slate *slate, const struct scene *scene)
     const int upright = slate->name->upright;
     const float u = slate->frame.unit;
     const struct ui_box box =
-        place(slate, upright ? (struct overlay_box){ 150.0f, 70.0f, 554.0f, 70.0f }
-                             : (struct overlay_box){ 300.0f, 12.0f, 680.0f, 52.0f });
+        place(slate, upright ? (struct layout_box){ 150.0f, 70.0f, 554.0f, 70.0f }
+                             : (struct layout_box){ 300.0f, 12.0f, 680.0f, 52.0f });
     const struct ui_box line =
-        place(slate, upright ? (struct overlay_box){ 60.0f, 150.0f, 734.0f, 70.0f }
-                             : (struct overlay_box){ 300.0f, 62.0f, 680.0f, 44.0f });
+        place(slate, upright ? (struct layout_box){ 60.0f, 150.0f, 734.0f, 70.0f }
+                             : (struct layout_box){ 300.0f, 62.0f, 680.0f, 44.0f });
     const struct ui_text proud = { .font = FONT_STALL, .size_px = 44.0f * u, .fill = UI_GOLD };
     const struct ui_text words = { .font = FONT_STALL, .size_px = 34.0f * u,
                                    .fill = 0xfff6e2ffu };
@@ -86,8 +86,8 @@ static void title(const struct slate *slate, const struct scene *scene)
     }
     if (ui_player_count(scene) > 1u) {
         const struct ui_box mark =
-            place(slate, upright ? (struct overlay_box){ 90.0f, 105.0f, 0.0f, 0.0f }
-                                 : (struct overlay_box){ 250.0f, 58.0f, 0.0f, 0.0f });
+            place(slate, upright ? (struct layout_box){ 90.0f, 105.0f, 0.0f, 0.0f }
+                                 : (struct layout_box){ 250.0f, 58.0f, 0.0f, 0.0f });
         ui_player_mark(&slate->frame, mark.x, mark.y, 30.0f * u, slate->name->seat);
     }
 }
@@ -98,8 +98,8 @@ static void seconds(const struct slate *slate, const struct scene *scene)
 {
     const float u = slate->frame.unit, radius = 34.0f * u;
     const struct ui_box at =
-        place(slate, slate->name->upright ? (struct overlay_box){ 764.0f, 105.0f, 0.0f, 0.0f }
-                                          : (struct overlay_box){ 1210.0f, 62.0f, 0.0f, 0.0f });
+        place(slate, slate->name->upright ? (struct layout_box){ 764.0f, 105.0f, 0.0f, 0.0f }
+                                          : (struct layout_box){ 1210.0f, 62.0f, 0.0f, 0.0f });
     const float whole = ceilf(scene->seconds_left);
     char number[12];
     if (scene->seconds_left > 15.0f) {
@@ -136,10 +136,10 @@ static void line(const struct slate *slate)
     const float width = upright ? 88.0f : 78.0f, height = upright ? 110.0f : 78.0f;
     const float pitch = upright ? 98.0f : 88.0f, y = upright ? 280.0f : 110.0f;
     const float row = pitch * (float)NAME_LETTERS_MAX - (pitch - width);
-    const float left = 0.5f * (overlay_size(upright).x - row);
+    const float left = 0.5f * (pointer_layout_size(upright).x - row);
     for (uint32_t i = 0; i < NAME_LETTERS_MAX; i++) {
         const struct ui_box box =
-            place(slate, (struct overlay_box){ left + pitch * (float)i, y, width, height });
+            place(slate, (struct layout_box){ left + pitch * (float)i, y, width, height });
         const int is_next = i == slate->name->letter_count;
         const float pulse = 0.45f + 0.55f * ui_pulse(slate->frame.time_s, 1.0f);
         ui_shape(slate->frame.batch,
@@ -216,8 +216,8 @@ static void keys(const struct slate *slate)
     const struct ui_text style = { .font = FONT_BODY, .size_px = 24.0f * slate->frame.unit,
                                    .fill = 0xc9d2eeffu };
     ui_words_in(&slate->frame,
-                place(slate, upright ? (struct overlay_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
-                                     : (struct overlay_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
+                place(slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
+                                     : (struct layout_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
                 &style, text_words(slate->frame.language, TEXT_NAME_KEYS));
 }
 

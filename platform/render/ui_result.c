@@ -80,7 +80,8 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
 }
 
 /* Draws a heading such as "Championship: that's all!" */
-static void heading(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+static void ui_result_heading(const struct ui_frame *frame, const struct scene *scene,
+                              struct ui_box box)
 {
     const float u = frame->unit;
     const struct ui_text text = { .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f,
@@ -162,7 +163,7 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
 }
 
 /* Returns how many players caught more. Players with equal catches share a place. */
-static uint32_t place_of(const struct scene *scene, uint32_t player)
+static uint32_t ui_result_place_of(const struct scene *scene, uint32_t player)
 {
     uint32_t ahead = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -175,7 +176,7 @@ static void ranked(const struct ui_frame *frame, const struct scene *scene, uint
                    struct ui_box row)
 {
     const float u = frame->unit, y = row.y + 0.5f * row.height;
-    const uint32_t place = place_of(scene, player);
+    const uint32_t place = ui_result_place_of(scene, player);
     char words[TEXT_LINE_MAX], number[12];
     text_number(words, sizeof words, text_words(frame->language, TEXT_PLACE), place + 1u);
     text_number(number, sizeof number, "{}", counted_up(scene, player));
@@ -209,7 +210,7 @@ static void ranking(const struct ui_frame *frame, const struct scene *scene, str
     uint32_t shown = 0;
     for (uint32_t place = 0; place < POI_MAX; place++) {
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            if (scene->player[i].plays && place_of(scene, i) == place) {
+            if (scene->player[i].plays && ui_result_place_of(scene, i) == place) {
                 ranked(frame, scene, i,
                        (struct ui_box){ box.x + 26.0f * u, first + pitch * (float)shown++,
                                         box.width - 52.0f * u, pitch - 8.0f * u });
@@ -295,7 +296,7 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     }
     frame->batch->opacity = in;
     ui_card(frame, box);
-    heading(frame, scene, box);
+    ui_result_heading(frame, scene, box);
     frame->batch->opacity = 1.0f;
     if (scene->credit.came_back) {
         given_back(frame, box);

@@ -38,7 +38,7 @@ static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
     case PHASE_RESULT:
         ui_result(frame, scene, memory);
         break;
-    case PHASE_CHOOSE:
+    case PHASE_MODE_SELECT:
         ui_choose(frame, scene, memory);
         break;
     case PHASE_LAB:
@@ -50,7 +50,7 @@ static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
     case PHASE_NAME:
         ui_name(frame, scene);
         break;
-    case PHASE_BOARD:
+    case PHASE_LEADERBOARD:
         ui_ranking(frame, scene);
         break;
     case PHASE_ATTRACT:
@@ -78,7 +78,7 @@ void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct s
     };
     ui_batch_clear(batch);
     ui_screens_notice(memory, scene);
-    ui_chapter_veil(&frame, scene);
+    ui_score_playback_fade(&frame, scene);
     phase_screen(&frame, memory, scene);
-    ui_encore(&frame, scene);
+    ui_score_playback(&frame, scene);
 }

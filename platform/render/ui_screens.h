@@ -17,8 +17,8 @@ struct ui_memory {
     uint32_t pointed_tick;       /* Tick of the last change of the selected mode. */
     uint8_t pointed, pointed_before; /* Selected mode, and the mode selected before. */
     uint8_t hint;
-    const struct shelf *shelf; /* Makers' species, behind the built-in ones; null: none. */
-    struct ui_bench bench;     /* State of the growth lab's picture. */
+    const struct library *library; /* Makers' species, behind the built-in ones; null: none. */
+    struct ui_lab_preview bench;   /* State of the growth lab's picture. */
 };
 
 /* Records what `scene` shows without drawing it, so that the next picture fades in from there. */

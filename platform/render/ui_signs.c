@@ -60,7 +60,7 @@ struct hint_paint {
 
 /* Returns the colours of a hint: red for a failure, green for the moment to act, dark for
  * advice. */
-static struct hint_paint paint_of(uint8_t hint)
+static struct hint_paint ui_widgets_paint_of(uint8_t hint)
 {
     switch (hint) {
     case HINT_TORN:
@@ -82,7 +82,7 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
     }
     const float u = frame->unit, age_s = (float)(scene->tick - memory->hint_tick) * CORE_TICK_S;
     const float in = ui_smooth(0.0f, HINT_FADE_S, age_s);
-    const struct hint_paint paint = paint_of(scene->hint);
+    const struct hint_paint paint = ui_widgets_paint_of(scene->hint);
     const struct ui_ribbon ribbon = {
         .x = 0.5f * frame->width,
         .y = frame->height - 52.0f * u + 14.0f * u * (1.0f - in),
@@ -102,7 +102,7 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
                      enum text_key key)
 {
     const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
-    const float asking = ui_asking(scene);
+    const float asking = ui_credit_prompt(scene);
     const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
                                  128.0f * u };
     char coins[TEXT_LINE_MAX];

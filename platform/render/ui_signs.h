@@ -46,7 +46,7 @@ int ui_refuses_coins(const struct scene *scene);
 void ui_coin_words(const struct scene *scene, char *out, size_t out_size);
 
 /* Returns 1 .. 0: how recently a player without credit tried to start. */
-float ui_asking(const struct scene *scene);
+float ui_credit_prompt(const struct scene *scene);
 
 /* Draws the warnings over everything: the cabinet is shaken or open, or has no poi. */
 void ui_warnings(const struct ui_frame *frame, const struct scene *scene);

@@ -46,8 +46,8 @@ static struct species_coat coat_on_body(const struct key_text *key)
     for (uint32_t i = 0; i < coat.mark_count; i++) {
         struct species_mark *mark = &coat.marks[i];
         if (mark->part == PART_BODY) {
-            mark->from = (float)body_u(key, (double)mark->from);
-            mark->to = (float)body_u(key, (double)mark->to);
+            mark->from = (float)shape_body_u(key, (double)mark->from);
+            mark->to = (float)shape_body_u(key, (double)mark->to);
         }
     }
     return coat;

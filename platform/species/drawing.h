@@ -57,7 +57,7 @@ struct key_text {
     float age_days; /* Below 0: not written; computed from the length. */
     float gill;     /* End of the gill cover; 0: not written. */
     bool confluent; /* Copy of the species' `confluent`. */
-    uint32_t station_count;
+    uint32_t substep_count;
     struct station stations[STATION_MAX];
     struct eye eyes[2];          /* Right, left. */
     struct fin fins[PART_COUNT]; /* Indexed by part. A fin without rays is not drawn. */

@@ -26,34 +26,35 @@ const struct detail species_detail[SPECIES_LOD_COUNT] = {
 };
 /* clang-format on */
 
-uint16_t next_vertex(struct lofting *l, struct species_vertex vertex)
+uint16_t loft_next_vertex(struct lofting *l, struct species_vertex vertex)
 {
     assert(l->loft->vertex_count < MESH_VERTEX_MAX);
     l->loft->vertices[l->loft->vertex_count] = vertex;
     return (uint16_t)l->loft->vertex_count++;
 }
 
-static vec3 single(point3 p)
+static vec3 single(v3d p)
 {
     return (vec3){ (float)p.x, (float)p.y, (float)p.z };
 }
 
-void place(struct lofting *l, uint32_t key, point3 p, point3 normal)
+void loft_place(struct lofting *l, uint32_t key, v3d p, v3d normal)
 {
-    const point3 snout = { 0.0, 0.0, -0.5 };
-    l->loft->positions[key][l->loft->vertex_count - 1] = single(mad(snout, p, 1.0 / l->unit[key]));
-    l->loft->normals[key][l->loft->vertex_count - 1] = single(normal);
-}
-
-void place_from_anchor(struct lofting *l, uint32_t key, point3 offset, point3 normal)
-{
-    const point3 anchor = { 0.0, 0.0, 0.0 };
+    const v3d snout = { 0.0, 0.0, -0.5 };
     l->loft->positions[key][l->loft->vertex_count - 1] =
-        single(mad(anchor, offset, 1.0 / l->unit[key]));
+        single(v3d_muladd(snout, p, 1.0 / l->unit[key]));
     l->loft->normals[key][l->loft->vertex_count - 1] = single(normal);
 }
 
-void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
+void loft_place_from_anchor(struct lofting *l, uint32_t key, v3d offset, v3d normal)
+{
+    const v3d anchor = { 0.0, 0.0, 0.0 };
+    l->loft->positions[key][l->loft->vertex_count - 1] =
+        single(v3d_muladd(anchor, offset, 1.0 / l->unit[key]));
+    l->loft->normals[key][l->loft->vertex_count - 1] = single(normal);
+}
+
+void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
 {
     assert(l->loft->index_count + 3 <= MESH_INDEX_MAX);
     uint16_t *out = &l->loft->indices[l->loft->index_count];
@@ -63,11 +64,11 @@ void triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
     l->loft->index_count += 3;
 }
 
-struct species_anchor *next_anchor(struct lofting *l, enum species_part part, uint8_t turns)
+struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, uint8_t turns)
 {
     assert(l->loft->anchor_count < ANCHOR_MAX);
     struct species_anchor *anchor = &l->loft->anchors[l->loft->anchor_count++];
-    anchor->curve = curve_of(l->species, part);
+    anchor->curve = loft_curve_of(l->species, part);
     anchor->turns = turns;
     return anchor;
 }
@@ -75,16 +76,17 @@ struct species_anchor *next_anchor(struct lofting *l, enum species_part part, ui
 /* Adds the closing point of the snout or of the tail root, on its section's axis. The point is
  * added once for each flank, so that a pattern's v does not run through the belly's. `normal` is
  * the right flank's; returns the index of the right flank's point. */
-static uint32_t add_poles(struct lofting *l, double u, point3 normal)
+static uint32_t add_poles(struct lofting *l, double u, v3d normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
-        next_vertex(l, (struct species_vertex){ .u = (float)u, .v = side > 0 ? 0.25f : 0.75f,
-                                                .anchor = ANCHOR_NONE });
+        loft_next_vertex(l, (struct species_vertex){ .u = (float)u,
+                                                     .v = side > 0 ? 0.25f : 0.75f,
+                                                     .anchor = ANCHOR_NONE });
         for (uint32_t key = 0; key < l->species->key_count; key++) {
-            const struct station s = section(&l->species->keys[key], u);
-            const double z = u > 0.0 ? body_end(&l->species->keys[key]) : 0.0;
-            place(l, key, (point3){ 0.0, (double)s.offset, z },
-                  (point3){ normal.x * side, normal.y, normal.z });
+            const struct station s = shape_section(&l->species->keys[key], u);
+            const double z = u > 0.0 ? shape_body_end(&l->species->keys[key]) : 0.0;
+            loft_place(l, key, (v3d){ 0.0, (double)s.offset, z },
+                       (v3d){ normal.x * side, normal.y, normal.z });
         }
     }
     return l->loft->vertex_count - 2;
@@ -94,11 +96,11 @@ static void add_ring(struct lofting *l, double u)
 {
     for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
         const double v = (double)spoke / l->detail->spokes;
-        next_vertex(l, (struct species_vertex){ .u = (float)u, .v = (float)v,
-                                                .anchor = ANCHOR_NONE });
+        loft_next_vertex(
+            l, (struct species_vertex){ .u = (float)u, .v = (float)v, .anchor = ANCHOR_NONE });
         for (uint32_t key = 0; key < l->species->key_count; key++) {
             const struct key_text *text = &l->species->keys[key];
-            place(l, key, body_point(text, u, v), body_normal(text, u, v));
+            loft_place(l, key, shape_body_point(text, u, v), shape_body_normal(text, u, v));
         }
     }
 }
@@ -109,11 +111,13 @@ static void add_cap_ring(struct lofting *l)
 {
     for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
         const double v = (double)spoke / l->detail->spokes;
-        next_vertex(l, (struct species_vertex){ .u = 1.0f, .v = (float)v, .anchor = ANCHOR_NONE });
+        loft_next_vertex(
+            l, (struct species_vertex){ .u = 1.0f, .v = (float)v, .anchor = ANCHOR_NONE });
         for (uint32_t key = 0; key < l->species->key_count; key++) {
             const struct key_text *text = &l->species->keys[key];
-            place(l, key, end_point(text, CAP_AT, v),
-                  unit(mad(body_normal(text, 1.0, v), (point3){ 0.0, 0.0, 1.0 }, CAP_FACES)));
+            loft_place(l, key, shape_end_point(text, CAP_AT, v),
+                       v3d_unit(v3d_muladd(shape_body_normal(text, 1.0, v), (v3d){ 0.0, 0.0, 1.0 },
+                                           CAP_FACES)));
         }
     }
 }
@@ -123,8 +127,8 @@ static void add_body(struct lofting *l)
     const uint32_t rings = l->detail->rings, spokes = l->detail->spokes;
     double u[RINGS_MAX];
     assert(rings <= RINGS_MAX);
-    place_rings(l->species, rings, u);
-    const uint32_t snout = add_poles(l, 0.0, (point3){ 0.0, 0.0, -1.0 });
+    loft_place_rings(l->species, rings, u);
+    const uint32_t snout = add_poles(l, 0.0, (v3d){ 0.0, 0.0, -1.0 });
     const uint32_t first = l->loft->vertex_count;
     for (uint32_t ring = 0; ring < rings; ring++) {
         add_ring(l, u[ring]);
@@ -134,16 +138,16 @@ static void add_body(struct lofting *l)
     }
     const uint32_t rows = rings + (l->detail->round_end ? 1u : 0u);
     const uint32_t last = first + (rows - 1) * (spokes + 1);
-    const uint32_t end = add_poles(l, 1.0, unit((point3){ 1.0, 0.0, 0.3 }));
+    const uint32_t end = add_poles(l, 1.0, v3d_unit((v3d){ 1.0, 0.0, 0.3 }));
     for (uint32_t j = 0; j < spokes; j++) {
         const uint32_t left = 2 * j < spokes ? 0 : 1;
-        triangle(l, snout + left, first + j, first + j + 1);
+        loft_triangle(l, snout + left, first + j, first + j + 1);
         for (uint32_t row = first; row < last; row += spokes + 1) {
             const uint32_t a = row + j, b = a + 1, c = a + spokes + 1, d = c + 1;
-            triangle(l, a, c, b);
-            triangle(l, b, c, d);
+            loft_triangle(l, a, c, b);
+            loft_triangle(l, b, c, d);
         }
-        triangle(l, last + j, end + left, last + j + 1);
+        loft_triangle(l, last + j, end + left, last + j + 1);
     }
     l->loft->grid_first = first;
     l->loft->grid_rings = rings;
@@ -169,11 +173,12 @@ void species_loft(const struct species_text *species, const struct detail *detai
     struct lofting l = { .species = species, .detail = detail, .loft = loft };
     memset(loft, 0, sizeof *loft);
     for (uint32_t key = 0; key < species->key_count; key++) {
-        l.unit[key] = unit_length(&species->keys[key], (enum species_measure)species->measure);
+        l.unit[key] =
+            shape_unit_length(&species->keys[key], (enum species_measure)species->measure);
     }
     add_body(&l);
-    add_eyes(&l);
-    add_fins(&l);
-    paint_masks(&l);
+    loft_add_eyes(&l);
+    loft_add_fins(&l);
+    loft_paint_masks(&l);
     loft->reach = reach_of(loft, species->key_count);
 }

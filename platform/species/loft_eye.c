@@ -8,19 +8,19 @@
 /* Adds a ball's vertex at `polar` (0 the pupil's centre, PI inside the head) to every key. */
 static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, double angle)
 {
-    next_vertex(l, (struct species_vertex){ .u = (float)(polar / EYE_RIM_RAD),
-                                            .v = side == 0 ? 0.25f : 0.75f,
-                                            .part = PART_EYE,
-                                            .side = side == 0 ? SIDE_RIGHT : SIDE_LEFT,
-                                            .anchor = (uint8_t)(l->loft->anchor_count - 1) });
+    loft_next_vertex(l, (struct species_vertex){ .u = (float)(polar / EYE_RIM_RAD),
+                                                 .v = side == 0 ? 0.25f : 0.75f,
+                                                 .part = PART_EYE,
+                                                 .side = side == 0 ? SIDE_RIGHT : SIDE_LEFT,
+                                                 .anchor = (uint8_t)(l->loft->anchor_count - 1) });
     for (uint32_t key = 0; key < l->species->key_count; key++) {
-        const struct ball ball = eye_ball(&l->species->keys[key], side);
+        const struct ball ball = shape_eye_ball(&l->species->keys[key], side);
         const double out = cos(polar) > 0.0 ? ball.out : ball.in;
         const double c = cos(polar), s = sin(polar);
-        const point3 p = { out * c - ball.sunk, ball.radius * s * cos(angle),
-                           ball.radius * s * sin(angle) };
-        const point3 n = { c / out, s * cos(angle) / ball.radius, s * sin(angle) / ball.radius };
-        place_from_anchor(l, key, p, unit(n));
+        const v3d p = { out * c - ball.sunk, ball.radius * s * cos(angle),
+                        ball.radius * s * sin(angle) };
+        const v3d n = { c / out, s * cos(angle) / ball.radius, s * sin(angle) / ball.radius };
+        loft_place_from_anchor(l, key, p, v3d_unit(n));
     }
 }
 
@@ -36,9 +36,9 @@ static double ring_polar(uint32_t ring, uint32_t count)
 static void add_eye(struct lofting *l, uint32_t side)
 {
     const uint32_t rings = l->detail->eye_rings, spokes = l->detail->eye_spokes;
-    struct species_anchor *anchor = next_anchor(l, PART_EYE, 1);
+    struct species_anchor *anchor = loft_next_anchor(l, PART_EYE, 1);
     for (uint32_t key = 0; key < l->species->key_count; key++) {
-        const struct ball ball = eye_ball(&l->species->keys[key], side);
+        const struct ball ball = shape_eye_ball(&l->species->keys[key], side);
         anchor->u[key] = (float)ball.u;
         anchor->v[key] = (float)ball.v;
     }
@@ -53,16 +53,16 @@ static void add_eye(struct lofting *l, uint32_t side)
     add_ball_vertex(l, side, PI, 0.0);
     for (uint32_t j = 0; j < spokes; j++) {
         const uint32_t k = (j + 1) % spokes;
-        triangle(l, front, first + j, first + k);
+        loft_triangle(l, front, first + j, first + k);
         for (uint32_t row = first; row < last; row += spokes) {
-            triangle(l, row + j, row + spokes + j, row + k);
-            triangle(l, row + k, row + spokes + j, row + spokes + k);
+            loft_triangle(l, row + j, row + spokes + j, row + k);
+            loft_triangle(l, row + k, row + spokes + j, row + spokes + k);
         }
-        triangle(l, back, last + k, last + j);
+        loft_triangle(l, back, last + k, last + j);
     }
 }
 
-void add_eyes(struct lofting *l)
+void loft_add_eyes(struct lofting *l)
 {
     add_eye(l, 0);
     add_eye(l, 1);

@@ -39,13 +39,13 @@ static void root_at(const struct key_text *key, enum species_part part, int side
     const double girth = part == PART_DORSAL || part == PART_DORSAL_2 ? 0.0
                          : part == PART_ANAL                          ? 0.5
                                                                       : (double)fin->girth;
-    *u = body_u(key, (double)fin->start + ((double)fin->end - (double)fin->start) * at);
+    *u = shape_body_u(key, (double)fin->start + ((double)fin->end - (double)fin->start) * at);
     *v = side > 0 ? girth : 1.0 - girth;
 }
 
 static uint8_t add_root(struct lofting *l, enum species_part part, int side, double at)
 {
-    struct species_anchor *anchor = next_anchor(l, part, 0);
+    struct species_anchor *anchor = loft_next_anchor(l, part, 0);
     for (uint32_t key = 0; key < l->species->key_count; key++) {
         double u, v;
         root_at(&l->species->keys[key], part, side, at, &u, &v);
@@ -56,17 +56,17 @@ static uint8_t add_root(struct lofting *l, enum species_part part, int side, dou
 }
 
 /* Sets the newest vertex to the drawing's point `p`, relative to its anchor if it has one. */
-static void ride(struct lofting *l, uint32_t key, point3 p, point3 normal)
+static void ride(struct lofting *l, uint32_t key, v3d p, v3d normal)
 {
     const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;
     if (index == ANCHOR_NONE) {
-        place(l, key, p, normal);
+        loft_place(l, key, p, normal);
         return;
     }
     const struct species_anchor *anchor = &l->loft->anchors[index];
-    const point3 skin =
-        body_point(&l->species->keys[key], (double)anchor->u[key], (double)anchor->v[key]);
-    place_from_anchor(l, key, sub(p, skin), normal);
+    const v3d skin =
+        shape_body_point(&l->species->keys[key], (double)anchor->u[key], (double)anchor->v[key]);
+    loft_place_from_anchor(l, key, v3d_sub(p, skin), normal);
 }
 
 static void add_fin_vertex(struct lofting *l, enum species_part part, int side, double at,
@@ -81,10 +81,10 @@ static void add_fin_vertex(struct lofting *l, enum species_part part, int side, 
     if (part == PART_PECTORAL || part == PART_PELVIC) {
         vertex.side = side > 0 ? SIDE_RIGHT : SIDE_LEFT;
     }
-    next_vertex(l, vertex);
+    loft_next_vertex(l, vertex);
     for (uint32_t key = 0; key < l->species->key_count; key++) {
         const struct key_text *text = &l->species->keys[key];
-        point3 p = fin_point(text, part, at, along), n = fin_normal(text, part, at, along);
+        v3d p = shape_fin_point(text, part, at, along), n = shape_fin_normal(text, part, at, along);
         p.x *= side;
         n.x *= side;
         ride(l, key, p, n);
@@ -108,10 +108,10 @@ static void add_fin(struct lofting *l, enum species_part part, int side)
     for (uint32_t i = 0; i + 1 < across; i++) {
         for (uint32_t j = 0; j + 1 < along; j++) {
             const uint32_t a = first + i * along + j, b = a + 1, c = a + along, d = c + 1;
-            triangle(l, a, c, b);
-            triangle(l, b, c, d);
-            triangle(l, a, b, c);
-            triangle(l, b, d, c);
+            loft_triangle(l, a, c, b);
+            loft_triangle(l, b, c, d);
+            loft_triangle(l, a, b, c);
+            loft_triangle(l, b, d, c);
         }
     }
 }
@@ -120,11 +120,11 @@ static void add_finlet(struct lofting *l, uint32_t row, double at, double step)
 {
     const enum species_part part = row == 0 ? PART_FINLET_UPPER : PART_FINLET_LOWER;
     const uint32_t first = l->loft->vertex_count;
-    struct species_anchor *anchor = next_anchor(l, part, 0);
+    struct species_anchor *anchor = loft_next_anchor(l, part, 0);
     for (uint32_t key = 0; key < l->species->key_count; key++) {
         const struct finlets *f = &l->species->keys[key].finlets[row];
         const double x = (double)f->start + at * ((double)f->end - (double)f->start);
-        anchor->u[key] = (float)body_u(&l->species->keys[key], x);
+        anchor->u[key] = (float)shape_body_u(&l->species->keys[key], x);
         anchor->v[key] = row == 0 ? 0.0f : 0.5f;
     }
     for (uint32_t corner = 0; corner < 3; corner++) {
@@ -134,17 +134,17 @@ static void add_finlet(struct lofting *l, uint32_t row, double at, double step)
         vertex.part = (uint8_t)part;
         vertex.flex = corner == 2 ? 255 : 0;
         vertex.anchor = (uint8_t)(l->loft->anchor_count - 1);
-        next_vertex(l, vertex);
+        loft_next_vertex(l, vertex);
         for (uint32_t key = 0; key < l->species->key_count; key++) {
-            const point3 p = finlet_point(&l->species->keys[key], row, at, corner);
-            ride(l, key, p, (point3){ 1.0, 0.0, 0.0 });
+            const v3d p = shape_finlet_point(&l->species->keys[key], row, at, corner);
+            ride(l, key, p, (v3d){ 1.0, 0.0, 0.0 });
         }
     }
-    triangle(l, first, first + 1, first + 2);
-    triangle(l, first, first + 2, first + 1);
+    loft_triangle(l, first, first + 1, first + 2);
+    loft_triangle(l, first, first + 2, first + 1);
 }
 
-void add_fins(struct lofting *l)
+void loft_add_fins(struct lofting *l)
 {
     add_fin(l, PART_TAIL, 1);
     add_fin(l, PART_DORSAL, 1);

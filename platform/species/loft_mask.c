@@ -19,7 +19,7 @@ static double ramp(double from, double to, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-uint8_t curve_of(const struct species_text *species, uint32_t part)
+uint8_t loft_curve_of(const struct species_text *species, uint32_t part)
 {
     for (uint32_t curve = 1; curve < species->curve_count; curve++) {
         if (species->curves[curve].parts >> part & 1u) {
@@ -34,7 +34,7 @@ uint8_t curve_of(const struct species_text *species, uint32_t part)
 static double in_area(const struct species_text *species, const struct area *a, double u, double v)
 {
     const struct key_text *key = &species->keys[0];
-    const double x = body_x(key, u), soft = (double)a->soft;
+    const double x = shape_body_x(key, u), soft = (double)a->soft;
     const double high = 0.5 + 0.5 * cos(2.0 * 3.14159265358979323846 * v);
     return ramp((double)a->from - soft, (double)a->from, x) *
            (1.0 - ramp((double)a->to, (double)a->to + soft, x)) *
@@ -69,7 +69,7 @@ static void skin_share(const struct species_text *species, double u, double v,
 static void vertex_share(const struct species_text *species, const struct species_vertex *vertex,
                          double share[MORPH_CURVE_MAX])
 {
-    const uint8_t own = curve_of(species, vertex->part);
+    const uint8_t own = loft_curve_of(species, vertex->part);
     double rooted = 0.0; /* How far the vertex belongs to its own part and not to the skin. */
     if (vertex->part == PART_TAIL) {
         skin_share(species, TAIL_ROOT_U, 0.25, share);
@@ -85,7 +85,7 @@ static void vertex_share(const struct species_text *species, const struct specie
     }
 }
 
-void paint_masks(struct lofting *l)
+void loft_paint_masks(struct lofting *l)
 {
     for (uint32_t i = 0; i < l->loft->vertex_count; i++) {
         struct species_vertex *vertex = &l->loft->vertices[i];

@@ -17,7 +17,7 @@
 /* Writes back, belly and flank of a key at `u`, as fractions of its length. */
 static void outline(const struct key_text *key, double u, double out[3])
 {
-    const struct station s = section(key, body_x(key, u));
+    const struct station s = shape_section(key, shape_body_x(key, u));
     out[0] = (double)s.offset + 0.5 * (double)s.depth;
     out[1] = (double)s.offset - 0.5 * (double)s.depth;
     out[2] = 0.5 * (double)s.width;
@@ -52,7 +52,7 @@ static void ring_at_gill(double *u, uint32_t count)
     u[nearest] = (double)GILL_U;
 }
 
-void place_rings(const struct species_text *species, uint32_t count, double *u)
+void loft_place_rings(const struct species_text *species, uint32_t count, double *u)
 {
     double sum[SAMPLES + 1] = { 0.0 };
     for (int i = 0; i < SAMPLES; i++) {

@@ -270,17 +270,17 @@ static uint32_t little32(const uint8_t *bytes)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-__attribute__((format(printf, 2, 3))) static enum pack_result bad(char why[VET_WHY_SIZE],
+__attribute__((format(printf, 2, 3))) static enum pack_result bad(char why[VALIDATE_WHY_SIZE],
                                                                   const char *format, ...)
 {
     va_list values;
     va_start(values, format);
-    vsnprintf(why, VET_WHY_SIZE, format, values);
+    vsnprintf(why, VALIDATE_WHY_SIZE, format, values);
     va_end(values);
     return PACK_BAD;
 }
 
-static enum pack_result check_head(const uint8_t *bytes, size_t size, char why[VET_WHY_SIZE])
+static enum pack_result check_head(const uint8_t *bytes, size_t size, char why[VALIDATE_WHY_SIZE])
 {
     if (size < HEAD_SIZE || memcmp(bytes, magic, sizeof magic) != 0) {
         return bad(why, "magic: this is no packed species");
@@ -313,7 +313,7 @@ static void point_at_tables(struct species_slot *slot)
 }
 
 enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_slot *slot,
-                             char why[VET_WHY_SIZE])
+                             char why[VALIDATE_WHY_SIZE])
 {
     if (size > PACK_SIZE_MAX) {
         return bad(why, "size: more than %u bytes", PACK_SIZE_MAX);
@@ -333,7 +333,7 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
                    tape.at > size ? "after" : "before");
     }
     point_at_tables(slot);
-    return species_vet(&slot->species, why) ? PACK_OK : PACK_BAD;
+    return species_validate(&slot->species, why) ? PACK_OK : PACK_BAD;
 }
 
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX])

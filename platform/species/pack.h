@@ -38,21 +38,23 @@ enum pack_result {
  * be used, and `why` is "field: reason". Accepts any bytes; time and memory are bounded by
  * PACK_SIZE_MAX. */
 enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_slot *slot,
-                             char why[VET_WHY_SIZE]);
+                             char why[VALIDATE_WHY_SIZE]);
 
 /* Serializes the species of the slot, which is unchanged. Returns the number of bytes written. */
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX]);
 
 /* Read and write a file in the same way; `why` does not contain the file's name. pack_write()
  * writes a temporary file and renames it, so that a kiosk never reads an incomplete species. */
-enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
+enum pack_result pack_read(const char *path, struct species_slot *slot,
+                           char why[VALIDATE_WHY_SIZE]);
 /* Same as pack_read(), for a file in the data folder: rejects a symbolic link. */
 enum pack_result pack_read_data(const char *path, struct species_slot *slot,
-                                char why[VET_WHY_SIZE]);
-enum pack_result pack_write(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE]);
+                                char why[VALIDATE_WHY_SIZE]);
+enum pack_result pack_write(const char *path, struct species_slot *slot,
+                            char why[VALIDATE_WHY_SIZE]);
 
 /* Lofts a species text that was read without error. Numbers that are each in range may still not
- * form a valid fish, so a caller that shows the species must call species_vet(). */
+ * form a valid fish, so a caller that shows the species must call species_validate(). */
 void pack_text(const struct species_text *text, struct species_slot *slot);
 
 /* Copies `species` to `slot` with tables of its own. `species` must be within the tables' maximum

@@ -11,21 +11,21 @@
 #include "platform/plain_file.h"
 #include "platform/species/plain.h"
 
-static enum pack_result cannot(int error, char why[VET_WHY_SIZE])
+static enum pack_result cannot(int error, char why[VALIDATE_WHY_SIZE])
 {
-    snprintf(why, VET_WHY_SIZE, "%s", strerror(error));
+    snprintf(why, VALIDATE_WHY_SIZE, "%s", strerror(error));
     return PACK_IO;
 }
 
-enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE])
+enum pack_result pack_read(const char *path, struct species_slot *slot, char why[VALIDATE_WHY_SIZE])
 {
     static uint8_t bytes[PACK_SIZE_MAX];
-    char cannot_open[PLAIN_WHY_SIZE];
+    char cannot_open[TEXT_FILE_WHY_SIZE];
     FILE *file;
-    const enum plain_open opened = plain_open(path, PACK_SIZE_MAX, &file, cannot_open);
-    if (opened != PLAIN_OPEN) {
-        snprintf(why, VET_WHY_SIZE, "%s", cannot_open);
-        return opened == PLAIN_LARGE ? PACK_BAD : PACK_IO;
+    const enum text_file_open opened = text_file_open(path, PACK_SIZE_MAX, &file, cannot_open);
+    if (opened != TEXT_FILE_OPEN) {
+        snprintf(why, VALIDATE_WHY_SIZE, "%s", cannot_open);
+        return opened == TEXT_FILE_LARGE ? PACK_BAD : PACK_IO;
     }
     const size_t size = fread(bytes, 1, sizeof bytes, file);
     const int error = ferror(file) ? errno : 0;
@@ -34,11 +34,11 @@ enum pack_result pack_read(const char *path, struct species_slot *slot, char why
 }
 
 enum pack_result pack_read_data(const char *path, struct species_slot *slot,
-                                char why[VET_WHY_SIZE])
+                                char why[VALIDATE_WHY_SIZE])
 {
     static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* One byte more than the maximum, to detect a file
                                                  that is too large. */
-    const int handle = plain_file_handle(path, O_RDONLY, 0);
+    const int handle = regular_file_handle(path, O_RDONLY, 0);
     size_t size = 0;
     ssize_t got = handle < 0 ? -1 : 1;
     while (got > 0 && size < sizeof bytes) {
@@ -50,21 +50,22 @@ enum pack_result pack_read_data(const char *path, struct species_slot *slot,
         close(handle);
     }
     if (error != 0) {
-        snprintf(why, VET_WHY_SIZE, "%s", plain_file_error(error));
+        snprintf(why, VALIDATE_WHY_SIZE, "%s", regular_file_error(error));
         return error == EFBIG ? PACK_BAD : PACK_IO;
     }
     return pack_decode(bytes, size, slot, why);
 }
 
-enum pack_result pack_write(const char *path, struct species_slot *slot, char why[VET_WHY_SIZE])
+enum pack_result pack_write(const char *path, struct species_slot *slot,
+                            char why[VALIDATE_WHY_SIZE])
 {
     static uint8_t bytes[PACK_SIZE_MAX];
-    struct out_file out;
+    struct atomic_file out;
     const size_t size = pack_encode(slot, bytes);
-    int error = out_open_lasting(&out, path);
+    int error = atomic_file_open_durable(&out, path);
     if (error == 0) {
         fwrite(bytes, 1, size, out.file); /* Write errors are reported when the file is closed. */
-        error = out_close(&out);
+        error = atomic_file_close(&out);
     }
     return error != 0 ? cannot(-error, why) : PACK_OK;
 }

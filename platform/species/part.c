@@ -7,7 +7,7 @@
 
 #include "platform/species/reader.h"
 
-enum species_part morph_part_of(const char *name)
+enum species_part part_of_vertex(const char *name)
 {
     enum species_part part = PART_BODY;
     while (part < PART_COUNT && strcmp(part_names[part], name) != 0) {
@@ -34,7 +34,7 @@ static float unlikeness(const struct species_vertex *at, enum species_part part,
     }
 }
 
-uint32_t morph_part_vertex(const struct species_mesh *mesh, enum species_part part,
+uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part part,
                            enum species_side side)
 {
     uint32_t best = mesh->vertex_count;
@@ -49,8 +49,8 @@ uint32_t morph_part_vertex(const struct species_mesh *mesh, enum species_part pa
     return best;
 }
 
-vec3 morph_part_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
-                      float progress)
+vec3 part_of_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
+                   float progress)
 {
     static vec3 positions[MESH_VERTEX_MAX];
     static struct morph_pose pose;

@@ -5,16 +5,16 @@
 #include "core/morph/morph.h"
 
 /* Returns the enum species_part of a maker's name such as "dorsal2", or PART_COUNT. */
-enum species_part morph_part_of(const char *name);
+enum species_part part_of_vertex(const char *name);
 
 /* Returns the vertex whose trajectory represents the part: the root of a fin's leading ray, the
  * centre of a pupil, the tip of the tail's upper lobe, the back where the body is deepest. For a
  * pair, the vertex of `side`. Returns vertex_count if the fish lacks the part. */
-uint32_t morph_part_vertex(const struct species_mesh *mesh, enum species_part part,
+uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part part,
                            enum species_side side);
 
 /* Returns that vertex's position at `progress`, in the species' measure. */
-vec3 morph_part_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
-                      float progress);
+vec3 part_of_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
+                   float progress);
 
 #endif

@@ -6,39 +6,39 @@
 
 #include "platform/plain_file.h"
 
-enum plain_open plain_open(const char *path, uint32_t size_max, FILE **out,
-                           char why[PLAIN_WHY_SIZE])
+enum text_file_open text_file_open(const char *path, uint32_t size_max, FILE **out,
+                                   char why[TEXT_FILE_WHY_SIZE])
 {
     const bool fine = size_max % (1u << 20) != 0;
-    *out = plain_file_open(path, size_max);
+    *out = regular_file_open(path, size_max);
     if (*out) {
-        return PLAIN_OPEN;
+        return TEXT_FILE_OPEN;
     }
     if (errno == EFBIG) {
-        snprintf(why, PLAIN_WHY_SIZE, "larger than %u %s", size_max >> (fine ? 10 : 20),
+        snprintf(why, TEXT_FILE_WHY_SIZE, "larger than %u %s", size_max >> (fine ? 10 : 20),
                  fine ? "KiB" : "MiB");
-        return PLAIN_LARGE;
+        return TEXT_FILE_LARGE;
     }
-    snprintf(why, PLAIN_WHY_SIZE, "%s", plain_file_error(errno));
-    return PLAIN_NONE;
+    snprintf(why, TEXT_FILE_WHY_SIZE, "%s", regular_file_error(errno));
+    return TEXT_FILE_NONE;
 }
 
-enum plain_line plain_line(FILE *file, char *text, size_t size)
+enum text_file_line text_file_line(FILE *file, char *text, size_t size)
 {
     size_t length = 0;
     int c = getc(file);
     if (c == EOF) {
-        return PLAIN_END;
+        return TEXT_FILE_END;
     }
     for (; c != EOF && c != '\n'; c = getc(file)) {
         if (c == '\0') {
-            return PLAIN_ZERO;
+            return TEXT_FILE_ZERO;
         }
         if (length == size - 2) {
-            return PLAIN_LONG;
+            return TEXT_FILE_LONG;
         }
         text[length++] = (char)c;
     }
     text[length] = '\0';
-    return PLAIN_LINE;
+    return TEXT_FILE_LINE;
 }

@@ -25,7 +25,7 @@ const char *const part_names[OWNED_COUNT] = {
     [PART_TRUNK] = "trunk",
 };
 
-bool refuse(const struct reader *r, const char *format, ...)
+bool species_reader_error(const struct species_reader *r, const char *format, ...)
 {
     char text[COMPLAINT_SIZE];
     va_list values;
@@ -36,58 +36,62 @@ bool refuse(const struct reader *r, const char *format, ...)
     return false;
 }
 
-bool number(const struct reader *r, uint32_t index, float low, float high, float *out)
+bool species_reader_number(const struct species_reader *r, uint32_t index, float low, float high,
+                           float *out)
 {
     char *end = NULL;
     const float value = strtof(r->words[index], &end);
     if (*end != '\0' || !isfinite(value)) {
-        return refuse(r, "'%.40s' is not a number", r->words[index]);
+        return species_reader_error(r, "'%.40s' is not a number", r->words[index]);
     }
     if (value < low || value > high) {
-        return refuse(r, "%.40s is outside %g .. %g", r->words[index], (double)low, (double)high);
+        return species_reader_error(r, "%.40s is outside %g .. %g", r->words[index], (double)low,
+                                    (double)high);
     }
     *out = value;
     return true;
 }
 
-bool whole(const struct reader *r, uint32_t index, uint32_t low, uint32_t high, uint32_t *out)
+bool species_reader_whole(const struct species_reader *r, uint32_t index, uint32_t low,
+                          uint32_t high, uint32_t *out)
 {
     float value = 0.0f;
-    if (!number(r, index, (float)low, (float)high, &value)) {
+    if (!species_reader_number(r, index, (float)low, (float)high, &value)) {
         return false;
     }
     if (value != floorf(value)) {
-        return refuse(r, "%.40s is not a whole number", r->words[index]);
+        return species_reader_error(r, "%.40s is not a whole number", r->words[index]);
     }
     *out = (uint32_t)value;
     return true;
 }
 
-bool name(const struct reader *r, uint32_t index, char out[SPECIES_NAME_SIZE])
+bool species_reader_name(const struct species_reader *r, uint32_t index,
+                         char out[SPECIES_NAME_SIZE])
 {
     const char *word = r->words[index];
     const size_t size = strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_");
     if (size == 0 || word[size] != '\0' || size >= SPECIES_NAME_SIZE) {
-        return refuse(r, "'%.40s' is no name: up to %d of a-z, 0-9 and _", word,
-                      (int)SPECIES_NAME_SIZE - 1);
+        return species_reader_error(r, "'%.40s' is no name: up to %d of a-z, 0-9 and _", word,
+                                    (int)SPECIES_NAME_SIZE - 1);
     }
     memset(out, 0, SPECIES_NAME_SIZE);
     memcpy(out, word, size);
     return true;
 }
 
-bool colour(const struct reader *r, uint32_t index, uint32_t *out)
+bool species_reader_colour(const struct species_reader *r, uint32_t index, uint32_t *out)
 {
     const char *word = r->words[index];
     if (strlen(word) != 6 || strspn(word, "0123456789abcdef") != 6) {
-        return refuse(r, "'%.40s' is no colour: six of 0-9 and a-f", word);
+        return species_reader_error(r, "'%.40s' is no colour: six of 0-9 and a-f", word);
     }
     *out = (uint32_t)strtoul(word, NULL, 16);
     return true;
 }
 
-bool choice(const struct reader *r, uint32_t index, const char *what, const char *const *choices,
-            uint32_t count, uint32_t *out)
+bool species_reader_choice(const struct species_reader *r, uint32_t index, const char *what,
+                           const char *const *choices, uint32_t count, uint32_t *out)
 {
     char list[LINE_SIZE] = "";
     size_t size = 0;
@@ -101,10 +105,11 @@ bool choice(const struct reader *r, uint32_t index, const char *what, const char
                                      size > 0 ? ", " : "", choices[i]);
         }
     }
-    return refuse(r, "'%.40s' is no %s: %s", r->words[index], what, list);
+    return species_reader_error(r, "'%.40s' is no %s: %s", r->words[index], what, list);
 }
 
-bool wants(const struct reader *r, uint32_t count, const char *names)
+bool species_reader_expect(const struct species_reader *r, uint32_t count, const char *names)
 {
-    return r->word_count == count + 1 || refuse(r, "write: %s %s", r->words[0], names);
+    return r->word_count == count + 1 ||
+           species_reader_error(r, "write: %s %s", r->words[0], names);
 }

@@ -11,7 +11,7 @@
 #define WORD_MAX 24
 #define THIN_MIN 0.002f /* A leptocephalus of 64 mm is 0.6 mm thin; less has no side. */
 
-struct reader {
+struct species_reader {
     const char *path;
     FILE *complaints;
     uint32_t line;
@@ -27,66 +27,70 @@ struct reader {
 };
 
 /* Writes 'PATH:LINE: what' and returns false. */
-__attribute__((format(printf, 2, 3))) bool refuse(const struct reader *r, const char *format, ...);
+__attribute__((format(printf, 2, 3))) bool species_reader_error(const struct species_reader *r,
+                                                                const char *format, ...);
 
 /* Parses word `index` as a number in [low, high]. */
-bool number(const struct reader *r, uint32_t index, float low, float high, float *out);
+bool species_reader_number(const struct species_reader *r, uint32_t index, float low, float high,
+                           float *out);
 
 /* Parses word `index` as an integer in [low, high]. */
-bool whole(const struct reader *r, uint32_t index, uint32_t low, uint32_t high, uint32_t *out);
+bool species_reader_whole(const struct species_reader *r, uint32_t index, uint32_t low,
+                          uint32_t high, uint32_t *out);
 
 /* Parses word `index` as a name of a-z, 0-9 and _. */
-bool name(const struct reader *r, uint32_t index, char out[SPECIES_NAME_SIZE]);
+bool species_reader_name(const struct species_reader *r, uint32_t index,
+                         char out[SPECIES_NAME_SIZE]);
 
 /* Parses word `index` as a colour, rrggbb. */
-bool colour(const struct reader *r, uint32_t index, uint32_t *out);
+bool species_reader_colour(const struct species_reader *r, uint32_t index, uint32_t *out);
 
 /* Parses word `index` as one of `choices`; null entries are skipped. The error message lists all
  * choices. */
-bool choice(const struct reader *r, uint32_t index, const char *what, const char *const *choices,
-            uint32_t count, uint32_t *out);
+bool species_reader_choice(const struct species_reader *r, uint32_t index, const char *what,
+                           const char *const *choices, uint32_t count, uint32_t *out);
 
 /* Returns true if `count` numbers follow the line's first word. Otherwise the error message shows
  * the syntax. */
-bool wants(const struct reader *r, uint32_t count, const char *names);
+bool species_reader_expect(const struct species_reader *r, uint32_t count, const char *names);
 
 /* Makers' names of the parts, then of head and trunk. */
 extern const char *const part_names[OWNED_COUNT];
 
 /* Implemented in text_life.c. */
-bool read_species(struct reader *r);
-bool read_measure(struct reader *r);
-bool read_form(struct reader *r);
-bool read_motion(struct reader *r);
-bool read_without(struct reader *r);
-bool read_confluent(struct reader *r);
-bool read_growth(struct reader *r);
-bool read_hatch(struct reader *r);
-bool read_point(struct reader *r);
-bool read_scale(struct reader *r);
-bool read_thesis(struct reader *r);
+bool text_read_species(struct species_reader *r);
+bool text_read_measure(struct species_reader *r);
+bool text_read_form(struct species_reader *r);
+bool text_read_motion(struct species_reader *r);
+bool text_read_without(struct species_reader *r);
+bool text_read_confluent(struct species_reader *r);
+bool text_read_growth(struct species_reader *r);
+bool text_read_hatch(struct species_reader *r);
+bool text_read_point(struct species_reader *r);
+bool text_read_scale(struct species_reader *r);
+bool text_read_thesis(struct species_reader *r);
 
 /* Implemented in text_key.c. */
-bool read_key(struct reader *r);
-bool read_gill(struct reader *r);
-bool read_station(struct reader *r);
-bool read_eye(struct reader *r);
-bool read_fin(struct reader *r);
-bool read_ray(struct reader *r);
-bool read_finlets(struct reader *r);
+bool text_read_key(struct species_reader *r);
+bool text_read_gill(struct species_reader *r);
+bool text_read_station(struct species_reader *r);
+bool text_read_eye(struct species_reader *r);
+bool text_read_fin(struct species_reader *r);
+bool text_read_ray(struct species_reader *r);
+bool text_read_finlets(struct species_reader *r);
 
 /* Implemented in text_coat.c. */
-bool read_coat(struct reader *r);
-bool read_mark(struct reader *r);
+bool text_read_coat(struct species_reader *r);
+bool text_read_mark(struct species_reader *r);
 
 /* Implemented in text_graph.c. */
-bool read_curve(struct reader *r);
-bool read_area(struct reader *r);
-bool read_knot(struct reader *r);
-bool read_line_kind(struct reader *r);
-bool read_template(struct reader *r);
+bool text_read_curve(struct species_reader *r);
+bool text_read_area(struct species_reader *r);
+bool text_read_knot(struct species_reader *r);
+bool text_read_line_kind(struct species_reader *r);
+bool text_read_template(struct species_reader *r);
 
 /* Checks in text_check.c that a species is complete and can be lofted. */
-bool check_species(struct reader *r);
+bool text_check_species(struct species_reader *r);
 
 #endif

@@ -23,7 +23,7 @@ static double slope(const double *x, const double *y, uint32_t count, uint32_t i
     return (w0 + w1) / (w0 / d0 + w1 / d1);
 }
 
-double curve_through(const double *x, const double *y, uint32_t count, double at)
+double shape_curve_through(const double *x, const double *y, uint32_t count, double at)
 {
     uint32_t i = 0;
     while (i < count - 2 && at > x[i + 1]) {
@@ -39,10 +39,10 @@ double curve_through(const double *x, const double *y, uint32_t count, double at
 
 /* Returns the cross section at `x`. Curves run over the square root of x, so that a section which
  * starts at size 0 opens like a ball and not like a cone. */
-struct station section(const struct key_text *key, double along)
+struct station shape_section(const struct key_text *key, double along)
 {
     double x[STATION_MAX], y[4][STATION_MAX];
-    for (uint32_t i = 0; i < key->station_count; i++) {
+    for (uint32_t i = 0; i < key->substep_count; i++) {
         const struct station *s = &key->stations[i];
         x[i] = sqrt((double)s->x);
         y[0][i] = (double)s->depth;
@@ -50,67 +50,67 @@ struct station section(const struct key_text *key, double along)
         y[2][i] = (double)s->offset;
         y[3][i] = (double)s->exponent;
     }
-    const uint32_t n = key->station_count;
+    const uint32_t n = key->substep_count;
     const double at = sqrt(fmax(along, 0.0));
     return (struct station){ .x = (float)along,
-                             .depth = (float)curve_through(x, y[0], n, at),
-                             .width = (float)curve_through(x, y[1], n, at),
-                             .offset = (float)curve_through(x, y[2], n, at),
-                             .exponent = (float)curve_through(x, y[3], n, at) };
+                             .depth = (float)shape_curve_through(x, y[0], n, at),
+                             .width = (float)shape_curve_through(x, y[1], n, at),
+                             .offset = (float)shape_curve_through(x, y[2], n, at),
+                             .exponent = (float)shape_curve_through(x, y[3], n, at) };
 }
 
 /* Body coordinate u is linear in x on both sides of the gill cover, which every key has at
  * GILL_U. */
 
-double body_x(const struct key_text *key, double u)
+double shape_body_x(const struct key_text *key, double u)
 {
     const double gill = key->gill > 0.0f ? (double)key->gill : (double)GILL_U;
     const double at[] = { 0.0, (double)GILL_U, 1.0 }, x[] = { 0.0, gill, 1.0 };
-    return curve_through(at, x, 3, u);
+    return shape_curve_through(at, x, 3, u);
 }
 
-double body_u(const struct key_text *key, double x)
+double shape_body_u(const struct key_text *key, double x)
 {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 40; i++) {
         const double middle = 0.5 * (low + high);
-        *(body_x(key, middle) < x ? &low : &high) = middle;
+        *(shape_body_x(key, middle) < x ? &low : &high) = middle;
     }
     return 0.5 * (low + high);
 }
 
 /* Vectors */
 
-point3 sub(point3 a, point3 b)
+v3d v3d_sub(v3d a, v3d b)
 {
-    return (point3){ a.x - b.x, a.y - b.y, a.z - b.z };
+    return (v3d){ a.x - b.x, a.y - b.y, a.z - b.z };
 }
 
-point3 mad(point3 a, point3 b, double s)
+v3d v3d_muladd(v3d a, v3d b, double s)
 {
-    return (point3){ a.x + b.x * s, a.y + b.y * s, a.z + b.z * s };
+    return (v3d){ a.x + b.x * s, a.y + b.y * s, a.z + b.z * s };
 }
 
-point3 cross(point3 a, point3 b)
+v3d v3d_cross(v3d a, v3d b)
 {
-    return (point3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
+    return (v3d){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
 }
 
-double dot3(point3 a, point3 b)
+double v3d_dot(v3d a, v3d b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-double length3(point3 a)
+double v3d_length(v3d a)
 {
-    return sqrt(dot3(a, a));
+    return sqrt(v3d_dot(a, a));
 }
 
-point3 unit(point3 a)
+v3d v3d_unit(v3d a)
 {
-    const double length = length3(a);
-    return length > 1e-12 ? (point3){ a.x / length, a.y / length, a.z / length }
-                          : (point3){ 0.0, 1.0, 0.0 };
+    const double length = v3d_length(a);
+    return length > 1e-12 ? (v3d){ a.x / length, a.y / length, a.z / length }
+                          : (v3d){ 0.0, 1.0, 0.0 };
 }
 
 /* Surfaces: the body by (u along, v round) */
@@ -120,21 +120,22 @@ static double superellipse(double sine, double exponent)
     return copysign(pow(fabs(sine), 2.0 / exponent), sine);
 }
 
-point3 body_point(const struct key_text *key, double u, double v)
+v3d shape_body_point(const struct key_text *key, double u, double v)
 {
-    const double x = body_x(key, u);
-    const struct station s = section(key, x);
+    const double x = shape_body_x(key, u);
+    const struct station s = shape_section(key, x);
     const double angle = 2.0 * PI * v;
-    return (point3){ 0.5 * (double)s.width * superellipse(sin(angle), (double)s.exponent),
-                     (double)s.offset +
-                         0.5 * (double)s.depth * superellipse(cos(angle), (double)s.exponent),
-                     x };
+    return (v3d){ 0.5 * (double)s.width * superellipse(sin(angle), (double)s.exponent),
+                  (double)s.offset +
+                      0.5 * (double)s.depth * superellipse(cos(angle), (double)s.exponent),
+                  x };
 }
 
-point3 body_normal(const struct key_text *key, double u, double v)
+v3d shape_body_normal(const struct key_text *key, double u, double v)
 {
     const double du = fmin(1e-3, 0.5 * u), dv = 1e-3;
-    const point3 along = sub(body_point(key, fmin(u + du, 1.0), v), body_point(key, u - du, v));
-    const point3 round = sub(body_point(key, u, v + dv), body_point(key, u, v - dv));
-    return unit(cross(along, round));
+    const v3d along =
+        v3d_sub(shape_body_point(key, fmin(u + du, 1.0), v), shape_body_point(key, u - du, v));
+    const v3d round = v3d_sub(shape_body_point(key, u, v + dv), shape_body_point(key, u, v - dv));
+    return v3d_unit(v3d_cross(along, round));
 }

@@ -10,31 +10,31 @@
 
 typedef struct {
     double x, y, z;
-} point3;
+} v3d;
 
-point3 sub(point3 a, point3 b);
-point3 mad(point3 a, point3 b, double s); /* a + b s */
-point3 cross(point3 a, point3 b);
-double dot3(point3 a, point3 b);
-double length3(point3 a);
+v3d v3d_sub(v3d a, v3d b);
+v3d v3d_muladd(v3d a, v3d b, double s); /* a + b s */
+v3d v3d_cross(v3d a, v3d b);
+double v3d_dot(v3d a, v3d b);
+double v3d_length(v3d a);
 /* Returns a vector of length 1. Returns up if a degenerate surface has no normal. */
-point3 unit(point3 a);
+v3d v3d_unit(v3d a);
 
 /* Returns the value at `at` of a smooth curve through drawn points that never overshoots them
  * (Fritsch and Carlson). Beyond the ends the curve is constant. */
-double curve_through(const double *x, const double *y, uint32_t count, double at);
+double shape_curve_through(const double *x, const double *y, uint32_t count, double at);
 
 /* Convert body coordinate u to the drawing's x, and back. Both rise from 0 to 1. */
-double body_x(const struct key_text *key, double u);
-double body_u(const struct key_text *key, double x);
+double shape_body_x(const struct key_text *key, double u);
+double shape_body_u(const struct key_text *key, double x);
 
 /* Returns the cross section at `x` along the body, a smooth curve through the stations. */
-struct station section(const struct key_text *key, double x);
+struct station shape_section(const struct key_text *key, double x);
 
 /* Return a point and the normal of the body: `u` in (0, 1] from snout to tail root, `v` in [0, 1]
  * round the girth from the back over the right flank. */
-point3 body_point(const struct key_text *key, double u, double v);
-point3 body_normal(const struct key_text *key, double u, double v);
+v3d shape_body_point(const struct key_text *key, double u, double v);
+v3d shape_body_normal(const struct key_text *key, double u, double v);
 
 #define EYE_RIM_RAD 1.4 /* Angle from the pupil's centre to the rim where the ball meets the skin:
                            80 degrees. */
@@ -45,29 +45,29 @@ struct ball {
     double u, v;
     double radius, out, in, sunk;
 };
-struct ball eye_ball(const struct key_text *key, uint32_t side);
+struct ball shape_eye_ball(const struct key_text *key, uint32_t side);
 
 /* Returns the z of the body's last point, slightly behind its last ring. */
-double body_end(const struct key_text *key);
+double shape_body_end(const struct key_text *key);
 /* Returns a point of the round end: `t` is 0 at the last ring and 1 at the body's last point. */
-point3 end_point(const struct key_text *key, double t, double v);
+v3d shape_end_point(const struct key_text *key, double t, double v);
 
 /* Return a point and the normal of a fin: `at` 0 .. 1 from the first ray to the last, `along` 0
  * .. 1 from root to tip. The root (along = 0) is inside the body, every point with along > 0
  * outside. */
-point3 fin_point(const struct key_text *key, enum species_part part, double at, double along);
-point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along);
+v3d shape_fin_point(const struct key_text *key, enum species_part part, double at, double along);
+v3d shape_fin_normal(const struct key_text *key, enum species_part part, double at, double along);
 
 #define FINLET_BASE 0.6 /* Length of a finlet's base, as a fraction of the step between finlets. */
 
 /* Returns a corner of the finlet that starts at `at` of its row: 0 fore root, 1 hind root, 2
  * tip. */
-point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);
+v3d shape_finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);
 
 /* Returns the length that becomes the mesh's unit: the species' measure in the drawing's units. */
-double unit_length(const struct key_text *key, enum species_measure measure);
+double shape_unit_length(const struct key_text *key, enum species_measure measure);
 
 /* Returns an upper bound of the distance of any point from the body's origin, along any axis. */
-double farthest(const struct key_text *key);
+double shape_farthest(const struct key_text *key);
 
 #endif

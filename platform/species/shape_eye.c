@@ -24,36 +24,37 @@ static double girth_at(const struct station *s, double y)
 }
 
 /* Returns the mean distance of the skin below the tangent plane at the ball's rim. */
-static double skin_drop(const struct key_text *key, const struct ball *ball, point3 skin, point3 n)
+static double skin_drop(const struct key_text *key, const struct ball *ball, v3d skin, v3d n)
 {
     const double d = 1e-3;
-    const point3 along = sub(body_point(key, ball->u + d, ball->v), skin);
-    const point3 round = sub(body_point(key, ball->u, ball->v + d), skin);
-    const double du = d * ball->radius / fmax(length3(along), 1e-9);
-    const double dv = d * ball->radius / fmax(length3(round), 1e-9);
+    const v3d along = v3d_sub(shape_body_point(key, ball->u + d, ball->v), skin);
+    const v3d round = v3d_sub(shape_body_point(key, ball->u, ball->v + d), skin);
+    const double du = d * ball->radius / fmax(v3d_length(along), 1e-9);
+    const double dv = d * ball->radius / fmax(v3d_length(round), 1e-9);
     const double step[4][2] = { { du, 0 }, { -du, 0 }, { 0, dv }, { 0, -dv } };
     double sum = 0.0;
     for (int i = 0; i < 4; i++) {
         const double u = fmin(fmax(ball->u + step[i][0], 0.002), 1.0);
-        const point3 to = sub(body_point(key, u, ball->v + step[i][1]), skin);
-        const double fall = -dot3(to, n);
-        const double away = length3(mad(to, n, fall));
+        const v3d to = v3d_sub(shape_body_point(key, u, ball->v + step[i][1]), skin);
+        const double fall = -v3d_dot(to, n);
+        const double away = v3d_length(v3d_muladd(to, n, fall));
         sum += 0.25 * fall * pow(ball->radius / fmax(away, 1e-6), 2.0);
     }
     return fmin(fmax(sum, 0.0), DROP_MAX * ball->radius);
 }
 
-struct ball eye_ball(const struct key_text *key, uint32_t side)
+struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
 {
     const struct eye *eye = &key->eyes[side];
-    const struct station s = section(key, (double)eye->x);
+    const struct station s = shape_section(key, (double)eye->x);
     const double girth = girth_at(&s, (double)eye->y) * (1.0 - (double)eye->turn_deg / 90.0);
-    struct ball ball = { .u = body_u(key, (double)eye->x),
+    struct ball ball = { .u = shape_body_u(key, (double)eye->x),
                          .v = side == 0 ? girth : 1.0 - girth,
                          .radius = 0.5 * (double)eye->diameter };
-    const point3 skin = body_point(key, ball.u, ball.v), n = body_normal(key, ball.u, ball.v);
-    const point3 axis = { 0.0, (double)s.offset, skin.z };
-    const double half = fmax(dot3(sub(skin, axis), n), THINNEST);
+    const v3d skin = shape_body_point(key, ball.u, ball.v),
+              n = shape_body_normal(key, ball.u, ball.v);
+    const v3d axis = { 0.0, (double)s.offset, skin.z };
+    const double half = fmax(v3d_dot(v3d_sub(skin, axis), n), THINNEST);
     const double drop = skin_drop(key, &ball, skin, n);
     const double stands_out = (double)eye->bulge * (double)eye->diameter;
     const double out = (stands_out + drop) / (1.0 - cos(EYE_RIM_RAD));

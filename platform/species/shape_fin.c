@@ -38,17 +38,17 @@ static struct ray ray_at(const struct fin *fin, double at)
     }
     const uint32_t n = fin->ray_count;
     return (struct ray){ .at = (float)at,
-                         .length = (float)curve_through(x, y[0], n, at),
-                         .sweep_deg = (float)curve_through(x, y[1], n, at),
-                         .side_deg = (float)curve_through(x, y[2], n, at) };
+                         .length = (float)shape_curve_through(x, y[0], n, at),
+                         .sweep_deg = (float)shape_curve_through(x, y[1], n, at),
+                         .side_deg = (float)shape_curve_through(x, y[2], n, at) };
 }
 
 static double stalk_depth(const struct key_text *key)
 {
-    return (double)key->stations[key->station_count - 1].depth;
+    return (double)key->stations[key->substep_count - 1].depth;
 }
 
-double body_end(const struct key_text *key)
+double shape_body_end(const struct key_text *key)
 {
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
@@ -60,29 +60,30 @@ static double closing(double t)
     return sqrt(fmax(1.0 - t * t, 0.0));
 }
 
-point3 end_point(const struct key_text *key, double t, double v)
+v3d shape_end_point(const struct key_text *key, double t, double v)
 {
-    const point3 p = body_point(key, 1.0, v);
-    const double middle = (double)section(key, 1.0).offset, left = closing(t);
-    return (point3){ p.x * left, middle + (p.y - middle) * left, 1.0 + t * (body_end(key) - 1.0) };
+    const v3d p = shape_body_point(key, 1.0, v);
+    const double middle = (double)shape_section(key, 1.0).offset, left = closing(t);
+    return (v3d){ p.x * left, middle + (p.y - middle) * left,
+                  1.0 + t * (shape_body_end(key) - 1.0) };
 }
 
 /* Returns a point of the tail's base from top (0) to bottom, limited to the stalk's height. */
-static point3 tail_root(const struct key_text *key, double at)
+static v3d tail_root(const struct key_text *key, double at)
 {
     const struct fin *fin = &key->fins[PART_TAIL];
     const double x = 1.0 - fmin(TAIL_SINK, STALK_SINK * stalk_depth(key));
-    const struct station s = section(key, x);
+    const struct station s = shape_section(key, x);
     const double half = 0.5 * (double)s.depth * (1.0 - SINK_SHARE), middle = (double)s.offset;
     const double top = fmax(fmin((double)fin->end, middle + half), middle + THINNEST * half);
     const double bottom = fmin(fmax((double)fin->start, middle - half), middle - THINNEST * half);
-    return (point3){ 0.0, top + (bottom - top) * at, x };
+    return (v3d){ 0.0, top + (bottom - top) * at, x };
 }
 
 /* Returns the depth of a fin's root below the skin at `x`. */
 static double sink_at(const struct key_text *key, double x)
 {
-    const struct station s = section(key, fmin(fmax(x, 0.0), 1.0));
+    const struct station s = shape_section(key, fmin(fmax(x, 0.0), 1.0));
     return fmin(FIN_SINK, SINK_SHARE * fmin((double)s.depth, (double)s.width));
 }
 
@@ -93,23 +94,23 @@ static double base_x(const struct fin *fin, double at)
 
 /* Returns the point at which a fin's ray leaves the skin, or its root `inside` below the skin. The
  * tail's base is vertical in the stalk, top first; other bases run along x. */
-static point3 fin_base(const struct key_text *key, enum species_part part, double at, double inside)
+static v3d fin_base(const struct key_text *key, enum species_part part, double at, double inside)
 {
     const struct fin *fin = &key->fins[part];
     const double x = base_x(fin, at);
-    const struct station s = section(key, fmin(fmax(x, 0.0), 1.0));
+    const struct station s = shape_section(key, fmin(fmax(x, 0.0), 1.0));
     switch (part) {
     case PART_TAIL:
         return tail_root(key, at);
     case PART_DORSAL:
     case PART_DORSAL_2:
-        return (point3){ 0.0, (double)s.offset + 0.5 * (double)s.depth - inside, x };
+        return (v3d){ 0.0, (double)s.offset + 0.5 * (double)s.depth - inside, x };
     case PART_ANAL:
-        return (point3){ 0.0, (double)s.offset - 0.5 * (double)s.depth + inside, x };
+        return (v3d){ 0.0, (double)s.offset - 0.5 * (double)s.depth + inside, x };
     default: {
-        const double u = body_u(key, x);
-        const point3 skin = body_point(key, u, (double)fin->girth);
-        return mad(skin, body_normal(key, u, (double)fin->girth), -inside);
+        const double u = shape_body_u(key, x);
+        const v3d skin = shape_body_point(key, u, (double)fin->girth);
+        return v3d_muladd(skin, shape_body_normal(key, u, (double)fin->girth), -inside);
     }
     }
 }
@@ -118,7 +119,7 @@ static point3 fin_base(const struct key_text *key, enum species_part part, doubl
  * backward from upright. Tail: sweep raises it from straight back. Both: side turns it to the
  * right, increasing toward the tip. Paired (right): sweep leans it back from straight out, side
  * raises it. */
-static point3 fin_direction(const struct fin *fin, enum species_part part, struct ray ray, double r)
+static v3d fin_direction(const struct fin *fin, enum species_part part, struct ray ray, double r)
 {
     const double degrees = PI / 180.0;
     const double curl = (double)fin->curl_deg * r;
@@ -130,34 +131,34 @@ static point3 fin_direction(const struct fin *fin, enum species_part part, struc
     const double c = cos(sweep), s = sin(sweep);
     switch (part) {
     case PART_TAIL:
-        return (point3){ sin(side), s * cos(side), c * cos(side) };
+        return (v3d){ sin(side), s * cos(side), c * cos(side) };
     case PART_DORSAL:
     case PART_DORSAL_2:
-        return (point3){ sin(side), c * cos(side), s * cos(side) };
+        return (v3d){ sin(side), c * cos(side), s * cos(side) };
     case PART_ANAL:
-        return (point3){ sin(side), -c * cos(side), s * cos(side) };
+        return (v3d){ sin(side), -c * cos(side), s * cos(side) };
     default:
-        return (point3){ c * cos(side), c * sin(side), s };
+        return (v3d){ c * cos(side), c * sin(side), s };
     }
 }
 
 /* Returns a point along a ray from where it leaves the skin. A drawn length begins at the sunken
  * root. */
-static point3 ray_point(const struct key_text *key, enum species_part part, double at, double along)
+static v3d ray_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     const struct fin *fin = &key->fins[part];
     const struct ray ray = ray_at(fin, at);
     const double length = (double)ray.length;
     const double sink = part == PART_TAIL ? 0.0 : sink_at(key, base_x(fin, at));
     const double shown = fmax(length - sink, SHOWN_MIN);
-    point3 p = fin_base(key, part, at, 0.0);
+    v3d p = fin_base(key, part, at, 0.0);
     for (int i = 0; i < RAY_STEPS; i++) {
         const double r = along * (i + 0.5) / RAY_STEPS;
-        p = mad(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
+        p = v3d_muladd(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
     }
     if (part == PART_TAIL) { /* A cupped tail widens only behind the stalk, so that it does not cut
                                 through the stalk's flanks. */
-        const double start = body_end(key);
+        const double start = shape_body_end(key);
         p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }
     return p;
@@ -165,13 +166,13 @@ static point3 ray_point(const struct key_text *key, enum species_part part, doub
 
 /* Returns the radial position of `p` relative to the skin: 1 at the skin, larger outside. Before
  * and behind the body every point is outside. */
-static double outness(const struct key_text *key, point3 p)
+static double outness(const struct key_text *key, v3d p)
 {
-    const double end = body_end(key);
+    const double end = shape_body_end(key);
     if (p.z >= end || p.z <= 0.0) {
         return CLEAR_OF;
     }
-    const struct station s = section(key, fmin(p.z, 1.0));
+    const struct station s = shape_section(key, fmin(p.z, 1.0));
     const double left = p.z > 1.0 ? closing((p.z - 1.0) / (end - 1.0)) : 1.0;
     const double e = (double)s.exponent;
     const double x = fabs(p.x) / (0.5 * (double)s.width * left);
@@ -190,19 +191,19 @@ static double fin_exit(const struct key_text *key, enum species_part part, doubl
 }
 
 /* Moves a point of a folded paired fin onto the flank if it is inside the body. */
-static point3 on_flank(const struct key_text *key, point3 p)
+static v3d on_flank(const struct key_text *key, v3d p)
 {
     const double out = outness(key, p);
     if (out >= CLEAR_OF || out < 1e-3) {
         return p;
     }
-    const double middle = (double)section(key, fmin(p.z, 1.0)).offset;
+    const double middle = (double)shape_section(key, fmin(p.z, 1.0)).offset;
     const double k = CLEAR_OF / out;
-    return (point3){ p.x * k, middle + (p.y - middle) * k, p.z };
+    return (v3d){ p.x * k, middle + (p.y - middle) * k, p.z };
 }
 
 /* Returns the root of a ray, or a point of its visible part. */
-static point3 own_point(const struct key_text *key, enum species_part part, double at, double along)
+static v3d own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
         return fin_base(key, part, at, sink_at(key, base_x(&key->fins[part], at)));
@@ -224,40 +225,40 @@ static double joined(const struct key_text *key, enum species_part part, double 
     return t * t * (3.0 - 2.0 * t);
 }
 
-point3 fin_point(const struct key_text *key, enum species_part part, double at, double along)
+v3d shape_fin_point(const struct key_text *key, enum species_part part, double at, double along)
 {
-    const point3 own = own_point(key, part, at, along);
+    const v3d own = own_point(key, part, at, along);
     const double share = joined(key, part, at);
     if (share <= 0.0) {
         return own;
     }
-    const point3 tail = own_point(key, PART_TAIL, part == PART_DORSAL ? 0.0 : 1.0, along);
-    return mad(mad((point3){ 0.0, 0.0, 0.0 }, own, 1.0 - share), tail, share);
+    const v3d tail = own_point(key, PART_TAIL, part == PART_DORSAL ? 0.0 : 1.0, along);
+    return v3d_muladd(v3d_muladd((v3d){ 0.0, 0.0, 0.0 }, own, 1.0 - share), tail, share);
 }
 
-point3 fin_normal(const struct key_text *key, enum species_part part, double at, double along)
+v3d shape_fin_normal(const struct key_text *key, enum species_part part, double at, double along)
 {
     const double d = 1e-3;
-    const point3 across = sub(ray_point(key, part, fmin(at + d, 1.0), along),
-                              ray_point(key, part, fmax(at - d, 0.0), along));
-    const point3 out = sub(ray_point(key, part, at, fmin(along + d, 1.0)),
-                           ray_point(key, part, at, fmax(along - d, 0.0)));
-    return unit(cross(across, out));
+    const v3d across = v3d_sub(ray_point(key, part, fmin(at + d, 1.0), along),
+                               ray_point(key, part, fmax(at - d, 0.0), along));
+    const v3d out = v3d_sub(ray_point(key, part, at, fmin(along + d, 1.0)),
+                            ray_point(key, part, at, fmax(along - d, 0.0)));
+    return v3d_unit(v3d_cross(across, out));
 }
 
-point3 finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner)
+v3d shape_finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner)
 {
     const struct finlets *f = &key->finlets[row];
     const double length = (double)f->end - (double)f->start;
     const double base = corner == 1 ? FINLET_BASE * length / f->count : 0.0;
     const double x = (double)f->start + at * length + base;
-    const struct station s = section(key, fmin(x, 1.0));
+    const struct station s = shape_section(key, fmin(x, 1.0));
     const double up = row == 0 ? 1.0 : -1.0;
     const double sink = fmin(FIN_SINK, SINK_SHARE * (double)s.depth);
-    const point3 root = { 0.0, (double)s.offset + up * (0.5 * (double)s.depth - sink), x };
+    const v3d root = { 0.0, (double)s.offset + up * (0.5 * (double)s.depth - sink), x };
     if (corner < 2) {
         return root;
     }
     const double sweep = (double)f->sweep_deg * PI / 180.0;
-    return mad(root, (point3){ 0.0, up * cos(sweep), sin(sweep) }, (double)f->length + sink);
+    return v3d_muladd(root, (v3d){ 0.0, up * cos(sweep), sin(sweep) }, (double)f->length + sink);
 }

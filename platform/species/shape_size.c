@@ -8,7 +8,7 @@
 static double widest(const struct key_text *key)
 {
     double width = 0.0;
-    for (uint32_t i = 0; i < key->station_count; i++) { /* No curve bulges beyond a station. */
+    for (uint32_t i = 0; i < key->substep_count; i++) { /* No curve bulges beyond a station. */
         width = fmax(width, (double)key->stations[i].width);
     }
     return width;
@@ -18,12 +18,12 @@ static double hindmost(const struct key_text *key)
 {
     double z = 1.0;
     for (int i = 0; i <= TIPS; i++) {
-        z = fmax(z, fin_point(key, PART_TAIL, (double)i / TIPS, 1.0).z);
+        z = fmax(z, shape_fin_point(key, PART_TAIL, (double)i / TIPS, 1.0).z);
     }
     return z;
 }
 
-double unit_length(const struct key_text *key, enum species_measure measure)
+double shape_unit_length(const struct key_text *key, enum species_measure measure)
 {
     const bool tail = key->fins[PART_TAIL].ray_count > 0;
     switch (measure) {
@@ -32,16 +32,16 @@ double unit_length(const struct key_text *key, enum species_measure measure)
     case MEASURE_TOTAL:
         return tail ? hindmost(key) : 1.0;
     case MEASURE_FORK:
-        return tail ? fin_point(key, PART_TAIL, 0.5, 1.0).z : 1.0;
+        return tail ? shape_fin_point(key, PART_TAIL, 0.5, 1.0).z : 1.0;
     default:
         return 1.0;
     }
 }
 
-double farthest(const struct key_text *key)
+double shape_farthest(const struct key_text *key)
 {
     double body = 1.0, ray = 0.0;
-    for (uint32_t i = 0; i < key->station_count; i++) {
+    for (uint32_t i = 0; i < key->substep_count; i++) {
         const struct station *s = &key->stations[i];
         const double up = fabs((double)s->offset) + 0.5 * (double)s->depth;
         body = fmax(body, fmax(up, 0.5 * (double)s->width));

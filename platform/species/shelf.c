@@ -12,7 +12,7 @@
 #define PATH_SIZE 1024u
 
 struct listing {
-    char names[SHELF_LINE_MAX][NAME_MAX + 1];
+    char names[LIBRARY_LINE_MAX][NAME_MAX + 1];
     uint32_t count, beyond;
 };
 
@@ -22,7 +22,7 @@ static bool is_packed(const char *name)
     return length > suffix && name[0] != '.' && strcmp(name + length - suffix, PACK_SUFFIX) == 0;
 }
 
-/* Inserts a name in order and keeps the first SHELF_LINE_MAX names, because a directory has no
+/* Inserts a name in order and keeps the first LIBRARY_LINE_MAX names, because a directory has no
  * fixed order. */
 static void insert(struct listing *l, const char *name)
 {
@@ -30,13 +30,13 @@ static void insert(struct listing *l, const char *name)
     while (at > 0 && strcmp(name, l->names[at - 1]) < 0) {
         at--;
     }
-    if (l->count == SHELF_LINE_MAX) {
+    if (l->count == LIBRARY_LINE_MAX) {
         l->beyond++;
     }
-    if (at == SHELF_LINE_MAX) {
+    if (at == LIBRARY_LINE_MAX) {
         return;
     }
-    l->count += l->count < SHELF_LINE_MAX;
+    l->count += l->count < LIBRARY_LINE_MAX;
     memmove(&l->names[at] + 1, &l->names[at], (l->count - at - 1) * sizeof l->names[0]);
     memcpy(l->names[at], name, strlen(name) + 1);
 }
@@ -57,10 +57,10 @@ static int list(const char *folder, struct listing *l)
     return 0;
 }
 
-static bool is_taken(const struct shelf *shelf, const char *id)
+static bool is_taken(const struct library *library, const char *id)
 {
-    for (uint32_t i = 0; i < shelf_count(shelf); i++) {
-        if (strcmp(shelf_species(shelf, i)->card.id, id) == 0) {
+    for (uint32_t i = 0; i < library_count(library); i++) {
+        if (strcmp(library_species(library, i)->card.id, id) == 0) {
             return true;
         }
     }
@@ -68,115 +68,116 @@ static bool is_taken(const struct shelf *shelf, const char *id)
 }
 
 /* Reads one file into the next free slot. The slot stays free if the species is rejected. */
-static bool take(struct shelf *shelf, const char *path, char why[VET_WHY_SIZE])
+static bool library_read_file(struct library *library, const char *path,
+                              char why[VALIDATE_WHY_SIZE])
 {
-    if (shelf->species_count == SPECIES_EXTRA_MAX) {
-        snprintf(why, VET_WHY_SIZE, "no room: %u species are loaded", SPECIES_EXTRA_MAX);
+    if (library->species_count == SPECIES_EXTRA_MAX) {
+        snprintf(why, VALIDATE_WHY_SIZE, "no room: %u species are loaded", SPECIES_EXTRA_MAX);
         return false;
     }
-    struct species_slot *slot = &shelf->slots[shelf->species_count];
+    struct species_slot *slot = &library->slots[library->species_count];
     if (pack_read_data(path, slot, why) != PACK_OK) {
         return false;
     }
     char id[SPECIES_NAME_SIZE];
     memcpy(id, slot->species.card.id, sizeof id);
-    if (is_taken(shelf, id)) {
-        snprintf(why, VET_WHY_SIZE, "id: there is a '%s' already", id);
+    if (is_taken(library, id)) {
+        snprintf(why, VALIDATE_WHY_SIZE, "id: there is a '%s' already", id);
         return false;
     }
-    shelf->species_count++;
+    library->species_count++;
     return true;
 }
 
-static void read_one(struct shelf *shelf, const char *folder, const char *name)
+static void read_one(struct library *library, const char *folder, const char *name)
 {
     char path[PATH_SIZE];
-    struct shelf_line *line = &shelf->lines[shelf->line_count++];
-    *line = (struct shelf_line){ .slot = SHELF_SLOT_NONE };
+    struct library_line *line = &library->lines[library->line_count++];
+    *line = (struct library_line){ .slot = LIBRARY_SLOT_NONE };
     snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1, name);
     printable(line->file);
     const int length = snprintf(path, sizeof path, "%s/%s", folder, name);
     if (length < 0 || (size_t)length >= sizeof path) {
         snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));
-    } else if (take(shelf, path, line->why)) {
-        line->slot = (uint8_t)(shelf->species_count - 1);
+    } else if (library_read_file(library, path, line->why)) {
+        line->slot = (uint8_t)(library->species_count - 1);
     }
 }
 
-void shelf_fill(struct shelf *shelf, const char *data)
+void library_fill(struct library *library, const char *data)
 {
     struct listing listing = { .count = 0 };
     char folder[PATH_SIZE];
-    shelf->species_count = shelf->line_count = shelf->unread_count = shelf->graph_count = 0;
-    const int length = snprintf(folder, sizeof folder, "%s/" SHELF_FOLDER, data ? data : "");
+    library->species_count = library->line_count = library->unread_count = library->graph_count = 0;
+    const int length = snprintf(folder, sizeof folder, "%s/" LIBRARY_FOLDER, data ? data : "");
     if (!data || !data[0] || length < 0 || (size_t)length >= sizeof folder) {
         return;
     }
     const int error = list(folder, &listing);
     if (error != 0) {
-        struct shelf_line *line = &shelf->lines[shelf->line_count++];
-        *line = (struct shelf_line){ .file = SHELF_FOLDER, .slot = SHELF_SLOT_NONE };
+        struct library_line *line = &library->lines[library->line_count++];
+        *line = (struct library_line){ .file = LIBRARY_FOLDER, .slot = LIBRARY_SLOT_NONE };
         snprintf(line->why, sizeof line->why, "%s", strerror(error));
     }
     for (uint32_t i = 0; i < listing.count; i++) {
-        read_one(shelf, folder, listing.names[i]);
+        read_one(library, folder, listing.names[i]);
     }
-    shelf->unread_count = listing.beyond;
+    library->unread_count = listing.beyond;
 }
 
 /* ---- Faults --------------------------------------------------------------------------------- */
 
-void shelf_note_graph(struct shelf *shelf, const char *line)
+void library_note_graph(struct library *library, const char *line)
 {
     const char *gap = strstr(line, ": ");
-    if (gap == NULL || shelf->graph_count == SPECIES_MAX) {
+    if (gap == NULL || library->graph_count == SPECIES_MAX) {
         return;
     }
-    struct shelf_line *note = &shelf->graphs[shelf->graph_count++];
-    note->slot = SHELF_SLOT_NONE;
+    struct library_line *note = &library->graphs[library->graph_count++];
+    note->slot = LIBRARY_SLOT_NONE;
     snprintf(note->file, sizeof note->file, "%.*s", (int)(gap - line), line);
     snprintf(note->why, sizeof note->why, "%s", gap + 2);
 }
 
-static uint32_t refused_count(const struct shelf *shelf)
+static uint32_t refused_count(const struct library *library)
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < shelf->line_count; i++) {
-        count += shelf->lines[i].slot == SHELF_SLOT_NONE;
+    for (uint32_t i = 0; i < library->line_count; i++) {
+        count += library->lines[i].slot == LIBRARY_SLOT_NONE;
     }
     return count;
 }
 
-uint32_t shelf_fault_count(const struct shelf *shelf)
+uint32_t library_fault_count(const struct library *library)
 {
-    return refused_count(shelf) + (shelf->unread_count > 0) + shelf->graph_count;
+    return refused_count(library) + (library->unread_count > 0) + library->graph_count;
 }
 
-struct shelf_line shelf_fault(const struct shelf *shelf, uint32_t index)
+struct library_line library_fault(const struct library *library, uint32_t index)
 {
-    struct shelf_line unread = { .file = SHELF_FOLDER, .slot = SHELF_SLOT_NONE };
-    assert(index < shelf_fault_count(shelf));
-    for (uint32_t i = 0; i < shelf->line_count; i++) {
-        if (shelf->lines[i].slot == SHELF_SLOT_NONE && index-- == 0) {
-            return shelf->lines[i];
+    struct library_line unread = { .file = LIBRARY_FOLDER, .slot = LIBRARY_SLOT_NONE };
+    assert(index < library_fault_count(library));
+    for (uint32_t i = 0; i < library->line_count; i++) {
+        if (library->lines[i].slot == LIBRARY_SLOT_NONE && index-- == 0) {
+            return library->lines[i];
         }
     }
-    if (shelf->unread_count > 0 && index-- == 0) {
+    if (library->unread_count > 0 && index-- == 0) {
         snprintf(unread.why, sizeof unread.why, "%u more files, and no room for them",
-                 shelf->unread_count);
+                 library->unread_count);
         return unread;
     }
-    return shelf->graphs[index];
+    return library->graphs[index];
 }
 
-uint32_t shelf_count(const struct shelf *shelf)
+uint32_t library_count(const struct library *library)
 {
-    return species_table_count + shelf->species_count;
+    return species_table_count + library->species_count;
 }
 
-const struct species *shelf_species(const struct shelf *shelf, uint32_t index)
+const struct species *library_species(const struct library *library, uint32_t index)
 {
-    assert(index < shelf_count(shelf));
+    assert(index < library_count(library));
     return index < species_table_count ? species_table[index]
-                                       : &shelf->slots[index - species_table_count].species;
+                                       : &library->slots[index - species_table_count].species;
 }

@@ -12,15 +12,16 @@
 #define LENGTH_APART 0.02f /* Maximum relative difference between a key's length and the growth
                               curve's length at the key's age. */
 
-static bool check_eyes(const struct reader *r, const struct key_text *key)
+static bool check_eyes(const struct species_reader *r, const struct key_text *key)
 {
     for (int side = 0; side < 2; side++) {
         const struct eye *eye = &key->eyes[side];
         if (eye->diameter <= 0.0f) {
-            return refuse(r, "key %s has no %s eye", key->name, side == 0 ? "right" : "left");
+            return species_reader_error(r, "key %s has no %s eye", key->name,
+                                        side == 0 ? "right" : "left");
         }
         if (eye->x < 0.5f * eye->diameter) {
-            return refuse(r, "key %s: the eye reaches beyond the snout", key->name);
+            return species_reader_error(r, "key %s: the eye reaches beyond the snout", key->name);
         }
     }
     return true;
@@ -28,7 +29,7 @@ static bool check_eyes(const struct reader *r, const struct key_text *key)
 
 /* Checks that all keys have the same parts, so that every point has a counterpart in the next
  * key. */
-static bool check_fins(const struct reader *r, const struct key_text *key)
+static bool check_fins(const struct species_reader *r, const struct key_text *key)
 {
     const struct key_text *first = &r->species->keys[0];
     for (uint32_t part = PART_TAIL; part <= PART_DORSAL_2; part++) {
@@ -36,55 +37,59 @@ static bool check_fins(const struct reader *r, const struct key_text *key)
         const bool wanted = part == PART_DORSAL_2 ? first->fins[part].ray_count > 0
                                                   : !(r->species->without >> part & 1u);
         if (!wanted && fin->ray_count > 0) {
-            return refuse(r, "key %s has a %s and key %s has none", key->name, part_names[part],
-                          first->name);
+            return species_reader_error(r, "key %s has a %s and key %s has none", key->name,
+                                        part_names[part], first->name);
         }
         if (wanted && (fin->ray_count < 2 || fin->rays[fin->ray_count - 1].at != 1.0f)) {
-            return refuse(r, "key %s: the %s needs rays from 0 to 1, two or more%s", key->name,
-                          part_names[part],
-                          part == PART_DORSAL_2 ? "" : " (or say 'without' at the top)");
+            return species_reader_error(
+                r, "key %s: the %s needs rays from 0 to 1, two or more%s", key->name,
+                part_names[part], part == PART_DORSAL_2 ? "" : " (or say 'without' at the top)");
         }
     }
     for (int row = 0; row < 2; row++) {
         if (key->finlets[row].count != first->finlets[row].count) {
-            return refuse(r, "key %s has %u %s finlets and key %s has %u", key->name,
-                          key->finlets[row].count, row == 0 ? "upper" : "lower", first->name,
-                          first->finlets[row].count);
+            return species_reader_error(r, "key %s has %u %s finlets and key %s has %u", key->name,
+                                        key->finlets[row].count, row == 0 ? "upper" : "lower",
+                                        first->name, first->finlets[row].count);
         }
     }
     return true;
 }
 
-static bool check_size(const struct reader *r, const struct key_text *key)
+static bool check_size(const struct species_reader *r, const struct key_text *key)
 {
     const enum species_measure measure = (enum species_measure)r->species->measure;
-    const double unit = unit_length(key, measure);
+    const double unit = shape_unit_length(key, measure);
     if (!(unit >= UNIT_MIN)) {
-        return refuse(r, "key %s: what is measured is %.2g of the drawing, less than %g", key->name,
-                      unit, UNIT_MIN);
+        return species_reader_error(r,
+                                    "key %s: what is measured is %.2g of the drawing, less than %g",
+                                    key->name, unit, UNIT_MIN);
     }
-    if (!(farthest(key) <= REACH_MAX * unit)) {
-        return refuse(r, "key %s reaches out to %.3g times what is measured; up to %g fits",
-                      key->name, farthest(key) / unit, REACH_MAX);
+    if (!(shape_farthest(key) <= REACH_MAX * unit)) {
+        return species_reader_error(
+            r, "key %s reaches out to %.3g times what is measured; up to %g fits", key->name,
+            shape_farthest(key) / unit, REACH_MAX);
     }
     return true;
 }
 
-static bool check_key(const struct reader *r, const struct key_text *key)
+static bool check_key(const struct species_reader *r, const struct key_text *key)
 {
     const bool has_gill = key->gill > 0.0f, first_has = r->species->keys[0].gill > 0.0f;
-    if (key->station_count < 4 || key->stations[key->station_count - 1].x != 1.0f) {
-        return refuse(r, "key %s needs stations from x 0 to x 1, four or more", key->name);
+    if (key->substep_count < 4 || key->stations[key->substep_count - 1].x != 1.0f) {
+        return species_reader_error(r, "key %s needs stations from x 0 to x 1, four or more",
+                                    key->name);
     }
     if (has_gill != first_has) {
-        return refuse(r, "key %s has %s: write it in all keys or in none", key->name,
-                      has_gill ? "a gill and the first key has none" : "no gill and the first has");
+        return species_reader_error(r, "key %s has %s: write it in all keys or in none", key->name,
+                                    has_gill ? "a gill and the first key has none"
+                                             : "no gill and the first has");
     }
     return check_eyes(r, key) && check_fins(r, key) && check_size(r, key);
 }
 
 /* Computes the age of a key without one: the age at which the growth curve has the key's length. */
-static bool find_age(const struct reader *r, struct key_text *key)
+static bool find_age(const struct species_reader *r, struct key_text *key)
 {
     const struct growth *growth = &r->species->growth;
     if (key->age_days >= 0.0f) {
@@ -93,29 +98,29 @@ static bool find_age(const struct reader *r, struct key_text *key)
     key->age_days = growth_age_days(growth, key->length_m);
     const float length_m = growth_length_m(growth, key->age_days);
     if (f_abs(length_m / key->length_m - 1.0f) > LENGTH_APART) {
-        return refuse(r, "key %s is %g mm and growth gives no age for that: %.4g mm at %.4g days",
-                      key->name, (double)(key->length_m * 1000.0f), (double)(length_m * 1000.0f),
-                      (double)key->age_days);
+        return species_reader_error(
+            r, "key %s is %g mm and growth gives no age for that: %.4g mm at %.4g days", key->name,
+            (double)(key->length_m * 1000.0f), (double)(length_m * 1000.0f), (double)key->age_days);
     }
     return true;
 }
 
 /* Checks that age, progress and length agree at the key, because each is computed from the
  * others. */
-static bool check_growth(const struct reader *r, const struct key_text *key)
+static bool check_growth(const struct species_reader *r, const struct key_text *key)
 {
     const float length_m = growth_length_m(&r->species->growth, key->age_days);
     if (f_abs(length_m / key->length_m - 1.0f) > LENGTH_APART) {
-        return refuse(r, "key %s is %.4g mm at %.4g days, and growth says %.4g mm: write a point",
-                      key->name, (double)(key->length_m * 1000.0f), (double)key->age_days,
-                      (double)(length_m * 1000.0f));
+        return species_reader_error(
+            r, "key %s is %.4g mm at %.4g days, and growth says %.4g mm: write a point", key->name,
+            (double)(key->length_m * 1000.0f), (double)key->age_days, (double)(length_m * 1000.0f));
     }
     return true;
 }
 
 /* Fills in missing ages from the lengths, and checks that ages rise and that the growth curve gives
  * the lengths. */
-static bool check_ages(struct reader *r)
+static bool check_ages(struct species_reader *r)
 {
     struct species_text *s = r->species;
     for (uint32_t i = 0; i < s->key_count; i++) {
@@ -125,8 +130,9 @@ static bool check_ages(struct reader *r)
             return false;
         }
         if (i > 0 && key->age_days <= key[-1].age_days) {
-            return refuse(r, "key %s (%.4g days) is not older than key %s (%.4g days)", key->name,
-                          (double)key->age_days, key[-1].name, (double)key[-1].age_days);
+            return species_reader_error(
+                r, "key %s (%.4g days) is not older than key %s (%.4g days)", key->name,
+                (double)key->age_days, key[-1].name, (double)key[-1].age_days);
         }
         if (!check_growth(r, key)) {
             return false;
@@ -136,19 +142,20 @@ static bool check_ages(struct reader *r)
 }
 
 /* Checks that the weights of a solved graph can be solved, if the graph requests it. */
-static bool check_solved(const struct reader *r, const struct curve_text *curve)
+static bool check_solved(const struct species_reader *r, const struct curve_text *curve)
 {
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
     uint32_t stuck = 0;
     if (curve->graph.solved &&
-        !graph_solve(&curve->graph, r->species->key_count, solution, &stuck)) {
-        return refuse(r, "the graph of %s shows too little of key %s to be solved for it",
-                      curve->name, r->species->keys[stuck].name);
+        !solve_graph(&curve->graph, r->species->key_count, solution, &stuck)) {
+        return species_reader_error(
+            r, "the graph of %s shows too little of key %s to be solved for it", curve->name,
+            r->species->keys[stuck].name);
     }
     return true;
 }
 
-static bool check_curves(struct reader *r)
+static bool check_curves(struct species_reader *r)
 {
     const struct species_text *s = r->species;
     for (uint32_t i = 0; i < s->curve_count; i++) {
@@ -156,11 +163,12 @@ static bool check_curves(struct reader *r)
         const uint32_t count = curve->graph.knot_count;
         r->line = i > 0 ? r->curve_line[i] : r->line;
         if (count < 2 || curve->graph.knots[count - 1].progress != 1.0f) {
-            return refuse(r, "the graph%s%s needs knots from progress 0 to 1, or a template",
-                          i > 0 ? " of curve " : "", i > 0 ? curve->name : "");
+            return species_reader_error(
+                r, "the graph%s%s needs knots from progress 0 to 1, or a template",
+                i > 0 ? " of curve " : "", i > 0 ? curve->name : "");
         }
         if (i > 0 && curve->parts == 0 && curve->area_count == 0) {
-            return refuse(r, "curve %s moves no part and no area", curve->name);
+            return species_reader_error(r, "curve %s moves no part and no area", curve->name);
         }
         if (!check_solved(r, curve)) {
             return false;
@@ -169,26 +177,27 @@ static bool check_curves(struct reader *r)
     return true;
 }
 
-bool check_species(struct reader *r)
+bool text_check_species(struct species_reader *r)
 {
     struct species_text *s = r->species;
     if (s->id[0] == '\0') {
-        return refuse(r, "no species ID");
+        return species_reader_error(r, "no species ID");
     }
     if (!r->has_growth || !r->has_hatch) {
-        return refuse(r, "no growth or no hatch");
+        return species_reader_error(r, "no growth or no hatch");
     }
     if (s->key_count < 3) {
-        return refuse(r, "fewer than three keys");
+        return species_reader_error(r, "fewer than three keys");
     }
     if (!check_curves(r)) {
         return false;
     }
     if (s->scale_knot_count > 0 && s->scale_knots[s->scale_knot_count - 1].progress != 1.0f) {
-        return refuse(r, "scale knots go from progress 0 to 1");
+        return species_reader_error(r, "scale knots go from progress 0 to 1");
     }
     if (s->confluent && (s->without & EEL_SEAM) != 0) {
-        return refuse(r, "confluent fins are dorsal, tail and anal: it is without one of them");
+        return species_reader_error(
+            r, "confluent fins are dorsal, tail and anal: it is without one of them");
     }
     for (uint32_t i = 0; i < s->key_count; i++) {
         s->keys[i].confluent = s->confluent;

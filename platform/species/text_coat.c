@@ -4,14 +4,16 @@
 #include <string.h>
 
 /* Parses `coat BACK FLANK BELLY FIN IRIS CLEAR SHINE`. */
-bool read_coat(struct reader *r)
+bool text_read_coat(struct species_reader *r)
 {
     struct species_coat *coat = &r->key->coat;
     float clear = 0.0f, shine = 0.0f;
-    if (!wants(r, 7, "BACK FLANK BELLY FIN IRIS (each as rrggbb) CLEAR SHINE") ||
-        !colour(r, 1, &coat->back) || !colour(r, 2, &coat->flank) || !colour(r, 3, &coat->belly) ||
-        !colour(r, 4, &coat->fin) || !colour(r, 5, &coat->iris) ||
-        !number(r, 6, 0.0f, 1.0f, &clear) || !number(r, 7, 0.0f, 1.0f, &shine)) {
+    if (!species_reader_expect(r, 7, "BACK FLANK BELLY FIN IRIS (each as rrggbb) CLEAR SHINE") ||
+        !species_reader_colour(r, 1, &coat->back) || !species_reader_colour(r, 2, &coat->flank) ||
+        !species_reader_colour(r, 3, &coat->belly) || !species_reader_colour(r, 4, &coat->fin) ||
+        !species_reader_colour(r, 5, &coat->iris) ||
+        !species_reader_number(r, 6, 0.0f, 1.0f, &clear) ||
+        !species_reader_number(r, 7, 0.0f, 1.0f, &shine)) {
         return false;
     }
     coat->clear = (uint8_t)(clear * 255.0f + 0.5f);
@@ -74,22 +76,22 @@ static struct species_mark usual(uint32_t kind, const struct key_text *key)
 }
 
 /* Parses the pair of words at `index`: a setting's name and its value. */
-static bool read_setting(const struct reader *r, uint32_t index, struct species_mark *m)
+static bool read_setting(const struct species_reader *r, uint32_t index, struct species_mark *m)
 {
     static const char *const names[] = { "from",  "to",    "low",   "high",
                                          "width", "slant", "count", "seed" };
     float *const numbers[] = { &m->from, &m->to, &m->low, &m->high, &m->width, &m->slant };
     uint32_t which = 0, value = 0;
-    if (!choice(r, index, "setting of a mark", names, 8, &which)) {
+    if (!species_reader_choice(r, index, "setting of a mark", names, 8, &which)) {
         return false;
     }
     if (index + 1 == r->word_count) {
-        return refuse(r, "'%s' wants a number", r->words[index]);
+        return species_reader_error(r, "'%s' wants a number", r->words[index]);
     }
     if (which < 6) {
-        return number(r, index + 1, which == 5 ? -1.0f : 0.0f, 1.0f, numbers[which]);
+        return species_reader_number(r, index + 1, which == 5 ? -1.0f : 0.0f, 1.0f, numbers[which]);
     }
-    if (!whole(r, index + 1, which == 6 ? 1 : 0, which == 6 ? 120 : 255, &value)) {
+    if (!species_reader_whole(r, index + 1, which == 6 ? 1 : 0, which == 6 ? 120 : 255, &value)) {
         return false;
     }
     *(which == 6 ? &m->count : &m->seed) = (uint8_t)value;
@@ -97,43 +99,43 @@ static bool read_setting(const struct reader *r, uint32_t index, struct species_
 }
 
 /* Parses the part of a mark, or the side of a `side` mark (stored in `count`). */
-static bool read_bearer(const struct reader *r, struct species_mark *m)
+static bool read_bearer(const struct species_reader *r, struct species_mark *m)
 {
     static const char *const sides[] = { [SIDE_RIGHT] = "right", [SIDE_LEFT] = "left" };
     uint32_t value = 0;
     if (m->kind == MARK_SIDE) {
-        if (!choice(r, 2, "side", sides, 3, &value)) {
+        if (!species_reader_choice(r, 2, "side", sides, 3, &value)) {
             return false;
         }
         m->count = (uint8_t)value;
         return true;
     }
-    if (!choice(r, 2, "part", part_names, PART_COUNT, &value)) {
+    if (!species_reader_choice(r, 2, "part", part_names, PART_COUNT, &value)) {
         return false;
     }
     m->part = (uint8_t)value;
     if (m->part != PART_BODY && (m->kind == MARK_MOUTH || m->kind == MARK_GILL)) {
-        return refuse(r, "a %s is on the body", kinds[m->kind]);
+        return species_reader_error(r, "a %s is on the body", kinds[m->kind]);
     }
     return true;
 }
 
 /* Parses `mark KIND PART COLOUR [SETTING NUMBER] ..`. */
-bool read_mark(struct reader *r)
+bool text_read_mark(struct species_reader *r)
 {
     struct species_coat *coat = &r->key->coat;
     uint32_t kind = 0;
     if (r->word_count < 4) {
-        return refuse(r, "write: mark KIND PART COLOUR [SETTING NUMBER] ..");
+        return species_reader_error(r, "write: mark KIND PART COLOUR [SETTING NUMBER] ..");
     }
     if (coat->mark_count == MARK_MAX) {
-        return refuse(r, "more than %u marks", MARK_MAX);
+        return species_reader_error(r, "more than %u marks", MARK_MAX);
     }
-    if (!choice(r, 1, "kind of mark", kinds, MARK_COUNT, &kind)) {
+    if (!species_reader_choice(r, 1, "kind of mark", kinds, MARK_COUNT, &kind)) {
         return false;
     }
     struct species_mark mark = usual(kind, r->key);
-    if (!read_bearer(r, &mark) || !colour(r, 3, &mark.colour)) {
+    if (!read_bearer(r, &mark) || !species_reader_colour(r, 3, &mark.colour)) {
         return false;
     }
     for (uint32_t i = 4; i < r->word_count; i += 2) {
@@ -142,7 +144,7 @@ bool read_mark(struct reader *r)
         }
     }
     if (mark.from > mark.to || (mark.kind != MARK_MOUTH && mark.low > mark.high)) {
-        return refuse(r, "the mark ends before it starts");
+        return species_reader_error(r, "the mark ends before it starts");
     }
     coat->marks[coat->mark_count++] = mark;
     return true;

@@ -10,7 +10,7 @@
 
 #include "core/morph/species.h"
 
-#define VET_WHY_SIZE 128u
+#define VALIDATE_WHY_SIZE 128u
 
 /* Returns true if `species` is valid. Every number must be finite and in its range, and the
  * graphs must satisfy their constraint. The keys' lengths must match the growth curve at their
@@ -20,12 +20,12 @@
  * Otherwise returns false, and `why` is one line without a line end, "field: reason" or
  * "key/field: reason". The tables that `species` points to must be as long as its counts state,
  * if those counts are within MESH_VERTEX_MAX, MESH_INDEX_MAX and ANCHOR_MAX. */
-bool species_vet(const struct species *species, char why[VET_WHY_SIZE]);
+bool species_validate(const struct species *species, char why[VALIDATE_WHY_SIZE]);
 
 /* Validates one curve's graph over `key_count` keys in the same way. `curve` is its name, for
  * `why`. */
-bool species_vet_graph(const struct graph *graph, uint32_t key_count, const char *curve,
-                       char why[VET_WHY_SIZE]);
+bool species_validate_graph(const struct graph *graph, uint32_t key_count, const char *curve,
+                            char why[VALIDATE_WHY_SIZE]);
 
 /* Returns true if `name` has 1 .. SPECIES_NAME_SIZE - 1 characters a-z, 0-9 and _, followed by
  * zeros. */

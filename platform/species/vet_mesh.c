@@ -18,19 +18,19 @@ static const char *const lod_names[SPECIES_LOD_COUNT] = { "near", "far" };
 static bool vet_counts(struct vetting *v, const char *lod, const struct species_mesh *mesh)
 {
     if (mesh->vertex_count < 4 || mesh->vertex_count > MESH_VERTEX_MAX) {
-        return vet_refuse(v, "%s/vertices: %u, and there are 4 to %u", lod, mesh->vertex_count,
-                          MESH_VERTEX_MAX);
+        return validate_refuse(v, "%s/vertices: %u, and there are 4 to %u", lod, mesh->vertex_count,
+                               MESH_VERTEX_MAX);
     }
     if (mesh->index_count < 12 || mesh->index_count % 3 != 0 ||
         mesh->index_count > MESH_INDEX_MAX) {
-        return vet_refuse(v, "%s/indices: %u, and there are three times 4 to %u", lod,
-                          mesh->index_count, MESH_INDEX_MAX / 3u);
+        return validate_refuse(v, "%s/indices: %u, and there are three times 4 to %u", lod,
+                               mesh->index_count, MESH_INDEX_MAX / 3u);
     }
     if (mesh->anchor_count > ANCHOR_MAX) {
-        return vet_refuse(v, "%s/anchors: more than %u", lod, ANCHOR_MAX);
+        return validate_refuse(v, "%s/anchors: more than %u", lod, ANCHOR_MAX);
     }
     return mesh->reach == 1.0f || mesh->reach == 2.0f || mesh->reach == 4.0f ||
-           vet_refuse(v, "%s/reach: %g is not 1, 2 or 4", lod, (double)mesh->reach);
+           validate_refuse(v, "%s/reach: %g is not 1, 2 or 4", lod, (double)mesh->reach);
 }
 
 static bool vet_vertex(struct vetting *v, const char *what, const struct species_mesh *mesh,
@@ -40,26 +40,26 @@ static bool vet_vertex(struct vetting *v, const char *what, const struct species
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
         sum += vertex->mask[curve];
         if (vertex->mask[curve] > 0 && curve >= v->species->card.curve_count) {
-            return vet_refuse(v, "%s: a mask for curve %u, which is not there", what, curve);
+            return validate_refuse(v, "%s: a mask for curve %u, which is not there", what, curve);
         }
     }
     if (sum != 255) {
-        return vet_refuse(v, "%s: the masks' sum is %u, not 255", what, sum);
+        return validate_refuse(v, "%s: the masks' sum is %u, not 255", what, sum);
     }
     if (vertex->anchor != ANCHOR_NONE && vertex->anchor >= mesh->anchor_count) {
-        return vet_refuse(v, "%s: rides on anchor %u of %u", what, vertex->anchor,
-                          mesh->anchor_count);
+        return validate_refuse(v, "%s: rides on anchor %u of %u", what, vertex->anchor,
+                               mesh->anchor_count);
     }
-    return vet_number(v, what, vertex->u, U_MIN, U_MAX) &&
-           vet_number(v, what, vertex->v, U_MIN, U_MAX) &&
-           vet_choice(v, what, vertex->part, PART_COUNT) &&
-           vet_choice(v, what, vertex->side, SIDE_LEFT + 1u);
+    return validate_number(v, what, vertex->u, U_MIN, U_MAX) &&
+           validate_number(v, what, vertex->v, U_MIN, U_MAX) &&
+           validate_choice(v, what, vertex->part, PART_COUNT) &&
+           validate_choice(v, what, vertex->side, SIDE_LEFT + 1u);
 }
 
 static bool vet_vertices(struct vetting *v, const char *lod, const struct species_mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        char what[VET_WHAT_SIZE];
+        char what[VALIDATE_WHAT_SIZE];
         snprintf(what, sizeof what, "%s/vertex %u", lod, i);
         if (!vet_vertex(v, what, mesh, &mesh->vertices[i])) {
             return false;
@@ -74,15 +74,16 @@ static bool vet_triangles(struct vetting *v, const char *lod, const struct speci
         const uint16_t *corner = &mesh->indices[i];
         for (uint32_t k = 0; k < 3; k++) {
             if (corner[k] >= mesh->vertex_count) {
-                return vet_refuse(v, "%s/triangle %u: vertex %u of %u", lod, i / 3, corner[k],
-                                  mesh->vertex_count);
+                return validate_refuse(v, "%s/triangle %u: vertex %u of %u", lod, i / 3, corner[k],
+                                       mesh->vertex_count);
             }
             if (mesh->vertices[corner[k]].part != mesh->vertices[corner[0]].part) {
-                return vet_refuse(v, "%s/triangle %u: its corners are of two parts", lod, i / 3);
+                return validate_refuse(v, "%s/triangle %u: its corners are of two parts", lod,
+                                       i / 3);
             }
         }
         if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
-            return vet_refuse(v, "%s/triangle %u: two corners are one", lod, i / 3);
+            return validate_refuse(v, "%s/triangle %u: two corners are one", lod, i / 3);
         }
     }
     return true;
@@ -95,11 +96,11 @@ static bool vet_grid(struct vetting *v, const char *lod, const struct species_me
     const uint32_t rings = mesh->grid_rings, row = mesh->grid_spokes + 1u;
     if (rings == 0) {
         return mesh->anchor_count == 0 ||
-               vet_refuse(v, "%s/grid: anchors, and no skin for them", lod);
+               validate_refuse(v, "%s/grid: anchors, and no skin for them", lod);
     }
     if (rings < 2 || row < 4 || mesh->grid_first + rings * row > mesh->vertex_count) {
-        return vet_refuse(v, "%s/grid: %u rings of %u from vertex %u do not fit", lod, rings, row,
-                          mesh->grid_first);
+        return validate_refuse(v, "%s/grid: %u rings of %u from vertex %u do not fit", lod, rings,
+                               row, mesh->grid_first);
     }
     for (uint32_t i = 0; i < rings * row; i++) {
         const struct species_vertex *at = &mesh->vertices[mesh->grid_first + i];
@@ -108,8 +109,8 @@ static bool vet_grid(struct vetting *v, const char *lod, const struct species_me
         const bool turns = spoke == 0 ? at->v == 0.0f : at->v > at[-1].v;
         if (at->part != PART_BODY || at->anchor != ANCHOR_NONE || at->u < 0.0f || at->u > 1.0f ||
             !rises || !turns || (spoke + 1 == row && at->v != 1.0f)) {
-            return vet_refuse(v, "%s/grid: ring %u, spoke %u is out of order", lod, i / row,
-                              spoke);
+            return validate_refuse(v, "%s/grid: ring %u, spoke %u is out of order", lod, i / row,
+                                   spoke);
         }
     }
     return true;
@@ -119,15 +120,15 @@ static bool vet_anchors(struct vetting *v, const char *lod, const struct species
 {
     for (uint32_t i = 0; i < mesh->anchor_count; i++) {
         const struct species_anchor *anchor = &mesh->anchors[i];
-        char what[VET_WHAT_SIZE];
+        char what[VALIDATE_WHAT_SIZE];
         snprintf(what, sizeof what, "%s/anchor %u", lod, i);
-        if (!vet_choice(v, what, anchor->curve, v->species->card.curve_count) ||
-            !vet_choice(v, what, anchor->turns, 2)) {
+        if (!validate_choice(v, what, anchor->curve, v->species->card.curve_count) ||
+            !validate_choice(v, what, anchor->turns, 2)) {
             return false;
         }
         for (uint32_t key = 0; key < v->species->card.key_count; key++) {
-            if (!vet_number(v, what, anchor->u[key], 0.0f, 1.0f) ||
-                !vet_number(v, what, anchor->v[key], U_MIN, U_MAX)) {
+            if (!validate_number(v, what, anchor->u[key], 0.0f, 1.0f) ||
+                !validate_number(v, what, anchor->v[key], U_MIN, U_MAX)) {
                 return false;
             }
         }
@@ -149,19 +150,20 @@ static bool vet_size(struct vetting *v, const char *lod, const char *key,
         right = fmaxf(right, p.x);
         end = mesh->vertices[i].part == PART_BODY ? fmaxf(end, p.z) : end;
     }
-    char what[VET_WHAT_SIZE];
+    char what[VALIDATE_WHAT_SIZE];
     snprintf(what, sizeof what, "%s/%s: snout at z", key, lod);
-    if (!vet_number(v, what, front, FRONT_Z - SIZE_TOLERANCE, FRONT_Z + SIZE_TOLERANCE)) {
+    if (!validate_number(v, what, front, FRONT_Z - SIZE_TOLERANCE, FRONT_Z + SIZE_TOLERANCE)) {
         return false;
     }
     snprintf(what, sizeof what, "%s/%s: size", key, lod);
     switch (v->species->card.measure) {
     case MEASURE_TOTAL:
-        return vet_number(v, what, rear - FRONT_Z, 1.0f - SIZE_TOLERANCE, 1.0f + SIZE_TOLERANCE);
+        return validate_number(v, what, rear - FRONT_Z, 1.0f - SIZE_TOLERANCE,
+                               1.0f + SIZE_TOLERANCE);
     case MEASURE_DISC:
-        return vet_number(v, what, right - left, 1.0f - SIZE_TOLERANCE, 1.0f + SIZE_TOLERANCE);
+        return validate_number(v, what, right - left, 1.0f - SIZE_TOLERANCE, 1.0f + SIZE_TOLERANCE);
     default: /* At the tail root, or at the fork slightly behind it. */
-        return vet_number(v, what, end - FRONT_Z, 0.8f, 1.0f + SIZE_TOLERANCE);
+        return validate_number(v, what, end - FRONT_Z, 0.8f, 1.0f + SIZE_TOLERANCE);
     }
 }
 
@@ -180,7 +182,7 @@ static bool vet_keys_of(struct vetting *v, const char *lod, const struct species
     return true;
 }
 
-bool vet_meshes(struct vetting *v)
+bool validate_meshes(struct vetting *v)
 {
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         const struct species_mesh *mesh = &v->species->lod[lod];

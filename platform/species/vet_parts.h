@@ -5,23 +5,24 @@
 
 #include "platform/species/vet.h"
 
-#define VET_WHAT_SIZE 64u
+#define VALIDATE_WHAT_SIZE 64u
 
 struct vetting {
     const struct species *species;
-    char *why; /* Buffer of VET_WHY_SIZE bytes. */
+    char *why; /* Buffer of VALIDATE_WHY_SIZE bytes. */
 };
 
 /* Writes the reason and returns false. */
-__attribute__((format(printf, 2, 3))) bool vet_refuse(struct vetting *v, const char *format, ...);
+__attribute__((format(printf, 2, 3))) bool validate_refuse(struct vetting *v, const char *format,
+                                                           ...);
 
 /* Checks that `low` <= x <= `high`, which NaN fails. */
-bool vet_number(struct vetting *v, const char *what, float x, float low, float high);
+bool validate_number(struct vetting *v, const char *what, float x, float low, float high);
 
 /* Checks that x < `count`. */
-bool vet_choice(struct vetting *v, const char *what, uint32_t x, uint32_t count);
+bool validate_choice(struct vetting *v, const char *what, uint32_t x, uint32_t count);
 
 /* Validates both levels of detail. The card must have passed its validation. */
-bool vet_meshes(struct vetting *v);
+bool validate_meshes(struct vetting *v);
 
 #endif

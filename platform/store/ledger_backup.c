@@ -68,7 +68,7 @@ int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, 
     return code;
 }
 
-static int mark(sqlite3 *db, bool is_marked)
+static int ledger_backup_set_mark(sqlite3 *db, bool is_marked)
 {
     char text[64];
     snprintf(text, sizeof text, "PRAGMA application_id = %d", is_marked ? LEDGER_COPY_MARK : 0);
@@ -84,7 +84,7 @@ bool ledger_is_marked(struct ledger_file *file)
 
 int ledger_unmark(struct ledger_file *file)
 {
-    return mark(file->db, false);
+    return ledger_backup_set_mark(file->db, false);
 }
 
 /* Completes the copy as a file that needs no log to be read. The copy is validated like the
@@ -96,7 +96,7 @@ static int end_copy(struct ledger_backup *backup)
     int code = sqlite3_backup_finish(backup->copy);
     backup->copy = NULL;
     code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA journal_mode = DELETE") : code;
-    code = code == SQLITE_OK ? mark(backup->to, backup->is_marked) : code;
+    code = code == SQLITE_OK ? ledger_backup_set_mark(backup->to, backup->is_marked) : code;
     code = code == SQLITE_OK ? ledger_check(backup->to) : code;
     if (code == SQLITE_OK) {
         sqlite3_close(backup->to);

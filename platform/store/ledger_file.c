@@ -37,10 +37,10 @@ static int put_entries(struct ledger_file *file, const struct ledger_entry *entr
     for (uint32_t i = 0; code == SQLITE_OK && i < count; i++) {
         if (entries[i].id > after->memory.ledger.last_id) {
             code = ledger_rows_put(file, &entries[i]);
-            ledger_sums_note(after, &entries[i]);
+            ledger_aggregates_note(after, &entries[i]);
         }
     }
-    return code == SQLITE_OK ? ledger_sums_put(file, &file->content, after) : code;
+    return code == SQLITE_OK ? ledger_aggregates_put(file, &file->content, after) : code;
 }
 
 /* Rolls back and reads the content again, because the entries may have been written in spite of the
@@ -50,7 +50,7 @@ static int undo(struct ledger_file *file, int code)
 {
     sql_run(file->db, "ROLLBACK");
     struct ledger_content found;
-    if (ledger_sums_read(file, &found) == SQLITE_OK) {
+    if (ledger_aggregates_read(file, &found) == SQLITE_OK) {
         file->content = found;
     }
     return code;
@@ -75,9 +75,9 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
 
 /* ---- Content and errors --------------------------------------------------------------------- */
 
-void ledger_content_remember(const struct ledger_content *content, struct memory *out)
+void ledger_content_load(const struct ledger_content *content, struct persistent_state *out)
 {
-    const struct memory *memory = &content->memory;
+    const struct persistent_state *memory = &content->memory;
     out->ledger = memory->ledger;
     out->audits = memory->audits;
     out->ranking = memory->ranking;
@@ -90,10 +90,10 @@ void ledger_content_remember(const struct ledger_content *content, struct memory
 
 const char *ledger_file_error(int code)
 {
-    return code == LEDGER_FILE_NEWER      ? "a later Kingyo wrote it"
-           : code == LEDGER_FILE_HELD     ? "another Kingyo has it open"
-           : code == LEDGER_FILE_MOVED    ? "was removed or replaced while it was open"
-           : code == LEDGER_FILE_LINK     ? "is a symbolic link, not a file"
-           : code == LEDGER_FILE_ANOTHERS ? "not the card that it began with"
-                                          : sqlite3_errstr(code);
+    return code == LEDGER_FILE_NEWER     ? "a later Kingyo wrote it"
+           : code == LEDGER_FILE_LOCKED  ? "another Kingyo has it open"
+           : code == LEDGER_FILE_MOVED   ? "was removed or replaced while it was open"
+           : code == LEDGER_FILE_LINK    ? "is a symbolic link, not a file"
+           : code == LEDGER_FILE_FOREIGN ? "not the card that it began with"
+                                         : sqlite3_errstr(code);
 }

@@ -34,8 +34,8 @@ struct sqlite3_stmt;
 /* Error codes of this module; all other codes are SQLite result codes, with SQLITE_OK (0) for
  * success. */
 #define LEDGER_FILE_NEWER (-1) /* Written by a newer version; the file stays unchanged. */
-#define LEDGER_FILE_ANOTHERS (-2) /* Valid, but with the entries of a foreign kiosk. */
-#define LEDGER_FILE_HELD (-3) /* Another process holds the lock of the folder. */
+#define LEDGER_FILE_FOREIGN (-2) /* Valid, but with the entries of a foreign kiosk. */
+#define LEDGER_FILE_LOCKED (-3)  /* Another process holds the lock of the folder. */
 #define LEDGER_FILE_MOVED (-4) /* The file or its folder was removed, renamed or replaced. */
 #define LEDGER_FILE_LINK (-5) /* The file's path is a symbolic link. */
 
@@ -58,7 +58,7 @@ enum ledger_statement {
 
 /* Content of the file, as far as it is on disk. */
 struct ledger_content {
-    struct memory memory;             /* Persistent state; ledger.boots is that of the newest
+    struct persistent_state memory;   /* Persistent state; ledger.boots is that of the newest
                                          entry. */
     uint32_t tick;                    /* Tick of the newest entry. */
     uint8_t has_setting[SETTING_COUNT]; /* 0: the operator never changed the setting. */
@@ -78,7 +78,7 @@ struct ledger_file {
 };
 
 /* Options for opening a file in a non-default way. Both may be null. */
-struct ledger_file_how {
+struct ledger_file_options {
     const char *vfs;     /* SQLite's name of a file system layer. */
     const char *journal; /* "WAL FULL": journal_mode and synchronous, to benchmark other modes. */
 };
@@ -86,11 +86,11 @@ struct ledger_file_how {
 /* Opens or creates the file, validates, migrates and reads it. On an error `file` is closed.
  * Returns SQLITE_CORRUPT or SQLITE_NOTADB if the file is damaged. `how` may be null. */
 int ledger_file_open(struct ledger_file *file, const char *path,
-                     const struct ledger_file_how *how);
+                     const struct ledger_file_options *how);
 
 /* Opens an existing file for reading and changes nothing. Returns SQLITE_SCHEMA for an old
  * version. */
-int ledger_file_look(struct ledger_file *file, const char *path);
+int ledger_file_inspect(struct ledger_file *file, const char *path);
 
 /* Validates a whole database. Returns SQLITE_OK, or the reason why the database cannot be used. */
 int ledger_check(struct sqlite3 *db);
@@ -126,7 +126,7 @@ void ledger_file_round(struct ledger_file *file, uint32_t id, struct ledger_entr
 
 /* Copies the content to `out`. A setting that the operator never changed keeps its value in
  * `out`. */
-void ledger_content_remember(const struct ledger_content *content, struct memory *out);
+void ledger_content_load(const struct ledger_content *content, struct persistent_state *out);
 
 /* Stores the replay of a round, in place of an earlier one. */
 int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,

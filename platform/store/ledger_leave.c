@@ -17,21 +17,24 @@
  * and without them the menu would be open or the game free. */
 static int may_go(uint32_t id)
 {
-    return setting_of(id)->group != GROUP_MONEY && id != SET_PIN;
+    return settings_entry(id)->group != GROUP_MONEY && id != SET_PIN;
 }
 
 static int forget_settings(sqlite3 *db)
 {
-    sqlite3_stmt *forget = NULL;
-    int code = sqlite3_prepare_v2(db, "DELETE FROM settings WHERE name = ?1", -1, &forget, NULL);
+    sqlite3_stmt *ledger_leave_delete_rows = NULL;
+    int code = sqlite3_prepare_v2(db, "DELETE FROM settings WHERE name = ?1", -1,
+                                  &ledger_leave_delete_rows, NULL);
     for (uint32_t id = 0; code == SQLITE_OK && id < SETTING_COUNT; id++) {
         if (may_go(id)) {
-            sqlite3_bind_text(forget, 1, setting_of(id)->name, -1, SQLITE_STATIC);
-            code = sqlite3_step(forget) == SQLITE_DONE ? SQLITE_OK : sqlite3_errcode(db);
-            sqlite3_reset(forget);
+            sqlite3_bind_text(ledger_leave_delete_rows, 1, settings_entry(id)->name, -1,
+                              SQLITE_STATIC);
+            code = sqlite3_step(ledger_leave_delete_rows) == SQLITE_DONE ? SQLITE_OK
+                                                                         : sqlite3_errcode(db);
+            sqlite3_reset(ledger_leave_delete_rows);
         }
     }
-    sqlite3_finalize(forget);
+    sqlite3_finalize(ledger_leave_delete_rows);
     return code;
 }
 
@@ -44,10 +47,10 @@ static int forget_in(sqlite3 *db, enum panics_left left)
     if (code == SQLITE_OK && left >= LEFT_NAMES) {
         code = sql_run(db, "UPDATE ranking SET name = ''; UPDATE round_players SET name = ''");
     }
-    return code == SQLITE_OK ? ledger_tally_put(db) : code;
+    return code == SQLITE_OK ? ledger_checksum_put(db) : code;
 }
 
-static int forget(struct ledger_file *file, enum panics_left left)
+static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left left)
 {
     int code = sql_run(file->db, "BEGIN IMMEDIATE");
     code = code == SQLITE_OK ? forget_in(file->db, left) : code;
@@ -71,7 +74,7 @@ static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
     return 0;
 }
 
-/* Returns an SQLite code, or LEDGER_FILE_ANOTHERS if no number is free. */
+/* Returns an SQLite code, or LEDGER_FILE_FOREIGN if no number is free. */
 static int leave(struct ledger_file *file, const char *path, enum panics_left left,
                  uint32_t *number)
 {
@@ -82,7 +85,7 @@ static int leave(struct ledger_file *file, const char *path, enum panics_left le
     if (code == SQLITE_OK && chmod(copy, 0600) != 0) {
         code = SQLITE_IOERR;
     }
-    return code == SQLITE_OK ? forget(file, left) : code;
+    return code == SQLITE_OK ? ledger_leave_delete_rows(file, left) : code;
 }
 
 static int open_and_leave(const char *path, enum panics_left left, char words[LEDGER_LEAVE_WORDS])

@@ -13,7 +13,7 @@
 #define LEDGER_LEAVE_WORDS 160u
 #define LEDGER_LEAVE_NONE 1             /* There is no database. */
 
-/* Opens kingyo.db in the folder `data`, which the caller has locked (folder_hold()), and deletes
+/* Opens kingyo.db in the folder `data`, which the caller has locked (directory_lock()), and deletes
  * the data that `left` names. Writes the result as text to `words`. Returns 0, LEDGER_LEAVE_NONE,
  * or -1 if nothing was changed because the database cannot be copied or written. */
 int ledger_leave_out(const char *data, enum panics_left left, char words[LEDGER_LEAVE_WORDS]);

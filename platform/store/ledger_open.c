@@ -19,7 +19,7 @@
 #define JOURNAL "WAL FULL"
 static const char settings[] = "PRAGMA cache_size = -1024";
 
-static int set_up(sqlite3 *db, const struct ledger_file_how *how)
+static int set_up(sqlite3 *db, const struct ledger_file_options *how)
 {
     char mode[16] = "", sync[16] = "", text[120];
     const char *journal = how && how->journal ? how->journal : JOURNAL;
@@ -34,7 +34,7 @@ static int set_up(sqlite3 *db, const struct ledger_file_how *how)
 /* Checks the journal mode and makes the log durable. If SQLite cannot create a write-ahead log, it
  * keeps another journal without an error. A caller that selects another journal gets no durability
  * guarantee. */
-static int secure(struct ledger_file *file, const struct ledger_file_how *how)
+static int secure(struct ledger_file *file, const struct ledger_file_options *how)
 {
     sqlite3_stmt *ask = NULL;
     if (how && how->journal) {
@@ -91,8 +91,8 @@ int ledger_check(sqlite3 *db)
     }
     code = code == SQLITE_OK ? ledger_schema_check(db, version) : code;
     code = code == SQLITE_OK ? check_pages(db) : code;
-    if (code == SQLITE_OK && version >= LEDGER_TALLY_VERSION) {
-        code = ledger_tally_check(db);
+    if (code == SQLITE_OK && version >= LEDGER_CHECKSUM_VERSION) {
+        code = ledger_checksum_check(db);
     }
     return as_damage(code);
 }
@@ -157,7 +157,7 @@ static int hide_pin(struct ledger_file *file)
 }
 
 /* Validates and reads an open connection. A file that is damaged or newer is not changed. */
-static int begin(struct ledger_file *file, const struct ledger_file_how *how)
+static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_options *how)
 {
     int64_t version = 0;
     ledger_log_distrust(file);
@@ -179,7 +179,7 @@ static int begin(struct ledger_file *file, const struct ledger_file_how *how)
     code = raise_version(file, version);
     code = code == SQLITE_OK ? hide_pin(file) : code;
     code = code == SQLITE_OK ? prepare_all(file) : code;
-    return as_damage(code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code);
+    return as_damage(code == SQLITE_OK ? ledger_aggregates_read(file, &file->content) : code);
 }
 
 static bool has_log(const char *path)
@@ -218,28 +218,29 @@ static bool is_full(struct ledger_file *file, int code)
 /* Opens a file on a full card, with the index of the log in memory. Only one program at a time may
  * do this, therefore readers must wait until the file is closed. Entries of an existing log stay
  * suspect because the log cannot be rewritten. */
-static int open_full(struct ledger_file *file, const char *path, const struct ledger_file_how *how)
+static int open_full(struct ledger_file *file, const char *path,
+                     const struct ledger_file_options *how)
 {
     const bool had_log = has_log(path);
     int code = sql_open(path, SQLITE_OPEN_READWRITE, how ? how->vfs : NULL, &file->db);
     code = code == SQLITE_OK ? sql_run(file->db, "PRAGMA locking_mode = EXCLUSIVE") : code;
     file->refusal = SQLITE_FULL;
-    code = code == SQLITE_OK ? begin(file, how) : code;
+    code = code == SQLITE_OK ? ledger_open_begin(file, how) : code;
     file->is_suspect = had_log;
     return code;
 }
 
 int ledger_file_open(struct ledger_file *file, const char *path,
-                     const struct ledger_file_how *how)
+                     const struct ledger_file_options *how)
 {
     const char *vfs = how ? how->vfs : NULL;
     *file = (struct ledger_file){ 0 };
     int code = sql_open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, vfs, &file->db);
-    code = code == SQLITE_OK ? begin(file, how) : code;
+    code = code == SQLITE_OK ? ledger_open_begin(file, how) : code;
     if (is_unwritable(code) && !vfs) {
         ledger_file_close(file);
         code = open_unwritable(file, path);
-        code = code == SQLITE_OK ? begin(file, how) : code;
+        code = code == SQLITE_OK ? ledger_open_begin(file, how) : code;
         file->is_suspect = false;
     } else if (is_full(file, code)) {
         ledger_file_close(file);
@@ -251,7 +252,7 @@ int ledger_file_open(struct ledger_file *file, const char *path,
     return code;
 }
 
-int ledger_file_look(struct ledger_file *file, const char *path)
+int ledger_file_inspect(struct ledger_file *file, const char *path)
 {
     int64_t version = 0;
     *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
@@ -270,7 +271,7 @@ int ledger_file_look(struct ledger_file *file, const char *path)
         code = version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : SQLITE_SCHEMA;
     }
     code = code == SQLITE_OK ? ledger_schema_check(file->db, version) : code;
-    code = code == SQLITE_OK ? ledger_sums_read(file, &file->content) : code;
+    code = code == SQLITE_OK ? ledger_aggregates_read(file, &file->content) : code;
     if (code != SQLITE_OK) {
         ledger_file_close(file);
     }

@@ -51,25 +51,25 @@ int ledger_pin_mark(struct ledger_file *file);
 /* ledger_rows.c: reads the newest entry. */
 int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out);
 /* Reads the state of the open round; zero if no state is stored. */
-int ledger_rows_stand(struct ledger_file *file, struct ledger_stand *out);
+int ledger_rows_state(struct ledger_file *file, struct ledger_stand *out);
 
 /* ledger_sums.c: adds one entry to the aggregates. */
-void ledger_sums_note(struct ledger_content *content, const struct ledger_entry *entry);
+void ledger_aggregates_note(struct ledger_content *content, const struct ledger_entry *entry);
 /* Writes the differences between `before` and `after`. */
-int ledger_sums_put(struct ledger_file *file, const struct ledger_content *before,
-                    const struct ledger_content *after);
+int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content *before,
+                          const struct ledger_content *after);
 /* Reads the aggregates. Returns SQLITE_CORRUPT if the rows contain values that core_init() would
  * reject. */
-int ledger_sums_read(struct ledger_file *file, struct ledger_content *out);
+int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out);
 
 /* First version of the file whose table checksums are verified. */
-#define LEDGER_TALLY_VERSION 4
+#define LEDGER_CHECKSUM_VERSION 4
 
 /* ledger_tally.c: writes the table checksums, inside the caller's transaction and after its
  * changes. */
-int ledger_tally_put(struct sqlite3 *db);
+int ledger_checksum_put(struct sqlite3 *db);
 /* Verifies the table checksums. Returns SQLITE_CORRUPT if settings, audits or ranking differ from
  * what was written. */
-int ledger_tally_check(struct sqlite3 *db);
+int ledger_checksum_check(struct sqlite3 *db);
 
 #endif

@@ -47,7 +47,7 @@ static int hide_setting(struct ledger_file *file, uint32_t salt)
                  pin_hide((uint32_t)kept, salt));
         code = sql_run(file->db, text);
     }
-    return code == SQLITE_OK ? ledger_tally_put(file->db) : code;
+    return code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
 }
 
 /* Counts the rows that require a rewrite of the file. */
@@ -107,7 +107,7 @@ static int remove_mark(struct ledger_file *file)
         return code;
     }
     code = sql_run(file->db, "DELETE FROM state WHERE name = " MARK);
-    code = code == SQLITE_OK ? ledger_tally_put(file->db) : code;
+    code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
     return end_transaction(file, code);
 }
 

@@ -92,7 +92,7 @@ int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const 
     }
     code = ledger_pin_mark(file);
     code = code == SQLITE_OK ? ledger_file_put_replay(file, round_id, bytes, size) : code;
-    code = code == SQLITE_OK ? ledger_tally_put(file->db) : code;
+    code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
     code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
     if (code != SQLITE_OK) {
         sql_run(file->db, "ROLLBACK");

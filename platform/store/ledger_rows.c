@@ -11,7 +11,7 @@
 
 /* A new field also needs a column (ledger_schema.c), code in this file, and a term in
  * entry_sum(). */
-_Static_assert(sizeof(struct purse) == 24, "a field of the purse is not kept");
+_Static_assert(sizeof(struct balance) == 24, "a field of the purse is not kept");
 _Static_assert(sizeof(struct health) == 12, "a field of the health is not kept");
 _Static_assert(sizeof(struct player_record) == 24, "a field of the player's record is not kept");
 
@@ -26,10 +26,10 @@ _Static_assert(sizeof(struct player_record) == 24, "a field of the player's reco
 #define RETURNED_SHIFT 8u
 #define TICKETS_SHIFT 16u
 
-static uint32_t pack_open(const struct purse *purse)
+static uint32_t pack_open(const struct balance *balance)
 {
-    return purse->open | (uint32_t)purse->returned << RETURNED_SHIFT |
-           (uint32_t)purse->tickets << TICKETS_SHIFT;
+    return balance->open | (uint32_t)balance->returned << RETURNED_SHIFT |
+           (uint32_t)balance->tickets << TICKETS_SHIFT;
 }
 
 /* ---- Checksum ------------------------------------------------------------------------------- */
@@ -62,14 +62,15 @@ static uint64_t round_sum(uint64_t sum, const struct round_record *round)
 /* Returns the checksum of an entry. SQLite detects a torn page, but not a flipped bit. */
 static int64_t entry_sum(const struct ledger_entry *entry)
 {
-    const struct purse *purse = &entry->purse;
+    const struct balance *balance = &entry->balance;
     const struct health *health = &entry->health;
     const uint32_t words[] = {
-        entry->id,            entry->boot,           entry->tick,          entry->day,
-        entry->minute,        entry->kind,           entry->detail,        entry->count,
-        (uint32_t)entry->value, purse->units,        purse->bonus_units,   purse->paid,
-        purse->service,       purse->untold,         pack_open(purse),     health->up_s,
-        health->dropped_ticks, health->device_faults,
+        entry->id,        entry->boot,           entry->tick,
+        entry->day,       entry->minute,         entry->kind,
+        entry->detail,    entry->count,          (uint32_t)entry->value,
+        balance->units,   balance->bonus_units,  balance->paid,
+        balance->service, balance->unlogged,     pack_open(balance),
+        health->up_s,     health->dropped_ticks, health->device_faults,
     };
     const uint64_t sum = hash_words(HASH_START, words, COUNT(words));
     return (int64_t)(entry->kind == LEDGER_ROUND ? round_sum(sum, &entry->round) : sum);
@@ -79,14 +80,14 @@ static int64_t entry_sum(const struct ledger_entry *entry)
 
 static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
 {
-    const struct purse *purse = &entry->purse;
+    const struct balance *balance = &entry->balance;
     const struct health *health = &entry->health;
     const int64_t values[] = {
-        entry->id,        entry->boot,          entry->tick,
-        entry->day,       entry->minute,        entry->kind,
-        entry->detail,    entry->count,         entry->value,
-        purse->units,     purse->bonus_units,   purse->paid,
-        purse->service,   purse->untold,        pack_open(purse),
+        entry->id,        entry->boot,           entry->tick,
+        entry->day,       entry->minute,         entry->kind,
+        entry->detail,    entry->count,          entry->value,
+        balance->units,   balance->bonus_units,  balance->paid,
+        balance->service, balance->unlogged,     pack_open(balance),
         health->up_s,     health->dropped_ticks, health->device_faults,
         entry_sum(entry),
     };
@@ -201,9 +202,9 @@ static struct ledger_entry entry_of(sqlite3_stmt *row)
         .detail = byte(row, 6),
         .count = word(row, 7),
         .value = (int32_t)sqlite3_column_int64(row, 8),
-        .purse = { word(row, 9), word(row, 10), word(row, 11), word(row, 12), word(row, 13),
-                   (uint8_t)open, (uint8_t)(open >> RETURNED_SHIFT),
-                   (uint16_t)(open >> TICKETS_SHIFT) },
+        .balance = { word(row, 9), word(row, 10), word(row, 11), word(row, 12), word(row, 13),
+                     (uint8_t)open, (uint8_t)(open >> RETURNED_SHIFT),
+                     (uint16_t)(open >> TICKETS_SHIFT) },
         .health = { word(row, 15), word(row, 16), word(row, 17) },
     };
     sql_text(row, 18, entry.name, sizeof entry.name);
@@ -279,7 +280,7 @@ static int read_entry(struct ledger_file *file, sqlite3_stmt *row, struct ledger
         code = read_round(file, out->id, &out->round);
         code = code == SQLITE_OK ? read_players(file, out->id, &out->round) : code;
     }
-    return code == SQLITE_OK && (entry_sum(out) != sum || !ledger_entry_is_good(out))
+    return code == SQLITE_OK && (entry_sum(out) != sum || !ledger_entry_is_valid(out))
                ? SQLITE_CORRUPT
                : code;
 }
@@ -306,7 +307,7 @@ int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out)
 }
 
 /* Reads the newest of an open round's beginning and its states. */
-int ledger_rows_stand(struct ledger_file *file, struct ledger_stand *out)
+int ledger_rows_state(struct ledger_file *file, struct ledger_stand *out)
 {
     _Static_assert(LEDGER_BEGIN == 4 && LEDGER_STAND == 17, "the kinds of the statement");
     struct ledger_entry entry;

@@ -16,59 +16,59 @@
 struct salvage {
     struct ledger_file from;
     struct ledger_file *to;
-    const struct ledger_tail *tail;
+    const struct ledger_mirror *tail;
     struct ledger_entry entries[BATCH];
     uint32_t count;       /* Entries in `entries` that are not yet written. */
     uint32_t first, last; /* Range of ids to read. */
     uint32_t newest_id;   /* Newest id that is known to have existed. */
     bool has_from;        /* 1: the damaged file has readable entries. */
     bool knows_last;      /* 1: `last` is the true end of the ledger. */
-    struct ledger_salvaged done;
+    struct ledger_recovered done;
 };
 
 /* ---- Comparing two ledgers ------------------------------------------------------------------ */
 
-static enum ledger_kin kin_of(const struct ledger_entry *one, const struct ledger_entry *other)
+static enum ledger_relation kin_of(const struct ledger_entry *one, const struct ledger_entry *other)
 {
     return one->boot == other->boot && one->tick == other->tick && one->kind == other->kind &&
                    one->day == other->day && one->minute == other->minute
-               ? LEDGER_KIN_SAME
-               : LEDGER_KIN_OTHER;
+               ? LEDGER_RELATION_SAME
+               : LEDGER_RELATION_OTHER;
 }
 
-static enum ledger_kin find_kin(struct ledger_file *file, uint32_t last_id,
-                                const struct ledger_tail *tail, struct ledger_file *other)
+static enum ledger_relation find_kin(struct ledger_file *file, uint32_t last_id,
+                                     const struct ledger_mirror *tail, struct ledger_file *other)
 {
     struct ledger_entry ours, theirs;
-    for (uint32_t i = 0; i < LEDGER_TAIL_SLOTS && i < last_id; i++) {
+    for (uint32_t i = 0; i < LEDGER_MIRROR_SLOTS && i < last_id; i++) {
         const uint32_t id = last_id - i;
-        const bool has = tail ? ledger_tail_entry(tail, id, &theirs)
+        const bool has = tail ? ledger_mirror_entry(tail, id, &theirs)
                               : ledger_file_entry(other, id, &theirs) == SQLITE_OK;
         if (has && ledger_file_entry(file, id, &ours) == SQLITE_OK) {
             return kin_of(&ours, &theirs);
         }
     }
-    return LEDGER_KIN_UNKNOWN;
+    return LEDGER_RELATION_UNKNOWN;
 }
 
-enum ledger_kin ledger_kin_of_tail(struct ledger_file *file, uint32_t last_id,
-                                   const struct ledger_tail *tail)
+enum ledger_relation ledger_recovery_relation_of_mirror(struct ledger_file *file, uint32_t last_id,
+                                                        const struct ledger_mirror *tail)
 {
     return find_kin(file, last_id, tail, NULL);
 }
 
-enum ledger_kin ledger_kin_of_file(struct ledger_file *file, uint32_t last_id,
-                                   struct ledger_file *other)
+enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, uint32_t last_id,
+                                                      struct ledger_file *other)
 {
     return find_kin(file, last_id, NULL, other);
 }
 
 /* Returns true if the mirror is newer. Two files without a common entry must at least be in
  * order. */
-static bool comes_later(const struct ledger_content *content, const struct ledger_tail *tail)
+static bool comes_later(const struct ledger_content *content, const struct ledger_mirror *tail)
 {
     struct ledger_entry newest;
-    return !ledger_tail_entry(tail, ledger_tail_last_id(tail), &newest) ||
+    return !ledger_mirror_entry(tail, ledger_mirror_last_id(tail), &newest) ||
            newest.boot > content->memory.ledger.boots ||
            (newest.boot == content->memory.ledger.boots && newest.tick >= content->tick);
 }
@@ -77,16 +77,16 @@ static bool has_others_tail(struct salvage *salvage)
 {
     const struct ledger_content *content = &salvage->to->content;
     const uint32_t last_id = content->memory.ledger.last_id;
-    enum ledger_kin kin = LEDGER_KIN_UNKNOWN;
+    enum ledger_relation kin = LEDGER_RELATION_UNKNOWN;
     if (salvage->has_from) {
-        kin = ledger_kin_of_tail(&salvage->from, salvage->knows_last ? salvage->last : last_id,
-                                 salvage->tail);
+        kin = ledger_recovery_relation_of_mirror(
+            &salvage->from, salvage->knows_last ? salvage->last : last_id, salvage->tail);
     }
-    if (kin == LEDGER_KIN_UNKNOWN && salvage->to->db) {
-        kin = ledger_kin_of_tail(salvage->to, last_id, salvage->tail);
+    if (kin == LEDGER_RELATION_UNKNOWN && salvage->to->db) {
+        kin = ledger_recovery_relation_of_mirror(salvage->to, last_id, salvage->tail);
     }
-    return kin == LEDGER_KIN_OTHER ||
-           (kin == LEDGER_KIN_UNKNOWN && !comes_later(content, salvage->tail));
+    return kin == LEDGER_RELATION_OTHER ||
+           (kin == LEDGER_RELATION_UNKNOWN && !comes_later(content, salvage->tail));
 }
 
 /* ---- Range of ids ---------------------------------------------------------------------------- */
@@ -122,12 +122,12 @@ static void find_ends(struct salvage *salvage)
  * shorter mirror was not written completely. */
 static void reach_to_tail(struct salvage *salvage)
 {
-    const uint32_t last_id = ledger_tail_last_id(salvage->tail);
+    const uint32_t last_id = ledger_mirror_last_id(salvage->tail);
     const bool is_empty = salvage->knows_last && salvage->last < salvage->first;
     const bool is_newest = last_id > 0 && last_id >= salvage->to->content.memory.ledger.last_id;
     salvage->done.is_open_ended = !is_newest && (is_empty || !salvage->knows_last);
     if (salvage->knows_last && last_id > salvage->last) {
-        const uint32_t span = is_empty ? LEDGER_TAIL_SLOTS : SALVAGE_MAX;
+        const uint32_t span = is_empty ? LEDGER_MIRROR_SLOTS : SALVAGE_MAX;
         salvage->last = last_id;
         if (last_id >= span && salvage->first < last_id - span + 1u) {
             salvage->first = last_id - span + 1u;
@@ -141,7 +141,7 @@ static void reach_to_tail(struct salvage *salvage)
 static bool read_either(struct salvage *salvage, uint32_t id, struct ledger_entry *out)
 {
     return (salvage->has_from && ledger_file_entry(&salvage->from, id, out) == SQLITE_OK) ||
-           ledger_tail_entry(salvage->tail, id, out);
+           ledger_mirror_entry(salvage->tail, id, out);
 }
 
 static int write_salvaged(struct salvage *salvage)
@@ -150,7 +150,7 @@ static int write_salvaged(struct salvage *salvage)
     int code = SQLITE_OK;
     if (to->refusal) {
         for (uint32_t i = 0; i < salvage->count; i++) {
-            ledger_sums_note(&to->content, &salvage->entries[i]);
+            ledger_aggregates_note(&to->content, &salvage->entries[i]);
         }
     } else if (salvage->count > 0) {
         code = ledger_file_write(to, salvage->entries, salvage->count);
@@ -184,10 +184,10 @@ static void open_from(struct salvage *salvage, const char *path)
                         has_entries;
 }
 
-int ledger_salvage(const char *path, const struct ledger_tail *tail, struct ledger_file *to,
-                   struct ledger_salvaged *out)
+int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
+                   struct ledger_recovered *out)
 {
-    static const struct ledger_tail none;
+    static const struct ledger_mirror none;
     const uint32_t before_id = to->content.memory.ledger.last_id;
     struct salvage salvage = { .from = { .refusal = SQLITE_READONLY }, .to = to, .tail = tail,
                                .first = before_id + 1u, .last = before_id, .knows_last = true };

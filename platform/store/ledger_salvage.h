@@ -7,19 +7,19 @@
 #include "platform/store/ledger_tail.h"
 
 /* Result of comparing two ledgers by their newest common entry. */
-enum ledger_kin {
-    LEDGER_KIN_UNKNOWN = 0, /* No common entry. */
-    LEDGER_KIN_SAME,
-    LEDGER_KIN_OTHER,       /* A foreign ledger, or one that was started again. */
+enum ledger_relation {
+    LEDGER_RELATION_UNKNOWN = 0, /* No common entry. */
+    LEDGER_RELATION_SAME,
+    LEDGER_RELATION_OTHER, /* A foreign ledger, or one that was started again. */
 };
 
 /* Compare from entry `last_id` of `file` backwards, over the length of a mirror. */
-enum ledger_kin ledger_kin_of_tail(struct ledger_file *file, uint32_t last_id,
-                                   const struct ledger_tail *tail);
-enum ledger_kin ledger_kin_of_file(struct ledger_file *file, uint32_t last_id,
-                                   struct ledger_file *other);
+enum ledger_relation ledger_recovery_relation_of_mirror(struct ledger_file *file, uint32_t last_id,
+                                                        const struct ledger_mirror *tail);
+enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, uint32_t last_id,
+                                                      struct ledger_file *other);
 
-struct ledger_salvaged {
+struct ledger_recovered {
     uint32_t entries;     /* Entries recovered. */
     uint32_t lost;        /* Entries lost: ids after the last id of `to` up to the newest known id
                              that were not recovered. */
@@ -33,7 +33,7 @@ struct ledger_salvaged {
  * sets the balance. `path` is null if the file is missing or empty, because SQLite would delete the
  * log of an empty file. Returns an SQLite code. An error is an error of writing, and then `to` is
  * incomplete. */
-int ledger_salvage(const char *path, const struct ledger_tail *tail, struct ledger_file *to,
-                   struct ledger_salvaged *out);
+int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
+                   struct ledger_recovered *out);
 
 #endif

@@ -137,10 +137,10 @@ static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt 
         if (code != SQLITE_OK) {
             return code;
         }
-        ledger_sums_note(content, &entry);
+        ledger_aggregates_note(content, &entry);
     }
     const struct ledger_content nothing = { 0 };
-    return code == SQLITE_DONE ? ledger_sums_put(file, &nothing, content) : code;
+    return code == SQLITE_DONE ? ledger_aggregates_put(file, &nothing, content) : code;
 }
 
 static int carry_all_over(struct ledger_file *file)

@@ -24,18 +24,19 @@ _Static_assert(sizeof(struct ranking) ==
 static void note_setting(struct ledger_content *content, const struct ledger_entry *entry)
 {
     const uint32_t id = entry->detail | entry->count << 8;
-    if (id < SETTING_COUNT && setting_allows(id, entry->value)) {
+    if (id < SETTING_COUNT && settings_allows(id, entry->value)) {
         content->memory.settings.value[id] = entry->value;
         content->has_setting[id] = 1;
     }
 }
 
-void ledger_sums_note(struct ledger_content *content, const struct ledger_entry *entry)
+void ledger_aggregates_note(struct ledger_content *content, const struct ledger_entry *entry)
 {
-    struct memory *memory = &content->memory;
-    memory->ledger =
-        (struct ledger_start){ .last_id = entry->id, .boots = entry->boot, .purse = entry->purse,
-                               .stand = stand_after(memory->ledger.stand, entry) };
+    struct persistent_state *memory = &content->memory;
+    memory->ledger = (struct ledger_start){ .last_id = entry->id,
+                                            .boots = entry->boot,
+                                            .balance = entry->balance,
+                                            .stand = stand_after(memory->ledger.stand, entry) };
     content->tick = entry->tick;
     if (entry->kind == LEDGER_SETTING) {
         note_setting(content, entry);
@@ -81,7 +82,7 @@ static int put_settings(struct ledger_file *file, const struct ledger_content *b
         const int is_same =
             is_kept && before->has_setting[id] && before->memory.settings.value[id] == value;
         if (after->has_setting[id] && !is_same) {
-            code = put_named(file, PUT_SETTING, setting_of(id)->name, value);
+            code = put_named(file, PUT_SETTING, settings_entry(id)->name, value);
         }
     }
     return code;
@@ -94,7 +95,7 @@ static int put_audits(struct ledger_file *file, const struct audits *before,
     int code = SQLITE_OK;
     for (uint32_t id = 0; code == SQLITE_OK && id < AUDIT_COUNT; id++) {
         if (after->count[id] != before->count[id]) {
-            audit_name(id, name);
+            audits_name(id, name);
             code = put_named(file, PUT_AUDIT, name, after->count[id]);
         }
     }
@@ -152,15 +153,15 @@ static int put_ranks(struct ledger_file *file, const struct ranking *before,
     return code;
 }
 
-int ledger_sums_put(struct ledger_file *file, const struct ledger_content *before,
-                    const struct ledger_content *after)
+int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content *before,
+                          const struct ledger_content *after)
 {
     int code = put_settings(file, before, after);
     code = code == SQLITE_OK ? put_audits(file, &before->memory.audits, &after->memory.audits)
                              : code;
     code = code == SQLITE_OK ? put_ranks(file, &before->memory.ranking, &after->memory.ranking)
                              : code;
-    return code == SQLITE_OK ? ledger_tally_put(file->db) : code;
+    return code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
 }
 
 /* ---- Reading: rows that are unknown to this version stay in the file and are ignored -------- */
@@ -185,8 +186,8 @@ static void take_setting(struct ledger_content *content, sqlite3_stmt *row)
     sql_text(row, 0, name, sizeof name);
     const int64_t value = sqlite3_column_int64(row, 1);
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        if (strcmp(setting_of(id)->name, name) == 0 && value >= INT32_MIN && value <= INT32_MAX &&
-            setting_allows(id, (int32_t)value)) {
+        if (strcmp(settings_entry(id)->name, name) == 0 && value >= INT32_MIN &&
+            value <= INT32_MAX && settings_allows(id, (int32_t)value)) {
             content->memory.settings.value[id] = (int32_t)value;
             content->has_setting[id] = 1;
         }
@@ -198,7 +199,7 @@ static void take_audit(struct ledger_content *content, sqlite3_stmt *row)
     char name[LEDGER_ROW_NAME_SIZE], own[AUDIT_NAME_SIZE];
     sql_text(row, 0, name, sizeof name);
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
-        audit_name(id, own);
+        audits_name(id, own);
         if (strcmp(name, own) == 0) {
             content->memory.audits.count[id] = sql_uint(row, 1, UINT32_MAX);
         }
@@ -239,18 +240,18 @@ static int read_start(struct ledger_file *file, struct ledger_content *out)
     struct ledger_entry newest;
     int code = ledger_rows_newest(file, &newest);
     if (code == SQLITE_OK) {
-        out->memory.ledger = (struct ledger_start){
-            .last_id = newest.id, .boots = newest.boot, .purse = newest.purse
-        };
+        out->memory.ledger = (struct ledger_start){ .last_id = newest.id,
+                                                    .boots = newest.boot,
+                                                    .balance = newest.balance };
         out->tick = newest.tick;
-        if (newest.purse.open & OPEN_SPENT) {
-            code = ledger_rows_stand(file, &out->memory.ledger.stand);
+        if (newest.balance.open & PAYMENT_SPENT) {
+            code = ledger_rows_state(file, &out->memory.ledger.stand);
         }
     }
     return code == SQLITE_NOTFOUND ? SQLITE_OK : code;
 }
 
-int ledger_sums_read(struct ledger_file *file, struct ledger_content *out)
+int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out)
 {
     static const struct {
         const char *text;
@@ -266,5 +267,5 @@ int ledger_sums_read(struct ledger_file *file, struct ledger_content *out)
     for (size_t i = 0; code == SQLITE_OK && i < sizeof tables / sizeof tables[0]; i++) {
         code = read_rows(file, tables[i].text, tables[i].take, out);
     }
-    return code == SQLITE_OK && !ledger_memory_is_good(&out->memory) ? SQLITE_CORRUPT : code;
+    return code == SQLITE_OK && !ledger_state_is_valid(&out->memory) ? SQLITE_CORRUPT : code;
 }

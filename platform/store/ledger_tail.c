@@ -14,7 +14,7 @@
 #include "platform/plain_file.h"
 #include "platform/store/ledger_backup.h"
 
-#define FILE_SIZE ((off_t)LEDGER_TAIL_SLOTS * LEDGER_TAIL_SLOT_SIZE)
+#define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)
 
 /* Version of a slot. Slots of version 4 have padding in place of the balance's `returned` and
  * `tickets`, and are read with 0 there. The number 100 leaves room for versions of the database. */
@@ -28,7 +28,7 @@ struct slot {
     struct ledger_entry entry;
     uint64_t sum; /* Checksum of all fields before it. */
 };
-_Static_assert(sizeof(struct slot) <= LEDGER_TAIL_SLOT_SIZE, "an entry fits into a sector");
+_Static_assert(sizeof(struct slot) <= LEDGER_MIRROR_SLOT_SIZE, "an entry fits into a sector");
 
 static uint64_t sum_of(const struct slot *slot)
 {
@@ -37,22 +37,22 @@ static uint64_t sum_of(const struct slot *slot)
 
 static off_t offset_of(uint32_t id)
 {
-    return (off_t)(id % LEDGER_TAIL_SLOTS) * LEDGER_TAIL_SLOT_SIZE;
+    return (off_t)(id % LEDGER_MIRROR_SLOTS) * LEDGER_MIRROR_SLOT_SIZE;
 }
 
-static bool read_slot_as_is(const struct ledger_tail *tail, uint32_t index, struct slot *slot)
+static bool read_slot_as_is(const struct ledger_mirror *tail, uint32_t index, struct slot *slot)
 {
     if (pread(tail->handle, slot, sizeof *slot, offset_of(index)) != (ssize_t)sizeof *slot ||
         (slot->version != SLOT_VERSION && slot->version != SLOT_VERSION_4) ||
         slot->size != sizeof slot->entry || slot->sum != sum_of(slot) ||
-        slot->entry.id % LEDGER_TAIL_SLOTS != index) {
+        slot->entry.id % LEDGER_MIRROR_SLOTS != index) {
         return false;
     }
     if (slot->version == SLOT_VERSION_4) {
-        slot->entry.purse.returned = 0;
-        slot->entry.purse.tickets = 0;
+        slot->entry.balance.returned = 0;
+        slot->entry.balance.tickets = 0;
     }
-    return ledger_entry_is_good(&slot->entry);
+    return ledger_entry_is_valid(&slot->entry);
 }
 
 /* Hides a PIN that an older version wrote as plain digits. Returns true if there was one. */
@@ -64,7 +64,7 @@ static bool hide_pin(struct ledger_entry *entry)
     return is_plain;
 }
 
-static bool read_slot(const struct ledger_tail *tail, uint32_t index, struct slot *slot)
+static bool read_slot(const struct ledger_mirror *tail, uint32_t index, struct slot *slot)
 {
     const bool is_good = read_slot_as_is(tail, index, slot);
     if (is_good) {
@@ -77,9 +77,9 @@ static bool read_slot(const struct ledger_tail *tail, uint32_t index, struct slo
 
 /* Writes the whole file before the first entry, so that all blocks are allocated. A later write
  * changes only its sector and cannot fail because of a full card. */
-static int fill(int handle)
+static int ledger_mirror_allocate(int handle)
 {
-    static const uint8_t nothing[64 * LEDGER_TAIL_SLOT_SIZE];
+    static const uint8_t nothing[64 * LEDGER_MIRROR_SLOT_SIZE];
     for (off_t at = 0; at < FILE_SIZE; at += (off_t)sizeof nothing) {
         if (pwrite(handle, nothing, sizeof nothing, at) != (ssize_t)sizeof nothing) {
             return -1;
@@ -92,7 +92,7 @@ static int fill(int handle)
  * readable without being on disk. */
 static int rewrite(int handle)
 {
-    uint8_t bytes[64 * LEDGER_TAIL_SLOT_SIZE];
+    uint8_t bytes[64 * LEDGER_MIRROR_SLOT_SIZE];
     for (off_t at = 0; at < FILE_SIZE; at += (off_t)sizeof bytes) {
         if (pread(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes ||
             pwrite(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes) {
@@ -102,49 +102,49 @@ static int rewrite(int handle)
     return fsync(handle);
 }
 
-static struct ledger_tail opened(int handle)
+static struct ledger_mirror opened(int handle)
 {
-    return (struct ledger_tail){ .handle = handle > 0 ? handle : 0 };
+    return (struct ledger_mirror){ .handle = handle > 0 ? handle : 0 };
 }
 
-static int hide_pins(struct ledger_tail *tail);
+static int hide_pins(struct ledger_mirror *tail);
 
-int ledger_tail_open(struct ledger_tail *tail, const char *path)
+int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
 {
     struct stat about;
-    *tail = opened(plain_file_handle(path, O_RDWR | O_CREAT, 0600));
+    *tail = opened(regular_file_handle(path, O_RDWR | O_CREAT, 0600));
     if (tail->handle == 0) {
         return -1;
     }
     const bool is_whole = fstat(tail->handle, &about) == 0 && about.st_size == FILE_SIZE;
     fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions created the file readable for all. */
-    int result = is_whole ? rewrite(tail->handle) : fill(tail->handle);
+    int result = is_whole ? rewrite(tail->handle) : ledger_mirror_allocate(tail->handle);
     result = result == 0 && is_whole ? hide_pins(tail) : result;
     if (result != 0 || ledger_sync_folder(path) != 0) {
-        ledger_tail_close(tail);
+        ledger_mirror_close(tail);
         return -1;
     }
     return 0;
 }
 
-struct ledger_tail ledger_tail_look(const char *path)
+struct ledger_mirror ledger_mirror_inspect(const char *path)
 {
-    return opened(plain_file_handle(path, O_RDONLY, 0));
+    return opened(regular_file_handle(path, O_RDONLY, 0));
 }
 
-void ledger_tail_close(struct ledger_tail *tail)
+void ledger_mirror_close(struct ledger_mirror *tail)
 {
     if (tail->handle > 0) {
         close(tail->handle);
     }
-    *tail = (struct ledger_tail){ 0 };
+    *tail = (struct ledger_mirror){ 0 };
 }
 
 /* ---- Entries -------------------------------------------------------------------------------- */
 
-static int write_slot(struct ledger_tail *tail, const struct ledger_entry *entry)
+static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *entry)
 {
-    uint8_t sector[LEDGER_TAIL_SLOT_SIZE] = { 0 };
+    uint8_t sector[LEDGER_MIRROR_SLOT_SIZE] = { 0 };
     struct slot slot;
     memset(&slot, 0, sizeof slot);
     slot.version = SLOT_VERSION;
@@ -157,12 +157,12 @@ static int write_slot(struct ledger_tail *tail, const struct ledger_entry *entry
 }
 
 /* Rewrites the slots that contain a PIN as plain digits. */
-static int hide_pins(struct ledger_tail *tail)
+static int hide_pins(struct ledger_mirror *tail)
 {
     struct slot slot;
     int result = 0;
     bool any = false;
-    for (uint32_t i = 0; result == 0 && i < LEDGER_TAIL_SLOTS; i++) {
+    for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
         if (read_slot_as_is(tail, i, &slot) && hide_pin(&slot.entry)) {
             result = write_slot(tail, &slot.entry);
             any = true;
@@ -171,7 +171,8 @@ static int hide_pins(struct ledger_tail *tail)
     return result == 0 && any ? fdatasync(tail->handle) : result;
 }
 
-int ledger_tail_write(struct ledger_tail *tail, const struct ledger_entry *entries, uint32_t count)
+int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
+                        uint32_t count)
 {
     int result = 0;
     for (uint32_t i = 0; result == 0 && i < count; i++) {
@@ -180,11 +181,11 @@ int ledger_tail_write(struct ledger_tail *tail, const struct ledger_entry *entri
     return result == 0 ? fdatasync(tail->handle) : result;
 }
 
-int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_t seat)
+int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint32_t seat)
 {
     struct slot slot;
     int result = 0;
-    for (uint32_t i = 0; result == 0 && i < LEDGER_TAIL_SLOTS; i++) {
+    for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
         struct ledger_entry *entry = &slot.entry;
         /* A slot without a name is also written because its earlier sync may have failed. */
         if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
@@ -196,10 +197,10 @@ int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_
     return result;
 }
 
-bool ledger_tail_entry(const struct ledger_tail *tail, uint32_t id, struct ledger_entry *out)
+bool ledger_mirror_entry(const struct ledger_mirror *tail, uint32_t id, struct ledger_entry *out)
 {
     struct slot slot;
-    if (tail->handle == 0 || !read_slot(tail, id % LEDGER_TAIL_SLOTS, &slot) ||
+    if (tail->handle == 0 || !read_slot(tail, id % LEDGER_MIRROR_SLOTS, &slot) ||
         slot.entry.id != id) {
         return false;
     }
@@ -207,11 +208,11 @@ bool ledger_tail_entry(const struct ledger_tail *tail, uint32_t id, struct ledge
     return true;
 }
 
-uint32_t ledger_tail_last_id(const struct ledger_tail *tail)
+uint32_t ledger_mirror_last_id(const struct ledger_mirror *tail)
 {
     struct slot slot;
     uint32_t last_id = 0;
-    for (uint32_t i = 0; tail->handle > 0 && i < LEDGER_TAIL_SLOTS; i++) {
+    for (uint32_t i = 0; tail->handle > 0 && i < LEDGER_MIRROR_SLOTS; i++) {
         if (read_slot(tail, i, &slot) && slot.entry.id > last_id) {
             last_id = slot.entry.id;
         }

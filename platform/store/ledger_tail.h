@@ -17,37 +17,38 @@
 
 #include "core/ledger.h"
 
-#define LEDGER_TAIL_SLOTS 1024u /* 512 KiB; the next backup is made before half of the slots are
-                                   used. */
-#define LEDGER_TAIL_SLOT_SIZE 512u
+/* 512 KiB; the next backup is made before half of the slots are used. */
+#define LEDGER_MIRROR_SLOTS 1024u
+#define LEDGER_MIRROR_SLOT_SIZE 512u
 
 /* An open mirror. The caller owns the structure; zero is closed. */
-struct ledger_tail {
+struct ledger_mirror {
     int handle; /* File descriptor; 0: closed, because 0 is standard input. */
 };
 
 /* Opens the mirror and creates the file if necessary. Returns 0, or -1 with errno set and the
  * mirror closed. */
-int ledger_tail_open(struct ledger_tail *tail, const char *path);
+int ledger_mirror_open(struct ledger_mirror *tail, const char *path);
 
 /* Closes the mirror. Has no effect on a closed one. */
-void ledger_tail_close(struct ledger_tail *tail);
+void ledger_mirror_close(struct ledger_mirror *tail);
 
 /* Opens the mirror for reading. Returns a closed one if there is no file. */
-struct ledger_tail ledger_tail_look(const char *path);
+struct ledger_mirror ledger_mirror_inspect(const char *path);
 
 /* Writes entries with rising ids. Returns 0 when they are on disk, or -1 with errno set. */
-int ledger_tail_write(struct ledger_tail *tail, const struct ledger_entry *entries, uint32_t count);
+int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
+                        uint32_t count);
 
 /* Erases the names of the player in `seat` of that round. Returns 0, or -1 with errno set. The next
  * write makes the change durable. */
-int ledger_tail_forget_name(struct ledger_tail *tail, uint32_t round_id, uint32_t seat);
+int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint32_t seat);
 
 /* Returns true if entry `id` is in the mirror with a valid checksum. Returns false if the mirror is
  * closed. */
-bool ledger_tail_entry(const struct ledger_tail *tail, uint32_t id, struct ledger_entry *out);
+bool ledger_mirror_entry(const struct ledger_mirror *tail, uint32_t id, struct ledger_entry *out);
 
 /* Returns the newest id in the mirror, or 0 if it is empty. Reads the whole file. */
-uint32_t ledger_tail_last_id(const struct ledger_tail *tail);
+uint32_t ledger_mirror_last_id(const struct ledger_mirror *tail);
 
 #endif

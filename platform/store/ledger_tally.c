@@ -75,7 +75,7 @@ static int put(sqlite3 *db, const struct tally *tally, int64_t sum)
     return code;
 }
 
-int ledger_tally_put(sqlite3 *db)
+int ledger_checksum_put(sqlite3 *db)
 {
     int code = SQLITE_OK;
     for (size_t i = 0; code == SQLITE_OK && i < TALLY_COUNT; i++) {
@@ -91,7 +91,7 @@ int ledger_tally_put(sqlite3 *db)
 
 /* Verifies one checksum. A file last written by a version without checksums has none and is
  * accepted. */
-static int check(sqlite3 *db, const struct tally *tally)
+static int ledger_checksum_compare(sqlite3 *db, const struct tally *tally)
 {
     int64_t kept = 0, sum = 0;
     int code = sql_number(db, tally->get, &kept);
@@ -99,12 +99,12 @@ static int check(sqlite3 *db, const struct tally *tally)
     return code == SQLITE_OK && kept != 0 && kept != sum ? SQLITE_CORRUPT : code;
 }
 
-int ledger_tally_check(sqlite3 *db)
+int ledger_checksum_check(sqlite3 *db)
 {
     int code = sql_run(db, "BEGIN"); /* No other program writes between reading a checksum and its
                                         rows. */
     for (size_t i = 0; code == SQLITE_OK && i < TALLY_COUNT; i++) {
-        code = check(db, &tallies[i]);
+        code = ledger_checksum_compare(db, &tallies[i]);
     }
     sql_run(db, "ROLLBACK");
     return code;

@@ -19,7 +19,8 @@
 static const struct {
     int id, max;
 } limits[] = {
-    { SQLITE_LIMIT_LENGTH, 4 * 1024 * 1024 }, /* A replay has at most 3 MiB (CHAPTERS_SIZE). */
+    { SQLITE_LIMIT_LENGTH,
+      4 * 1024 * 1024 }, /* A replay has at most 3 MiB (SESSION_RECORDER_SIZE). */
     { SQLITE_LIMIT_SQL_LENGTH, 100000 },
     { SQLITE_LIMIT_COLUMN, 100 },
     { SQLITE_LIMIT_EXPR_DEPTH, 32 },

@@ -16,8 +16,8 @@ $(BENCH_BIN): %: %.o $(BUILD)/shell.a $(BUILD)/core.a
 # The tank's bench uses the tank that is compiled for 131,072 fish (platform/ctl/tank.mk).
 BENCH_TANK := $(BUILD)/tests/bench/bench_tank
 # Calls between modules that it times; tests/bench/bench_tank.c wraps each.
-BENCH_TANK_TIMED := swim_move_all crowd_mark crowd_follow crowd_is_stale crowd_touch crowd_look \
-    pairs_begin pairs_next part_clear part_bodies swim_settle_all oxygen_tick
+BENCH_TANK_TIMED := swim_move_all broad_phase_mark broad_phase_sync broad_phase_is_stale broad_phase_select_contacts broad_phase_update \
+    narrow_phase_begin narrow_phase_next contact_solver_project contact_solver_finish swim_settle_all oxygen_tick
 
 ## measure/bench-tank: Measure a tick with 50 to 100,000 fish; build/bench_tank.tsv
 bench-tank:

@@ -148,8 +148,8 @@ static void bench_report(const char *path)
                             elements. */
 #define ELEMENT_MAX 15u /* Value of every array element. */
 
-static struct hid_face face;
-static struct hid_hand hand;
+static struct hid_device_info face;
+static struct hid_pose_decoder hand;
 static struct hid_learn learn;
 
 static void say(const uint8_t *items, uint32_t size)
@@ -177,9 +177,9 @@ static void make_slow(void)
     SAY(0xc0);
 }
 
-static void bind_all(struct hid_map *map)
+static void bind_all(struct hid_mapping *map)
 {
-    hid_map_choose(map, &face.identity, &descriptor);
+    hid_mapping_choose(map, &face.identity, &descriptor);
     map->count = 0;
     for (uint32_t i = 0; i < descriptor.group_count; i++) {
         const struct hid_group *group = &descriptor.group[i];
@@ -188,7 +188,7 @@ static void bind_all(struct hid_map *map)
         for (uint32_t j = 0; j < (is_axis ? 2u : 1u); j++) {
             map->binding[map->count++] = (struct hid_binding){
                 .role = is_axis ? (j == 0 ? HID_ROLE_X : HID_ROLE_Z) : HID_ROLE_DIP,
-                .manner = is_axis ? HID_MANNER_RATE : HID_MANNER_PRESS,
+                .manner = is_axis ? HID_BINDING_RATE : HID_BINDING_PRESS,
                 .bit_offset = group->bit_offset + j * group->bit_size,
                 .bit_size = (uint8_t)group->bit_size,
                 .usage = is_array ? 0x00090000u + ELEMENT_MAX + 1u : 0u,
@@ -213,7 +213,7 @@ static double slow_report_us(struct hid_raw *raw, int is_learned)
         if (is_learned) {
             hid_learn_report(&learn, raw);
         } else {
-            hid_hand_report(&hand, raw);
+            hid_pose_decoder_report(&hand, raw);
         }
         const double took = now_us() - begin;
         best = took < best ? took : best;
@@ -226,20 +226,20 @@ static void bench_slow_hand(void)
     static const struct view view = {
         .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
     };
-    struct hid_map map;
+    struct hid_mapping map;
     struct hid_raw raw = { .time_ns = 1u };
     char of[96];
     make_slow();
     hid_descriptor_read(&descriptor, face.descriptor, face.descriptor_size);
     bind_all(&map);
-    if (map.count != HID_BINDING_MAX || hid_hand_init(&hand, &face, &map, &view) != 0) {
+    if (map.count != HID_BINDING_MAX || hid_pose_decoder_init(&hand, &face, &map, &view) != 0) {
         fputs("bench_hid: the slow controller cannot be played\n", stderr);
         exit(1);
     }
     raw.size = (descriptor.report_bits[0] + 7u) / 8u;
     memset(raw.bytes + 2, 0xff, sizeof raw.bytes - 2u); /* Each array element selects a bound
                                                            usage. */
-    if (raw.size > HID_REPORT_MAX || !hid_hand_report(&hand, &raw)) {
+    if (raw.size > HID_REPORT_MAX || !hid_pose_decoder_report(&hand, &raw)) {
         fputs("bench_hid: the slow controller's report is refused\n", stderr);
         exit(1);
     }

@@ -38,7 +38,7 @@
 struct booth {
     struct clock_sim clock;
     struct display_sim display;
-    struct poi_sim poi;
+    struct pointer_sim poi;
     struct pointer_report reports[2];
     struct kiosk kiosk;
 };
@@ -52,7 +52,7 @@ static struct hal wire(struct booth *stall)
     hal.display = display_sim_device(&stall->display);
     stall->poi.clock = hal.clock;
     stall->poi.reports = stall->reports;
-    hal.poi[0] = poi_sim_device(&stall->poi);
+    hal.poi[0] = pointer_sim_device(&stall->poi);
     return hal;
 }
 
@@ -80,8 +80,8 @@ static void open_stall(uint64_t frame_ns)
 {
     const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
     base = (struct booth){ .clock.now_ns = 1000000000 };
-    poi_sim_init(&base.poi, clock_sim_device(&base.clock),
-                 &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    pointer_sim_init(&base.poi, clock_sim_device(&base.clock),
+                     &tank_preset(TANK_PRESET_FESTIVAL)->view);
     base.reports[0] = report_at(1000000001, 640.0f, 0);
     base.poi.report_count = 1;
     const struct hal hal = wire(&base);

@@ -137,10 +137,10 @@ static double measure_poi(void)
     tank_init(&tank, TANK_PRESET_FESTIVAL, 300, 1);
     bowl_init(&bowl, v3(0.30f, 0.02f, 0.15f));
     poi_init(&poi, 5, place, 1);
-    poi.link = POI_LINK_LIVE;
+    poi.link = POI_SOURCE_LIVE;
     for (uint32_t i = 0; i < FISH; i++) {
         struct fish *fish = &tank.fish[i];
-        fish_grow(fish, 0.04f, tank_law(&tank));
+        fish_grow(fish, 0.04f, tank_behavior_params(&tank));
         fish->position_m = v3(0.010f * ((float)i - 2.0f), place.y + 0.006f, 0.0f);
         fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
         fish->angles = (struct angles){ 0 };
@@ -153,10 +153,10 @@ static double measure_poi(void)
         const double start = now_us();
         poi_tick(&poi, &grip, &tank, &bowl);
         const struct obstacle ring = poi_obstacle(&poi);
-        poi_give_way(&poi, &ring);
+        poi_apply_reaction(&poi, &ring);
         catch_tick(&poi, 0, &stall, tick, &output, caught);
         samples[count++] = now_us() - start;
-        if (poi.rider_count < FISH) {
+        if (poi.carried_count < FISH) {
             break;
         }
     }
@@ -165,8 +165,9 @@ static double measure_poi(void)
 
 /* ---- Carried fish and fish in bowls --------------------------------------------------------- */
 
-/* Measures the championship's tank: a poi moves over 1,000 fish and carries up to `riders` fish. */
-static void measure_catch(uint32_t riders, const char *what)
+/* Measures the championship's tank: a poi moves over 1,000 fish and carries up to `carried_fish`
+ * fish. */
+static void measure_catch(uint32_t carried_fish, const char *what)
 {
     struct bowl bowl;
     const struct stall stall = { &tank, &bowl, 1 };
@@ -174,11 +175,11 @@ static void measure_catch(uint32_t riders, const char *what)
     tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
     bowl_init(&bowl, tank_preset(TANK_PRESET_OFFICIAL)->bowl_m[0]);
     poi_init(&poi, 5, v3(0.0f, 0.08f, 0.0f), 1);
-    for (uint32_t i = 0; i < riders; i++) {
+    for (uint32_t i = 0; i < carried_fish; i++) {
         const float x_m = 0.014f * ((float)(i % 4u) - 1.5f);
         const float z_m = 0.014f * ((float)(i / 4u) - 1.5f);
         tank.fish[i].gait = GAIT_HELD;
-        poi.riders[poi.rider_count++] = (struct rider){
+        poi.carried_fish[poi.carried_count++] = (struct carried_fish){
             .fish = (uint16_t)i, .side = 1, .x_m = x_m, .z_m = z_m, .lie = 1.0f, .rest_s = 1e3f
         };
     }
@@ -209,7 +210,7 @@ static void measure_bowls(uint32_t fish_count, const char *what)
     }
     for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
         const double start = now_us();
-        afloat_tick(&stall, pois, live, POI_MAX);
+        bowl_buoyancy_tick(&stall, pois, live, POI_MAX);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             bowl_fish_tick(&bowls[i], i, &tank);
         }
@@ -251,7 +252,7 @@ int main(int argc, char **argv)
     }
     measure_poi();
     measure_catch(0, "catch: a poi over 1,000 fish");
-    measure_catch(POI_RIDER_MAX, "catch: the same, 16 fish on it");
+    measure_catch(POI_CARRIED_MAX, "catch: the same, 16 fish on it");
     measure_bowls(0, "four empty bowls, four pois");
     measure_bowls(40, "four bowls with 40 fish of 4 cm in each");
     measure_bowls(107, "four bowls with 107, the record, in each");

@@ -30,7 +30,7 @@
 static struct bench {
     double seconds, report_hz, frame_ms, work_ms;
     struct hal_clock clock;
-    struct usb_seat seat;
+    struct usb_slot seat;
     struct poi_hid poi;
     struct kiosk kiosk;
     uint64_t beat_ns;
@@ -53,7 +53,7 @@ static void say(uint32_t index)
         .sequence = (uint8_t)index,
     };
     poi_report_encode(&report, bytes);
-    usb_seat_report(&bench.seat, now_ns(), bytes, sizeof bytes);
+    usb_slot_report(&bench.seat, now_ns(), bytes, sizeof bytes);
 }
 
 static void *run_poi(void *context)
@@ -85,20 +85,20 @@ static int screen_present(void *self, const struct scene *scene)
 static void take_feeling(void *self)
 {
     (void)self;
-    if (usb_seat_outgoing(&bench.seat) > 0) {
-        usb_seat_sent(&bench.seat);
+    if (usb_slot_outgoing(&bench.seat) > 0) {
+        usb_slot_sent(&bench.seat);
     }
 }
 
 static void wire(struct hal *hal)
 {
-    static struct hid_face face = { .identity = { .name = "Kingyo poi" } };
+    static struct hid_device_info face = { .identity = { .name = "Kingyo poi" } };
     static struct hal_display_ops screen;
     memcpy(face.descriptor, poi_descriptor, sizeof poi_descriptor);
     face.descriptor_size = sizeof poi_descriptor;
-    usb_seat_init(&bench.seat, take_feeling, NULL);
-    usb_seat_sit(&bench.seat, &face);
-    poi_hid_init(&bench.poi, usb_seat_port(&bench.seat), bench.clock, (struct hid_mapper){ 0 },
+    usb_slot_init(&bench.seat, take_feeling, NULL);
+    usb_slot_attach(&bench.seat, &face);
+    poi_hid_init(&bench.poi, usb_slot_port(&bench.seat), bench.clock, (struct hid_mapper){ 0 },
                  &tank_preset(TANK_PRESET_FESTIVAL)->view);
     *hal = null_hal();
     hal->clock = bench.clock;
@@ -143,6 +143,6 @@ int main(int argc, char **argv)
     }
     atomic_store(&bench.stop, 1);
     pthread_join(thread, NULL);
-    const struct hid_port port = usb_seat_port(&bench.seat);
+    const struct hid_port port = usb_slot_port(&bench.seat);
     return tell(port.ops->lost_count(port.self));
 }

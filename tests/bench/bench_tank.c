@@ -29,15 +29,15 @@
 #define WARM_NS 0.4e9
 #define WARM_TICKS 600u       /* Ticks of warm-up before a measurement. In these five seconds the
                                  order of the start disappears. */
-#define BLOCK CROWD_LOOK_TICKS /* Ticks between two clock readings. One of these ticks updates the
-                                  broad phase. */
+/* Ticks between two clock readings. One of these ticks updates the broad phase. */
+#define BLOCK BROAD_PHASE_UPDATE_TICKS
 #define THESIS_FISH 600.0f    /* Number of fish on the floor area of the thesis, which gives the
                                  density of the thesis. */
 
 static struct tank *store;
 #define tank (*store)
-static struct pairs pairs;
-static struct found found[PAIRS_BATCH + LANES_MAX];
+static struct narrow_phase pairs;
+static struct narrow_phase_pair found[NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 static float no_reach[TANK_FISH_MAX];
 static double samples[3][SAMPLES_MAX];
 static FILE *tsv;
@@ -120,23 +120,31 @@ static enum stage enter(enum stage stage)
 
 /* bench.mk also names each wrapped function. */
 WRAP(MOVE, swim_move_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
-WRAP(WATCH, crowd_mark, (struct crowd *crowd, const struct fish *fish, uint32_t count),
-     (crowd, fish, count))
-WRAP(WATCH, crowd_follow, (struct crowd *crowd, struct fish *fish), (crowd, fish))
-WRAP_INT(WATCH, crowd_is_stale, (const struct crowd *crowd), (crowd))
-WRAP(WATCH, crowd_touch, (struct crowd *crowd), (crowd))
-WRAP(MEET, crowd_look,
-     (struct crowd *crowd, const struct fish *fish, struct crowd_search how,
-      const struct surroundings *around),
-     (crowd, fish, how, around))
-WRAP(GRID, pairs_begin, (struct pairs *search, const struct pairs_of *of), (search, of))
-WRAP_INT(PAIRS, pairs_next,
-         (struct pairs *search, const struct pairs_of *of, struct found *to, uint32_t *count),
+WRAP(WATCH, broad_phase_mark,
+     (struct broad_phase * broad_phase, const struct fish *fish, uint32_t count),
+     (broad_phase, fish, count))
+WRAP(WATCH, broad_phase_sync, (struct broad_phase * broad_phase, struct fish *fish),
+     (broad_phase, fish))
+WRAP_INT(WATCH, broad_phase_is_stale, (const struct broad_phase *broad_phase), (broad_phase))
+WRAP(WATCH, broad_phase_select_contacts, (struct broad_phase * broad_phase), (broad_phase))
+WRAP(MEET, broad_phase_update,
+     (struct broad_phase * broad_phase, const struct fish *fish, struct broad_phase_search how,
+      const struct perception *around),
+     (broad_phase, fish, how, around))
+WRAP(GRID, narrow_phase_begin, (struct narrow_phase * search, const struct narrow_phase_query *of),
+     (search, of))
+WRAP_INT(PAIRS, narrow_phase_next,
+         (struct narrow_phase * search, const struct narrow_phase_query *of,
+          struct narrow_phase_pair *to, uint32_t *count),
          (search, of, to, count))
-WRAP(PART, part_clear, (struct part *part, struct crowd *crowd, const struct part_place *place),
-     (part, crowd, place))
-WRAP(PART, part_bodies, (struct part *part, struct crowd *crowd, const struct part_place *place),
-     (part, crowd, place))
+WRAP(PART, contact_solver_project,
+     (struct contact_solver * solver, struct broad_phase *broad_phase,
+      const struct solver_context *place),
+     (solver, broad_phase, place))
+WRAP(PART, contact_solver_finish,
+     (struct contact_solver * solver, struct broad_phase *broad_phase,
+      const struct solver_context *place),
+     (solver, broad_phase, place))
 WRAP(SETTLE, swim_settle_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
 WRAP(AIR, oxygen_tick,
      (struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
@@ -183,7 +191,7 @@ static void take_disc(float speed_m_s)
     drag_m_s = speed_m_s;
     memset(paper, OBSTACLE_PAPER_HOLDS, sizeof paper);
     const struct angles slant = { 0.0f, 35.0f * F_DEG, 0.0f };
-    const struct basis axes = basis_from_angles(slant);
+    const struct basis axes = vec_basis_from_angles(slant);
     disc = (struct obstacle){
         .kind = OBSTACLE_DISC, .centre_m = hand_m(), .radius_m = POI_OUTER_RADIUS_M,
         .normal = axes.up, .axes = axes, .axes_before = axes,
@@ -199,7 +207,7 @@ static void pull_disc(void)
     disc.step_m = v3_limit(way_m, 1.5f * drag_m_s * CORE_TICK_S);
     disc.centre_m = v3_add(disc.centre_m, disc.step_m);
     disc.velocity_m_s = v3_scale(disc.step_m, (float)CORE_TICK_HZ);
-    disc.gave = 0;
+    disc.reaction = 0;
 }
 
 static void tick_tank(void)
@@ -232,15 +240,20 @@ static double block_ns(uint32_t lanes)
 /* Runs one pair search on the current poses. Returns ns for each fish. */
 static double bare_ns(uint32_t lanes, uint32_t *found_count)
 {
-    const struct pairs_of of = {
-        .body = tank.crowd.body, .flags = tank.crowd.flags, .reach_m = no_reach,
-        .count = tank.fish_count, .which = CROWD_SWIMS, .lanes = (uint8_t)lanes,
-        .width_m = tank.size_m.x, .breadth_m = tank.size_m.z,
+    const struct narrow_phase_query of = {
+        .body = tank.broad_phase.body,
+        .flags = tank.broad_phase.flags,
+        .reach_m = no_reach,
+        .count = tank.fish_count,
+        .which = BODY_SWIMMING,
+        .lanes = (uint8_t)lanes,
+        .width_m = tank.size_m.x,
+        .breadth_m = tank.size_m.z,
     };
     const double start = work_ns();
     *found_count = 0;
-    pairs_begin(&pairs, &of);
-    for (uint32_t some; pairs_next(&pairs, &of, found, &some);) {
+    narrow_phase_begin(&pairs, &of);
+    for (uint32_t some; narrow_phase_next(&pairs, &of, found, &some);) {
         *found_count += some;
     }
     return (work_ns() - start) / (double)tank.fish_count;
@@ -268,7 +281,7 @@ static struct figures measure(uint32_t fish)
     static double bare[2][SAMPLES_MAX];
     struct figures figures = { 0 };
     uint32_t count = 0, pair_count = 0;
-    open_tank(fish, (float)fish / THESIS_FISH, PAIRS_GRID);
+    open_tank(fish, (float)fish / THESIS_FISH, PAIR_SEARCH_GRID);
     warm_up(WARM_NS);
     const double start = now_ns();
     const uint32_t widths = cpu_lanes() == 8u ? 2u : 1u;
@@ -389,7 +402,7 @@ static void print_shares(uint32_t fish)
 {
     static double sorted[SAMPLES_MAX];
     double sum[STAGE_COUNT] = { 0 }, sum_whole = 0.0, kept = 0.0;
-    open_tank(fish, (float)fish / THESIS_FISH, PAIRS_GRID);
+    open_tank(fish, (float)fish / THESIS_FISH, PAIR_SEARCH_GRID);
     warm_up(WARM_NS);
     const uint32_t count = time_stages();
     memcpy(sorted, whole_ns, sizeof sorted);
@@ -445,7 +458,7 @@ static double dragged_ns(uint32_t stall, float speed_m_s)
 {
     double sum_ns = 0.0;
     uint32_t count = 0;
-    open_preset(stalls[stall].preset, stalls[stall].fish, 1.0f, PAIRS_GRID);
+    open_preset(stalls[stall].preset, stalls[stall].fish, 1.0f, PAIR_SEARCH_GRID);
     take_disc(speed_m_s);
     warm_up(WARM_NS);
     const double start = now_ns();
@@ -512,7 +525,8 @@ static void print_table_4_2(void)
     puts("    fish   thesis: grid    all   kingyo: grid          all");
     for (uint32_t t = 0; t < sizeof table_4_2 / sizeof table_4_2[0]; t++) {
         const uint32_t fish = table_4_2[t].fish;
-        const double grid = ticks_per_s(fish, PAIRS_GRID), each = ticks_per_s(fish, PAIRS_ALL);
+        const double grid = ticks_per_s(fish, PAIR_SEARCH_GRID),
+                     each = ticks_per_s(fish, PAIR_SEARCH_ALL);
         printf("  %6u   %12.1f %6.1f   %12.0f %12.0f\n", fish, table_4_2[t].grid,
                table_4_2[t].all, grid, each);
         row("ticks_per_s", "grid", fish, cpu_lanes(), grid);
@@ -576,7 +590,7 @@ int main(int argc, char **argv)
     open_store();
     if (argc == 3) {
         open_tank((uint32_t)strtoul(argv[1], NULL, 10), strtof(argv[1], NULL) / THESIS_FISH,
-                  PAIRS_GRID);
+                  PAIR_SEARCH_GRID);
         const uint32_t end = (uint32_t)strtoul(argv[2], NULL, 10);
         const double start = work_ns();
         while (tick < end) {

@@ -76,7 +76,7 @@ static void tell(const char *what, const struct timing *timing)
 
 static uint32_t run(uint32_t seconds)
 {
-    const struct hid_port port = usb_seats_port(bench.seats, 0);
+    const struct hid_port port = usb_transport_port(bench.seats, 0);
     const uint64_t end_ns = now_ns() + seconds * 1000000000ull;
     uint32_t expected = 0, wrong = 0;
     for (uint64_t frame_ns = now_ns(); frame_ns < end_ns; frame_ns += FRAME_NS) {
@@ -93,7 +93,7 @@ int main(int argc, char **argv)
 {
     const uint32_t wanted = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 10u;
     const uint32_t seconds = wanted > 0 && wanted <= SECONDS_MAX ? wanted : 10u;
-    struct hid_face face;
+    struct hid_device_info face;
     pthread_t thread;
     bench_prepare(&bench);
     bench_start(&bench, NULL, 0);

@@ -48,7 +48,7 @@ static const struct experiment {
 };
 #define EXPERIMENT_COUNT (sizeof experiments / sizeof experiments[0])
 
-static const char *const verdict_names[VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
+static const char *const verdict_names[REPLAY_VERDICT_COUNT] = { "pays", "not shown", "WRONG WAY" };
 
 struct trial {
     uint32_t better, worse; /* Indices of the two arms. */
@@ -102,7 +102,7 @@ static void judge(const struct league *league, struct trial *trial)
  * necessary. With few seeds a real but small effect may not show, so that not all must hold. */
 static int all_is_well(const struct trial *trials, uint32_t seeds)
 {
-    uint32_t count[VERDICT_COUNT] = { 0 }, plainly_wrong = 0;
+    uint32_t count[REPLAY_VERDICT_COUNT] = { 0 }, plainly_wrong = 0;
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
         count[trials[i].verdict]++;
         plainly_wrong += trials[i].verdict == VERDICT_WRONG_WAY &&

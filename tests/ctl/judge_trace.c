@@ -114,7 +114,7 @@ static double depth(const struct corners *a, const struct corners *b)
     return fmax(0.0, least);
 }
 
-static void judge_tick(struct verdict *verdict, int count)
+static void replay_verifier_tick(struct verdict *verdict, int count)
 {
     verdict->ticks++;
     for (int i = 0; i < count; i++) {
@@ -163,7 +163,7 @@ int main(int argc, char **argv)
             &index, v, v + 1, v + 2, v + 3, v + 4, v + 5, v + 6, v + 7, v + 8, v + 9, v + 10, gait,
             &stamina, avoiding);
         if (tick != last) {
-            judge_tick(&verdict, count);
+            replay_verifier_tick(&verdict, count);
             count = 0;
         }
         if (fields != 16 || index != count || count == FISH_MAX ||
@@ -180,7 +180,7 @@ int main(int argc, char **argv)
         most = ++count > most ? count : most;
         verdict.rows++;
     }
-    judge_tick(&verdict, count);
+    replay_verifier_tick(&verdict, count);
     printf("rows %lu ticks %lu fish %d last %ld overlaps %lu deepest_mm %.4f beyond_mm %.4f\n",
            verdict.rows, verdict.ticks - 1, most, last, verdict.overlaps, verdict.deepest_mm,
            verdict.beyond_mm);

@@ -74,7 +74,7 @@ static struct point to_screen(vec3 place_m)
     const struct basis axes = view_basis(view);
     const float aspect = (float)SCREEN_WIDTH / SCREEN_HEIGHT;
     const float tan_y = view_half_height_tan(view, aspect);
-    const vec3 seen = basis_to_body(&axes, v3_sub(place_m, view->eye_m));
+    const vec3 seen = vec_basis_to_body(&axes, v3_sub(place_m, view->eye_m));
     return (struct point){
         0.5f * (1.0f + seen.x / (-seen.z * tan_y * aspect)) * SCREEN_WIDTH,
         0.5f * (1.0f - seen.y / (-seen.z * tan_y)) * SCREEN_HEIGHT,

@@ -45,7 +45,7 @@ ok $? 'only the owner can read the replay and the count'
 if command -v gdb >"$work/which"; then
     opens
     # The core asserts that the fan is at a finite place; nothing that a driver reads is another one.
-    timeout 120 gdb -q -batch -p "$kiosk_pid" -ex 'handle SIGABRT nostop noprint pass' -ex 'break chapters_before' \
+    timeout 120 gdb -q -batch -p "$kiosk_pid" -ex 'handle SIGABRT nostop noprint pass' -ex 'break session_recorder_before' \
         -ex continue -ex 'set var ((struct input *)input)->shade[1].present = 1' \
         -ex 'set var ((struct input *)input)->shade[1].x_m = 0.0 / 0.0' -ex delete -ex detach >"$work/gdb" 2>&1
     end_of_kiosk 20 2>"$work/said"

@@ -6,10 +6,10 @@
 #include "drivers/hid_book_text.h"
 #include "tests/fuzz/trap.h"
 
-static void hold_name(const struct hid_book_entry *entry)
+static void hold_name(const struct hid_mapping_store_entry *entry)
 {
-    char name[HID_BOOK_NAME_SIZE];
-    hid_book_name(entry, name);
+    char name[HID_MAPPING_STORE_NAME_SIZE];
+    hid_mapping_store_name(entry, name);
     HOLD(strnlen(name, sizeof name) < sizeof name && name[0] != '.' && !strchr(name, '/'));
     for (const char *letter = name; *letter; letter++) {
         HOLD(*letter > ' ' && *letter < 0x7f);
@@ -18,20 +18,21 @@ static void hold_name(const struct hid_book_entry *entry)
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static char text[HID_BOOK_TEXT_SIZE], written[HID_BOOK_TEXT_SIZE];
-    static struct hid_book_entry entry, again;
+    static char text[HID_MAPPING_STORE_TEXT_SIZE], written[HID_MAPPING_STORE_TEXT_SIZE];
+    static struct hid_mapping_store_entry entry, again;
     char error[HAL_TEXT_SIZE] = "";
     size = size < sizeof text ? size : sizeof text - 1u;
     memcpy(text, bytes, size);
     text[size] = '\0';
-    const int line = hid_book_read(&entry, text, error);
+    const int line = hid_mapping_store_read(&entry, text, error);
     HOLD(line >= 0 && strnlen(error, sizeof error) < sizeof error);
     if (line > 0) {
         HOLD(error[0] != '\0');
         return 0;
     }
     hold_name(&entry);
-    HOLD(hid_book_write(&entry, written) == 0 && hid_book_read(&again, written, error) == 0);
+    HOLD(hid_mapping_store_write(&entry, written) == 0 &&
+         hid_mapping_store_read(&again, written, error) == 0);
     HOLD(again.vendor == entry.vendor && again.product == entry.product);
     HOLD(strcmp(again.serial, entry.serial) == 0 && again.map.count == entry.map.count);
     return 0;

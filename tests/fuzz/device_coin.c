@@ -31,7 +31,7 @@ struct slot {
 
 /* ---- Reference: the complete list of edges -------------------------------------------------- */
 
-static uint32_t turns_of(const struct slot *slot, struct debounce_turn turn[EDGE_MAX])
+static uint32_t turns_of(const struct slot *slot, struct debounce_edge_time turn[EDGE_MAX])
 {
     bool stable = slot->active, raw = slot->active;
     uint64_t since_ns = slot->begin_ns;
@@ -41,7 +41,7 @@ static uint32_t turns_of(const struct slot *slot, struct debounce_turn turn[EDGE
         const uint64_t now_ns = is_end ? slot->end_ns : slot->edge[i].time_ns;
         if (raw != stable && now_ns - since_ns >= slot->period_ns) {
             stable = raw;
-            turn[count++] = (struct debounce_turn){ .time_ns = since_ns, .active = raw };
+            turn[count++] = (struct debounce_edge_time){ .time_ns = since_ns, .active = raw };
         }
         if (!is_end && slot->edge[i].active != raw) {
             raw = slot->edge[i].active;
@@ -64,7 +64,7 @@ static void judge(const struct slot *slot, struct tally *tally, uint64_t begin_n
 
 static struct tally count_all(const struct slot *slot)
 {
-    static struct debounce_turn turn[EDGE_MAX];
+    static struct debounce_edge_time turn[EDGE_MAX];
     const uint32_t count = turns_of(slot, turn);
     struct tally tally = { 0 };
     bool falls = slot->active, is_first = true;
@@ -97,20 +97,20 @@ static struct tally count_all(const struct slot *slot)
 
 /* ---- Decoder: edges as they arrive ---------------------------------------------------------- */
 
-static void take(struct coin_mech *mech, bool turned, const struct debounce_turn *turn,
-                 struct debounce_turn *last)
+static void take(struct coin_mech *mech, bool turned, const struct debounce_edge_time *turn,
+                 struct debounce_edge_time *last)
 {
     if (turned) {
         HOLD(turn->active != last->active && turn->time_ns >= last->time_ns);
-        coin_mech_turn(mech, turn->time_ns, turn->active);
+        coin_mech_edge(mech, turn->time_ns, turn->active);
         *last = *turn;
     }
 }
 
 static void look(struct coin_mech *mech, struct debounce *line, uint64_t now_ns,
-                 struct debounce_turn *last)
+                 struct debounce_edge_time *last)
 {
-    struct debounce_turn turn;
+    struct debounce_edge_time turn;
     take(mech, debounce_settle(line, now_ns, &turn), &turn, last);
     coin_mech_settle(mech, line->raw != line->stable ? line->since_ns : now_ns);
 }
@@ -120,7 +120,7 @@ static struct tally count_live(const struct slot *slot)
     struct debounce line = debounce_begin(slot->period_ns, slot->active, slot->begin_ns);
     struct coin_mech mech =
         coin_mech_begin(slot->width_min_ns, slot->width_max_ns, slot->active, slot->begin_ns);
-    struct debounce_turn turn, last = { .time_ns = slot->begin_ns, .active = slot->active };
+    struct debounce_edge_time turn, last = { .time_ns = slot->begin_ns, .active = slot->active };
     for (uint32_t i = 0; i < slot->edge_count; i++) {
         const struct edge *edge = &slot->edge[i];
         if (edge->looks_before) {

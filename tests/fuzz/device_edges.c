@@ -10,10 +10,10 @@
 
 #define TIME_NS 50000u
 
-static struct debounce_turn last;
+static struct debounce_edge_time last;
 static uint64_t dated_ns; /* Time of the newest edge. */
 
-static void take(bool turned, const struct debounce_turn *turn)
+static void take(bool turned, const struct debounce_edge_time *turn)
 {
     if (turned) {
         HOLD(turn->active != last.active && turn->time_ns >= last.time_ns);
@@ -21,11 +21,11 @@ static void take(bool turned, const struct debounce_turn *turn)
     }
 }
 
-static void step(struct gpio_input *input, uint64_t now_ns, uint32_t what, bool active)
+static void step(struct gpio_edge_filter *input, uint64_t now_ns, uint32_t what, bool active)
 {
-    struct debounce_turn turn;
+    struct debounce_edge_time turn;
     if (what >= 4u) {
-        take(gpio_input_level(input, now_ns, active, &turn), &turn);
+        take(gpio_edge_filter_level(input, now_ns, active, &turn), &turn);
         return;
     }
     dated_ns = what < 2u ? now_ns : dated_ns + (now_ns - dated_ns) / 8u;
@@ -33,7 +33,7 @@ static void step(struct gpio_input *input, uint64_t now_ns, uint32_t what, bool 
         .time_ns = dated_ns, .active = active, .lost_before = what == 3u ? 2u : 0u,
         .taken_ns = now_ns,
     };
-    take(gpio_input_edge(input, &edge, &turn), &turn);
+    take(gpio_edge_filter_edge(input, &edge, &turn), &turn);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
@@ -43,8 +43,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         return 0;
     }
     dated_ns = now_ns;
-    last = (struct debounce_turn){ .time_ns = now_ns, .active = bytes[1] & 1u };
-    struct gpio_input input = gpio_input_begin(bytes[0] * 100000ull, last.active, now_ns);
+    last = (struct debounce_edge_time){ .time_ns = now_ns, .active = bytes[1] & 1u };
+    struct gpio_edge_filter input =
+        gpio_edge_filter_begin(bytes[0] * 100000ull, last.active, now_ns);
     for (size_t at = 2; at + 1u < size; at += 2) {
         const uint32_t word = (uint32_t)(bytes[at] | bytes[at + 1u] << 8);
         now_ns += (word & 0xfffu) * TIME_NS;
@@ -56,6 +57,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         now_ns += 100000000u;
         step(&input, now_ns, 4u, true);
     }
-    HOLD(last.active && input.debounce.stable && gpio_input_due_ns(&input) == UINT64_MAX);
+    HOLD(last.active && input.debounce.stable && gpio_edge_filter_due_ns(&input) == UINT64_MAX);
     return 0;
 }

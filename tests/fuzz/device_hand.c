@@ -22,9 +22,9 @@
 static const struct view view = {
     .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
 };
-static struct hid_face face;
-static struct hid_map map;
-static struct hid_hand hand, before;
+static struct hid_device_info face;
+static struct hid_mapping map;
+static struct hid_pose_decoder hand, before;
 
 static uint16_t word_at(const uint8_t *bytes)
 {
@@ -45,14 +45,14 @@ static void hold_hand(uint64_t time_ns)
 {
     struct poi_sample sample;
     struct button_sample buttons = { 0 }, again = { 0 };
-    if (hid_hand_sample(&hand, time_ns, &sample)) {
+    if (hid_pose_decoder_sample(&hand, time_ns, &sample)) {
         hold_finite(&sample, time_ns);
     }
-    const struct shade_input fan = hid_hand_fan(&hand, time_ns);
+    const struct shade_input fan = hid_pose_decoder_fan(&hand, time_ns);
     HOLD(!fan.present || (f_is_finite(fan.x_m) && f_is_finite(fan.z_m)));
-    hid_hand_buttons(&hand, &buttons);
+    hid_pose_decoder_buttons(&hand, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0 && buttons.coin_count[0] == 0);
-    hid_hand_buttons(&hand, &again);
+    hid_pose_decoder_buttons(&hand, &again);
     HOLD(again.pressed == 0 && again.held == buttons.held); /* A button edge must be returned only
                                                                once. */
 }
@@ -72,7 +72,7 @@ static int report_in_time(const struct hid_raw *raw)
     for (uint32_t i = 0; i < REPORT_TRIES && took > REPORT_NS_MAX; i++) {
         hand = before;
         const uint64_t begun = cpu_ns();
-        moved = hid_hand_report(&hand, raw);
+        moved = hid_pose_decoder_report(&hand, raw);
         took = cpu_ns() - begun;
     }
     HOLD(took <= REPORT_NS_MAX);
@@ -100,7 +100,7 @@ static void play(const uint8_t *bytes, size_t size)
 /* Takes the line of text. Returns the number of bytes taken. */
 static size_t take_map(const uint8_t *bytes, size_t size)
 {
-    static char text[HID_MAP_TEXT_SIZE];
+    static char text[HID_MAPPING_TEXT_SIZE];
     char error[HAL_TEXT_SIZE];
     size_t length = 0;
     while (length < size && bytes[length] != '\n' && length + 1u < sizeof text) {
@@ -108,9 +108,9 @@ static size_t take_map(const uint8_t *bytes, size_t size)
         length++;
     }
     text[length] = '\0';
-    if (length == 0 || hid_map_read(&map, text, error)) {
+    if (length == 0 || hid_mapping_read(&map, text, error)) {
         hid_descriptor_read(&hand.descriptor, face.descriptor, face.descriptor_size);
-        hid_map_choose(&map, &face.identity, &hand.descriptor);
+        hid_mapping_choose(&map, &face.identity, &hand.descriptor);
     }
     return length < size ? length + 1u : length;
 }
@@ -129,9 +129,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     bytes += 6u + taken;
     size -= 6u + taken;
     const size_t line = take_map(bytes, size);
-    HOLD(map.source != HID_MAP_NONE || map.count <= HID_BINDING_MAX);
-    if (hid_hand_init(&hand, &face, &map, &view) == 0) {
-        HOLD(hid_map_is_sound(&map, &hand.descriptor));
+    HOLD(map.source != HID_MAPPING_NONE || map.count <= HID_BINDING_MAX);
+    if (hid_pose_decoder_init(&hand, &face, &map, &view) == 0) {
+        HOLD(hid_mapping_is_sound(&map, &hand.descriptor));
         play(bytes + line, size - line);
     }
     return 0;

@@ -13,19 +13,19 @@
 #define TIME_STEP_NS 4000000u
 #define NEXT 255u
 
-static struct hid_face face;
+static struct hid_device_info face;
 static struct hid_learn learn;
-static struct hid_hand hand;
+static struct hid_pose_decoder hand;
 
 static void hold_learned(void)
 {
     const struct view view = {
         .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
     };
-    char text[HID_MAP_TEXT_SIZE];
-    HOLD(hid_map_is_sound(&learn.map, &learn.descriptor));
-    HOLD(learn.map.source == HID_MAP_LEARNED && hid_map_write(&learn.map, text) == 0);
-    HOLD(hid_hand_init(&hand, &face, &learn.map, &view) == 0);
+    char text[HID_MAPPING_TEXT_SIZE];
+    HOLD(hid_mapping_is_sound(&learn.map, &learn.descriptor));
+    HOLD(learn.map.source == HID_MAPPING_LEARNED && hid_mapping_write(&learn.map, text) == 0);
+    HOLD(hid_pose_decoder_init(&hand, &face, &learn.map, &view) == 0);
 }
 
 static void show(const uint8_t *bytes, size_t size)

@@ -21,18 +21,18 @@ static int is_same(const struct hid_binding *a, const struct hid_binding *b)
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static char text[8192], written[HID_MAP_TEXT_SIZE];
-    static struct hid_map map, again;
+    static char text[8192], written[HID_MAPPING_TEXT_SIZE];
+    static struct hid_mapping map, again;
     char error[HAL_TEXT_SIZE] = "";
     size = size < sizeof text ? size : sizeof text - 1u;
     memcpy(text, bytes, size);
     text[size] = '\0';
-    if (hid_map_read(&map, text, error)) {
+    if (hid_mapping_read(&map, text, error)) {
         hold_sentence(error);
         return 0;
     }
     HOLD(map.count <= HID_BINDING_MAX);
-    HOLD(hid_map_write(&map, written) == 0 && hid_map_read(&again, written, error) == 0);
+    HOLD(hid_mapping_write(&map, written) == 0 && hid_mapping_read(&again, written, error) == 0);
     HOLD(again.source == map.source && again.style == map.style && again.count == map.count);
     HOLD(again.trembles == map.trembles && again.feels == map.feels);
     for (uint32_t i = 0; i < map.count; i++) {

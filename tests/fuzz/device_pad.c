@@ -47,30 +47,30 @@ static void hold_target(const struct poi_target *target)
     HOLD(f_abs(target->angles.pitch_rad) < 4.0f && f_abs(target->angles.roll_rad) < 4.0f);
 }
 
-static void hold_pad(struct pad_track *track, uint64_t now_ns, uint32_t max)
+static void hold_pad(struct gamepad_queue *track, uint64_t now_ns, uint32_t max)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     struct button_sample buttons, again;
-    const uint32_t count = pad_track_take(track, now_ns, samples, max);
+    const uint32_t count = gamepad_queue_pop(track, now_ns, samples, max);
     HOLD(count <= max && (max == 0 || count > 0));
     for (uint32_t i = 0; i < count; i++) {
         hold_target(&samples[i].target);
         HOLD(i == 0 || samples[i].time_ns >= samples[i - 1].time_ns);
     }
-    const struct shade_input fan = pad_hand_fan(&track->hand, now_ns);
+    const struct shade_input fan = gamepad_decoder_fan(&track->hand, now_ns);
     HOLD(!fan.present || (f_is_finite(fan.x_m) && f_is_finite(fan.z_m)));
-    pad_track_buttons(track, &buttons);
+    gamepad_queue_buttons(track, &buttons);
     HOLD((buttons.held & ~(uint32_t)INPUT_BUTTON_ALL) == 0);
-    pad_track_buttons(track, &again);
+    gamepad_queue_buttons(track, &again);
     HOLD(again.pressed == 0 && again.held == buttons.held); /* A button edge must be returned only
                                                                once. */
 }
 
 static void play_pad(struct input_bytes *input)
 {
-    static struct pad_track track;
-    struct pad_report report = { .time_ns = 1000000000u };
-    pad_track_init(&track, &view, report.time_ns);
+    static struct gamepad_queue track;
+    struct gamepad_report report = { .time_ns = 1000000000u };
+    gamepad_queue_init(&track, &view, report.time_ns);
     while (input->left >= 2u) {
         uint8_t what;
         report.time_ns = next_ns(input, report.time_ns);
@@ -81,8 +81,8 @@ static void play_pad(struct input_bytes *input)
         take(input, &report.buttons, what & 4u ? sizeof report.buttons : 0u);
         take(input, &report.turn_rad_s, report.has_turn ? sizeof report.turn_rad_s : 0u);
         take(input, &report.weight_m_s2, report.has_weight ? sizeof report.weight_m_s2 : 0u);
-        pad_track_keep(&track, &report);
-        HOLD(track.report_count <= PAD_REPORTS_MAX);
+        gamepad_queue_push(&track, &report);
+        HOLD(track.report_count <= GAMEPAD_REPORTS_MAX);
         if (what & 8u) {
             hold_pad(&track, report.time_ns + what, what >> 2);
         }

@@ -22,7 +22,7 @@ static void hold_wire(const char *line, struct gpio_wire wires[GPIO_ROLE_COUNT])
         HOLD(memcmp(before, wires, sizeof before) == 0);
         return;
     }
-    HOLD(gpio_wires_count(wires) >= gpio_wires_count(before));
+    HOLD(gpio_config_count(wires) >= gpio_config_count(before));
     for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
         const struct gpio_wire *wire = &wires[role];
         if (wire->wired) {
@@ -32,7 +32,7 @@ static void hold_wire(const char *line, struct gpio_wire wires[GPIO_ROLE_COUNT])
             HOLD((wire->name[0] != 0) != (wire->chip[0] != 0) && strlen(text) > 0);
         }
     }
-    if (!gpio_wires_agree(wires, why)) {
+    if (!gpio_config_agrees(wires, why)) {
         hold_sentence(why, sizeof why);
     }
 }
@@ -45,7 +45,7 @@ static void hold_choice(const char *line, struct usb_choice *choice)
         hold_sentence(error, sizeof error);
         return;
     }
-    HOLD(choice->wish_count <= USB_WISH_MAX);
+    HOLD(choice->wish_count <= USB_REQUEST_MAX);
     again.wish_count = 0;
     for (uint32_t i = 0; usb_choice_line(choice, i, written); i++) {
         HOLD(usb_choice_read_line(&again, written, error) == 0);

@@ -39,12 +39,12 @@ static void grow(const struct species_card *card)
     }
 }
 
-static void blend(const struct species *species, enum graph_template template)
+static void blend(const struct species *species, enum graph_template template_id)
 {
     static struct morph_rig rig;
     static struct morph_pose pose;
     static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
-    morph_rig_init(&rig, &species->card, template);
+    morph_rig_init(&rig, &species->card, template_id);
     for (uint32_t i = 0; i <= 4; i++) {
         const struct species_mesh *mesh = &species->lod[i % SPECIES_LOD_COUNT];
         morph_pose(&rig, mesh, (float)i / 4.0f, &pose);
@@ -64,11 +64,11 @@ void exercise(const struct species *species)
     static struct straight_memory memory;
     static struct species made;
     grow(&species->card);
-    for (int template = TEMPLATE_OWN; template < TEMPLATE_COUNT; template++) {
-        blend(species, (enum graph_template)template);
+    for (int template_id = TEMPLATE_OWN; template_id < TEMPLATE_COUNT; template_id++) {
+        blend(species, (enum graph_template)template_id);
     }
-    species_straighten(species, &memory, &made);
+    straight_species(species, &memory, &made);
     blend(&made, TEMPLATE_OWN);
-    species_thesis(species, &memory, &made);
+    straight_thesis(species, &memory, &made);
     blend(&made, TEMPLATE_OWN);
 }

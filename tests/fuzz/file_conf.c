@@ -11,7 +11,7 @@
 
 /* Validates lines as board/desktop does. The real file is not linked because it needs SDL and
  * threads. */
-int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE])
+int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char why[HAL_TEXT_SIZE])
 {
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
     for (uint32_t i = 0; i < count; i++) {
@@ -19,10 +19,10 @@ int board_reads_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char 
             return -1;
         }
     }
-    return gpio_wires_agree(wires, why) ? 0 : -1;
+    return gpio_config_agrees(wires, why) ? 0 : -1;
 }
 
-int board_reads_usb(const char *text)
+int board_check_usb(const char *text)
 {
     struct usb_key key;
     return usb_key_read(&key, text) == 0;
@@ -46,7 +46,7 @@ static void hold_settings(const struct options *options)
         char text[SETTING_TEXT_MAX];
         int32_t value = options->file.value[id], again = value + 1;
         if (options->file.is_set[id]) {
-            HOLD(setting_allows(id, value));
+            HOLD(settings_allows(id, value));
             setting_print(id, value, text);
             HOLD(setting_parse(id, text, &again) && again == value);
         }
@@ -54,7 +54,7 @@ static void hold_settings(const struct options *options)
     options_first(options, &settings);
     options_last(options, &settings);
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        HOLD(setting_allows(id, settings.value[id]));
+        HOLD(settings_allows(id, settings.value[id]));
     }
 }
 
@@ -68,7 +68,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     scratch_put(path, bytes, size);
     memset(&options, 0, sizeof options);
     warning_count = 0;
-    HOLD(options_read_config(&options, path, hold_warning) == 0);
+    HOLD(config_file_read(&options, path, hold_warning) == 0);
     HOLD(warning_count <= CONFIG_WARNINGS_MAX + 1u);
     HOLD(options.usb_count <= BOARD_USB_MAX && options.line_count <= BOARD_LINE_MAX);
     hold_settings(&options);

@@ -31,7 +31,7 @@
 #define AUDIT_OF(column) ROW_OF("audits", column)
 #define STATE_OF(column) ROW_OF("state", column)
 
-static const struct ledger_file_how how = { .journal = "MEMORY OFF" };
+static const struct ledger_file_options how = { .journal = "MEMORY OFF" };
 static char path[SCRATCH_PATH_SIZE], salvaged_path[SCRATCH_PATH_SIZE];
 
 /* Overwrites one cell with a value of any type. */
@@ -87,14 +87,14 @@ static void put_rows(struct ledger_file *file, const uint8_t *bytes, size_t size
     for (uint32_t i = 0; i < cell_count && 1u + (i + 1u) * CELL_SIZE <= size; i++) {
         put_cell(file->db, bytes + 1 + i * CELL_SIZE);
     }
-    HOLD(ledger_tally_put(file->db) == SQLITE_OK);
+    HOLD(ledger_checksum_put(file->db) == SQLITE_OK);
     HOLD(sql_run(file->db, "COMMIT") == SQLITE_OK);
 }
 
 static void start_stall(const struct ledger_content *content)
 {
-    struct memory memory = { 0 };
-    ledger_content_remember(content, &memory);
+    struct persistent_state memory = { 0 };
+    ledger_content_load(content, &memory);
     stall_try_memory(&memory, TICKS);
 }
 
@@ -102,12 +102,12 @@ static void start_stall(const struct ledger_content *content)
  * opens. */
 static void hold_salvage(void)
 {
-    static const struct ledger_tail none;
+    static const struct ledger_mirror none;
     struct ledger_file to;
-    struct ledger_salvaged salvaged;
+    struct ledger_recovered salvaged;
     scratch_put(salvaged_path, "", 0);
     HOLD(ledger_file_open(&to, salvaged_path, &how) == SQLITE_OK);
-    HOLD(ledger_salvage(path, &none, &to, &salvaged) == SQLITE_OK);
+    HOLD(ledger_recover(path, &none, &to, &salvaged) == SQLITE_OK);
     HOLD(ledger_check(to.db) == SQLITE_OK);
     start_stall(&to.content);
     ledger_file_close(&to);

@@ -10,10 +10,10 @@
 
 #define STEPS 8u
 
-static void hold_why(const char why[EDIT_WHY_SIZE])
+static void hold_why(const char why[GRAPH_FILE_WHY_SIZE])
 {
-    const size_t length = strnlen(why, EDIT_WHY_SIZE);
-    HOLD(length > 0 && length < EDIT_WHY_SIZE && why[0] >= '1' && why[0] <= '9');
+    const size_t length = strnlen(why, GRAPH_FILE_WHY_SIZE);
+    HOLD(length > 0 && length < GRAPH_FILE_WHY_SIZE && why[0] >= '1' && why[0] <= '9');
     HOLD(!memchr(why, '\n', length) && !memchr(why, '\x1b', length));
 }
 
@@ -34,21 +34,21 @@ static void hold_weights(const struct lab_edit *edit, const struct species_card 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     static struct lab_edit again;
-    char why[EDIT_WHY_SIZE] = "", written[EDIT_TEXT_MAX];
+    char why[GRAPH_FILE_WHY_SIZE] = "", written[GRAPH_FILE_TEXT_MAX];
     if (size == 0) {
         return 0;
     }
     const struct species_card *card = &species_table[bytes[0] % species_table_count]->card;
-    struct edit_record record = { .id = 1, .key_count = card->key_count };
-    if (!edit_file_parse((const char *)bytes + 1, size - 1u, card, &record.edit, why)) {
+    struct graph_edit_record record = { .id = 1, .key_count = card->key_count };
+    if (!graph_file_parse((const char *)bytes + 1, size - 1u, card, &record.edit, why)) {
         hold_why(why);
         return 0;
     }
-    HOLD(lab_edit_is_good(&record.edit, card));
+    HOLD(lab_edit_is_valid(&record.edit, card));
     hold_weights(&record.edit, card);
     memcpy(record.species, card->id, sizeof record.species);
-    const size_t length = edit_file_format(&record, written);
-    HOLD(length < EDIT_TEXT_MAX && edit_file_parse(written, length, card, &again, why));
+    const size_t length = graph_file_format(&record, written);
+    HOLD(length < GRAPH_FILE_TEXT_MAX && graph_file_parse(written, length, card, &again, why));
     HOLD(memcmp(&again, &record.edit, sizeof again) == 0);
     return 0;
 }

@@ -40,7 +40,7 @@ static struct input play_of(uint32_t tick)
     struct input input = { .day = 9000, .minute = 600, .store_well = 1 };
     input.coin_count[0] = tick == 20u;
     input.pressed = tick == 40u ? INPUT_START : 0u;
-    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.001f * (float)(tick % 60u), 0.08f, 0.1f);
     return input;
 }
@@ -73,8 +73,8 @@ static void put_replays(void)
     config.players = 2;
     config.credit_coins = 1;
     config.modes = OPTIONS_MODES_ALL;
-    config.memory.ranking.row[0][0][0].caught = 7;
-    config.memory.ledger.boots = 4;
+    config.persistent.ranking.row[0][0][0].caught = 7;
+    config.persistent.ledger.boots = 4;
     put_replay("replay/paid", &config, 130);
 }
 
@@ -82,8 +82,8 @@ static void put_graphs(void)
 {
     for (uint32_t i = 0; i < species_table_count; i++) {
         const struct species_card *card = &species_table[i]->card;
-        struct edit_record record = { .id = 1, .key_count = card->key_count };
-        char name[64], text[EDIT_TEXT_MAX + 1u] = { (char)i };
+        struct graph_edit_record record = { .id = 1, .key_count = card->key_count };
+        char name[64], text[GRAPH_FILE_TEXT_MAX + 1u] = { (char)i };
         memcpy(record.species, card->id, sizeof record.species);
         lab_edit_own(&record.edit, card);
         if (i % 2u) {
@@ -91,7 +91,7 @@ static void put_graphs(void)
             lab_edit_size(&record.edit, card, 0, 0.01f);
         }
         snprintf(name, sizeof name, "graph/%u", i);
-        put(name, text, 1u + edit_file_format(&record, text + 1));
+        put(name, text, 1u + graph_file_format(&record, text + 1));
     }
 }
 
@@ -145,7 +145,7 @@ static void put_entries(const char *name, const uint8_t *head, size_t head_size)
     entry[1].value = 1;
     entry[2].kind = LEDGER_BEGIN;
     entry[2].count = 6;
-    entry[2].purse.open = OPEN_PAID;
+    entry[2].balance.open = PAYMENT_PAID;
     entry[3].kind = LEDGER_ROUND;
     entry[3].round = (struct round_record){ .id = 4,
                                             .end_tick = 7200,

@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     static char path[SCRATCH_PATH_SIZE], saved[SCRATCH_PATH_SIZE];
     static struct usb_choice choice, again;
     char why[HAL_TEXT_SIZE] = "";
-    struct usb_key wanted[USB_WISH_MAX];
+    struct usb_key wanted[USB_REQUEST_MAX];
     if (!path[0]) {
         scratch_path(path, "usb.txt");
         scratch_path(saved, "usb-saved.txt");
@@ -35,7 +35,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     const int bad = usb_choice_load(&choice, path, why);
     HOLD(bad >= 0 && (bad == 0) == (why[0] == '\0'));
     HOLD(strnlen(why, sizeof why) < sizeof why && !strchr(why, '\n'));
-    HOLD(choice.wish_count <= USB_WISH_MAX);
+    HOLD(choice.wish_count <= USB_REQUEST_MAX);
     HOLD(usb_choice_wanted(&choice, wanted) <= choice.wish_count);
     HOLD(usb_choice_save(&choice, saved) == 0);
     HOLD(usb_choice_load(&again, saved, why) == 0 && same_kept(&choice, &again));

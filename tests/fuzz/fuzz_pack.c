@@ -10,7 +10,7 @@ static void try(const uint8_t *bytes, size_t size)
 {
     static struct species_slot slot;
     static uint8_t again[PACK_SIZE_MAX];
-    char why[VET_WHY_SIZE];
+    char why[VALIDATE_WHY_SIZE];
     if (pack_decode(bytes, size, &slot, why) == PACK_OK) {
         exercise(&slot.species);
         if (pack_encode(&slot, again) != size || memcmp(bytes, again, size) != 0) {

@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     const char *path = file_of(bytes, size, ".glb");
     memset(&mesh, 0, offsetof(struct import_mesh, positions));
     mesh.time_count = mesh.is_ours = mesh.has_life = mesh.has_uv = mesh.has_colours = 0;
-    if (import_flatten(path, &mesh, why) && !import_vet(&mesh, room)) {
+    if (import_flatten(path, &mesh, why) && !import_validate(&mesh, room)) {
         make_species(&mesh);
     }
     unlink(path);

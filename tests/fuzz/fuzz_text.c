@@ -12,12 +12,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     static struct species_text text;
     static struct species_slot slot;
     static FILE *nowhere;
-    char why[VET_WHY_SIZE];
+    char why[VALIDATE_WHY_SIZE];
     nowhere = nowhere ? nowhere : fopen("/dev/null", "w");
     FILE *file = size > 0 ? fmemopen((void *)(uintptr_t)bytes, size, "r") : NULL;
     if (file && species_read(file, "fuzz.txt", nowhere, &text)) {
         pack_text(&text, &slot);
-        if (species_vet(&slot.species, why)) {
+        if (species_validate(&slot.species, why)) {
             exercise(&slot.species);
         }
     }

@@ -26,16 +26,17 @@ void make_species(struct import_mesh *mesh)
 {
     static struct species_slot slot;
     static struct import_report report;
-    const struct import_plan plan = { .id = "fuzz", .front = AXIS_NONE, .up = AXIS_Y,
-                                      .unit_m = 1.0, .motion = 255, .form = 255 };
-    char why[IMPORT_WHY_SIZE], fault[VET_WHY_SIZE];
+    const struct import_options plan = {
+        .id = "fuzz", .front = AXIS_NONE, .up = AXIS_Y, .unit_m = 1.0, .motion = 255, .form = 255
+    };
+    char why[IMPORT_WHY_SIZE], fault[VALIDATE_WHY_SIZE];
     memset(&slot.species, 0, sizeof slot.species);
     if (mesh->key_count >= 3 && import_orient(mesh, &plan, &report, why) == EXIT_OK &&
         import_build(mesh, &slot, &report, why) == EXIT_OK &&
         import_life(mesh, &plan, &slot, &report, why) == EXIT_OK) {
         slot.tables[1] = slot.tables[0];
         slot.species.lod[1] = slot.species.lod[0];
-        if (species_vet(&slot.species, fault)) {
+        if (species_validate(&slot.species, fault)) {
             exercise(&slot.species);
         }
     }

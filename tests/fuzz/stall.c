@@ -33,13 +33,13 @@ int stall_try(const struct core_config *config, uint32_t ticks)
     return 1;
 }
 
-void stall_try_memory(const struct memory *memory, uint32_t ticks)
+void stall_try_memory(const struct persistent_state *memory, uint32_t ticks)
 {
     static struct core_config config;
     memset(&config, 0, sizeof config);
-    config.memory = *memory;
+    config.persistent = *memory;
     config.fish_count = 1; /* One fish is enough because the stored data is under test, and fish
                               cost time. */
-    settings_mend(&config.memory.settings);
+    settings_sanitize(&config.persistent.settings);
     HOLD(stall_try(&config, ticks));
 }

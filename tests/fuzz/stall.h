@@ -13,7 +13,7 @@ int stall_try(const struct core_config *config, uint32_t ticks);
 
 /* Starts a stall with the persistent state of a store, as the kiosk does. Settings that are out of
  * range are reset first. */
-void stall_try_memory(const struct memory *memory, uint32_t ticks);
+void stall_try_memory(const struct persistent_state *memory, uint32_t ticks);
 
 /* The core that stall_try() runs. The core is valid until the next call. */
 extern struct core stall_core;

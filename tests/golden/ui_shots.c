@@ -39,10 +39,10 @@ struct shot {
 
 static const struct shot shots[] = {
     { "attract", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
-    { "choose", PHASE_CHOOSE, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_CHAMPIONSHIP, 0, 0, 0,
-      0, 0 },
-    { "choose2", PHASE_CHOOSE, HINT_CHOOSE, 4.0f, 11.0f, 0, 12, 1.0f, 1, MODE_FESTIVAL, 0, 0, 0, 0,
-      1 },
+    { "choose", PHASE_MODE_SELECT, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_CHAMPIONSHIP, 0,
+      0, 0, 0, 0 },
+    { "choose2", PHASE_MODE_SELECT, HINT_CHOOSE, 4.0f, 11.0f, 0, 12, 1.0f, 1, MODE_FESTIVAL, 0, 0,
+      0, 0, 1 },
     { "ready", PHASE_READY, HINT_NO_SHADE, 0.85f, 2.15f, 0, 12, 1.0f, 1, MODE_CHAMPIONSHIP, 0, 0, 0,
       0, 0 },
     { "go", PHASE_ROUND, HINT_DIP, 0.4f, 59.6f, 0, 12, 1.0f, 1, 0, 0, 0, 0, 0, 0 },
@@ -56,15 +56,15 @@ static const struct shot shots[] = {
       CALL_TEN_SECONDS, 0, 0, 0, 0 },
     { "last", PHASE_ROUND, HINT_NONE, 176.7f, 3.3f, 21, 46, 0.93f, 2, MODE_CHAMPIONSHIP,
       CALL_COUNTDOWN, 0, 0, 0, 0 },
-    { "time", PHASE_RESULT, HINT_NONE, 0.7f, 0.0f, 21, 46, 0.93f, 1, MODE_CHAMPIONSHIP,
-      CALL_TIME, 0, 0, 0, 0 },
+    { "time", PHASE_RESULT, HINT_NONE, 0.7f, 0.0f, 21, 46, 0.93f, 1, MODE_CHAMPIONSHIP, CALL_TIME,
+      0, 0, 0, 0 },
     { "paused", PHASE_ROUND, HINT_LOST_POI, 100.0f, 80.0f, 21, 46, 0.93f, 3, MODE_CHAMPIONSHIP, 0,
       0, 1, 0, 0 },
     { "practice", PHASE_ROUND, HINT_WET_ALL, 40.0f, 140.0f, 3, 0, 0.8f, 1, MODE_PRACTICE, 0, 0, 0,
       1, 0 },
     { "coin", PHASE_ATTRACT, HINT_COIN, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
-    { "paid", PHASE_CHOOSE, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_FESTIVAL, 0, 0, 0, 0,
-      0 },
+    { "paid", PHASE_MODE_SELECT, HINT_CHOOSE, 4.0f, 11.0f, 0, 46, 1.0f, 1, MODE_FESTIVAL, 0, 0, 0,
+      0, 0 },
     { "warned", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
     { "quit", PHASE_ATTRACT, HINT_START, 9.0f, 0.0f, 0, 12, 0.9f, 1, 0, 0, 0, 0, 0, 0 },
     { "ask", PHASE_ROUND, HINT_DIP, 20.0f, 40.0f, 3, 12, 0.8f, 1, 0, 0, 0, 0, 0, 0 },
@@ -75,7 +75,7 @@ static const struct shot shots[] = {
       FOUL_WALL, 0, 0, 0 },
     { "ranking", PHASE_RESULT, HINT_START, 6.2f, 0.0f, 21, 46, 0.4f, 4, MODE_CHAMPIONSHIP, 0,
       FOUL_WALL, 0, 0, 0 },
-    { "board", PHASE_BOARD, HINT_START, 4.0f, 0.0f, 13, 13, 0.4f, 2, 0, 0, 0, 0, 0, 0 },
+    { "board", PHASE_LEADERBOARD, HINT_START, 4.0f, 0.0f, 13, 13, 0.4f, 2, 0, 0, 0, 0, 0, 0 },
     { "wall", PHASE_ATTRACT, HINT_START, 26.0f, 0.0f, 0, 47, 0.9f, 1, MODE_CHAMPIONSHIP, 0, 0, 0, 0,
       0 },
     { "name", PHASE_NAME, HINT_NONE, 4.0f, 12.0f, 13, 13, 0.4f, 2, 0, 0, 0, 0, 0, 0 },
@@ -90,18 +90,22 @@ static const struct shot shots[] = {
 /* Fills a leaderboard with an empty name in one row, and a partly typed name. */
 static void fill_ranking(struct scene *scene, const struct shot *shot)
 {
-    static const char *const names[SCENE_BOARD_ROWS] = { "きんぎょ", "KINGYO", "", "たろうとはなこ",
-                                                         "マリー", "A-1", "さくら", "Bob", "ゆ", "" };
-    const uint32_t rows = shot->phase == PHASE_BOARD ? 3u : 10u;
-    scene->board = (struct scene_board){ .shown = shot->phase == PHASE_BOARD ||
-                                                  strcmp(shot->name, "wall") == 0,
-                                         .mode = shot->mode, .shown_s = 3.0f, .left_s = 5.0f };
-    scene->board.period = shot->phase == PHASE_BOARD ? 0 : 2;
+    static const char *const names[SCENE_LEADERBOARD_ROWS] = {
+        "きんぎょ", "KINGYO", "", "たろうとはなこ", "マリー", "A-1", "さくら", "Bob", "ゆ", ""
+    };
+    const uint32_t rows = shot->phase == PHASE_LEADERBOARD ? 3u : 10u;
+    scene->leaderboard = (struct scene_leaderboard){ .shown = shot->phase == PHASE_LEADERBOARD ||
+                                                              strcmp(shot->name, "wall") == 0,
+                                                     .mode = shot->mode,
+                                                     .shown_s = 3.0f,
+                                                     .left_s = 5.0f };
+    scene->leaderboard.period = shot->phase == PHASE_LEADERBOARD ? 0 : 2;
     for (uint32_t i = 0; i < rows; i++) {
-        scene->board.row[i].caught = shot->best - i;
-        scene->board.row[i].is_sealed = i != 2u;
-        scene->board.row[i].is_new = shot->phase == PHASE_BOARD && i == 1;
-        snprintf(scene->board.row[i].name, sizeof scene->board.row[i].name, "%s", names[i]);
+        scene->leaderboard.row[i].caught = shot->best - i;
+        scene->leaderboard.row[i].is_sealed = i != 2u;
+        scene->leaderboard.row[i].is_new = shot->phase == PHASE_LEADERBOARD && i == 1;
+        snprintf(scene->leaderboard.row[i].name, sizeof scene->leaderboard.row[i].name, "%s",
+                 names[i]);
     }
 }
 
@@ -177,7 +181,7 @@ static void fill_encore(struct scene *scene, const char *name)
     static const char *const names[ENCORE_COUNT] = { "", "seeks", "encore", "genuine", "doubted",
                                                      "" };
     for (uint8_t i = 0; i < ENCORE_COUNT; i++) {
-        scene->encore = strcmp(names[i], name) == 0 ? i : scene->encore;
+        scene->playback = strcmp(names[i], name) == 0 ? i : scene->playback;
     }
     scene->asks_quit = strcmp(name, "quit") == 0;
     scene->encore_progress = 0.4f;
@@ -283,14 +287,15 @@ static int write_picture(const char *path, int width, int height)
 static void say_cost(struct ui *ui, const struct scene *scene, const char *name, int width,
                      int height)
 {
-    const struct placing placing = placing_whole((float)width, (float)height);
+    const struct display_transform transform =
+        display_transform_identity((float)width, (float)height);
     /* The first draw is not measured, because drivers complete the shader compilation at the first
      * use. */
-    ui_draw(ui, &specimens, scene, &placing);
+    ui_draw(ui, &specimens, scene, &transform);
     glFinish();
     const clock_t start = clock(); /* CPU time includes all threads of a software renderer. */
     for (int i = 0; i < COST_DRAWS; i++) {
-        ui_draw(ui, &specimens, scene, &placing);
+        ui_draw(ui, &specimens, scene, &transform);
     }
     glFinish();
     const double used_s = (double)(clock() - start) / CLOCKS_PER_SEC;
@@ -310,7 +315,8 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     static struct scene scene;
     char path[512];
     const int width = canvas->width, height = canvas->height;
-    const struct placing placing = placing_whole((float)width, (float)height);
+    const struct display_transform transform =
+        display_transform_identity((float)width, (float)height);
     fill_scene(&scene, shot, language);
     if (shot->phase == PHASE_NAME) {
         fill_name(&scene, shot, height > width);
@@ -325,7 +331,7 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
     }
     draw_backdrop(canvas->backdrop, canvas->back_width, canvas->back_height, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, canvas->target);
-    ui_draw(ui, &specimens, &scene, &placing);
+    ui_draw(ui, &specimens, &scene, &transform);
     if (ui->batch.unbaked_count > 0) {
         fprintf(stderr, "ui_shots: %s draws %u letters that their font was baked without\n",
                 shot->name, ui->batch.unbaked_count);

@@ -181,11 +181,11 @@ struct rain_result coin_rain(const struct rain_config *config)
     cabinet.stall_max_ns = config->is_second ? 100 * MS : 25 * MS;
     cabinet.sim.is_numbered = config->is_second;
     cabinet.sim.queue_size = config->is_second ? 64 : 16;
-    gpio_reader_open(&cabinet.gpio.reader, gpio_lines_sim_device(&cabinet.sim), wires,
+    gpio_thread_open(&cabinet.gpio.reader, gpio_lines_sim_device(&cabinet.sim), wires,
                      gpio_lines_sim_clock(&cabinet.sim));
     while (cabinet.sim.has_next || cabinet.sim.now_ns < cabinet.rain.time_ns + 4000 * MS) {
         stall(&cabinet);
-        gpio_reader_step(&cabinet.gpio.reader);
+        gpio_thread_step(&cabinet.gpio.reader);
         if (cabinet.sim.now_ns >= cabinet.due_ns) {
             look(&cabinet);
             draw_frame(&cabinet);
@@ -202,6 +202,6 @@ struct rain_result coin_rain(const struct rain_config *config)
     result.dropped = cabinet.sim.dropped;
     result.blinks = cabinet.gpio.reader.inputs[GPIO_COIN].blinks;
     result.time_ns = cabinet.sim.now_ns;
-    gpio_reader_close(&cabinet.gpio.reader);
+    gpio_thread_close(&cabinet.gpio.reader);
     return result;
 }

@@ -146,7 +146,7 @@ static void test_without_any_chip_there_is_none(void **state)
     for (uint32_t i = 0; i < FAKE_CHIPS; i++) {
         fake_chips[i].gone = true;
     }
-    assert_int_equal(ask(&lines), HAL_ERR_NONE);
+    assert_int_equal(ask(&lines), HAL_ERR_ABSENT);
     assert_string_equal(why[GPIO_START], "BTN_START: there is no GPIO chip in /dev");
     end(&lines);
 }

@@ -38,8 +38,8 @@ static struct {
     struct clock_sim clock;
     struct display_gl display;
     struct buttons_keyboard keyboard;
-    struct poi_mouse mouse;
-    struct poi_sim poi;
+    struct mouse_poi mouse;
+    struct pointer_sim poi;
     struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
@@ -121,7 +121,7 @@ static void plug_or_unplug(uint32_t chance)
     rig.poi.reports = &report;
     rig.poi.report_count = 1;
     rig.poi.next = 0;
-    rig.poi.unplug_at = chance & 1u ? 0 : POI_SIM_NEVER;
+    rig.poi.unplug_at = chance & 1u ? 0 : POINTER_SIM_NEVER;
     rig.poi.replug_ns = rig.clock.now_ns + (uint64_t)(chance / 11u % 3000u) * 1000000u;
 }
 
@@ -180,11 +180,11 @@ static int open_board(void)
         return 0;
     }
     rig.hal.buttons = buttons_keyboard_device(&rig.keyboard);
-    poi_mouse_init(&rig.mouse, rig.hal.clock, view, WIDTH, HEIGHT, POINTER_HEEDS_MOUSE);
-    rig.hal.poi[0] = poi_mouse_device(&rig.mouse);
-    rig.hal.shade[0] = poi_mouse_fan(&rig.mouse);
-    poi_sim_init(&rig.poi, rig.hal.clock, view);
-    rig.hal.poi[1] = poi_sim_device(&rig.poi);
+    mouse_poi_init(&rig.mouse, rig.hal.clock, view, WIDTH, HEIGHT, POINTER_FILTER_MOUSE);
+    rig.hal.poi[0] = mouse_poi_device(&rig.mouse);
+    rig.hal.fan[0] = mouse_poi_fan(&rig.mouse);
+    pointer_sim_init(&rig.poi, rig.hal.clock, view);
+    rig.hal.poi[1] = pointer_sim_device(&rig.poi);
     return 1;
 }
 

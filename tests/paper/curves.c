@@ -31,19 +31,19 @@ _Noreturn void core_panic(const char *condition, const char *file, int line)
     abort();
 }
 
-static struct paper_plan wet(uint8_t grade)
+static struct paper_options wet(uint8_t grade)
 {
-    return (struct paper_plan){ .grade = grade,
-                                .wetness = 1.0f,
-                                .wet_fraction = 1.0f,
-                                .tilt_rad = 0.5f * F_PI,
-                                .fish_m = 0.05f,
-                                .tick_count = (uint32_t)(LAST_S * CORE_TICK_HZ) };
+    return (struct paper_options){ .grade = grade,
+                                   .wetness = 1.0f,
+                                   .wet_fraction = 1.0f,
+                                   .tilt_rad = 0.5f * F_PI,
+                                   .fish_m = 0.05f,
+                                   .tick_count = (uint32_t)(LAST_S * CORE_TICK_HZ) };
 }
 
 /* ---- Time to tear --------------------------------------------------------------------------- */
 
-static double time_to_tear_s(const struct paper_plan *plan)
+static double time_to_tear_s(const struct paper_options *plan)
 {
     paper_lab_open(&lab, plan);
     while (lab.tick < plan->tick_count && lab.tore_tick == 0) {
@@ -58,7 +58,7 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-static void put_speed(struct paper_plan plan, double speed_m_s)
+static void put_speed(struct paper_options plan, double speed_m_s)
 {
     double times[SPECIMENS];
     plan.speed_m_s = (float)speed_m_s;
@@ -76,7 +76,7 @@ static void put_tear(void)
     puts("grade\tfraction\tspeed_m_s\tmedian_s\tleast_s\tgreatest_s");
     for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
         for (uint32_t half = 0; half < 2u; half++) {
-            struct paper_plan plan = wet(grade);
+            struct paper_options plan = wet(grade);
             plan.wet_fraction = half ? 0.5f : 1.0f;
             double speed_m_s = SPEED_MIN_M_S;
             for (uint32_t i = 0; i < SPEEDS; i++, speed_m_s *= SPEED_RATIO) {
@@ -93,7 +93,7 @@ static void put_force(void)
 {
     puts("tilt_deg\tforce_n");
     for (uint32_t degrees = 0; degrees <= 90u; degrees++) {
-        struct paper_plan plan = wet(5);
+        struct paper_options plan = wet(5);
         plan.tilt_rad = (float)degrees * F_DEG;
         plan.speed_m_s = 0.3f;
         paper_lab_open(&lab, &plan);
@@ -132,7 +132,7 @@ static int put_hole(const char *folder, uint32_t specimen)
     const uint32_t after[MOMENTS] = { 0, 12, 48, 120 }; /* Times of the pictures in ticks after the
                                                            tear. */
     const int is_half_wet = specimen == HOLES;
-    struct paper_plan plan = wet(6);
+    struct paper_options plan = wet(6);
     plan.wet_fraction = is_half_wet ? 0.5f : 1.0f;
     plan.seed = specimen;
     plan.speed_m_s = is_half_wet ? 0.33f : 0.52f;

@@ -27,7 +27,7 @@ void books_add(struct books *books, const struct ledger_entry *entry)
     if (entry->kind == LEDGER_SETTING) {
         books->settings.value[entry->detail | entry->count << 8] = entry->value;
     }
-    books->purse = entry->purse;
+    books->balance = entry->balance;
     books->stand = stand_after(books->stand, entry);
     audits_note(&books->audits, entry);
     ranking_note(&books->ranking, entry);
@@ -111,14 +111,14 @@ static int differs(char why[BOOKS_WHY_SIZE], const char *what, int64_t is, int64
     return 1;
 }
 
-static int purse_differs(char why[BOOKS_WHY_SIZE], const struct purse *is,
-                         const struct purse *should)
+static int purse_differs(char why[BOOKS_WHY_SIZE], const struct balance *is,
+                         const struct balance *should)
 {
     return differs(why, "credits that were paid", is->paid, should->paid) ||
            differs(why, "credits by SERVICE", is->service, should->service) ||
            differs(why, "units", is->units, should->units) ||
            differs(why, "units towards the bonus", is->bonus_units, should->bonus_units) ||
-           differs(why, "untold units", is->untold, should->untold) ||
+           differs(why, "untold units", is->unlogged, should->unlogged) ||
            differs(why, "the credit that came back", is->returned, should->returned) ||
            differs(why, "tickets that are owed", is->tickets, should->tickets) ||
            differs(why, "the open round", is->open, should->open);
@@ -138,7 +138,7 @@ static int sums_differ(char why[BOOKS_WHY_SIZE], const struct books *books,
     char name[AUDIT_NAME_SIZE];
     const uint32_t *count = audits->count;
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
-        audit_name(id, name);
+        audits_name(id, name);
         if (differs(why, name, count[id], books->audits.count[id])) {
             return 1;
         }
@@ -153,7 +153,7 @@ static int settings_differ(char why[BOOKS_WHY_SIZE], const struct settings *is,
                            const struct settings *should)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        if (differs(why, setting_of(id)->name, is->value[id], should->value[id])) {
+        if (differs(why, settings_entry(id)->name, is->value[id], should->value[id])) {
             return 1;
         }
     }
@@ -183,10 +183,10 @@ static int file_differs(char why[BOOKS_WHY_SIZE], const struct books_file *is,
            differs(why, "replays that are not their round's", is->bad_replays, 0);
 }
 
-int books_agree(const struct books *books, const struct memory *memory,
+int books_agree(const struct books *books, const struct persistent_state *memory,
                 const struct books_file *file, char why[BOOKS_WHY_SIZE])
 {
-    const int differ = purse_differs(why, &memory->ledger.purse, &books->purse) ||
+    const int differ = purse_differs(why, &memory->ledger.balance, &books->balance) ||
                        stand_differs(why, &memory->ledger.stand, &books->stand) ||
                        sums_differ(why, books, &memory->audits) ||
                        settings_differ(why, &memory->settings, &books->settings) ||

@@ -18,7 +18,7 @@
 struct books {
     uint32_t coins, units_taken, services, rounds, caught, refunds; /* Totals that only this module
                                                                        counts. */
-    struct purse purse;
+    struct balance balance;
     struct ledger_stand stand; /* State of the open round. */
     struct settings settings;
     struct audits audits;
@@ -46,7 +46,7 @@ int books_read(const char *path, uint32_t replay_id, struct books_file *out);
 
 /* Compares the sums with the loaded state and with the file. Returns 0 if all values agree.
  * Otherwise `why` names the first difference. */
-int books_agree(const struct books *books, const struct memory *memory,
+int books_agree(const struct books *books, const struct persistent_state *memory,
                 const struct books_file *file, char why[BOOKS_WHY_SIZE]);
 
 #endif

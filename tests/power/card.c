@@ -50,7 +50,7 @@ static struct storage store;
 static struct tape tape;
 static struct hal hal;
 static struct buttons_sim buttons;
-static struct poi_sim poi;
+static struct pointer_sim poi;
 static struct button_event events[EVENTS_MAX];
 
 /* Fills the script with coins for as long as the slot is open, and with START from time to time, as
@@ -80,17 +80,17 @@ static int open_stall(const char *folder, uint32_t mood_s)
     hal.storage = storage_device(&store);
     fill_script(clock.ops->now_ns(clock.self) + S_NS, MOOD_COUNT * mood_s * S_NS);
     hal.buttons = buttons_sim_device(&buttons);
-    poi_sim_init(&poi, clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    hal.poi[0] = poi_sim_device(&poi);
+    pointer_sim_init(&poi, clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    hal.poi[0] = pointer_sim_device(&poi);
     if (hal.storage.ops->open(hal.storage.self) != HAL_OK) {
         fprintf(stderr, "card: %s\n", hal.storage.ops->describe(hal.storage.self));
         return -1;
     }
-    settings_reset(&config.core.memory.settings);
-    config.core.memory.settings.value[SET_PLAY] = PLAY_PAID;
-    config.core.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
-    config.core.memory.settings.value[SET_ROUND_S] = 10;
-    settings_apply(&config.core.memory.settings, &config.core);
+    settings_reset(&config.core.persistent.settings);
+    config.core.persistent.settings.value[SET_PLAY] = PLAY_PAID;
+    config.core.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
+    config.core.persistent.settings.value[SET_ROUND_S] = 10;
+    settings_apply(&config.core.persistent.settings, &config.core);
     return kiosk_init(&kiosk, &hal, &config) == CORE_OK ? 0 : -1;
 }
 
@@ -160,13 +160,13 @@ static void tell(const struct mood *mood, const struct seen *seen)
 /* Opens the store again, as after a restart. Returns 1 if the store contains all coins. */
 static int holds_all(const char *folder)
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
     if (device.ops->open(device.self) != HAL_OK) {
         return 0;
     }
-    device.ops->remember(device.self, &memory);
+    device.ops->load(device.self, &memory);
     device.ops->close(device.self);
     const uint32_t is = memory.audits.count[AUDIT_COINS_1];
     const uint32_t should = kiosk.core.game.audits.count[AUDIT_COINS_1];

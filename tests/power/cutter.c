@@ -30,7 +30,7 @@ void tally_complain(struct tally *tally, uint64_t *count, const char *where, con
 }
 
 /* Opens the store in `folder`, as the kiosk does at its next start. */
-static int wake(const char *folder, struct memory *memory, char why[BOOKS_WHY_SIZE])
+static int wake(const char *folder, struct persistent_state *memory, char why[BOOKS_WHY_SIZE])
 {
     memset(memory, 0, sizeof *memory);
     settings_reset(&memory->settings);
@@ -38,7 +38,7 @@ static int wake(const char *folder, struct memory *memory, char why[BOOKS_WHY_SI
     const struct hal_storage device = storage_device(&store);
     int result = device.ops->open(device.self);
     if (result == HAL_OK) {
-        result = device.ops->remember(device.self, memory);
+        result = device.ops->load(device.self, memory);
     }
     snprintf(why, BOOKS_WHY_SIZE, "%s", device.ops->describe(device.self));
     const int is_fresh = atomic_load(&store.aside) != 0;
@@ -61,7 +61,7 @@ static int is_ranked(const struct ranking *ranking, uint32_t round_id)
 
 /* Compares the tickets. The ledger must have each ticket whose pulse began, and at most one ticket
  * whose pulse did not begin. */
-static int tickets_differ(const struct memory *memory, const struct promise *promise,
+static int tickets_differ(const struct persistent_state *memory, const struct promise *promise,
                           struct tally *tally, char why[BOOKS_WHY_SIZE])
 {
     const uint32_t out = memory->audits.count[AUDIT_TICKETS_OUT];
@@ -74,7 +74,7 @@ static int tickets_differ(const struct memory *memory, const struct promise *pro
 void cutter_look(const struct cutter *cutter, struct tally *tally, const char *folder,
                  const struct promise *promise, const char *where)
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     struct books_file file;
     char why[BOOKS_WHY_SIZE], path[PATH_SIZE];
     if (wake(folder, &memory, why) != 0) {
@@ -115,7 +115,7 @@ static void cut_again(const struct cutter *cutter, struct tally *tally, const ch
     static char names[DISK_NAMES_MAX][TAPE_NAME_SIZE];
     static struct tape second;
     struct disk disk;
-    struct memory memory;
+    struct persistent_state memory;
     char why[BOOKS_WHY_SIZE], place[120];
     disk_open(&disk, &second);
     const uint32_t count = disk_put_folder(&disk, folder, names);

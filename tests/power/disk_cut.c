@@ -169,7 +169,7 @@ uint32_t disk_cut(const struct disk *disk, enum disk_luck luck, uint64_t seed, c
     uint32_t count = 0;
     cut_names(&cut, &names);
     char graphs[512];
-    snprintf(graphs, sizeof graphs, "%s/" EDIT_FOLDER, folder);
+    snprintf(graphs, sizeof graphs, "%s/" GRAPH_FILE_FOLDER, folder);
     empty(graphs);
     disk_need(empty(folder) ? &cut : NULL);
     for (uint32_t i = 0; i < DISK_NAMES_MAX; i++) {

@@ -18,29 +18,30 @@ static int refuse(char why[BOOKS_WHY_SIZE], const char *what)
     return -1;
 }
 
-static uint32_t credits(const struct purse *purse)
+static uint32_t credits(const struct balance *balance)
 {
-    return purse->paid + purse->service;
+    return balance->paid + balance->service;
 }
 
 static int is_told_back(const struct books *before, const struct ledger_entry *entry)
 {
-    const uint8_t open = before->purse.open, kind = open & OPEN_KIND;
-    const uint32_t count = !(open & OPEN_SPENT) && (kind == OPEN_PAID || kind == OPEN_SERVICE);
+    const uint8_t open = before->balance.open, kind = open & PAYMENT_KIND_MASK;
+    const uint32_t count =
+        !(open & PAYMENT_SPENT) && (kind == PAYMENT_PAID || kind == PAYMENT_SERVICE);
     return entry->kind == LEDGER_REFUND && entry->detail == REFUND_RESTART &&
-           entry->count == count && credits(&entry->purse) == credits(&before->purse) + count;
+           entry->count == count && credits(&entry->balance) == credits(&before->balance) + count;
 }
 
 /* Returns 1 if `entry` ends the open round without a refund. A round that counts keeps its credit
  * spent, and its catch and tickets are those of the stored state. */
 static int is_kept(const struct books *before, const struct ledger_entry *entry)
 {
-    return (before->purse.open & OPEN_SPENT) && before->stand.value >> 16 != 0 &&
+    return (before->balance.open & PAYMENT_SPENT) && before->stand.value >> 16 != 0 &&
            entry->kind == LEDGER_ROUND && entry->detail == ROUND_CUT_OFF &&
            entry->round.caught == (before->stand.count & 255u) &&
            entry->value == (before->stand.value & 0xffff) &&
-           entry->purse.tickets == before->purse.tickets + entry->value &&
-           credits(&entry->purse) == credits(&before->purse);
+           entry->balance.tickets == before->balance.tickets + entry->value &&
+           credits(&entry->balance) == credits(&before->balance);
 }
 
 /* Checks the first entries after the cut. The first entry is the start. The second entry ends the
@@ -48,11 +49,11 @@ static int is_kept(const struct books *before, const struct ledger_entry *entry)
 static int opens_well(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     const struct ledger_entry *boot = &morning.entries[last_id + 1u], *end = boot + 1;
-    const int was_open = before->purse.open != OPEN_NONE;
-    if (boot->kind != LEDGER_BOOT || credits(&boot->purse) != credits(&before->purse)) {
+    const int was_open = before->balance.open != PAYMENT_NONE;
+    if (boot->kind != LEDGER_BOOT || credits(&boot->balance) != credits(&before->balance)) {
         return refuse(why, "the start is not the first entry, or changed the purse");
     }
-    if (was_open && (end->purse.open != OPEN_NONE ||
+    if (was_open && (end->balance.open != PAYMENT_NONE ||
                      (!is_kept(before, end) && !is_told_back(before, end)))) {
         return refuse(why, "the round that was open was neither refunded nor kept, or not once");
     }
@@ -69,14 +70,14 @@ static int opens_well(const struct books *before, uint32_t last_id, char why[BOO
  * further tickets. */
 static int pays_tickets(const struct books *before, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
-    uint32_t owed = before->purse.tickets, out = 0;
+    uint32_t owed = before->balance.tickets, out = 0;
     for (uint32_t id = last_id + 1u; id <= morning.kept_id; id++) {
         const struct ledger_entry *entry = &morning.entries[id];
         owed += entry->kind == LEDGER_ROUND ? (uint32_t)entry->value : 0u;
         out += entry->kind == LEDGER_TICKET;
     }
-    const uint32_t left = morning.core.game.ledger.purse.tickets;
-    const int agrees = out >= before->purse.tickets && out + left == owed;
+    const uint32_t left = morning.core.game.ledger.balance.tickets;
+    const int agrees = out >= before->balance.tickets && out + left == owed;
     return agrees ? 0 : refuse(why, "owed tickets did not come out, or more than were owed");
 }
 
@@ -98,7 +99,7 @@ int go_on(const char *folder, const struct books *before, uint32_t last_id,
           char why[BOOKS_WHY_SIZE])
 {
     struct books books = *before;
-    struct memory memory;
+    struct persistent_state memory;
     struct books_file file;
     char path[300];
     if (play(folder, last_id, why) != 0 || opens_well(before, last_id, why) != 0 ||
@@ -115,7 +116,7 @@ int go_on(const char *folder, const struct books *before, uint32_t last_id,
     if (device.ops->open(device.self) != HAL_OK) {
         return refuse(why, device.ops->describe(device.self));
     }
-    device.ops->remember(device.self, &memory);
+    device.ops->load(device.self, &memory);
     device.ops->close(device.self);
     snprintf(path, sizeof path, "%.250s/" STORAGE_FILE, folder);
     if (memory.ledger.last_id != morning.kept_id || books_read(path, 0, &file) != 0) {

@@ -24,17 +24,17 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
     memset(hour, 0, sizeof *hour);
     hour->seed = seed;
     struct core_config config = { .seed = seed };
-    store.ops->remember(store.self, &config.memory);
-    settings_reset(&config.memory.settings);
-    config.memory.settings.value[SET_PLAY] = PLAY_PAID;
-    config.memory.settings.value[SET_PRICE] = 2;
-    config.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
-    config.memory.settings.value[SET_ROUND_S] = (int32_t)ROUND_S;
-    config.memory.settings.value[SET_FISH] = 1; /* One fish is enough because swimming is not under
-                                                   test. */
-    config.memory.settings.value[SET_TICKET_FISH] = 1;
-    settings_apply(&config.memory.settings, &config);
-    hour->kept_id = hour->acked_id = config.memory.ledger.last_id;
+    store.ops->load(store.self, &config.persistent);
+    settings_reset(&config.persistent.settings);
+    config.persistent.settings.value[SET_PLAY] = PLAY_PAID;
+    config.persistent.settings.value[SET_PRICE] = 2;
+    config.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
+    config.persistent.settings.value[SET_ROUND_S] = (int32_t)ROUND_S;
+    config.persistent.settings.value[SET_FISH] = 1; /* One fish is enough because swimming is not
+                                                       under test. */
+    config.persistent.settings.value[SET_TICKET_FISH] = 1;
+    settings_apply(&config.persistent.settings, &config);
+    hour->kept_id = hour->acked_id = config.persistent.ledger.last_id;
     hour->output.entry_id = hour->kept_id;
     return core_init(&hour->core, &config) == CORE_OK ? 0 : -1;
 }
@@ -56,7 +56,7 @@ static void lead_hand(struct hour *hour)
 {
     const float turn = 0.01f * (float)(hour->core.tick % 6283u);
     hour->input.poi[0] = (struct poi_input){
-        .link = POI_LINK_LIVE,
+        .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
         .target.position_m = v3(0.15f * f_cos(turn), 0.06f, 0.1f * f_sin(turn)),
     };
@@ -100,7 +100,7 @@ static void turn_volume(struct hour *hour)
     const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = SET_VOLUME,
                                         .value = value };
     if (ledger_write(&hour->core, &entry, &hour->output) != 0) {
-        hour->core.config.memory.settings.value[SET_VOLUME] = value;
+        hour->core.config.persistent.settings.value[SET_VOLUME] = value;
     }
 }
 
@@ -172,7 +172,7 @@ static void hand_over(struct hour *hour, struct hal_storage store)
         const struct ledger_entry *entry =
             &hour->output.entries[(hour->kept_id + 1u) % LEDGER_RING];
         tape_mark(TAPE_KEPT, entry->id);
-        if (store.ops->keep(store.self, entry) != HAL_OK) {
+        if (store.ops->append(store.self, entry) != HAL_OK) {
             return;
         }
         note(hour, entry);
@@ -184,15 +184,15 @@ static void hand_over_replay(struct hour *hour, struct hal_storage store)
 {
     if (hour->replay_id != 0 && hour->replay_id != hour->replay_taken_id) {
         const size_t size = hour_replay(hour->replay_id, hour->replay);
-        if (store.ops->keep_replay(store.self, hour->replay_id, hour->replay, size) == HAL_OK) {
+        if (store.ops->store_replay(store.self, hour->replay_id, hour->replay, size) == HAL_OK) {
             hour->replay_taken_id = hour->replay_id;
         }
     }
 }
 
-struct edit_record hour_edit(uint32_t number)
+struct graph_edit_record hour_edit(uint32_t number)
 {
-    struct edit_record edit = { .id = number, .key_count = 1, .species = "wakin" };
+    struct graph_edit_record edit = { .id = number, .key_count = 1, .species = "wakin" };
     edit.edit.graph.knot_count = 2;
     edit.edit.graph.knots[1].progress = 1.0f;
     edit.edit.graph.knots[1].weight[0] = (float)number;
@@ -203,10 +203,10 @@ struct edit_record hour_edit(uint32_t number)
 static void save_graph(struct hour *hour, struct hal_storage store)
 {
     if (hour->edit_each_s > 0 && draw(hour, DRAW_EDIT) % (hour->edit_each_s * 60u) == 0) {
-        struct edit_record edit = hour_edit(hour->edit_number + 1u);
+        struct graph_edit_record edit = hour_edit(hour->edit_number + 1u);
         edit.id -= hour->edit_first;
         tape_mark(TAPE_EDIT_KEPT, hour->edit_number + 1u);
-        hour->edit_number += store.ops->keep_edit(store.self, &edit) == HAL_OK;
+        hour->edit_number += store.ops->store_edit(store.self, &edit) == HAL_OK;
     }
 }
 
@@ -217,18 +217,18 @@ static void ask(struct hour *hour, struct hal_storage store)
         hour->acked_id = saved_id;
         tape_mark(TAPE_ACKED, saved_id);
     }
-    const uint32_t replay_id = store.ops->replay_kept_id(store.self);
+    const uint32_t replay_id = store.ops->stored_replay_id(store.self);
     if (replay_id != hour->replay_acked_id) {
         hour->replay_acked_id = replay_id;
         tape_mark(TAPE_REPLAY_ACKED, replay_id);
     }
-    const uint32_t edit = hour->edit_first + store.ops->kept_edit_id(store.self);
+    const uint32_t edit = hour->edit_first + store.ops->stored_edit_id(store.self);
     if (hour->edit_each_s > 0 && edit > hour->edit_acked) {
         hour->edit_acked = edit;
         tape_mark(TAPE_EDIT_ACKED, edit);
     }
     hour->input.record_saved_id = hour->acked_id;
-    hour->input.store_well = store.ops->is_well(store.self) != 0;
+    hour->input.store_well = store.ops->is_healthy(store.self) != 0;
 }
 
 void hour_frame(struct hour *hour, struct hal_storage store)

@@ -47,7 +47,7 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store);
 void hour_frame(struct hour *hour, struct hal_storage store);
 
 /* Returns graph `number` in the form in which it is saved. */
-struct edit_record hour_edit(uint32_t number);
+struct graph_edit_record hour_edit(uint32_t number);
 
 /* Writes the bytes that stand for the replay of a round. Returns their number. */
 size_t hour_replay(uint32_t round_id, uint8_t out[HOUR_REPLAY_MAX]);

@@ -26,7 +26,7 @@
 #define CUTS 8u
 
 static struct storage store;
-static struct memory memory;
+static struct persistent_state memory;
 static struct disk disk;
 static uint32_t found; /* Newest entry after the last cut. */
 
@@ -57,9 +57,8 @@ static int is_sound(const char *folder, uint32_t coins)
     const int64_t in_entries = ask(db, query);
     sound = sound &&
             ask(db, "SELECT coalesce(max(id) - min(id) + 1, 0) - count(*) FROM entries") == 0 &&
-            ask(db, "SELECT coalesce(max(id), 0) FROM entries") ==
-                (int64_t)memory.ledger.last_id &&
-            memory.ledger.purse.paid <= coins &&
+            ask(db, "SELECT coalesce(max(id), 0) FROM entries") == (int64_t)memory.ledger.last_id &&
+            memory.ledger.balance.paid <= coins &&
             in_entries == (int64_t)memory.audits.count[AUDIT_COINS_1] &&
             in_entries <= (int64_t)coins;
     sqlite3_close(db);
@@ -78,7 +77,7 @@ static void look(struct tally *tally, const char *folder, uint32_t acked, uint32
     if (!opens) {
         tally_complain(tally, &tally->unopenable, where, device.ops->describe(device.self));
     } else {
-        device.ops->remember(device.self, &memory);
+        device.ops->load(device.self, &memory);
     }
     device.ops->close(device.self);
     found = memory.ledger.last_id;

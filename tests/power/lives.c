@@ -81,7 +81,7 @@ static int begin_part(struct life *life, struct hal_storage device)
     hour.haste = HASTE;
     hour.edit_each_s = 1;
     hour.edit_first = hour.edit_number = hour.edit_acked = life->edit_number;
-    if (device.ops->is_well(device.self)) {
+    if (device.ops->is_healthy(device.self)) {
         tape_mark(TAPE_ACKED, hour.kept_id);
     }
     return 0;
@@ -129,15 +129,15 @@ static void live_part(struct life *life)
  * the store. */
 static void look_at_graph(struct life *life, const char *where)
 {
-    char path[PATH_SIZE + 40u], text[EDIT_TEXT_MAX], why[80];
+    char path[PATH_SIZE + 40u], text[GRAPH_FILE_TEXT_MAX], why[80];
     size_t size = 0;
     int is_there = 0;
-    snprintf(path, sizeof path, "%s/" EDIT_FOLDER "/wakin" EDIT_SUFFIX, life->cut);
+    snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER "/wakin" GRAPH_FILE_SUFFIX, life->cut);
     uint8_t *found = disk_read(path, &size);
     const struct promise *promise = &life->promise;
     for (uint32_t i = promise->edit_acked; found && i <= promise->edit_kept && !is_there; i++) {
-        const struct edit_record edit = hour_edit(i);
-        is_there = edit_file_format(&edit, text) == size && memcmp(text, found, size) == 0;
+        const struct graph_edit_record edit = hour_edit(i);
+        is_there = graph_file_format(&edit, text) == size && memcmp(text, found, size) == 0;
     }
     free(found);
     if (!is_there && promise->edit_acked > 0) {

@@ -47,14 +47,14 @@ static void stage(void)
         exit(2);
     }
     struct fish *const fish = &core.tank.fish[0];
-    fish_grow(fish, LENGTH_M, tank_law(&core.tank));
+    fish_grow(fish, LENGTH_M, tank_behavior_params(&core.tank));
     fish->position_m = v3(0.0f, -0.04f, 0.03f);
     fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
     fish->heading_rad = 0.0f;
     fish->look = 0x00010080u; /* Look of the fish: completely red, with a medium temperament. */
     fish->gait = GAIT_REST;
     fish->gait_left_s = 5.0f;
-    fish->startle = FRIGHT_PRESSURE;
+    fish->startle = STARTLE_PRESSURE;
     fish->startle_from_m = v3(-0.06f, -0.04f, 0.03f);
     fish->startle_s = 1.4f * CORE_TICK_S;
 }

@@ -93,11 +93,13 @@ static void time_passes(const struct hal_display *device)
 
 static void place(const struct hal_display *device, const struct shot_options *options)
 {
-    const struct showing showing = { .rotation = options->rotation,
-                                     .inset_x = options->inset, .inset_y = options->inset,
-                                     .shift_x = options->shift, .shift_y = options->shift,
-                                     .light = options->light };
-    device->ops->place(device->self, &showing);
+    const struct display_settings display_settings = { .rotation = options->rotation,
+                                                       .inset_x = options->inset,
+                                                       .inset_y = options->inset,
+                                                       .shift_x = options->shift,
+                                                       .shift_y = options->shift,
+                                                       .light = options->light };
+    device->ops->set_transform(device->self, &display_settings);
 }
 
 static int keep_picture(const struct hal_display *device, const char *path)

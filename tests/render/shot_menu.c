@@ -10,12 +10,12 @@ static const struct {
     uint8_t state;
     const char *name;
 } found[CONTROLLER_MAX] = {
-    { CONTROLLER_PLAYS, "1209:0001 Kingyo poi, port 1-1.2" },
+    { CONTROLLER_ACTIVE, "1209:0001 Kingyo poi, port 1-1.2" },
     { CONTROLLER_FREE, "054c:09cc Wireless Controller, port 1-1.4" },
     { CONTROLLER_LOST, "046d:c626 SpaceNavigator, port 3-2" },
     { CONTROLLER_DENIED, "056a:0302 Wacom Intuos, port 1-1.1.3" },
     { CONTROLLER_NONE, "" },
-    { CONTROLLER_BARRED, "046d:c31c USB Keyboard, port 2-1" },
+    { CONTROLLER_UNSUPPORTED, "046d:c31c USB Keyboard, port 2-1" },
 };
 
 /* File rows below the rows of the store. */
@@ -71,13 +71,13 @@ int shot_menu_knows(const char *page, uint8_t step)
 /* Sets some settings to values other than their defaults. */
 static void adjust_some(struct core *core)
 {
-    adjust_set(core, SET_PLAY, PLAY_PAID);
-    adjust_set(core, SET_PRICE, 2);
-    adjust_set(core, SET_BONUS_UNITS, 5);
-    adjust_set(core, SET_MODES, 1 << MODE_FESTIVAL | 1 << MODE_PRACTICE | 1 << CHOICE_LAB);
-    adjust_set(core, SET_ROUND_S, 90);
-    adjust_set(core, SET_VOLUME, 65);
-    adjust_set(core, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
+    settings_edit_set(core, SET_PLAY, PLAY_PAID);
+    settings_edit_set(core, SET_PRICE, 2);
+    settings_edit_set(core, SET_BONUS_UNITS, 5);
+    settings_edit_set(core, SET_MODES, 1 << MODE_FESTIVAL | 1 << MODE_PRACTICE | 1 << CHOICE_LAB);
+    settings_edit_set(core, SET_ROUND_S, 90);
+    settings_edit_set(core, SET_VOLUME, 65);
+    settings_edit_set(core, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
 /* Fills the audits with the values of a summer. */
@@ -126,9 +126,9 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     struct output output = { 0 };
     struct input input = { .pressed = INPUT_TEST, .upright = upright != 0 };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        input.desk.state[i] = found[i].state;
+        input.controllers.state[i] = found[i].state;
     }
-    input.desk.file_count = FILE_COUNT + 1u;
+    input.controllers.file_count = FILE_COUNT + 1u;
     core_tick(core, &input, &output);
     struct menu *menu = &core->game.menu;
     rank_some(&core->game.ranking);
@@ -137,27 +137,27 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
             menu_turn(core, (enum menu_page)i);
         }
     }
-    if (menu_sheet_of(menu->page)->body == BODY_SETTINGS) {
+    if (menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS) {
         menu->tag[menu->page] = (uint8_t)(step % menu_body_count(menu->page));
     }
     adjust_some(core);
     keep_books(core);
     if (menu->page == MENU_CALIBRATION) {
         calibrate_some(&menu->calibrate, step);
-        adjust_set(core, calibration_setting(0), step > CALIBRATE_WATER ? 1 : 0);
+        settings_edit_set(core, calibration_setting(0), step > CALIBRATE_WATER ? 1 : 0);
     }
     menu->from = MENU_EARNINGS;
     menu->pin = 407;
     menu->pin_count = menu->page == MENU_PIN || menu->page == MENU_NEW_PIN ? 3 : 0;
     const uint32_t first = step * menu_files_shown(upright);
-    menu->file_first = (uint8_t)(first < input.desk.file_count ? first : 0u);
+    menu->file_first = (uint8_t)(first < input.controllers.file_count ? first : 0u);
     menu->row = menu->page == MENU_CONTROLLER && step < CONTROLLER_MAX ? step : 0;
-    input.desk.learn_step = menu->page == MENU_LEARN ? step % LEARN_STEP_COUNT : 0;
-    input.desk.learn_progress = 150;
+    input.controllers.learn_step = menu->page == MENU_LEARN ? step % LEARN_STEP_COUNT : 0;
+    input.controllers.learn_progress = 150;
     input.pressed = menu->page == MENU_LINES ? INPUT_LEFT | INPUT_OK : 0;
     input.held = INPUT_LEFT | INPUT_DOOR;
     input.coin_count[0] = menu->page == MENU_LINES || menu->page == MENU_TOP ? 3 : 0;
-    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].has_wrist = 1;
     input.poi[0].target.position_m = v3(0.12f, 0.06f, 0.10f);
     core_tick(core, &input, &output);
@@ -193,11 +193,13 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         snprintf(devices->about[i], SCENE_LINE_SIZE, "%s", about[i]);
     }
-    devices->axes[0] = (struct scene_axes){ POI_LINK_LIVE, { 0.21f, 0.06f, -0.13f },
-                                            { 0.6f, -0.3f, 0.1f }, 1000, 2.4f };
-    devices->axes[1] = (struct scene_axes){ POI_LINK_LIVE, { -0.55f, 0.11f, 0.22f },
-                                            { -2.1f, 0.9f, -0.4f }, 125, 214.0f };
-    devices->axes[2].link = POI_LINK_LOST;
+    devices->axes[0] = (struct scene_axes){
+        POI_SOURCE_LIVE, { 0.21f, 0.06f, -0.13f }, { 0.6f, -0.3f, 0.1f }, 1000, 2.4f
+    };
+    devices->axes[1] = (struct scene_axes){
+        POI_SOURCE_LIVE, { -0.55f, 0.11f, 0.22f }, { -2.1f, 0.9f, -0.4f }, 125, 214.0f
+    };
+    devices->axes[2].link = POI_SOURCE_LOST;
     devices->frames_a_second = 60;
     devices->files_refused = 6;
     devices->machine = (struct scene_machine){

@@ -155,6 +155,6 @@ struct shot_options shot_options_parse(int argc, char **argv)
 uint8_t shot_is_upright(const struct shot_options *options)
 {
     const float width = (float)options->width, height = (float)options->height;
-    return options->rotation & 1u ? height < OVERLAY_UPRIGHT_ASPECT * width
-                                  : width < OVERLAY_UPRIGHT_ASPECT * height;
+    return options->rotation & 1u ? height < POINTER_UPRIGHT_ASPECT * width
+                                  : width < POINTER_UPRIGHT_ASPECT * height;
 }

@@ -33,7 +33,7 @@ struct shot_options {
     uint8_t step, coins;                    /* `step` is the step of the menu page. `coins` is the
                                                price of a round. */
     uint8_t rotation;                       /* Rotation of the picture on the screen. */
-    float inset, light, shift;              /* Geometry of the picture, as in struct showing. */
+    float inset, light, shift; /* Geometry of the picture, as in struct display_settings. */
     uint32_t species;
     float progress;                         /* Progress of the growth lab's species in its life. */
     struct shade_input fan; /* Place of a fan. The command line gives X_CM,Z_CM. */

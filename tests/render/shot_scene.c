@@ -36,7 +36,7 @@ static struct poi_input careless_hand(float time_s)
     const float turns = f_smoothstep(3.6f, 4.0f, time_s);
     const float pushes_s = f_max(time_s - 5.0f, 0.0f);
     return (struct poi_input){
-        .link = POI_LINK_LIVE,
+        .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
         .target = { .position_m = v3(-0.22f + PUSH_M_S * pushes_s, 0.055f - 0.056f * sinks, 0.05f),
                     .angles = { .roll_rad = -40.0f * F_DEG * turns } },
@@ -89,7 +89,7 @@ static void play(const struct shot_options *options, struct output *output)
     for (uint32_t i = 0; i < ticks; i++) {
         struct input input = { 0 };
         for (uint32_t k = 0; k < POI_MAX && k <= options->players; k++) {
-            input.poi[k].link = k == 0 || k < options->players ? POI_LINK_BOT : POI_LINK_ABSENT;
+            input.poi[k].link = k == 0 || k < options->players ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
         }
         if (options->careless) {
             input.poi[0] = careless_hand((float)i * CORE_TICK_S);

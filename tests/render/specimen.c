@@ -43,7 +43,7 @@ struct options {
     float progress[STEPS_MAX];
     uint32_t step_count, width, height;
     uint32_t water; /* Color as 0xRRGGBBAA. */
-    uint8_t keys, thesis, template, turned, time;
+    uint8_t keys, thesis, template_id, turned, time;
     float yaw_rad, pitch_rad, roll_rad, amplitude, phase_rad;
 };
 
@@ -111,7 +111,7 @@ static void read_value(struct options *o, const char *name, const char *value)
     } else if (!strcmp(name, "--progress")) {
         read_steps(o, value);
     } else if (!strcmp(name, "--template")) {
-        o->template = template_named(value);
+        o->template_id = template_named(value);
     } else if (!strcmp(name, "--cell")) {
         read_size(o, value);
     } else if (!strcmp(name, "--amplitude")) {
@@ -185,11 +185,11 @@ static void label(const struct options *o, const struct species *species,
  * renderer works in them. */
 static void say_cost(const float sheet[2], uint32_t fish_count)
 {
-    const struct placing placing = placing_whole(sheet[0], sheet[1]);
+    const struct display_transform transform = display_transform_identity(sheet[0], sheet[1]);
     const clock_t start = clock();
     for (uint32_t i = 0; i < COST_DRAWS; i++) {
         for (uint32_t k = 0; k < ui.batch.specimen_count; k++) {
-            specimen_pass_draw(&pass, &ui.batch.specimens[k], &placing);
+            specimen_pass_draw(&pass, &ui.batch.specimens[k], &transform);
         }
         glFinish();
     }
@@ -209,7 +209,7 @@ static void show(const struct options *o, const struct species *species, uint32_
         .kind = UI_WATER,
         .fill = o->water,
         .line = 0x0f2c36ff });
-    morph_rig_init(&rig, &species->card, (enum graph_template)o->template);
+    morph_rig_init(&rig, &species->card, (enum graph_template)o->template_id);
     for (uint32_t i = 0; i < steps; i++) {
         struct specimen fish = {
             .species = species,
@@ -233,8 +233,8 @@ static void show(const struct options *o, const struct species *species, uint32_
         label(o, species, &fish, ((float)i + 0.5f) * (float)o->width,
               ((float)row + 0.955f) * (float)o->height);
     }
-    const struct placing placing = placing_whole(sheet[0], sheet[1]);
-    ui_show(&ui, &pass, &placing);
+    const struct display_transform transform = display_transform_identity(sheet[0], sheet[1]);
+    ui_show(&ui, &pass, &transform);
     if (o->time) {
         say_cost(sheet, ui.batch.specimen_count);
     }
@@ -244,11 +244,11 @@ static const struct species *variant(const struct options *o, const struct speci
                                      uint32_t index)
 {
     if (o->thesis) {
-        species_thesis(species, &straight[index], &straightened[index]);
+        straight_thesis(species, &straight[index], &straightened[index]);
         return &straightened[index];
     }
-    if (o->template == TEMPLATE_ORDINARY) {
-        species_straighten(species, &straight[index], &straightened[index]);
+    if (o->template_id == TEMPLATE_ORDINARY) {
+        straight_species(species, &straight[index], &straightened[index]);
         return &straightened[index];
     }
     return species;

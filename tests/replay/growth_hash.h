@@ -53,7 +53,7 @@ static void print_growth_hashes(uint32_t lanes)
     for (uint32_t i = 0; i < species_table_count; i++) {
         struct morph_rig rig[3];
         uint64_t hash = HASH_START;
-        species_thesis(species_table[i], &memory, &thesis);
+        straight_thesis(species_table[i], &memory, &thesis);
         morph_rig_init(&rig[0], &species_table[i]->card, TEMPLATE_OWN);
         morph_rig_init(&rig[1], &species_table[i]->card, TEMPLATE_SMOOTH);
         morph_rig_init(&rig[2], &thesis.card, TEMPLATE_OWN);

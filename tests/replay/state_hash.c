@@ -55,9 +55,9 @@ static struct shade_input fan_at(uint32_t tick)
 static struct input input_at(uint32_t tick)
 {
     struct input input = { 0 };
-    input.poi[0].link = POI_LINK_BOT;
+    input.poi[0].link = POI_SOURCE_BOT;
     if (tick >= HAND_TICK) {
-        input.poi[0].link = POI_LINK_LIVE;
+        input.poi[0].link = POI_SOURCE_LIVE;
         input.poi[0].target = hand_at(tick);
         input.shade[1] = fan_at(tick);
     }

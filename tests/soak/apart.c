@@ -130,7 +130,7 @@ static void look_at_walls(struct apart *apart, const struct tank *tank, const st
 /* Returns the signed distance of a point from a box, which is negative inside. */
 static float from_box_m(const struct box *box, vec3 point_m)
 {
-    const vec3 p = basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
+    const vec3 p = vec_basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
     const vec3 q = v3(f_abs(p.x) - box->half_m.x, f_abs(p.y) - box->half_m.y,
                       f_abs(p.z) - box->half_m.z);
     const vec3 out = v3(f_max(q.x, 0.0f), f_max(q.y, 0.0f), f_max(q.z, 0.0f));
@@ -142,7 +142,7 @@ static vec3 on_ring(const struct poi *poi, const struct basis *axes, float middl
 {
     const vec3 out = v3_add(v3_scale(axes->right, cosf(angle_rad)),
                             v3_scale(axes->back, sinf(angle_rad)));
-    return v3_mad(poi->position_m, out, middle_m);
+    return v3_muladd(poi->position_m, out, middle_m);
 }
 
 static float ring_depth_m(const struct poi *poi, const struct basis *axes, const struct box *box)
@@ -170,7 +170,7 @@ static void look_at_ring(struct apart *apart, const struct poi *poi, const struc
     const vec3 d = v3_sub(box->centre_m, poi->position_m);
     const float reach_m = POI_OUTER_RADIUS_M + v3_length(box->half_m);
     if (v3_dot(d, d) < reach_m * reach_m) {
-        const struct basis axes = basis_from_angles(poi->angles);
+        const struct basis axes = vec_basis_from_angles(poi->angles);
         note(apart, &apart->ring_m, ring_depth_m(poi, &axes, box));
     }
 }
@@ -201,7 +201,7 @@ static void look_at_hull(struct apart *apart, const struct bowl *bowl, const str
         const vec3 u = v3((float)(i % 9 - 4) * 0.25f, (float)(i / 9 % 9 - 4) * 0.25f,
                           (float)(i / 81 - 8) * 0.125f);
         const vec3 at = v3(u.x * box->half_m.x, u.y * box->half_m.y, u.z * box->half_m.z);
-        const vec3 point_m = v3_add(box->centre_m, basis_to_world(&box->axes, at));
+        const vec3 point_m = v3_add(box->centre_m, vec_basis_to_world(&box->axes, at));
         deepest_m = f_max(deepest_m, point_in_hull_m(bowl, point_m));
     }
     note(apart, &apart->hull_m, deepest_m);
@@ -244,7 +244,7 @@ static void look_at_pace(struct apart *apart, const struct tank *tank, const str
         const float able = fish->length_m * (0.8f + 0.2f * fish->stamina); /* Speed by section 3.3
                                                                               of the thesis. */
         apart->speed_sum += (double)f_sqrt(v.x * v.x + v.z * v.z);
-        apart->free_sum += (double)(able * tank_law(tank)->swim_speed);
+        apart->free_sum += (double)(able * tank_behavior_params(tank)->swim_speed);
         const float stuck_s = (float)(now - apart->spot_tick[i]) * CORE_TICK_S;
         apart->stuck_s = f_max(apart->stuck_s, stuck_s);
     }

@@ -25,7 +25,7 @@ void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t 
     if (core_init(&drag->core, &config) != CORE_OK) {
         abort();
     }
-    drag->input.poi[0].link = POI_LINK_LIVE;
+    drag->input.poi[0].link = POI_SOURCE_LIVE;
     drag->input.poi[0].has_wrist = 1;
     drag->input.poi[0].target.position_m = v3(0.0f, 0.10f, 0.0f);
     drag->to_m = drag->input.poi[0].target.position_m;
@@ -109,7 +109,7 @@ void drag_tick(struct drag *drag)
     move_hand(drag);
     renew_paper(&core->poi[0]);
     if (core->bowl[0].fish_count > BOWL_FULL) {
-        bowl_pour_back(&core->bowl[0], 0, &core->tank);
+        bowl_empty(&core->bowl[0], 0, &core->tank);
     }
     if (core->tick - core->game.phase_tick > CORE_TICK_HZ) {
         core->game.phase_tick++; /* The clock of the round stands still. */

@@ -37,12 +37,12 @@ static struct apart apart;
 #define STUCK_MAX_S 5.0f
 #define LOOSE_MAX_S 0.5f
 
-static uint64_t back_count; /* Number of fish that were put back, summed over the ticks. */
+static uint64_t reverted_count; /* Number of fish that were put back, summed over the ticks. */
 static int cells_missed;    /* 1 if the check of all pairs found a deeper overlap than the grid. */
 
 static void run(const struct density *density, int dragged, uint32_t seconds, uint32_t seed)
 {
-    back_count = 0;
+    reverted_count = 0;
     cells_missed = 0;
     apart_init(&apart);
     drag_init(&drag, density->preset, density->fish_count, seed);
@@ -55,7 +55,7 @@ static void run(const struct density *density, int dragged, uint32_t seconds, ui
         } else {
             drag_calm_tick(&drag);
         }
-        back_count += drag.core.tank.part.back_count;
+        reverted_count += drag.core.tank.solver.reverted_count;
         apart_look(&apart, &drag.core.tank, drag.core.poi, dragged ? 1u : 0u, drag.core.bowl, 1);
         if (tick % (5u * CORE_TICK_HZ) == 0) {
             cells_missed |= apart_all_pairs_m(&drag.core.tank) > apart.pair_m;
@@ -89,7 +89,7 @@ static void print(const struct density *density, int dragged)
            (double)(apart.yaw_rate_max_rad_s / F_DEG), (double)apart_reversals_per_s(&apart),
            (double)apart_wall_crowding(&apart, &drag.core.tank), (double)apart.stuck_s,
            (double)apart.loose_s, drag.ticks > 0 ? 1000.0 * drag.lag_sum_m / drag.ticks : 0.0,
-           (double)back_count / fish_s, is_well() ? "ok" : "NOT OK");
+           (double)reverted_count / fish_s, is_well() ? "ok" : "NOT OK");
     fflush(stdout);
 }
 

@@ -116,19 +116,22 @@ static int hand_feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void hand_look(void *self, const struct view *view, const struct showing *showing)
+static void hand_look(void *self, const struct view *view,
+                      const struct display_settings *display_settings)
 {
     (void)self;
     (void)view;
-    (void)showing;
+    (void)display_settings;
 }
 
-static struct hal crowd(const char *folder)
+static struct hal broad_phase(const char *folder)
 {
     static const struct hal_buttons_ops buttons = { .poll = crowd_poll,
                                                     .describe = crowd_describe };
-    static const struct hal_poi_ops hand = { .open = hand_open, .poll = hand_poll,
-                                             .feel = hand_feel, .look = hand_look,
+    static const struct hal_poi_ops hand = { .open = hand_open,
+                                             .poll = hand_poll,
+                                             .set_force = hand_feel,
+                                             .set_view = hand_look,
                                              .describe = crowd_describe };
     struct hal all = null_hal();
     store = (struct storage){ .dir = folder };
@@ -272,29 +275,29 @@ static int open_week(const char *folder)
 {
     struct kiosk_config config = { .core = { .seed = 3 } };
     clock_of_week.now_ns = SIXTY_FRAMES_NS * 3600u * (OPEN_HOUR - 1u);
-    hal = crowd(folder);
+    hal = broad_phase(folder);
     if (hal.storage.ops->open(hal.storage.self) != HAL_OK) {
         fprintf(stderr, "week: %s\n", hal.storage.ops->describe(hal.storage.self));
         return -1;
     }
-    settings_reset(&config.core.memory.settings);
-    config.core.memory.settings.value[SET_PLAY] = PLAY_PAID;
-    config.core.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
-    config.core.memory.settings.value[SET_ROUND_S] = 60;
-    config.core.memory.settings.value[SET_FISH] = 1;
-    settings_apply(&config.core.memory.settings, &config.core);
+    settings_reset(&config.core.persistent.settings);
+    config.core.persistent.settings.value[SET_PLAY] = PLAY_PAID;
+    config.core.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
+    config.core.persistent.settings.value[SET_ROUND_S] = 60;
+    config.core.persistent.settings.value[SET_FISH] = 1;
+    settings_apply(&config.core.persistent.settings, &config.core);
     return kiosk_init(&kiosk, &hal, &config) == CORE_OK ? 0 : -1;
 }
 
 static int holds_all(const char *folder)
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
     if (device.ops->open(device.self) != HAL_OK) {
         return 0;
     }
-    device.ops->remember(device.self, &memory);
+    device.ops->load(device.self, &memory);
     device.ops->close(device.self);
     printf("  %u coins fell, %u are in the store\n", coins, memory.audits.count[AUDIT_COINS_1]);
     return coins > 0 && memory.audits.count[AUDIT_COINS_1] == coins;

@@ -166,8 +166,9 @@ static void fill_water(void)
 static void draw_side(struct renderer *renderer)
 {
     const GLuint caustics = renderer->light.caustics.texture;
-    const struct placing placing = placing_whole((float)fine_width, (float)fine_height);
-    frame_begin(&renderer->frame, &scene, &placing);
+    const struct display_transform transform =
+        display_transform_identity((float)fine_width, (float)fine_height);
+    frame_begin(&renderer->frame, &scene, &transform);
     fish_pass_prepare(&renderer->fish, &scene, &renderer->frame.view, &renderer->quality);
     light_pass_caustics(&renderer->light, &renderer->textures);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -18,7 +18,7 @@
 #define GOES_ON_LENGTHS 1.3f
 
 static struct tank_lab lab;
-static struct tank_plan plan;
+static struct tank_options plan;
 static const char *folder;
 static FILE *list;
 
@@ -39,7 +39,7 @@ static void open_lab(const char *words)
         argv[argc++] = word;
     }
     memset(&lab, 0, sizeof lab);
-    if (tank_plan_read(&plan, argc, argv) != EXIT_OK || tank_lab_open(&lab, &plan) != EXIT_OK) {
+    if (tank_options_read(&plan, argc, argv) != EXIT_OK || tank_lab_open(&lab, &plan) != EXIT_OK) {
         fail(words);
     }
 }

@@ -34,34 +34,34 @@ struct spot {
     const struct species *fish;
     const struct morph_rig *rig;
     float progress;
-    enum portrait_view view;
+    enum fish_preview_view view;
     struct canvas_box box;
     float scale_px; /* Scale in px, which is common to all fish of the picture. */
 };
 
 static struct canvas canvas;
-static struct portrait portrait;
+static struct fish_preview portrait;
 static bool failed;
 
 /* Draws the fish of the portrait in the middle of the box. */
-static void draw_portrait(enum portrait_view view, struct canvas_box box, float scale_px)
+static void draw_portrait(enum fish_preview_view view, struct canvas_box box, float scale_px)
 {
-    struct portrait_bounds b = portrait_nowhere;
+    struct fish_preview_bounds b = fish_preview_nowhere;
     struct raster raster;
-    portrait_measure(&portrait, view, &b);
+    fish_preview_measure(&portrait, view, &b);
     if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
         failed = true;
         return;
     }
-    portrait_draw(&portrait, view, 0.5f * (b.left + b.right), 0.5f * (b.low + b.high), scale_px,
-                  &raster);
+    fish_preview_draw(&portrait, view, 0.5f * (b.left + b.right), 0.5f * (b.low + b.high), scale_px,
+                      &raster);
     failed |= !raster_finish(&raster, &canvas, (uint32_t)box.left, (uint32_t)box.top);
     raster_close(&raster);
 }
 
 static void draw_spot(const struct spot *spot)
 {
-    portrait_take(&portrait, spot->fish, spot->rig, spot->progress);
+    fish_preview_pose(&portrait, spot->fish, spot->rig, spot->progress);
     draw_portrait(spot->view, spot->box, spot->scale_px);
 }
 
@@ -76,38 +76,38 @@ static bool begin(float height, const char *title, const char *subtitle)
         return false;
     }
     fill(0.0f, 0.0f, WIDTH, height, PAPER, PAPER);
-    canvas_words(&canvas, MARGIN, 50.0f, 38.0f, ALIGN_LEFT, PLATE_INK, title);
-    canvas_words(&canvas, MARGIN, 80.0f, 20.0f, ALIGN_LEFT, PLATE_SOFT_INK, subtitle);
+    canvas_words(&canvas, MARGIN, 50.0f, 38.0f, ALIGN_LEFT, CAPTION_INK, title);
+    canvas_words(&canvas, MARGIN, 80.0f, 20.0f, ALIGN_LEFT, CAPTION_SOFT_INK, subtitle);
     return true;
 }
 
 static void key_words(const struct species_card *card, uint32_t key, float x, float y)
 {
-    char age[PLATE_WORDS_SIZE], length[PLATE_WORDS_SIZE], words[3 * PLATE_WORDS_SIZE];
-    plate_age(age, card->key_age_days[key]);
+    char age[CAPTION_WORDS_SIZE], length[CAPTION_WORDS_SIZE], words[3 * CAPTION_WORDS_SIZE];
+    caption_age(age, card->key_age_days[key]);
     snprintf(length, sizeof length, "%.4g mm", 1e3 * (double)card->key_length_m[key]);
     canvas_words(&canvas, x, y, 26.0f, ALIGN_CENTRE, key_colour(card->key_count, key),
                  card->key_names[key]);
-    snprintf(words, sizeof words, "%s, %s %s", age, plate_measure(card), length);
-    canvas_words(&canvas, x, y + 28.0f, 20.0f, ALIGN_CENTRE, PLATE_SOFT_INK, words);
+    snprintf(words, sizeof words, "%s, %s %s", age, caption_measure(card), length);
+    canvas_words(&canvas, x, y + 28.0f, 20.0f, ALIGN_CENTRE, CAPTION_SOFT_INK, words);
 }
 
 /* ---- Growth ---------------------------------------------------------------------------------- */
 
 /* Draws a key with a vertical line from the start of its dorsal fin. */
-static void draw_root(const struct morph_pick *pick, uint32_t key, float left, float column,
+static void draw_root(const struct morph_options *pick, uint32_t key, float left, float column,
                       float height)
 {
     const struct species_card *card = &pick->drawn->card;
     const struct species_mesh *mesh = &pick->drawn->lod[0];
-    const uint32_t root = morph_part_vertex(mesh, PART_DORSAL, SIDE_MIDDLE);
+    const uint32_t root = part_vertex_range(mesh, PART_DORSAL, SIDE_MIDDLE);
     const float scale_px = 0.74f * column;
-    struct portrait_bounds b = portrait_nowhere;
+    struct fish_preview_bounds b = fish_preview_nowhere;
     char words[64];
-    portrait = (struct portrait){ .species = pick->drawn, .mesh = mesh };
+    portrait = (struct fish_preview){ .species = pick->drawn, .mesh = mesh };
     morph_key_pose(mesh, card->key_count, key, &portrait.pose);
     morph_shape(mesh, card->key_count, &portrait.pose, portrait.positions, portrait.normals);
-    portrait_measure(&portrait, VIEW_SIDE, &b);
+    fish_preview_measure(&portrait, VIEW_SIDE, &b);
     draw_portrait(VIEW_SIDE, (struct canvas_box){ left, HEAD, column, height }, scale_px);
     key_words(card, key, left + 0.5f * column, HEAD + height + 40.0f);
     if (root == mesh->vertex_count) {
@@ -119,10 +119,10 @@ static void draw_root(const struct morph_pick *pick, uint32_t key, float left, f
     fill(x - 1.5f, HEAD + 34.0f, 3.0f, y - HEAD - 34.0f, 0xc8371fu, 0xc8371fu);
     fill(x - 5.0f, y - 5.0f, 10.0f, 10.0f, 0xc8371fu, 0xc8371fu);
     snprintf(words, sizeof words, "%.0f %%", 100.0 * (double)(p.z + 0.5f));
-    canvas_words(&canvas, x, HEAD + 26.0f, 20.0f, ALIGN_CENTRE, PLATE_INK, words);
+    canvas_words(&canvas, x, HEAD + 26.0f, 20.0f, ALIGN_CENTRE, CAPTION_INK, words);
 }
 
-static enum exit_code draw_growth(const struct morph_pick *pick)
+static enum exit_code draw_growth(const struct morph_options *pick)
 {
     const uint32_t count = pick->drawn->card.key_count;
     const float column = (WIDTH - 2.0f * MARGIN) / (float)count, height = 0.62f * column + 60.0f;
@@ -141,10 +141,10 @@ static enum exit_code draw_growth(const struct morph_pick *pick)
 
 /* Takes the shape that is blended. For a solved curve this shape is not the drawing but an
  * extrapolation beyond the drawing. */
-static void take_model(const struct morph_pick *pick, uint32_t key)
+static void take_model(const struct morph_options *pick, uint32_t key)
 {
     const struct species_mesh *mesh = &pick->fish->lod[0];
-    portrait = (struct portrait){ .species = pick->fish, .mesh = mesh };
+    portrait = (struct fish_preview){ .species = pick->fish, .mesh = mesh };
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
         memcpy(portrait.pose.weight[curve], pick->rig.solution[0][key],
                sizeof portrait.pose.weight[curve]);
@@ -153,16 +153,16 @@ static void take_model(const struct morph_pick *pick, uint32_t key)
                 portrait.normals);
 }
 
-static enum exit_code draw_models(const struct morph_pick *pick)
+static enum exit_code draw_models(const struct morph_options *pick)
 {
     const struct species_card *card = &pick->fish->card;
     const float column = (WIDTH - 2.0f * MARGIN) / 3.0f, scale_px = 0.72f * column;
     const bool solved = pick->rig.curves[0].solved;
-    struct portrait_bounds b[2] = { portrait_nowhere, portrait_nowhere };
+    struct fish_preview_bounds b[2] = { fish_preview_nowhere, fish_preview_nowhere };
     for (uint32_t key = 0; key < 3; key++) {
         take_model(pick, key);
-        portrait_measure(&portrait, VIEW_SIDE, &b[0]);
-        portrait_measure(&portrait, VIEW_ABOVE, &b[1]);
+        fish_preview_measure(&portrait, VIEW_SIDE, &b[0]);
+        fish_preview_measure(&portrait, VIEW_ABOVE, &b[1]);
     }
     const float side = floorf((b[0].high - b[0].low) * scale_px + 60.0f);
     const float above = floorf((b[1].high - b[1].low) * scale_px + 50.0f);
@@ -186,7 +186,7 @@ static enum exit_code draw_models(const struct morph_pick *pick)
 
 /* ---- True sizes ------------------------------------------------------------------------------ */
 
-static enum exit_code draw_sizes(const struct morph_pick *pick)
+static enum exit_code draw_sizes(const struct morph_options *pick)
 {
     const struct species_card *card = &pick->fish->card;
     const float *length_m = card->key_length_m;
@@ -210,7 +210,7 @@ static enum exit_code draw_sizes(const struct morph_pick *pick)
         key_words(card, key, left + 0.5f * width, HEAD + height + 40.0f);
         left += width + gap;
     }
-    plate_bar(&canvas, WIDTH - MARGIN - 150.0f, 60.0f, 260.0f, px_per_m, 20.0f);
+    caption_bar(&canvas, WIDTH - MARGIN - 150.0f, 60.0f, 260.0f, px_per_m, 20.0f);
     return EXIT_OK;
 }
 
@@ -228,10 +228,10 @@ static float drawn_progress(const struct species_card *drawn, float progress)
 /* Draws only the head, enlarged. The rest of the fish is drawn outside the box. */
 static void draw_head(const struct spot *spot)
 {
-    static struct portrait head;
-    struct portrait_bounds b = portrait_nowhere;
+    static struct fish_preview head;
+    struct fish_preview_bounds b = fish_preview_nowhere;
     struct raster raster;
-    portrait_take(&portrait, spot->fish, spot->rig, spot->progress);
+    fish_preview_pose(&portrait, spot->fish, spot->rig, spot->progress);
     head = portrait;
     for (uint32_t i = 0; i < head.mesh->vertex_count; i++) {
         const struct species_vertex *at = &head.mesh->vertices[i];
@@ -239,13 +239,13 @@ static void draw_head(const struct spot *spot)
             head.positions[i] = v3(0.0f, 0.0f, HEAD_SHARE / 2.0f - 0.5f);
         }
     }
-    portrait_measure(&head, spot->view, &b);
+    fish_preview_measure(&head, spot->view, &b);
     if (!raster_open(&raster, (uint32_t)spot->box.width, (uint32_t)spot->box.height)) {
         failed = true;
         return;
     }
-    portrait_draw(&portrait, spot->view, 0.5f * (b.left + b.right), 0.5f * (b.low + b.high),
-                  spot->scale_px, &raster);
+    fish_preview_draw(&portrait, spot->view, 0.5f * (b.left + b.right), 0.5f * (b.low + b.high),
+                      spot->scale_px, &raster);
     failed |=
         !raster_finish(&raster, &canvas, (uint32_t)spot->box.left, (uint32_t)spot->box.top);
     raster_close(&raster);
@@ -255,7 +255,7 @@ static void draw_way(const struct species *fish, const struct morph_rig *rig,
                      const struct species_card *drawn, float top, float height, const char *title)
 {
     const float column = (WIDTH - 2.0f * MARGIN) / (float)COLUMNS;
-    canvas_words(&canvas, MARGIN, top - 10.0f, 24.0f, ALIGN_LEFT, PLATE_INK, title);
+    canvas_words(&canvas, MARGIN, top - 10.0f, 24.0f, ALIGN_LEFT, CAPTION_INK, title);
     fill(MARGIN, top, WIDTH - 2.0f * MARGIN, 3.0f * height, WATER_ABOVE, WATER_BELOW);
     for (uint32_t i = 0; i < COLUMNS; i++) {
         const float progress = (float)i / (float)(COLUMNS - 1u);
@@ -274,7 +274,7 @@ static void draw_way(const struct species *fish, const struct morph_rig *rig,
     }
 }
 
-static enum exit_code draw_ways(const struct morph_pick *pick)
+static enum exit_code draw_ways(const struct morph_options *pick)
 {
     const struct species_card *card = &pick->fish->card;
     const float height = 132.0f, row = 3.0f * height + 60.0f;
@@ -286,7 +286,7 @@ static enum exit_code draw_ways(const struct morph_pick *pick)
     if (!begin(HEAD + 3.0f * row + 40.0f, card->id, subtitle)) {
         return EXIT_IO;
     }
-    const struct species *straight = morph_pick_ordinary(pick, &ordinary);
+    const struct species *straight = morph_options_ordinary(pick, &ordinary);
     morph_rig_init(&own, &pick->drawn->card, TEMPLATE_OWN);
     draw_way(straight, &ordinary, NULL, HEAD + 40.0f, height,
              "the ordinary morph: the first shape to the last, straight (equation 3.1)");
@@ -299,10 +299,10 @@ static enum exit_code draw_ways(const struct morph_pick *pick)
 
 int main(int argc, char **argv)
 {
-    static struct morph_pick pick;
+    static struct morph_options pick;
     static const struct {
         const char *word;
-        enum exit_code (*draw)(const struct morph_pick *pick);
+        enum exit_code (*draw)(const struct morph_options *pick);
     } kinds[] = { { "growth", draw_growth },
                   { "models", draw_models },
                   { "sizes", draw_sizes },
@@ -312,7 +312,7 @@ int main(int argc, char **argv)
         return EXIT_USAGE;
     }
     const char *const words[] = { argv[2], "--thesis" };
-    enum exit_code code = morph_pick_read(&pick, name, MORPH_ASKS_CURVES, NULL, 0, 2, words);
+    enum exit_code code = morph_options_read(&pick, name, MORPH_REQUIRES_CURVES, NULL, 0, 2, words);
     for (size_t i = 0; code == EXIT_OK && i < sizeof kinds / sizeof kinds[0]; i++) {
         if (strcmp(argv[1], kinds[i].word) == 0) {
             code = kinds[i].draw(&pick);

@@ -31,7 +31,7 @@ static const char *const search_words[SEARCH_COUNT] = { "grid", "all" };
 
 /* One tank for each method. Both tanks have the same seed, so that their fish swim alike. */
 static struct tank_lab tanks[SEARCH_COUNT];
-static struct tank_plan plans[SEARCH_COUNT];
+static struct tank_options plans[SEARCH_COUNT];
 
 static double now_ms(void)
 {
@@ -48,7 +48,7 @@ static double run_ms(uint32_t fish, enum search search)
     const char *const argv[] = { "--fish", count, "--pairs", search_words[search] };
     double sum_ns = 0.0;
     snprintf(count, sizeof count, "%u", fish);
-    if (tank_plan_read(&plans[search], 4, argv) != EXIT_OK) {
+    if (tank_options_read(&plans[search], 4, argv) != EXIT_OK) {
         exit(1);
     }
     /* The plan has room for the ticks that are drawn. */

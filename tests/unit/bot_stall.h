@@ -23,29 +23,29 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
-    stall->core.game.hand[0] = stall->bot.hand.pose; /* The pose begins over the middle of the
-                                                        tank. */
+    stall->core.game.hand_pose[0] = stall->bot.hand.pose; /* The pose begins over the middle of
+                                                             the tank. */
     stall->core.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
 /* Returns the view of the stall for the bot of player 0. */
-static inline struct sight bot_stall_sight(const struct bot_stall *stall)
+static inline struct vision bot_stall_sight(const struct bot_stall *stall)
 {
-    return (struct sight){ .core = &stall->core, .player = 0 };
+    return (struct vision){ .core = &stall->core, .player = 0 };
 }
 
 /* Runs one tick. Presses START while no round is played; otherwise only the bot's pose is input. */
 static inline void bot_stall_tick(struct bot_stall *stall)
 {
     const uint8_t phase = stall->core.game.phase;
-    const int idle = phase == PHASE_ATTRACT || phase == PHASE_CHOOSE;
-    const struct sight sight = bot_stall_sight(stall);
+    const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
+    const struct vision vision = bot_stall_sight(stall);
     stall->input.pressed = idle && stall->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     stall->input.poi[0] = (struct poi_input){
-        .link = POI_LINK_LIVE,
+        .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
         .trembles = 1,
-        .target = bot_tick(&stall->bot, &sight),
+        .target = bot_tick(&stall->bot, &vision),
     };
     stall->output.sound_count = 0;
     assert_int_equal(core_tick(&stall->core, &stall->input, &stall->output), CORE_OK);

@@ -75,7 +75,7 @@ static inline void press(uint32_t buttons)
 /* Holds the first poi at the height `y_m` over the tank. */
 static inline void hold_at(float y_m)
 {
-    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.05f, y_m, 0.02f);
 }
 
@@ -93,8 +93,10 @@ static inline int setup(void **state)
 {
     (void)state;
     const struct core_config config = {
-        .seed = 7, .fish_count = 12, .round_s = ROUND_S,
-        .memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught = 2,
+        .seed = 7,
+        .fish_count = 12,
+        .round_s = ROUND_S,
+        .persistent.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught = 2,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);

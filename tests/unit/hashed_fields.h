@@ -31,8 +31,8 @@ static const struct field config_fields[] = {
     FIELD(core_config, language), FIELD(core_config, round_s),
     FIELD(core_config, modes),    FIELD(core_config, grade),   FIELD(core_config, players),
     FIELD(core_config, credit_coins), FIELD(core_config, ticket_fish),
-    SKIP(core_config, rules_7),   SKIP(core_config, lanes),   SKIP(core_config, memory),
-    SKIP(core_config, chapter),
+    SKIP(core_config, rules_7),   SKIP(core_config, lanes),   SKIP(core_config, persistent),
+    SKIP(core_config, session),
     SKIP(core_config, book),
 };
 
@@ -58,7 +58,7 @@ static const struct field graph_fields[] = {
 };
 
 static const struct field edit_fields[] = {
-    FIELD(lab_edit, template), FIELD(lab_edit, scale_knot_count), SKIP(lab_edit, graph),
+    FIELD(lab_edit, template_id), FIELD(lab_edit, scale_knot_count), SKIP(lab_edit, graph),
     FIELD(lab_edit, scale_knots),
 };
 
@@ -95,14 +95,14 @@ static const struct field game_fields[] = {
     FIELD(game, turn_tick),   FIELD(game, round_s),
     FIELD(game, round_count),
     SKIP(game, ledger),       SKIP(game, audits),
-    SKIP(game, ranking),      SKIP(game, adjust),      SKIP(game, name),
+    SKIP(game, ranking),      SKIP(game, settings_edit),      SKIP(game, name),
     SKIP(game, player),
-    FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand),
-    FIELD(game, live_y_m),    SKIP(game, trust),       FIELD(game, back_ticks),
-    FIELD(game, was_lost),    FIELD(game, spared_ticks), FIELD(game, doubt_ticks),
+    FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand_pose),
+    FIELD(game, live_y_m),    SKIP(game, validation),       FIELD(game, return_ticks),
+    FIELD(game, was_lost),    FIELD(game, immunity_ticks), FIELD(game, outlier_ticks),
     FIELD(game, rest_ticks),
     SKIP(game, hints),        SKIP(game, bot),         SKIP(game, credit),
-    SKIP(game, upkeep),
+    SKIP(game, health_log),
     SKIP(game, menu),         SKIP(game, album),
     SKIP(game, lab),
 };
@@ -113,8 +113,8 @@ static const struct field menu_fields[] = {
     FIELD(menu, turn_tick), FIELD(menu, row), FIELD(menu, upright), FIELD(menu, file_first),
     FIELD(menu, board), FIELD(menu, score), FIELD(menu, score_is_named), FIELD(menu, score_asks),
     FIELD(menu, scores), FIELD(menu, has_hand), FIELD(menu, hand), FIELD(menu, presses),
-    FIELD(menu, points), FIELD(menu, tag), FIELD(menu, desk), FIELD(menu, pressed_count),
-    FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, order_count),
+    FIELD(menu, points), FIELD(menu, tag), FIELD(menu, controllers), FIELD(menu, pressed_count),
+    FIELD(menu, held), FIELD(menu, test_coins), FIELD(menu, coin_tick), FIELD(menu, command_count),
     FIELD(menu, ask_tick), FIELD(menu, take_tick), FIELD(menu, act_tick), FIELD(menu, use_tick),
     FIELD(menu, x), FIELD(menu, y), SKIP(menu, calibrate), SKIP(menu, self), FIELD(menu, rest),
 };
@@ -139,16 +139,18 @@ static const struct field self_test_fields[] = {
 };
 
 static const struct field adjust_fields[] = {
-    FIELD(adjust, told),      FIELD(adjust, turn_tick), FIELD(adjust, entry_id),
-    FIELD(adjust, pin_wrong), FIELD(adjust, pin_tick),
+    FIELD(settings_edit, told),      FIELD(settings_edit, turn_tick), FIELD(settings_edit,
+    entry_id),
+    FIELD(settings_edit, pin_wrong), FIELD(settings_edit, pin_tick),
 };
 
 static const struct field memory_fields[] = {
-    SKIP(memory, ledger), FIELD(memory, settings), FIELD(memory, audits), SKIP(memory, ranking),
+    SKIP(persistent_state, ledger), FIELD(persistent_state, settings), FIELD(persistent_state,
+    audits), SKIP(persistent_state, ranking),
 };
 
 static const struct field ledger_start_fields[] = {
-    FIELD(ledger_start, last_id), FIELD(ledger_start, boots), SKIP(ledger_start, purse),
+    FIELD(ledger_start, last_id), FIELD(ledger_start, boots), SKIP(ledger_start, balance),
     SKIP(ledger_start, stand),
 };
 
@@ -157,9 +159,12 @@ static const struct field stand_fields[] = {
 };
 
 static const struct field chapter_fields[] = {
-    FIELD(chapter, tick),          FIELD(chapter, order_count), FIELD(chapter, edit_save_id),
-    FIELD(chapter, edit_saved_id), SKIP(chapter, ledger),       SKIP(chapter, credit),
-    SKIP(chapter, upkeep),         SKIP(chapter, adjust),       SKIP(chapter, language),
+    FIELD(game_session, tick),          FIELD(game_session, command_count), FIELD(game_session,
+    edit_save_id),
+    FIELD(game_session, edit_saved_id), SKIP(game_session, ledger),       SKIP(game_session,
+    credit),
+    SKIP(game_session, health_log),         SKIP(game_session, settings_edit),
+     SKIP(game_session, language),
 };
 
 static const struct field language_choice_fields[] = {
@@ -167,15 +172,16 @@ static const struct field language_choice_fields[] = {
 };
 
 static const struct field purse_fields[] = {
-    FIELD(purse, units),   FIELD(purse, bonus_units), FIELD(purse, paid),
-    FIELD(purse, service), FIELD(purse, untold),      FIELD(purse, open),
-    FIELD(purse, returned), FIELD(purse, tickets),
+    FIELD(balance, units),   FIELD(balance, bonus_units), FIELD(balance, paid),
+    FIELD(balance, service), FIELD(balance, unlogged),      FIELD(balance, open),
+    FIELD(balance, returned), FIELD(balance, tickets),
 };
 
 static const struct field ledger_fields[] = {
-    FIELD(ledger, last_id), FIELD(ledger, saved_id), FIELD(ledger, boot), FIELD(ledger, unkept),
+    FIELD(ledger, last_id), FIELD(ledger, saved_id), FIELD(ledger, boot), FIELD(ledger,
+    uncommitted),
     FIELD(ledger, wait_ticks), FIELD(ledger, day), FIELD(ledger, minute),
-    FIELD(ledger, is_well), SKIP(ledger, purse), SKIP(ledger, kept), SKIP(ledger, after),
+    FIELD(ledger, is_healthy), SKIP(ledger, balance), SKIP(ledger, committed), SKIP(ledger, after),
 };
 
 static const struct field ranking_fields[] = {
@@ -199,7 +205,7 @@ static const struct field rank_row_fields[] = {
 };
 
 static const struct field credit_fields[] = {
-    FIELD(credit, came_back),  FIELD(credit, warnings),   SKIP(credit, untold),
+    FIELD(credit, came_back),  FIELD(credit, warnings),   SKIP(credit, pending_coins),
     FIELD(credit, metered),    FIELD(credit, shakes),     FIELD(credit, tickets),
     FIELD(credit, coin_tick),  FIELD(credit, tilt_tick),  FIELD(credit, asked_tick),
     FIELD(credit, await_tick), FIELD(credit, act_tick),   FIELD(credit, stand_id),
@@ -207,13 +213,14 @@ static const struct field credit_fields[] = {
 };
 
 static const struct field untold_fields[] = {
-    FIELD(untold, pulses), FIELD(untold, units), FIELD(untold, owed),
+    FIELD(pending_coins, pulses), FIELD(pending_coins, units), FIELD(pending_coins, owed),
 };
 
 static const struct field upkeep_fields[] = {
-    FIELD(upkeep, is_told),       FIELD(upkeep, told_tick),
-    FIELD(upkeep, dropped_ticks), FIELD(upkeep, device_faults), FIELD(upkeep, told_shakes),
-    FIELD(upkeep, away_ticks),    FIELD(upkeep, loss_tick),
+    FIELD(health_log, is_told),       FIELD(health_log, told_tick),
+    FIELD(health_log, dropped_ticks), FIELD(health_log, device_faults), FIELD(health_log,
+    told_shakes),
+    FIELD(health_log, away_ticks),    FIELD(health_log, loss_tick),
 };
 
 static const struct field player_fields[] = {
@@ -227,10 +234,12 @@ static const struct field player_fields[] = {
 };
 
 static const struct field trust_fields[] = {
-    FIELD(trust, verdict),      FIELD(trust, knows),  FIELD(trust, same_ticks),
-    FIELD(trust, agree_ticks),  FIELD(trust, silent_ticks),
-    FIELD(trust, late_ticks),
-    FIELD(trust, rush_m),       FIELD(trust, spin),   FIELD(trust, newest),
+    FIELD(input_validation, verdict),      FIELD(input_validation, knows),
+     FIELD(input_validation, same_ticks),
+    FIELD(input_validation, agree_ticks),  FIELD(input_validation, silent_ticks),
+    FIELD(input_validation, late_ticks),
+    FIELD(input_validation, excess_m),       FIELD(input_validation, spin),
+     FIELD(input_validation, newest),
 };
 
 static const struct field hints_fields[] = {
@@ -258,40 +267,42 @@ static const struct field bot_fields[] = {
 };
 
 static const struct field look_fields[] = {
-    FIELD(look, tick),   FIELD(look, phase),       FIELD(look, mode),
-    FIELD(look, seconds_left), FIELD(look, tank_m), SKIP(look, poi),
-    SKIP(look, bowl),    SKIP(look, paper),        FIELD(look, rival_count),
-    FIELD(look, rival_m), FIELD(look, riders),     FIELD(look, over),
-    SKIP(look, prey),    FIELD(look, near_count),  SKIP(look, near),
+    FIELD(snapshot, tick),   FIELD(snapshot, phase),       FIELD(snapshot, mode),
+    FIELD(snapshot, seconds_left), FIELD(snapshot, tank_m), SKIP(snapshot, poi),
+    SKIP(snapshot, bowl),    SKIP(snapshot, paper),        FIELD(snapshot, rival_count),
+    FIELD(snapshot, rival_m), FIELD(snapshot, carried_count),     FIELD(snapshot, over),
+    SKIP(snapshot, prey),    FIELD(snapshot, near_count),  SKIP(snapshot, near),
 };
 
 static const struct field look_fish_fields[] = {
-    FIELD(look_fish, fish),       FIELD(look_fish, place),        FIELD(look_fish, gulps),
-    FIELD(look_fish, position_m), FIELD(look_fish, velocity_m_s), FIELD(look_fish, heading_rad),
-    FIELD(look_fish, length_m),
+    FIELD(snapshot_fish, fish),       FIELD(snapshot_fish, place),        FIELD(snapshot_fish,
+    gulps),
+    FIELD(snapshot_fish, position_m), FIELD(snapshot_fish, velocity_m_s), FIELD(snapshot_fish,
+    heading_rad),
+    FIELD(snapshot_fish, length_m),
 };
 
 static const struct field look_paper_fields[] = {
-    FIELD(look_paper, wet),    FIELD(look_paper, left), FIELD(look_paper, holds),
-    FIELD(look_paper, middle), FIELD(look_paper, x_m),  FIELD(look_paper, z_m),
+    FIELD(snapshot_paper, wet),    FIELD(snapshot_paper, left), FIELD(snapshot_paper, holds),
+    FIELD(snapshot_paper, middle), FIELD(snapshot_paper, x_m),  FIELD(snapshot_paper, z_m),
 };
 
 static const struct field sight_poi_fields[] = {
-    FIELD(sight_poi, present),  FIELD(sight_poi, position_m), FIELD(sight_poi, angles),
-    FIELD(sight_poi, radius_m), FIELD(sight_poi, paper_left), FIELD(sight_poi, water_m),
+    FIELD(vision_poi, present),  FIELD(vision_poi, position_m), FIELD(vision_poi, angles),
+    FIELD(vision_poi, radius_m), FIELD(vision_poi, paper_left), FIELD(vision_poi, water_m),
 };
 
 static const struct field sight_bowl_fields[] = {
-    FIELD(sight_bowl, present), FIELD(sight_bowl, position_m), FIELD(sight_bowl, radius_m),
+    FIELD(vision_bowl, present), FIELD(vision_bowl, position_m), FIELD(vision_bowl, radius_m),
 };
 
 static const struct field poi_fields[] = {
-    FIELD(poi, link),        FIELD(poi, spared),   FIELD(poi, seed),
+    FIELD(poi, link),        FIELD(poi, damage_immune),   FIELD(poi, seed),
     FIELD(poi, position_m),  FIELD(poi, velocity_m_s),
     FIELD(poi, angles),      FIELD(poi, before_m),
     FIELD(poi, before_m_s),  FIELD(poi, before_angles),
     FIELD(poi, hand_m),      FIELD(poi, pace_m_s),
-    FIELD(poi, gave),        FIELD(poi, stopped), FIELD(poi, jam_ticks),
+    FIELD(poi, reaction),        FIELD(poi, stopped), FIELD(poi, jam_ticks),
     FIELD(poi, clings),
     FIELD(poi, angular_velocity_rad_s), FIELD(poi, spin_rad_s),
     FIELD(poi, acceleration_m_s2), FIELD(poi, jolt_m_s2),
@@ -305,22 +316,25 @@ static const struct field poi_fields[] = {
     FIELD(poi, pressure_pa),
     FIELD(poi, dips),        FIELD(poi, is_in), FIELD(poi, slap_tick),
     FIELD(poi, tear_tick),   SKIP(poi, sheet),
-    FIELD(poi, strain),      FIELD(poi, riders_kg),
-    SKIP(poi, rider_count), /* The tests set this member below, because a count without matching
-                               arrays cannot be hashed. */
-    SKIP(poi, riders),       SKIP(poi, load_count), FIELD(poi, slap_count),
+    FIELD(poi, strain),      FIELD(poi, carried_kg),
+    SKIP(poi, carried_count), /* The tests set this member below, because a count without
+                                 matching arrays cannot be hashed. */
+    SKIP(poi, carried_fish),       SKIP(poi, load_count), FIELD(poi, slap_count),
     SKIP(poi, loads),
 };
 
 static const struct field rider_fields[] = {
-    FIELD(rider, fish),        FIELD(rider, state),       FIELD(rider, side),
-    FIELD(rider, walled),      FIELD(rider, clear_ticks),
-    FIELD(rider, x_m),         FIELD(rider, z_m),         FIELD(rider, height_m),
-    FIELD(rider, slide_x_m_s), FIELD(rider, slide_z_m_s), FIELD(rider, heading_rad),
-    FIELD(rider, lie),         FIELD(rider, vigour),      FIELD(rider, rest_s),
-    FIELD(rider, slap_s),      FIELD(rider, slap_n),      FIELD(rider, slap_d_m),
-    FIELD(rider, hop_s),
-    FIELD(rider, fall_m_s),
+    FIELD(carried_fish, fish),        FIELD(carried_fish, state),       FIELD(carried_fish, side),
+    FIELD(carried_fish, walled),      FIELD(carried_fish, clear_ticks),
+    FIELD(carried_fish, x_m),         FIELD(carried_fish, z_m),         FIELD(carried_fish,
+    height_m),
+    FIELD(carried_fish, slide_x_m_s), FIELD(carried_fish, slide_z_m_s), FIELD(carried_fish,
+    heading_rad),
+    FIELD(carried_fish, lie),         FIELD(carried_fish, vigour),      FIELD(carried_fish, rest_s),
+    FIELD(carried_fish, slap_s),      FIELD(carried_fish, slap_n),      FIELD(carried_fish,
+    slap_d_m),
+    FIELD(carried_fish, hop_s),
+    FIELD(carried_fish, fall_m_s),
 };
 
 static const struct field load_fields[] = {
@@ -352,8 +366,8 @@ static const struct field tank_fields[] = {
     FIELD(tank, wall_height_m), FIELD(tank, wall_follow),
     FIELD(tank, ball_spaces), SKIP(tank, fish_count),
     SKIP(tank, fish),           FIELD(tank, space),  SKIP(tank, water),
-    SKIP(tank, shade),          SKIP(tank, oxygen),  FIELD(tank, loose_count),
-    SKIP(tank, crowd),          SKIP(tank, part),
+    SKIP(tank, shade),          SKIP(tank, oxygen),  FIELD(tank, reentry_count),
+    SKIP(tank, broad_phase),          SKIP(tank, solver),
 };
 
 static const struct field shade_fields[] = {

@@ -17,7 +17,7 @@
 #define KNOWN "../../known/"
 
 struct hid_wire {
-    struct hid_face face;
+    struct hid_device_info face;
     struct hid_descriptor descriptor;
     struct hid_port_sim port;
     uint8_t payload[256][HID_REPORT_MAX]; /* Payload of each report id. */
@@ -69,7 +69,8 @@ static inline void wire_put_bits(struct hid_wire *wire, uint8_t id, uint32_t off
  * report. */
 static inline uint8_t wire_put(struct hid_wire *wire, int id, hid_usage usage, int64_t value)
 {
-    const struct hid_spot spot = hid_offer_find(&wire->descriptor, 0, id, id >= 0, usage);
+    const struct hid_field_location spot =
+        hid_mapping_auto_find(&wire->descriptor, 0, id, id >= 0, usage);
     assert_non_null(spot.group);
     wire_put_bits(wire, spot.group->report_id,
                   spot.group->bit_offset + spot.index * spot.group->bit_size, spot.group->bit_size,
@@ -85,13 +86,14 @@ static inline void wire_send(struct hid_wire *wire, uint8_t id)
     uint8_t bytes[HID_REPORT_MAX + 1u] = { id };
     assert_in_range(size, 1, HID_REPORT_MAX);
     memcpy(bytes + with_id, wire->payload[id], size - with_id);
-    hid_port_sim_say(&wire->port, bytes, size);
+    hid_port_sim_report(&wire->port, bytes, size);
 }
 
 /* Returns the value at a fraction of a field's range: 0 is its low end and 1 its high end. */
 static inline int64_t wire_share(const struct hid_wire *wire, int id, hid_usage usage, float share)
 {
-    const struct hid_spot spot = hid_offer_find(&wire->descriptor, 0, id, id >= 0, usage);
+    const struct hid_field_location spot =
+        hid_mapping_auto_find(&wire->descriptor, 0, id, id >= 0, usage);
     assert_non_null(spot.group);
     const float low = (float)spot.group->logical_min, high = (float)spot.group->logical_max;
     return (int64_t)(low + share * (high - low) + 0.5f);

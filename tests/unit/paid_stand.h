@@ -33,9 +33,9 @@ static inline void drop(uint32_t coins)
 }
 
 /* Returns the credit balance. */
-static inline const struct purse *purse(void)
+static inline const struct balance *balance(void)
 {
-    return &core.game.ledger.purse;
+    return &core.game.ledger.balance;
 }
 
 /* Returns the number of credits. */

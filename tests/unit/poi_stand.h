@@ -48,7 +48,7 @@ static inline void stand_init(struct stand *stand, uint8_t grade, uint32_t seed)
     stand->tank.wall_height_m = 0.20f;
     stand->hand.position_m = v3(0.0f, 0.06f, 0.0f);
     poi_init(&stand->poi, grade, stand->hand.position_m, seed);
-    stand->poi.link = POI_LINK_LIVE;
+    stand->poi.link = POI_SOURCE_LIVE;
     bowl_init(&stand->bowl, v3(0.30f, 0.02f, 0.15f));
 }
 
@@ -58,7 +58,7 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
     const uint32_t index = stand->tank.fish_count++;
     struct fish *fish = &stand->tank.fish[index];
     fish->position_m = position_m;
-    fish_grow(fish, length_m, tank_law(&stand->tank));
+    fish_grow(fish, length_m, tank_behavior_params(&stand->tank));
     fish->stamina = 1.0f;
     return index;
 }
@@ -67,29 +67,29 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
  * them. */
 static inline void stand_part(struct tank *tank, struct obstacle around_it[2])
 {
-    struct crowd *crowd = &tank->crowd;
-    const struct surroundings around = tank_surroundings(tank, 0, around_it, 2);
-    const struct part_place place = { tank->fish, tank_bounds(tank), around_it, 2, PART_SHOVE_M,
-                                      tank->lanes };
-    part_begin(&tank->part, tank->fish, tank->fish_count);
-    crowd_gather(crowd, tank->fish, tank->fish_count, tank->space);
-    const uint32_t stations = part_stations(&tank->part, &place);
+    struct broad_phase *broad_phase = &tank->broad_phase;
+    const struct perception around = tank_perception(tank, 0, around_it, 2);
+    const struct solver_context place = { tank->fish, tank_bounds(tank), around_it,
+                                          2,          SOLVER_PUSH_M,     tank->lanes };
+    contact_solver_begin(&tank->solver, tank->fish, tank->fish_count);
+    broad_phase_gather(broad_phase, tank->fish, tank->fish_count, tank->space);
+    const uint32_t stations = contact_solver_substep_count(&tank->solver, &place);
     for (uint32_t station = 0; station < stations; station++) {
-        part_advance(&tank->part, crowd, &place, station);
-        part_clear(&tank->part, crowd, &place);
-        crowd_look(crowd, tank->fish, tank_search(tank), &around);
-        part_bodies(&tank->part, crowd, &place);
+        contact_solver_substep(&tank->solver, broad_phase, &place, station);
+        contact_solver_project(&tank->solver, broad_phase, &place);
+        broad_phase_update(broad_phase, tank->fish, tank_search(tank), &around);
+        contact_solver_finish(&tank->solver, broad_phase, &place);
     }
-    part_end(&tank->part, crowd, &place);
+    contact_solver_end(&tank->solver, broad_phase, &place);
     const struct shoal shoal = {
         .fish = tank->fish,
-        .body = crowd->body,
-        .way_m = crowd->way_m,
-        .before_m = tank->part.began_m,
+        .body = broad_phase->body,
+        .way_m = broad_phase->way_m,
+        .before_m = tank->solver.began_m,
         .count = tank->fish_count,
     };
     swim_settle_all(&shoal, tank->lanes);
-    loose_tick(tank, around_it, 2);
+    reentry_tick(tank, around_it, 2);
 }
 
 /* Runs one tick of the poi, the contact solver, the bowl and the catch. */
@@ -102,12 +102,12 @@ static inline void stand_tick(struct stand *stand)
     poi_tick(poi, &grip, &stand->tank, &stand->bowl);
     const struct stall stall = { &stand->tank, &stand->bowl, 1 };
     const uint8_t live = 1;
-    afloat_tick(&stall, poi, &live, 1);
+    bowl_buoyancy_tick(&stall, poi, &live, 1);
     struct obstacle around[2] = { poi_obstacle(poi), bowl_obstacle(&stand->bowl) };
     stand_part(&stand->tank, around);
-    poi_give_way(poi, &around[0]);
+    poi_apply_reaction(poi, &around[0]);
     haptics_feel(poi, &stand->force);
-    bowl_give_way(&stand->bowl, &around[1]);
+    bowl_apply_reaction(&stand->bowl, &around[1]);
     bowl_fish_tick(&stand->bowl, 0, &stand->tank);
     struct catch_result caught[POI_MAX] = { 0 };
     catch_tick(poi, 0, &stall, stand->tick, &stand->output, caught);
@@ -134,7 +134,7 @@ static inline void stand_move(struct stand *stand, vec3 to_m, float speed_m_s)
     const vec3 way = v3_sub(to_m, from);
     const uint32_t ticks = (uint32_t)(v3_length(way) / speed_m_s * (float)CORE_TICK_HZ) + 1u;
     for (uint32_t i = 1; i <= ticks; i++) {
-        stand->hand.position_m = v3_mad(from, way, (float)i / (float)ticks);
+        stand->hand.position_m = v3_muladd(from, way, (float)i / (float)ticks);
         stand_tick(stand);
     }
 }
@@ -179,17 +179,22 @@ static inline uint32_t stand_lift(struct stand *stand, uint8_t grade, uint32_t s
 
 /* Puts a fish on the paper at a given place. The fish is flat and has been at rest for a long
  * time. */
-static inline struct rider *stand_lay(struct stand *stand, float length_m, float x_m, float z_m,
-                                      float heading_rad)
+static inline struct carried_fish *stand_lay(struct stand *stand, float length_m, float x_m,
+                                             float z_m, float heading_rad)
 {
     const uint32_t index = stand_fish(stand, stand->poi.position_m, length_m);
-    struct rider *rider = &stand->poi.riders[stand->poi.rider_count++];
+    struct carried_fish *carried = &stand->poi.carried_fish[stand->poi.carried_count++];
     stand->tank.fish[index].gait = GAIT_HELD;
-    *rider = (struct rider){
-        .fish = (uint16_t)index, .side = 1, .x_m = x_m, .z_m = z_m, .heading_rad = heading_rad,
-        .height_m = 0.1f * length_m, .lie = 1.0f, .rest_s = 1e3f, .slap_d_m = 0.003f
-    };
-    return rider;
+    *carried = (struct carried_fish){ .fish = (uint16_t)index,
+                                      .side = 1,
+                                      .x_m = x_m,
+                                      .z_m = z_m,
+                                      .heading_rad = heading_rad,
+                                      .height_m = 0.1f * length_m,
+                                      .lie = 1.0f,
+                                      .rest_s = 1e3f,
+                                      .slap_d_m = 0.003f };
+    return carried;
 }
 
 /* Removes the paper within `radius_m` of a point in the plane of the poi. */

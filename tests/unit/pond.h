@@ -14,18 +14,18 @@
     .length_m = (size_m), .height_m = 0.36f * (size_m), .width_m = 0.20f * (size_m)
 
 /* Returns the behavior parameters of the pond's fish. */
-static inline const struct law *pond_law(void)
+static inline const struct behavior_params *pond_law(void)
 {
-    return &tank_preset(TANK_PRESET_FESTIVAL)->law;
+    return &tank_preset(TANK_PRESET_FESTIVAL)->params;
 }
 
 /* Returns the perception of a fish of the stall in one tick. The result is valid until the next
  * call. */
-static inline const struct surroundings *pond_at(uint32_t seed, uint32_t tick)
+static inline const struct perception *pond_at(uint32_t seed, uint32_t tick)
 {
-    static struct surroundings around;
-    around = (struct surroundings){
-        .law = pond_law(),
+    static struct perception around;
+    around = (struct perception){
+        .params = pond_law(),
         .size_m = { 0.85f, POND_WATER_M, 0.55f },
         .seed = seed,
         .tick = tick,

@@ -7,7 +7,7 @@
 /* Returns the number of paid credits and service credits together. */
 static inline uint32_t purse_credits(const struct core *core)
 {
-    return core->game.ledger.purse.paid + core->game.ledger.purse.service;
+    return core->game.ledger.balance.paid + core->game.ledger.balance.service;
 }
 
 /* Returns an audit counter. */

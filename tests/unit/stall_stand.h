@@ -61,7 +61,7 @@ static inline void press(uint32_t buttons)
 static inline void hold(uint32_t index, vec3 at_m)
 {
     input.poi[index] = (struct poi_input){
-        .link = POI_LINK_LIVE,
+        .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
         .target.position_m = at_m,
     };

@@ -27,14 +27,15 @@ static void assert_near(struct angles a, struct angles b, float rad)
 /* What an accelerometer at rest says: the push that holds it up. */
 static vec3 held_up(struct angles angles)
 {
-    const struct basis axes = basis_from_angles(angles);
-    return basis_to_body(&axes, v3(0.0f, GRAVITY_M_S2, 0.0f));
+    const struct basis axes = vec_basis_from_angles(angles);
+    return vec_basis_to_body(&axes, v3(0.0f, GRAVITY_M_S2, 0.0f));
 }
 
 static vec3 turned(struct quaternion q, vec3 v)
 {
     const struct quaternion p = { 0.0f, v.x, v.y, v.z }, back = { q.w, -q.x, -q.y, -q.z };
-    const struct quaternion r = quaternion_product(quaternion_product(q, p), back);
+    const struct quaternion r =
+        attitude_quaternion_product(attitude_quaternion_product(q, p), back);
     return v3(r.x, r.y, r.z);
 }
 
@@ -44,12 +45,12 @@ static void test_a_quaternion_turns_as_the_cores_angles_do(void **state)
     for (uint32_t n = 0; n < 2000; n++) {
         const struct angles angles = { drawn(n, 0, -3.1f, 3.1f), drawn(n, 1, -1.5f, 1.5f),
                                        drawn(n, 2, -3.1f, 3.1f) };
-        const struct basis axes = basis_from_angles(angles);
-        const struct quaternion q = quaternion_of(angles);
+        const struct basis axes = vec_basis_from_angles(angles);
+        const struct quaternion q = attitude_quaternion_of_angles(angles);
         assert_true(v3_length(v3_sub(turned(q, v3(1, 0, 0)), axes.right)) < 2e-5f);
         assert_true(v3_length(v3_sub(turned(q, v3(0, 1, 0)), axes.up)) < 2e-5f);
         assert_true(v3_length(v3_sub(turned(q, v3(0, 0, 1)), axes.back)) < 2e-5f);
-        assert_near(quaternion_angles(q), angles, 3e-4f);
+        assert_near(attitude_quaternion_angles(q), angles, 3e-4f);
     }
 }
 
@@ -62,7 +63,7 @@ static void test_at_rest_gravity_alone_tells_pitch_and_roll(void **state)
     for (size_t i = 0; i < sizeof slants / sizeof slants[0]; i++) {
         struct attitude attitude = { 0 };
         for (uint32_t n = 0; n < 500; n++) {
-            attitude_feel(&attitude, v3(0, 0, 0), held_up(slants[i]), DT_S);
+            attitude_add_motion(&attitude, v3(0, 0, 0), held_up(slants[i]), DT_S);
         }
         const struct angles found = attitude_angles(&attitude, 0.0f, DT_S);
         assert_float_equal(found.pitch_rad, slants[i].pitch_rad, 2e-3f);
@@ -75,18 +76,18 @@ static void test_a_hand_that_swings_for_a_minute_is_followed_within_two_degrees(
     (void)state;
     struct attitude attitude = { 0 };
     float worst_rad = 0.0f;
-    struct quaternion before = quaternion_of((struct angles){ 0 });
+    struct quaternion before = attitude_quaternion_of_angles((struct angles){ 0 });
     for (uint32_t n = 0; n < 15000; n++) {
         const float t = (float)n * DT_S;
         const struct angles truth = { 0.3f * f_sin(0.7f * t), 0.7f * f_sin(2.1f * t),
                                       0.5f * f_sin(1.3f * t) };
-        const struct quaternion q = quaternion_of(truth);
+        const struct quaternion q = attitude_quaternion_of_angles(truth);
         const struct quaternion back = { before.w, -before.x, -before.y, -before.z };
-        const struct quaternion d = quaternion_product(back, q);
+        const struct quaternion d = attitude_quaternion_product(back, q);
         const vec3 rate = n == 0 ? v3(0, 0, 0) : v3_scale(v3(d.x, d.y, d.z), 2.0f / DT_S);
         /* A hand shakes: 1 m/s^2 to and fro, and a chip's bias that nobody calibrated. */
         vec3 pull = v3_add(held_up(truth), v3(f_sin(19.0f * t), 0.0f, f_sin(23.0f * t)));
-        attitude_feel(&attitude, v3_add(rate, v3(0.01f, 0.0f, -0.01f)), pull, DT_S);
+        attitude_add_motion(&attitude, v3_add(rate, v3(0.01f, 0.0f, -0.01f)), pull, DT_S);
         before = q;
         const struct angles found = attitude_angles(&attitude, 0.0f, DT_S);
         worst_rad = f_max(worst_rad, f_abs(found.pitch_rad - truth.pitch_rad));
@@ -102,12 +103,12 @@ static void test_a_gyroscope_that_lies_still_learns_its_own_bias(void **state)
     struct attitude attitude = { 0 };
     const vec3 bias = { 0.01f, -0.03f, 0.02f };
     for (uint32_t n = 0; n < 5000; n++) {
-        attitude_feel(&attitude, bias, v3(0, GRAVITY_M_S2, 0), DT_S);
+        attitude_add_motion(&attitude, bias, v3(0, GRAVITY_M_S2, 0), DT_S);
     }
     assert_true(v3_length(v3_sub(attitude.bias_rad_s, bias)) < 2e-4f);
     const float yaw_rad = attitude_angles(&attitude, 0.0f, DT_S).yaw_rad;
     for (uint32_t n = 0; n < 15000; n++) {
-        attitude_feel(&attitude, bias, v3(0, GRAVITY_M_S2, 0), DT_S);
+        attitude_add_motion(&attitude, bias, v3(0, GRAVITY_M_S2, 0), DT_S);
     }
     /* A minute later: without it the heading had gone 103 degrees. */
     const float drift_rad = attitude_angles(&attitude, 0.0f, DT_S).yaw_rad - yaw_rad;
@@ -119,7 +120,7 @@ static void test_a_hand_that_turns_slowly_is_not_taken_for_a_bias(void **state)
     (void)state;
     struct attitude attitude = { 0 };
     for (uint32_t n = 0; n < 2000; n++) {
-        attitude_feel(&attitude, v3(0, 0.08f, 0), v3(0, GRAVITY_M_S2, 0), DT_S);
+        attitude_add_motion(&attitude, v3(0, 0.08f, 0), v3(0, GRAVITY_M_S2, 0), DT_S);
     }
     assert_true(v3_length(attitude.bias_rad_s) < 1e-6f);
     /* The first heading that is asked for counts as straight ahead. */
@@ -130,9 +131,9 @@ static void test_the_heading_leaks_to_straight_ahead_and_nothing_else_does(void 
 {
     (void)state;
     struct attitude attitude = { 0 };
-    attitude_know(&attitude, quaternion_of((struct angles){ 2.0f, 0.3f, -0.2f }));
+    attitude_set(&attitude, attitude_quaternion_of_angles((struct angles){ 2.0f, 0.3f, -0.2f }));
     assert_float_equal(attitude_angles(&attitude, 30.0f, DT_S).yaw_rad, 0.0f, 1e-4f);
-    attitude_know(&attitude, quaternion_of((struct angles){ 2.5f, 0.3f, -0.2f }));
+    attitude_set(&attitude, attitude_quaternion_of_angles((struct angles){ 2.5f, 0.3f, -0.2f }));
     assert_float_equal(attitude_angles(&attitude, 30.0f, DT_S).yaw_rad, 0.5f, 1e-2f);
     struct angles found = { 0 };
     for (uint32_t n = 0; n < 7500; n++) { /* 30 s: 1/e is left. */
@@ -147,16 +148,16 @@ static void test_no_number_and_free_fall_change_nothing(void **state)
 {
     (void)state;
     struct attitude attitude = { 0 };
-    attitude_feel(&attitude, v3(0, 0, 0), held_up((struct angles){ 0, 0.5f, 0 }), DT_S);
+    attitude_add_motion(&attitude, v3(0, 0, 0), held_up((struct angles){ 0, 0.5f, 0 }), DT_S);
     const struct attitude before = attitude;
-    attitude_feel(&attitude, v3(__builtin_nanf(""), 0, 0), v3(0, GRAVITY_M_S2, 0), DT_S);
-    attitude_feel(&attitude, v3(0, 0, 0), v3(0, __builtin_inff(), 0), DT_S);
+    attitude_add_motion(&attitude, v3(__builtin_nanf(""), 0, 0), v3(0, GRAVITY_M_S2, 0), DT_S);
+    attitude_add_motion(&attitude, v3(0, 0, 0), v3(0, __builtin_inff(), 0), DT_S);
     assert_memory_equal(&attitude, &before, sizeof before);
     for (uint32_t n = 0; n < 500; n++) {
-        attitude_feel(&attitude, v3(0, 0, 0), v3(0.5f, 0, 0), DT_S);
+        attitude_add_motion(&attitude, v3(0, 0, 0), v3(0.5f, 0, 0), DT_S);
     }
     assert_float_equal(attitude_angles(&attitude, 0.0f, DT_S).pitch_rad, 0.5f, 1e-3f);
-    attitude_know(&attitude, (struct quaternion){ 0, 0, 0, 0 });
+    attitude_set(&attitude, (struct quaternion){ 0, 0, 0, 0 });
     assert_true(f_is_finite(attitude_angles(&attitude, 0.0f, DT_S).pitch_rad));
 }
 

@@ -21,7 +21,7 @@ static void assert_vec3_near(vec3 actual, vec3 wanted)
 
 static vec3 nose_of(struct angles angles)
 {
-    const struct basis basis = basis_from_angles(angles);
+    const struct basis basis = vec_basis_from_angles(angles);
     return v3_scale(basis.back, -1.0f);
 }
 
@@ -49,7 +49,7 @@ static void test_positive_pitch_lifts_the_nose_whatever_the_yaw(void **state)
 static void test_positive_roll_lowers_the_right_side(void **state)
 {
     (void)state;
-    const struct basis basis = basis_from_angles((struct angles){ .roll_rad = 0.3f });
+    const struct basis basis = vec_basis_from_angles((struct angles){ .roll_rad = 0.3f });
     assert_true(basis.right.y < -0.29f);
     assert_true(basis.up.x > 0.29f);
 }
@@ -60,12 +60,12 @@ static void test_axes_stay_orthonormal_and_right_handed(void **state)
     for (uint32_t i = 0; i < 1000; i++) {
         const struct rng_key key = { i, 0, 0, RNG_TEST };
         const struct rng_key other = { i, 1, 0, RNG_TEST };
-        const struct basis b = basis_from_angles((struct angles){
+        const struct basis b = vec_basis_from_angles((struct angles){
             rng_range(key, -9, 9), rng_range(other, -1.5f, 1.5f), rng_range(key, -3, 3) });
         const vec3 p = v3(0.3f, -0.2f, 0.7f);
         assert_vec3_near(v3_cross(b.right, b.up), b.back);
         assert_true(fabsf(v3_length(b.right) - 1.0f) < 1e-5f);
-        assert_vec3_near(basis_to_body(&b, basis_to_world(&b, p)), p);
+        assert_vec3_near(vec_basis_to_body(&b, vec_basis_to_world(&b, p)), p);
     }
 }
 

@@ -100,7 +100,7 @@ static void test_any_mesh_is_blended_alike_by_one_four_and_eight(void **state)
         any_mesh(round, key_count, 1u + round % 61u);
         any_pose(round, key_count);
         assert_equal_by(key_count, 4);
-        assert_equal_by(key_count, LANES_MAX);
+        assert_equal_by(key_count, SIMD_LANES_MAX);
     }
 }
 
@@ -114,7 +114,7 @@ static void test_a_real_fish_is_blended_alike_all_its_life(void **state)
         for (int step = 0; step <= 100; step++) {
             morph_pose(&rig, &mesh, (float)step / 100.0f, &pose);
             assert_equal_by(rig.key_count, 4);
-            assert_equal_by(rig.key_count, LANES_MAX);
+            assert_equal_by(rig.key_count, SIMD_LANES_MAX);
         }
     }
 }
@@ -125,8 +125,8 @@ static void test_positions_alone_or_normals_alone_may_be_asked_for(void **state)
     any_mesh(3, 3, 50);
     any_pose(3, 3);
     morph_shape_lanes(&mesh, 3, &pose, alone[0], alone[1], 1);
-    morph_shape_lanes(&mesh, 3, &pose, together[0], NULL, LANES_MAX);
-    morph_shape_lanes(&mesh, 3, &pose, NULL, together[1], LANES_MAX);
+    morph_shape_lanes(&mesh, 3, &pose, together[0], NULL, SIMD_LANES_MAX);
+    morph_shape_lanes(&mesh, 3, &pose, NULL, together[1], SIMD_LANES_MAX);
     assert_memory_equal(alone[0], together[0], 50 * sizeof(vec3));
     assert_memory_equal(alone[1], together[1], 50 * sizeof(vec3));
 }
@@ -138,7 +138,7 @@ static void test_an_anchor_that_is_not_there_is_a_bug_in_lanes_too(void **state)
     any_pose(4, 3);
     vertices[5].anchor = ANCHORS;
     expect_assert_failure(
-        morph_shape_lanes(&mesh, 3, &pose, together[0], together[1], LANES_MAX));
+        morph_shape_lanes(&mesh, 3, &pose, together[0], together[1], SIMD_LANES_MAX));
 }
 
 int main(void)

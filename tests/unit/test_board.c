@@ -27,7 +27,7 @@ static int open_with(uint8_t keyboard)
     };
     struct display_events events;
     board_open(&hal, &options);
-    return hal.display.ops->poll(hal.display.self, &events) == HAL_ERR_NONE;
+    return hal.display.ops->poll(hal.display.self, &events) == HAL_ERR_ABSENT;
 }
 
 static int open_board(void **state)
@@ -87,8 +87,8 @@ static void test_in_the_bots_stall_nobody_holds_a_fan(void **state)
     hal.buttons.ops->poll(hal.buttons.self, &buttons);
     assert_int_equal(buttons.full_screen, 0);
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        assert_int_equal(hal.shade[i].ops->open(hal.shade[i].self), HAL_ERR_NONE);
-        assert_int_equal(hal.shade[i].ops->poll(hal.shade[i].self, &shade), HAL_ERR_NONE);
+        assert_int_equal(hal.fan[i].ops->open(hal.fan[i].self), HAL_ERR_ABSENT);
+        assert_int_equal(hal.fan[i].ops->poll(hal.fan[i].self, &shade), HAL_ERR_ABSENT);
     }
     push_key(SDLK_F11);
     hal.buttons.ops->poll(hal.buttons.self, &buttons);

@@ -27,7 +27,7 @@ static int open_with(uint8_t poi)
     };
     struct display_events events;
     board_open(&hal, &options);
-    return hal.display.ops->poll(hal.display.self, &events) == HAL_ERR_NONE;
+    return hal.display.ops->poll(hal.display.self, &events) == HAL_ERR_ABSENT;
 }
 
 static int open_auto(void **state)
@@ -70,7 +70,7 @@ static int plug_pad(void)
 static uint32_t frame(int may_move)
 {
     struct display_events events;
-    struct desk_input desk;
+    struct controller_status desk;
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     hal.display.ops->poll(hal.display.self, &events);
     hal.controllers.ops->poll(hal.controllers.self, &desk);
@@ -106,7 +106,7 @@ static void test_without_anything_else_the_mouse_plays(void **state)
     assert_true(sits(0, "mouse"));
     assert_string_equal(hal.poi[1].ops->describe(hal.poi[1].self), "");
     assert_int_equal(hal.poi[0].ops->poll(hal.poi[0].self, &sample, 1), 1);
-    assert_int_equal(hal.poi[1].ops->open(hal.poi[1].self), HAL_ERR_NONE);
+    assert_int_equal(hal.poi[1].ops->open(hal.poi[1].self), HAL_ERR_ABSENT);
 }
 
 static void test_a_pad_that_is_plugged_in_gets_the_first_seat_after_the_game(void **state)
@@ -171,7 +171,7 @@ static void test_who_asks_for_a_pad_waits_for_one_and_says_so(void **state)
     (void)state;
     frame(1);
     assert_true(sits(0, "no pad yet"));
-    assert_int_equal(hal.poi[0].ops->open(hal.poi[0].self), HAL_ERR_NONE);
+    assert_int_equal(hal.poi[0].ops->open(hal.poi[0].self), HAL_ERR_ABSENT);
     assert_int_equal(SDL_EventState(SDL_MOUSEMOTION, SDL_QUERY), SDL_IGNORE);
     plug_pad();
     assert_int_equal(frame(1), 1u);

@@ -108,12 +108,12 @@ static void frame(void)
 
 static int sits_on_usb(void)
 {
-    return stall.kiosk.input.poi[0].link == POI_LINK_LIVE && stall.kiosk.input.poi[0].has_wrist;
+    return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && stall.kiosk.input.poi[0].has_wrist;
 }
 
 static int is_lost(void)
 {
-    return stall.kiosk.input.poi[0].link == POI_LINK_LOST;
+    return stall.kiosk.input.poi[0].link == POI_SOURCE_LOST;
 }
 
 static int is_in_round(void)
@@ -148,10 +148,11 @@ static void test_a_poi_that_is_plugged_in_gets_the_first_seat_from_the_mouse(voi
     (void)state;
     frame();
     assert_false(stall.kiosk.input.poi[0].has_wrist);
-    assert_int_equal(stall.kiosk.input.poi[0].link, POI_LINK_LIVE); /* The mouse. */
+    assert_int_equal(stall.kiosk.input.poi[0].link, POI_SOURCE_LIVE); /* The mouse. */
     plug();
     until(sits_on_usb);
-    assert_int_equal(stall.kiosk.input.poi[1].link, POI_LINK_ABSENT); /* Nobody moves the mouse. */
+    assert_int_equal(stall.kiosk.input.poi[1].link,
+                     POI_SOURCE_ABSENT); /* Nobody moves the mouse. */
     assert_int_equal(stall.kiosk.faults.poi, 0);
     assert_true(stall.kiosk.report_wait.count > 0);
 }
@@ -219,7 +220,7 @@ static void test_pulled_out_in_mid_round_the_round_waits_and_goes_on(void **stat
 
 static int mouse_sits(void)
 {
-    return stall.kiosk.input.poi[0].link == POI_LINK_LIVE && !stall.kiosk.input.poi[0].has_wrist;
+    return stall.kiosk.input.poi[0].link == POI_SOURCE_LIVE && !stall.kiosk.input.poi[0].has_wrist;
 }
 
 /* The mouse must not take over a round that a poi began; after it, it may. */

@@ -134,9 +134,9 @@ static void test_with_no_fish_to_take_it_only_hovers(void **state)
     for (uint32_t i = 0; i < stall.core.tank.fish_count; i++) {
         stall.core.tank.fish[i].gait = GAIT_BOWL;
     }
-    const struct sight sight = bot_stall_sight(&stall);
+    const struct vision vision = bot_stall_sight(&stall);
     for (uint32_t i = 0; i < 600; i++) {
-        const struct poi_target hand = bot_tick(&stall.bot, &sight);
+        const struct poi_target hand = bot_tick(&stall.bot, &vision);
         assert_true(i < 300 || hand.position_m.y > 0.03f);
         stall.core.tick++;
     }
@@ -151,8 +151,8 @@ static void test_its_hand_is_a_place_and_a_direction_whatever_it_sees(void **sta
         struct core *core = &stall.core;
         core->bowl[0].present = i % 700u < 500u;
         core->game.phase = i % 1000u < 800u ? PHASE_ROUND : PHASE_RESULT;
-        const struct sight sight = bot_stall_sight(&stall);
-        const struct poi_target hand = bot_tick(&stall.bot, &sight);
+        const struct vision vision = bot_stall_sight(&stall);
+        const struct poi_target hand = bot_tick(&stall.bot, &vision);
         assert_true(v3_is_finite(hand.position_m));
         assert_true(v3_length(hand.position_m) < 2.0f);
         assert_true(f_is_finite(hand.angles.yaw_rad) && f_abs(hand.angles.yaw_rad) <= F_PI);
@@ -330,8 +330,10 @@ static void test_two_bots_seldom_go_for_the_same_fish(void **state)
     uint32_t same = 0, both = 0;
     for (uint32_t i = 0; i < 30u * CORE_TICK_HZ; i++) {
         stall.input.poi[1] = (struct poi_input){
-            .link = POI_LINK_LIVE, .has_wrist = 1, .trembles = 1,
-            .target = bot_tick(&other, &(struct sight){ &stall.core, 1 }),
+            .link = POI_SOURCE_LIVE,
+            .has_wrist = 1,
+            .trembles = 1,
+            .target = bot_tick(&other, &(struct vision){ &stall.core, 1 }),
         };
         bot_stall_tick(&stall);
         const int hunts = stall.bot.stage >= BOT_APPROACH && stall.bot.stage <= BOT_GLIDE &&

@@ -24,9 +24,10 @@ static void fill(uint32_t count)
 /* Snout and tail of a fish, and the hull: half an ellipsoid. */
 static int inside_hull(const struct fish *fish)
 {
-    const struct basis axes = basis_from_angles(fish->angles);
+    const struct basis axes = vec_basis_from_angles(fish->angles);
     for (int end = -1; end <= 1; end++) {
-        const vec3 point = v3_mad(fish->position_m, axes.back, 0.45f * (float)end * fish->length_m);
+        const vec3 point =
+            v3_muladd(fish->position_m, axes.back, 0.45f * (float)end * fish->length_m);
         const vec3 at = v3_sub(point, bowl.position_m);
         const float wide = (at.x * at.x + at.z * at.z) / (BOWL_RADIUS_M * BOWL_RADIUS_M);
         const float deep = at.y * at.y / (BOWL_DEPTH_M * BOWL_DEPTH_M);
@@ -86,7 +87,7 @@ static void test_pouring_back_puts_every_fish_under_water_beside_the_bowl(void *
 {
     (void)state;
     fill(60);
-    bowl_pour_back(&bowl, 0, &tank);
+    bowl_empty(&bowl, 0, &tank);
     assert_int_equal(bowl.fish_count, 0);
     for (uint32_t i = 0; i < 60; i++) {
         const struct fish *fish = &tank.fish[i];
@@ -115,12 +116,12 @@ static void drop_in_all(uint32_t count, float length_m)
     tank.fish_count = count;
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank.fish[i];
-        fish_grow(fish, length_m * (0.9f + 0.02f * (float)(i % 11u)), tank_law(&tank));
+        fish_grow(fish, length_m * (0.9f + 0.02f * (float)(i % 11u)), tank_behavior_params(&tank));
         const float x_m = 0.04f * f_sin((float)i), z_m = 0.04f * f_cos(2.0f * (float)i);
         fish->position_m = v3_add(bowl.position_m, v3(x_m, 0.0f, z_m));
         bowl_take(&bowl, 0, &tank, fish, v3(0.0f, -0.5f, 0.0f));
         for (uint32_t tick = 0; tick < 40; tick++) {
-            afloat_tick(&stall, NULL, NULL, 0);
+            bowl_buoyancy_tick(&stall, NULL, NULL, 0);
             bowl_fish_tick(&bowl, 0, &tank);
         }
     }
@@ -138,7 +139,7 @@ static struct tightness look_for(float seconds)
     struct tightness sum = { 0 };
     uint32_t looks = 0;
     for (uint32_t tick = 0; (float)tick < seconds * (float)CORE_TICK_HZ; tick++) {
-        afloat_tick(&stall, NULL, NULL, 0);
+        bowl_buoyancy_tick(&stall, NULL, NULL, 0);
         bowl_fish_tick(&bowl, 0, &tank);
         looks += tick % 30u == 0;
         for (uint32_t i = 0; i < tank.fish_count && tick % 30u == 0; i++) {
@@ -194,7 +195,7 @@ static void test_a_full_bowl_is_poured_back_before_the_next_falls_in(void **stat
     drop_in_all(BOWL_FISH_MAX, 0.04f);
     assert_true(bowl_is_full(&bowl));
     struct fish *last = &tank.fish[tank.fish_count++];
-    fish_grow(last, 0.04f, tank_law(&tank));
+    fish_grow(last, 0.04f, tank_behavior_params(&tank));
     last->position_m = bowl.position_m;
     bowl_take(&bowl, 0, &tank, last, v3(0.0f, -0.5f, 0.0f));
     assert_int_equal(bowl.fish_count, 1);

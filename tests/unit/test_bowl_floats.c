@@ -22,7 +22,7 @@ static void wait_for(float seconds)
 {
     const struct stall stall = { &tank, bowls, POI_MAX };
     for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
-        afloat_tick(&stall, NULL, NULL, 0);
+        bowl_buoyancy_tick(&stall, NULL, NULL, 0);
     }
 }
 
@@ -30,7 +30,7 @@ static void drop_in(float length_m, float off_x_m)
 {
     struct fish *fish = &tank.fish[tank.fish_count++];
     *fish = (struct fish){ .position_m = v3_add(bowls[0].position_m, v3(off_x_m, 0.0f, 0.0f)) };
-    fish_grow(fish, length_m, tank_law(&tank));
+    fish_grow(fish, length_m, tank_behavior_params(&tank));
     bowl_take(&bowls[0], 0, &tank, fish, v3(0.0f, -0.7f, 0.0f));
 }
 
@@ -159,10 +159,10 @@ static void push_with_ring(float depth_m, float to_x_m)
             v3(from_x_m + 0.2f * CORE_TICK_S * (float)i, depth_m, z_m);
         poi_tick(&poi, &grip, &tank, &bowls[0]);
         for (uint32_t k = 1; k < POI_MAX; k++) {
-            poi_yield_to_bowl(&poi, &bowls[k]);
+            poi_constrain_to_bowl(&poi, &bowls[k]);
         }
-        afloat_tick(&stall, &poi, &live, 1);
-        poi_give_way(&poi, &(struct obstacle){ .centre_m = poi.position_m });
+        bowl_buoyancy_tick(&stall, &poi, &live, 1);
+        poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
         for (uint32_t k = 0; k < POI_MAX; k++) { /* The ring is in no hull. */
             const vec3 away = v3(poi.position_m.x - bowls[k].position_m.x, 0.0f,
                                  poi.position_m.z - bowls[k].position_m.z);
@@ -205,8 +205,8 @@ static void test_a_ring_that_rests_on_the_mouth_presses_it_down_a_little(void **
         struct poi_grip grip = { .has_wrist = 1 };
         grip.target.position_m = v3(-0.3f, -0.05f, 0.0f);
         poi_tick(&poi, &grip, &tank, &bowls[0]);
-        afloat_tick(&stall, &poi, &live, 1);
-        poi_give_way(&poi, &(struct obstacle){ .centre_m = poi.position_m });
+        bowl_buoyancy_tick(&stall, &poi, &live, 1);
+        poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
         lowest_m = f_min(lowest_m, bowls[0].position_m.y);
         assert_true(bowls[0].position_m.y >= 0.002f); /* It never ships water. */
         assert_true(poi.position_m.y > bowls[0].position_m.y); /* Nor does the ring sink in. */
@@ -259,7 +259,7 @@ static void test_its_fish_go_along_with_it(void **state)
     const struct stall stall = { &tank, bowls, POI_MAX };
     bowls[0].home_m.x = 0.25f; /* As if somebody drew it across the tank. */
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
-        afloat_tick(&stall, NULL, NULL, 0);
+        bowl_buoyancy_tick(&stall, NULL, NULL, 0);
         bowl_fish_tick(&bowls[0], 0, &tank);
         for (uint32_t i = 0; i < 12; i++) {
             const vec3 at = v3_sub(tank.fish[i].position_m, bowls[0].position_m);

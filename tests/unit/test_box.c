@@ -19,7 +19,8 @@ static float draw(uint32_t who, uint32_t purpose, float low, float high)
 static struct box level_box(vec3 centre, float yaw_deg)
 {
     return (struct box){ .centre_m = centre,
-                         .axes = basis_from_angles((struct angles){ yaw_deg * F_DEG, 0.0f, 0.0f }),
+                         .axes =
+                             vec_basis_from_angles((struct angles){ yaw_deg * F_DEG, 0.0f, 0.0f }),
                          .half_m = { 0.005f, 0.010f, 0.025f } };
 }
 
@@ -28,9 +29,9 @@ static struct box any_box(uint32_t who, float pitch_max)
     struct box box = level_box(
         v3(draw(who, 1, -0.03f, 0.03f), draw(who, 2, -0.02f, 0.02f), draw(who, 3, -0.03f, 0.03f)),
         0.0f);
-    box.axes = basis_from_angles((struct angles){ draw(who, 4, -F_PI, F_PI),
-                                                  draw(who, 5, -pitch_max, pitch_max),
-                                                  draw(who, 6, -pitch_max, pitch_max) });
+    box.axes = vec_basis_from_angles((struct angles){ draw(who, 4, -F_PI, F_PI),
+                                                      draw(who, 5, -pitch_max, pitch_max),
+                                                      draw(who, 6, -pitch_max, pitch_max) });
     return box;
 }
 
@@ -66,7 +67,7 @@ static void test_moving_along_the_axis_by_the_depth_parts_two_boxes(void **state
         struct box b = any_box(i + 1u, 0.5f);
         const struct box_gap gap = box_gap(&a, 0.0f, &b, 0.0f);
         if (gap.body_m < 0.0f) {
-            b.centre_m = v3_mad(b.centre_m, gap.axis, -gap.body_m + 1e-6f);
+            b.centre_m = v3_muladd(b.centre_m, gap.axis, -gap.body_m + 1e-6f);
             assert_true(box_depth_m(&a, &b) < 1e-6f);
             const vec3 way = v3_sub(b.centre_m, a.centre_m);
             const vec3 same = box_axis(&a.axes, &b.axes, way, gap.which);
@@ -86,8 +87,8 @@ static void test_edges_across_each_other_part_what_no_face_does(void **state)
                                                                            45.0f * F_DEG };
     /* Two bars lie on an edge each, one across the other: their ridges are 1.414 cm from their
      * middles. */
-    const struct box a = { v3(0.0f, 0.0f, 0.0f), basis_from_angles(rolled), half },
-                     b = { v3(0.0f, 0.030f, 0.0f), basis_from_angles(crossed), half };
+    const struct box a = { v3(0.0f, 0.0f, 0.0f), vec_basis_from_angles(rolled), half },
+                     b = { v3(0.0f, 0.030f, 0.0f), vec_basis_from_angles(crossed), half };
     const struct box_gap gap = box_gap(&a, 0.01f, &b, 0.01f);
     assert_float_equal(gap.body_m, 0.030f - 2.0f * 0.01414214f, NEAR);
     assert_float_equal(gap.axis.y, 1.0f, NEAR);
@@ -106,8 +107,8 @@ static void test_a_common_point_means_an_overlap(void **state)
         const vec3 in_b =
             v3(draw(i, 10, -0.9f, 0.9f) * b.half_m.x, draw(i, 11, -0.9f, 0.9f) * b.half_m.y,
                draw(i, 12, -0.9f, 0.9f) * b.half_m.z);
-        const vec3 shared = v3_add(a.centre_m, basis_to_world(&a.axes, in_a));
-        b.centre_m = v3_sub(shared, basis_to_world(&b.axes, in_b));
+        const vec3 shared = v3_add(a.centre_m, vec_basis_to_world(&a.axes, in_a));
+        b.centre_m = v3_sub(shared, vec_basis_to_world(&b.axes, in_b));
         assert_true(box_depth_m(&a, &b) > 0.0f);
     }
 }
@@ -148,9 +149,10 @@ static void test_the_upright_box_holds_every_corner(void **state)
         const struct box box = any_box(i, 1.5f);
         const vec3 extent = box_extent_m(&box);
         for (int corner = 0; corner < 8; corner++) {
-            const vec3 p = basis_to_world(&box.axes, v3(corner & 1 ? box.half_m.x : -box.half_m.x,
-                                                        corner & 2 ? box.half_m.y : -box.half_m.y,
-                                                        corner & 4 ? box.half_m.z : -box.half_m.z));
+            const vec3 p =
+                vec_basis_to_world(&box.axes, v3(corner & 1 ? box.half_m.x : -box.half_m.x,
+                                                 corner & 2 ? box.half_m.y : -box.half_m.y,
+                                                 corner & 4 ? box.half_m.z : -box.half_m.z));
             assert_true(f_abs(p.x) <= extent.x + 1e-6f);
             assert_true(f_abs(p.y) <= extent.y + 1e-6f);
             assert_true(f_abs(p.z) <= extent.z + 1e-6f);

@@ -50,10 +50,10 @@ static void open_stall(const struct gpio_sim_event *events, uint32_t count)
         assert_true(gpio_wire_read(cabinet[i], wires, why));
     }
     rig.script = (struct gpio_sim_events){ .events = events, .count = count };
-    gpio_lines_sim_init(&rig.sim, gpio_sim_events_script(&rig.script), 1);
+    gpio_lines_sim_init(&rig.sim, gpio_lines_sim_events_script(&rig.script), 1);
     rig.hal = null_hal();
     rig.hal.clock = gpio_lines_sim_clock(&rig.sim);
-    gpio_reader_open(&rig.gpio.reader, gpio_lines_sim_device(&rig.sim), wires, rig.hal.clock);
+    gpio_thread_open(&rig.gpio.reader, gpio_lines_sim_device(&rig.sim), wires, rig.hal.clock);
     rig.hal.buttons = buttons_gpio_device(&rig.gpio);
     rig.hal.switches = buttons_gpio_switches(&rig.gpio);
     sensor_sim_init(&rig.sensor, rig.hal.clock, 125);
@@ -67,7 +67,7 @@ static void frame(uint64_t ns)
 {
     const uint64_t until_ns = rig.sim.now_ns + ns;
     while (rig.sim.now_ns < until_ns) {
-        gpio_reader_step(&rig.gpio.reader);
+        gpio_thread_step(&rig.gpio.reader);
     }
     assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
 }
@@ -91,7 +91,7 @@ static uint32_t meter_steps(void)
 
 static void close_stall(void)
 {
-    gpio_reader_close(&rig.gpio.reader);
+    gpio_thread_close(&rig.gpio.reader);
 }
 
 static void test_two_coins_by_their_edges_buy_a_round_and_step_the_meter(void **state)

@@ -62,7 +62,7 @@ static void test_any_frame_is_set_right_within_a_millimetre(void **state)
         struct settings settings = { { 0 } };
         assert_int_equal(calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
         for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
-            assert_true(setting_allows(calibration_setting(2) + i, value[i]));
+            assert_true(settings_allows(calibration_setting(2) + i, value[i]));
         }
         set_values(&settings, 2, value);
         for (uint32_t i = 0; i < 25u; i++) {
@@ -71,11 +71,12 @@ static void test_any_frame_is_set_right_within_a_millimetre(void **state)
                   0.16f * ((float)(i / 5u) - 2.0f) },
                 { 0.5f * ((float)(i % 11u) - 5.0f), 0.1f * (float)(i % 3u), -0.05f * (float)i },
             };
-            struct poi_input poi = { .link = POI_LINK_LIVE, .has_wrist = 1,
+            struct poi_input poi = { .link = POI_SOURCE_LIVE,
+                                     .has_wrist = 1,
                                      .target = seen(&twin, at) };
             calibration_apply(&settings, 2, &poi);
             worst_m = f_max(worst_m, v3_length(v3_sub(poi.target.position_m, at.position_m)));
-            worst_rad = f_max(worst_rad, trust_turn(poi.target.angles, at.angles));
+            worst_rad = f_max(worst_rad, input_turn(poi.target.angles, at.angles));
         }
     }
     print_message("over %u frames: %.3f mm, %.4f rad at worst\n", FRAMES,
@@ -103,7 +104,7 @@ static void test_a_hand_that_misses_a_little_is_averaged(void **state)
         set_values(&settings, 0, value);
         for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
             const vec3 mark_m = calibration_mark(tank_m, i);
-            struct poi_input poi = { .link = POI_LINK_LIVE,
+            struct poi_input poi = { .link = POI_SOURCE_LIVE,
                                      .target.position_m = seen_point(&twin, mark_m) };
             calibration_apply(&settings, 0, &poi);
             const vec3 off_m = v3_sub(poi.target.position_m, mark_m);
@@ -118,7 +119,8 @@ static void test_who_is_not_calibrated_is_believed_to_the_bit(void **state)
     static const struct settings none = { { 0 } };
     struct settings other = { { 0 } };
     set_values(&other, 1, (int32_t[CALIBRATION_VALUES]){ [CALIBRATION_X0] = 100000 });
-    struct poi_input poi = { .link = POI_LINK_LIVE, .has_wrist = 1,
+    struct poi_input poi = { .link = POI_SOURCE_LIVE,
+                             .has_wrist = 1,
                              .target = { { 0.1f, -0.0f, 3e-9f }, { 900.1f, -0.2f, 0.3f } } };
     const struct poi_input before = poi;
     calibration_apply(&none, 0, &poi);

@@ -27,7 +27,7 @@ static void test_a_level_poi_carries_a_film_and_what_lies_in_its_belly(void **st
     assert_true(stand.poi.pool_kg > 0.9f * belly_kg);
     assert_true(stand.poi.pool_kg > 0.002f);
     assert_true(stand.poi.pool_kg < 0.005f);
-    assert_float_equal(poi_water_m(&stand.poi),
+    assert_float_equal(carried_water_m(&stand.poi),
                        stand.poi.water_kg / (WATER_KG_M3 * F_PI * 0.04f * 0.04f), 1e-6f);
 }
 
@@ -41,7 +41,7 @@ static void test_a_tilted_one_drains_in_0_15_s_over_the_sine(void **state)
         stand.poi.pool_kg = 0.005f; /* As if it had come so, in air. */
         const float tau_s = 0.15f / f_sin(tilts_rad[i]);
         for (float s = 0.0f; s < tau_s; s += CORE_TICK_S) {
-            carry_tick(&stand.poi, f_cos(tilts_rad[i]));
+            carried_water_tick(&stand.poi, f_cos(tilts_rad[i]));
         }
         assert_float_equal(stand.poi.pool_kg, 0.005f * 0.368f, 0.0003f);
     }
@@ -52,7 +52,7 @@ static void test_upside_down_the_ring_holds_15_g_and_spills_them_when_it_turns(v
     (void)state;
     stand_init(&stand, 4, 1);
     lift_out(F_PI, 0.08f, 0.3f);
-    assert_true(basis_from_angles(stand.poi.angles).up.y < -0.999f);
+    assert_true(vec_basis_from_angles(stand.poi.angles).up.y < -0.999f);
     assert_float_equal(stand.poi.water_kg, 0.0155f, 0.0015f);
     assert_true(sheet_left(&stand.poi.sheet) == 1.0f);
     assert_float_equal(stand.force.force_n.y,
@@ -104,7 +104,7 @@ static void test_a_torn_poi_loses_it_through_its_holes(void **state)
             }
         }
         for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
-            carry_tick(&stand.poi, 1.0f);
+            carried_water_tick(&stand.poi, 1.0f);
         }
         left_kg[i] = stand.poi.pool_kg;
     }

@@ -13,7 +13,7 @@ static uint32_t lifted(uint8_t grade, uint32_t seed, float off_x_m)
 
 static float height_over_paper(uint32_t fish)
 {
-    const struct basis axes = basis_from_angles(stand.poi.angles);
+    const struct basis axes = vec_basis_from_angles(stand.poi.angles);
     return v3_dot(axes.up, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
 }
 
@@ -21,7 +21,7 @@ static void test_a_rising_poi_lifts_the_fish_above_it_out_of_the_water(void **st
 {
     (void)state;
     const uint32_t fish = lifted(5, 1, 0.01f);
-    assert_int_equal(stand.poi.rider_count, 1);
+    assert_int_equal(stand.poi.carried_count, 1);
     assert_int_equal(stand.tank.fish[fish].gait, GAIT_HELD);
     assert_int_equal(stand.tank.fish[fish].holder, 0);
     assert_true(stand.tank.fish[fish].position_m.y > 0.04f);
@@ -32,7 +32,7 @@ static void test_a_fish_on_the_paper_lies_on_its_side(void **state)
     (void)state;
     const uint32_t fish = lifted(5, 1, 0.01f);
     stand_wait(&stand, 0.5f);
-    const struct basis axes = basis_from_angles(stand.tank.fish[fish].angles);
+    const struct basis axes = vec_basis_from_angles(stand.tank.fish[fish].angles);
     assert_float_equal(f_acos(axes.up.y), 80.0f * F_DEG, 3.0f * F_DEG);
     assert_float_equal(height_over_paper(fish), 0.5f * 0.20f * FISH_M, 0.002f);
 }
@@ -43,7 +43,7 @@ static void test_a_fish_rides_with_the_poi(void **state)
     const uint32_t fish = lifted(5, 1, 0.0f);
     stand_move(&stand, v3(0.25f, 0.08f, -0.1f), 0.3f);
     stand_wait(&stand, 0.2f);
-    assert_int_equal(stand.poi.rider_count, 1);
+    assert_int_equal(stand.poi.carried_count, 1);
     assert_float_equal(stand.tank.fish[fish].position_m.x, 0.25f, 0.04f);
     assert_float_equal(stand.tank.fish[fish].position_m.z, -0.1f, 0.04f);
     assert_true(height_over_paper(fish) > 0.0f);
@@ -93,8 +93,8 @@ static void test_a_fish_above_is_never_left_below(void **state)
         for (uint32_t tick = 0; tick < 60; tick++) {
             stand.hand.position_m.y = -0.13f + 0.16f * (float)tick / 60.0f;
             stand_tick(&stand);
-            const struct basis axes = basis_from_angles(stand.poi.angles);
-            const vec3 place = basis_to_body(
+            const struct basis axes = vec_basis_from_angles(stand.poi.angles);
+            const vec3 place = vec_basis_to_body(
                 &axes, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
             if (place.x * place.x + place.z * place.z < POI_RADIUS_M * POI_RADIUS_M) {
                 assert_true(place.y > 0.0f);
@@ -158,7 +158,7 @@ static void test_a_rider_lowered_into_the_water_swims_off(void **state)
     const uint32_t fish = lifted(4, 1, 0.0f);
     stand_move(&stand, v3(0.0f, -0.06f, 0.0f), 0.2f);
     stand_wait(&stand, 0.3f);
-    assert_int_equal(stand.poi.rider_count, 0);
+    assert_int_equal(stand.poi.carried_count, 0);
     assert_int_not_equal(stand.tank.fish[fish].gait, GAIT_HELD);
     assert_true(height_over_paper(fish) > 0.0f);
 }
@@ -185,7 +185,7 @@ static void crowd_the_paper(uint32_t seed)
 {
     stand_init(&stand, 4, seed);
     stand_dip(&stand);
-    for (uint32_t i = 0; i < POI_RIDER_MAX + 8u; i++) {
+    for (uint32_t i = 0; i < POI_CARRIED_MAX + 8u; i++) {
         const vec3 place = v3(0.0065f * (float)(i % 10u) - 0.029f,
                               i < 20u ? -0.052f : -0.040f,
                               i / 10u % 2u == 0 ? -0.0155f : 0.0155f);
@@ -196,8 +196,8 @@ static void crowd_the_paper(uint32_t seed)
 /* 1 over the paper, -1 under it, 0 beside it. */
 static int side_of_paper(const struct fish *fish)
 {
-    const struct basis axes = basis_from_angles(stand.poi.angles);
-    const vec3 q = basis_to_body(&axes, v3_sub(fish->position_m, stand.poi.position_m));
+    const struct basis axes = vec_basis_from_angles(stand.poi.angles);
+    const vec3 q = vec_basis_to_body(&axes, v3_sub(fish->position_m, stand.poi.position_m));
     return !sheet_holds(&stand.poi.sheet, q.x, q.z) ? 0 : q.y > 0.0f ? 1 : -1;
 }
 
@@ -207,22 +207,22 @@ static void test_fish_for_which_the_paper_has_no_room_do_not_pass_through_it(voi
     const float lifts_m_s[] = { 0.10f, 0.15f, 0.22f, 0.40f, 0.60f };
     uint32_t full = 0;
     for (uint32_t i = 0; i < 5; i++) {
-        int8_t side[POI_RIDER_MAX + 8u] = { 0 };
+        int8_t side[POI_CARRIED_MAX + 8u] = { 0 };
         uint32_t most = 0;
         crowd_the_paper(i);
         for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ / 2u; tick++) {
             vec3 *const hand_m = &stand.hand.position_m;
             hand_m->y = f_min(hand_m->y + lifts_m_s[i] * CORE_TICK_S, 0.06f);
             stand_tick(&stand);
-            most = stand.poi.rider_count > most ? stand.poi.rider_count : most;
+            most = stand.poi.carried_count > most ? stand.poi.carried_count : most;
             for (uint32_t k = 0; k < stand.tank.fish_count; k++) {
                 const int now = side_of_paper(&stand.tank.fish[k]);
                 assert_false(side[k] == 1 && now == -1);
                 side[k] = (int8_t)now;
             }
         }
-        assert_true(most >= POI_RIDER_MAX - 1u || sheet_left(&stand.poi.sheet) < 1.0f);
-        full += most == POI_RIDER_MAX;
+        assert_true(most >= POI_CARRIED_MAX - 1u || sheet_left(&stand.poi.sheet) < 1.0f);
+        full += most == POI_CARRIED_MAX;
         for (uint32_t k = 0; k < stand.tank.fish_count; k++) { /* And none stays on the ring. */
             const struct fish *fish = &stand.tank.fish[k];
             assert_true(rides(k) || fish->position_m.y < 0.0f);
@@ -237,11 +237,11 @@ static void test_more_fish_than_the_poi_can_carry_spill_over_the_ring(void **sta
     crowd_the_paper(1);
     stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.15f);
     stand_wait(&stand, 0.5f);
-    assert_true(stand.poi.rider_count <= POI_RIDER_MAX);
-    print_message("%u ride\n", stand.poi.rider_count);
-    assert_true(stand.poi.rider_count > 4);
+    assert_true(stand.poi.carried_count <= POI_CARRIED_MAX);
+    print_message("%u ride\n", stand.poi.carried_count);
+    assert_true(stand.poi.carried_count > 4);
     assert_true(stand.poi.load_count <= SHEET_LOAD_MAX);
-    uint8_t rode[POI_RIDER_MAX + 8u], swam[POI_RIDER_MAX + 8u] = { 0 };
+    uint8_t rode[POI_CARRIED_MAX + 8u], swam[POI_CARRIED_MAX + 8u] = { 0 };
     for (uint32_t i = 0; i < stand.tank.fish_count; i++) {
         rode[i] = rides(i);
         if (!rode[i]) { /* None lies on the ring or hangs in the air. */
@@ -273,7 +273,7 @@ static void sweep_and_look(vec3 to_m, float speed_m_s)
     const vec3 from = stand.hand.position_m, way = v3_sub(to_m, from);
     const uint32_t ticks = (uint32_t)(v3_length(way) / speed_m_s * (float)CORE_TICK_HZ) + 60u;
     for (uint32_t i = 1; i <= ticks; i++) {
-        stand.hand.position_m = v3_mad(from, way, (float)i / (float)ticks);
+        stand.hand.position_m = v3_muladd(from, way, (float)i / (float)ticks);
         stand_tick(&stand);
         for (uint32_t fish = 0; fish < stand.tank.fish_count; fish++) {
             if (stand.tank.fish[fish].gait < GAIT_HELD) {
@@ -320,7 +320,7 @@ static void test_a_fish_over_the_very_edge_stays_on_its_side(void **state)
     struct body body = body_of(&box, 0.0f);
     const vec3 before_m = body.centre_m;
     body.centre_m.y -= 0.06f; /* In one tick 64 mm from the centre, then through the paper. */
-    assert_true(rim_paper_push(&ring, &body, before_m).y > 0.01f);
+    assert_true(ring_paper_push(&ring, &body, before_m).y > 0.01f);
 }
 
 static void test_sounds_say_what_happens_and_do_not_rattle(void **state)

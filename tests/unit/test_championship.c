@@ -34,8 +34,8 @@ static void run_to_result(int plays)
 {
     while (core.game.phase != PHASE_RESULT && core.tick < 2u * ROUND_TICKS) {
         if (plays) {
-            const struct sight sight = { .core = &core, .player = 0 };
-            input.poi[0].target = bot_tick(&player, &sight);
+            const struct vision vision = { .core = &core, .player = 0 };
+            input.poi[0].target = bot_tick(&player, &vision);
         }
         tick();
         listen();

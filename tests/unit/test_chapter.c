@@ -41,14 +41,14 @@ static void test_ten_minutes_of_attract_are_a_chapter(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 12 };
-    const struct input input = { .poi[0].link = POI_LINK_BOT };
+    const struct input input = { .poi[0].link = POI_SOURCE_BOT };
     begin(&config);
     assert_true(core_is_fresh(&core));
-    assert_int_equal(run_to_chapter(&input, UINT32_MAX), CHAPTER_TICKS_MAX + CHAPTER_FADE_TICKS);
-    assert_int_equal(core.tick, CHAPTER_TICKS_MAX + CHAPTER_FADE_TICKS);
+    assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
+    assert_int_equal(core.tick, SESSION_TICKS_MAX + SESSION_FADE_TICKS);
     assert_true(core.config.seed != 3);
     const uint32_t second = core.config.seed;
-    assert_int_equal(run_to_chapter(&input, UINT32_MAX), CHAPTER_TICKS_MAX + CHAPTER_FADE_TICKS);
+    assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
     assert_true(core.config.seed != 3 && core.config.seed != second);
 }
 
@@ -76,12 +76,12 @@ static void test_a_chapter_is_what_its_configuration_makes(void **state)
     (void)state;
     struct core_config config = { .seed = 9, .fish_count = 30, .players = 2, .round_s = 10,
                                   .credit_coins = 2, .ticket_fish = 1 };
-    settings_reset(&config.memory.settings);
-    struct input input = { .poi[0].link = POI_LINK_BOT, .poi[1].link = POI_LINK_BOT };
+    settings_reset(&config.persistent.settings);
+    struct input input = { .poi[0].link = POI_SOURCE_BOT, .poi[1].link = POI_SOURCE_BOT };
     begin(&config);
     live(40u * CORE_TICK_HZ, &input);
-    for (uint32_t chapter = 0; chapter < 3; chapter++) {
-        assert_in_range(run_to_chapter(&input, CHAPTER_TICKS_MAX * 2u), 1, CHAPTER_TICKS_MAX * 2u);
+    for (uint32_t session = 0; session < 3; session++) {
+        assert_in_range(run_to_chapter(&input, SESSION_TICKS_MAX * 2u), 1, SESSION_TICKS_MAX * 2u);
         assert_true(core_is_fresh(&core));
         static struct core_config from;
         from = core.config;
@@ -109,16 +109,16 @@ static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **sta
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 12 };
-    struct input input = { .poi[0].link = POI_LINK_BOT };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
     begin(&config);
-    while (core.tick < CHAPTER_TICKS_MAX) {
+    while (core.tick < SESSION_TICKS_MAX) {
         tick(&core, &input, &output);
     }
     input.pressed = INPUT_LANGUAGE;
     tick(&core, &input, &output);
     input.pressed = 0;
     const uint32_t until = core.game.language_until;
-    assert_in_range(run_to_chapter(&input, CHAPTER_TICKS_MAX), 1, CHAPTER_FADE_TICKS);
+    assert_in_range(run_to_chapter(&input, SESSION_TICKS_MAX), 1, SESSION_FADE_TICKS);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     while (core.tick < until) {
         tick(&core, &input, &output);
@@ -132,8 +132,8 @@ static void test_a_chapter_takes_nothing_from_anybody(void **state)
 {
     (void)state;
     struct core_config config = { .seed = 9, .fish_count = 12, .credit_coins = 3 };
-    struct input input = { .poi[0].link = POI_LINK_BOT };
-    settings_reset(&config.memory.settings);
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    settings_reset(&config.persistent.settings);
     begin(&config);
     live(30u * CORE_TICK_HZ, &input);
     while (core.game.phase != PHASE_ATTRACT || core.game.turn_tick == 0) {
@@ -142,13 +142,13 @@ static void test_a_chapter_takes_nothing_from_anybody(void **state)
     const struct credit credit = core.game.credit;
     const struct ledger ledger = core.game.ledger;
     const struct audits audits = core.game.audits;
-    const uint32_t orders = core.game.menu.order_count;
-    run_to_chapter(&input, CHAPTER_TICKS_MAX);
+    const uint32_t commands = core.game.menu.command_count;
+    run_to_chapter(&input, SESSION_TICKS_MAX);
     assert_true(core_is_fresh(&core));
     assert_true(credit_hash(0, &core.game.credit) == credit_hash(0, &credit));
     assert_true(ledger_hash(0, &core.game.ledger) == ledger_hash(0, &ledger));
     assert_true(audits_hash(0, &core.game.audits) == audits_hash(0, &audits));
-    assert_int_equal(core.game.menu.order_count, orders);
+    assert_int_equal(core.game.menu.command_count, commands);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -158,13 +158,13 @@ static void test_the_cut_is_dark_and_nothing_else_is(void **state)
     (void)state;
     static struct scene scene;
     const struct core_config config = { .seed = 3, .fish_count = 12 };
-    const struct input input = { .poi[0].link = POI_LINK_BOT };
+    const struct input input = { .poi[0].link = POI_SOURCE_BOT };
     begin(&config);
     core_scene(&core, &scene);
     float before = scene.veil;
     assert_true(before == 1.0f);
     uint32_t dark = 0;
-    for (uint32_t i = 0; i < CHAPTER_TICKS_MAX + 2u * CHAPTER_FADE_TICKS; i++) {
+    for (uint32_t i = 0; i < SESSION_TICKS_MAX + 2u * SESSION_FADE_TICKS; i++) {
         tick(&core, &input, &output);
         core_scene(&core, &scene);
         assert_true(scene.veil >= 0.0f && scene.veil <= 1.0f);
@@ -173,7 +173,7 @@ static void test_the_cut_is_dark_and_nothing_else_is(void **state)
         dark += scene.veil > 0.0f;
         before = scene.veil;
     }
-    assert_in_range(dark, 3u * CHAPTER_FADE_TICKS - 4u, 3u * CHAPTER_FADE_TICKS);
+    assert_in_range(dark, 3u * SESSION_FADE_TICKS - 4u, 3u * SESSION_FADE_TICKS);
 }
 
 /* Who dips while it grows dark plays; the chapter goes on, and ends with the next attract. */
@@ -181,9 +181,9 @@ static void test_a_player_stops_the_turn(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 3, .fish_count = 12, .round_s = 10 };
-    struct input input = { .poi[0].link = POI_LINK_BOT };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
     begin(&config);
-    for (uint32_t i = 0; i < CHAPTER_TICKS_MAX + CHAPTER_FADE_TICKS / 2u; i++) {
+    for (uint32_t i = 0; i < SESSION_TICKS_MAX + SESSION_FADE_TICKS / 2u; i++) {
         tick(&core, &input, &output);
     }
     input.pressed = INPUT_START;
@@ -192,9 +192,9 @@ static void test_a_player_stops_the_turn(void **state)
     assert_int_not_equal(core.game.phase, PHASE_ATTRACT);
     while (core.game.phase != PHASE_ATTRACT) {
         tick(&core, &input, &output);
-        assert_int_equal(core.config.chapter.tick, 0);
+        assert_int_equal(core.config.session.tick, 0);
     }
-    assert_int_equal(run_to_chapter(&input, CHAPTER_TICKS_MAX), CHAPTER_FADE_TICKS - 1u);
+    assert_int_equal(run_to_chapter(&input, SESSION_TICKS_MAX), SESSION_FADE_TICKS - 1u);
 }
 
 int main(void)

@@ -17,8 +17,8 @@ static int offer_all(void **state)
 static void choose(void)
 {
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
-    ticks(GAME_CHOOSE_TICKS_MIN);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    ticks(GAME_MODE_SELECT_TICKS_MIN);
 }
 
 static void take(uint8_t mode)
@@ -111,9 +111,9 @@ static void test_the_press_that_opens_the_choice_takes_nothing(void **state)
     (void)state;
     press(INPUT_START);
     press(INPUT_START);
-    ticks(GAME_CHOOSE_TICKS_MIN - 3u);
+    ticks(GAME_MODE_SELECT_TICKS_MIN - 3u);
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
 }
@@ -124,8 +124,8 @@ static void test_fifteen_seconds_without_pointing_end_the_choice(void **state)
     choose();
     press(INPUT_RIGHT);
     assert_float_equal(look()->seconds_left, 15.0f, 0.02f);
-    ticks(GAME_CHOOSE_TICKS - 2u);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    ticks(GAME_MODE_SELECT_TICKS - 2u);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_float_equal(look()->seconds_left, 0.0f, 0.02f);
     ticks(2);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -137,11 +137,11 @@ static void test_a_hand_that_moves_about_is_somebody_who_chooses(void **state)
     hold(0, v3(LEFT_M, STAND_ABOVE_M, 0.0f));
     choose();
     for (uint32_t i = 0; i < 5; i++) {
-        ticks(GAME_CHOOSE_TICKS - CORE_TICK_HZ);
+        ticks(GAME_MODE_SELECT_TICKS - CORE_TICK_HZ);
         lead(0, v3(LEFT_M, STAND_ABOVE_M, i % 2u ? 0.0f : 0.1f));
-        assert_int_equal(core.game.phase, PHASE_CHOOSE);
+        assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     }
-    ticks(GAME_CHOOSE_TICKS + 1u); /* One that rests is a poi that lies there. */
+    ticks(GAME_MODE_SELECT_TICKS + 1u); /* One that rests is a poi that lies there. */
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -152,7 +152,8 @@ static void test_no_choice_lasts_longer_than_two_minutes(void **state)
     hold(0, v3(LEFT_M, STAND_ABOVE_M, 0.0f));
     choose();
     const uint32_t begin_tick = core.game.phase_tick;
-    while (core.game.phase == PHASE_CHOOSE && core.tick - begin_tick <= GAME_CHOOSE_TICKS_MAX) {
+    while (core.game.phase == PHASE_MODE_SELECT &&
+           core.tick - begin_tick <= GAME_MODE_SELECT_TICKS_MAX) {
         lead(0, v3(LEFT_M, STAND_ABOVE_M, core.tick % 2u ? 0.0f : 0.1f));
         press(core.tick % 3u ? 0 : INPUT_RIGHT);
         assert_true(look()->seconds_left <= 15.0f);
@@ -168,18 +169,18 @@ static void test_in_a_tank_that_opens_nobodys_poi_is_still_led_back(void **state
     (void)state;
     hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
     choose();
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     ticks(60);
     hold(0, v3(0.0f, STAND_ABOVE_M, 0.2f));
-    for (uint32_t i = 0; i < 120 && core.game.back_ticks[0] < 2u; i++) {
+    for (uint32_t i = 0; i < 120 && core.game.return_ticks[0] < 2u; i++) {
         tick();
     }
-    assert_true(core.game.back_ticks[0] > 0);
+    assert_true(core.game.return_ticks[0] > 0);
     assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP); /* It points there. */
     press(INPUT_START);
     assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
-    assert_int_equal(core.game.back_ticks[0], 0);
-    assert_int_equal(core.poi[0].spared, 0);
+    assert_int_equal(core.game.return_ticks[0], 0);
+    assert_int_equal(core.poi[0].damage_immune, 0);
 }
 
 static void test_a_poi_stays_above_the_water_while_somebody_chooses(void **state)
@@ -188,7 +189,7 @@ static void test_a_poi_stays_above_the_water_while_somebody_chooses(void **state
     choose();
     hold(0, v3(RIGHT_M, STAND_BELOW_M, 0.0f)); /* It appears below: no dip. */
     ticks(300);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_true(core.poi[0].position_m.y > 0.0f);
     assert_int_equal(core.poi[0].dips, 0);
 }
@@ -230,7 +231,7 @@ static void test_fish_of_a_tank_that_opens_late_have_just_thought(void **state)
     (void)state;
     ticks(200u - core.tick % 256u);
     press(INPUT_START);
-    ticks(GAME_CHOOSE_TICKS_MIN);
+    ticks(GAME_MODE_SELECT_TICKS_MIN);
     press(INPUT_RIGHT);
     press(INPUT_START);
     assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
@@ -275,7 +276,7 @@ static void test_a_championship_that_is_offered_alone_takes_the_paper_that_is_na
     for (size_t i = 0; i < sizeof named; i++) {
         const struct core_config config = { .preset = TANK_PRESET_OFFICIAL, .fish_count = 12,
                                             .modes = 1u << MODE_CHAMPIONSHIP, .grade = named[i] };
-        assert_int_equal(keeper_grade(&config, MODE_CHAMPIONSHIP), played[i]);
+        assert_int_equal(table_setup_grade(&config, MODE_CHAMPIONSHIP), played[i]);
         open_stall(&config);
         assert_int_equal(core.poi[0].sheet.grade, played[i]);
     }
@@ -301,7 +302,7 @@ static void test_start_in_the_result_asks_again(void **state)
     core.game.phase_tick = core.tick;
     ticks(GAME_AGAIN_TICKS);
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_int_equal(look()->mode, MODE_PRACTICE); /* What was played is pointed at. */
 }
 

@@ -18,8 +18,8 @@ static struct coin_mech idle_mech(void)
 
 static void pulse(struct coin_mech *mech, uint64_t begin_ns, uint64_t width_ns)
 {
-    coin_mech_turn(mech, begin_ns, true);
-    coin_mech_turn(mech, begin_ns + width_ns, false);
+    coin_mech_edge(mech, begin_ns, true);
+    coin_mech_edge(mech, begin_ns + width_ns, false);
 }
 
 static void assert_counts(const struct coin_mech *mech, uint32_t coins, uint32_t too_short,
@@ -101,15 +101,15 @@ static void test_a_coin_that_sticks_is_told_while_it_sticks_and_once(void **stat
 {
     (void)state;
     struct coin_mech mech = idle_mech();
-    coin_mech_turn(&mech, 1000 * MS, true);
+    coin_mech_edge(&mech, 1000 * MS, true);
     coin_mech_settle(&mech, 1250 * MS);
     assert_counts(&mech, 0, 0, 0, 0);
     coin_mech_settle(&mech, 1250 * MS + 1);
     assert_counts(&mech, 0, 0, 1, 0);
     coin_mech_settle(&mech, 60000 * MS);
-    coin_mech_turn(&mech, 61000 * MS, false);
-    coin_mech_turn(&mech, 61005 * MS, true); /* It rattles loose ... */
-    coin_mech_turn(&mech, 61030 * MS, false);
+    coin_mech_edge(&mech, 61000 * MS, false);
+    coin_mech_edge(&mech, 61005 * MS, true); /* It rattles loose ... */
+    coin_mech_edge(&mech, 61030 * MS, false);
     coin_mech_settle(&mech, 62000 * MS);
     assert_counts(&mech, 0, 0, 1, 0);
     pulse(&mech, 63000 * MS, 50 * MS); /* ... and the next one is a coin again. */
@@ -121,7 +121,7 @@ static void test_what_covers_the_sensor_from_the_start_is_no_coin(void **state)
 {
     (void)state;
     struct coin_mech mech = coin_mech_begin(MIN_NS, MAX_NS, true, 1000 * MS);
-    coin_mech_turn(&mech, 1050 * MS, false);
+    coin_mech_edge(&mech, 1050 * MS, false);
     coin_mech_settle(&mech, 2000 * MS);
     assert_counts(&mech, 0, 0, 0, 0);
     pulse(&mech, 3000 * MS, 50 * MS);
@@ -136,7 +136,7 @@ static void test_a_line_that_goes_keeps_the_coin_that_fell_and_cuts_one_that_fal
     pulse(&fell, 1000 * MS, 50 * MS);
     coin_mech_lose(&fell);
     assert_counts(&fell, 1, 0, 0, 0);
-    coin_mech_turn(&falls, 1000 * MS, true);
+    coin_mech_edge(&falls, 1000 * MS, true);
     coin_mech_lose(&falls);
     assert_counts(&falls, 0, 0, 0, 1);
     coin_mech_lose(&none);

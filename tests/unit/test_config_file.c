@@ -42,7 +42,7 @@ static int read_bytes(const char *text, size_t size)
     close(fd);
     memset(&options, 0, sizeof options);
     warning_count = 0;
-    const int result = options_read_config(&options, path, keep_warning);
+    const int result = config_file_read(&options, path, keep_warning);
     unlink(path);
     return result;
 }
@@ -155,7 +155,7 @@ static void test_every_value_beyond_its_range_is_told_with_it(void **state)
     char text[256], range[SETTING_RANGE_MAX];
     (void)state;
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const struct setting *setting = setting_of(id);
+        const struct setting *setting = settings_entry(id);
         const char *section = setting_section(setting->group);
         if (section) {
             snprintf(text, sizeof text, "[%s]\n%s = 99999\n", section, setting->name);
@@ -195,9 +195,9 @@ static void test_what_is_no_file_is_refused_at_once(void **state)
     snprintf(pipe_path, sizeof pipe_path, "%s/pipe", folder);
     assert_int_equal(mkfifo(pipe_path, 0600), 0);
     alarm(10);
-    assert_int_equal(options_read_config(&options, pipe_path, keep_warning), -ENOTSUP);
+    assert_int_equal(config_file_read(&options, pipe_path, keep_warning), -ENOTSUP);
     alarm(0);
-    assert_int_equal(options_read_config(&options, folder, keep_warning), -EISDIR);
+    assert_int_equal(config_file_read(&options, folder, keep_warning), -EISDIR);
     unlink(pipe_path);
     rmdir(folder);
 }
@@ -228,7 +228,7 @@ static void test_noise_sets_nothing_that_may_not_be(void **state)
         }
         assert_int_equal(read_bytes(text, sizeof text), 0);
         for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-            assert_true(!options.file.is_set[id] || setting_allows(id, options.file.value[id]));
+            assert_true(!options.file.is_set[id] || settings_allows(id, options.file.value[id]));
         }
     }
 }
@@ -256,8 +256,8 @@ static void test_the_example_says_what_holds_without_it(void **state)
     assert_int_equal(read_text(open), 0);
     assert_int_equal(warning_count, 0);
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        if (setting_section(setting_of(id)->group)) {
-            assert_int_equal(asked(id), setting_of(id)->standard);
+        if (setting_section(settings_entry(id)->group)) {
+            assert_int_equal(asked(id), settings_entry(id)->standard);
         }
     }
 }
@@ -337,8 +337,8 @@ static void test_a_file_may_not_start_a_demonstration(void **state)
 static void test_a_file_that_cannot_be_read_is_an_error(void **state)
 {
     (void)state;
-    assert_int_equal(options_read_config(&options, "/nowhere/at/all", NULL), -ENOENT);
-    assert_int_equal(options_read_config(&options, "/tmp", NULL), -EISDIR);
+    assert_int_equal(config_file_read(&options, "/nowhere/at/all", NULL), -ENOENT);
+    assert_int_equal(config_file_read(&options, "/tmp", NULL), -EISDIR);
 }
 
 int main(void)

@@ -44,52 +44,52 @@ static const struct table tables[] = {
     TABLE(calibrate, calibrate_fields, &core.game.menu.calibrate),
     TABLE(calibration_said, calibration_said_fields, &core.game.menu.calibrate.said),
     TABLE(self_test, self_test_fields, &core.game.menu.self),
-    TABLE(adjust, adjust_fields, &core.game.adjust),
-    TABLE(memory, memory_fields, &core.config.memory),
-    TABLE(ledger_start, ledger_start_fields, &core.config.memory.ledger),
-    TABLE(purse, purse_fields, &core.config.memory.ledger.purse),
-    TABLE(ledger_stand, stand_fields, &core.config.memory.ledger.stand),
+    TABLE(settings_edit, adjust_fields, &core.game.settings_edit),
+    TABLE(persistent_state, memory_fields, &core.config.persistent),
+    TABLE(ledger_start, ledger_start_fields, &core.config.persistent.ledger),
+    TABLE(balance, purse_fields, &core.config.persistent.ledger.balance),
+    TABLE(ledger_stand, stand_fields, &core.config.persistent.ledger.stand),
     TABLE(ledger_stand, stand_fields, &core.game.credit.stand),
-    TABLE(chapter, chapter_fields, &core.config.chapter),
-    TABLE(language_choice, language_choice_fields, &core.config.chapter.language),
-    TABLE(ledger, ledger_fields, &core.config.chapter.ledger),
-    TABLE(credit, credit_fields, &core.config.chapter.credit),
-    TABLE(purse, purse_fields, &core.config.chapter.ledger.purse),
+    TABLE(game_session, chapter_fields, &core.config.session),
+    TABLE(language_choice, language_choice_fields, &core.config.session.language),
+    TABLE(ledger, ledger_fields, &core.config.session.ledger),
+    TABLE(credit, credit_fields, &core.config.session.credit),
+    TABLE(balance, purse_fields, &core.config.session.ledger.balance),
     TABLE(ledger, ledger_fields, &core.game.ledger),
-    TABLE(purse, purse_fields, &core.game.ledger.kept),
-    TABLE(purse, purse_fields, &core.game.ledger.after[0]),
-    TABLE(purse, purse_fields, &core.game.ledger.after[LEDGER_RING - 1u]),
-    TABLE(purse, purse_fields, &core.game.ledger.purse),
+    TABLE(balance, purse_fields, &core.game.ledger.committed),
+    TABLE(balance, purse_fields, &core.game.ledger.after[0]),
+    TABLE(balance, purse_fields, &core.game.ledger.after[LEDGER_RING - 1u]),
+    TABLE(balance, purse_fields, &core.game.ledger.balance),
     TABLE(ranking, ranking_fields, &core.game.ranking),
     TABLE(name, name_fields, &core.game.name),
     TABLE(rank_row, rank_row_fields, &core.game.ranking.row[2][2][9]),
-    TABLE(rank_row, rank_row_fields, &core.config.memory.ranking.row[0][0][0]),
+    TABLE(rank_row, rank_row_fields, &core.config.persistent.ranking.row[0][0][0]),
     TABLE(credit, credit_fields, &core.game.credit),
-    TABLE(untold, untold_fields, &core.game.credit.untold[0]),
-    TABLE(untold, untold_fields, &core.game.credit.untold[COIN_LINE_COUNT - 1u]),
-    TABLE(upkeep, upkeep_fields, &core.game.upkeep),
-    TABLE(upkeep, upkeep_fields, &core.config.chapter.upkeep),
+    TABLE(pending_coins, untold_fields, &core.game.credit.pending_coins[0]),
+    TABLE(pending_coins, untold_fields, &core.game.credit.pending_coins[COIN_LINE_COUNT - 1u]),
+    TABLE(health_log, upkeep_fields, &core.game.health_log),
+    TABLE(health_log, upkeep_fields, &core.config.session.health_log),
     TABLE(album, album_fields, &core.game.album),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[0]),
     TABLE(album_fish, album_fish_fields, &core.game.album.fish[ALBUM_FISH_MAX - 1u]),
     TABLE(player, player_fields, &core.game.player[0]),
     TABLE(player, player_fields, &core.game.player[3]),
-    TABLE(trust, trust_fields, &core.game.trust[0]),
-    TABLE(trust, trust_fields, &core.game.trust[3]),
+    TABLE(input_validation, trust_fields, &core.game.validation[0]),
+    TABLE(input_validation, trust_fields, &core.game.validation[3]),
     TABLE(hints, hints_fields, &core.game.hints),
     TABLE(bot, bot_fields, &core.game.bot[0]),
     TABLE(technique, technique_fields, &core.game.bot[0].technique),
-    TABLE(look, look_fields, &core.game.bot[0].known),
-    TABLE(look, look_fields, &core.game.bot[3].seen),
-    TABLE(look_fish, look_fish_fields, &core.game.bot[0].known.prey),
-    TABLE(look_fish, look_fish_fields, &core.game.bot[0].seen.near[LOOK_NEAR_MAX - 1u]),
-    TABLE(look_paper, look_paper_fields, &core.game.bot[0].known.paper),
-    TABLE(sight_poi, sight_poi_fields, &core.game.bot[0].known.poi),
-    TABLE(sight_bowl, sight_bowl_fields, &core.game.bot[0].known.bowl),
+    TABLE(snapshot, look_fields, &core.game.bot[0].known),
+    TABLE(snapshot, look_fields, &core.game.bot[3].seen),
+    TABLE(snapshot_fish, look_fish_fields, &core.game.bot[0].known.prey),
+    TABLE(snapshot_fish, look_fish_fields, &core.game.bot[0].seen.near[SNAPSHOT_NEAR_MAX - 1u]),
+    TABLE(snapshot_paper, look_paper_fields, &core.game.bot[0].known.paper),
+    TABLE(vision_poi, sight_poi_fields, &core.game.bot[0].known.poi),
+    TABLE(vision_bowl, sight_bowl_fields, &core.game.bot[0].known.bowl),
     TABLE(bot, bot_fields, &core.game.bot[3]),
     TABLE(poi, poi_fields, &core.poi[0]),
     TABLE(poi, poi_fields, &core.poi[3]),
-    TABLE(rider, rider_fields, &core.poi[0].riders[1]),
+    TABLE(carried_fish, rider_fields, &core.poi[0].carried_fish[1]),
     TABLE(sheet_load, load_fields, &core.poi[0].loads[1]),
     TABLE(sheet, sheet_fields, &core.poi[0].sheet),
     TABLE(sheet, sheet_fields, &core.poi[3].sheet),
@@ -116,7 +116,7 @@ static int setup(void **state)
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
     }
-    core.poi[0].rider_count = 2; /* As if two fish lay on it. */
+    core.poi[0].carried_count = 2; /* As if two fish lay on it. */
     core.poi[0].load_count = 2;
     return 0;
 }
@@ -176,7 +176,7 @@ static void test_the_hash_sees_the_first_and_the_last_byte_of_every_member(void 
 static void test_the_hash_sees_how_many_there_are(void **state)
 {
     (void)state;
-    uint32_t *const counts[] = { &core.poi[0].rider_count, &core.poi[0].load_count,
+    uint32_t *const counts[] = { &core.poi[0].carried_count, &core.poi[0].load_count,
                                  &core.tank.fish_count };
     const uint64_t before = core_hash(&core);
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
@@ -190,16 +190,16 @@ static void test_the_hash_sees_how_many_there_are(void **state)
 static void test_the_hash_sees_what_the_fish_last_saw(void **state)
 {
     (void)state;
-    struct crowd *crowd = &core.tank.crowd;
-    crowd->near_count = 2;
-    crowd->contact[1] = (struct contact){ 1, 2, 0.001f };
+    struct broad_phase *broad_phase = &core.tank.broad_phase;
+    broad_phase->near_count = 2;
+    broad_phase->contact[1] = (struct contact){ 1, 2, 0.001f };
     const uint64_t before = core_hash(&core);
-    flip("contact.a", (uint8_t *)&crowd->contact[1].a, before);
-    flip("contact.b", (uint8_t *)&crowd->contact[1].b, before);
-    flip("contact.gap_m", (uint8_t *)&crowd->contact[1].gap_m, before);
-    flip("way_m", (uint8_t *)&crowd->way_m[11], before);
-    flip("reach_m", (uint8_t *)&crowd->reach_m[11], before);
-    crowd->near_count = 1;
+    flip("contact.a", (uint8_t *)&broad_phase->contact[1].a, before);
+    flip("contact.b", (uint8_t *)&broad_phase->contact[1].b, before);
+    flip("contact.gap_m", (uint8_t *)&broad_phase->contact[1].gap_m, before);
+    flip("way_m", (uint8_t *)&broad_phase->way_m[11], before);
+    flip("reach_m", (uint8_t *)&broad_phase->reach_m[11], before);
+    broad_phase->near_count = 1;
     assert_true(core_hash(&core) != before);
 }
 
@@ -209,11 +209,11 @@ static void test_scratch_that_is_overwritten_changes_nothing(void **state)
     (void)state;
     static struct output output;
     const struct input input = { .pressed = INPUT_START };
-    core.poi[0].rider_count = core.poi[0].load_count = 0;
+    core.poi[0].carried_count = core.poi[0].load_count = 0;
     twin = core;
-    assert_int_equal(core.tick % CROWD_LOOK_TICKS, 0); /* All look anew. */
-    memset(&twin.tank.crowd, 0x5a, sizeof twin.tank.crowd);
-    memset(&twin.tank.part, 0x5a, sizeof twin.tank.part);
+    assert_int_equal(core.tick % BROAD_PHASE_UPDATE_TICKS, 0); /* All look anew. */
+    memset(&twin.tank.broad_phase, 0x5a, sizeof twin.tank.broad_phase);
+    memset(&twin.tank.solver, 0x5a, sizeof twin.tank.solver);
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
         core_tick(&twin, &input, &output);

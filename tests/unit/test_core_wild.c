@@ -132,8 +132,8 @@ static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
         poi->link = (uint8_t)draw(4);
         poi->has_wrist = (uint8_t)draw(2);
         poi->trembles = (uint8_t)draw(2);
-    } else if (poi->link != POI_LINK_LIVE && draw(200) == 0) {
-        poi->link = POI_LINK_LIVE;
+    } else if (poi->link != POI_SOURCE_LIVE && draw(200) == 0) {
+        poi->link = POI_SOURCE_LIVE;
     }
     if (hand->broken_ticks == 0 && draw(300) == 0) {
         hand->broken_ticks = 1u + draw(draw(4) == 0 ? 200u : 8u);
@@ -213,8 +213,8 @@ static void check_fish(const struct fish *fish)
     if (fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER) {
         const struct poi *poi = &core.poi[fish->holder];
         uint32_t found = 0;
-        for (uint32_t i = 0; i < poi->rider_count; i++) {
-            found += &core.tank.fish[poi->riders[i].fish] == fish;
+        for (uint32_t i = 0; i < poi->carried_count; i++) {
+            found += &core.tank.fish[poi->carried_fish[i].fish] == fish;
         }
         assert_int_equal(found, core.game.phase == PHASE_ROUND ? 1 : found);
     }
@@ -226,7 +226,7 @@ static void check_poi(const struct poi *poi)
     assert_true(v3_is_finite(poi->velocity_m_s));
     assert_true(f_is_finite(poi->angles.yaw_rad + poi->angles.pitch_rad + poi->angles.roll_rad));
     assert_true(f_is_finite(poi->water_kg + poi->pressure_pa + poi->sheet.sag_m));
-    assert_true(poi->rider_count <= POI_RIDER_MAX);
+    assert_true(poi->carried_count <= POI_CARRIED_MAX);
     assert_true(v3_length(poi->position_m) < 3.0f);
 }
 
@@ -247,8 +247,8 @@ static void count(void)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct poi *poi = &core.poi[i];
-        tally.led += core.game.phase == PHASE_ROUND && poi->link == POI_LINK_LIVE;
-        tally.lost += (uint32_t)hand_is_lost(&core, i);
+        tally.led += core.game.phase == PHASE_ROUND && poi->link == POI_SOURCE_LIVE;
+        tally.lost += (uint32_t)controller_is_lost(&core, i);
         tally.dips += poi->splash_m_s > 0.0f;
         tally.torn += poi->strain.cells_torn;
     }
@@ -263,14 +263,14 @@ static void count(void)
 static struct core_config settled(const struct core_config *config)
 {
     struct core_config out = *config;
-    int32_t *value = out.memory.settings.value;
-    settings_reset(&out.memory.settings);
+    int32_t *value = out.persistent.settings.value;
+    settings_reset(&out.persistent.settings);
     value[SET_FISH] = (int32_t)config->fish_count;
     value[SET_ROUND_S] = (int32_t)config->round_s;
     value[SET_GRADE] = config->grade;
     value[SET_PLAYERS] = config->players > 0 ? config->players : 1;
     value[SET_MODES] = config->modes > 0 ? config->modes : 1 << MODE_FESTIVAL;
-    settings_apply(&out.memory.settings, &out);
+    settings_apply(&out.persistent.settings, &out);
     return out;
 }
 

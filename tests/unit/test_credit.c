@@ -34,12 +34,12 @@ static void test_coins_become_a_credit_when_the_last_one_falls(void **state)
     (void)state;
     for (uint32_t coins = 1; coins < PRICE; coins++) {
         drop(1);
-        assert_int_equal(purse()->units, coins);
+        assert_int_equal(balance()->units, coins);
         press(INPUT_START);
         assert_int_equal(core.game.phase, PHASE_ATTRACT);
     }
     drop(1);
-    assert_int_equal(purse()->units, 0);
+    assert_int_equal(balance()->units, 0);
     assert_int_equal(credits(), 1);
     assert_int_equal(output.coins_counted, PRICE);
     assert_int_equal(sounds[SOUND_COIN], PRICE);
@@ -62,7 +62,7 @@ static void test_more_coins_than_a_round_costs_wait_for_the_next(void **state)
     (void)state;
     drop(2u * PRICE + 1u);
     assert_int_equal(credits(), 2);
-    assert_int_equal(purse()->units, 1);
+    assert_int_equal(balance()->units, 1);
     press(INPUT_START);
     assert_int_equal(credits(), 1);
     drop(PRICE - 1u); /* In the round. */
@@ -78,11 +78,11 @@ static void test_a_full_plate_sends_coins_back_and_loses_none_that_falls(void **
     assert_int_equal(output.coin_lockout, 1);
     drop(PRICE); /* It was on its way. */
     assert_int_equal(credits(), CREDITS_MAX);
-    assert_int_equal(purse()->units, PRICE);
+    assert_int_equal(balance()->units, PRICE);
     press(INPUT_START);
     step();
     assert_int_equal(credits(), CREDITS_MAX);
-    assert_int_equal(purse()->units, 0);
+    assert_int_equal(balance()->units, 0);
 }
 
 static void test_in_free_play_coins_are_sent_back_and_what_falls_is_metered(void **state)
@@ -143,9 +143,9 @@ static void test_who_looks_at_the_choice_and_leaves_has_paid_nothing(void **stat
     core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     drop(PRICE);
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_int_equal(credits(), 1);
-    steps(GAME_CHOOSE_TICKS_MAX);
+    steps(GAME_MODE_SELECT_TICKS_MAX);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(credits(), 1);
 }
@@ -177,7 +177,7 @@ static void test_the_credit_comes_back_when_the_poi_is_lost_for_good(void **stat
 {
     (void)state;
     play_a_paid_round();
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     steps(GAME_LOST_TICKS_MAX);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_int_equal(credits(), 0);
@@ -194,9 +194,9 @@ static void test_a_poi_that_comes_back_brings_no_credit_with_it(void **state)
 {
     (void)state;
     play_a_paid_round();
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     steps(GAME_LOST_TICKS_MAX / 2u);
-    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].link = POI_SOURCE_LIVE;
     steps(ROUND_S * CORE_TICK_HZ + CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(credits(), 0);
@@ -208,7 +208,7 @@ static void test_a_free_round_has_nothing_to_give_back(void **state)
     (void)state;
     setup(state);
     play_into_round();
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     steps(GAME_LOST_TICKS_MAX + 3u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(credits(), 0);
@@ -226,7 +226,7 @@ static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
     steps(GAME_READY_TICKS + 10u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     core.game.player[0].caught = 14;
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     steps(GAME_LOST_TICKS_MAX + 3u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(credits(), 1);
@@ -254,7 +254,7 @@ static void test_a_free_round_whose_poi_is_lost_is_a_score(void **state)
     play_into_round();
     steps(10);
     core.game.player[0].caught = 14;
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     steps(GAME_LOST_TICKS_MAX + 3u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(output.record.caught, 14);
@@ -285,7 +285,7 @@ static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
         input.coin_count[0] = dice < 4u ? dice : 0u;
         input.pressed = (dice >= 100u && dice < 120u ? INPUT_START : 0u) |
                         (dice == 300u ? INPUT_SERVICE : 0u) | (dice == 400u ? INPUT_TILT : 0u);
-        input.poi[0].link = dice == 500u ? POI_LINK_LOST : POI_LINK_LIVE;
+        input.poi[0].link = dice == 500u ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
         dropped += input.coin_count[0];
         given += dice == 300u;
         step();
@@ -295,7 +295,7 @@ static void test_over_a_wild_day_every_coin_is_accounted_for(void **state)
     assert_int_equal(output.coins_counted, dropped);
     assert_int_equal(audit(AUDIT_CREDITS_SERVICE), given);
     assert_int_equal(dropped + PRICE * given,
-                     purse()->units + PRICE * (credits() + played - audit(AUDIT_REFUNDS)));
+                     balance()->units + PRICE * (credits() + played - audit(AUDIT_REFUNDS)));
 }
 
 int main(void)

@@ -13,11 +13,11 @@ static void test_tickets_are_for_whole_handfuls_of_each_players_own(void **state
     core.game.player[1].caught = 4;
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(purse()->tickets, 2);
+    assert_int_equal(balance()->tickets, 2);
     assert_int_equal(audit(AUDIT_TICKETS), 2);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(output.tickets, 2);
-    assert_int_equal(purse()->tickets, 0);
+    assert_int_equal(balance()->tickets, 0);
     assert_int_equal(audit(AUDIT_TICKETS_OUT), 2);
 }
 
@@ -38,14 +38,14 @@ static void test_coins_are_sent_back_while_nobody_could_play(void **state)
 {
     (void)state;
     assert_int_equal(output.coin_lockout, 0);
-    input.poi[0].link = POI_LINK_ABSENT;
+    input.poi[0].link = POI_SOURCE_ABSENT;
     step();
     assert_int_equal(output.coin_lockout, 1);
     assert_int_equal(core.game.credit.warnings, WARN_NO_POI);
-    input.poi[1].link = POI_LINK_LIVE; /* There is no second seat. */
+    input.poi[1].link = POI_SOURCE_LIVE; /* There is no second seat. */
     step();
     assert_int_equal(output.coin_lockout, 1);
-    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].link = POI_SOURCE_LIVE;
     step();
     assert_int_equal(output.coin_lockout, 0);
 }
@@ -100,11 +100,11 @@ static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state
     steps(130u * CORE_TICK_HZ);
     assert_in_range(audit(AUDIT_UP_S), 120, 130);
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
-    assert_int_equal(upkeep_last_word(&core, &input, &last), 0); /* It has no store. */
+    assert_int_equal(health_log_final(&core, &input, &last), 0); /* It has no store. */
     core.game.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);
-    assert_int_equal(upkeep_last_word(&core, &input, &last), 1);
+    assert_int_equal(health_log_final(&core, &input, &last), 1);
     assert_int_equal(last.kind, LEDGER_HEALTH);
     assert_int_equal(last.id, core.game.ledger.last_id + 1u);
     assert_int_equal(last.boot, 3);

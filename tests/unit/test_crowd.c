@@ -20,10 +20,10 @@ static uint32_t check_against_all_pairs(uint32_t count)
             listed[i][j] = 0;
         }
     }
-    crowd_gather(&crowd, fish, count, 0.2f);
+    broad_phase_gather(&broad_phase, fish, count, 0.2f);
     look(0);
-    for (uint32_t c = 0; c < crowd.contact_count; c++) {
-        const uint32_t a = crowd.contact[c].a, b = crowd.contact[c].b;
+    for (uint32_t c = 0; c < broad_phase.contact_count; c++) {
+        const uint32_t a = broad_phase.contact[c].a, b = broad_phase.contact[c].b;
         assert_int_equal(listed[a][b], 0); /* Once each. */
         listed[a][b] = listed[b][a] = 1;
     }
@@ -85,11 +85,12 @@ static void test_held_and_bowl_fish_are_not_in_the_crowd(void **state)
     fill_at_random(10, 0.1f, 0.05f);
     fish[2].gait = GAIT_HELD;
     fish[7].gait = GAIT_BOWL;
-    crowd_gather(&crowd, fish, 10, 0.2f);
+    broad_phase_gather(&broad_phase, fish, 10, 0.2f);
     look(0);
-    assert_int_equal(crowd.pairs.grid.count, 8);
-    for (uint32_t k = 0; k < crowd.pairs.grid.count; k++) {
-        assert_true(crowd.pairs.grid.item[k] != 2 && crowd.pairs.grid.item[k] != 7);
+    assert_int_equal(broad_phase.narrow_phase.grid.count, 8);
+    for (uint32_t k = 0; k < broad_phase.narrow_phase.grid.count; k++) {
+        assert_true(broad_phase.narrow_phase.grid.item[k] != 2 &&
+                    broad_phase.narrow_phase.grid.item[k] != 7);
     }
 }
 
@@ -113,14 +114,15 @@ static void enliven(uint32_t count)
 static void swim_on(uint32_t count)
 {
     static vec3 before_m[601];
-    const struct shoal shoal = { fish,  crowd.body,  crowd.way_m, before_m,
-                                 count, pond_law(), 0.2f };
+    const struct shoal shoal = {
+        fish, broad_phase.body, broad_phase.way_m, before_m, count, pond_law(), 0.2f
+    };
     for (uint32_t i = 0; i < count; i++) {
         before_m[i] = fish[i].position_m;
     }
     swim_move_all(&shoal, 0);
-    crowd_mark(&crowd, fish, count);
-    crowd_follow(&crowd, fish);
+    broad_phase_mark(&broad_phase, fish, count);
+    broad_phase_sync(&broad_phase, fish);
 }
 
 static uint32_t touching_pairs_all_listed(uint32_t count)
@@ -128,9 +130,9 @@ static uint32_t touching_pairs_all_listed(uint32_t count)
     static uint8_t listed[600][600];
     uint32_t touching = 0;
     memset(listed, 0, sizeof listed);
-    crowd_touch(&crowd);
-    for (uint32_t c = 0; c < crowd.contact_count; c++) {
-        listed[crowd.contact[c].a][crowd.contact[c].b] = 1;
+    broad_phase_select_contacts(&broad_phase);
+    for (uint32_t c = 0; c < broad_phase.contact_count; c++) {
+        listed[broad_phase.contact[c].a][broad_phase.contact[c].b] = 1;
     }
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t j = 0; j < i; j++) {
@@ -152,23 +154,23 @@ static void test_until_a_look_is_stale_it_knows_every_pair_that_touches(void **s
     for (uint32_t round = 0; round < 12; round++) {
         fill_at_random(COUNT, 0.4f, 0.05f);
         enliven(COUNT);
-        crowd_gather(&crowd, fish, COUNT, 0.2f);
+        broad_phase_gather(&broad_phase, fish, COUNT, 0.2f);
         look(round);
         for (uint32_t tick = 0; tick < 12; tick++) {
             swim_on(COUNT);
-            if (crowd_is_stale(&crowd)) {
+            if (broad_phase_is_stale(&broad_phase)) {
                 stale++;
                 break;
             }
             fresh++;
             touching += touching_pairs_all_listed(COUNT);
-            listed += crowd.contact_count;
-            near += crowd.near_count;
+            listed += broad_phase.contact_count;
+            near += broad_phase.near_count;
         }
     }
     print_message("%u ticks after a look, %u pairs touch, %u could, %u stay near; %u looks ended\n",
                   fresh, touching, listed, near, stale);
-    assert_true(fresh >= 12u * CROWD_LOOK_TICKS && stale == 12u);
+    assert_true(fresh >= 12u * BROAD_PHASE_UPDATE_TICKS && stale == 12u);
     assert_true(touching > 200u && listed < 6u * touching && listed < near);
 }
 
@@ -177,19 +179,19 @@ static void test_who_is_shoved_far_or_put_into_the_water_ends_a_look(void **stat
     (void)state;
     fill_at_random(20, 0.0f, 0.05f);
     fish[3].gait = GAIT_HELD;
-    crowd_gather(&crowd, fish, 20, 0.2f);
+    broad_phase_gather(&broad_phase, fish, 20, 0.2f);
     look(0);
     swim_on(20);
-    assert_false(crowd_is_stale(&crowd));
-    crowd.body[7].centre_m.x += 0.006f;
-    crowd_follow(&crowd, fish);
-    assert_true(crowd_is_stale(&crowd));
-    assert_true(fish[7].position_m.x == crowd.body[7].centre_m.x);
+    assert_false(broad_phase_is_stale(&broad_phase));
+    broad_phase.body[7].centre_m.x += 0.006f;
+    broad_phase_sync(&broad_phase, fish);
+    assert_true(broad_phase_is_stale(&broad_phase));
+    assert_true(fish[7].position_m.x == broad_phase.body[7].centre_m.x);
     look(1);
-    assert_false(crowd_is_stale(&crowd));
+    assert_false(broad_phase_is_stale(&broad_phase));
     fish[3].gait = GAIT_REST;
     swim_on(20);
-    assert_true(crowd_is_stale(&crowd));
+    assert_true(broad_phase_is_stale(&broad_phase));
 }
 
 static void test_who_came_too_far_is_looked_at_alone_and_the_list_is_whole_again(void **state)
@@ -200,21 +202,21 @@ static void test_who_came_too_far_is_looked_at_alone_and_the_list_is_whole_again
     for (uint32_t round = 0; round < 12; round++) {
         fill_at_random(COUNT, 0.4f, 0.05f);
         enliven(COUNT);
-        crowd_gather(&crowd, fish, COUNT, 0.2f);
+        broad_phase_gather(&broad_phase, fish, COUNT, 0.2f);
         look(round);
         for (uint32_t tick = 0; tick < 12; tick++) {
             swim_on(COUNT);
             const uint32_t hurried = 12u * round + tick;
-            crowd.body[hurried].centre_m.x *= 0.8f;
-            crowd_follow(&crowd, fish);
-            if (!crowd_is_stale(&crowd)) {
+            broad_phase.body[hurried].centre_m.x *= 0.8f;
+            broad_phase_sync(&broad_phase, fish);
+            if (!broad_phase_is_stale(&broad_phase)) {
                 continue;
             }
-            if (!crowd_look_again(&crowd, fish)) {
+            if (!broad_phase_update_moved(&broad_phase, fish)) {
                 break;
             }
             again++;
-            assert_false(crowd_is_stale(&crowd));
+            assert_false(broad_phase_is_stale(&broad_phase));
             touching += touching_pairs_all_listed(COUNT);
         }
     }
@@ -225,17 +227,17 @@ static void test_too_many_that_came_too_far_are_left_to_a_look_at_all(void **sta
 {
     (void)state;
     fill_at_random(60, 0.0f, 0.05f);
-    crowd_gather(&crowd, fish, 60, 0.2f);
+    broad_phase_gather(&broad_phase, fish, 60, 0.2f);
     look(0);
-    const uint32_t near_count = crowd.near_count;
+    const uint32_t near_count = broad_phase.near_count;
     for (uint32_t i = 0; i < 60; i++) {
-        crowd.body[i].centre_m.y += 0.02f;
+        broad_phase.body[i].centre_m.y += 0.02f;
     }
-    crowd_follow(&crowd, fish);
-    assert_true(crowd_is_stale(&crowd));
-    assert_false(crowd_look_again(&crowd, fish));
-    assert_int_equal(crowd.near_count, near_count);
-    assert_true(crowd_is_stale(&crowd));
+    broad_phase_sync(&broad_phase, fish);
+    assert_true(broad_phase_is_stale(&broad_phase));
+    assert_false(broad_phase_update_moved(&broad_phase, fish));
+    assert_int_equal(broad_phase.near_count, near_count);
+    assert_true(broad_phase_is_stale(&broad_phase));
 }
 
 static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
@@ -249,25 +251,25 @@ static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
     }
     uint32_t pairs = 0;
     for (uint32_t tick = 0; tick < 48; tick++) {
-        crowd_gather(&crowd, fish, COUNT, 0.2f);
+        broad_phase_gather(&broad_phase, fish, COUNT, 0.2f);
         look(tick);
-        assert_int_equal(crowd.contact_count, CROWD_CONTACT_MAX);
-        assert_true(crowd.overlap_count > 2u * CROWD_CONTACT_MAX);
-        for (uint32_t c = 0; c < crowd.contact_count; c++) {
-            const uint32_t a = crowd.contact[c].a, b = crowd.contact[c].b;
+        assert_int_equal(broad_phase.contact_count, BROAD_PHASE_CONTACT_MAX);
+        assert_true(broad_phase.overlap_count > 2u * BROAD_PHASE_CONTACT_MAX);
+        for (uint32_t c = 0; c < broad_phase.contact_count; c++) {
+            const uint32_t a = broad_phase.contact[c].a, b = broad_phase.contact[c].b;
             pairs += !served[a][b];
             served[a][b] = served[b][a] = 1;
         }
     }
-    assert_true(pairs == crowd.overlap_count);
+    assert_true(pairs == broad_phase.overlap_count);
 }
 
 static void test_personal_space_shrinks_only_in_a_crowd(void **state)
 {
     (void)state;
     fill_at_random(600, 0.0f, 0.05f);
-    assert_float_equal(crowd_space(fish, 50, tank_m, pond_law()), 0.2f, 1e-6f);
-    const float small_tank = crowd_space(fish, 600, v3(0.5f, 0.1f, 0.4f), pond_law());
+    assert_float_equal(broad_phase_space(fish, 50, tank_m, pond_law()), 0.2f, 1e-6f);
+    const float small_tank = broad_phase_space(fish, 600, v3(0.5f, 0.1f, 0.4f), pond_law());
     assert_true(small_tank >= 0.04f && small_tank < 0.18f);
 }
 

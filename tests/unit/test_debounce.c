@@ -9,7 +9,7 @@
 
 #define MS 1000000ull
 
-static struct debounce_turn turn;
+static struct debounce_edge_time turn;
 
 static void test_a_bouncing_contact_turns_once_at_its_last_bounce(void **state)
 {

@@ -13,7 +13,7 @@
 
 #include "platform/kiosk/demo.h"
 
-static struct session session;
+static struct run_common session;
 static struct core core;
 static volatile sig_atomic_t stop;
 static char folder[] = "/tmp/kingyo-demo-XXXXXX";
@@ -60,7 +60,7 @@ static enum exit_code show(void)
     snprintf(session.options.replay, sizeof session.options.replay, "%s", recording);
     snprintf(session.options.shots, sizeof session.options.shots, "%s", folder);
     session.stop = &stop;
-    assert_int_equal(session_check(&session), EXIT_OK);
+    assert_int_equal(run_common_check(&session), EXIT_OK);
     return demo_run(&session);
 }
 

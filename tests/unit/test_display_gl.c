@@ -161,7 +161,8 @@ static uint32_t turned_at(uint32_t rotation, uint32_t x, uint32_t y)
 static void square(uint8_t rgb[PIXELS_SIZE], uint32_t rotation)
 {
     struct hal_image image = { .rgb = rgb, .size = PIXELS_SIZE };
-    device.ops->place(device.self, &(struct showing){ .rotation = rotation, .light = 1.0f });
+    device.ops->set_transform(device.self,
+                              &(struct display_settings){ .rotation = rotation, .light = 1.0f });
     for (uint32_t i = 0; i < 20u; i++) { /* Until the album's paint is fine. */
         assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
     }
@@ -211,7 +212,8 @@ static void test_a_screen_is_upright_as_its_picture_is(void **state)
     (void)state;
     struct display_events events;
     for (uint32_t rotation = 0; rotation < 4; rotation++) {
-        device.ops->place(device.self, &(struct showing){ .rotation = rotation, .light = 1.0f });
+        device.ops->set_transform(
+            device.self, &(struct display_settings){ .rotation = rotation, .light = 1.0f });
         assert_int_equal(device.ops->poll(device.self, &events), HAL_OK);
         assert_int_equal(events.upright, rotation & 1u);
     }
@@ -220,8 +222,8 @@ static void test_a_screen_is_upright_as_its_picture_is(void **state)
 static void test_beside_the_picture_the_screen_is_black(void **state)
 {
     (void)state;
-    const struct showing inset = { .inset_x = 0.1f, .inset_y = 0.2f, .light = 1.0f };
-    device.ops->place(device.self, &inset);
+    const struct display_settings inset = { .inset_x = 0.1f, .inset_y = 0.2f, .light = 1.0f };
+    device.ops->set_transform(device.self, &inset);
     picture(pixels[0]);
     uint32_t lit = 0;
     for (uint32_t y = 0; y < HEIGHT; y++) {
@@ -238,14 +240,14 @@ static void test_beside_the_picture_the_screen_is_black(void **state)
 static void test_half_the_light_is_half_of_each_colour_and_none_is_black(void **state)
 {
     (void)state;
-    device.ops->place(device.self, &(struct showing){ .light = 1.0f });
+    device.ops->set_transform(device.self, &(struct display_settings){ .light = 1.0f });
     picture(pixels[0]);
-    device.ops->place(device.self, &(struct showing){ .light = 0.5f });
+    device.ops->set_transform(device.self, &(struct display_settings){ .light = 0.5f });
     picture(pixels[1]);
     for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
         assert_in_range(pixels[1][i] + 2 - pixels[0][i] / 2, 0, 4);
     }
-    device.ops->place(device.self, &(struct showing){ .light = 0.0f });
+    device.ops->set_transform(device.self, &(struct display_settings){ .light = 0.0f });
     picture(pixels[1]);
     for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
         assert_int_equal(pixels[1][i], 0);
@@ -283,7 +285,8 @@ static void test_a_driver_that_resets_is_gone_and_opened_again_as_it_was(void **
     struct display_events events;
     ends = 0;
     display_gl_on_lost(&display, count_end, NULL);
-    device.ops->place(device.self, &(struct showing){ .rotation = 2, .light = 1.0f });
+    device.ops->set_transform(device.self,
+                              &(struct display_settings){ .rotation = 2, .light = 1.0f });
     picture(pixels[0]);
     gl_fail(&display.renderer.status, "as if the driver had reset");
     assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);

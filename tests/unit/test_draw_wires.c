@@ -46,7 +46,7 @@ static void test_spools_that_hang_at_odd_heights_in_any_order_do_as_well(void **
     const vec3 a_m = { 0.1f, 0.9f, 0.4f }, b_m = { -0.5f, 0.7f, 0.0f }, c_m = { 0.4f, 0.6f, -0.3f };
     const vec3 odd_m[2][3] = { { a_m, b_m, c_m }, { c_m, a_m, b_m } };
     for (uint32_t k = 0; k < 2; k++) {
-        assert_true(draw_wires_can_tell(odd_m[k]));
+        assert_true(draw_wires_is_determined(odd_m[k]));
         const vec3 eye_m = { 0.05f, -0.03f, -0.02f };
         float length_m[3];
         vec3 found_m;
@@ -106,10 +106,10 @@ static void test_spools_in_a_row_or_on_a_wall_cannot_tell(void **state)
     const vec3 row_m[3] = { { -0.4f, 0.7f, 0 }, { 0, 0.7f, 0.01f }, { 0.4f, 0.7f, 0 } };
     const vec3 wall_m[3] = { { -0.4f, 0.2f, 0 }, { 0.4f, 0.2f, 0 }, { 0, 0.9f, 0 } };
     const vec3 twins_m[3] = { { -0.4f, 0.7f, 0 }, { -0.4f, 0.7f, 0 }, { 0, 0.7f, 0.4f } };
-    assert_true(draw_wires_can_tell(stall_m));
-    assert_false(draw_wires_can_tell(row_m));
-    assert_false(draw_wires_can_tell(wall_m));
-    assert_false(draw_wires_can_tell(twins_m));
+    assert_true(draw_wires_is_determined(stall_m));
+    assert_false(draw_wires_is_determined(row_m));
+    assert_false(draw_wires_is_determined(wall_m));
+    assert_false(draw_wires_is_determined(twins_m));
 }
 
 int main(void)

@@ -39,9 +39,9 @@ static float damage_max(void)
 
 static void drift(uint32_t ticks)
 {
-    stand.hand = drift_begin(&stand.poi, stand.hand);
+    stand.hand = failsafe_begin(&stand.poi, stand.hand);
     for (uint32_t i = 0; i < ticks; i++) {
-        stand.hand = drift_out(&stand.poi, stand.hand);
+        stand.hand = failsafe_withdraw(&stand.poi, stand.hand);
         stand_tick(&stand);
     }
 }
@@ -57,7 +57,7 @@ static void test_from_any_depth_and_tilt_it_leaves_the_water_whole(void **state)
         begin(v3(0.05f, -depth_m, z_m), (struct angles){ 0.0f, pitch_rad, 0.0f });
         drift(480);
         assert_true(stand.poi.immersed <= 0.0f);
-        assert_float_equal(stand.poi.position_m.y, DRIFT_HOVER_M, 0.005f);
+        assert_float_equal(stand.poi.position_m.y, FAILSAFE_HOVER_M, 0.005f);
         assert_int_equal(stand.poi.sheet.paper_cells, stand.poi.sheet.paper_cells_new);
         worst = f_max(worst, damage_max());
     }
@@ -75,14 +75,14 @@ static void test_it_goes_back_into_the_deep_whole(void **state)
             .angles = { 0.0f, i & 2u ? 0.6f : 0.0f, i & 4u ? -0.5f : 0.0f },
         };
         uint32_t ticks = 1;
-        begin(v3(0.0f, DRIFT_HOVER_M, 0.0f), (struct angles){ 0.0f, 0.0f, 0.0f });
+        begin(v3(0.0f, FAILSAFE_HOVER_M, 0.0f), (struct angles){ 0.0f, 0.0f, 0.0f });
         do {
-            stand.hand = drift_back(stand.hand, wanted, ticks);
+            stand.hand = failsafe_return(stand.hand, wanted, ticks);
             stand_tick(&stand);
             ticks++;
             assert_true(ticks < 600);
-        } while (!drift_is_back(stand.hand, wanted, ticks));
-        assert_true(ticks >= DRIFT_BACK_TICKS_MIN);
+        } while (!failsafe_is_returned(stand.hand, wanted, ticks));
+        assert_true(ticks >= FAILSAFE_RETURN_TICKS_MIN);
         stand.hand = wanted;
         stand_wait(&stand, 0.5f);
         assert_int_equal(stand.poi.sheet.paper_cells, stand.poi.sheet.paper_cells_new);
@@ -95,12 +95,12 @@ static void test_it_goes_back_into_the_deep_whole(void **state)
 static void test_a_hand_in_motion_is_caught(void **state)
 {
     (void)state;
-    struct poi_target hand = { .position_m = v3(0.0f, DRIFT_HOVER_M, 0.0f) };
+    struct poi_target hand = { .position_m = v3(0.0f, FAILSAFE_HOVER_M, 0.0f) };
     struct poi_target wanted = { .position_m = v3(0.2f, -0.05f, 0.0f) };
     uint32_t ticks = 1;
-    for (; !drift_is_back(hand, wanted, ticks); ticks++) {
+    for (; !failsafe_is_returned(hand, wanted, ticks); ticks++) {
         wanted.position_m.x += 0.5f * CORE_TICK_S; /* Faster than it sets off. */
-        hand = drift_back(hand, wanted, ticks);
+        hand = failsafe_return(hand, wanted, ticks);
         assert_true(ticks < 6u * CORE_TICK_HZ);
     }
     print_message("caught after %u ticks\n", ticks);
@@ -111,8 +111,8 @@ static void test_turns_go_the_short_way_round(void **state)
     (void)state;
     struct poi_target hand = { .angles = { 3.0f, 0.0f, 0.0f } };
     const struct poi_target wanted = { .angles = { -3.0f, 0.0f, 0.0f } };
-    for (uint32_t ticks = 1; !drift_is_back(hand, wanted, ticks); ticks++) {
-        hand = drift_back(hand, wanted, ticks);
+    for (uint32_t ticks = 1; !failsafe_is_returned(hand, wanted, ticks); ticks++) {
+        hand = failsafe_return(hand, wanted, ticks);
         assert_true(f_abs(hand.angles.yaw_rad) > 2.9f);
     }
 }
@@ -125,10 +125,10 @@ static void test_a_hand_that_is_lost_in_motion_comes_to_rest_softly(void **state
     stand_move(&stand, v3(0.0f, 0.08f, 0.0f), 0.6f);
     vec3 before_m_s = stand.poi.velocity_m_s;
     assert_true(v3_length(before_m_s) > 0.5f);
-    stand.hand = drift_begin(&stand.poi, stand.hand);
+    stand.hand = failsafe_begin(&stand.poi, stand.hand);
     float hardest_m_s2 = 0.0f;
     for (uint32_t i = 0; i < 120; i++) {
-        stand.hand = drift_out(&stand.poi, stand.hand);
+        stand.hand = failsafe_withdraw(&stand.poi, stand.hand);
         stand_tick(&stand);
         const vec3 gain_m_s = v3_sub(stand.poi.velocity_m_s, before_m_s);
         hardest_m_s2 = f_max(hardest_m_s2, v3_length(gain_m_s) * (float)CORE_TICK_HZ);

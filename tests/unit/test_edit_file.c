@@ -30,7 +30,7 @@ static void tell(void *context, const char *line)
     told_count++;
 }
 
-static const struct edit_warn warn = { tell, &book };
+static const struct graph_file_warn warn = { tell, &book };
 
 static int setup(void **state)
 {
@@ -53,9 +53,9 @@ static int teardown(void **state)
 }
 
 /* Odd numbers in every place that has one. */
-static struct edit_record drawn(void)
+static struct graph_edit_record drawn(void)
 {
-    struct edit_record record = { .id = 3, .key_count = card->key_count };
+    struct graph_edit_record record = { .id = 3, .key_count = card->key_count };
     memcpy(record.species, card->id, sizeof record.species);
     lab_edit_template(&record.edit, card, TEMPLATE_SIMULTANEOUS);
     lab_edit_add(&record.edit, card->key_count, 0.1f);
@@ -65,20 +65,20 @@ static struct edit_record drawn(void)
     return record;
 }
 
-static int parse(const char *text, struct lab_edit *edit, char why[EDIT_WHY_SIZE])
+static int parse(const char *text, struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE])
 {
-    return edit_file_parse(text, strlen(text), card, edit, why);
+    return graph_file_parse(text, strlen(text), card, edit, why);
 }
 
 static void test_a_graph_comes_back_to_the_last_bit(void **state)
 {
     (void)state;
-    const struct edit_record record = drawn();
-    char text[EDIT_TEXT_MAX], why[EDIT_WHY_SIZE];
+    const struct graph_edit_record record = drawn();
+    char text[GRAPH_FILE_TEXT_MAX], why[GRAPH_FILE_WHY_SIZE];
     struct lab_edit back;
-    const size_t size = edit_file_format(&record, text);
-    assert_in_range(size, 1, EDIT_TEXT_MAX - 1u);
-    if (!edit_file_parse(text, size, card, &back, why)) {
+    const size_t size = graph_file_format(&record, text);
+    assert_in_range(size, 1, GRAPH_FILE_TEXT_MAX - 1u);
+    if (!graph_file_parse(text, size, card, &back, why)) {
         fail_msg("%s in\n%s", why, text);
     }
     assert_memory_equal(&back, &record.edit, sizeof back);
@@ -88,8 +88,9 @@ static void test_a_graph_comes_back_to_the_last_bit(void **state)
 static void test_the_longest_graph_fits(void **state)
 {
     (void)state;
-    struct edit_record record = { .key_count = MORPH_KEY_MAX, .species = "abcdefghijklmnopqrstuvw",
-                                  .edit = { .template = TEMPLATE_SIMULTANEOUS } };
+    struct graph_edit_record record = { .key_count = MORPH_KEY_MAX,
+                                        .species = "abcdefghijklmnopqrstuvw",
+                                        .edit = { .template_id = TEMPLATE_SIMULTANEOUS } };
     record.edit.graph.knot_count = record.edit.scale_knot_count = GRAPH_KNOT_MAX;
     for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
         record.edit.graph.knots[i].progress = 1.23456789e-20f;
@@ -98,33 +99,33 @@ static void test_the_longest_graph_fits(void **state)
             record.edit.graph.knots[i].weight[key] = 1.23456789e-20f;
         }
     }
-    char text[EDIT_TEXT_MAX];
-    const size_t size = edit_file_format(&record, text);
-    assert_true(size < EDIT_TEXT_MAX);
+    char text[GRAPH_FILE_TEXT_MAX];
+    const size_t size = graph_file_format(&record, text);
+    assert_true(size < GRAPH_FILE_TEXT_MAX);
     assert_memory_equal(text + size - 4, "end\n", 4);
 }
 
 static void test_what_is_kept_is_there_at_the_next_start(void **state)
 {
     (void)state;
-    const struct edit_record record = drawn();
-    assert_int_equal(edit_file_keep(folder, &record), 0);
-    edit_file_fill(folder, &book, warn);
+    const struct graph_edit_record record = drawn();
+    assert_int_equal(graph_file_write(folder, &record), 0);
+    graph_file_load(folder, &book, warn);
     assert_int_equal(told_count, 0);
     assert_int_equal(book.has_edit[0], 1);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
-    assert_true(lab_book_is_good(&book));
+    assert_true(lab_book_is_valid(&book));
 }
 
 static void test_a_graph_that_is_the_species_own_again_leaves_no_file(void **state)
 {
     (void)state;
-    struct edit_record record = drawn();
-    assert_int_equal(edit_file_keep(folder, &record), 0);
+    struct graph_edit_record record = drawn();
+    assert_int_equal(graph_file_write(folder, &record), 0);
     record.is_own = 1;
-    assert_int_equal(edit_file_keep(folder, &record), 0);
-    assert_int_equal(edit_file_keep(folder, &record), 0); /* Nothing to take away. */
-    edit_file_fill(folder, &book, warn);
+    assert_int_equal(graph_file_write(folder, &record), 0);
+    assert_int_equal(graph_file_write(folder, &record), 0); /* Nothing to take away. */
+    graph_file_load(folder, &book, warn);
     assert_int_equal(book.has_edit[0], 0);
     assert_int_equal(told_count, 0);
 }
@@ -132,9 +133,9 @@ static void test_a_graph_that_is_the_species_own_again_leaves_no_file(void **sta
 static void put_file(const char *text, size_t size)
 {
     char path[256];
-    snprintf(path, sizeof path, "%s/" EDIT_FOLDER, folder);
+    snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER, folder);
     mkdir(path, 0755);
-    snprintf(path, sizeof path, "%s/" EDIT_FOLDER "/%s" EDIT_SUFFIX, folder, card->id);
+    snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER "/%s" GRAPH_FILE_SUFFIX, folder, card->id);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     assert_int_equal(fwrite(text, 1, size, file), size);
@@ -145,14 +146,14 @@ static void test_a_bad_file_costs_one_line_and_the_species_keeps_its_own(void **
 {
     (void)state;
     put_file("kingyo-graph 1\nspecies wakin\nnonsense\n", 39);
-    edit_file_fill(folder, &book, warn);
+    graph_file_load(folder, &book, warn);
     assert_int_equal(told_count, 1);
     assert_non_null(strstr(told, "graphs/wakin.graph:3: wakin has "));
     assert_int_equal(book.has_edit[0], 0);
-    static char huge[3u * EDIT_TEXT_MAX];
+    static char huge[3u * GRAPH_FILE_TEXT_MAX];
     memset(huge, '#', sizeof huge);
     put_file(huge, sizeof huge);
-    edit_file_fill(folder, &book, warn);
+    graph_file_load(folder, &book, warn);
     assert_int_equal(told_count, 2);
     assert_non_null(strstr(told, "longer than any graph"));
 }
@@ -162,7 +163,7 @@ static void test_a_bad_file_costs_one_line_and_the_species_keeps_its_own(void **
 static void test_each_mistake_is_told_with_its_line(void **state)
 {
     (void)state;
-    char head[160], why[EDIT_WHY_SIZE];
+    char head[160], why[GRAPH_FILE_WHY_SIZE];
     struct lab_edit edit;
     snprintf(head, sizeof head,
              "kingyo-graph 1\nspecies wakin\nkeys %u\ntemplate own\nline straight\nsolved 0\n",
@@ -202,15 +203,15 @@ static void test_each_mistake_is_told_with_its_line(void **state)
     assert_non_null(strstr(why, head));
     solved[7] = '0';
     const size_t size = strlen(text);
-    assert_int_equal(edit_file_parse(text, size, card, &edit, why), 1);
+    assert_int_equal(graph_file_parse(text, size, card, &edit, why), 1);
     text[size - 5u] = 0; /* In place of a line's end. */
-    assert_int_equal(edit_file_parse(text, size, card, &edit, why), 0);
+    assert_int_equal(graph_file_parse(text, size, card, &edit, why), 0);
     assert_non_null(strstr(why, "8: not a text"));
     assert_int_equal(parse("", &edit, why), 0);
     assert_string_equal(why, "1: the file ends without 'end'");
     assert_int_equal(parse("kingyo-graph 1\n", &edit, why), 0);
     assert_string_equal(why, "1: the file ends without 'end'");
-    assert_int_equal(edit_file_parse("kingyo-graph 1\nspec\0es", 21, card, &edit, why), 0);
+    assert_int_equal(graph_file_parse("kingyo-graph 1\nspec\0es", 21, card, &edit, why), 0);
     assert_string_equal(why, "2: not a text");
     assert_int_equal(parse("kingyo-graph 2\n", &edit, why), 0);
     assert_non_null(strstr(why, "1: not a graph of version 1"));
@@ -222,22 +223,22 @@ static void test_each_mistake_is_told_with_its_line(void **state)
 static void test_no_altered_byte_is_believed_unless_it_is_a_graph_still(void **state)
 {
     (void)state;
-    const struct edit_record record = drawn();
-    char good[EDIT_TEXT_MAX], text[EDIT_TEXT_MAX], why[EDIT_WHY_SIZE];
-    const size_t size = edit_file_format(&record, good);
+    const struct graph_edit_record record = drawn();
+    char good[GRAPH_FILE_TEXT_MAX], text[GRAPH_FILE_TEXT_MAX], why[GRAPH_FILE_WHY_SIZE];
+    const size_t size = graph_file_format(&record, good);
     uint32_t refused = 0;
     for (uint32_t i = 0; i < 4000; i++) {
-        struct lab_edit edit = { .template = 99 };
+        struct lab_edit edit = { .template_id = 99 };
         memcpy(text, good, size);
         const uint32_t bits = rng_u32((struct rng_key){ 1, i, 0, RNG_TEST });
         text[bits % size] = (char)(bits >> 24);
         const uint32_t end = rng_u32((struct rng_key){ 2, i, 0, RNG_TEST });
         const size_t cut = i % 3u == 0 ? end % size : size;
-        if (edit_file_parse(text, cut, card, &edit, why)) {
-            assert_true(lab_edit_is_good(&edit, card));
+        if (graph_file_parse(text, cut, card, &edit, why)) {
+            assert_true(lab_edit_is_valid(&edit, card));
         } else {
             refused++;
-            assert_int_equal(edit.template, 99);
+            assert_int_equal(edit.template_id, 99);
             assert_true(why[0] != 0);
         }
     }
@@ -251,16 +252,16 @@ static void test_the_store_keeps_a_graph_on_its_own_thread(void **state)
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
     const struct hal_storage device = storage_device(&storage);
-    struct edit_record record = drawn();
+    struct graph_edit_record record = drawn();
     assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->keep_edit(device.self, &record), HAL_OK);
-    assert_int_equal(device.ops->keep_edit(device.self, &record), HAL_OK); /* Asked twice: one. */
-    for (uint32_t i = 0; i < 500 && device.ops->kept_edit_id(device.self) != record.id; i++) {
+    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK);
+    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK); /* Asked twice: one. */
+    for (uint32_t i = 0; i < 500 && device.ops->stored_edit_id(device.self) != record.id; i++) {
         usleep(10000);
     }
-    assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
+    assert_int_equal(device.ops->stored_edit_id(device.self), record.id);
     assert_int_equal(device.ops->close(device.self), 0);
-    edit_file_fill(folder, &book, warn);
+    graph_file_load(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
@@ -271,24 +272,24 @@ static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
     static struct storage storage;
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
-    const int hold = folder_hold(folder); /* As another stall does. */
+    const int hold = directory_lock(folder); /* As another stall does. */
     assert_true(hold >= 0);
     const struct hal_storage device = storage_device(&storage);
-    const struct edit_record record = drawn();
+    const struct graph_edit_record record = drawn();
     const struct ledger_entry round = { .id = 1, .kind = LEDGER_ROUND, .round = { .id = 1 } };
-    assert_int_equal(device.ops->refuses_edits(device.self), 1);
+    assert_int_equal(device.ops->edits_failed(device.self), 1);
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
-    assert_int_equal(device.ops->keep(device.self, &round), HAL_ERR_NONE);
-    assert_int_equal(device.ops->refuses_edits(device.self), 0);
-    assert_int_equal(device.ops->keep_edit(device.self, &record), HAL_OK);
-    for (uint32_t i = 0; i < 500 && device.ops->kept_edit_id(device.self) != record.id; i++) {
+    assert_int_equal(device.ops->append(device.self, &round), HAL_ERR_ABSENT);
+    assert_int_equal(device.ops->edits_failed(device.self), 0);
+    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK);
+    for (uint32_t i = 0; i < 500 && device.ops->stored_edit_id(device.self) != record.id; i++) {
         usleep(10000);
     }
-    assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
+    assert_int_equal(device.ops->stored_edit_id(device.self), record.id);
     assert_non_null(strstr(device.ops->describe(device.self), "nothing is kept"));
     assert_int_equal(device.ops->close(device.self), 0);
-    assert_int_equal(device.ops->refuses_edits(device.self), 1);
-    edit_file_fill(folder, &book, warn);
+    assert_int_equal(device.ops->edits_failed(device.self), 1);
+    graph_file_load(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
     close(hold);
 }
@@ -301,19 +302,19 @@ static void test_graphs_in_a_queue_are_each_written_in_turn(void **state)
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
     const struct hal_storage device = storage_device(&storage);
-    struct edit_record record = drawn();
+    struct graph_edit_record record = drawn();
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     for (uint32_t i = 0; i < 3u * STORAGE_EDITS_MAX; i++) {
         record.id = 1u + i;
         record.edit.graph.knots[1].progress = 0.05f + 0.005f * (float)i;
-        for (int busy = 0; device.ops->keep_edit(device.self, &record) == HAL_ERR_BUSY; busy++) {
+        for (int busy = 0; device.ops->store_edit(device.self, &record) == HAL_ERR_BUSY; busy++) {
             assert_true(busy < 500);
             usleep(10000);
         }
     }
     assert_int_equal(device.ops->close(device.self), 0);
-    assert_int_equal(device.ops->kept_edit_id(device.self), record.id);
-    edit_file_fill(folder, &book, warn);
+    assert_int_equal(device.ops->stored_edit_id(device.self), record.id);
+    graph_file_load(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
 
@@ -324,20 +325,20 @@ static void test_a_store_that_cannot_write_a_graph_says_so_and_counts_it(void **
     char path[128];
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
-    snprintf(path, sizeof path, "%s/" EDIT_FOLDER, folder);
+    snprintf(path, sizeof path, "%s/" GRAPH_FILE_FOLDER, folder);
     FILE *file = fopen(path, "w"); /* A file where the folder should be. */
     assert_non_null(file);
     fclose(file);
     const struct hal_storage device = storage_device(&storage);
-    const struct edit_record record = drawn();
+    const struct graph_edit_record record = drawn();
     assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->keep_edit(device.self, &record), HAL_OK);
+    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK);
     for (uint32_t i = 0; i < 500 && device.ops->refused_count(device.self) == 0; i++) {
         usleep(10000);
     }
     assert_true(device.ops->refused_count(device.self) > 0);
-    assert_int_equal(device.ops->refuses_edits(device.self), 1);
-    assert_int_equal(device.ops->kept_edit_id(device.self), 0);
+    assert_int_equal(device.ops->edits_failed(device.self), 1);
+    assert_int_equal(device.ops->stored_edit_id(device.self), 0);
     assert_non_null(strstr(device.ops->describe(device.self), "graph was not written"));
     assert_int_equal(device.ops->close(device.self), 1);
 }

@@ -36,8 +36,8 @@ static struct fish still_fish(uint32_t seed)
     return fish;
 }
 
-/* One tick as think() and the tank give it, with nobody else about. */
-static void tick_alone(struct fish *fish, uint32_t index, const struct surroundings *around)
+/* One tick as fish_behavior_tick() and the tank give it, with nobody else about. */
+static void tick_alone(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const vec3 before_m = fish->position_m;
     gait_tick(fish, index, around);
@@ -45,7 +45,7 @@ static void tick_alone(struct fish *fish, uint32_t index, const struct surroundi
         escape_tick(fish, around);
     }
     swim_resolve(fish, around);
-    swim_move(fish, around->law);
+    swim_move(fish, around->params);
     swim_settle(fish, v3_sub(fish->position_m, before_m), fish_forward(fish));
 }
 

@@ -73,7 +73,7 @@ static void fill(void)
 static int has_volume(void)
 {
     static struct ledger_file file;
-    assert_int_equal(ledger_file_look(&file, path), 0);
+    assert_int_equal(ledger_file_inspect(&file, path), 0);
     const int has = file.content.has_setting[SET_VOLUME];
     ledger_file_close(&file);
     return has;
@@ -240,7 +240,7 @@ static void test_a_folder_that_another_process_holds_stays_as_it_is(void **state
 {
     (void)state;
     fill();
-    const int hold = folder_hold(dir);
+    const int hold = directory_lock(dir);
     assert_true(hold >= 0);
     start();
     assert_nothing_changed();
@@ -279,7 +279,7 @@ static void test_a_panic_inside_an_attempt_makes_the_next_start_skip_it(void **s
 /* A thread that never ends its tick stands for one that ticks the core while another panics. */
 static void test_a_panic_of_another_thread_reports_a_tick_that_does_not_end(void **state)
 {
-    static struct chapters chapters;
+    static struct session_recorder chapters;
     (void)state;
     evidence_open(&evidence, "", &chapters, NULL);
     evidence.thread = getpid() + 1;

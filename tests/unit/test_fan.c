@@ -21,7 +21,7 @@
 /* ---- The mouse and its key ------------------------------------------------------------------ */
 
 static struct clock_sim bench_clock;
-static struct poi_mouse mouse;
+static struct mouse_poi mouse;
 static struct buttons_keyboard keyboard;
 
 static int open_mouse(void **state)
@@ -33,9 +33,9 @@ static int open_mouse(void **state)
     }
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     bench_clock.now_ns = 1000 * MS;
-    poi_mouse_init(&mouse, clock_sim_device(&bench_clock), stall_view(), WIDTH, HEIGHT,
-                   POINTER_HEEDS_MOUSE);
-    const struct hal_poi device = poi_mouse_device(&mouse);
+    mouse_poi_init(&mouse, clock_sim_device(&bench_clock), stall_view(), WIDTH, HEIGHT,
+                   POINTER_FILTER_MOUSE);
+    const struct hal_poi device = mouse_poi_device(&mouse);
     const int opened = device.ops->open(device.self);
     return opened != HAL_OK ? -1 : device.ops->open(device.self); /* As after a loss. */
 }
@@ -66,8 +66,8 @@ static void push_motion(int x_px, int y_px)
 static struct shade_input poll_hands(uint64_t ms)
 {
     const struct hal_buttons buttons = buttons_keyboard_device(&keyboard);
-    const struct hal_poi hand = poi_mouse_device(&mouse);
-    const struct hal_shade other = poi_mouse_fan(&mouse);
+    const struct hal_poi hand = mouse_poi_device(&mouse);
+    const struct hal_fan other = mouse_poi_fan(&mouse);
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     struct button_sample pressed;
     struct shade_input shade;
@@ -106,7 +106,7 @@ static void test_key_f_holds_the_fan_while_it_is_down(void **state)
 
 static struct rig {
     struct clock_sim clock;
-    struct poi_sim poi;
+    struct pointer_sim poi;
     struct hal hal;
     struct kiosk kiosk;
     struct pointer_report reports[256];
@@ -133,10 +133,10 @@ static int open_stall(void **state)
     rig.clock.now_ns = 1000 * MS;
     rig.hal = null_hal();
     rig.hal.clock = clock_sim_device(&rig.clock);
-    poi_sim_init(&rig.poi, rig.hal.clock, stall_view());
+    pointer_sim_init(&rig.poi, rig.hal.clock, stall_view());
     rig.poi.reports = rig.reports;
-    rig.hal.poi[0] = poi_sim_device(&rig.poi);
-    rig.hal.shade[0] = poi_sim_fan(&rig.poi);
+    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
+    rig.hal.fan[0] = pointer_sim_fan(&rig.poi);
     return kiosk_init(&rig.kiosk, &rig.hal, &config);
 }
 
@@ -218,10 +218,10 @@ static int broken_open(void *self)
 
 static void test_a_fan_that_is_no_number_is_refused_and_counted(void **state)
 {
-    static const struct hal_shade_ops ops = { .open = broken_open, .poll = broken_poll };
+    static const struct hal_fan_ops ops = { .open = broken_open, .poll = broken_poll };
     struct shade_input reading = { 1, 0.1f, 0.1f, 0.1f };
     (void)state;
-    rig.hal.shade[1] = (struct hal_shade){ .ops = &ops, .self = &reading };
+    rig.hal.fan[1] = (struct hal_fan){ .ops = &ops, .self = &reading };
     const struct kiosk_config config = { .core = { .seed = 5, .fish_count = 40 } };
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     frames(2);

@@ -110,7 +110,7 @@ static struct rig {
     struct display_sim display;
     struct storage_sim storage;
     struct button_sample buttons;
-    struct session session;
+    struct run_common session;
     char data[64];
 } rig;
 
@@ -161,7 +161,7 @@ static int tear_down(void **state)
 {
     char command[96];
     (void)state;
-    machine_stop(&rig.session.machine);
+    system_health_stop(&rig.session.machine);
     snprintf(command, sizeof command, "rm -rf '%s'", rig.data);
     return system(command);
 }
@@ -188,7 +188,7 @@ static void take(uint8_t page)
 static const struct scene_file *look(void)
 {
     struct kiosk_config config = { .core = { .seed = 5, .fish_count = 8, .round_s = 10 } };
-    assert_int_equal(session_begin(&rig.session, &config), EXIT_OK);
+    assert_int_equal(run_common_begin(&rig.session, &config), EXIT_OK);
     push(INPUT_TEST);
     take(MENU_UPKEEP);
     take(MENU_FILES);
@@ -201,10 +201,10 @@ static void test_a_broken_species_is_on_the_screen_with_its_reason(void **state)
     (void)state;
     put("species", "bad.kfish", "nonsense");
     const struct scene_file *file = look();
-    assert_int_equal(rig.display.scene.menu.desk.file_count, 2);
+    assert_int_equal(rig.display.scene.menu.controllers.file_count, 2);
     assert_int_equal(file[1].state, FILE_REFUSED);
     assert_string_equal(file[1].name, "species/bad.kfish");
-    assert_string_equal(file[1].words, rig.session.shelf.lines[0].why);
+    assert_string_equal(file[1].words, rig.session.library.lines[0].why);
     assert_non_null(strstr(file[1].words, "magic"));
     assert_int_equal(file[2].state, FILE_UNKNOWN);
 }
@@ -212,7 +212,7 @@ static void test_a_broken_species_is_on_the_screen_with_its_reason(void **state)
 static void test_the_sound_ones_are_there_too_behind_the_others(void **state)
 {
     static struct species_slot slot;
-    char path[128], why[VET_WHY_SIZE];
+    char path[128], why[VALIDATE_WHY_SIZE];
     (void)state;
     put("species", "zz.kfish", "nonsense");
     put("graphs", "wakin.graph", "kingyo-graph 1\n");
@@ -221,7 +221,7 @@ static void test_the_sound_ones_are_there_too_behind_the_others(void **state)
     snprintf(path, sizeof path, "%s/species/a.kfish", rig.data);
     assert_int_equal(pack_write(path, &slot, why), PACK_OK);
     const struct scene_file *file = look();
-    assert_int_equal(rig.display.scene.menu.desk.file_count, 4);
+    assert_int_equal(rig.display.scene.menu.controllers.file_count, 4);
     assert_string_equal(file[1].name, "species/zz.kfish");
     assert_memory_equal(file[2].name, "graphs/wakin.graph:", 19);
     assert_int_equal(file[2].state, FILE_REFUSED);
@@ -234,11 +234,11 @@ static void test_the_sound_ones_are_there_too_behind_the_others(void **state)
 static void test_a_graph_that_is_kept_is_in_use(void **state)
 {
     const struct species_card *card = &species_wakin.card;
-    struct edit_record record = { .id = 1, .key_count = card->key_count };
+    struct graph_edit_record record = { .id = 1, .key_count = card->key_count };
     (void)state;
     memcpy(record.species, card->id, sizeof record.species);
     lab_edit_template(&record.edit, card, TEMPLATE_SIMULTANEOUS);
-    assert_int_equal(edit_file_keep(rig.data, &record), 0);
+    assert_int_equal(graph_file_write(rig.data, &record), 0);
     const struct scene_file *file = look();
     assert_int_equal(file[1].state, FILE_USED);
     assert_string_equal(file[1].name, "graphs/wakin.graph");
@@ -259,9 +259,9 @@ static void test_what_was_complained_of_before_the_stall_opened_is_there(void **
 {
     char line[128];
     (void)state;
-    session_note_refused(&rig.session, "kingyo.conf:3: grade: wrong value");
+    run_common_note_refused(&rig.session, "kingyo.conf:3: grade: wrong value");
     snprintf(line, sizeof line, "%s/usb.txt:2: no such word", rig.data);
-    session_note_refused(&rig.session, line);
+    run_common_note_refused(&rig.session, line);
     const struct scene_file *file = look();
     assert_string_equal(file[1].name, "kingyo.conf:3");
     assert_string_equal(file[2].name, "usb.txt:2");
@@ -317,7 +317,7 @@ static void test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so
     assert_int_equal(rig.display.scene.menu.tag, FILES_SEEN);
     push(INPUT_TEST);
     until_first_is(file, FILE_SEEN);
-    machine_stop(&rig.session.machine);
+    system_health_stop(&rig.session.machine);
     rig.session.notes = (struct file_notes){ 0 };
     look();
     until_first_is(file, FILE_SEEN);

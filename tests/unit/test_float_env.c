@@ -93,7 +93,7 @@ static void test_a_tick_that_begins_a_second_is_refused_in_a_wrong_mode(void **s
     (void)state;
     static struct core core, before;
     static struct output output, output_before;
-    const struct input input = { .poi[0].link = POI_LINK_BOT };
+    const struct input input = { .poi[0].link = POI_SOURCE_BOT };
     assert_int_equal(core_init(&core, &config.core), CORE_OK);
     for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
         assert_int_equal(core_tick(&core, &input, &output), CORE_OK);

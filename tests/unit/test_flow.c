@@ -165,7 +165,7 @@ static uint64_t ploughed(uint8_t lanes)
     for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
         struct obstacle moving = disc(v3(0.3f, 0.0f, 0.05f));
         const vec3 step_m = v3_scale(moving.velocity_m_s, CORE_TICK_S);
-        moving.centre_m = v3_mad(v3(-0.2f, -0.06f, 0.0f), step_m, (float)tick);
+        moving.centre_m = v3_muladd(v3(-0.2f, -0.06f, 0.0f), step_m, (float)tick);
         moving.normal = v3(0.8f, 0.6f, 0.0f);
         moving.axes = (struct basis){ { 0.6f, -0.8f, 0.0f }, moving.normal, { 0, 0, 1.0f } };
         moving.axes_before = moving.axes;
@@ -180,24 +180,24 @@ static void test_lanes_of_any_width_drift_to_the_same_bit(void **state)
     (void)state;
     const uint64_t scalar = ploughed(0);
     assert_true(ploughed(4) == scalar);
-    if (lanes_built(8)) {
+    if (simd_is_built(8)) {
         assert_true(ploughed(8) == scalar);
     }
 }
 
 /* A fish that rests half a radius before a disc, thinking in every tick while the push fades. */
-static vec3 carried_m_s(const struct law *law)
+static vec3 carried_m_s(const struct behavior_params *params)
 {
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
     struct fish fish = pond_fish(0.05f, GAIT_REST);
     fish.position_m = near_disc(0.0f, 0.5f, 0.0f);
     for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
-        struct surroundings around = *pond_at(1, tick);
-        around.law = law;
+        struct perception around = *pond_at(1, tick);
+        around.params = params;
         around.size_m = v3(2.0f, 4.0f, 2.0f);
         around.obstacles = &moving;
         around.obstacle_count = 1;
-        think(&fish, 0, &around);
+        fish_behavior_tick(&fish, 0, &around);
         fish.push_m_s = v3_scale(fish.push_m_s, tick % 4u == 0 ? 0.656f : 1.0f); /* tank.c */
         fish.gait = GAIT_REST;
     }
@@ -210,7 +210,7 @@ static void test_a_living_fish_drifts_with_it_and_the_thesis_fish_feels_none(voi
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
     const vec3 flow = flow_at(&moving, near_disc(0.0f, 0.5f, 0.0f));
     const vec3 living = carried_m_s(pond_law());
-    const vec3 thesis = carried_m_s(&tank_preset(TANK_PRESET_THESIS)->law);
+    const vec3 thesis = carried_m_s(&tank_preset(TANK_PRESET_THESIS)->params);
     assert_true(flow.y > 0.03f);
     assert_float_equal(living.y - thesis.y, flow.y, 0.25f * flow.y);
     assert_float_equal(thesis.y, 0.0f, 0.0f);

@@ -14,28 +14,28 @@
 
 #define NEVER_NUMBER (0.0f / 0.0f)
 
-static struct fly_poi fly;
+static struct stick_motion fly;
 static uint64_t now_ms;
 
 static void begin(void)
 {
-    fly_poi_init(&fly, stall_view());
+    stick_motion_init(&fly, stall_view());
     now_ms = 1000;
-    fly_poi_report(&fly, &(struct fly_report){ .time_ns = now_ms * MS });
+    stick_motion_report(&fly, &(struct stick_report){ .time_ns = now_ms * MS });
 }
 
 static void push(vec3 way, vec3 twist, uint32_t buttons)
 {
-    const struct fly_report said = {
+    const struct stick_report said = {
         .time_ns = now_ms * MS, .push = way, .twist = twist, .buttons = buttons
     };
-    fly_poi_report(&fly, &said);
+    stick_motion_report(&fly, &said);
 }
 
 static struct poi_target after(uint64_t ms)
 {
     now_ms += ms;
-    return fly_poi_target(&fly, now_ms * MS);
+    return stick_motion_target(&fly, now_ms * MS);
 }
 
 static const vec3 none = { 0.0f, 0.0f, 0.0f };
@@ -49,13 +49,13 @@ static void test_full_push_is_full_speed_in_the_air_and_less_in_the_water(void *
     push(v3(1, 0, 0), none, 0);
     const float from_m = after(400).position_m.x;
     const float air_m_s = (after(200).position_m.x - from_m) / 0.2f;
-    assert_float_equal(air_m_s, FLY_AIR_M_S, 0.01f);
+    assert_float_equal(air_m_s, STICK_MOTION_AIR_M_S, 0.01f);
     begin();
     push(v3(-1, 0, 0), none, POINTER_DIP);
     after(600);
     push(v3(1, 0, 0), none, POINTER_DIP);
     const float wet_m = after(500).position_m.x;
-    assert_float_equal((after(300).position_m.x - wet_m) / 0.3f, FLY_WATER_M_S, 0.01f);
+    assert_float_equal((after(300).position_m.x - wet_m) / 0.3f, STICK_MOTION_WATER_M_S, 0.01f);
 }
 
 static void test_a_little_push_goes_a_little_way(void **state)
@@ -66,7 +66,7 @@ static void test_a_little_push_goes_a_little_way(void **state)
     after(300);
     const float from_m = after(0).position_m.x;
     const float slow_m_s = (after(300).position_m.x - from_m) / 0.3f;
-    assert_true(slow_m_s > 0.0f && slow_m_s < 0.1f * FLY_AIR_M_S);
+    assert_true(slow_m_s > 0.0f && slow_m_s < 0.1f * STICK_MOTION_AIR_M_S);
 }
 
 static void test_however_it_is_pushed_it_stays_within_what_is_seen(void **state)
@@ -80,12 +80,13 @@ static void test_however_it_is_pushed_it_stays_within_what_is_seen(void **state)
         }
         const vec3 end = after(0).position_m;
         const struct basis axes = view_basis(stall_view());
-        const vec3 body = basis_to_body(&axes, v3_sub(end, stall_view()->eye_m));
+        const vec3 body = vec_basis_to_body(&axes, v3_sub(end, stall_view()->eye_m));
         const float tan_y = view_half_height_tan(stall_view(), 16.0f / 9.0f);
         assert_true(f_abs(body.x / body.z) < 1.2f * tan_y * 16.0f / 9.0f);
         assert_true(f_abs(body.y / body.z) < 1.2f * tan_y);
-        assert_in_range((int)(1000.0f * (end.y + 1.0f)), (int)(1000.0f * (1.0f + FLY_LOW_M)) - 1,
-                        (int)(1000.0f * (1.0f + FLY_HIGH_M)) + 1);
+        assert_in_range((int)(1000.0f * (end.y + 1.0f)),
+                        (int)(1000.0f * (1.0f + STICK_MOTION_LOW_M)) - 1,
+                        (int)(1000.0f * (1.0f + STICK_MOTION_HIGH_M)) + 1);
     }
 }
 
@@ -95,7 +96,7 @@ static void test_every_bowl_is_within_reach(void **state)
     (void)state;
     for (int preset = 0; preset < TANK_PRESET_COUNT; preset++) {
         const struct tank_preset *tank = tank_preset((enum tank_preset_id)preset);
-        fly_poi_init(&fly, &tank->view);
+        stick_motion_init(&fly, &tank->view);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             assert_true(f_abs(tank->bowl_m[i].x) < fly.high_m[0].x);
             assert_true(f_abs(tank->bowl_m[i].x) < fly.high_m[1].x);
@@ -163,7 +164,7 @@ static void test_what_is_no_number_pushes_nothing(void **state)
     assert_float_equal(at.x, 0.0f, 1e-6f);
     assert_float_equal(at.y, DIP_HOVER_M, 1e-6f);
     push(v3(1e30f, 0, 0), none, 0); /* And what is too much is all there is. */
-    assert_true(after(200).position_m.x < 0.2f * FLY_AIR_M_S);
+    assert_true(after(200).position_m.x < 0.2f * STICK_MOTION_AIR_M_S);
 }
 
 int main(void)

@@ -58,8 +58,8 @@ static void test_exponential_saturates_instead_of_overflowing(void **state)
 static void test_logarithm_is_good_to_three_millionths(void **state)
 {
     (void)state;
-    check_sweep(&(struct sweep){ f_ln, log, 1e-6f, 2.0f, 3e-6, 0 });
-    check_sweep(&(struct sweep){ f_ln, log, 2.0f, 1e6f, 3e-6, 0 });
+    check_sweep(&(struct sweep){ f_log, log, 1e-6f, 2.0f, 3e-6, 0 });
+    check_sweep(&(struct sweep){ f_log, log, 2.0f, 1e6f, 3e-6, 0 });
 }
 
 static void test_arc_cosine_takes_what_rounding_pushed_past_one(void **state)

@@ -33,7 +33,7 @@ static void lead_tilted(vec3 to_m, float pitch_rad, float roll_rad)
     for (uint32_t i = 1; i <= count; i++) {
         struct poi_target *target = &input.poi[0].target;
         const float share = (float)i / (float)count;
-        target->position_m = v3_mad(target->position_m, way_m, 1.0f / (float)count);
+        target->position_m = v3_muladd(target->position_m, way_m, 1.0f / (float)count);
         target->angles.pitch_rad = f_lerp(from.pitch_rad, pitch_rad, share);
         target->angles.roll_rad = f_lerp(from.roll_rad, roll_rad, share);
         tick();
@@ -225,9 +225,9 @@ static void drop_a_fish(uint8_t clear_ticks)
     core.tank.fish[0].gait = GAIT_HELD;
     core.tank.fish[0].holder = 0;
     core.tank.fish[0].position_m = v3_add(core.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
-    core.poi[0].riders[0] = (struct rider){ .fish = 0, .state = RIDER_FALLING,
-                                           .clear_ticks = clear_ticks };
-    core.poi[0].rider_count = 1;
+    core.poi[0].carried_fish[0] =
+        (struct carried_fish){ .fish = 0, .state = CARRIED_FALLING, .clear_ticks = clear_ticks };
+    core.poi[0].carried_count = 1;
     ticks(40);
     assert_int_equal(core.bowl[0].fish_count, 1);
 }
@@ -235,7 +235,7 @@ static void drop_a_fish(uint8_t clear_ticks)
 static void test_what_falls_off_a_poi_that_nobody_leads_is_no_foul(void **state)
 {
     (void)state;
-    static const uint8_t links[] = { POI_LINK_ABSENT, POI_LINK_LOST };
+    static const uint8_t links[] = { POI_SOURCE_ABSENT, POI_SOURCE_LOST };
     for (size_t i = 0; i < sizeof links; i++) {
         play(MODE_CHAMPIONSHIP);
         input.poi[0].link = links[i];
@@ -253,7 +253,7 @@ static void test_after_the_third_foul_nothing_counts(void **state)
     for (uint8_t before = 0; before <= FOUL_MAX; before++) {
         play(MODE_CHAMPIONSHIP);
         core.game.player[0].fouls = before;
-        drop_a_fish(RIDER_CLEAR_TICKS);
+        drop_a_fish(CARRIED_CLEAR_TICKS);
         assert_int_equal(look()->caught[0], before < FOUL_MAX);
     }
 }

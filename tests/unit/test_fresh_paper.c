@@ -67,10 +67,10 @@ static void test_the_attract_bot_pours_a_full_bowl_back(void **state)
     assert_int_equal(core.bowl[0].fish_count, 9);
     core.tank.fish[9].gait = GAIT_BOWL;
     core.bowl[0].fish_count = 10;
-    core.poi[0].rider_count = 1; /* not while it carries one more */
+    core.poi[0].carried_count = 1; /* not while it carries one more */
     steps(3u * CORE_TICK_HZ);
     assert_int_equal(core.bowl[0].fish_count, 10);
-    core.poi[0].rider_count = 0;
+    core.poi[0].carried_count = 0;
     step();
     assert_int_equal(core.bowl[0].fish_count, 0);
     expect_all_to_swim_soon(10);

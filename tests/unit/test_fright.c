@@ -42,9 +42,9 @@ static struct obstacle broadside_disc(float speed_m_s)
     return disc;
 }
 
-static struct surroundings beside(const struct obstacle *disc, uint32_t seed, uint32_t tick)
+static struct perception beside(const struct obstacle *disc, uint32_t seed, uint32_t tick)
 {
-    struct surroundings around = *pond_at(seed, tick);
+    struct perception around = *pond_at(seed, tick);
     around.obstacles = disc;
     around.obstacle_count = 1;
     return around;
@@ -54,8 +54,8 @@ static struct surroundings beside(const struct obstacle *disc, uint32_t seed, ui
 static uint32_t ticks_to_start(struct obstacle disc, struct fish fish, uint32_t seed)
 {
     for (uint32_t tick = 0; tick < NEVER; tick++) {
-        const struct surroundings around = beside(&disc, seed, tick);
-        fright_tick(&fish, 0, &around);
+        const struct perception around = beside(&disc, seed, tick);
+        startle_tick(&fish, 0, &around);
         if (fish.gait == GAIT_ESCAPE) {
             return tick;
         }
@@ -66,20 +66,20 @@ static uint32_t ticks_to_start(struct obstacle disc, struct fish fish, uint32_t 
 static float alarm_per_s(struct obstacle disc, vec3 position_m)
 {
     const struct fish fish = fish_at(position_m);
-    return fright_of_disc(&disc, &fish).alarm_per_s;
+    return startle_of_disc(&disc, &fish).alarm_per_s;
 }
 
 static void test_an_image_is_as_large_as_geometry_says_and_grows_as_it_nears(void **state)
 {
     (void)state;
     const struct obstacle disc = broadside_disc(0.3f);
-    const struct fright_view view = fright_view(&disc, v3(0.10f, -0.05f, 0.0f));
+    const struct startle_view view = startle_view(&disc, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(view.size_rad, 2.0f * f_atan2(0.0465f, 0.10f), 1e-5f);
     struct obstacle later = disc;
     later.centre_m.x += 0.0003f; /* A thousandth of a second on. */
-    const struct fright_view grown = fright_view(&later, v3(0.10f, -0.05f, 0.0f));
+    const struct startle_view grown = startle_view(&later, v3(0.10f, -0.05f, 0.0f));
     assert_float_equal(1000.0f * (grown.size_rad - view.size_rad), view.growth_rad_s, 0.02f);
-    assert_true(fright_view(&disc, v3(-0.10f, -0.05f, 0.0f)).growth_rad_s < 0.0f);
+    assert_true(startle_view(&disc, v3(-0.10f, -0.05f, 0.0f)).growth_rad_s < 0.0f);
 }
 
 static void test_an_edge_on_disc_is_little_but_a_line(void **state)
@@ -88,7 +88,7 @@ static void test_an_edge_on_disc_is_little_but_a_line(void **state)
     const struct obstacle broad = broadside_disc(0.3f);
     const struct obstacle edge = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.3f, 0.0f, 0.0f));
     const vec3 eye_m = { 0.10f, -0.05f, 0.0f };
-    assert_true(fright_view(&edge, eye_m).size_rad < 0.33f * fright_view(&broad, eye_m).size_rad);
+    assert_true(startle_view(&edge, eye_m).size_rad < 0.33f * startle_view(&broad, eye_m).size_rad);
 }
 
 static void test_a_small_image_does_not_loom_however_fast_it_comes(void **state)
@@ -98,8 +98,8 @@ static void test_a_small_image_does_not_loom_however_fast_it_comes(void **state)
     disc.centre_m.y = 0.05f; /* In air, where the ear does not hear it first. */
     const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f)); /* 33 degrees. */
     const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));  /* 17; the timid see 20. */
-    assert_int_equal(fright_of_disc(&disc, &near).cause, FRIGHT_LOOM);
-    assert_int_equal(fright_of_disc(&disc, &far).cause, FRIGHT_NONE);
+    assert_int_equal(startle_of_disc(&disc, &near).cause, STARTLE_LOOM);
+    assert_int_equal(startle_of_disc(&disc, &far).cause, STARTLE_NONE);
 }
 
 /* A slow disc is let come near. */
@@ -146,7 +146,7 @@ static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
 }
 
 /* The latency alone: from the tick in which a blow or a sight is more than it bears. */
-static void latency(enum fright_cause cause, uint8_t gait, float *mean_s, float *least_s,
+static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float *least_s,
                     float *most_s)
 {
     const uint32_t trials = 2000;
@@ -156,11 +156,11 @@ static void latency(enum fright_cause cause, uint8_t gait, float *mean_s, float 
         struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
         uint32_t ticks = 0;
         fish.gait = gait;
-        fright_alarm(&fish, cause, v3(0.05f, -0.05f, 0.0f), 2.0f, i, pond_at(4, 0));
+        startle_alarm(&fish, cause, v3(0.05f, -0.05f, 0.0f), 2.0f, i, pond_at(4, 0));
         while (fish.gait != GAIT_ESCAPE) {
             ticks++;
             assert_true(ticks < CORE_TICK_HZ);
-            fright_tick(&fish, i, pond_at(4, ticks));
+            startle_tick(&fish, i, pond_at(4, ticks));
         }
         const float s = (float)ticks * CORE_TICK_S;
         *mean_s += s / (float)trials;
@@ -176,14 +176,14 @@ static void test_a_blow_is_answered_after_8_to_15_ms_and_a_sight_after_60_to_150
     (void)state;
     const float half_tick_s = 0.5f * CORE_TICK_S + 1e-5f; /* A start begins with a tick. */
     float mean_s, least_s, most_s;
-    latency(FRIGHT_PRESSURE, GAIT_SWIM, &mean_s, &least_s, &most_s);
+    latency(STARTLE_PRESSURE, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_float_equal(mean_s, 0.0115f, 0.0005f);
     assert_true(least_s > 0.008f - half_tick_s && most_s < 0.015f + half_tick_s);
-    latency(FRIGHT_LOOM, GAIT_SWIM, &mean_s, &least_s, &most_s);
+    latency(STARTLE_LOOM, GAIT_SWIM, &mean_s, &least_s, &most_s);
     assert_float_equal(mean_s, 0.105f, 0.002f);
     assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
     assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
-    latency(FRIGHT_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s); /* Its alarm takes the rest. */
+    latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s); /* Its alarm takes the rest. */
     assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
 }
 
@@ -191,25 +191,25 @@ static void test_who_gulps_answers_later_and_to_louder_alarms(void **state)
 {
     (void)state;
     float mean_s, least_s, most_s;
-    latency(FRIGHT_LOOM, GAIT_SURFACE, &mean_s, &least_s, &most_s);
+    latency(STARTLE_LOOM, GAIT_SURFACE, &mean_s, &least_s, &most_s);
     assert_float_equal(mean_s, 1.5f * 0.105f, 0.003f);
     struct fish calm = fish_at(v3(0.0f, -0.05f, 0.0f)), gulping = calm;
     gulping.gait = GAIT_SURFACE;
     gulping.air = AIR_GULPS;
-    fright_alarm(&calm, FRIGHT_LOOM, v3(0.05f, 0.0f, 0.0f), 0.6f, 0, pond_at(1, 0));
-    fright_alarm(&gulping, FRIGHT_LOOM, v3(0.05f, 0.0f, 0.0f), 0.6f, 0, pond_at(1, 0));
-    assert_int_equal(calm.startle, FRIGHT_LOOM);
-    assert_int_equal(gulping.startle, FRIGHT_NONE);
+    startle_alarm(&calm, STARTLE_LOOM, v3(0.05f, 0.0f, 0.0f), 0.6f, 0, pond_at(1, 0));
+    startle_alarm(&gulping, STARTLE_LOOM, v3(0.05f, 0.0f, 0.0f), 0.6f, 0, pond_at(1, 0));
+    assert_int_equal(calm.startle, STARTLE_LOOM);
+    assert_int_equal(gulping.startle, STARTLE_NONE);
 }
 
 static void test_a_blow_overtakes_what_the_eye_still_works_on(void **state)
 {
     (void)state;
     struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
-    fright_alarm(&fish, FRIGHT_LOOM, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 0));
+    startle_alarm(&fish, STARTLE_LOOM, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 0));
     assert_true(fish.startle_s >= 0.060f);
-    fright_alarm(&fish, FRIGHT_PRESSURE, v3(0.0f, 0.0f, 0.05f), 2.0f, 0, pond_at(1, 0));
-    assert_int_equal(fish.startle, FRIGHT_PRESSURE);
+    startle_alarm(&fish, STARTLE_PRESSURE, v3(0.0f, 0.0f, 0.05f), 2.0f, 0, pond_at(1, 0));
+    assert_int_equal(fish.startle, STARTLE_PRESSURE);
     assert_true(fish.startle_s < 0.015f);
     assert_float_equal(fish.startle_from_m.z, 0.05f, 0.0f);
 }
@@ -220,33 +220,33 @@ static void test_the_bold_bear_twice_what_the_timid_do_and_small_fish_hear_bette
     struct fish timid = fish_at(v3(0.03f, -0.05f, 0.0f)), bold = timid, small = timid;
     bold.look = 31u << 3;
     fish_grow(&small, 0.033f, pond_law());
-    assert_float_equal(fright_threshold(&bold), 2.0f * fright_threshold(&timid), 1e-6f);
+    assert_float_equal(startle_threshold(&bold), 2.0f * startle_threshold(&timid), 1e-6f);
     const struct obstacle disc = disc_at(v3(-0.03f, -0.05f, 0.0f), v3(0.5f, 0.0f, 0.0f));
-    assert_true(fright_of_disc(&disc, &small).alarm_per_s >
-                1.4f * fright_of_disc(&disc, &timid).alarm_per_s);
+    assert_true(startle_of_disc(&disc, &small).alarm_per_s >
+                1.4f * startle_of_disc(&disc, &timid).alarm_per_s);
 }
 
 static void test_frights_grow_stale_and_that_fades(void **state)
 {
     (void)state;
     struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
-    const float fresh = fright_threshold(&fish);
+    const float fresh = startle_threshold(&fish);
     for (uint32_t start = 0; start < 4; start++) {
         fish.gait = GAIT_SWIM;
         fish.refractory_s = 0.0f;
-        fright_alarm(&fish, FRIGHT_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, start));
+        startle_alarm(&fish, STARTLE_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, start));
         while (fish.gait != GAIT_ESCAPE) {
-            fright_tick(&fish, 0, pond_at(1, start));
+            startle_tick(&fish, 0, pond_at(1, start));
         }
     }
-    const float stale = fright_threshold(&fish);
+    const float stale = startle_threshold(&fish);
     assert_true(stale > 1.5f * fresh && stale < 2.0f * fresh);
     for (uint32_t tick = 0; tick < 180u * CORE_TICK_HZ; tick++) {
-        fright_tick(&fish, 0, pond_at(1, tick));
+        startle_tick(&fish, 0, pond_at(1, tick));
     }
-    assert_float_equal(fright_threshold(&fish), fresh, 0.05f * fresh);
+    assert_float_equal(startle_threshold(&fish), fresh, 0.05f * fresh);
     for (uint32_t tick = 0; tick < 600u * CORE_TICK_HZ; tick++) {
-        fright_tick(&fish, 0, pond_at(1, tick));
+        startle_tick(&fish, 0, pond_at(1, tick));
     }
     assert_float_equal(fish.habit, 0.0f, 0.0f); /* It ends. */
 }
@@ -257,13 +257,13 @@ static void test_a_fish_that_has_just_fled_is_not_startled_again_at_once(void **
     struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
     escape_start(&fish, v3(0.05f, 0.0f, 0.0f), 0, pond_at(1, 0));
     fish.gait = GAIT_SWIM;
-    fright_alarm(&fish, FRIGHT_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 1));
-    assert_int_equal(fish.startle, FRIGHT_NONE);
+    startle_alarm(&fish, STARTLE_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 1));
+    assert_int_equal(fish.startle, STARTLE_NONE);
     for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
-        fright_tick(&fish, 0, pond_at(1, tick));
+        startle_tick(&fish, 0, pond_at(1, tick));
     }
-    fright_alarm(&fish, FRIGHT_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 300));
-    assert_int_equal(fish.startle, FRIGHT_PRESSURE);
+    startle_alarm(&fish, STARTLE_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 300));
+    assert_int_equal(fish.startle, STARTLE_PRESSURE);
 }
 
 static void test_a_law_without_escapes_knows_no_fright(void **state)
@@ -271,10 +271,10 @@ static void test_a_law_without_escapes_knows_no_fright(void **state)
     (void)state;
     struct obstacle disc = broadside_disc(1.0f);
     struct fish fish = fish_at(v3(0.03f, -0.05f, 0.0f));
-    struct surroundings around = beside(&disc, 1, 0);
-    around.law = &tank_preset(TANK_PRESET_THESIS)->law;
+    struct perception around = beside(&disc, 1, 0);
+    around.params = &tank_preset(TANK_PRESET_THESIS)->params;
     for (around.tick = 0; around.tick < CORE_TICK_HZ; around.tick++) {
-        fright_tick(&fish, 0, &around);
+        startle_tick(&fish, 0, &around);
     }
     assert_int_equal(fish.gait, GAIT_SWIM);
     assert_float_equal(fish.alarm, 0.0f, 0.0f);
@@ -295,12 +295,12 @@ static void test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tic
     (void)state;
     const struct obstacle moving = broadside_disc(0.3f), still = broadside_disc(0.0f);
     struct fish fish = fish_at(v3(0.1f, -0.05f, 0.0f)), far = fish_at(v3(0.4f, -0.05f, 0.0f));
-    const struct surroundings by_moving = beside(&moving, 1, 0), by_still = beside(&still, 1, 0);
-    assert_true(fright_alert(&fish, &by_moving));
-    assert_false(fright_alert(&fish, &by_still));
-    assert_false(fright_alert(&far, &by_moving));
+    const struct perception by_moving = beside(&moving, 1, 0), by_still = beside(&still, 1, 0);
+    assert_true(startle_alert(&fish, &by_moving));
+    assert_false(startle_alert(&fish, &by_still));
+    assert_false(startle_alert(&far, &by_moving));
     fish.alarm = 0.1f;
-    assert_true(fright_alert(&fish, &by_still));
+    assert_true(startle_alert(&fish, &by_still));
 }
 
 static float drawn(uint32_t trial, uint32_t which, float low, float high)
@@ -319,10 +319,10 @@ static void test_whoever_a_disc_frightens_thinks_in_every_tick(void **state)
             v3(drawn(i, 3, -1, 1), drawn(i, 4, -1, 1), drawn(i, 5, -1, 1)), v3(0, 1.0f, 0));
         struct fish fish =
             fish_at(v3(drawn(i, 6, -0.35f, 0.35f), -0.05f, drawn(i, 7, -0.35f, 0.35f)));
-        const struct surroundings around = beside(&disc, 1, 0);
-        if (fright_of_disc(&disc, &fish).alarm_per_s > 0.0f) {
+        const struct perception around = beside(&disc, 1, 0);
+        if (startle_of_disc(&disc, &fish).alarm_per_s > 0.0f) {
             frightened++;
-            assert_true(fright_alert(&fish, &around));
+            assert_true(startle_alert(&fish, &around));
         }
     }
     assert_in_range(frightened, 500, 10000);

@@ -9,9 +9,12 @@
 static void open_paid(uint32_t boots)
 {
     const struct core_config config = {
-        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .credit_coins = PRICE,
+        .seed = 7,
+        .fish_count = 12,
+        .round_s = ROUND_S,
+        .credit_coins = PRICE,
         .modes = 1u << MODE_FESTIVAL | 1u << MODE_CHAMPIONSHIP | 1u << CHOICE_LAB,
-        .memory.ledger.boots = boots,
+        .persistent.ledger.boots = boots,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
@@ -53,8 +56,8 @@ static void choose_with_a_credit(void)
     drop_each(1);
     step();
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
-    steps(GAME_CHOOSE_TICKS_MIN + 1u);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    steps(GAME_MODE_SELECT_TICKS_MIN + 1u);
 }
 
 static void test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again(void **state)
@@ -66,17 +69,17 @@ static void test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again(voi
     drop_each(COINS_FOR_A_FULL_RING);
     const uint32_t fouls = sounds[SOUND_FOUL];
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
-    assert_int_equal(core.game.ledger.purse.open, OPEN_NONE);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    assert_int_equal(core.game.ledger.balance.open, PAYMENT_NONE);
     press(INPUT_OK);
     dip();
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
     assert_true(core.game.credit.asked_tick != 0 || core.game.credit.await_tick != 0);
     assert_true(sounds[SOUND_FOUL] > fouls || core.game.credit.await_tick != 0);
     revive_store();
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
-    assert_int_equal(core.game.ledger.purse.open, OPEN_PAID);
+    assert_int_equal(core.game.ledger.balance.open, PAYMENT_PAID);
     assert_int_equal(purse_credits(&core), COINS_FOR_A_FULL_RING);
 }
 
@@ -94,17 +97,17 @@ static void test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring(void
         }
         press(INPUT_START);
         const int plays = core.game.phase == PHASE_READY;
-        assert_int_equal(plays, core.game.ledger.purse.open == OPEN_PAID);
-        assert_true(plays || core.game.phase == PHASE_CHOOSE);
-        steps(GAME_READY_TICKS + GAME_CHOOSE_TICKS); /* Into the round, or back to attract. */
+        assert_int_equal(plays, core.game.ledger.balance.open == PAYMENT_PAID);
+        assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
+        steps(GAME_READY_TICKS + GAME_MODE_SELECT_TICKS); /* Into the round, or back to attract. */
         drop_each(coins);
-        input.poi[0].link = POI_LINK_ABSENT;
+        input.poi[0].link = POI_SOURCE_ABSENT;
         steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
         for (uint32_t i = 0; i < 4; i++) { /* The ends of what was begun have found room. */
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);
         }
-        assert_int_equal(core.game.ledger.unkept, 0);
+        assert_int_equal(core.game.ledger.uncommitted, 0);
     }
 }
 
@@ -129,7 +132,7 @@ static void press_anything(uint32_t *seed, uint32_t ticks)
         if (draw(seed, 100) == 0) {
             input.record_saved_id += draw(seed, output.entry_id - input.record_saved_id + 1u);
         }
-        assert_true(core.game.ledger.purse.open != OPEN_PAID ||
+        assert_true(core.game.ledger.balance.open != PAYMENT_PAID ||
                     core.game.phase == PHASE_READY || core.game.phase == PHASE_ROUND ||
                     core.game.phase == PHASE_LAB || core.game.phase == PHASE_RESULT);
     }
@@ -155,8 +158,8 @@ static void test_a_card_that_comes_at_last_is_used_however_many_coins_fell_befor
     (void)state;
     open_paid(0);
     drop_each(COINS_FOR_A_FULL_RING);
-    assert_int_equal(core.game.ledger.purse.paid, COINS_FOR_A_FULL_RING);
-    assert_int_equal(ledger_sure(&core.game.ledger).paid, 0); /* On no disk. */
+    assert_int_equal(core.game.ledger.balance.paid, COINS_FOR_A_FULL_RING);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0); /* On no disk. */
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -164,18 +167,18 @@ static void test_a_card_that_comes_at_last_is_used_however_many_coins_fell_befor
     const uint32_t before_id = output.entry_id;
     input.store_well = 1;
     step();
-    assert_int_equal(ledger_sure(&core.game.ledger).paid, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0);
     assert_true(output.entry_id > before_id); /* The whole purse is on its way at once. */
-    assert_int_equal(purse_entry(&output, output.entry_id)->purse.paid, COINS_FOR_A_FULL_RING);
+    assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();
     assert_int_equal(output.coin_lockout, 0);
-    assert_int_equal(ledger_sure(&core.game.ledger).paid, COINS_FOR_A_FULL_RING);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, COINS_FOR_A_FULL_RING);
     drop_each(1);
     step();
-    assert_int_equal(core.game.ledger.purse.untold, 0);
-    assert_int_equal(ledger_sure(&core.game.ledger).paid, COINS_FOR_A_FULL_RING + 1u);
+    assert_int_equal(core.game.ledger.balance.unlogged, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, COINS_FOR_A_FULL_RING + 1u);
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
 }
 
 int main(void)

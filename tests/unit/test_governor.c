@@ -129,20 +129,21 @@ static void test_heat_is_answered_at_once_and_forgiven_when_it_is_cool(void **st
 {
     (void)state;
     begin(14 * MS, 60);
-    governor_heat(&machine.governor, GOVERNOR_HOT_MDEG - 1);
+    governor_set_temperature(&machine.governor, GOVERNOR_HOT_MDEG - 1);
     run(1, false);
     assert_int_equal(machine.step, 1);
     for (uint32_t i = 0; i < 10; i++) {
-        governor_heat(&machine.governor, -5000);
+        governor_set_temperature(&machine.governor, -5000);
     }
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    governor_heat(&machine.governor, GOVERNOR_HOT_MDEG); /* Neither hot nor cool: as it is. */
-    governor_heat(&machine.governor, GOVERNOR_COOL_MDEG);
+    governor_set_temperature(&machine.governor,
+                             GOVERNOR_HOT_MDEG); /* Neither hot nor cool: as it is. */
+    governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG);
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
     for (uint32_t i = 0; i < QUALITY_STEP_MAX; i++) {
-        governor_heat(&machine.governor, GOVERNOR_COOL_MDEG + 1);
+        governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG + 1);
     }
     run(1, false);
     assert_int_equal(machine.step, 0);

@@ -10,10 +10,11 @@
 #define MS 1000000ull
 #define PERIOD_NS (3 * MS)
 
-static struct debounce_turn turn;
+static struct debounce_edge_time turn;
 static uint64_t taken_ns; /* Of edges; 0: as soon as they came. */
 
-static bool edge(struct gpio_input *input, uint64_t time_ms, bool active, uint32_t lost_before)
+static bool edge(struct gpio_edge_filter *input, uint64_t time_ms, bool active,
+                 uint32_t lost_before)
 {
     const struct gpio_edge gpio_edge = {
         .time_ns = time_ms * MS,
@@ -21,12 +22,12 @@ static bool edge(struct gpio_input *input, uint64_t time_ms, bool active, uint32
         .lost_before = lost_before,
         .taken_ns = taken_ns ? taken_ns : time_ms * MS,
     };
-    return gpio_input_edge(input, &gpio_edge, &turn);
+    return gpio_edge_filter_edge(input, &gpio_edge, &turn);
 }
 
-static bool level(struct gpio_input *input, uint64_t now_ms, bool active)
+static bool level(struct gpio_edge_filter *input, uint64_t now_ms, bool active)
 {
-    return gpio_input_level(input, now_ms * MS, active, &turn);
+    return gpio_edge_filter_level(input, now_ms * MS, active, &turn);
 }
 
 static void assert_turn(uint64_t time_ms, bool active)
@@ -38,7 +39,7 @@ static void assert_turn(uint64_t time_ms, bool active)
 static void test_edges_of_the_right_direction_turn_when_the_level_says_so_too(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
     assert_false(level(&input, 102, true));
     assert_true(level(&input, 103, true));
@@ -52,20 +53,20 @@ static void test_edges_of_the_right_direction_turn_when_the_level_says_so_too(vo
 static void test_sparks_are_no_pulse_however_far_apart(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     for (uint64_t time_ms = 100; time_ms < 300; time_ms += 25) {
         assert_false(edge(&input, time_ms, false, 0));
         assert_false(level(&input, time_ms + 1, false));
     }
     assert_int_equal(input.blinks, 8);
     assert_int_equal(input.lost, 0);
-    assert_int_equal(gpio_input_known_ns(&input, 301 * MS), 301 * MS);
+    assert_int_equal(gpio_edge_filter_known_ns(&input, 301 * MS), 301 * MS);
 }
 
 static void test_two_sparks_are_no_pulse_however_late_the_reader_comes(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     taken_ns = 130 * MS; /* The kernel told each at once; the reader was not run. */
     assert_false(edge(&input, 100, false, 0));
     assert_false(edge(&input, 125, false, 0));
@@ -83,7 +84,7 @@ static void test_two_sparks_are_no_pulse_however_late_the_reader_comes(void **st
 static void test_a_pulse_that_was_over_before_the_kernel_looked_is_a_pulse(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 102, true)); /* It is seen, but not told, ... */
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 112, true));
@@ -101,7 +102,7 @@ static void test_a_pulse_that_was_over_before_the_kernel_looked_is_a_pulse(void 
 static void test_a_pulse_that_was_seen_to_end_before_it_was_told_has_that_end(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 117, false));
@@ -115,7 +116,7 @@ static void test_a_pulse_that_was_seen_to_end_before_it_was_told_has_that_end(vo
 static void test_one_look_at_a_spark_is_no_proof(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 100, true)); /* By chance, just then. */
     taken_ns = 130 * MS;
     assert_false(edge(&input, 100, false, 0));
@@ -130,7 +131,7 @@ static void test_one_look_at_a_spark_is_no_proof(void **state)
 static void test_a_pulse_that_was_seen_and_never_told_is_a_loss(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 102, true));
     assert_false(level(&input, 107, true));
     assert_false(level(&input, 112, false));
@@ -142,7 +143,7 @@ static void test_a_pulse_that_was_seen_and_never_told_is_a_loss(void **state)
 static void test_news_from_before_a_level_that_was_believed_changes_nothing(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     level(&input, 102, true);
     level(&input, 112, true);
     assert_true(level(&input, 122, true));
@@ -158,7 +159,7 @@ static void test_news_from_before_a_level_that_was_believed_changes_nothing(void
 static void test_blinks_within_a_bounce_are_no_pair_however_late(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     taken_ns = 200 * MS;
     assert_false(edge(&input, 100, true, 0));
     assert_false(edge(&input, 101, true, 0)); /* It bounced as it closed ... */
@@ -174,7 +175,7 @@ static void test_blinks_within_a_bounce_are_no_pair_however_late(void **state)
 static void test_a_pulse_that_was_read_late_in_its_time_keeps_its_width(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 99, false));
     assert_false(edge(&input, 100, true, 0));  /* Comes at 106. */
     assert_false(level(&input, 101, false));   /* And here the level knew nothing of it. */
@@ -187,7 +188,7 @@ static void test_a_pulse_that_was_read_late_in_its_time_keeps_its_width(void **s
 static void test_bounces_that_are_read_as_one_leave_the_line_where_it_is(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
     assert_false(edge(&input, 102, true, 0)); /* Open and closed again, read as closed. */
     assert_true(edge(&input, 140, false, 0));
@@ -199,7 +200,7 @@ static void test_bounces_that_are_read_as_one_leave_the_line_where_it_is(void **
 static void test_numbered_edges_that_were_lost_are_counted_and_the_rest_is_believed(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(edge(&input, 100, true, 0));
     assert_true(level(&input, 110, true));
     assert_false(edge(&input, 200, true, 6)); /* As it stands already: nothing turns, no blink. */
@@ -214,11 +215,11 @@ static void test_numbered_edges_that_were_lost_are_counted_and_the_rest_is_belie
 static void test_a_level_that_no_edge_told_of_is_believed_after_a_while(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 100, true));
-    assert_int_equal(gpio_input_due_ns(&input), 120 * MS);
+    assert_int_equal(gpio_edge_filter_due_ns(&input), 120 * MS);
     assert_false(level(&input, 119, true)); /* Its edge may be under way. */
-    assert_int_equal(gpio_input_known_ns(&input, 119 * MS), 100 * MS);
+    assert_int_equal(gpio_edge_filter_known_ns(&input, 119 * MS), 100 * MS);
     assert_true(level(&input, 120, true));
     assert_int_equal(input.lost, 1);
     assert_turn(100, true);
@@ -230,7 +231,7 @@ static void test_a_level_that_no_edge_told_of_is_believed_after_a_while(void **s
 static void test_a_level_read_before_its_edge_came_mends_nothing(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 100, true));
     assert_false(edge(&input, 99, true, 0));
     assert_true(level(&input, 102, true));
@@ -241,14 +242,14 @@ static void test_a_level_read_before_its_edge_came_mends_nothing(void **state)
 static void test_turns_are_known_up_to_where_something_still_has_to_stand(void **state)
 {
     (void)state;
-    struct gpio_input input = gpio_input_begin(PERIOD_NS, false, 0);
-    assert_int_equal(gpio_input_known_ns(&input, 50 * MS), 50 * MS);
+    struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
+    assert_int_equal(gpio_edge_filter_known_ns(&input, 50 * MS), 50 * MS);
     edge(&input, 100, true, 0);
-    assert_int_equal(gpio_input_known_ns(&input, 101 * MS), 100 * MS);
+    assert_int_equal(gpio_edge_filter_known_ns(&input, 101 * MS), 100 * MS);
     assert_true(level(&input, 103, true));
-    assert_int_equal(gpio_input_known_ns(&input, 103 * MS), 103 * MS);
+    assert_int_equal(gpio_edge_filter_known_ns(&input, 103 * MS), 103 * MS);
     level(&input, 200, false);
-    assert_int_equal(gpio_input_known_ns(&input, 210 * MS), 200 * MS);
+    assert_int_equal(gpio_edge_filter_known_ns(&input, 210 * MS), 200 * MS);
 }
 
 int main(void)

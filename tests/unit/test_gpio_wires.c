@@ -22,7 +22,7 @@ static void test_a_button_by_name_closes_to_ground(void **state)
     assert_int_equal(wire->active_low, 1);
     assert_int_equal(wire->bias, GPIO_BIAS_UP);
     assert_int_equal(wire->debounce_us, 5000);
-    assert_int_equal(gpio_wires_count(wires), 1);
+    assert_int_equal(gpio_config_count(wires), 1);
 }
 
 static void test_a_line_by_chip_and_offset_takes_all_its_words(void **state)
@@ -135,9 +135,9 @@ static void test_two_roles_on_one_line_are_told(void **state)
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
     assert_true(gpio_wire_read("left=sim:4", wires, why));
     assert_true(gpio_wire_read("right=sim:5", wires, why));
-    assert_true(gpio_wires_agree(wires, why));
+    assert_true(gpio_config_agrees(wires, why));
     assert_true(gpio_wire_read("ticket=sim:5", wires, why));
-    assert_false(gpio_wires_agree(wires, why));
+    assert_false(gpio_config_agrees(wires, why));
     assert_string_equal(why, "right and ticket are both on sim:5: one line, one role");
 }
 

@@ -38,7 +38,7 @@ static void step(struct poi_target hand, struct outcome *sum)
     poi_tick(&poi, &grip, &tank, &bowl);
     struct obstacle ring = poi_obstacle(&poi);
     tank_tick(&tank, now, &ring, 1);
-    poi_give_way(&poi, &ring);
+    poi_apply_reaction(&poi, &ring);
     const struct stall stall = { &tank, &bowl, 1 };
     struct catch_result caught[POI_MAX] = { 0 };
     catch_tick(&poi, 0, &stall, now, &output, caught);
@@ -72,7 +72,7 @@ static void scoop(const struct fish *fish, struct outcome *sum)
     const float deep_m = fish->position_m.y - box_extent_m(&box).y - UNDER_M;
     struct outcome one = { 0 };
     poi_init(&poi, 6, hand.position_m, now);
-    poi.link = POI_LINK_LIVE;
+    poi.link = POI_SOURCE_LIVE;
     follow(fish, v3(0.0f, deep_m, BESIDE_M), 0.6f, HAND_M_S, &hand, &one);
     follow(fish, v3(0.0f, deep_m, 0.0f), 0.0f, HAND_M_S, &hand, &one);
     const vec3 top = v3(hand.position_m.x, 0.05f, hand.position_m.z);
@@ -99,7 +99,7 @@ static const struct fish *wait_for_fish(uint32_t seed, int gulps)
     config.time_compression = 0.0f;
     assert_true(tank_open(&tank, &config));
     struct fish *fish = &tank.fish[0];
-    fish_grow(fish, FISH_M, tank_law(&tank));
+    fish_grow(fish, FISH_M, tank_behavior_params(&tank));
     fish->stamina = 0.6f; /* Whose band is the middle. */
     now = 0;
     for (; now < 120u * CORE_TICK_HZ; now++) {

@@ -9,7 +9,7 @@ static struct stand stand; /* Too large for some stacks. */
 
 static float weight_n(void)
 {
-    return (POI_MASS_KG + stand.poi.water_kg + stand.poi.riders_kg) * GRAVITY_M_S2;
+    return (POI_MASS_KG + stand.poi.water_kg + stand.poi.carried_kg) * GRAVITY_M_S2;
 }
 
 static void test_a_poi_held_still_in_air_weighs_ring_and_water(void **state)
@@ -35,10 +35,10 @@ static void test_a_pull_through_water_is_opposed_by_the_drag_on_the_paper(void *
         const vec3 way = v3(f_cos(course), 0.0f, f_sin(course));
         stand_init(&stand, 4, 1);
         stand.tank.size_m = v3(4.0f, 0.5f, 4.0f);
-        stand.hand.position_m = stand.poi.position_m = v3_mad(v3(0, -0.2f, 0), way, -0.5f);
+        stand.hand.position_m = stand.poi.position_m = v3_muladd(v3(0, -0.2f, 0), way, -0.5f);
         stand.hand.angles = (struct angles){ .yaw_rad = -course, .roll_rad = 0.5f * F_PI };
         stand_wait(&stand, 0.5f);
-        stand_move(&stand, v3_mad(v3(0.0f, -0.2f, 0.0f), way, 0.2f), speed_m_s);
+        stand_move(&stand, v3_muladd(v3(0.0f, -0.2f, 0.0f), way, 0.2f), speed_m_s);
         const float drag_n = 0.5f * WATER_KG_M3 * 1.17f * POI_AREA_M2 * speed_m_s * speed_m_s;
         assert_float_equal(v3_dot(stand.force.force_n, way), -drag_n, 0.1f * drag_n);
         assert_float_equal(stand.force.drag, drag_n / POI_DRAG_N_FULL, 0.02f);
@@ -101,7 +101,7 @@ static void tick_with_blow(float x_m, float z_m, float force_n)
     stand.poi.load_count = stand.poi.slap_count = force_n > 0.0f;
     poi_tick(&stand.poi, &grip, &stand.tank, &stand.bowl);
     const struct obstacle ring = poi_obstacle(&stand.poi);
-    poi_give_way(&stand.poi, &ring);
+    poi_apply_reaction(&stand.poi, &ring);
     haptics_feel(&stand.poi, &stand.force);
 }
 
@@ -134,9 +134,9 @@ static void test_a_real_fish_on_the_paper_is_weighed_and_felt_to_slap(void **sta
     stand_fish(&stand, v3(0.0f, stand.poi.position_m.y + 0.03f, 0.0f), 0.05f);
     stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.08f);
     stand_wait(&stand, 0.15f); /* The hand has come to rest. */
-    assert_int_equal(stand.poi.rider_count, 1);
+    assert_int_equal(stand.poi.carried_count, 1);
     uint32_t blows = 0, felt = 0;
-    for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ && stand.poi.rider_count; tick++) {
+    for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ && stand.poi.carried_count; tick++) {
         const float due_n = stand.poi.slap_count ? -stand.poi.loads[0].force_n : 0.0f;
         stand_tick(&stand);
         blows += due_n > 0.01f;
@@ -145,7 +145,7 @@ static void test_a_real_fish_on_the_paper_is_weighed_and_felt_to_slap(void **sta
     }
     assert_true(blows >= 6);
     assert_int_equal(felt, blows);
-    assert_float_equal(stand.poi.riders_kg, fish_mass_kg(0.05f), 1e-6f);
+    assert_float_equal(stand.poi.carried_kg, fish_mass_kg(0.05f), 1e-6f);
 }
 
 /* ---- What holds it up ----------------------------------------------------------------------- */
@@ -234,12 +234,12 @@ static void test_a_frame_keeps_the_hardest_blow_of_its_ticks(void **state)
     const struct poi_force calm = { .force_n = { 0, -0.07f, 0 }, .drag = 0.2f };
     const struct poi_force blow = { .force_n = { 0, -0.16f, 0 }, .slap = 0.6f, .tear = 0.1f };
     struct poi_force first = { 0 }, last = { 0 }, none = { 0 };
-    output_feel(&first, &blow);
-    output_feel(&first, &calm);
-    output_feel(&last, &calm);
-    output_feel(&last, &blow);
-    output_feel(&none, &calm);
-    output_feel(&none, &calm);
+    output_merge_force(&first, &blow);
+    output_merge_force(&first, &calm);
+    output_merge_force(&last, &calm);
+    output_merge_force(&last, &blow);
+    output_merge_force(&none, &calm);
+    output_merge_force(&none, &calm);
     assert_memory_equal(&first, &last, sizeof first);
     assert_float_equal(first.force_n.y, -0.16f, 0.0f);
     assert_float_equal(first.slap, 0.6f, 0.0f);

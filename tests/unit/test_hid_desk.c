@@ -19,10 +19,10 @@
 static struct clock_sim clock_now;
 static struct hid_wire wire[2]; /* A DualSense, and a pen tablet. */
 static struct hid_port_sim port[2];
-static struct hid_roster_sim roster;
-static struct hid_book book;
+static struct hid_device_list_sim device_list;
+static struct hid_mapping_store book;
 static struct poi_hid seat[2];
-static struct hid_desk desk;
+static struct controller_manager desk;
 
 static int set_up(void **state)
 {
@@ -36,33 +36,33 @@ static int set_up(void **state)
     wire_load(&wire[1], &clock_now, "137-dg-huion-h610-if0");
     wire[1].face.identity = (struct hid_identity){ .vendor = 0x256c, .product = 0x006e,
                                                    .port = "3-2" };
-    hid_book_open(&book, NULL, NULL, NULL);
+    hid_mapping_store_open(&book, NULL, NULL, NULL);
     for (uint32_t i = 0; i < 2; i++) {
         hid_port_sim_init(&port[i], clock_sim_device(&clock_now), &wire[0].face);
         port[i].absent = 1;
         poi_hid_init(&seat[i], hid_port_sim_port(&port[i]), clock_sim_device(&clock_now),
-                     hid_book_mapper(&book), stall_view());
+                     hid_mapping_store_mapper(&book), stall_view());
     }
-    hid_roster_sim_init(&roster, ports);
-    hid_roster_sim_plug(&roster, 0, &wire[0].face);
-    hid_roster_sim_plug(&roster, 3, &wire[1].face);
-    hid_desk_init(&desk, hid_roster_sim_device(&roster), &book, seats);
+    hid_device_list_sim_init(&device_list, ports);
+    hid_device_list_sim_plug(&device_list, 0, &wire[0].face);
+    hid_device_list_sim_plug(&device_list, 3, &wire[1].face);
+    controller_manager_init(&desk, hid_device_list_sim_device(&device_list), &book, seats);
     return 0;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    hid_book_close(&book);
+    hid_mapping_store_close(&book);
     return 0;
 }
 
 /* A frame: seats are looked at, then the desk. */
-static struct desk_input frame(void)
+static struct controller_status frame(void)
 {
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
-    struct desk_input out;
-    const struct hal_controllers device = hid_desk_device(&desk);
+    struct controller_status out;
+    const struct hal_controllers device = controller_manager_device(&desk);
     clock_now.now_ns += 16666667ull;
     for (uint32_t i = 0; i < 2; i++) {
         const struct hal_poi poi = poi_hid_device(&seat[i]);
@@ -75,16 +75,16 @@ static struct desk_input frame(void)
     return out;
 }
 
-static int order(enum desk_order_kind kind, uint8_t row)
+static int order(enum controller_command_kind kind, uint8_t row)
 {
-    const struct desk_order wanted = { .kind = (uint8_t)kind, .row = row };
-    const struct hal_controllers device = hid_desk_device(&desk);
-    return device.ops->order(device.self, &wanted);
+    const struct controller_command wanted = { .kind = (uint8_t)kind, .row = row };
+    const struct hal_controllers device = controller_manager_device(&desk);
+    return device.ops->command(device.self, &wanted);
 }
 
 static const char *name(uint32_t row)
 {
-    const struct hal_controllers device = hid_desk_device(&desk);
+    const struct hal_controllers device = controller_manager_device(&desk);
     return device.ops->name(device.self, row);
 }
 
@@ -100,12 +100,12 @@ static void push(uint32_t at, int64_t across, int64_t along, int64_t squeezed)
     wire_put(pad, 1, USAGE_BUTTON + 5u, squeezed);
     uint8_t bytes[64] = { 1 };
     memcpy(bytes + 1, pad->payload[1], 63);
-    hid_port_sim_say(&port[at], bytes, sizeof bytes);
+    hid_port_sim_report(&port[at], bytes, sizeof bytes);
 }
 
-static struct desk_input step(int64_t across, int64_t along, int64_t squeezed)
+static struct controller_status step(int64_t across, int64_t along, int64_t squeezed)
 {
-    struct desk_input out = { 0 };
+    struct controller_status out = { 0 };
     for (uint32_t i = 0; i < 80; i++) {
         push(0, i > 10 ? across : 128, i > 10 ? along : 128, i > 10 ? squeezed : 0);
         out = frame();
@@ -117,27 +117,27 @@ static struct desk_input step(int64_t across, int64_t along, int64_t squeezed)
 
 static void teach(void)
 {
-    assert_int_equal(order(DESK_LEARN, 0), HAL_OK);
+    assert_int_equal(order(COMMAND_LEARN, 0), HAL_OK);
     assert_int_equal(frame().learn_step, LEARN_REST);
     frame();
     assert_int_equal(step(128, 128, 0).learn_progress, 255);
-    order(DESK_LEARN_NEXT, 0);
+    order(COMMAND_LEARN_NEXT, 0);
     assert_true(step(0, 128, 0).learn_progress > 200);
-    order(DESK_LEARN_NEXT, 0);
+    order(COMMAND_LEARN_NEXT, 0);
     step(255, 128, 0);
-    order(DESK_LEARN_NEXT, 0);
+    order(COMMAND_LEARN_NEXT, 0);
     step(128, 0, 0);
-    order(DESK_LEARN_NEXT, 0);
+    order(COMMAND_LEARN_NEXT, 0);
     step(128, 255, 0);
-    order(DESK_LEARN_NEXT, 0);
+    order(COMMAND_LEARN_NEXT, 0);
     assert_int_equal(step(128, 128, 1).learn_step, LEARN_DIP);
-    order(DESK_LEARN_NEXT, 0);
+    order(COMMAND_LEARN_NEXT, 0);
 }
 
 static void test_rows_are_what_is_plugged_in(void **state)
 {
     (void)state;
-    const struct desk_input out = frame();
+    const struct controller_status out = frame();
     assert_int_equal(out.state[0], CONTROLLER_FREE);
     assert_int_equal(out.state[1], CONTROLLER_NONE);
     assert_int_equal(out.state[3], CONTROLLER_FREE);
@@ -161,15 +161,15 @@ static void test_who_is_chosen_plays_and_who_is_released_does_not(void **state)
 {
     (void)state;
     frame();
-    assert_int_equal(order(DESK_CHOOSE, 0), HAL_OK);
-    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
+    assert_int_equal(order(COMMAND_CHOOSE, 0), HAL_OK);
+    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
     frame();
     assert_true(seat[0].plays);
-    assert_int_equal(order(DESK_RELEASE, 0), HAL_OK);
+    assert_int_equal(order(COMMAND_RELEASE, 0), HAL_OK);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
     assert_false(seat[0].is_open);
-    assert_int_equal(order(DESK_CHOOSE, 1), HAL_ERR_NONE); /* An empty row. */
-    assert_int_equal(order(DESK_CHOOSE, CONTROLLER_MAX), HAL_ERR_NONE);
+    assert_int_equal(order(COMMAND_CHOOSE, 1), HAL_ERR_ABSENT); /* An empty row. */
+    assert_int_equal(order(COMMAND_CHOOSE, CONTROLLER_MAX), HAL_ERR_ABSENT);
 }
 
 static void test_a_pad_is_learned_tried_and_kept(void **state)
@@ -177,60 +177,60 @@ static void test_a_pad_is_learned_tried_and_kept(void **state)
     (void)state;
     frame();
     teach();
-    const struct desk_input tried = frame();
+    const struct controller_status tried = frame();
     assert_int_equal(tried.learn_step, LEARN_TRY);
     assert_int_equal(tried.learn_row, 0);
     assert_true(seat[0].plays);
-    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED);
+    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED);
     assert_int_equal(seat[0].hand.map.binding[0].bit_offset, 16); /* The right stick. */
-    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_OK);
+    assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(frame().learn_step, LEARN_NONE);
-    assert_non_null(hid_book_find(&book, &wire[0].face.identity));
-    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED); /* It plays on. */
+    assert_non_null(hid_mapping_store_find(&book, &wire[0].face.identity));
+    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED); /* It plays on. */
 }
 
 static void test_what_is_not_kept_is_forgotten(void **state)
 {
     (void)state;
     frame();
-    order(DESK_CHOOSE, 0);
+    order(COMMAND_CHOOSE, 0);
     frame();
     teach();
     frame();
-    order(DESK_LEARN_END, 0);
+    order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().learn_step, LEARN_NONE);
-    assert_null(hid_book_find(&book, &wire[0].face.identity));
-    assert_int_equal(seat[0].hand.map.source, HID_MAP_KNOWN);
-    assert_int_equal(frame().state[0], CONTROLLER_PLAYS); /* As it did before. */
+    assert_null(hid_mapping_store_find(&book, &wire[0].face.identity));
+    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_KNOWN);
+    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE); /* As it did before. */
 }
 
 static void test_who_was_free_is_so_again_where_nothing_was_kept(void **state)
 {
     (void)state;
     frame();
-    order(DESK_LEARN, 0); /* Ended before it sits, ... */
-    order(DESK_LEARN_END, 0);
+    order(COMMAND_LEARN, 0); /* Ended before it sits, ... */
+    order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
     teach(); /* ... while it is tried, also the second time, ... */
-    order(DESK_LEARN, 0);
-    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
-    order(DESK_LEARN_END, 0);
+    order(COMMAND_LEARN, 0);
+    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
+    order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    order(DESK_LEARN, 0); /* ... by the next that is learned, ... */
+    order(COMMAND_LEARN, 0); /* ... by the next that is learned, ... */
     frame();
-    order(DESK_LEARN, 3);
+    order(COMMAND_LEARN, 3);
     assert_int_equal(frame().state[0], CONTROLLER_FREE);
-    assert_int_equal(frame().state[3], CONTROLLER_PLAYS);
-    order(DESK_LEARN_END, 3);
-    order(DESK_LEARN, 0); /* ... and while it is away. */
+    assert_int_equal(frame().state[3], CONTROLLER_ACTIVE);
+    order(COMMAND_LEARN_END, 3);
+    order(COMMAND_LEARN, 0); /* ... and while it is away. */
     frame();
     frame();
-    hid_roster_sim_plug(&roster, 0, NULL);
+    hid_device_list_sim_plug(&device_list, 0, NULL);
     frame();
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    order(DESK_LEARN_END, 0);
+    order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().state[0], CONTROLLER_NONE);
-    assert_int_equal(roster.release_count, 5);
+    assert_int_equal(device_list.release_count, 5);
 }
 
 static void test_who_was_kept_plays_on(void **state)
@@ -238,13 +238,13 @@ static void test_who_was_kept_plays_on(void **state)
     (void)state;
     frame();
     teach();
-    order(DESK_LEARN_KEEP, 0);
+    order(COMMAND_LEARN_KEEP, 0);
     frame();
-    order(DESK_LEARN, 0);
+    order(COMMAND_LEARN, 0);
     frame();
-    order(DESK_LEARN_END, 0);
-    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
-    assert_int_equal(roster.release_count, 0);
+    order(COMMAND_LEARN_END, 0);
+    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
+    assert_int_equal(device_list.release_count, 0);
 }
 
 static atomic_uint told_count;
@@ -256,9 +256,9 @@ static void count_line(void *self, const char *line)
 }
 
 /* The thread writes when it may: some frames are patience. */
-static struct desk_input written(void)
+static struct controller_status written(void)
 {
-    struct desk_input out = frame();
+    struct controller_status out = frame();
     for (uint32_t i = 0; i < 5000 && out.learn_step == LEARN_TRY; i++) {
         usleep(1000);
         out = frame();
@@ -273,25 +273,25 @@ static void test_what_cannot_be_written_is_told_and_plays_on(void **state)
     assert_non_null(mkdtemp(data));
     snprintf(pois, sizeof pois, "%s/pois", data);
     assert_int_equal(close(open(pois, O_CREAT | O_WRONLY, 0644)), 0); /* No folder can be here. */
-    hid_book_close(&book);
-    hid_book_open(&book, data, NULL, NULL);
-    hid_book_tell(&book, count_line, line);
+    hid_mapping_store_close(&book);
+    hid_mapping_store_open(&book, data, NULL, NULL);
+    hid_mapping_store_set_error_sink(&book, count_line, line);
     told_count = 0;
     frame();
     teach();
-    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_OK);
-    assert_int_equal(written().learn_step, LEARN_UNKEPT);
+    assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
+    assert_int_equal(written().learn_step, LEARN_NOT_SAVED);
     assert_int_equal(told_count, 1);
     assert_true(seat[0].plays);
     assert_int_equal(unlink(pois), 0); /* Somebody saw to it. */
-    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_OK);
+    assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_OK);
     assert_int_equal(written().learn_step, LEARN_NONE);
     assert_int_equal(book.written_count, 1);
-    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED);
-    hid_book_close(&book);
+    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED);
+    hid_mapping_store_close(&book);
     snprintf(pois, sizeof pois, "rm -rf %s", data);
     assert_int_equal(system(pois), 0);
-    hid_book_open(&book, NULL, NULL, NULL);
+    hid_mapping_store_open(&book, NULL, NULL, NULL);
 }
 
 static void test_who_lives_with_what_is_not_kept_plays_on(void **state)
@@ -300,12 +300,12 @@ static void test_who_lives_with_what_is_not_kept_plays_on(void **state)
     snprintf(book.folder, sizeof book.folder, "/nowhere/pois"); /* A book without its thread. */
     frame();
     teach();
-    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_ERR_IO);
-    assert_int_equal(frame().learn_step, LEARN_UNKEPT);
-    order(DESK_LEARN_END, 0);
+    assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);
+    assert_int_equal(frame().learn_step, LEARN_NOT_SAVED);
+    order(COMMAND_LEARN_END, 0);
     assert_int_equal(frame().learn_step, LEARN_NONE);
-    assert_int_equal(frame().state[0], CONTROLLER_PLAYS);
-    assert_int_equal(seat[0].hand.map.source, HID_MAP_LEARNED);
+    assert_int_equal(frame().state[0], CONTROLLER_ACTIVE);
+    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_LEARNED);
 }
 
 static void test_a_released_controller_is_forgotten(void **state)
@@ -313,28 +313,28 @@ static void test_a_released_controller_is_forgotten(void **state)
     (void)state;
     frame();
     teach();
-    order(DESK_LEARN_KEEP, 0);
+    order(COMMAND_LEARN_KEEP, 0);
     frame();
-    order(DESK_RELEASE, 0);
+    order(COMMAND_RELEASE, 0);
     frame();
-    assert_null(hid_book_find(&book, &wire[0].face.identity));
+    assert_null(hid_mapping_store_find(&book, &wire[0].face.identity));
 }
 
 static void test_one_that_is_pulled_out_while_it_is_learned_fails(void **state)
 {
     (void)state;
     frame();
-    order(DESK_LEARN, 0);
+    order(COMMAND_LEARN, 0);
     frame();
     frame();
     step(128, 128, 0);
-    order(DESK_LEARN_NEXT, 0);
-    hid_roster_sim_plug(&roster, 0, NULL);
+    order(COMMAND_LEARN_NEXT, 0);
+    hid_device_list_sim_plug(&device_list, 0, NULL);
     frame();
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    order(DESK_LEARN_NEXT, 0); /* Nobody is there to go on with. */
+    order(COMMAND_LEARN_NEXT, 0); /* Nobody is there to go on with. */
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    hid_roster_sim_plug(&roster, 0, &wire[0].face);
+    hid_device_list_sim_plug(&device_list, 0, &wire[0].face);
     frame();
     teach(); /* Begun again it goes well. */
     assert_int_equal(frame().learn_step, LEARN_TRY);
@@ -343,13 +343,13 @@ static void test_one_that_is_pulled_out_while_it_is_learned_fails(void **state)
 static void test_one_that_may_not_be_opened_cannot_be_learned(void **state)
 {
     (void)state;
-    roster.denied[3] = 1;
+    device_list.denied[3] = 1;
     frame();
-    order(DESK_LEARN, 3);
+    order(COMMAND_LEARN, 3);
     assert_int_equal(frame().learn_step, LEARN_FAILED);
-    order(DESK_LEARN_END, 3);
-    roster.barred[0] = 1;
-    assert_int_equal(order(DESK_LEARN, 0), HAL_ERR_NONE);
+    order(COMMAND_LEARN_END, 3);
+    device_list.barred[0] = 1;
+    assert_int_equal(order(COMMAND_LEARN, 0), HAL_ERR_ABSENT);
     assert_int_equal(frame().learn_step, LEARN_FAILED);
 }
 
@@ -357,28 +357,28 @@ static void test_who_cannot_be_shown_is_told_so(void **state)
 {
     (void)state;
     frame();
-    order(DESK_LEARN, 0);
+    order(COMMAND_LEARN, 0);
     for (uint32_t i = LEARN_REST; i <= LEARN_DIP; i++) {
         frame();
         step(128, 128, 0); /* Nobody moves it. */
-        order(DESK_LEARN_NEXT, 0);
+        order(COMMAND_LEARN_NEXT, 0);
     }
     assert_int_equal(frame().learn_step, LEARN_FAILED);
     assert_true(seat[0].plays); /* By what it played by before. */
-    assert_int_equal(seat[0].hand.map.source, HID_MAP_KNOWN);
-    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_ERR_IO);
+    assert_int_equal(seat[0].hand.map.source, HID_MAPPING_KNOWN);
+    assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);
 }
 
 static void test_orders_that_do_not_fit_harm_nothing(void **state)
 {
     (void)state;
     frame();
-    order(DESK_LEARN_NEXT, 0);
-    order(DESK_LEARN_END, 0);
-    assert_int_equal(order(DESK_LEARN_KEEP, 0), HAL_ERR_IO);
-    order(DESK_NOTHING, 0);
-    order((enum desk_order_kind)250, 0);
-    order(DESK_RELEASE, 5);
+    order(COMMAND_LEARN_NEXT, 0);
+    order(COMMAND_LEARN_END, 0);
+    assert_int_equal(order(COMMAND_LEARN_KEEP, 0), HAL_ERR_IO);
+    order(COMMAND_NONE, 0);
+    order((enum controller_command_kind)250, 0);
+    order(COMMAND_RELEASE, 5);
     assert_int_equal(frame().learn_step, LEARN_NONE);
 }
 

@@ -16,17 +16,17 @@
 
 static struct clock_sim clock_now;
 static struct hid_wire wire;
-static struct hid_hand hand;
+static struct hid_pose_decoder hand;
 static uint64_t now_ms;
 
-static void take_up(const char *name, uint16_t vendor, uint16_t product)
+static void capture_fish(const char *name, uint16_t vendor, uint16_t product)
 {
-    struct hid_map map;
+    struct hid_mapping map;
     wire_load(&wire, &clock_now, name);
     wire.face.identity.vendor = vendor;
     wire.face.identity.product = product;
-    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(hid_hand_init(&hand, &wire.face, &map, stall_view()), 0);
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &map, stall_view()), 0);
     now_ms = 1000;
 }
 
@@ -45,21 +45,21 @@ static int send(uint8_t id)
     memcpy(bytes + with_id, wire.payload[id], size - with_id);
     const struct hid_raw raw = raw_of(bytes, size);
     now_ms += 4;
-    return hid_hand_report(&hand, &raw);
+    return hid_pose_decoder_report(&hand, &raw);
 }
 
 static struct poi_sample sample_after(uint64_t ms)
 {
     struct poi_sample sample;
     now_ms += ms;
-    assert_true(hid_hand_sample(&hand, now_ms * MS, &sample));
+    assert_true(hid_pose_decoder_sample(&hand, now_ms * MS, &sample));
     return sample;
 }
 
 static uint32_t pressed(void)
 {
     struct button_sample buttons = { 0 };
-    hid_hand_buttons(&hand, &buttons);
+    hid_pose_decoder_buttons(&hand, &buttons);
     return buttons.pressed;
 }
 
@@ -67,7 +67,7 @@ static uint32_t pressed(void)
 
 static void rest_dualsense(void)
 {
-    take_up("016-ci-dualsense", 0x054c, 0x0ce6);
+    capture_fish("016-ci-dualsense", 0x054c, 0x0ce6);
     wire_put(&wire, 1, USAGE_X, 128);
     wire_put(&wire, 1, USAGE_Y, 128);
     wire_put(&wire, 1, USAGE_Z, 128);
@@ -115,8 +115,8 @@ static void test_a_stick_that_was_never_let_go_moves_nothing(void **state)
 {
     (void)state;
     rest_dualsense();
-    struct hid_map map = hand.map;
-    assert_int_equal(hid_hand_init(&hand, &wire.face, &map, stall_view()), 0);
+    struct hid_mapping map = hand.map;
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &map, stall_view()), 0);
     wire_put(&wire, 1, USAGE_X, 255);
     send(1);
     const vec3 before = sample_after(0).target.position_m;
@@ -187,24 +187,24 @@ static void test_sticks_lead_the_fan_while_its_button_is_down(void **state)
 {
     (void)state;
     rest_dualsense();
-    assert_false(hid_hand_fan(&hand, now_ms * MS).present);
+    assert_false(hid_pose_decoder_fan(&hand, now_ms * MS).present);
     wire_put(&wire, 1, USAGE_BUTTON + 4u, 1); /* Triangle. */
     send(1);
     now_ms += 500;
     const vec3 poi = sample_after(0).target.position_m;
-    const struct shade_input fan = hid_hand_fan(&hand, now_ms * MS);
+    const struct shade_input fan = hid_pose_decoder_fan(&hand, now_ms * MS);
     assert_true(fan.present);
     wire_put(&wire, 1, USAGE_X, 0);
     send(1);
     assert_float_equal(sample_after(500).target.position_m.x, poi.x, 1e-4f);
-    assert_true(hid_hand_fan(&hand, now_ms * MS).x_m < fan.x_m - 0.05f);
+    assert_true(hid_pose_decoder_fan(&hand, now_ms * MS).x_m < fan.x_m - 0.05f);
 }
 
 /* An arcade stick has four switches, which its maker calls a hat. */
 static void test_a_stick_of_switches_pushes_all_the_way(void **state)
 {
     (void)state;
-    take_up("023-ci-xusb-arcadestick", 0x045e, 0x028e);
+    capture_fish("023-ci-xusb-arcadestick", 0x045e, 0x028e);
     wire_put(&wire, 0, USAGE_HAT, 0); /* None: its directions are 1 .. 8. */
     assert_true(send(0));
     const vec3 before = sample_after(300).target.position_m;
@@ -224,7 +224,7 @@ static void test_a_stick_of_switches_pushes_all_the_way(void **state)
 
 static void puck(hid_usage usage, int64_t value)
 {
-    take_up("002-3dconnexion-spacemouse-wireless", 0x256f, 0xc62e);
+    capture_fish("002-3dconnexion-spacemouse-wireless", 0x256f, 0xc62e);
     assert_true(send(1));
     wire_put(&wire, 1, usage, value);
     send(1);
@@ -258,12 +258,12 @@ static void test_an_old_puck_says_its_ways_and_its_turns_apart(void **state)
         0xa1, 0x02, 0x85, 0x03, 0x05, 0x09, 0x19, 0x01, 0x29, 0x02, 0x15, 0x00, 0x25, 0x01,
         0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xc0, 0xc0,             /* id 3: buttons */
     };
-    struct hid_map map;
+    struct hid_mapping map;
     (void)state;
     wire_begin(&wire, &clock_now, descriptor, sizeof descriptor);
-    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
     assert_int_equal(map.style, HID_STYLE_FLY);
-    assert_int_equal(hid_hand_init(&hand, &wire.face, &map, stall_view()), 0);
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &map, stall_view()), 0);
     send(1);
     send(2);
     wire_put(&wire, 1, USAGE_X, -350);
@@ -283,7 +283,7 @@ static void test_an_old_puck_says_its_ways_and_its_turns_apart(void **state)
 static void test_a_mouse_moves_by_its_counts(void **state)
 {
     (void)state;
-    take_up("187-hr-0003-045e-0040-0004", 0x045e, 0x0040);
+    capture_fish("187-hr-0003-045e-0040-0004", 0x045e, 0x0040);
     assert_true(send(0));
     const vec3 before = sample_after(500).target.position_m;
     wire_put(&wire, 0, USAGE_X, 100);
@@ -319,9 +319,9 @@ static void test_a_pen_is_where_it_is_and_away_it_says_nothing(void **state)
 {
     struct poi_sample sample;
     (void)state;
-    take_up("137-dg-huion-h610-if0", 0x256c, 0x006e);
+    capture_fish("137-dg-huion-h610-if0", 0x256c, 0x006e);
     pen(0.0f, 0.0f, 0, 0);
-    assert_false(hid_hand_sample(&hand, now_ms * MS, &sample)); /* It was never in range. */
+    assert_false(hid_pose_decoder_sample(&hand, now_ms * MS, &sample)); /* It was never in range. */
     pen(0.25f, 0.5f, 1, 0);
     const vec3 left = sample_after(0).target.position_m;
     pen(0.75f, 0.5f, 1, 0);
@@ -330,7 +330,7 @@ static void test_a_pen_is_where_it_is_and_away_it_says_nothing(void **state)
     pen(0.0f, 0.0f, 0, 0); /* Lifted: those zeros are no place. */
     assert_float_equal(sample_after(100).target.position_m.x, right.x, 1e-4f);
     now_ms += HID_PEN_AWAY_NS / MS;
-    assert_false(hid_hand_sample(&hand, now_ms * MS, &sample)); /* Put aside. */
+    assert_false(hid_pose_decoder_sample(&hand, now_ms * MS, &sample)); /* Put aside. */
     pen(0.5f, 0.5f, 1, 1);
     assert_float_equal(sample_after(600).target.position_m.y, DIP_DEPTH_M, 1e-3f);
     pen(0.5f, 0.5f, 0, 1); /* Pulled away with its tip down, it is up. */
@@ -340,7 +340,7 @@ static void test_a_pen_is_where_it_is_and_away_it_says_nothing(void **state)
 static void test_a_pen_that_leans_tilts_the_ring(void **state)
 {
     (void)state;
-    take_up("194-hr-0003-256c-006e-0008", 0x256c, 0x006e);
+    capture_fish("194-hr-0003-256c-006e-0008", 0x256c, 0x006e);
     wire_put(&wire, 8, USAGE_IN_RANGE, 1);
     assert_true(send(8));
     wire_put(&wire, 8, USAGE_X_TILT, 30);
@@ -355,10 +355,10 @@ static void test_a_pen_that_leans_tilts_the_ring(void **state)
 
 static void take_up_own(void)
 {
-    struct hid_map map;
+    struct hid_mapping map;
     wire_begin(&wire, &clock_now, poi_descriptor, POI_DESCRIPTOR_SIZE);
-    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(hid_hand_init(&hand, &wire.face, &map, stall_view()), 0);
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &map, stall_view()), 0);
     now_ms = 1000;
 }
 
@@ -368,7 +368,7 @@ static int say_own(struct poi_report report, uint64_t ms)
     now_ms += ms;
     poi_report_encode(&report, bytes);
     const struct hid_raw raw = raw_of(bytes, sizeof bytes);
-    return hid_hand_report(&hand, &raw);
+    return hid_pose_decoder_report(&hand, &raw);
 }
 
 static struct poi_report own_at(float x_m, uint8_t sequence, uint8_t buttons)
@@ -438,7 +438,7 @@ static void test_while_its_fan_key_is_down_the_poi_waits(void **state)
         say_own(own_at(0.0025f * (float)i, sequence++, POI_BUTTON_FAN), 4);
     }
     assert_float_equal(sample_after(0).target.position_m.x, 0.0f, 1e-3f);
-    assert_float_equal(hid_hand_fan(&hand, now_ms * MS).x_m, 0.5f, 5e-3f);
+    assert_float_equal(hid_pose_decoder_fan(&hand, now_ms * MS).x_m, 0.5f, 5e-3f);
     float before_m = 0.0f;
     for (uint32_t i = 0; i < 150; i++) { /* Let go, it comes back without a leap. */
         say_own(own_at(0.5f, sequence++, 0), 4);
@@ -447,7 +447,7 @@ static void test_while_its_fan_key_is_down_the_poi_waits(void **state)
         before_m = at_m;
     }
     assert_float_equal(before_m, 0.5f, 1e-3f);
-    assert_false(hid_hand_fan(&hand, now_ms * MS).present);
+    assert_false(hid_pose_decoder_fan(&hand, now_ms * MS).present);
 }
 
 /* ---- What is no report ---------------------------------------------------------------------- */
@@ -462,14 +462,14 @@ static void test_whatever_else_comes_is_refused_and_changes_nothing(void **state
     const uint32_t refused = hand.refused_count;
     memset(bytes + 1, 0xff, sizeof bytes - 1);
     raw = raw_of(bytes, 0);
-    assert_false(hid_hand_report(&hand, &raw)); /* Empty. */
+    assert_false(hid_pose_decoder_report(&hand, &raw)); /* Empty. */
     raw = raw_of(bytes, 63);
-    assert_false(hid_hand_report(&hand, &raw)); /* A byte short of 64. */
+    assert_false(hid_pose_decoder_report(&hand, &raw)); /* A byte short of 64. */
     bytes[0] = 77;
     raw = raw_of(bytes, 64);
-    assert_false(hid_hand_report(&hand, &raw)); /* Of an id that nobody declared. */
+    assert_false(hid_pose_decoder_report(&hand, &raw)); /* Of an id that nobody declared. */
     raw.size = HID_REPORT_MAX + 1u;
-    assert_false(hid_hand_report(&hand, &raw)); /* Longer than any buffer. */
+    assert_false(hid_pose_decoder_report(&hand, &raw)); /* Longer than any buffer. */
     assert_int_equal(hand.refused_count, refused + 4u);
     const vec3 after = sample_after(400).target.position_m;
     assert_float_equal(before.x, after.x, 1e-6f);
@@ -483,18 +483,18 @@ static void test_bytes_behind_a_whole_report_are_passed_over(void **state)
     rest_dualsense();
     memcpy(bytes + 1, wire.payload[1], 63);
     const struct hid_raw raw = raw_of(bytes, sizeof bytes);
-    assert_true(hid_hand_report(&hand, &raw));
+    assert_true(hid_pose_decoder_report(&hand, &raw));
 }
 
 static void test_a_map_that_is_not_sound_makes_no_hand(void **state)
 {
     (void)state;
     rest_dualsense();
-    struct hid_map map = hand.map;
+    struct hid_mapping map = hand.map;
     map.binding[0].bit_size = 0;
-    assert_int_equal(hid_hand_init(&hand, &wire.face, &map, stall_view()), -1);
-    map = (struct hid_map){ 0 };
-    assert_int_equal(hid_hand_init(&hand, &wire.face, &map, stall_view()), -1);
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &map, stall_view()), -1);
+    map = (struct hid_mapping){ 0 };
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &map, stall_view()), -1);
 }
 
 static uint8_t any_byte(uint32_t report, uint32_t index)
@@ -509,7 +509,7 @@ static void test_any_bytes_leave_a_finite_hand(void **state)
                                          "002-3dconnexion-spacemouse-wireless" };
     (void)state;
     for (uint32_t device = 0; device < sizeof names / sizeof names[0]; device++) {
-        take_up(names[device], 0x054c, 0x0ce6);
+        capture_fish(names[device], 0x054c, 0x0ce6);
         const uint8_t first = hand.map.binding[0].report_id;
         for (uint32_t i = 0; i < 5000; i++) {
             uint8_t bytes[HID_REPORT_MAX] = { first };
@@ -519,14 +519,14 @@ static void test_any_bytes_leave_a_finite_hand(void **state)
             }
             now_ms += any_byte(i, 99) % 40u;
             const struct hid_raw raw = raw_of(bytes, 1u + any_byte(i, 98) % 80u);
-            hid_hand_report(&hand, &raw);
-            if (hid_hand_sample(&hand, now_ms * MS, &sample)) {
+            hid_pose_decoder_report(&hand, &raw);
+            if (hid_pose_decoder_sample(&hand, now_ms * MS, &sample)) {
                 assert_true(v3_is_finite(sample.target.position_m));
                 assert_true(v3_length(sample.target.position_m) < 5.0f); /* A view's end. */
                 assert_true(f_is_finite(sample.target.angles.pitch_rad));
                 assert_true(f_abs(sample.target.angles.roll_rad) < 4.0f);
             }
-            const struct shade_input fan = hid_hand_fan(&hand, now_ms * MS);
+            const struct shade_input fan = hid_pose_decoder_fan(&hand, now_ms * MS);
             assert_true(f_is_finite(fan.x_m) && f_is_finite(fan.z_m));
         }
         assert_true(hand.refused_count > 0 && hand.refused_count < hand.report_count);

@@ -54,20 +54,20 @@ static void send(uint8_t id)
 /* A share of an axis' range, and a step or two beside it. */
 static void put_axis(const struct leads *leads, hid_usage usage, float share)
 {
-    const struct hid_spot spot =
-        hid_offer_find(&wire.descriptor, 0, leads->report_id, 1, usage);
+    const struct hid_field_location spot =
+        hid_mapping_auto_find(&wire.descriptor, 0, leads->report_id, 1, usage);
     assert_non_null(spot.group);
     const float low = (float)spot.group->logical_min, high = (float)spot.group->logical_max;
     const float at = low + (leads->turned ? 1.0f - share : share) * (high - low);
-    const float trembling = leads->manner == HID_MANNER_STEP ? 0.0f
-                                                             : (float)(any(usage) % 3u) - 1.0f;
+    const float trembling =
+        leads->manner == HID_BINDING_STEP ? 0.0f : (float)(any(usage) % 3u) - 1.0f;
     wire_put(&wire, leads->report_id, usage, (int64_t)f_clamp(at + trembling, low, high));
 }
 
 /* Mice give ways, of which two thirds of a range are one; everything else gives places. */
 static void lead(const struct leads *leads, float x, float z, int dips)
 {
-    const int steps = leads->manner == HID_MANNER_STEP;
+    const int steps = leads->manner == HID_BINDING_STEP;
     put_axis(leads, leads->x, steps ? 0.5f + 0.12f * (x - 0.5f) : x);
     put_axis(leads, leads->z, steps ? 0.5f + 0.12f * (z - 0.5f) : z);
     wire_put(&wire, leads->report_id, leads->dip, dips);
@@ -85,7 +85,7 @@ static void show(const struct leads *leads, float x, float z, int dips)
         lead(leads, 0.5f + share * (x - 0.5f), 0.5f + share * (z - 0.5f), dips);
     }
     assert_true(hid_learn_progress(&learn) > 200);
-    for (uint32_t i = 0; leads->manner != HID_MANNER_PLACE && i < 10; i++) {
+    for (uint32_t i = 0; leads->manner != HID_BINDING_POSITION && i < 10; i++) {
         lead(leads, 0.5f, 0.5f, 0);
     }
     hid_learn_next(&learn);
@@ -115,22 +115,23 @@ static void teach(const struct leads *leads)
 
 /* ---- What was learned leads ----------------------------------------------------------------- */
 
-static vec3 led(struct hid_hand *hand, const struct leads *leads, float x, float z, int dips)
+static vec3 led(struct hid_pose_decoder *hand, const struct leads *leads, float x, float z,
+                int dips)
 {
     struct poi_sample sample;
     for (uint32_t i = 0; i < 60; i++) {
         lead(leads, x, z, dips);
         const struct hid_raw raw = raw_now((uint8_t)leads->report_id);
-        assert_true(hid_hand_report(hand, &raw));
+        assert_true(hid_pose_decoder_report(hand, &raw));
     }
-    assert_true(hid_hand_sample(hand, now_ms * MS, &sample));
+    assert_true(hid_pose_decoder_sample(hand, now_ms * MS, &sample));
     return sample.target.position_m;
 }
 
 static void hold_leading(const struct leads *leads)
 {
-    struct hid_hand hand;
-    assert_int_equal(hid_hand_init(&hand, &wire.face, &learn.map, stall_view()), 0);
+    struct hid_pose_decoder hand;
+    assert_int_equal(hid_pose_decoder_init(&hand, &wire.face, &learn.map, stall_view()), 0);
     const vec3 middle = led(&hand, leads, 0.5f, 0.5f, 0);
     assert_true(led(&hand, leads, 0.1f, 0.5f, 0).x < middle.x - 0.05f);
     assert_true(led(&hand, leads, 0.95f, 0.5f, 0).x > middle.x - 0.05f);
@@ -148,9 +149,9 @@ static void learns_this(const struct leads *leads)
     if (learn.step != LEARN_TRY) {
         fail_msg("%s was not learned", leads->name);
     }
-    assert_int_equal(learn.map.source, HID_MAP_LEARNED);
+    assert_int_equal(learn.map.source, HID_MAPPING_LEARNED);
     assert_int_equal(learn.map.binding[0].manner, leads->manner);
-    assert_true(hid_map_is_sound(&learn.map, &wire.descriptor));
+    assert_true(hid_mapping_is_sound(&learn.map, &wire.descriptor));
     hold_leading(leads);
 }
 
@@ -161,18 +162,19 @@ static void learns(const struct leads *leads)
 }
 
 static const struct leads devices[] = {
-    { "006-blaze-joypad", USAGE_X, USAGE_Y, USAGE_BUTTON + 3u, 1, HID_MANNER_RATE, 0, 0 },
-    { "010-8bitdo-sn30pro-bt-dinput", USAGE_Z, USAGE_RZ, USAGE_BUTTON + 7u, 3, HID_MANNER_RATE, 0,
+    { "006-blaze-joypad", USAGE_X, USAGE_Y, USAGE_BUTTON + 3u, 1, HID_BINDING_RATE, 0, 0 },
+    { "010-8bitdo-sn30pro-bt-dinput", USAGE_Z, USAGE_RZ, USAGE_BUTTON + 7u, 3, HID_BINDING_RATE, 0,
       0 },
-    { "016-ci-dualsense", USAGE_X, USAGE_Y, USAGE_BUTTON + 2u, 1, HID_MANNER_RATE, 0, 0 },
+    { "016-ci-dualsense", USAGE_X, USAGE_Y, USAGE_BUTTON + 2u, 1, HID_BINDING_RATE, 0, 0 },
     { "033-ci-xboxone-model-1708-bluetooth", USAGE_X, USAGE_Y, USAGE_BUTTON + 1u, 1,
-      HID_MANNER_RATE, 0, 0 },
+      HID_BINDING_RATE, 0, 0 },
     { "203-hr-libinput-issue201-0003-06a3-0c2d-0", USAGE_X, USAGE_Y, USAGE_BUTTON + 1u, 0,
-      HID_MANNER_RATE, 0, 0 },
-    { "137-dg-huion-h610-if0", USAGE_X, USAGE_Y, USAGE_TIP, 7, HID_MANNER_PLACE, 0, 0 },
-    { "194-hr-0003-256c-006e-0008", USAGE_X, USAGE_Y, USAGE_TIP, 8, HID_MANNER_PLACE, 1, 0 },
-    { "187-hr-0003-045e-0040-0004", USAGE_X, USAGE_Y, USAGE_BUTTON + 1u, 0, HID_MANNER_STEP, 0, 0 },
-    { "011-dell-413c-301a-mouse", USAGE_X, USAGE_Y, USAGE_BUTTON + 2u, 0, HID_MANNER_STEP, 0, 0 },
+      HID_BINDING_RATE, 0, 0 },
+    { "137-dg-huion-h610-if0", USAGE_X, USAGE_Y, USAGE_TIP, 7, HID_BINDING_POSITION, 0, 0 },
+    { "194-hr-0003-256c-006e-0008", USAGE_X, USAGE_Y, USAGE_TIP, 8, HID_BINDING_POSITION, 1, 0 },
+    { "187-hr-0003-045e-0040-0004", USAGE_X, USAGE_Y, USAGE_BUTTON + 1u, 0, HID_BINDING_STEP, 0,
+      0 },
+    { "011-dell-413c-301a-mouse", USAGE_X, USAGE_Y, USAGE_BUTTON + 2u, 0, HID_BINDING_STEP, 0, 0 },
 };
 
 static void test_real_devices_are_learned(void **state)
@@ -195,8 +197,14 @@ static void test_one_that_lies_the_other_way_round_is_learned_as_it_lies(void **
 
 static void test_axes_of_32_bits_are_learned_to_their_ends(void **state)
 {
-    static const struct leads wide = { "a joystick of 0 .. 2^32 - 1", USAGE_X, USAGE_Y,
-                                       USAGE_BUTTON + 1u, 0, HID_MANNER_RATE, 0, 0 };
+    static const struct leads wide = { "a joystick of 0 .. 2^32 - 1",
+                                       USAGE_X,
+                                       USAGE_Y,
+                                       USAGE_BUTTON + 1u,
+                                       0,
+                                       HID_BINDING_RATE,
+                                       0,
+                                       0 };
     static const uint8_t bytes[] = {
         0x05, 1,    0x09, 4,    0xa1, 1, 0x09, 0x30, 0x09, 0x31, 0x15, 0, 0x27, 0xff, 0xff, 0xff,
         0xff, 0x75, 32,   0x95, 2,    0x81, 2, 0x05, 9,    0x19, 1,    0x29, 8,    0x25, 1,
@@ -206,7 +214,7 @@ static void test_axes_of_32_bits_are_learned_to_their_ends(void **state)
     wire_begin(&wire, &clock_now, bytes, sizeof bytes);
     learns_this(&wide);
     assert_true(learn.map.binding[0].full > INT32_MAX);
-    assert_int_equal(learn.offered.source, HID_MAP_OFFERED); /* It is played as it is, too. */
+    assert_int_equal(learn.offered.source, HID_MAPPING_AUTO); /* It is played as it is, too. */
     learn.map = learn.offered;
     hold_leading(&wide);
 }

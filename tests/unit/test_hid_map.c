@@ -15,17 +15,17 @@
 static struct clock_sim clock_now;
 static struct hid_wire wire;
 
-static struct hid_map map_of(const char *name, uint16_t vendor, uint16_t product)
+static struct hid_mapping map_of(const char *name, uint16_t vendor, uint16_t product)
 {
-    struct hid_map map;
+    struct hid_mapping map;
     wire_load(&wire, &clock_now, name);
     wire.face.identity.vendor = vendor;
     wire.face.identity.product = product;
-    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
     return map;
 }
 
-static const struct hid_binding *binding_of(const struct hid_map *map, enum hid_role role)
+static const struct hid_binding *binding_of(const struct hid_mapping *map, enum hid_role role)
 {
     for (uint32_t i = 0; i < map->count; i++) {
         if (map->binding[i].role == role) {
@@ -46,29 +46,29 @@ struct expected {
 
 /* Judged by reading each descriptor's fields (tests/hid/good/fields.tsv), not by what came out. */
 static const struct expected expected[] = {
-    { "002-3dconnexion-spacemouse-wireless", HID_STYLE_FLY, HID_MANNER_RATE, 1, 0 },
-    { "006-blaze-joypad", HID_STYLE_FLY, HID_MANNER_RATE, 1, 40 },
-    { "008-8bitdo-ultimate-bt-adapter", HID_STYLE_FLY, HID_MANNER_RATE, 48, 16 },
-    { "010-8bitdo-sn30pro-bt-dinput", HID_STYLE_FLY, HID_MANNER_RATE, 3, 8 },
-    { "011-dell-413c-301a-mouse", HID_STYLE_POINTER, HID_MANNER_STEP, 0, 32 },
+    { "002-3dconnexion-spacemouse-wireless", HID_STYLE_FLY, HID_BINDING_RATE, 1, 0 },
+    { "006-blaze-joypad", HID_STYLE_FLY, HID_BINDING_RATE, 1, 40 },
+    { "008-8bitdo-ultimate-bt-adapter", HID_STYLE_FLY, HID_BINDING_RATE, 48, 16 },
+    { "010-8bitdo-sn30pro-bt-dinput", HID_STYLE_FLY, HID_BINDING_RATE, 3, 8 },
+    { "011-dell-413c-301a-mouse", HID_STYLE_POINTER, HID_BINDING_STEP, 0, 32 },
     { "012-compact-keyboard-2222-0099-if1", HID_STYLE_NONE, 0, 0, 0 },
-    { "020-ci-luna-usb", HID_STYLE_FLY, HID_MANNER_RATE, 1, 24 },
-    { "023-ci-xusb-arcadestick", HID_STYLE_FLY, HID_MANNER_HAT, 0, 16 },
-    { "027-ci-xusb-gamepad2", HID_STYLE_FLY, HID_MANNER_RATE, 0, 0 },
-    { "033-ci-xboxone-model-1708-bluetooth", HID_STYLE_FLY, HID_MANNER_RATE, 1, 0 },
+    { "020-ci-luna-usb", HID_STYLE_FLY, HID_BINDING_RATE, 1, 24 },
+    { "023-ci-xusb-arcadestick", HID_STYLE_FLY, HID_BINDING_HAT, 0, 16 },
+    { "027-ci-xusb-gamepad2", HID_STYLE_FLY, HID_BINDING_RATE, 0, 0 },
+    { "033-ci-xboxone-model-1708-bluetooth", HID_STYLE_FLY, HID_BINDING_RATE, 1, 0 },
     { "036-hd-ion-15e4-0132", HID_STYLE_NONE, 0, 0, 0 },
-    { "038-hd-sony-054c-0268", HID_STYLE_FLY, HID_MANNER_RATE, 1, 40 },
+    { "038-hd-sony-054c-0268", HID_STYLE_FLY, HID_BINDING_RATE, 1, 40 },
     { "041-hd-kye-0458-0138-1", HID_STYLE_NONE, 0, 0, 0 },
-    { "064-hd-atmel-03eb-211c", HID_STYLE_POINTER, HID_MANNER_PLACE, 1, 8 },
-    { "135-dg-aiptek-apt-2-if0", HID_STYLE_POINTER, HID_MANNER_PLACE, 2, 0 },
-    { "137-dg-huion-h610-if0", HID_STYLE_POINTER, HID_MANNER_PLACE, 7, 8 },
-    { "144-dg-kye-easypen-m406-if0", HID_STYLE_POINTER, HID_MANNER_PLACE, 16, 8 },
-    { "157-dg-xp-pen-deco-01-if0", HID_STYLE_POINTER, HID_MANNER_PLACE, 9, 8 },
-    { "173-ha-046d-b010-0002-0001", HID_STYLE_POINTER, HID_MANNER_STEP, 2, 8 },
+    { "064-hd-atmel-03eb-211c", HID_STYLE_POINTER, HID_BINDING_POSITION, 1, 8 },
+    { "135-dg-aiptek-apt-2-if0", HID_STYLE_POINTER, HID_BINDING_POSITION, 2, 0 },
+    { "137-dg-huion-h610-if0", HID_STYLE_POINTER, HID_BINDING_POSITION, 7, 8 },
+    { "144-dg-kye-easypen-m406-if0", HID_STYLE_POINTER, HID_BINDING_POSITION, 16, 8 },
+    { "157-dg-xp-pen-deco-01-if0", HID_STYLE_POINTER, HID_BINDING_POSITION, 9, 8 },
+    { "173-ha-046d-b010-0002-0001", HID_STYLE_POINTER, HID_BINDING_STEP, 2, 8 },
     { "175-ha-046d-b010-0006-0001", HID_STYLE_NONE, 0, 0, 0 },
-    { "187-hr-0003-045e-0040-0004", HID_STYLE_POINTER, HID_MANNER_STEP, 0, 8 },
-    { "194-hr-0003-256c-006e-0008", HID_STYLE_POINTER, HID_MANNER_PLACE, 8, 8 },
-    { "203-hr-libinput-issue201-0003-06a3-0c2d-0", HID_STYLE_FLY, HID_MANNER_RATE, 0, 0 },
+    { "187-hr-0003-045e-0040-0004", HID_STYLE_POINTER, HID_BINDING_STEP, 0, 8 },
+    { "194-hr-0003-256c-006e-0008", HID_STYLE_POINTER, HID_BINDING_POSITION, 8, 8 },
+    { "203-hr-libinput-issue201-0003-06a3-0c2d-0", HID_STYLE_FLY, HID_BINDING_RATE, 0, 0 },
     { "207-hr-libinput-issue366-0003-046d-4082-0", HID_STYLE_NONE, 0, 0, 0 },
 };
 
@@ -77,7 +77,7 @@ static void test_a_descriptor_says_how_its_device_is_played(void **state)
     (void)state;
     for (uint32_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
         const struct expected *want = &expected[i];
-        const struct hid_map map = map_of(want->name, 0x1111, 0x2222);
+        const struct hid_mapping map = map_of(want->name, 0x1111, 0x2222);
         const struct hid_binding *x = binding_of(&map, HID_ROLE_X);
         if (map.style != want->style || (want->style && (!x || x->manner != want->manner))) {
             fail_msg("%s is played otherwise", want->name);
@@ -102,7 +102,7 @@ static int is_keyboard(const char *name)
 }
 
 /* Visits all of the corpus; returns how many can be played. */
-static uint32_t each_device(void (*visit)(const char *name, const struct hid_map *map))
+static uint32_t each_device(void (*visit)(const char *name, const struct hid_mapping *map))
 {
     DIR *folder = opendir(CORPUS);
     const struct dirent *file;
@@ -115,22 +115,22 @@ static uint32_t each_device(void (*visit)(const char *name, const struct hid_map
             continue;
         }
         snprintf(name, sizeof name, "%.*s", (int)(length - 4), file->d_name);
-        const struct hid_map map = map_of(name, 0x1111, 0x2222);
+        const struct hid_mapping map = map_of(name, 0x1111, 0x2222);
         visit(name, &map);
         count++;
-        playable += map.source != HID_MAP_NONE;
+        playable += map.source != HID_MAPPING_NONE;
     }
     closedir(folder);
     assert_int_equal(count, 72);
     return playable;
 }
 
-static void is_sound_or_none(const char *name, const struct hid_map *map)
+static void is_sound_or_none(const char *name, const struct hid_mapping *map)
 {
-    if (map->source != HID_MAP_NONE && !hid_map_is_sound(map, &wire.descriptor)) {
+    if (map->source != HID_MAPPING_NONE && !hid_mapping_is_sound(map, &wire.descriptor)) {
         fail_msg("%s has a map that is not sound", name);
     }
-    if (is_keyboard(name) && map->source != HID_MAP_NONE) {
+    if (is_keyboard(name) && map->source != HID_MAPPING_NONE) {
         fail_msg("%s is a keyboard", name);
     }
 }
@@ -143,15 +143,15 @@ static void test_every_real_device_has_a_sound_map_or_none(void **state)
     assert_true(playable >= 48);
 }
 
-static void says_itself(const char *name, const struct hid_map *map)
+static void says_itself(const char *name, const struct hid_mapping *map)
 {
-    char text[HID_MAP_TEXT_SIZE], why[HAL_TEXT_SIZE] = "";
-    struct hid_map back;
-    if (map->source == HID_MAP_NONE) {
+    char text[HID_MAPPING_TEXT_SIZE], why[HAL_TEXT_SIZE] = "";
+    struct hid_mapping back;
+    if (map->source == HID_MAPPING_NONE) {
         return;
     }
-    assert_int_equal(hid_map_write(map, text), 0);
-    if (hid_map_read(&back, text, why) != 0) {
+    assert_int_equal(hid_mapping_write(map, text), 0);
+    if (hid_mapping_read(&back, text, why) != 0) {
         fail_msg("%s: %s", name, why);
     }
     assert_int_equal(back.count, map->count);
@@ -179,37 +179,37 @@ static void test_a_map_is_the_same_after_it_was_written_and_read(void **state)
 static void test_our_own_poi_is_known_by_its_descriptor_whoever_made_it(void **state)
 {
     (void)state;
-    struct hid_map map;
+    struct hid_mapping map;
     wire_begin(&wire, &clock_now, poi_descriptor, POI_DESCRIPTOR_SIZE);
     wire.face.identity.vendor = 0x1209;
-    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(map.source, HID_MAP_OWN);
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(map.source, HID_MAPPING_OWN);
     assert_int_equal(map.style, HID_STYLE_POSE);
     assert_true(map.feels);
     map = map_of("002-3dconnexion-spacemouse-wireless", 0x1209, 0x0001);
-    assert_int_equal(map.source, HID_MAP_OFFERED); /* Six axes alone do not make a poi. */
+    assert_int_equal(map.source, HID_MAPPING_AUTO); /* Six axes alone do not make a poi. */
 }
 
 static void test_a_playstation_pad_is_known_by_its_ids(void **state)
 {
     (void)state;
-    const struct hid_map known = map_of("016-ci-dualsense", 0x054c, 0x0ce6);
-    const struct hid_map edge = map_of("016-ci-dualsense", 0x054c, 0x0df2);
-    const struct hid_map other = map_of("016-ci-dualsense", 0x1234, 0x0ce6);
-    assert_int_equal(known.source, HID_MAP_KNOWN);
-    assert_int_equal(edge.source, HID_MAP_KNOWN);
-    assert_int_equal(other.source, HID_MAP_OFFERED);
+    const struct hid_mapping known = map_of("016-ci-dualsense", 0x054c, 0x0ce6);
+    const struct hid_mapping edge = map_of("016-ci-dualsense", 0x054c, 0x0df2);
+    const struct hid_mapping other = map_of("016-ci-dualsense", 0x1234, 0x0ce6);
+    assert_int_equal(known.source, HID_MAPPING_KNOWN);
+    assert_int_equal(edge.source, HID_MAPPING_KNOWN);
+    assert_int_equal(other.source, HID_MAPPING_AUTO);
     assert_int_equal(binding_of(&known, HID_ROLE_START)->bit_offset, 69); /* Options. */
-    const struct hid_map fourth = map_of(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4);
-    assert_int_equal(fourth.source, HID_MAP_KNOWN);
+    const struct hid_mapping fourth = map_of(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4);
+    assert_int_equal(fourth.source, HID_MAPPING_KNOWN);
     assert_int_equal(binding_of(&fourth, HID_ROLE_START)->bit_offset, 45);
 }
 
 static void test_a_known_map_that_does_not_fit_the_descriptor_is_not_used(void **state)
 {
     (void)state;
-    const struct hid_map map = map_of("187-hr-0003-045e-0040-0004", 0x054c, 0x0ce6);
-    assert_int_equal(map.source, HID_MAP_OFFERED); /* A clone that is a mouse. */
+    const struct hid_mapping map = map_of("187-hr-0003-045e-0040-0004", 0x054c, 0x0ce6);
+    assert_int_equal(map.source, HID_MAPPING_AUTO); /* A clone that is a mouse. */
     assert_int_equal(map.style, HID_STYLE_POINTER);
 }
 
@@ -217,7 +217,7 @@ static void test_a_known_map_that_does_not_fit_the_descriptor_is_not_used(void *
 static void test_a_range_wider_than_its_bits_ends_where_they_do(void **state)
 {
     (void)state;
-    const struct hid_map map = map_of("027-ci-xusb-gamepad2", 0x1111, 0x2222);
+    const struct hid_mapping map = map_of("027-ci-xusb-gamepad2", 0x1111, 0x2222);
     assert_int_equal(binding_of(&map, HID_ROLE_DIP)->full, 1);
 }
 
@@ -226,16 +226,16 @@ static void test_a_range_wider_than_its_bits_ends_where_they_do(void **state)
 static void test_one_wrong_number_makes_a_map_unsound(void **state)
 {
     (void)state;
-    const struct hid_map good = map_of("016-ci-dualsense", 0x054c, 0x0ce6);
-    assert_true(hid_map_is_sound(&good, &wire.descriptor));
-#define SPOIL(statement)                                                                         \
-    do {                                                                                          \
-        struct hid_map map = good;                                                                \
-        statement;                                                                                \
-        assert_false(hid_map_is_sound(&map, &wire.descriptor));                                   \
+    const struct hid_mapping good = map_of("016-ci-dualsense", 0x054c, 0x0ce6);
+    assert_true(hid_mapping_is_sound(&good, &wire.descriptor));
+#define SPOIL(statement)                                                                           \
+    do {                                                                                           \
+        struct hid_mapping map = good;                                                             \
+        statement;                                                                                 \
+        assert_false(hid_mapping_is_sound(&map, &wire.descriptor));                                \
     } while (0)
-    SPOIL(map.source = HID_MAP_NONE);
-    SPOIL(map.source = HID_MAP_LEARNED + 1);
+    SPOIL(map.source = HID_MAPPING_NONE);
+    SPOIL(map.source = HID_MAPPING_LEARNED + 1);
     SPOIL(map.style = HID_STYLE_NONE);
     SPOIL(map.style = HID_STYLE_POSE);    /* No poi of ours. */
     SPOIL(map.style = HID_STYLE_POINTER); /* Its axes are speeds. */
@@ -244,8 +244,8 @@ static void test_one_wrong_number_makes_a_map_unsound(void **state)
     SPOIL(map.trembles = 2);
     SPOIL(map.binding[0].role = HID_ROLE_NONE);
     SPOIL(map.binding[0].role = HID_ROLE_COUNT);
-    SPOIL(map.binding[0].manner = HID_MANNER_PRESS);
-    SPOIL(map.binding[0].manner = HID_MANNER_COUNT);
+    SPOIL(map.binding[0].manner = HID_BINDING_PRESS);
+    SPOIL(map.binding[0].manner = HID_BINDING_KIND_COUNT);
     SPOIL(map.binding[0].report_id = 2); /* There is no such report. */
     SPOIL(map.binding[0].bit_offset = wire.descriptor.report_bits[1] - 7u);
     SPOIL(map.binding[0].bit_offset = UINT32_MAX);
@@ -258,9 +258,9 @@ static void test_one_wrong_number_makes_a_map_unsound(void **state)
     SPOIL(map.binding[0].dead = 127);
     SPOIL(map.binding[5].usage = 0x00070004); /* There is no array. */
 #undef SPOIL
-    struct hid_map last = good;
+    struct hid_mapping last = good;
     last.binding[0].bit_offset = wire.descriptor.report_bits[1] - 8u; /* Just within. */
-    assert_true(hid_map_is_sound(&last, &wire.descriptor));
+    assert_true(hid_mapping_is_sound(&last, &wire.descriptor));
 }
 
 /* ---- Words ---------------------------------------------------------------------------------- */
@@ -295,10 +295,10 @@ static void test_words_that_are_no_map_are_refused_with_a_reason(void **state)
     };
     (void)state;
     for (uint32_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
-        struct hid_map map;
+        struct hid_mapping map;
         char why[HAL_TEXT_SIZE] = "";
         const int ends_in_space = strlen(lines[i]) > 0 && lines[i][strlen(lines[i]) - 1] == ' ';
-        const int result = hid_map_read(&map, lines[i], why);
+        const int result = hid_mapping_read(&map, lines[i], why);
         if (ends_in_space ? result != 0 : result == 0 || !why[0]) {
             fail_msg("'%s' was taken wrongly: %s", lines[i], why);
         }
@@ -307,35 +307,45 @@ static void test_words_that_are_no_map_are_refused_with_a_reason(void **state)
 
 static void test_a_line_with_too_many_bindings_is_refused(void **state)
 {
-    char line[HID_MAP_TEXT_SIZE] = "learned fly", why[HAL_TEXT_SIZE] = "";
-    struct hid_map map;
+    char line[HID_MAPPING_TEXT_SIZE] = "learned fly", why[HAL_TEXT_SIZE] = "";
+    struct hid_mapping map;
     (void)state;
     for (uint32_t i = 0; i < HID_BINDING_MAX; i++) {
         strcat(line, " x=rate:1:u8@0:0..1");
     }
-    assert_int_equal(hid_map_read(&map, line, why), 0);
+    assert_int_equal(hid_mapping_read(&map, line, why), 0);
     assert_int_equal(map.count, HID_BINDING_MAX);
     strcat(line, " x=rate:1:u8@0:0..1");
-    assert_int_equal(hid_map_read(&map, line, why), -1);
+    assert_int_equal(hid_mapping_read(&map, line, why), -1);
     assert_non_null(strstr(why, "more bindings"));
 }
 
 static void test_the_longest_map_fits_its_line(void **state)
 {
-    char line[HID_MAP_TEXT_SIZE], why[HAL_TEXT_SIZE];
-    struct hid_map map = { .source = HID_MAP_OFFERED, .style = HID_STYLE_POINTER, .trembles = 1,
-                           .feels = 1, .count = HID_BINDING_MAX }, back;
+    char line[HID_MAPPING_TEXT_SIZE], why[HAL_TEXT_SIZE];
+    struct hid_mapping map = { .source = HID_MAPPING_AUTO,
+                               .style = HID_STYLE_POINTER,
+                               .trembles = 1,
+                               .feels = 1,
+                               .count = HID_BINDING_MAX },
+                       back;
     (void)state;
     for (uint32_t i = 0; i < HID_BINDING_MAX; i++) {
         map.binding[i] = (struct hid_binding){
-            .role = HID_ROLE_SEQUENCE, .manner = HID_MANNER_PLACE, .report_id = 255,
-            .bit_offset = HID_REPORT_BITS_MAX, .bit_size = 32, .is_signed = 1,
-            .usage = UINT32_MAX, .rest = -HID_VALUE_MAX, .full = -HID_VALUE_MAX + 1,
+            .role = HID_ROLE_SEQUENCE,
+            .manner = HID_BINDING_POSITION,
+            .report_id = 255,
+            .bit_offset = HID_REPORT_BITS_MAX,
+            .bit_size = 32,
+            .is_signed = 1,
+            .usage = UINT32_MAX,
+            .rest = -HID_VALUE_MAX,
+            .full = -HID_VALUE_MAX + 1,
             .dead = HID_VALUE_MAX,
         };
     }
-    assert_int_equal(hid_map_write(&map, line), 0);
-    assert_int_equal(hid_map_read(&back, line, why), 0);
+    assert_int_equal(hid_mapping_write(&map, line), 0);
+    assert_int_equal(hid_mapping_read(&back, line, why), 0);
     assert_int_equal(back.binding[HID_BINDING_MAX - 1u].usage, UINT32_MAX);
     assert_true(back.binding[HID_BINDING_MAX - 1u].rest == -HID_VALUE_MAX);
     assert_true(back.binding[HID_BINDING_MAX - 1u].dead == HID_VALUE_MAX);
@@ -352,30 +362,30 @@ static void load_array(uint8_t elements)
 
 static void test_an_array_of_more_keys_than_fingers_is_bound_to_nothing(void **state)
 {
-    struct hid_map map;
+    struct hid_mapping map;
     (void)state;
     load_array(HID_ARRAY_MAX);
-    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
     assert_int_equal(map.style, HID_STYLE_FLY);
     assert_int_equal(binding_of(&map, HID_ROLE_DIP)->usage, USAGE_BUTTON + 1u);
     load_array(HID_ARRAY_MAX + 1u);
-    assert_false(hid_map_is_sound(&map, &wire.descriptor)); /* As a file might want it. */
-    hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
-    assert_int_equal(map.source, HID_MAP_NONE); /* For nothing dips. */
+    assert_false(hid_mapping_is_sound(&map, &wire.descriptor)); /* As a file might want it. */
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(map.source, HID_MAPPING_NONE); /* For nothing dips. */
 }
 
 static void test_a_touchpad_that_is_also_a_mouse_is_played_as_one(void **state)
 {
-    static const char *const pads[] = { "073-hd-elan-04f3-300b",
-                                        "211-hr-libinput-issue423-0018-0488-121f-0",
-                                        "218-hr-libinput-issue674-0018-0911-5288-0" };
-    struct hid_map map;
+    static const char *const gamepads[] = { "073-hd-elan-04f3-300b",
+                                            "211-hr-libinput-issue423-0018-0488-121f-0",
+                                            "218-hr-libinput-issue674-0018-0911-5288-0" };
+    struct hid_mapping map;
     (void)state;
     for (uint32_t i = 0; i < 3; i++) {
-        wire_load(&wire, &clock_now, pads[i]);
-        hid_map_choose(&map, &wire.face.identity, &wire.descriptor);
+        wire_load(&wire, &clock_now, gamepads[i]);
+        hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
         assert_int_equal(map.style, HID_STYLE_POINTER);
-        assert_int_equal(binding_of(&map, HID_ROLE_X)->manner, HID_MANNER_STEP);
+        assert_int_equal(binding_of(&map, HID_ROLE_X)->manner, HID_BINDING_STEP);
     }
 }
 

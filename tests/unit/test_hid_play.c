@@ -72,7 +72,7 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
 {
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
     const struct basis axes = view_basis(view);
-    const vec3 body = basis_to_body(&axes, v3_sub(point, view->eye_m));
+    const vec3 body = vec_basis_to_body(&axes, v3_sub(point, view->eye_m));
     const float tan_y = view_half_height_tan(view, WIDTH / HEIGHT);
     *x_px = 0.5f * (body.x / -body.z / (tan_y * WIDTH / HEIGHT) + 1.0f) * WIDTH;
     *y_px = 0.5f * (1.0f - body.y / -body.z / tan_y) * HEIGHT;
@@ -154,10 +154,11 @@ static void say_pen(const struct wish *wish)
              wire_share(&player.wire, id, USAGE_X, player.x_px / WIDTH));
     wire_put(&player.wire, id, USAGE_Y,
              wire_share(&player.wire, id, USAGE_Y, player.y_px / HEIGHT));
-    if (hid_offer_find(&player.wire.descriptor, 0, id, 1, USAGE_IN_RANGE).group) {
+    if (hid_mapping_auto_find(&player.wire.descriptor, 0, id, 1, USAGE_IN_RANGE).group) {
         wire_put(&player.wire, id, USAGE_IN_RANGE, 1);
     }
-    const int has_tip = hid_offer_find(&player.wire.descriptor, 0, id, 1, USAGE_TIP).group != NULL;
+    const int has_tip =
+        hid_mapping_auto_find(&player.wire.descriptor, 0, id, 1, USAGE_TIP).group != NULL;
     wire_put(&player.wire, id, has_tip ? (hid_usage)USAGE_TIP : (hid_usage)USAGE_BUTTON + 1u,
              wish->dips);
     wire_send(&player.wire, (uint8_t)id);
@@ -187,7 +188,7 @@ static void say_own(const struct wish *wish)
     };
     uint8_t bytes[POI_REPORT_SIZE];
     poi_report_encode(&report, bytes);
-    hid_port_sim_say(&player.wire.port, bytes, sizeof bytes);
+    hid_port_sim_report(&player.wire.port, bytes, sizeof bytes);
 }
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
@@ -267,7 +268,7 @@ static void try_once(void)
         player.wish.over_m = flies ? ring_m() : still_m; /* A stick is let go meanwhile. */
         report();
     }
-    if (player.kiosk.core.poi[0].rider_count > 0) {
+    if (player.kiosk.core.poi[0].carried_count > 0) {
         empty_over_bowl();
     }
 }
@@ -280,7 +281,7 @@ static uint32_t landed_in(uint32_t rounds, const char *what)
         begin_round(seed);
         for (uint32_t i = 0; i < 12 && player.kiosk.core.game.phase == PHASE_ROUND; i++) {
             try_once();
-            assert_false(hand_is_lost(&player.kiosk.core, 0));
+            assert_false(controller_is_lost(&player.kiosk.core, 0));
         }
         landed += player.kiosk.core.game.player[0].caught;
         player.clock.now_ns = 0;
@@ -290,15 +291,15 @@ static uint32_t landed_in(uint32_t rounds, const char *what)
     return landed;
 }
 
-static void take_up(const char *name, uint16_t vendor, uint16_t product,
-                    void (*say)(const struct wish *))
+static void capture_fish(const char *name, uint16_t vendor, uint16_t product,
+                         void (*say)(const struct wish *))
 {
     memset(&player, 0, sizeof player);
     wire_load(&player.wire, &player.clock, name);
     player.wire.face.identity.vendor = vendor;
     player.wire.face.identity.product = product;
     player.say = say;
-    if (hid_offer_find(&player.wire.descriptor, 0, -1, 0, USAGE_HAT).group) {
+    if (hid_mapping_auto_find(&player.wire.descriptor, 0, -1, 0, USAGE_HAT).group) {
         wire_put(&player.wire, -1, USAGE_HAT, 15); /* Out of its range: let go. */
     }
 }
@@ -315,49 +316,49 @@ static void test_our_own_poi_lands_fish(void **state)
 static void test_a_mouse_lands_fish(void **state)
 {
     (void)state;
-    take_up("011-dell-413c-301a-mouse", 0x413c, 0x301a, say_mouse);
+    capture_fish("011-dell-413c-301a-mouse", 0x413c, 0x301a, say_mouse);
     assert_true(landed_in(2, "mouse of 16 bits") >= 5);
-    take_up("187-hr-0003-045e-0040-0004", 0x045e, 0x0040, say_mouse);
+    capture_fish("187-hr-0003-045e-0040-0004", 0x045e, 0x0040, say_mouse);
     assert_true(landed_in(2, "mouse of 8 bits") >= 5);
 }
 
 static void test_a_pen_tablet_lands_fish(void **state)
 {
     (void)state;
-    take_up("137-dg-huion-h610-if0", 0x256c, 0x006e, say_pen);
+    capture_fish("137-dg-huion-h610-if0", 0x256c, 0x006e, say_pen);
     assert_true(landed_in(2, "pen tablet") >= 5);
-    take_up("194-hr-0003-256c-006e-0008", 0x256c, 0x006e, say_pen);
+    capture_fish("194-hr-0003-256c-006e-0008", 0x256c, 0x006e, say_pen);
     assert_true(landed_in(2, "pen of 24 bits with tilt") >= 5);
-    take_up("157-dg-xp-pen-deco-01-if0", 0x28bd, 0x0042, say_pen);
+    capture_fish("157-dg-xp-pen-deco-01-if0", 0x28bd, 0x0042, say_pen);
     assert_true(landed_in(2, "pen in a mouse's report") >= 5);
 }
 
 static void test_a_playstation_pad_lands_fish(void **state)
 {
     (void)state;
-    take_up(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4, say_playstation);
+    capture_fish(KNOWN "054c-05c4-dualshock4", 0x054c, 0x05c4, say_playstation);
     assert_true(landed_in(2, "DualShock 4") >= 2);
-    assert_int_equal(player.poi.hand.map.source, HID_MAP_KNOWN);
-    take_up("016-ci-dualsense", 0x054c, 0x0ce6, say_playstation);
+    assert_int_equal(player.poi.hand.map.source, HID_MAPPING_KNOWN);
+    capture_fish("016-ci-dualsense", 0x054c, 0x0ce6, say_playstation);
     assert_true(landed_in(2, "DualSense") >= 2);
-    assert_int_equal(player.poi.hand.map.source, HID_MAP_KNOWN);
+    assert_int_equal(player.poi.hand.map.source, HID_MAPPING_KNOWN);
 }
 
 static void test_pads_and_sticks_of_any_maker_land_fish(void **state)
 {
     (void)state;
-    take_up("010-8bitdo-sn30pro-bt-dinput", 0x2dc8, 0x6001, say_generic_pad);
+    capture_fish("010-8bitdo-sn30pro-bt-dinput", 0x2dc8, 0x6001, say_generic_pad);
     assert_true(landed_in(2, "pad of 8 bits") >= 2);
-    take_up("033-ci-xboxone-model-1708-bluetooth", 0x045e, 0x02fd, say_generic_pad);
+    capture_fish("033-ci-xboxone-model-1708-bluetooth", 0x045e, 0x02fd, say_generic_pad);
     assert_true(landed_in(2, "pad of 16 bits") >= 5);
-    take_up("203-hr-libinput-issue201-0003-06a3-0c2d-0", 0x06a3, 0x0c2d, say_generic_pad);
+    capture_fish("203-hr-libinput-issue201-0003-06a3-0c2d-0", 0x06a3, 0x0c2d, say_generic_pad);
     assert_true(landed_in(2, "joystick") >= 2);
 }
 
 static void test_a_3dconnexion_puck_lands_fish(void **state)
 {
     (void)state;
-    take_up("002-3dconnexion-spacemouse-wireless", 0x256f, 0xc62e, say_puck);
+    capture_fish("002-3dconnexion-spacemouse-wireless", 0x256f, 0xc62e, say_puck);
     assert_true(landed_in(2, "puck") >= 6);
 }
 

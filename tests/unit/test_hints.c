@@ -18,7 +18,7 @@ static int setup(void **state)
     const struct core_config config = { .seed = 3, .fish_count = 2 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     core.game.phase = PHASE_ROUND;
-    core.poi[0].link = POI_LINK_LIVE;
+    core.poi[0].link = POI_SOURCE_LIVE;
     core.poi[0].position_m = v3(0.0f, 0.06f, 0.0f);
     for (uint32_t i = 0; i < core.tank.fish_count; i++) {
         core.tank.fish[i].gait = GAIT_SWIM;
@@ -133,7 +133,7 @@ static void test_who_caught_one_hears_of_the_tilt_until_it_is_done(void **state)
     learn(HINT_DIP);
     core.game.player[0].caught = 1;
     assert_int_equal(hint_after(300), HINT_TILT);
-    core.game.hand[0].angles.pitch_rad = -0.3f;
+    core.game.hand_pose[0].angles.pitch_rad = -0.3f;
     assert_int_equal(hint_after(300), HINT_NONE);
 }
 
@@ -203,9 +203,9 @@ static void test_what_is_urgent_does_not_wait(void **state)
     hint_after(300);
     learn(HINT_MOVE);
     hint_after(13); /* now HINT_DIP is fresh */
-    core.poi[0].link = POI_LINK_LOST;
+    core.poi[0].link = POI_SOURCE_LOST;
     assert_int_equal(hint_after(13), HINT_LOST_POI);
-    core.poi[0].link = POI_LINK_LIVE;
+    core.poi[0].link = POI_SOURCE_LIVE;
     core.game.player[0].out = 1;
     core.game.player[0].torn_tick = core.tick;
     assert_int_equal(hint_after(13), HINT_TORN);
@@ -214,7 +214,7 @@ static void test_what_is_urgent_does_not_wait(void **state)
 static void test_a_bot_is_told_nothing(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_LINK_BOT;
+    core.poi[0].link = POI_SOURCE_BOT;
     assert_int_equal(hint_after(500), HINT_NONE);
 }
 
@@ -232,11 +232,11 @@ static void test_the_lesson_is_for_who_has_a_poi_in_hand(void **state)
     const struct core_config config = { .seed = 3, .fish_count = 2, .players = 2 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     core.game.phase = PHASE_ROUND;
-    core.poi[1].link = POI_LINK_LIVE; /* The first seat is empty. */
+    core.poi[1].link = POI_SOURCE_LIVE; /* The first seat is empty. */
     core.poi[1].position_m = v3(0.0f, 0.06f, 0.0f);
     core.tick = 5000;
     assert_int_equal(hint_after(300), HINT_MOVE);
-    core.poi[1].link = POI_LINK_LOST;
+    core.poi[1].link = POI_SOURCE_LOST;
     assert_int_equal(hint_after(60), HINT_LOST_POI);
 }
 

@@ -74,11 +74,11 @@ static void test_a_hull_is_as_far_as_its_nearest_point(void **state)
     uint32_t apart = 0, touching = 0;
     for (uint32_t i = 0; i < 400; i++) {
         const struct box box = fish_near(i);
-        const double told_m = (double)touch_hull(&hull, &box).gap_m, true_m = sampled_m(&box);
+        const double told_m = (double)shape_touch_hull(&hull, &box).gap_m, true_m = sampled_m(&box);
         if (true_m > 0.0005) {
             assert_true(told_m > 0.0);
         }
-        if (true_m > 0.0005 && true_m < 0.003 && told_m < (double)TOUCH_FAR_M) {
+        if (true_m > 0.0005 && true_m < 0.003 && told_m < (double)SHAPE_TOUCH_FAR_M) {
             apart++;
             worst_share = fmax(worst_share, fabs(told_m - true_m) / true_m);
         }
@@ -101,11 +101,11 @@ static void test_its_way_out_leads_off_the_hull(void **state)
     uint32_t touching = 0;
     for (uint32_t i = 0; i < 400; i++) {
         struct box box = fish_near(i);
-        struct touch touch = touch_hull(&hull, &box);
+        struct touch touch = shape_touch_hull(&hull, &box);
         touching += touch.gap_m < 0.0f;
         for (int k = 0; k < 8 && touch.gap_m < 0.0f; k++) {
-            box.centre_m = v3_mad(box.centre_m, touch.out, -touch.gap_m);
-            touch = touch_hull(&hull, &box);
+            box.centre_m = v3_muladd(box.centre_m, touch.out, -touch.gap_m);
+            touch = shape_touch_hull(&hull, &box);
         }
         assert_true(touch.gap_m > -0.0001f);
     }

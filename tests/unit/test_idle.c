@@ -28,14 +28,14 @@ static void pull_at_plug(void)
 {
     const int is_in = core.tick / PLUG_TICKS % 2u == 0;
     hold_at(ABOVE_M);
-    input.poi[0].link = is_in ? POI_LINK_LIVE : POI_LINK_LOST;
-    input.desk.state[0] = is_in ? CONTROLLER_PLAYS : CONTROLLER_LOST;
+    input.poi[0].link = is_in ? POI_SOURCE_LIVE : POI_SOURCE_LOST;
+    input.controllers.state[0] = is_in ? CONTROLLER_ACTIVE : CONTROLLER_LOST;
 }
 
 static void leave(enum left_behind what)
 {
     input.held = what == LEFT_STUCK ? (uint32_t)(INPUT_LEFT | INPUT_OK | INPUT_SERVICE) : 0u;
-    input.poi[0].link = POI_LINK_ABSENT;
+    input.poi[0].link = POI_SOURCE_ABSENT;
     if (what == LEFT_SWINGING) {
         swing();
     } else if (what == LEFT_LOOSE_PLUG) {
@@ -68,10 +68,10 @@ static void expect_attract_by_itself(enum left_behind what, const char *where)
 /* All is offered, and a store is there to keep names. */
 static void open_stall(void)
 {
-    struct core_config config = { .seed = 7, .fish_count = 12, .memory.ledger.boots = 1 };
-    settings_reset(&config.memory.settings);
-    config.memory.settings.value[SET_MODES] = (1 << CHOICE_COUNT) - 1;
-    settings_apply(&config.memory.settings, &config);
+    struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };
+    settings_reset(&config.persistent.settings);
+    config.persistent.settings.value[SET_MODES] = (1 << CHOICE_COUNT) - 1;
+    settings_apply(&config.persistent.settings, &config);
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
@@ -84,8 +84,8 @@ static void begin_playing(uint32_t choice)
 {
     open_stall();
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
-    steps(GAME_CHOOSE_TICKS_MIN);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    steps(GAME_MODE_SELECT_TICKS_MIN);
     for (uint32_t i = core.game.mode; i != choice; i = (i + 1u) % CHOICE_COUNT) {
         press(INPUT_RIGHT);
     }
@@ -109,7 +109,7 @@ static void test_the_choice_is_left_by_itself(void **state)
     for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
         open_stall();
         press(INPUT_START);
-        assert_int_equal(core.game.phase, PHASE_CHOOSE);
+        assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
         expect_attract_by_itself(what, "the choice");
     }
 }
@@ -133,8 +133,8 @@ static void test_the_result_and_all_that_follows_is_left_by_itself(void **state)
         finish_round_with_a_catch();
         seen = 0;
         expect_attract_by_itself(what, "the result");
-        const uint32_t all = 1u << PHASE_RESULT | 1u << PHASE_NAME | 1u << PHASE_BOARD |
-                             1u << PHASE_ALBUM;
+        const uint32_t all =
+            1u << PHASE_RESULT | 1u << PHASE_NAME | 1u << PHASE_LEADERBOARD | 1u << PHASE_ALBUM;
         assert_int_equal(seen & all, all);
     }
 }

@@ -24,7 +24,7 @@ static struct import_report report;
 static struct species_slot slot;
 static struct species_card card;
 static vec3 shapes[MORPH_KEY_MAX][MESH_VERTEX_MAX];
-static char why[IMPORT_WHY_SIZE], fault[VET_WHY_SIZE];
+static char why[IMPORT_WHY_SIZE], fault[VALIDATE_WHY_SIZE];
 static char folder[] = "/tmp/kingyo-import-XXXXXX";
 
 static const char *path_of(const char *name)
@@ -50,16 +50,22 @@ static int remove_folder(void **state)
     return system(command);
 }
 
-static const struct import_plan *plan_of(const struct species *like)
+static const struct import_options *plan_of(const struct species *like)
 {
-    static struct import_plan plan;
-    plan = (struct import_plan){ .id = "imported", .front = AXIS_NONE, .up = AXIS_Y,
-                                 .measure = like->card.measure, .motion = 255, .form = 255,
-                                 .template = TEMPLATE_OWN, .unit_m = 1.0, .like = like };
+    static struct import_options plan;
+    plan = (struct import_options){ .id = "imported",
+                                    .front = AXIS_NONE,
+                                    .up = AXIS_Y,
+                                    .measure = like->card.measure,
+                                    .motion = 255,
+                                    .form = 255,
+                                    .template_id = TEMPLATE_OWN,
+                                    .unit_m = 1.0,
+                                    .like = like };
     return &plan;
 }
 
-static enum exit_code build_from(const struct import_plan *plan)
+static enum exit_code build_from(const struct import_options *plan)
 {
     report = (struct import_report){ .front = AXIS_NONE };
     memset(&slot.species, 0, sizeof slot.species);
@@ -70,7 +76,7 @@ static enum exit_code build_from(const struct import_plan *plan)
     }
     slot.tables[1] = slot.tables[0];
     slot.species.lod[1] = slot.species.lod[0];
-    return species_vet(&slot.species, fault) ? EXIT_OK : EXIT_NOT_SO;
+    return species_validate(&slot.species, fault) ? EXIT_OK : EXIT_NOT_SO;
 }
 
 static void shape_keys(const struct species *species)
@@ -149,7 +155,7 @@ static void test_shapes_from_obj_files_are_the_same_within_quantisation(void **s
         const struct species *species = species_table[i];
         read_objs(species, 0, 1.0f);
         mesh.is_ours = true; /* Drawn at our size and place: nothing is to be moved. */
-        struct import_plan plan = *plan_of(species);
+        struct import_options plan = *plan_of(species);
         plan.front = AXIS_MINUS_Z;
         assert_int_equal(build_from(&plan), EXIT_OK);
         assert_true(farthest_vertex(species) <= COUNTS * slot.species.lod[0].reach / 32767.0f);
@@ -165,7 +171,7 @@ static void test_front_and_up_and_unit_are_found(void **state)
     } cases[] = { { 0, AXIS_Y, AXIS_MINUS_Z }, { 1, AXIS_Y, AXIS_X }, { 2, AXIS_Z, AXIS_Y } };
     for (size_t i = 0; i < 3; i++) {
         read_objs(&species_wakin, cases[i].turn, 137.0f);
-        struct import_plan plan = *plan_of(&species_wakin);
+        struct import_options plan = *plan_of(&species_wakin);
         plan.up = cases[i].up;
         assert_int_equal(build_from(&plan), EXIT_OK);
         assert_int_equal(report.front, cases[i].front);
@@ -179,7 +185,7 @@ static void test_a_fish_that_lies_along_up_is_told_to_say_up(void **state)
 {
     (void)state;
     read_objs(&species_wakin, 2, 1.0f);
-    struct import_plan plan = *plan_of(&species_wakin); /* Its nose is to +y. */
+    struct import_options plan = *plan_of(&species_wakin); /* Its nose is to +y. */
     assert_int_equal(build_from(&plan), EXIT_BAD_DATA);
     assert_string_equal(why, "front: longest along +y, where its back would be; say --up AXIS");
 }
@@ -276,7 +282,7 @@ static void test_a_model_that_is_too_fine_is_told_what_to_do(void **state)
     for (uint32_t key = 0; key < 3; key++) {
         assert_int_equal(import_obj(&mesh, key, path_of("fine.obj"), why), EXIT_OK);
     }
-    struct import_plan plan = *plan_of(&species_wakin);
+    struct import_options plan = *plan_of(&species_wakin);
     plan.front = AXIS_X;
     plan.measure = MEASURE_TOTAL;
     assert_int_equal(build_from(&plan), EXIT_BAD_DATA);
@@ -294,7 +300,7 @@ static void test_lengths_that_are_told_have_a_growth_that_says_so_too(void **sta
     drawn.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
     drawn.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.15f };
     read_objs(&species_wakin, 0, 1.0f);
-    struct import_plan plan = *plan_of(&drawn);
+    struct import_options plan = *plan_of(&drawn);
     plan.front = AXIS_MINUS_Z;
     plan.length_count = 5;
     for (uint32_t key = 0; key < 5; key++) {
@@ -318,7 +324,7 @@ static void test_ages_that_growth_does_not_bear_out_are_refused(void **state)
 {
     (void)state;
     read_objs(&species_wakin, 0, 1.0f);
-    struct import_plan plan = *plan_of(&species_wakin);
+    struct import_options plan = *plan_of(&species_wakin);
     plan.front = AXIS_MINUS_Z;
     plan.growth_count = 5;
     const struct growth *g = &species_wakin.card.growth;
@@ -345,7 +351,7 @@ static void test_weights_that_a_file_rounded_are_a_graph(void **state)
 {
     (void)state;
     read_objs(&species_wakin, 0, 1.0f);
-    struct import_plan plan = *plan_of(&species_wakin);
+    struct import_options plan = *plan_of(&species_wakin);
     plan.front = AXIS_MINUS_Z;
     mesh.time_count = 3;
     for (uint32_t i = 0; i < 3; i++) {
@@ -396,7 +402,7 @@ static void test_a_sheet_is_seen_from_both_sides(void **state)
 static void test_a_fitted_template_lives_as_is_told(void **state)
 {
     (void)state;
-    struct import_plan plan = *plan_of(&species_wakin);
+    struct import_options plan = *plan_of(&species_wakin);
     plan.id = "fitted";
     plan.age_count = 5;
     for (uint32_t key = 0; key < 5; key++) {
@@ -418,9 +424,9 @@ static void test_a_fitted_template_lives_as_is_told(void **state)
 
 static void export_glb(const char *id, const char *path)
 {
-    static struct morph_pick pick;
+    static struct morph_options pick;
     const char *const words[] = { id };
-    assert_int_equal(morph_pick_read(&pick, "test", MORPH_ASKS_CURVES, NULL, 0, 1, words),
+    assert_int_equal(morph_options_read(&pick, "test", MORPH_REQUIRES_CURVES, NULL, 0, 1, words),
                      EXIT_OK);
     assert_int_equal(morph_glb_write(&pick, path), EXIT_OK);
 }
@@ -428,7 +434,7 @@ static void export_glb(const char *id, const char *path)
 static void test_what_was_exported_comes_back_within_quantisation(void **state)
 {
     (void)state;
-    if (!import_knows_scenes()) {
+    if (!import_flat_is_available()) {
         print_message("built without assimp: no glTF is read\n");
         skip();
     }
@@ -438,7 +444,7 @@ static void test_what_was_exported_comes_back_within_quantisation(void **state)
         assert_int_equal(import_scene(&mesh, path_of("fish.glb"), why), EXIT_OK);
         assert_true(mesh.is_ours && mesh.has_life);
         assert_int_equal(mesh.measure, species->card.measure);
-        struct import_plan plan = *plan_of(species);
+        struct import_options plan = *plan_of(species);
         plan.like = NULL;
         if (build_from(&plan) != EXIT_OK) {
             fail_msg("%s: %s %s", species->card.id, why, fault);
@@ -476,7 +482,7 @@ static void test_a_damaged_scene_costs_one_line(void **state)
 {
     (void)state;
     static uint8_t bytes[4u * 1024u * 1024u];
-    if (!import_knows_scenes()) {
+    if (!import_flat_is_available()) {
         skip();
     }
     export_glb("wakin", path_of("fish.glb"));

@@ -34,15 +34,15 @@ static int is_jammed(const struct poi *poi)
 static void play_tick(uint32_t players)
 {
     const uint8_t phase = core.game.phase;
-    const int idle = phase == PHASE_ATTRACT || phase == PHASE_CHOOSE;
+    const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
     input.pressed = idle && core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     for (uint32_t i = 0; i < players; i++) {
-        const struct sight sight = { .core = &core, .player = i };
+        const struct vision vision = { .core = &core, .player = i };
         input.poi[i] = (struct poi_input){
-            .link = POI_LINK_LIVE,
+            .link = POI_SOURCE_LIVE,
             .has_wrist = 1,
             .trembles = 1,
-            .target = bot_tick(&bots[i], &sight),
+            .target = bot_tick(&bots[i], &vision),
         };
     }
     output.sound_count = 0;
@@ -53,12 +53,12 @@ static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
 {
     struct core_config config = { .seed = seed, .modes = (uint8_t)(1u << mode),
                                   .players = (uint8_t)players, .lanes = 4 };
-    config.preset = keeper_preset(&config, mode);
+    config.preset = table_setup_preset(&config, mode);
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
     for (uint32_t i = 0; i < players; i++) {
         bot_init(&bots[i], i % 2u ? &technique_novice : &technique_expert, 4u * seed + i);
-        bots[i].hand.pose = core.game.hand[i];
+        bots[i].hand.pose = core.game.hand_pose[i];
     }
 }
 
@@ -145,7 +145,9 @@ static void test_a_poi_under_a_heap_of_fish_comes_up_as_the_hand_does(void **sta
 static void hold(uint32_t which, vec3 place_m)
 {
     input.poi[which] = (struct poi_input){
-        .link = POI_LINK_LIVE, .has_wrist = 1, .target.position_m = place_m,
+        .link = POI_SOURCE_LIVE,
+        .has_wrist = 1,
+        .target.position_m = place_m,
     };
 }
 

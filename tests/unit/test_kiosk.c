@@ -30,7 +30,7 @@ static struct rig {
     struct clock_sim clock;
     struct display_sim display;
     struct buttons_sim buttons;
-    struct poi_sim poi;
+    struct pointer_sim poi;
     struct storage_sim storage;
     struct audio_sim audio;
     struct hal hal;
@@ -77,8 +77,8 @@ static int set_up(void **state)
     rig.hal.display = display_sim_device(&rig.display);
     rig.buttons.clock = rig.hal.clock;
     rig.hal.buttons = buttons_sim_device(&rig.buttons);
-    poi_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    rig.hal.poi[0] = poi_sim_device(&rig.poi);
+    pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
     rig.hal.storage = storage_sim_device(&rig.storage);
     rig.hal.audio = audio_sim_device(&rig.audio);
     rig.hal.watchdog = (struct hal_watchdog){ .ops = &watchdog };
@@ -106,17 +106,17 @@ static void script(const struct button_event *events, uint32_t count)
 
 static void expect_in_tick(void *self, const struct input *input)
 {
-    const struct chapters *chapters = self;
+    const struct session_recorder *chapters = self;
     (void)input;
     assert_true(atomic_load(&chapters->is_busy));
     assert_true(atomic_load(&chapters->is_in_tick));
     rig.seen_count++;
 }
 
-/* A panic of another thread stops the frame thread in chapters_before(). */
+/* A panic of another thread stops the frame thread in session_recorder_before(). */
 static void test_a_frozen_thread_stops_before_its_tap_records_the_tick(void **state)
 {
-    static struct chapters chapters;
+    static struct session_recorder chapters;
     struct kiosk_config config = small;
     (void)state;
     config.chapters = &chapters;
@@ -320,7 +320,7 @@ static void test_no_pose_is_used_twice_while_the_hand_moves(void **state)
     for (uint32_t i = 3; i < rig.seen_count; i++) {
         const float now = rig.seen[i].poi[0].target.position_m.x;
         const float before = rig.seen[i - 1].poi[0].target.position_m.x;
-        assert_int_equal(rig.seen[i].poi[0].link, POI_LINK_LIVE);
+        assert_int_equal(rig.seen[i].poi[0].link, POI_SOURCE_LIVE);
         assert_true(now > before);
     }
 }
@@ -333,16 +333,16 @@ static void test_a_lost_poi_waits_where_it_is_and_is_found_again_within_a_second
     rig.poi.replug_ns = 2500 * MS;
     frames(30);
     const struct poi_input lost = rig.kiosk.input.poi[0];
-    assert_int_equal(lost.link, POI_LINK_LOST);
+    assert_int_equal(lost.link, POI_SOURCE_LOST);
     assert_true(rig.kiosk.faults.poi >= 1);
     frames(30);
     assert_memory_equal(&rig.kiosk.input.poi[0].target, &lost.target, sizeof lost.target);
     uint32_t waited = 0;
-    while (rig.kiosk.input.poi[0].link != POI_LINK_LIVE && waited < 300) {
+    while (rig.kiosk.input.poi[0].link != POI_SOURCE_LIVE && waited < 300) {
         frames(1);
         waited++;
     }
-    assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_LIVE);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     assert_true(rig.clock.now_ns < (2500 + 1000 + 20) * MS);
     assert_in_range(rig.poi.open_count, 3, 5); /* At start, then once a second. */
 }
@@ -358,7 +358,7 @@ static void test_unplugged_at_any_report_the_loop_runs_on(void **state)
         rig.poi.double_every = 3;
         rig.poi.jump_at = at / 2;
         frames(200);
-        assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_LIVE);
+        assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
         assert_int_equal(rig.kiosk.core.tick, 400);
     }
 }
@@ -374,7 +374,7 @@ static void test_silence_holds_the_poi_and_loses_nothing(void **state)
     frames(5);
     assert_true(rig.kiosk.input.poi[0].target.position_m.x == held);
     frames(15);
-    assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_LIVE);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     assert_true(rig.kiosk.input.poi[0].target.position_m.x > held);
 }
 
@@ -384,7 +384,7 @@ static void test_a_stall_without_any_poi_has_none(void **state)
     rig.hal.poi[0] = null_poi(NULL);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &small), CORE_OK);
     frames(10);
-    assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_ABSENT);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_ABSENT);
     assert_int_equal(rig.kiosk.faults.poi, 0);
 }
 
@@ -396,7 +396,7 @@ static void test_a_poi_given_to_the_bot_is_the_bots(void **state)
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     glide(100, 3);
     frames(10);
-    assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_BOT);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_BOT);
 }
 
 /* ---- What is shown, heard and kept ---------------------------------------------------------- */
@@ -571,8 +571,8 @@ static void test_a_round_that_the_store_never_took_is_lost(void **state)
 static void order_restart(void)
 {
     struct output *output = &rig.kiosk.output;
-    output->orders[output->order_count++ % DESK_ORDER_MAX] =
-        (struct desk_order){ .kind = DESK_RESTART };
+    output->commands[output->command_count++ % CONTROLLER_COMMAND_MAX] =
+        (struct controller_command){ .kind = COMMAND_RESTART };
 }
 
 static void test_a_restart_waits_for_the_store_and_not_for_ever(void **state)
@@ -677,24 +677,24 @@ static void test_a_config_out_of_range_is_refused(void **state)
 static void test_what_ends_a_replay_is_not_heard_in_the_stall(void **state)
 {
     (void)state;
-    static struct encore encore;
+    static struct score_playback playback;
     static const struct button_event events[] = {
         { .time_ns = 3000 * MS, .pressed = INPUT_START },
     };
-    memset(&encore, 0, sizeof encore);
-    rig.kiosk.config.encore = &encore;
+    memset(&playback, 0, sizeof playback);
+    rig.kiosk.config.playback = &playback;
     frames(2);
-    assert_int_equal(rig.display.scene.encore, ENCORE_OFF);
+    assert_int_equal(rig.display.scene.playback, ENCORE_OFF);
     rig.kiosk.wanted_replay_id = 7;
     frames(2);
     assert_int_equal(rig.kiosk.wanted_replay_id, 0);
-    assert_int_equal(rig.display.scene.encore, ENCORE_NONE); /* This store keeps none. */
+    assert_int_equal(rig.display.scene.playback, ENCORE_NONE); /* This store keeps none. */
     script(events, 1);
     frames(2);
     while (rig.clock.now_ns < 3100 * MS) {
         frames(1);
     }
-    assert_int_equal(rig.display.scene.encore, ENCORE_OFF);
+    assert_int_equal(rig.display.scene.playback, ENCORE_OFF);
     assert_int_equal(rig.kiosk.core.game.phase, PHASE_ATTRACT);
 }
 

@@ -29,8 +29,8 @@ static struct rig {
     struct button_sample buttons; /* Of the next frame. */
     vec3 at_m[SAMPLES];           /* Where the hand is in the next frame, evenly spread over it. */
     uint64_t frame_ns;
-    struct desk_order orders[ORDERS_MAX];
-    uint32_t order_count;
+    struct controller_command commands[ORDERS_MAX];
+    uint32_t command_count;
     int answer;                   /* Of every switch. */
     uint32_t asked[HAL_SWITCH_COUNT], level[HAL_SWITCH_COUNT], pulses[HAL_SWITCH_COUNT];
 } rig;
@@ -64,11 +64,12 @@ static int feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void look(void *self, const struct view *view, const struct showing *showing)
+static void look(void *self, const struct view *view,
+                 const struct display_settings *display_settings)
 {
     (void)self;
     (void)view;
-    (void)showing;
+    (void)display_settings;
 }
 
 static const char *describe(void *self)
@@ -85,10 +86,10 @@ static int poll_buttons(void *self, struct button_sample *out)
     return HAL_OK;
 }
 
-static int poll_desk(void *self, struct desk_input *out)
+static int poll_desk(void *self, struct controller_status *out)
 {
     (void)self;
-    *out = (struct desk_input){ .state[ROW] = CONTROLLER_FREE };
+    *out = (struct controller_status){ .state[ROW] = CONTROLLER_FREE };
     return HAL_OK;
 }
 
@@ -98,11 +99,11 @@ static const char *name(void *self, uint32_t row)
     return row == ROW ? "a stick" : "";
 }
 
-static int take_order(void *self, const struct desk_order *order)
+static int take_order(void *self, const struct controller_command *order)
 {
     (void)self;
-    assert_true(rig.order_count < ORDERS_MAX);
-    rig.orders[rig.order_count++] = *order;
+    assert_true(rig.command_count < ORDERS_MAX);
+    rig.commands[rig.command_count++] = *order;
     return HAL_OK;
 }
 
@@ -189,9 +190,8 @@ static void push(uint32_t button)
 static vec3 over_tag(uint32_t tag, float y_m)
 {
     const struct menu *menu = &rig.kiosk.core.game.menu;
-    const struct overlay_point canvas = overlay_size(menu->upright);
-    const struct overlay_box box =
-        menu_box(menu->upright, menu->page, menu_offers(menu), tag);
+    const struct layout_point canvas = pointer_layout_size(menu->upright);
+    const struct layout_box box = menu_box(menu->upright, menu->page, menu_enabled(menu), tag);
     const vec3 size_m = rig.kiosk.core.tank.size_m;
     return v3(size_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f), y_m,
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
@@ -224,13 +224,13 @@ static void test_all_orders_of_the_longest_frame_are_told_in_their_order(void **
     rig.buttons.pressed = INPUT_TEST;
     const uint32_t tick = rig.kiosk.core.tick;
     frame(500 * MS);
-    assert_int_equal(rig.kiosk.core.tick - tick, PACE_TICKS_MAX);
-    assert_int_equal(rig.order_count, 2);
-    assert_int_equal(rig.orders[0].kind, DESK_CHOOSE);
-    assert_int_equal(rig.orders[1].kind, DESK_LEARN);
-    assert_int_equal(rig.orders[1].row, ROW);
+    assert_int_equal(rig.kiosk.core.tick - tick, FRAME_PACER_TICKS_MAX);
+    assert_int_equal(rig.command_count, 2);
+    assert_int_equal(rig.commands[0].kind, COMMAND_CHOOSE);
+    assert_int_equal(rig.commands[1].kind, COMMAND_LEARN);
+    assert_int_equal(rig.commands[1].row, ROW);
     frames(10);
-    assert_int_equal(rig.order_count, 2);
+    assert_int_equal(rig.command_count, 2);
 }
 
 /* A hand that shakes over a tag for half a second orders as often as it may, and all of it comes
@@ -245,12 +245,12 @@ static void test_a_hand_that_shakes_over_a_tag_loses_no_order(void **state)
     for (uint32_t i = 1; i <= 5u; i++) {
         rig.buttons.pressed = INPUT_TEST;
         frame(500 * MS);
-        assert_int_equal(rig.order_count, rig.kiosk.core.game.menu.order_count);
+        assert_int_equal(rig.command_count, rig.kiosk.core.game.menu.command_count);
     }
-    assert_in_range(rig.order_count, 15, 25);
-    for (uint32_t i = 0; i < rig.order_count; i++) {
-        assert_int_equal(rig.orders[i].kind, DESK_CHOOSE);
-        assert_int_equal(rig.orders[i].row, ROW);
+    assert_in_range(rig.command_count, 15, 25);
+    for (uint32_t i = 0; i < rig.command_count; i++) {
+        assert_int_equal(rig.commands[i].kind, COMMAND_CHOOSE);
+        assert_int_equal(rig.commands[i].row, ROW);
     }
 }
 
@@ -335,7 +335,7 @@ static void test_a_cabinet_without_a_switch_is_asked_once_and_never_again(void *
     (void)state;
     frames(10);
     memset(rig.asked, 0, sizeof rig.asked);
-    rig.answer = HAL_ERR_NONE;
+    rig.answer = HAL_ERR_ABSENT;
     drop(2);
     frames(120);
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 1);
@@ -348,7 +348,7 @@ static int next_of_a_replay(void *self, struct input *out)
     *out = (struct input){ .coin_count[0] = 1,
                            .store_well = 1,
                            .record_saved_id = rig.kiosk.output.entry_id,
-                           .poi[0].link = POI_LINK_LIVE };
+                           .poi[0].link = POI_SOURCE_LIVE };
     return 1;
 }
 

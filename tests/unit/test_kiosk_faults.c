@@ -28,7 +28,7 @@
 static struct rig {
     struct clock_sim clock;
     struct sensor_sim sensor;
-    struct poi_sim pointer;
+    struct pointer_sim pointer;
     struct pointer_report report; /* The one report of each frame. */
     struct hal hal;
     struct kiosk kiosk;
@@ -50,7 +50,7 @@ static void frame(void)
     rig.report.time_ns = rig.clock.now_ns;
     rig.pointer.next = 0;
     assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
-    rig.lost_frames += (uint32_t)hand_is_lost(&rig.kiosk.core, 0);
+    rig.lost_frames += (uint32_t)controller_is_lost(&rig.kiosk.core, 0);
     rig.age_max = seen()->age_ticks > rig.age_max ? seen()->age_ticks : rig.age_max;
 }
 
@@ -154,7 +154,7 @@ static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(voi
                       rig.lost_frames, rig.age_max);
         assert_in_range(rig.lost_frames, cases[i].lost_min, cases[i].lost_max);
         assert_int_equal(poi->sheet.paper_cells, cells);
-        assert_false(hand_is_lost(&rig.kiosk.core, 0));
+        assert_false(controller_is_lost(&rig.kiosk.core, 0));
         assert_true(v3_length(v3_sub(poi->position_m, rig.sensor.hand.position_m)) < 0.02f);
         const float passed_s =
             left_s - game_seconds_left(&rig.kiosk.core.game, rig.kiosk.core.tick);
@@ -202,12 +202,12 @@ static void test_numbers_that_are_none_are_faults_and_reach_the_core_as_they_are
 static void open_with_pointer(void)
 {
     open_kiosk(&config);
-    poi_sim_init(&rig.pointer, rig.hal.clock, &rig.kiosk.scene.view);
+    pointer_sim_init(&rig.pointer, rig.hal.clock, &rig.kiosk.scene.view);
     rig.pointer.reports = &rig.report;
     rig.pointer.report_count = 1;
     rig.report = (struct pointer_report){ .x_px = 640, .y_px = 400, .width_px = 1280,
                                           .height_px = 720 };
-    rig.hal.poi[0] = poi_sim_device(&rig.pointer);
+    rig.hal.poi[0] = pointer_sim_device(&rig.pointer);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
 }
 

@@ -68,7 +68,7 @@ static struct {
     struct clock_sim clock;
     struct display_sim display;
     struct buttons_sim buttons;
-    struct poi_sim poi;
+    struct pointer_sim poi;
     struct storage_sim storage;
     struct audio_sim audio;
     struct hal hal;
@@ -98,10 +98,10 @@ static void open_rig(const char *record_path)
     rig.hal.display = display_sim_device(&rig.display);
     rig.buttons = (struct buttons_sim){ .clock = rig.hal.clock, .events = press, .event_count = 1 };
     rig.hal.buttons = buttons_sim_device(&rig.buttons);
-    poi_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.poi.reports = reports;
     rig.poi.report_count = 3000;
-    rig.hal.poi[0] = poi_sim_device(&rig.poi);
+    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
     rig.hal.storage = storage_sim_device(&rig.storage);
     rig.hal.audio = audio_sim_device(&rig.audio);
     const struct kiosk_config config = {

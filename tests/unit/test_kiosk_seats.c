@@ -46,7 +46,7 @@ static int hand_open(void *self)
 {
     (void)self;
     rig.open_count++;
-    return rig.is_absent ? HAL_ERR_NONE : rig.is_gone ? HAL_ERR_GONE : HAL_OK;
+    return rig.is_absent ? HAL_ERR_ABSENT : rig.is_gone ? HAL_ERR_GONE : HAL_OK;
 }
 
 static int hand_poll(void *self, struct poi_sample *out, uint32_t max)
@@ -73,11 +73,12 @@ static int hand_feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void hand_look(void *self, const struct view *view, const struct showing *showing)
+static void hand_look(void *self, const struct view *view,
+                      const struct display_settings *display_settings)
 {
     (void)self;
     (void)view;
-    (void)showing;
+    (void)display_settings;
 }
 
 static const char *hand_describe(void *self)
@@ -92,8 +93,8 @@ static int set_up(void **state)
     static const struct hal_poi_ops hand = {
         .open = hand_open,
         .poll = hand_poll,
-        .feel = hand_feel,
-        .look = hand_look,
+        .set_force = hand_feel,
+        .set_view = hand_look,
         .describe = hand_describe,
     };
     static const struct kiosk_config config = { .core = { .seed = 5, .fish_count = 8,
@@ -160,7 +161,7 @@ static void test_who_sits_down_is_opened_and_leads_in_the_same_frame(void **stat
     rig.moves = 1u;
     frames(1);
     assert_int_equal(rig.open_count, opened + 1);
-    assert_int_equal(rig.kiosk.hands[0].link, POI_LINK_LIVE);
+    assert_int_equal(rig.kiosk.hands[0].link, POI_SOURCE_LIVE);
     assert_true(rig.kiosk.input.poi[0].target.position_m.x == 0.2f);
     assert_int_equal(rig.kiosk.faults.poi, 0);
 }
@@ -171,14 +172,14 @@ static void test_a_seat_that_was_empty_plays_once_somebody_sits_down(void **stat
     rig.is_absent = 1;
     rig.moves = 1u;
     frames(1);
-    assert_int_equal(rig.kiosk.hands[0].link, POI_LINK_ABSENT);
+    assert_int_equal(rig.kiosk.hands[0].link, POI_SOURCE_ABSENT);
     const uint32_t opened = rig.open_count;
     frames(200);
     assert_int_equal(rig.open_count, opened); /* Nobody looks for who is not expected. */
     rig.is_absent = 0;
     rig.moves = 1u;
     frames(1);
-    assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_LIVE);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
 }
 
 /* Without the seats' word it would be looked for a second after it was lost. */
@@ -188,11 +189,11 @@ static void test_one_that_comes_back_plays_on_in_the_frame_that_sees_it(void **s
     begin_round();
     rig.is_gone = 1;
     frames(5);
-    assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_LOST);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LOST);
     rig.is_gone = 0;
     rig.moves = 1u;
     frames(1);
-    assert_int_equal(rig.kiosk.input.poi[0].link, POI_LINK_LIVE);
+    assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     assert_int_equal(rig.kiosk.core.game.phase, PHASE_ROUND);
 }
 

@@ -12,16 +12,16 @@ static const struct species_card *card(void)
     return lab_book_card(&core.config.book, core.game.lab.species);
 }
 
-static struct overlay_point middle_of(enum lab_part part)
+static struct layout_point middle_of(enum lab_part part)
 {
-    const struct overlay_box box = lab_box(core.game.lab.upright, card()->key_count, part);
-    return (struct overlay_point){ box.x + 0.5f * box.width, box.y + 0.5f * box.height };
+    const struct layout_box box = lab_box(core.game.lab.upright, card()->key_count, part);
+    return (struct layout_point){ box.x + 0.5f * box.width, box.y + 0.5f * box.height };
 }
 
 /* A hand with a wrist over that point of the canvas. */
-static void hover(struct overlay_point at)
+static void hover(struct layout_point at)
 {
-    const struct overlay_point canvas = overlay_size(core.game.lab.upright);
+    const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
     hold(0, v3((at.x / canvas.x - 0.5f) * core.tank.size_m.x, UP_M,
                (at.y / canvas.y - 0.5f) * core.tank.size_m.z));
     tick();
@@ -46,9 +46,9 @@ static void tap(enum lab_part part)
     come_up();
 }
 
-static void drag_down(struct overlay_point from, struct overlay_point to)
+static void drag_down(struct layout_point from, struct layout_point to)
 {
-    const struct overlay_point canvas = overlay_size(core.game.lab.upright);
+    const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
     hover(from);
     go_down();
     for (uint32_t i = 1; i <= 10; i++) {
@@ -61,12 +61,12 @@ static void drag_down(struct overlay_point from, struct overlay_point to)
     come_up();
 }
 
-static struct overlay_point knot_at(uint32_t knot, uint32_t key)
+static struct layout_point knot_at(uint32_t knot, uint32_t key)
 {
-    const struct overlay_box plot = lab_box(core.game.lab.upright, card()->key_count, LAB_PLOT);
+    const struct layout_box plot = lab_box(core.game.lab.upright, card()->key_count, LAB_PLOT);
     const struct graph_knot *at = &core.game.lab.edit.graph.knots[knot];
-    return (struct overlay_point){ plot.x + at->progress * plot.width,
-                               plot.y + (1.0f - at->weight[key]) * plot.height };
+    return (struct layout_point){ plot.x + at->progress * plot.width,
+                                  plot.y + (1.0f - at->weight[key]) * plot.height };
 }
 
 static int open_lab(void **state)
@@ -114,8 +114,8 @@ static void test_the_lab_hangs_beside_the_modes_and_a_dip_takes_it(void **state)
     const struct core_config config = { .seed = 5, .fish_count = 12, .modes = ALL };
     open_stall(&config);
     press(INPUT_START);
-    assert_int_equal(core.game.phase, PHASE_CHOOSE);
-    ticks(GAME_CHOOSE_TICKS_MIN);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    ticks(GAME_MODE_SELECT_TICKS_MIN);
     for (uint32_t i = 0; i < 3; i++) {
         press(INPUT_RIGHT);
     }
@@ -133,18 +133,18 @@ static void test_the_dip_that_opens_it_presses_nothing(void **state)
     const struct core_config config = { .seed = 5, .fish_count = 12, .modes = ALL };
     open_stall(&config);
     press(INPUT_START);
-    ticks(GAME_CHOOSE_TICKS_MIN);
-    const struct overlay_point over = middle_of(LAB_SMOOTH), canvas = overlay_size(0);
+    ticks(GAME_MODE_SELECT_TICKS_MIN);
+    const struct layout_point over = middle_of(LAB_SMOOTH), canvas = pointer_layout_size(0);
     dip(0, (over.x / canvas.x - 0.5f) * core.tank.size_m.x,
         (over.y / canvas.y - 0.5f) * core.tank.size_m.z);
     ticks(30);
     assert_int_equal(core.game.phase, PHASE_LAB);
     assert_int_equal(core.game.lab.holds, HOLD_BUTTON);
-    assert_int_equal(look()->lab.template, TEMPLATE_OWN);
+    assert_int_equal(look()->lab.template_id, TEMPLATE_OWN);
     assert_int_equal(scene.lab.playing, 1);
     come_up();
     go_down(); /* Now it is meant. */
-    assert_int_equal(look()->lab.template, TEMPLATE_SMOOTH);
+    assert_int_equal(look()->lab.template_id, TEMPLATE_SMOOTH);
 }
 
 static void test_nothing_that_is_done_there_is_a_score(void **state)
@@ -164,7 +164,7 @@ static void test_a_minute_without_anybody_ends_it(void **state)
 {
     (void)state;
     tap(LAB_PLAY);
-    input.poi[0].link = POI_LINK_ABSENT;
+    input.poi[0].link = POI_SOURCE_ABSENT;
     ticks(LAB_IDLE_TICKS - 60u);
     assert_int_equal(core.game.phase, PHASE_LAB);
     ticks(61);
@@ -177,7 +177,7 @@ static void test_a_poi_that_swings_keeps_nobody_there(void **state)
     (void)state;
     const uint32_t begin = core.tick;
     while (core.game.phase == PHASE_LAB && core.tick - begin <= LAB_SWING_TICKS + 120u) {
-        hover((struct overlay_point){ core.tick / 60u % 2u ? 300.0f : 400.0f, 72.0f });
+        hover((struct layout_point){ core.tick / 60u % 2u ? 300.0f : 400.0f, 72.0f });
         ticks(20);
     }
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -214,21 +214,21 @@ static void test_a_life_plays_to_its_end_rests_and_begins_anew(void **state)
 static void test_the_line_of_life_is_scrubbed(void **state)
 {
     (void)state;
-    const struct overlay_box box = lab_box(0, card()->key_count, LAB_AGE);
+    const struct layout_box box = lab_box(0, card()->key_count, LAB_AGE);
     const float y = box.y + 20.0f;
-    drag_down((struct overlay_point){ lab_age_x(0, card()->key_count, 0.1f), y },
-              (struct overlay_point){ lab_age_x(0, card()->key_count, 0.65f), y });
+    drag_down((struct layout_point){ lab_age_x(0, card()->key_count, 0.1f), y },
+              (struct layout_point){ lab_age_x(0, card()->key_count, 0.65f), y });
     assert_float_equal(core.game.lab.progress, 0.65f, 1e-3f);
     assert_int_equal(core.game.lab.playing, 0);
-    drag_down((struct overlay_point){ lab_age_x(0, card()->key_count, 0.65f), y },
-              (struct overlay_point){ 5.0f, y });
+    drag_down((struct layout_point){ lab_age_x(0, card()->key_count, 0.65f), y },
+              (struct layout_point){ 5.0f, y });
     assert_float_equal(core.game.lab.progress, 0.0f, 0.0f);
 }
 
 static void test_the_growth_curve_is_scrubbed_by_age(void **state)
 {
     (void)state;
-    const struct overlay_box chart = lab_box(0, card()->key_count, LAB_CHART);
+    const struct layout_box chart = lab_box(0, card()->key_count, LAB_CHART);
     tap(LAB_CHART);
     const float half_days = 0.5f * card()->key_age_days[card()->key_count - 1u];
     assert_true(chart.width > 0.0f);
@@ -256,7 +256,7 @@ static void test_every_species_comes_round_both_ways(void **state)
     for (uint32_t i = 1; i <= species_table_count; i++) {
         tap(LAB_NEXT);
         assert_int_equal(core.game.lab.species, i % species_table_count);
-        assert_true(lab_edit_is_good(&core.game.lab.edit, card()));
+        assert_true(lab_edit_is_valid(&core.game.lab.edit, card()));
     }
     tap(LAB_BACK);
     assert_int_equal(core.game.lab.species, species_table_count - 1u);
@@ -283,13 +283,13 @@ static void test_a_mouse_means_what_is_under_it_on_any_screen(void **state)
     const struct view *view = &tank_preset(core.tank.preset)->view;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         const float width = sizes[s][0], height = sizes[s][1];
-        const int upright = width < OVERLAY_UPRIGHT_ASPECT * height;
-        const struct overlay_point canvas = overlay_size(upright);
+        const int upright = width < POINTER_UPRIGHT_ASPECT * height;
+        const struct layout_point canvas = pointer_layout_size(upright);
         const float unit = upright ? width / canvas.x
                                    : f_min(width / canvas.x, height / canvas.y);
         for (uint32_t i = 0; i < 25; i++) {
-            const struct overlay_point wanted = { canvas.x * (0.1f + 0.2f * (float)(i % 5u)),
-                                              canvas.y * (0.1f + 0.2f * (float)(i / 5u)) };
+            const struct layout_point wanted = { canvas.x * (0.1f + 0.2f * (float)(i % 5u)),
+                                                 canvas.y * (0.1f + 0.2f * (float)(i / 5u)) };
             const float x_px = 0.5f * width + (wanted.x - 0.5f * canvas.x) * unit;
             const float y_px = 0.5f * height + (wanted.y - 0.5f * canvas.y) * unit;
             for (uint32_t dipped = 0; dipped < 2; dipped++) {
@@ -297,7 +297,7 @@ static void test_a_mouse_means_what_is_under_it_on_any_screen(void **state)
                                                         2.0f * x_px / width - 1.0f,
                                                         1.0f - 2.0f * y_px / height,
                                                         dipped ? -0.05f : UP_M);
-                const struct overlay_point got = overlay_point_of(view, upright, hand_m);
+                const struct layout_point got = pointer_project(view, upright, hand_m);
                 assert_float_equal(got.x, wanted.x, 0.5f);
                 assert_float_equal(got.y, wanted.y, 0.5f);
             }
@@ -309,12 +309,12 @@ static void test_a_mouse_presses_as_a_poi_does(void **state)
 {
     (void)state;
     const struct view *view = &tank_preset(core.tank.preset)->view;
-    const struct overlay_point at = middle_of(LAB_COMPARE);
+    const struct layout_point at = middle_of(LAB_COMPARE);
     const float x = at.x / 640.0f - 1.0f, y = 1.0f - at.y / 360.0f;
     for (uint32_t i = 0; i < 3; i++) {
         const float height_m = i == 1 ? -0.05f : UP_M;
         input.poi[0] = (struct poi_input){
-            .link = POI_LINK_LIVE,
+            .link = POI_SOURCE_LIVE,
             .target.position_m = view_point_on_plane(view, 16.0f / 9.0f, x, y, height_m),
         };
         ticks(3);
@@ -329,9 +329,9 @@ static void test_parts_do_not_overlap_and_lie_on_their_canvas(void **state)
     for (uint32_t k = 0; k < 2u * 6u; k++) {
         const int upright = (int)(k % 2u);
         const uint32_t keys = 3u + k / 2u;
-        const struct overlay_point canvas = overlay_size(upright);
+        const struct layout_point canvas = pointer_layout_size(upright);
         for (uint32_t a = 1; a < LAB_PRESSED_COUNT; a++) {
-            const struct overlay_box box = lab_box(upright, keys, (enum lab_part)a);
+            const struct layout_box box = lab_box(upright, keys, (enum lab_part)a);
             if (box.width == 0.0f) {
                 assert_in_range(a, LAB_KEY + keys, LAB_KEY_LAST);
                 continue;
@@ -340,15 +340,15 @@ static void test_parts_do_not_overlap_and_lie_on_their_canvas(void **state)
             assert_true(box.y >= 0.0f && box.y + box.height <= canvas.y);
             assert_true(box.height >= 40.0f); /* A finger's breadth for a wet hand. */
             for (uint32_t b = a + 1u; b < LAB_PRESSED_COUNT; b++) {
-                const struct overlay_box other = lab_box(upright, keys, (enum lab_part)b);
+                const struct layout_box other = lab_box(upright, keys, (enum lab_part)b);
                 const int apart = box.x + box.width <= other.x || other.x + other.width <= box.x ||
                                   box.y + box.height <= other.y || other.y + other.height <= box.y;
                 if (!apart && other.width > 0.0f) {
                     fail_msg("parts %u and %u overlap (%d, %u keys)", a, b, upright, keys);
                 }
             }
-            const struct overlay_point middle = { box.x + 0.5f * box.width,
-                                                  box.y + 0.5f * box.height };
+            const struct layout_point middle = { box.x + 0.5f * box.width,
+                                                 box.y + 0.5f * box.height };
             assert_int_equal(lab_part_at(upright, keys, middle), a);
         }
     }
@@ -360,7 +360,7 @@ static void test_a_hand_that_goes_lets_go(void **state)
     hover(knot_at(1, 1));
     go_down();
     assert_int_equal(core.game.lab.holds, HOLD_WEIGHT);
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     tick();
     assert_int_equal(core.game.lab.holds, HOLD_NOTHING);
     assert_int_equal(look()->lab.has_hand, 0);
@@ -385,7 +385,7 @@ static void test_what_one_hand_held_never_leaps_to_another(void **state)
     hold(1, v3(0.0f, DOWN_M, 0.0f));
     ticks(3);
     for (uint32_t i = 0; i < 2; i++) {
-        input.poi[0].link = i == 0 ? POI_LINK_LOST : POI_LINK_LIVE;
+        input.poi[0].link = i == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
         ticks(3);
         assert_int_equal(look()->lab.has_hand, 1);
         assert_int_equal(core.game.lab.hand, 1u - i);
@@ -403,20 +403,20 @@ static void test_what_one_hand_held_never_leaps_to_another(void **state)
 static void test_a_dragged_knot_keeps_the_constraint_all_the_way(void **state)
 {
     (void)state;
-    const struct overlay_box plot = lab_box(0, card()->key_count, LAB_PLOT);
+    const struct layout_box plot = lab_box(0, card()->key_count, LAB_PLOT);
     tap((enum lab_part)(LAB_KEY + 1));
-    const struct overlay_point from = knot_at(1, 1);
+    const struct layout_point from = knot_at(1, 1);
     hover(from);
     go_down();
     assert_int_equal(core.game.lab.holds, HOLD_WEIGHT);
     assert_int_equal(core.game.lab.held_knot, 1);
     for (uint32_t i = 0; i <= 60; i++) {
-        const struct overlay_point canvas = overlay_size(0);
+        const struct layout_point canvas = pointer_layout_size(0);
         const float x = from.x + 0.5f * (float)i, y = from.y + plot.height * 0.02f * (float)i;
         hold(0, v3((x / canvas.x - 0.5f) * core.tank.size_m.x, DOWN_M,
                    (y / canvas.y - 0.5f) * core.tank.size_m.z));
         tick();
-        assert_true(lab_edit_is_good(&core.game.lab.edit, card()));
+        assert_true(lab_edit_is_valid(&core.game.lab.edit, card()));
         float sum = 0.0f;
         for (uint32_t key = 0; key < card()->key_count; key++) {
             assert_true(look()->lab.weight[key] >= 0.0f);
@@ -435,10 +435,9 @@ static void test_a_page_turned_under_a_held_knot_leaves_it_alone(void **state)
 {
     (void)state;
     for (uint32_t layer = 0; layer < 2; layer++) {
-        const struct overlay_box plot = lab_box(0, card()->key_count, LAB_PLOT);
+        const struct layout_box plot = lab_box(0, card()->key_count, LAB_PLOT);
         const struct species_card *first = card();
-        struct overlay_point at =
-            knot_at(card()->curves[0].knot_count - 1u, card()->key_count - 1u);
+        struct layout_point at = knot_at(card()->curves[0].knot_count - 1u, card()->key_count - 1u);
         if (layer == 1) {
             tap(LAB_SIZE);
             at.y = plot.y + (1.0f - lab_length_share(first, life_length_m(first, 1.0f))) *
@@ -466,11 +465,10 @@ static void test_templates_take_the_places_of_the_graph(void **state)
         struct graph expected = card()->curves[0];
         tap((enum lab_part)(LAB_OWN + i));
         if (i != TEMPLATE_OWN) {
-            graph_template(&expected, (enum graph_template)i, card()->key_count,
-                           SIMULTANEOUS_PEAK);
+            template_graph(&expected, (enum graph_template)i, card()->key_count, SIMULTANEOUS_PEAK);
         }
         assert_memory_equal(&core.game.lab.edit.graph, &expected, sizeof expected);
-        assert_int_equal(look()->lab.template, i);
+        assert_int_equal(look()->lab.template_id, i);
     }
 }
 
@@ -496,7 +494,7 @@ static void test_a_knot_that_a_drawing_needs_stays(void **state)
         core.game.lab.progress = (float)(i % 5u) * 0.25f;
         core.game.lab.playing = 0;
         tap(LAB_REMOVE);
-        assert_true(lab_edit_is_good(&core.game.lab.edit, card()));
+        assert_true(lab_edit_is_valid(&core.game.lab.edit, card()));
     }
     assert_in_range(core.game.lab.edit.graph.knot_count, 3, card()->key_count);
 }
@@ -509,7 +507,7 @@ static void test_of_knots_in_one_place_that_of_the_curve_in_hand_is_taken(void *
     for (uint32_t key = 0; key < card()->key_count; key++) {
         const uint32_t knot = key == 2 ? 3u : 2u; /* Another key's: this one has nothing there. */
         tap((enum lab_part)(LAB_KEY + key));
-        struct overlay_point at = knot_at(knot, key);
+        struct layout_point at = knot_at(knot, key);
         at.x += 5.0f;
         at.y -= 5.0f;
         hover(at);
@@ -525,13 +523,13 @@ static void test_of_knots_in_one_place_that_of_the_curve_in_hand_is_taken(void *
 static void test_the_scale_is_drawn_by_hand_and_tells_on_the_ruler(void **state)
 {
     (void)state;
-    const struct overlay_box plot = lab_box(0, card()->key_count, LAB_PLOT);
+    const struct layout_box plot = lab_box(0, card()->key_count, LAB_PLOT);
     tap(LAB_SIZE);
     assert_int_equal(core.game.lab.layer, LAB_LAYER_SIZE);
     const float share = lab_length_share(card(), card()->key_length_m[1]);
     const float x = plot.x + plot.width / (float)(card()->key_count - 1u);
-    drag_down((struct overlay_point){ x, plot.y + (1.0f - share) * plot.height },
-              (struct overlay_point){ x, plot.y + 0.2f * plot.height });
+    drag_down((struct layout_point){ x, plot.y + (1.0f - share) * plot.height },
+              (struct layout_point){ x, plot.y + 0.2f * plot.height });
     assert_int_equal(core.game.lab.edit.scale_knot_count, card()->key_count);
     assert_float_equal(look()->lab.length_m, lab_length_of_share(card(), 0.8f),
                        0.02f * scene.lab.length_m);
@@ -598,7 +596,7 @@ static void test_what_the_book_says_is_on_the_table_at_start(void **state)
     config.book.cards[0] = species_table[0]->card;
     config.book.cards[0].id[0] = 'x';
     open_stall(&config);
-    assert_int_equal(look()->lab.template, TEMPLATE_ORDINARY);
+    assert_int_equal(look()->lab.template_id, TEMPLATE_ORDINARY);
     assert_int_equal(scene.lab.species_count, species_table_count + 1u);
     tap(LAB_BACK); /* The maker's is the last. */
     assert_int_equal(look()->lab.card.id[0], 'x');
@@ -622,7 +620,7 @@ static void play_wildly(uint32_t seed, uint32_t count)
         if (core.game.phase != PHASE_LAB) {
             press(INPUT_START);
         }
-        assert_true(lab_edit_is_good(&core.game.lab.edit, card()));
+        assert_true(lab_edit_is_valid(&core.game.lab.edit, card()));
         assert_true(core.game.lab.progress >= 0.0f && core.game.lab.progress <= 1.0f);
         look();
     }

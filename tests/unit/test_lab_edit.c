@@ -104,8 +104,8 @@ static void test_a_new_knot_bends_no_straight_line(void **state)
         }
     }
     assert_true(lab_edit_remove(&edit, 0.12f));
-    assert_true(lab_edit_same(&edit, &(struct lab_edit){ .template = TEMPLATE_PAIRWISE,
-                                                         .graph = before }));
+    assert_true(lab_edit_same(
+        &edit, &(struct lab_edit){ .template_id = TEMPLATE_PAIRWISE, .graph = before }));
 }
 
 static void test_there_are_at_most_twelve_knots_and_at_least_two(void **state)
@@ -129,15 +129,14 @@ static void test_each_template_is_one_of_the_species(void **state)
     for (uint32_t i = 0; i < species_table_count; i++) {
         card = &species_table[i]->card;
         lab_edit_own(&edit, card);
-        for (uint32_t template = TEMPLATE_OWN; template < TEMPLATE_COUNT; template++) {
+        for (uint32_t template_id = TEMPLATE_OWN; template_id < TEMPLATE_COUNT; template_id++) {
             struct species_card applied;
-            lab_edit_template(&edit, card, (enum graph_template)template);
-            assert_true(lab_edit_is_good(&edit, card));
+            lab_edit_template(&edit, card, (enum graph_template)template_id);
+            assert_true(lab_edit_is_valid(&edit, card));
             lab_edit_apply(&edit, card, &applied);
             const uint32_t curve = card->curve_count - 1u;
-            const struct graph *part = template == TEMPLATE_OWN && curve > 0
-                                           ? &card->curves[curve]
-                                           : &edit.graph;
+            const struct graph *part =
+                template_id == TEMPLATE_OWN && curve > 0 ? &card->curves[curve] : &edit.graph;
             assert_memory_equal(&applied.curves[curve], part, sizeof *part);
         }
     }
@@ -200,13 +199,13 @@ static void test_the_first_touch_draws_the_growth_curve_by_hand(void **state)
     const float at = 2.0f / (float)(card->key_count - 1u);
     assert_float_equal(life_length_m(&applied, at), 0.05f, 1e-5f);
     assert_float_equal(life_length_m(&applied, 0.0f), life_length_m(card, 0.0f), 1e-6f);
-    assert_true(lab_edit_is_good(&edit, card));
+    assert_true(lab_edit_is_valid(&edit, card));
     const uint32_t added = lab_edit_size_add(&edit, card, 0.1f);
     assert_int_equal(added, 1);
     lab_edit_size_move(&edit, card, added, 0.9f);
     assert_true(edit.scale_knots[1].progress < edit.scale_knots[2].progress);
     assert_true(lab_edit_size_remove(&edit, card, 0.1f));
-    assert_true(lab_edit_is_good(&edit, card));
+    assert_true(lab_edit_is_valid(&edit, card));
 }
 
 /* The knots are there before anybody takes one: taking one moves nothing, but for the round of the
@@ -225,7 +224,7 @@ static void test_a_size_knot_that_is_only_touched_changes_no_length(void **state
         const uint32_t middle = count / 2u;
         lab_edit_size_move(&touched, own, middle, knots[middle].progress);
         lab_edit_size(&touched, own, middle, knots[middle].length_m);
-        assert_true(lab_edit_is_good(&touched, own));
+        assert_true(lab_edit_is_valid(&touched, own));
         lab_edit_apply(&touched, own, &applied);
         for (uint32_t i = 0; i <= 1000; i++) {
             const float progress = (float)i / 1000.0f, before = life_length_m(own, progress);
@@ -277,26 +276,26 @@ static void test_a_book_with_a_strange_card_or_graph_is_refused(void **state)
     (void)state;
     static struct lab_book book;
     memset(&book, 0, sizeof book);
-    assert_true(lab_book_is_good(&book));
+    assert_true(lab_book_is_valid(&book));
     book.card_count = 1;
-    assert_false(lab_book_is_good(&book)); /* An empty card. */
+    assert_false(lab_book_is_valid(&book)); /* An empty card. */
     book.cards[0] = *card;
-    assert_true(lab_book_is_good(&book));
+    assert_true(lab_book_is_valid(&book));
     assert_int_equal(lab_book_count(&book), species_table_count + 1u);
     book.cards[0].key_length_m[1] = -1.0f;
-    assert_false(lab_book_is_good(&book));
+    assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
     memset(book.cards[0].id, 'x', sizeof book.cards[0].id); /* Without an end. */
-    assert_false(lab_book_is_good(&book));
+    assert_false(lab_book_is_valid(&book));
     book.cards[0] = *card;
     book.has_edit[0] = 1;
-    assert_false(lab_book_is_good(&book)); /* An empty graph. */
+    assert_false(lab_book_is_valid(&book)); /* An empty graph. */
     lab_edit_own(&book.edits[0], card);
-    assert_true(lab_book_is_good(&book));
+    assert_true(lab_book_is_valid(&book));
     book.edits[0].graph.knots[1].weight[0] += 0.25f;
-    assert_false(lab_book_is_good(&book));
+    assert_false(lab_book_is_valid(&book));
     book.card_count = SPECIES_EXTRA_MAX + 1u;
-    assert_false(lab_book_is_good(&book));
+    assert_false(lab_book_is_valid(&book));
 }
 
 /* Each spoils a good card in one place, as a recording on a bad disk, or a bad person, may. */
@@ -361,11 +360,11 @@ static void test_a_card_that_is_odd_in_one_number_is_refused(void **state)
     for (uint32_t s = 0; s < species_table_count; s++) {
         book.card_count = 1;
         book.cards[0] = species_table[s]->card;
-        assert_true(lab_book_is_good(&book));
+        assert_true(lab_book_is_valid(&book));
         for (size_t i = 0; i < sizeof spoils / sizeof *spoils; i++) {
             book.cards[0] = species_table[s]->card;
             spoils[i].spoil(&book.cards[0]);
-            if (lab_book_is_good(&book)) {
+            if (lab_book_is_valid(&book)) {
                 fail_msg("%s of %s", spoils[i].name, species_table[s]->card.id);
             }
         }

@@ -26,7 +26,7 @@ static void test_tipped_over_the_bowl_a_fish_lands_and_counts_once(void **state)
         landed += stand.landed;
         stand_wait(&stand, 0.5f);
         assert_int_equal(stand.bowl.fish_count, stand.landed);
-        assert_int_equal(stand.poi.rider_count, 0);
+        assert_int_equal(stand.poi.carried_count, 0);
     }
     assert_in_range(landed, 57, 60); /* One that thrashes leaves when it likes. */
 }
@@ -51,21 +51,21 @@ static void test_from_whichever_side_it_comes_the_fish_lands_in_the_bowl(void **
 
 static struct catch_result counted(uint8_t clear_ticks, uint8_t walled)
 {
-    const struct rider rider = { .clear_ticks = clear_ticks, .walled = walled };
+    const struct carried_fish carried = { .clear_ticks = clear_ticks, .walled = walled };
     struct catch_result results[POI_MAX] = { 0 };
-    catch_count(&rider, 0, 0, results);
+    catch_count(&carried, 0, 0, results);
     return results[0];
 }
 
 static void test_each_fish_is_one_of_landed_poured_and_walled(void **state)
 {
     (void)state;
-    for (uint8_t clear = 0; clear <= RIDER_CLEAR_TICKS; clear++) {
+    for (uint8_t clear = 0; clear <= CARRIED_CLEAR_TICKS; clear++) {
         for (uint8_t walled = 0; walled <= 1; walled++) {
             const struct catch_result one = counted(clear, walled);
             assert_int_equal(one.landed + one.poured + one.walled, 1);
-            assert_int_equal(one.poured, clear < RIDER_CLEAR_TICKS);
-            assert_int_equal(one.walled, clear == RIDER_CLEAR_TICKS && walled);
+            assert_int_equal(one.poured, clear < CARRIED_CLEAR_TICKS);
+            assert_int_equal(one.walled, clear == CARRIED_CLEAR_TICKS && walled);
         }
     }
 }
@@ -74,22 +74,22 @@ static void test_the_ring_must_be_wholly_over_the_water_without_a_break(void **s
 {
     (void)state;
     lifted(4, 1, 0.0f);
-    assert_int_equal(stand.poi.riders[0].clear_ticks, RIDER_CLEAR_TICKS);
+    assert_int_equal(stand.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
     stand.has_wrist = 1;
     stand_turn(&stand, 0.0f, 25.0f * F_DEG, 0.3f); /* Its lower edge 20 mm under its middle: */
     stand_move(&stand, v3(0.0f, 0.028f, 0.0f), 0.2f);
     stand_wait(&stand, 0.2f);
-    assert_int_equal(stand.poi.riders[0].clear_ticks, RIDER_CLEAR_TICKS);
+    assert_int_equal(stand.poi.carried_fish[0].clear_ticks, CARRIED_CLEAR_TICKS);
     stand_move(&stand, v3(0.0f, 0.016f, 0.0f), 0.2f); /* now in the water, ... */
     stand_wait(&stand, 0.2f);
-    assert_int_equal(stand.poi.rider_count, 1);
-    assert_int_equal(stand.poi.riders[0].clear_ticks, 0);
+    assert_int_equal(stand.poi.carried_count, 1);
+    assert_int_equal(stand.poi.carried_fish[0].clear_ticks, 0);
     stand.hand.position_m.y = 0.030f; /* ... and out again, for as long as takes to see. */
     uint32_t ticks = 0;
-    while (stand.poi.riders[0].clear_ticks < RIDER_CLEAR_TICKS && ticks++ < CORE_TICK_HZ) {
+    while (stand.poi.carried_fish[0].clear_ticks < CARRIED_CLEAR_TICKS && ticks++ < CORE_TICK_HZ) {
         stand_tick(&stand);
     }
-    assert_in_range(ticks, RIDER_CLEAR_TICKS, CORE_TICK_HZ / 2u);
+    assert_in_range(ticks, CARRIED_CLEAR_TICKS, CORE_TICK_HZ / 2u);
 }
 
 /* A ring beside the bowl, its far edge over the mouth, its near one in the water. */
@@ -101,8 +101,8 @@ static void test_a_fish_that_comes_in_from_a_ring_in_the_water_is_poured(void **
     stand.poi.angles.roll_rad = -40.0f * F_DEG;
     stand.hand = (struct poi_target){ stand.poi.position_m, stand.poi.angles };
     stand.has_wrist = 1;
-    struct rider *rider = stand_lay(&stand, 0.03f, 0.035f, 0.0f, 0.0f);
-    rider->slide_x_m_s = 0.8f; /* It jumps up the slope and over the edge. */
+    struct carried_fish *carried = stand_lay(&stand, 0.03f, 0.035f, 0.0f, 0.0f);
+    carried->slide_x_m_s = 0.8f; /* It jumps up the slope and over the edge. */
     stand_wait(&stand, 0.5f);
     assert_int_equal(stand.poured, 1);
     assert_int_equal(stand.landed, 0);
@@ -114,14 +114,14 @@ static void test_a_fish_that_comes_in_from_a_ring_in_the_water_is_poured(void **
 static int is_walled(float gap_m, float press_m, float speed_m_s, float fish_gap_m)
 {
     stand_init(&stand, 4, 1);
-    const struct basis level = basis_from_angles(stand.poi.angles);
+    const struct basis level = vec_basis_from_angles(stand.poi.angles);
     const uint32_t index = stand_fish(&stand, v3(0.0f, -0.01f, 0.0f), 0.04f);
     struct fish *fish = &stand.tank.fish[index];
     stand.poi.position_m = v3(0.45f - gap_m - POI_OUTER_RADIUS_M, -0.02f, 0.0f);
     stand.poi.hand_m = v3_add(stand.poi.position_m, v3(press_m, 0.0f, 0.0f));
     stand.poi.velocity_m_s.x = speed_m_s;
     fish->position_m.x = 0.45f - fish_gap_m - 0.5f * fish->width_m;
-    return take_up_is_walled(&stand.poi, &level, &stand.tank, fish);
+    return capture_is_walled(&stand.poi, &level, &stand.tank, fish);
 }
 
 static void test_a_fish_between_a_wall_and_a_ring_that_presses_is_walled(void **state)
@@ -144,7 +144,7 @@ static uint32_t scooped(float to_x_m)
     stand_move(&stand, v3(0.40f, -0.035f, 0.0f), 0.2f);
     stand_fish(&stand, v3(0.438f, -0.014f, 0.0f), 0.045f);
     stand_move(&stand, v3(to_x_m, 0.05f, 0.0f), 0.15f);
-    return stand.poi.rider_count > 0 ? 1u + stand.poi.riders[0].walled : 0u;
+    return stand.poi.carried_count > 0 ? 1u + stand.poi.carried_fish[0].walled : 0u;
 }
 
 static void test_scooped_against_a_wall_it_is_walled_straight_up_it_is_not(void **state)
@@ -172,19 +172,19 @@ static uint8_t fell_at(vec3 from_m, struct catch_result results[POI_MAX], struct
     bowl_init(&bowls[0], v3(-0.2f, 0.012f, 0.0f));
     bowl_init(&bowls[1], v3(0.2f, 0.012f, 0.0f));
     const struct stall stall = { &stand.tank, bowls, 2 };
-    struct rider *rider = stand_lay(&stand, 0.04f, 0.0f, 0.0f, 0.0f);
-    struct fish *fish = &stand.tank.fish[rider->fish];
-    rider->state = RIDER_FALLING;
-    rider->clear_ticks = RIDER_CLEAR_TICKS;
+    struct carried_fish *carried = stand_lay(&stand, 0.04f, 0.0f, 0.0f, 0.0f);
+    struct fish *fish = &stand.tank.fish[carried->fish];
+    carried->state = CARRIED_FALLING;
+    carried->clear_ticks = CARRIED_CLEAR_TICKS;
     fish->position_m = from_m;
     memset(results, 0, POI_MAX * sizeof *results);
-    for (uint32_t tick = 0; tick < 60 && stand.poi.rider_count > 0; tick++) {
+    for (uint32_t tick = 0; tick < 60 && stand.poi.carried_count > 0; tick++) {
         catch_tick(&stand.poi, 0, &stall, tick, &stand.output, results);
         for (uint32_t i = 0; i < 2 && fish->gait != GAIT_BOWL; i++) {
             assert_false(is_in_hull(&bowls[i], fish->position_m));
         }
     }
-    assert_int_equal(stand.poi.rider_count, 0);
+    assert_int_equal(stand.poi.carried_count, 0);
     return fish->gait;
 }
 
@@ -206,9 +206,9 @@ static void test_a_fish_belongs_to_the_bowl_that_it_lies_in(void **state)
 static void test_a_foul_is_the_hands_that_did_it(void **state)
 {
     (void)state;
-    const struct rider rider = { .clear_ticks = 0 };
+    const struct carried_fish carried = { .clear_ticks = 0 };
     struct catch_result results[POI_MAX] = { 0 };
-    catch_count(&rider, 2, 3, results);
+    catch_count(&carried, 2, 3, results);
     assert_int_equal(results[2].poured, 1);
     assert_int_equal(results[3].poured + results[3].landed, 0);
     assert_int_equal(results[3].bowled, 1); /* There it lies, whoever did it. */

@@ -44,8 +44,8 @@ static float value(uint32_t round, uint32_t who)
 static flanes values(uint32_t round, uint32_t who)
 {
     flanes a;
-    for (uint32_t lane = 0; lane < LANES; lane++) {
-        a[lane] = value(round * LANES + lane, who);
+    for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
+        a[lane] = value(round * SIMD_LANES + lane, who);
     }
     return a;
 }
@@ -61,10 +61,10 @@ static void check(flanes got, int lane, float wanted, const char *what, float x,
 #define CHECK_1(name, reach)                                                                       \
     do {                                                                                           \
         for (uint32_t round = 0; round < ROUNDS; round++) {                                        \
-            const flanes x = values(round, 0), inside = lanes_clamp(x, -(lanes_of(reach)),         \
-                                                                    lanes_of(reach));              \
-            const flanes got = lanes_##name(inside);                                               \
-            for (int lane = 0; lane < LANES; lane++) {                                             \
+            const flanes x = values(round, 0),                                                     \
+                         inside = simd_clamp(x, -(simd_splat(reach)), simd_splat(reach));          \
+            const flanes got = simd_##name(inside);                                                \
+            for (int lane = 0; lane < SIMD_LANES; lane++) {                                        \
                 check(got, lane, f_##name(inside[lane]), #name, inside[lane], 0.0f);               \
             }                                                                                      \
         }                                                                                          \
@@ -74,8 +74,8 @@ static void check(flanes got, int lane, float wanted, const char *what, float x,
     do {                                                                                           \
         for (uint32_t round = 0; round < ROUNDS; round++) {                                        \
             const flanes x = values(round, 0), y = values(round, 1);                               \
-            const flanes got = lanes_##name(x, y);                                                 \
-            for (int lane = 0; lane < LANES; lane++) {                                             \
+            const flanes got = simd_##name(x, y);                                                  \
+            for (int lane = 0; lane < SIMD_LANES; lane++) {                                        \
                 check(got, lane, f_##name(x[lane], y[lane]), #name, x[lane], y[lane]);             \
             }                                                                                      \
         }                                                                                          \
@@ -88,9 +88,9 @@ static void test_floors_roots_and_wraps_are_those_of_the_scalar_form(void **stat
     CHECK_1(abs, 1e9f);
     CHECK_1(wrap_angle, 1000.0f);
     for (uint32_t round = 0; round < ROUNDS; round++) {
-        const flanes x = lanes_abs(values(round, 0));
-        const flanes got = lanes_sqrt(x);
-        for (int lane = 0; lane < LANES; lane++) {
+        const flanes x = simd_abs(values(round, 0));
+        const flanes got = simd_sqrt(x);
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
             check(got, lane, f_sqrt(x[lane]), "sqrt", x[lane], 0.0f);
         }
     }
@@ -100,9 +100,9 @@ static void test_sines_and_cosines_are_those_of_the_scalar_form(void **state)
 {
     (void)state;
     for (uint32_t round = 0; round < ROUNDS; round++) {
-        const flanes x = lanes_clamp(values(round, 0), lanes_of(-1000.0f), lanes_of(1000.0f));
-        const struct lanes_sin_cos got = lanes_sin_cos(x);
-        for (int lane = 0; lane < LANES; lane++) {
+        const flanes x = simd_clamp(values(round, 0), simd_splat(-1000.0f), simd_splat(1000.0f));
+        const struct simd_sin_cos got = simd_sin_cos(x);
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
             check(got.sin, lane, f_sin(x[lane]), "sin", x[lane], 0.0f);
             check(got.cos, lane, f_cos(x[lane]), "cos", x[lane], 0.0f);
         }
@@ -122,8 +122,8 @@ static void test_the_smaller_and_the_larger_are_those_of_the_scalar_form(void **
     CHECK_2(max);
     for (uint32_t round = 0; round < ROUNDS; round++) {
         const flanes x = values(round, 0), y = values(round, 1), t = values(round, 2);
-        const flanes clamped = lanes_clamp(x, y, t), between = lanes_lerp(x, y, t);
-        for (int lane = 0; lane < LANES; lane++) {
+        const flanes clamped = simd_clamp(x, y, t), between = simd_lerp(x, y, t);
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
             check(clamped, lane, f_clamp(x[lane], y[lane], t[lane]), "clamp", x[lane], y[lane]);
             check(between, lane, f_lerp(x[lane], y[lane], t[lane]), "lerp", x[lane], y[lane]);
         }
@@ -134,8 +134,8 @@ static void test_one_value_fills_all_lanes_sign_of_zero_included(void **state)
 {
     (void)state;
     for (uint32_t which = 0; which < 64; which++) {
-        const flanes a = lanes_of(special(which));
-        for (int lane = 0; lane < LANES; lane++) {
+        const flanes a = simd_splat(special(which));
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
             check(a, lane, special(which), "of", special(which), 0.0f);
         }
     }
@@ -144,14 +144,14 @@ static void test_one_value_fills_all_lanes_sign_of_zero_included(void **state)
 static void test_a_mask_selects_and_counts_by_lane(void **state)
 {
     (void)state;
-    for (uint32_t bits = 0; bits < 1u << LANES; bits++) {
+    for (uint32_t bits = 0; bits < 1u << SIMD_LANES; bits++) {
         ilanes mask;
-        for (int lane = 0; lane < LANES; lane++) {
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
             mask[lane] = bits >> lane & 1u ? -1 : 0;
         }
-        assert_int_equal(lanes_bits(mask), bits);
-        const flanes got = lanes_select(mask, lanes_of(-0.0f), lanes_of(2.0f));
-        for (int lane = 0; lane < LANES; lane++) {
+        assert_int_equal(simd_bits(mask), bits);
+        const flanes got = simd_select(mask, simd_splat(-0.0f), simd_splat(2.0f));
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
             check(got, lane, bits >> lane & 1u ? -0.0f : 2.0f, "select", 0.0f, 0.0f);
         }
     }
@@ -161,17 +161,17 @@ static void test_a_mask_selects_and_counts_by_lane(void **state)
 static void test_quads_of_records_become_columns_and_come_back(void **state)
 {
     (void)state;
-    float record[LANES][7], copy[LANES][7];
-    for (int lane = 0; lane < LANES; lane++) {
+    float record[SIMD_LANES][7], copy[SIMD_LANES][7];
+    for (int lane = 0; lane < SIMD_LANES; lane++) {
         for (int member = 0; member < 7; member++) {
             record[lane][member] = (float)(10 * lane + member);
             copy[lane][member] = -1.0f;
         }
     }
     flanes column[4];
-    lanes_load_quads(column, &record[0][2], sizeof record[0]);
-    lanes_store_quads(&copy[0][2], sizeof copy[0], column);
-    for (int lane = 0; lane < LANES; lane++) {
+    simd_load_quads(column, &record[0][2], sizeof record[0]);
+    simd_store_quads(&copy[0][2], sizeof copy[0], column);
+    for (int lane = 0; lane < SIMD_LANES; lane++) {
         for (int member = 0; member < 7; member++) {
             const int is_copied = member >= 2 && member < 6;
             if (is_copied) {
@@ -183,7 +183,7 @@ static void test_quads_of_records_become_columns_and_come_back(void **state)
     }
 }
 
-#ifdef LANES_WIDE
+#ifdef SIMD_WIDE
 static int machine_has_it(void)
 {
     return __builtin_cpu_supports("avx2");

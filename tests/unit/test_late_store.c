@@ -70,11 +70,12 @@ static int feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void look(void *self, const struct view *view, const struct showing *showing)
+static void look(void *self, const struct view *view,
+                 const struct display_settings *display_settings)
 {
     (void)self;
     (void)view;
-    (void)showing;
+    (void)display_settings;
 }
 
 static int set_switch(void *self, enum hal_switch which, int active)
@@ -104,8 +105,11 @@ static void begin(void)
 {
     static const struct hal_buttons_ops buttons = { poll_buttons, describe };
     static const struct hal_switches_ops switches = { set_switch, pulse_switch, describe, pending };
-    static const struct hal_poi_ops hand = { .open = open_hand, .poll = poll_hand, .feel = feel,
-                                             .look = look, .describe = describe };
+    static const struct hal_poi_ops hand = { .open = open_hand,
+                                             .poll = poll_hand,
+                                             .set_force = feel,
+                                             .set_view = look,
+                                             .describe = describe };
     static struct kiosk_config config;
     config = (struct kiosk_config){ .core = { .seed = 5, .fish_count = 4, .round_s = 10,
                                               .credit_coins = PRICE } };
@@ -120,7 +124,7 @@ static void begin(void)
     rig.hal.switches = (struct hal_switches){ .ops = &switches };
     rig.hal.poi[0] = (struct hal_poi){ .ops = &hand };
     rig.hal.storage.ops->open(rig.hal.storage.self);
-    rig.hal.storage.ops->remember(rig.hal.storage.self, &config.core.memory);
+    rig.hal.storage.ops->load(rig.hal.storage.self, &config.core.persistent);
     config.core.credit_coins = PRICE;
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
 }
@@ -152,9 +156,9 @@ static uint32_t audit(enum audit_id id)
     return rig.kiosk.core.game.audits.count[id];
 }
 
-static const struct purse *purse(void)
+static const struct balance *balance(void)
 {
-    return &rig.kiosk.core.game.ledger.purse;
+    return &rig.kiosk.core.game.ledger.balance;
 }
 
 /* An evening of one coin, half a credit, and then the card is pulled. */
@@ -202,7 +206,7 @@ static void test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_o
     assert_int_equal(rig.locked, 1);
     drop_coins(0, 1);
     assert_int_equal(frames(60), KIOSK_RUNS);
-    assert_int_equal(purse()->units, 1);
+    assert_int_equal(balance()->units, 1);
     put_card_back();
     assert_int_equal(frames(200), KIOSK_RESTART);
     end();
@@ -211,8 +215,8 @@ static void test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_o
     assert_int_equal(audit(AUDIT_COINS_1), 2);
     assert_int_equal(audit(AUDIT_UNITS), 2);
     assert_int_equal(audit(AUDIT_BOOTS), 2); /* That one had nobody to count it. */
-    assert_int_equal(purse()->paid, 1); /* The half of before, and this one. */
-    assert_int_equal(ledger_sure(&rig.kiosk.core.game.ledger).paid, 1);
+    assert_int_equal(balance()->paid, 1);    /* The half of before, and this one. */
+    assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.ledger).paid, 1);
     assert_int_equal(rig.locked, 0);
 }
 
@@ -225,8 +229,8 @@ static void test_credits_and_every_line_come_over_and_nothing_twice(void **state
     drop_coins(1, 3);
     rig.buttons.pressed = INPUT_SERVICE;
     frames(2);
-    const uint32_t units = audit(AUDIT_UNITS), paid = purse()->paid;
-    assert_int_equal(purse()->service, 1);
+    const uint32_t units = audit(AUDIT_UNITS), paid = balance()->paid;
+    assert_int_equal(balance()->service, 1);
     put_card_back();
     assert_int_equal(frames(200), KIOSK_RESTART);
     end();
@@ -237,9 +241,9 @@ static void test_credits_and_every_line_come_over_and_nothing_twice(void **state
         assert_int_equal(audit(AUDIT_COINS_2), 3);
         assert_int_equal(audit(AUDIT_UNITS), 1 + units);
         assert_int_equal(audit(AUDIT_CREDITS_SERVICE), 1);
-        assert_int_equal(purse()->service, 1);
-        assert_int_equal(PRICE * purse()->paid + purse()->units, 1 + units);
-        assert_true(purse()->paid >= paid);
+        assert_int_equal(balance()->service, 1);
+        assert_int_equal(PRICE * balance()->paid + balance()->units, 1 + units);
+        assert_true(balance()->paid >= paid);
         end();
     }
 }
@@ -255,7 +259,7 @@ static void test_money_waits_for_a_card_that_can_be_written(void **state)
     assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
     assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
     assert_int_equal(frames(3), KIOSK_RUNS);
-    assert_int_equal(rig.hal.storage.ops->handed_over(rig.hal.storage.self), HAL_ERR_BUSY);
+    assert_int_equal(rig.hal.storage.ops->offline_merged(rig.hal.storage.self), HAL_ERR_BUSY);
     drop_coins(0, 1); /* Another one falls while the first is on its way. */
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     sqlite3_close(other);
@@ -269,7 +273,8 @@ static void test_money_waits_for_a_card_that_can_be_written(void **state)
     begin();
     frames(60);
     assert_int_equal(audit(AUDIT_COINS_1), 3);
-    assert_int_equal(PRICE * purse()->paid + purse()->units, 3); /* Though two had become one. */
+    assert_int_equal(PRICE * balance()->paid + balance()->units,
+                     3); /* Though two had become one. */
 }
 
 int main(void)

@@ -57,7 +57,12 @@ static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
         .detail = 1,
         .count = 2,
         .value = kind == LEDGER_SETTING ? -5 : 5, /* Only a setting may be negative. */
-        .purse = { .units = 1, .bonus_units = 7, .paid = 4, .service = 2, .untold = 6, .open = 2 },
+        .balance = { .units = 1,
+                     .bonus_units = 7,
+                     .paid = 4,
+                     .service = 2,
+                     .unlogged = 6,
+                     .open = 2 },
         .health = { .up_s = 600, .dropped_ticks = 12, .device_faults = 9 },
     };
 }
@@ -127,15 +132,15 @@ static void test_the_newest_entry_says_what_is_in_the_purse(void **state)
 {
     (void)state;
     struct ledger_entry entry = full_entry(1, LEDGER_COINS);
-    struct memory memory = { 0 };
+    struct persistent_state memory = { 0 };
     open_file();
     write_entry(&entry);
     entry.id = 2;
-    entry.purse.paid = 9;
+    entry.balance.paid = 9;
     write_entry(&entry);
     reopen();
-    ledger_content_remember(&file.content, &memory);
-    assert_memory_equal(&memory.ledger.purse, &entry.purse, sizeof entry.purse);
+    ledger_content_load(&file.content, &memory);
+    assert_memory_equal(&memory.ledger.balance, &entry.balance, sizeof entry.balance);
     assert_int_equal(memory.ledger.last_id, 2);
     assert_int_equal(memory.ledger.boots, 3);
 }
@@ -229,7 +234,7 @@ static void test_a_file_from_before_there_were_tallies_is_read(void **state)
 static void test_the_sums_on_disk_are_those_of_the_core(void **state)
 {
     (void)state;
-    static struct memory sums, found;
+    static struct persistent_state sums, found;
     struct ledger_entry entries[12];
     for (uint32_t i = 0; i < 12; i++) {
         entries[i] = i % 3 == 0 ? full_entry(i + 1, (uint8_t)(LEDGER_BOOT + i))
@@ -241,7 +246,7 @@ static void test_the_sums_on_disk_are_those_of_the_core(void **state)
     assert_int_equal(ledger_file_write(&file, entries, 5), SQLITE_OK);
     assert_int_equal(ledger_file_write(&file, entries + 5, 7), SQLITE_OK);
     reopen();
-    ledger_content_remember(&file.content, &found);
+    ledger_content_load(&file.content, &found);
     assert_memory_equal(&found.audits, &sums.audits, sizeof sums.audits);
     assert_true(ranking_hash(0, &found.ranking) == ranking_hash(0, &sums.ranking));
 }
@@ -274,7 +279,7 @@ static void test_a_name_is_kept_with_the_round_and_can_be_taken_back(void **stat
 static void test_only_settings_that_were_turned_are_kept(void **state)
 {
     (void)state;
-    struct memory memory = { 0 };
+    struct persistent_state memory = { 0 };
     const struct ledger_entry volume = setting_entry(1, SET_VOLUME, 35);
     const struct ledger_entry seat = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
     settings_reset(&memory.settings);
@@ -283,7 +288,7 @@ static void test_only_settings_that_were_turned_are_kept(void **state)
     write_entry(&volume);
     write_entry(&seat);
     reopen();
-    ledger_content_remember(&file.content, &memory);
+    ledger_content_load(&file.content, &memory);
     assert_int_equal(memory.settings.value[SET_VOLUME], 35);
     assert_int_equal(memory.settings.value[SET_CALIBRATION_END - 1], -12345);
     assert_int_equal(memory.settings.value[SET_PRICE], 3);
@@ -438,10 +443,10 @@ static void holds_nine_entries_and_a_replay(void)
     struct ledger_entry round;
     size_t size = 0;
     char replay[8] = "";
-    const struct memory *memory = &file.content.memory;
+    const struct persistent_state *memory = &file.content.memory;
     assert_int_equal(memory->ledger.last_id, 9);
     assert_int_equal(memory->ledger.boots, 2);
-    assert_int_equal(memory->ledger.purse.paid, 2);
+    assert_int_equal(memory->ledger.balance.paid, 2);
     assert_int_equal(memory->settings.value[SET_VOLUME], 35);
     assert_int_equal(memory->audits.count[AUDIT_CAUGHT], 7);
     assert_string_equal(memory->ranking.row[MODE_FESTIVAL][RANK_WEEK][0].name, "きんぎょ");
@@ -479,7 +484,7 @@ static void test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_
     (void)state;
     take_version(4);
     assert_int_equal(ask("PRAGMA user_version"), 4);
-    assert_int_equal(ledger_file_look(&file, path), SQLITE_SCHEMA);
+    assert_int_equal(ledger_file_inspect(&file, path), SQLITE_SCHEMA);
     open_file();
     holds_nine_entries_and_a_replay();
     assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
@@ -547,13 +552,13 @@ static void test_who_only_looks_changes_nothing(void **state)
     (void)state;
     const struct ledger_entry round = round_entry(1, MODE_FESTIVAL, 5, 6);
     take_version(2);
-    assert_int_equal(ledger_file_look(&file, path), SQLITE_SCHEMA);
+    assert_int_equal(ledger_file_inspect(&file, path), SQLITE_SCHEMA);
     assert_int_equal(ask("PRAGMA user_version"), 2);
     unlink(path);
     open_file();
     write_entry(&round);
     ledger_file_close(&file);
-    assert_int_equal(ledger_file_look(&file, path), SQLITE_OK);
+    assert_int_equal(ledger_file_inspect(&file, path), SQLITE_OK);
     assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 11);
     const struct ledger_entry next = round_entry(2, MODE_FESTIVAL, 5, 6);
     assert_int_not_equal(ledger_file_write(&file, &next, 1), SQLITE_OK);

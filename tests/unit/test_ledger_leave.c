@@ -18,20 +18,25 @@ static char words[LEDGER_LEAVE_WORDS];
 
 static struct ledger_entry setting(uint32_t id, uint32_t which, int32_t value)
 {
-    return (struct ledger_entry){ .id = id, .boot = 1, .kind = LEDGER_SETTING,
-                                  .detail = (uint8_t)which, .count = which >> 8, .value = value,
-                                  .purse = { .paid = 3, .units = 1 } };
+    return (struct ledger_entry){ .id = id,
+                                  .boot = 1,
+                                  .kind = LEDGER_SETTING,
+                                  .detail = (uint8_t)which,
+                                  .count = which >> 8,
+                                  .value = value,
+                                  .balance = { .paid = 3, .units = 1 } };
 }
 
 static void fill(void)
 {
     struct ledger_entry round = { .id = 4, .boot = 1, .tick = 99, .kind = LEDGER_ROUND };
-    round.purse = (struct purse){ .paid = 3, .units = 1 };
+    round.balance = (struct balance){ .paid = 3, .units = 1 };
     round.round = (struct round_record){ .id = 4, .start_tick = 1, .end_tick = 90, .caught = 6,
                                          .grade = 6, .players = 1,
                                          .player[0] = { .caught = 6, .sheets = 1 } };
-    struct ledger_entry name = { .id = 5, .boot = 1, .kind = LEDGER_NAME, .count = 4,
-                                 .purse = round.purse, .name = "AYA" };
+    struct ledger_entry name = {
+        .id = 5, .boot = 1, .kind = LEDGER_NAME, .count = 4, .balance = round.balance, .name = "AYA"
+    };
     const struct ledger_entry entries[] = { setting(1, SET_VOLUME, 30), setting(2, SET_PRICE, 4),
                                             setting(3, SET_PIN, 4711), round, name };
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
@@ -44,7 +49,7 @@ static void open_now(const char *suffix)
 {
     char named[96];
     snprintf(named, sizeof named, "%s%s", path, suffix);
-    assert_int_equal(ledger_file_look(&file, named), 0);
+    assert_int_equal(ledger_file_inspect(&file, named), 0);
     assert_int_equal(ledger_check(file.db), 0);
 }
 
@@ -57,8 +62,8 @@ static const struct rank_row *best(void)
 static void assert_money_and_score(void)
 {
     assert_int_equal(file.content.memory.ledger.last_id, 5);
-    assert_int_equal(file.content.memory.ledger.purse.paid, 3);
-    assert_int_equal(file.content.memory.ledger.purse.units, 1);
+    assert_int_equal(file.content.memory.ledger.balance.paid, 3);
+    assert_int_equal(file.content.memory.ledger.balance.units, 1);
     assert_int_equal(file.content.has_setting[SET_PRICE], 1);
     assert_int_equal(file.content.has_setting[SET_PIN], 1);
     assert_int_equal(best()->caught, 6);

@@ -263,21 +263,22 @@ static void test_a_database_without_a_pin_is_not_written(void **state)
 static void test_the_tail_is_migrated_byte_for_byte(void **state)
 {
     (void)state;
-    struct ledger_tail tail;
+    struct ledger_mirror tail;
     struct ledger_entry entry = entry_of(7), found;
     const size_t size = offsetof(struct ledger_entry, value) + sizeof entry.value;
-    assert_int_equal(ledger_tail_open(&tail, beside(".tail")), 0);
-    assert_int_equal(ledger_tail_write(&tail, &entry, 1), 0);
-    ledger_tail_close(&tail);
+    assert_int_equal(ledger_mirror_open(&tail, beside(".tail")), 0);
+    assert_int_equal(ledger_mirror_write(&tail, &entry, 1), 0);
+    ledger_mirror_close(&tail);
     assert_int_equal(count_in(beside(".tail"), &entry, size), 1);
-    tail = ledger_tail_look(beside(".tail")); /* Who only reads is given the hidden one, too. */
-    assert_true(ledger_tail_entry(&tail, 7, &found) && pin_matches(found.value, PIN));
-    ledger_tail_close(&tail);
-    assert_int_equal(ledger_tail_open(&tail, beside(".tail")), 0);
+    tail =
+        ledger_mirror_inspect(beside(".tail")); /* Who only reads is given the hidden one, too. */
+    assert_true(ledger_mirror_entry(&tail, 7, &found) && pin_matches(found.value, PIN));
+    ledger_mirror_close(&tail);
+    assert_int_equal(ledger_mirror_open(&tail, beside(".tail")), 0);
     assert_int_equal(count_in(beside(".tail"), &entry, size), 0);
-    assert_true(ledger_tail_entry(&tail, 7, &found));
+    assert_true(ledger_mirror_entry(&tail, 7, &found));
     assert_true(found.value < 0 && pin_matches(found.value, PIN));
-    ledger_tail_close(&tail);
+    ledger_mirror_close(&tail);
 }
 
 int main(void)

@@ -43,8 +43,13 @@ static int tear_down(void **state)
 
 static struct ledger_entry coin(uint32_t id)
 {
-    return (struct ledger_entry){ .id = id, .boot = 1, .tick = 100 * id, .kind = LEDGER_COINS,
-                                  .count = 1, .value = 1, .purse = { .paid = 5 } };
+    return (struct ledger_entry){ .id = id,
+                                  .boot = 1,
+                                  .tick = 100 * id,
+                                  .kind = LEDGER_COINS,
+                                  .count = 1,
+                                  .value = 1,
+                                  .balance = { .paid = 5 } };
 }
 
 static struct ledger_entry played(uint32_t id)
@@ -68,8 +73,12 @@ static struct ledger_entry bad_entry(uint32_t which)
     case 3: entry.kind = LEDGER_KIND_COUNT; break;
     case 4: entry.detail = COIN_LINE_COUNT; break;
     case 5: entry.value = -1; break;
-    case 6: entry.purse.open = OPEN_SERVICE + 1; break;
-    case 7: entry.purse.paid = UINT32_MAX; break;
+    case 6:
+        entry.balance.open = PAYMENT_SERVICE + 1;
+        break;
+    case 7:
+        entry.balance.paid = UINT32_MAX;
+        break;
     case 8: entry.round.mode = 255; break;
     case 9: entry.round.mode = MODE_COUNT; break;
     case 10: entry.round.grade = 8; break;
@@ -90,11 +99,11 @@ static void test_every_field_has_its_range(void **state)
     (void)state;
     const struct ledger_entry good[] = { coin(2), played(2), coin(LEDGER_ID_MAX) };
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
-        assert_true(ledger_entry_is_good(&good[i]));
+        assert_true(ledger_entry_is_valid(&good[i]));
     }
     for (uint32_t i = 0; i < BAD_COUNT; i++) {
         const struct ledger_entry entry = bad_entry(i);
-        assert_false(ledger_entry_is_good(&entry));
+        assert_false(ledger_entry_is_valid(&entry));
     }
 }
 
@@ -102,25 +111,25 @@ static void test_tickets_refunds_and_open_rounds_have_their_ranges(void **state)
 {
     (void)state;
     struct ledger_entry entry = coin(2);
-    entry.purse.open = OPEN_PAID | OPEN_SPENT;
-    entry.purse.returned = OPEN_SERVICE;
-    entry.purse.tickets = PURSE_TICKETS_MAX;
-    assert_true(ledger_entry_is_good(&entry));
-    entry.purse.tickets++;
-    assert_false(ledger_entry_is_good(&entry));
-    entry.purse.tickets = 0;
-    entry.purse.returned = OPEN_FREE;
-    assert_false(ledger_entry_is_good(&entry));
+    entry.balance.open = PAYMENT_PAID | PAYMENT_SPENT;
+    entry.balance.returned = PAYMENT_SERVICE;
+    entry.balance.tickets = BALANCE_TICKETS_MAX;
+    assert_true(ledger_entry_is_valid(&entry));
+    entry.balance.tickets++;
+    assert_false(ledger_entry_is_valid(&entry));
+    entry.balance.tickets = 0;
+    entry.balance.returned = PAYMENT_FREE;
+    assert_false(ledger_entry_is_valid(&entry));
     entry = coin(2);
     entry.kind = LEDGER_STAND;
     entry.detail = 0x61;
     entry.value = 0x1f0002;
-    assert_true(ledger_entry_is_good(&entry));
+    assert_true(ledger_entry_is_valid(&entry));
     entry.detail = 0x6f; /* No such mode. */
-    assert_false(ledger_entry_is_good(&entry));
+    assert_false(ledger_entry_is_valid(&entry));
     entry.detail = 0x61;
     entry.value = 0x200000;
-    assert_false(ledger_entry_is_good(&entry));
+    assert_false(ledger_entry_is_valid(&entry));
 }
 
 /* ---- The tail and the database --------------------------------------------------------------- */
@@ -129,23 +138,23 @@ static void test_a_start_passes_over_a_tail_entry_that_is_out_of_range(void **st
 {
     (void)state;
     for (uint32_t i = 0; i < BAD_COUNT; i++) {
-        static struct memory memory;
+        static struct persistent_state memory;
         static struct storage storage;
         char tail_path[128], command[128];
-        struct ledger_tail tail;
+        struct ledger_mirror tail;
         const struct ledger_entry entries[] = { coin(1), bad_entry(i), coin(3) };
         snprintf(command, sizeof command, "rm -rf %s/*", dir);
         assert_int_equal(system(command), 0);
-        snprintf(tail_path, sizeof tail_path, "%s" STORAGE_TAIL_SUFFIX, path);
-        assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
-        assert_int_equal(ledger_tail_write(&tail, entries, 3), 0);
-        ledger_tail_close(&tail);
+        snprintf(tail_path, sizeof tail_path, "%s" STORAGE_MIRROR_SUFFIX, path);
+        assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
+        assert_int_equal(ledger_mirror_write(&tail, entries, 3), 0);
+        ledger_mirror_close(&tail);
         storage = (struct storage){ .dir = dir, .by_hand = 1 };
         const struct hal_storage device = storage_device(&storage);
         assert_int_equal(device.ops->open(device.self), HAL_OK);
-        assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
         assert_int_equal(memory.ledger.last_id, 3);
-        const struct core_config config = { .fish_count = 4, .memory = memory };
+        const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         device.ops->close(device.self);
     }
@@ -164,7 +173,7 @@ static void test_the_database_does_not_return_an_entry_that_is_out_of_range(void
         }
         assert_int_equal(ledger_file_write(&file, &entry, 1), SQLITE_OK);
         const int code = ledger_file_entry(&file, entry.id, &found);
-        assert_true(code == SQLITE_CORRUPT || ledger_entry_is_good(&found));
+        assert_true(code == SQLITE_CORRUPT || ledger_entry_is_valid(&found));
         ledger_file_close(&file);
     }
 }
@@ -219,23 +228,23 @@ static void write_changed_file(const char *change)
 static void expect_a_start_for_each_change(bool has_backup)
 {
     for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
-        static struct memory memory;
+        static struct persistent_state memory;
         static struct storage storage;
         struct ledger_file file;
         char command[256];
         write_changed_file(changes[i].change);
         snprintf(command, sizeof command, "cp %s %s" STORAGE_BACKUP_SUFFIX, path, path);
         assert_int_equal(has_backup ? system(command) : 0, 0);
-        const int code = ledger_file_look(&file, path);
+        const int code = ledger_file_inspect(&file, path);
         assert_int_equal(code, changes[i].is_read ? SQLITE_CORRUPT : SQLITE_OK);
         ledger_file_close(&file);
         storage = (struct storage){ .dir = dir, .by_hand = 1 };
         const struct hal_storage device = storage_device(&storage);
         memset(&memory, 0, sizeof memory);
         assert_int_equal(device.ops->open(device.self), HAL_OK);
-        assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
         assert_int_equal(device.ops->close(device.self), 0);
-        const struct core_config config = { .fish_count = 4, .memory = memory };
+        const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         assert_int_equal(memory.ledger.last_id, 1);
         if (changes[i].is_read) { /* The entries hold the right values. */
@@ -264,7 +273,7 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
     (void)state;
     static const uint32_t ids[] = { LEDGER_ID_MAX + 1u, 4294967293u, 4294967294u, 4294967295u };
     for (size_t i = 0; i < sizeof ids / sizeof ids[0]; i++) {
-        static struct memory memory;
+        static struct persistent_state memory;
         static struct storage storage;
         struct ledger_file file;
         char command[128];
@@ -279,12 +288,12 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
             storage = (struct storage){ .dir = dir, .by_hand = 1 };
             const struct hal_storage device = storage_device(&storage);
             assert_int_equal(device.ops->open(device.self), HAL_OK);
-            assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+            assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
             assert_int_equal(memory.ledger.last_id, 7u + start);
-            assert_int_equal(memory.ledger.purse.paid, 5);
+            assert_int_equal(memory.ledger.balance.paid, 5);
             struct ledger_entry next = coin(8u + start);
             next.boot = 2;
-            assert_int_equal(device.ops->keep(device.self, &next), HAL_OK);
+            assert_int_equal(device.ops->append(device.self, &next), HAL_OK);
             assert_int_equal(device.ops->close(device.self), 0);
         }
     }
@@ -295,8 +304,9 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
     (void)state;
     static struct output output;
     const struct core_config config = {
-        .fish_count = 4, .credit_coins = 1,
-        .memory.ledger = { .last_id = LEDGER_ID_MAX - 1u, .boots = 1 },
+        .fish_count = 4,
+        .credit_coins = 1,
+        .persistent.ledger = { .last_id = LEDGER_ID_MAX - 1u, .boots = 1 },
     };
     struct input input = { .store_well = 1, .record_saved_id = LEDGER_ID_MAX - 1u };
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -316,33 +326,34 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
 {
     (void)state;
     static struct core_config good, bad[12], back;
-    static uint8_t bytes[REPLAY_START_MAX];
-    good = (struct core_config){ .fish_count = 4, .memory.ledger = { .last_id = 9, .boots = 2 } };
+    static uint8_t bytes[REPLAY_INITIAL_STATE_MAX];
+    good =
+        (struct core_config){ .fish_count = 4, .persistent.ledger = { .last_id = 9, .boots = 2 } };
     assert_int_equal(core_init(&core, &good), CORE_OK);
     good = core.config;
     for (size_t i = 0; i < 12; i++) {
         bad[i] = good;
-        bad[i].chapter.tick = 120;
-        bad[i].chapter.ledger = core.game.ledger;
+        bad[i].session.tick = 120;
+        bad[i].session.ledger = core.game.ledger;
     }
-    bad[0].memory.ledger.last_id = LEDGER_ID_MAX + 1u;
-    bad[1].memory.ledger.boots = UINT32_MAX;
-    bad[2].memory.ledger.purse.open = 9;
-    bad[3].memory.ledger.purse.paid = UINT32_MAX;
-    bad[4].memory.ranking.row[0][0][0].seat = POI_MAX;
-    memset(bad[5].memory.ranking.row[2][1][9].name, 'x', LEDGER_NAME_SIZE);
-    bad[6].memory.ranking.row[1][2][3].round_id = UINT32_MAX;
-    bad[7].chapter.ledger.last_id = UINT32_MAX;
-    bad[8].chapter.ledger.saved_id = bad[8].chapter.ledger.last_id + 1u;
-    bad[9].chapter.ledger.after[LEDGER_RING - 1u].units = UINT32_MAX;
-    bad[10].chapter.ledger.kept.open = 200;
-    bad[11].chapter.credit.untold[0].owed = UINT32_MAX;
+    bad[0].persistent.ledger.last_id = LEDGER_ID_MAX + 1u;
+    bad[1].persistent.ledger.boots = UINT32_MAX;
+    bad[2].persistent.ledger.balance.open = 9;
+    bad[3].persistent.ledger.balance.paid = UINT32_MAX;
+    bad[4].persistent.ranking.row[0][0][0].seat = POI_MAX;
+    memset(bad[5].persistent.ranking.row[2][1][9].name, 'x', LEDGER_NAME_SIZE);
+    bad[6].persistent.ranking.row[1][2][3].round_id = UINT32_MAX;
+    bad[7].session.ledger.last_id = UINT32_MAX;
+    bad[8].session.ledger.saved_id = bad[8].session.ledger.last_id + 1u;
+    bad[9].session.ledger.after[LEDGER_RING - 1u].units = UINT32_MAX;
+    bad[10].session.ledger.committed.open = 200;
+    bad[11].session.credit.pending_coins[0].owed = UINT32_MAX;
     for (size_t i = 0; i < 12; i++) {
         assert_int_equal(core_init(&core, &bad[i]), CORE_ERR_RANGE);
         if (i != 4 && i != 5) { /* These two no encoder writes. */
-            const size_t size = replay_start_encode(&bad[i], bytes);
+            const size_t size = replay_initial_state_encode(&bad[i], bytes);
             memset(&back, 0, sizeof back);
-            assert_int_equal(replay_start_decode(&back, bytes, size, REPLAY_VERSION), 0);
+            assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 0);
         }
     }
     assert_int_equal(core_init(&core, &good), CORE_OK);

@@ -30,7 +30,7 @@ static struct ledger_entry coin(uint32_t id)
                                   .kind = LEDGER_COINS,
                                   .count = 1,
                                   .value = 1,
-                                  .purse.paid = id };
+                                  .balance.paid = id };
 }
 
 static void put_file(const char *at, uint32_t count)
@@ -45,34 +45,34 @@ static void put_file(const char *at, uint32_t count)
 
 static void put_tail(uint32_t first, uint32_t last)
 {
-    struct ledger_tail tail;
-    assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
+    struct ledger_mirror tail;
+    assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
     for (uint32_t id = first; id <= last; id++) {
         const struct ledger_entry entry = coin(id);
-        assert_int_equal(ledger_tail_write(&tail, &entry, 1), 0);
+        assert_int_equal(ledger_mirror_write(&tail, &entry, 1), 0);
     }
-    ledger_tail_close(&tail);
+    ledger_mirror_close(&tail);
 }
 
 /* Salvages into the new file and expects entries 1 to `last` in it. */
 static void expect_salvaged(const char *from, uint32_t last, uint32_t entries)
 {
     struct ledger_file to;
-    struct ledger_salvaged salvaged;
+    struct ledger_recovered salvaged;
     struct ledger_entry entry;
-    struct ledger_tail tail = ledger_tail_look(tail_path);
+    struct ledger_mirror tail = ledger_mirror_inspect(tail_path);
     assert_int_equal(ledger_file_open(&to, to_path, NULL), SQLITE_OK);
-    assert_int_equal(ledger_salvage(from, &tail, &to, &salvaged), SQLITE_OK);
+    assert_int_equal(ledger_recover(from, &tail, &to, &salvaged), SQLITE_OK);
     assert_int_equal(salvaged.entries, entries);
     assert_int_equal(salvaged.lost, 0);
     assert_int_equal(to.content.memory.ledger.last_id, last);
-    assert_int_equal(to.content.memory.ledger.purse.paid, last);
+    assert_int_equal(to.content.memory.ledger.balance.paid, last);
     for (uint32_t id = 1; id <= last; id++) {
         assert_int_equal(ledger_file_entry(&to, id, &entry), SQLITE_OK);
         assert_int_equal(entry.tick, 100u * id);
     }
     ledger_file_close(&to);
-    ledger_tail_close(&tail);
+    ledger_mirror_close(&tail);
 }
 
 static void test_entries_beyond_the_new_list_come_from_the_damaged_file(void **state)

@@ -45,7 +45,7 @@ static void test_every_version_is_refused_with_any_object_that_is_not_ours(void 
             do_sql(additions[i]);
             assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
             assert_null(file.db);
-            assert_int_not_equal(ledger_file_look(&file, path), SQLITE_OK);
+            assert_int_not_equal(ledger_file_inspect(&file, path), SQLITE_OK);
             assert_null(file.db);
         }
     }
@@ -61,7 +61,7 @@ static void test_every_version_opens_without_additions_and_is_then_exact(void **
             assert_int_equal(ledger_check(file.db), SQLITE_OK);
             ledger_file_close(&file);
         }
-        assert_int_equal(ledger_file_look(&file, path), SQLITE_OK);
+        assert_int_equal(ledger_file_inspect(&file, path), SQLITE_OK);
         ledger_file_close(&file);
     }
 }
@@ -178,7 +178,7 @@ static void is_refused(const char *name)
     alarm(10); /* A FIFO that is opened with waiting would hold the test for ever. */
     assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     ledger_file_close(&file);
-    assert_int_not_equal(ledger_file_look(&file, path), SQLITE_OK);
+    assert_int_not_equal(ledger_file_inspect(&file, path), SQLITE_OK);
     alarm(0);
     assert_int_equal(unlink(name), 0);
 }
@@ -203,7 +203,7 @@ static void cannot_be_written(const char *name)
     const int code = ledger_file_open(&file, path, NULL);
     assert_true(code != SQLITE_OK || file.refusal != 0);
     ledger_file_close(&file);
-    ledger_file_look(&file, path);
+    ledger_file_inspect(&file, path);
     ledger_file_close(&file);
     alarm(0);
     assert_int_equal(unlink(name), 0);

@@ -62,7 +62,7 @@ static void test_fish_are_as_long_as_is_known_at_their_age(void **state)
 static const struct {
     const char *id;
     float length_mm[3];
-    uint8_t template;
+    uint8_t template_id;
 } stages[] = {
     { "kurodai", { 1.9f, 5.5f, 12.0f }, TEMPLATE_PAIRWISE },
     { "shimafugu", { 2.65f, 12.2f, 25.8f }, TEMPLATE_PAIRWISE },
@@ -76,7 +76,7 @@ static void test_the_thesis_stages_are_drawn_at_its_lengths_and_blended_by_its_t
     (void)state;
     for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++) {
         const struct species_card *card = card_of(stages[i].id);
-        assert_int_equal(card->thesis_template, stages[i].template);
+        assert_int_equal(card->thesis_template, stages[i].template_id);
         for (uint32_t k = 0; k < 3; k++) {
             assert_float_equal(card->key_length_m[card->thesis_key[k]],
                                0.001f * stages[i].length_mm[k], DRAWN_M);

@@ -13,16 +13,16 @@
 #define FRAME_NS 16666667ull
 #define S 1000000000ull
 
-static struct lighting lighting;
+static struct dimmer dimmer;
 static struct settings settings;
 static struct input input;
-static struct showing showing;
+static struct display_settings display_settings;
 static uint64_t now_ns;
 
 static int set_up(void **state)
 {
     (void)state;
-    memset(&lighting, 0, sizeof lighting);
+    memset(&dimmer, 0, sizeof dimmer);
     memset(&input, 0, sizeof input);
     settings_reset(&settings);
     now_ns = 77 * S;
@@ -32,8 +32,8 @@ static int set_up(void **state)
 static void frame(int is_attract)
 {
     now_ns += FRAME_NS;
-    lighting_notice(&lighting, &input, is_attract);
-    showing = lighting_step(&lighting, &settings, &input, is_attract, now_ns);
+    dimmer_notice(&dimmer, &input, is_attract);
+    display_settings = dimmer_step(&dimmer, &settings, &input, is_attract, now_ns);
     input.pressed = input.coin_count[0] = 0;
 }
 
@@ -48,16 +48,16 @@ static void test_it_is_as_bright_as_the_operator_set_it(void **state)
 {
     (void)state;
     frame(1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
     settings.value[SET_BRIGHTNESS] = 40;
     settings.value[SET_ROTATION] = 3;
     settings.value[SET_OVERSCAN_X] = 25;
     settings.value[SET_OVERSCAN_Y] = 50;
     frame(0);
-    assert_float_equal(showing.light, 0.4f, 1e-6f);
-    assert_int_equal(showing.rotation, 3);
-    assert_float_equal(showing.inset_x, 0.025f, 1e-6f);
-    assert_float_equal(showing.inset_y, 0.050f, 1e-6f);
+    assert_float_equal(display_settings.light, 0.4f, 1e-6f);
+    assert_int_equal(display_settings.rotation, 3);
+    assert_float_equal(display_settings.inset_x, 0.025f, 1e-6f);
+    assert_float_equal(display_settings.inset_y, 0.050f, 1e-6f);
 }
 
 static void test_after_a_while_alone_it_dims_gently_and_a_coin_wakes_it_at_once(void **state)
@@ -67,16 +67,16 @@ static void test_after_a_while_alone_it_dims_gently_and_a_coin_wakes_it_at_once(
     settings.value[SET_DIM] = 30;
     frame(1);
     frames(299, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
     frames(2, 1);
-    assert_true(showing.light < 1.0f && showing.light > 0.5f);
+    assert_true(display_settings.light < 1.0f && display_settings.light > 0.5f);
     frames(4, 1);
-    assert_float_equal(showing.light, 0.3f, 1e-4f);
+    assert_float_equal(display_settings.light, 0.3f, 1e-4f);
     input.coin_count[0] = 1;
     frames(1, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
     frames(298, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
 }
 
 static void test_it_never_dims_in_a_game_nor_where_the_operator_wants_none(void **state)
@@ -84,27 +84,27 @@ static void test_it_never_dims_in_a_game_nor_where_the_operator_wants_none(void 
     (void)state;
     settings.value[SET_DIM_AFTER_MIN] = 5;
     frames(600, 0);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
     settings.value[SET_DIM_AFTER_MIN] = 0;
     frames(600, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
 }
 
 static void test_a_hand_that_moves_keeps_it_awake_and_a_noisy_sensor_does_not(void **state)
 {
     (void)state;
     settings.value[SET_DIM_AFTER_MIN] = 5;
-    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].link = POI_SOURCE_LIVE;
     frame(1);
     for (uint32_t i = 0; i < 310u * 60u; i++) {
         input.poi[0].target.position_m.x = i % 2u ? 0.004f : -0.004f;
         input.poi[0].target.position_m.z = i % 300u ? 0.0f : 0.0f / 0.0f;
         frame(1);
     }
-    assert_true(showing.light < 0.6f);
+    assert_true(display_settings.light < 0.6f);
     input.poi[0].target.position_m = v3(0.05f, 0.0f, 0.0f);
     frames(1, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
 }
 
 static void night(int32_t from, int32_t to, uint16_t day, uint16_t minute)
@@ -120,16 +120,16 @@ static void test_at_night_it_is_dark_until_somebody_comes(void **state)
     (void)state;
     night(22 * 60, 6 * 60, 9700, 23 * 60);
     frame(1);
-    frames(LIGHTING_NIGHT_IDLE_S + 5u, 1);
-    assert_float_equal(showing.light, 0.0f, 1e-6f);
+    frames(DIMMER_NIGHT_IDLE_S + 5u, 1);
+    assert_float_equal(display_settings.light, 0.0f, 1e-6f);
     input.pressed = INPUT_START;
     frames(1, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
-    frames(LIGHTING_NIGHT_IDLE_S + 5u, 1);
-    assert_float_equal(showing.light, 0.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    frames(DIMMER_NIGHT_IDLE_S + 5u, 1);
+    assert_float_equal(display_settings.light, 0.0f, 1e-6f);
     night(22 * 60, 6 * 60, 9701, 6 * 60);
     frames(1, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
 }
 
 static void test_a_clock_that_was_never_set_knows_no_night(void **state)
@@ -138,17 +138,17 @@ static void test_a_clock_that_was_never_set_knows_no_night(void **state)
     settings.value[SET_DIM_AFTER_MIN] = 0;
     night(0, 1425, 0, 600);
     frame(1);
-    frames(LIGHTING_NIGHT_IDLE_S + 5u, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    frames(DIMMER_NIGHT_IDLE_S + 5u, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
     night(600, 600, 9700, 600);
     frames(5, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
     night(600, 660, 9700, 660);
     frames(5, 1);
-    assert_float_equal(showing.light, 1.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
     night(600, 660, 9700, 659);
     frames(5, 1);
-    assert_float_equal(showing.light, 0.0f, 1e-6f);
+    assert_float_equal(display_settings.light, 0.0f, 1e-6f);
 }
 
 /* A day of attract at two frames a second: of the 9 x 9 places of 720 lines, how many are seen, and
@@ -162,9 +162,9 @@ static void test_what_stands_still_wanders_by_a_pixel_every_few_minutes(void **s
     frame(1);
     for (uint32_t i = 0; i < 24u * 3600u * 20u; i++) {
         now_ns += 50u * 1000000ull;
-        showing = lighting_step(&lighting, &settings, &input, 1, now_ns);
-        const int32_t x = (int32_t)f_floor(showing.shift_x * 720.0f + 0.5f);
-        const int32_t y = (int32_t)f_floor(showing.shift_y * 720.0f + 0.5f);
+        display_settings = dimmer_step(&dimmer, &settings, &input, 1, now_ns);
+        const int32_t x = (int32_t)f_floor(display_settings.shift_x * 720.0f + 0.5f);
+        const int32_t y = (int32_t)f_floor(display_settings.shift_y * 720.0f + 0.5f);
         assert_in_range(x + 4, 0, 8);
         assert_in_range(y + 4, 0, 8);
         const int32_t step = (x - before_x) * (x - before_x) + (y - before_y) * (y - before_y);
@@ -185,10 +185,10 @@ static void test_under_a_hand_that_aims_nothing_moves(void **state)
 {
     (void)state;
     frames(300, 1);
-    const struct showing before = showing;
+    const struct display_settings before = display_settings;
     frames(600, 0);
-    assert_float_equal(showing.shift_x, before.shift_x, 1e-7f);
-    assert_float_equal(showing.shift_y, before.shift_y, 1e-7f);
+    assert_float_equal(display_settings.shift_x, before.shift_x, 1e-7f);
+    assert_float_equal(display_settings.shift_y, before.shift_y, 1e-7f);
 }
 
 #define TEST(test) cmocka_unit_test_setup(test, set_up)

@@ -27,14 +27,14 @@ static char *shown(const struct gpio_sim_event *events, uint32_t count, uint64_t
     FILE *out = open_memstream(&text, &size);
     assert_true(gpio_wire_read("start=S", wires, why));
     assert_true(gpio_wire_read("coin=C", wires, why));
-    gpio_lines_sim_init(&sim, gpio_sim_events_script(&script), 1);
-    gpio_reader_open(&gpio.reader, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
+    gpio_lines_sim_init(&sim, gpio_lines_sim_events_script(&script), 1);
+    gpio_thread_open(&gpio.reader, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
     struct lines_show show = lines_show_begin(&gpio.reader);
     while (sim.now_ns < time_ms * MS) {
-        gpio_reader_step(&gpio.reader);
+        gpio_thread_step(&gpio.reader);
         lines_show_rows(&show, out);
     }
-    gpio_reader_close(&gpio.reader);
+    gpio_thread_close(&gpio.reader);
     fclose(out);
     return text;
 }
@@ -80,16 +80,16 @@ static void test_a_coin_s_width_is_its_own_where_the_next_one_has_begun(void **s
     char why[HAL_TEXT_SIZE], *text = NULL;
     size_t size = 0;
     assert_true(gpio_wire_read("coin=C", wires, why));
-    gpio_lines_sim_init(&sim, gpio_sim_events_script(&script), 1);
-    gpio_reader_open(&gpio.reader, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
+    gpio_lines_sim_init(&sim, gpio_lines_sim_events_script(&script), 1);
+    gpio_thread_open(&gpio.reader, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim));
     struct lines_show show = lines_show_begin(&gpio.reader);
     gpio_lines_sim_pass(&sim, 190 * MS);
-    gpio_reader_step(&gpio.reader);
+    gpio_thread_step(&gpio.reader);
     FILE *out = open_memstream(&text, &size);
     lines_show_rows(&show, out);
     fclose(out);
     assert_string_equal(text, "0.190\tcoin\tcoin 1, its pulse 48.0 ms\n");
-    gpio_reader_close(&gpio.reader);
+    gpio_thread_close(&gpio.reader);
     free(text);
 }
 

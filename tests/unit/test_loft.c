@@ -124,10 +124,11 @@ static void test_body_coordinates_keep_the_gill_cover_where_each_key_draws_it(vo
 {
     (void)state;
     const struct key_text *key = &drawn("", "gill .2\n", "template pairwise\n")->keys[0];
-    assert_float_equal((float)body_x(key, (double)GILL_U), 0.2f, 1e-6f);
-    assert_float_equal((float)body_x(key, 1.0), 1.0f, 1e-6f);
+    assert_float_equal((float)shape_body_x(key, (double)GILL_U), 0.2f, 1e-6f);
+    assert_float_equal((float)shape_body_x(key, 1.0), 1.0f, 1e-6f);
     for (int i = 0; i <= 20; i++) {
-        assert_float_equal((float)body_u(key, body_x(key, i / 20.0)), (float)i / 20.0f, 1e-5f);
+        assert_float_equal((float)shape_body_u(key, shape_body_x(key, i / 20.0)), (float)i / 20.0f,
+                           1e-5f);
     }
 }
 
@@ -158,8 +159,10 @@ static void test_a_wandering_eye_goes_over_the_back_to_the_other_flank(void **st
     struct species_text *text = drawn("", "", "template smooth\n");
     text->keys[1].eyes[0].turn_deg = 90.0f;
     text->keys[2].eyes[0].turn_deg = 180.0f;
-    const struct ball own = eye_ball(&text->keys[0], 0), top = eye_ball(&text->keys[1], 0);
-    const struct ball other = eye_ball(&text->keys[2], 0), left = eye_ball(&text->keys[0], 1);
+    const struct ball own = shape_eye_ball(&text->keys[0], 0),
+                      top = shape_eye_ball(&text->keys[1], 0);
+    const struct ball other = shape_eye_ball(&text->keys[2], 0),
+                      left = shape_eye_ball(&text->keys[0], 1);
     assert_true(own.v > 0.1 && own.v < 0.3);
     assert_float_equal((float)top.v, 0.0f, 1e-6f);
     assert_float_equal((float)(other.v + 1.0), (float)left.v, 1e-6f); /* Round, not through. */
@@ -171,7 +174,7 @@ static void test_an_eye_stands_out_as_far_as_its_bulge_says(void **state)
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
     text->keys[0].eyes[0].bulge = 0.5f;
-    const struct ball ball = eye_ball(&text->keys[0], 0);
+    const struct ball ball = shape_eye_ball(&text->keys[0], 0);
     assert_float_equal((float)(ball.out - ball.sunk), 0.5f * 0.08f, 1e-5f);
     assert_true(ball.in > 0.0 && ball.sunk > 0.0);
 }
@@ -180,10 +183,10 @@ static void test_a_leaf_thin_head_keeps_both_eyes_apart(void **state)
 {
     (void)state;
     struct species_text *text = drawn("", "", "template smooth\n");
-    for (uint32_t i = 0; i < text->keys[0].station_count; i++) {
+    for (uint32_t i = 0; i < text->keys[0].substep_count; i++) {
         text->keys[0].stations[i].width = 0.010f; /* As a leptocephalus. */
     }
-    const struct ball ball = eye_ball(&text->keys[0], 0);
+    const struct ball ball = shape_eye_ball(&text->keys[0], 0);
     assert_true(ball.sunk + ball.in < 0.005); /* Neither reaches the middle. */
 }
 
@@ -194,9 +197,10 @@ static void test_a_ray_s_second_point_is_out_of_the_body_and_its_root_in(void **
     const enum species_part parts[] = { PART_DORSAL, PART_ANAL };
     for (int i = 0; i < 2; i++) {
         for (int at = 0; at <= 10; at++) {
-            const point3 root = fin_point(key, parts[i], at / 10.0, 0.0);
-            const point3 out = fin_point(key, parts[i], at / 10.0, 0.01);
-            const struct station there = section(key, root.z), beyond = section(key, out.z);
+            const v3d root = shape_fin_point(key, parts[i], at / 10.0, 0.0);
+            const v3d out = shape_fin_point(key, parts[i], at / 10.0, 0.01);
+            const struct station there = shape_section(key, root.z),
+                                 beyond = shape_section(key, out.z);
             assert_true(fabs(root.y - (double)there.offset) < 0.5 * (double)there.depth);
             assert_true(fabs(out.y - (double)beyond.offset) > 0.5 * (double)beyond.depth);
         }
@@ -208,10 +212,12 @@ static void test_confluent_fins_end_in_the_tail_s_edges(void **state)
     (void)state;
     const struct key_text *key = &drawn("confluent\n", "", "template smooth\n")->keys[0];
     for (int i = 0; i <= 4; i++) {
-        const point3 dorsal = fin_point(key, PART_DORSAL, 1.0, i / 4.0);
-        const point3 anal = fin_point(key, PART_ANAL, 1.0, i / 4.0);
-        assert_true(length3(sub(dorsal, fin_point(key, PART_TAIL, 0.0, i / 4.0))) < 1e-9);
-        assert_true(length3(sub(anal, fin_point(key, PART_TAIL, 1.0, i / 4.0))) < 1e-9);
+        const v3d dorsal = shape_fin_point(key, PART_DORSAL, 1.0, i / 4.0);
+        const v3d anal = shape_fin_point(key, PART_ANAL, 1.0, i / 4.0);
+        assert_true(v3d_length(v3d_sub(dorsal, shape_fin_point(key, PART_TAIL, 0.0, i / 4.0))) <
+                    1e-9);
+        assert_true(v3d_length(v3d_sub(anal, shape_fin_point(key, PART_TAIL, 1.0, i / 4.0))) <
+                    1e-9);
     }
 }
 

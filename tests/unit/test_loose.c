@@ -61,9 +61,9 @@ static uint32_t run_until_all_swim(uint32_t tick, struct obstacle *obstacles, ui
         if (count_loose() == 0) {
             return ticks;
         }
-        assert_true(tank.loose_count >= count_loose());
+        assert_true(tank.reentry_count >= count_loose());
         tank_tick(&tank, tick + ticks, obstacles, count);
-        assert_true(deepest_m() <= PART_FREE_M + 1e-6f);
+        assert_true(deepest_m() <= SOLVER_FREE_M + 1e-6f);
     }
     return UINT32_MAX;
 }
@@ -121,7 +121,7 @@ static void test_fish_poured_into_a_full_tank_swim_within_half_a_second(void **s
             tank.fish[pour * 40u + k].holder = 0;
         }
         bowl.fish_count = 40;
-        bowl_pour_back(&bowl, 0, &tank);
+        bowl_empty(&bowl, 0, &tank);
         assert_int_equal(count_loose(), 40);
         struct obstacle hull = bowl_obstacle(&bowl);
         worst = max_of(worst, run_until_all_swim(tick, &hull, 1));
@@ -150,13 +150,13 @@ static void test_of_two_in_one_place_one_swims_at_once_and_the_other_never_in_it
     tank_init(&tank, TANK_PRESET_FESTIVAL, 2, 6);
     for (uint32_t i = 0; i < 2; i++) {
         tank.fish[i].position_m = v3(0.0f, -0.06f, 0.0f);
-        loose_begin(&tank, &tank.fish[i], v3(0.0f, 0.0f, 0.0f));
+        reentry_begin(&tank, &tank.fish[i], v3(0.0f, 0.0f, 0.0f));
     }
     tank_tick(&tank, 0, NULL, 0);
     assert_int_equal(count_loose(), 1);
-    assert_int_equal(tank.loose_count, 1);
+    assert_int_equal(tank.reentry_count, 1);
     expect_all_swim_soon("two in one place", run_until_all_swim(1, NULL, 0));
-    assert_int_equal(tank.loose_count, 0);
+    assert_int_equal(tank.reentry_count, 0);
 }
 
 /* The smallest tank that is offered, as full as it may be. */
@@ -167,7 +167,7 @@ static void test_there_is_a_gap_even_in_the_smallest_tank(void **state)
     config.size_m = v3(0.30f, 0.05f, 0.30f);
     config.fish_count = tank_config_fish_max(&config);
     assert_int_equal(tank_open(&tank, &config), 1);
-    loose_begin(&tank, &tank.fish[0], v3(0.0f, 0.0f, 0.0f));
+    reentry_begin(&tank, &tank.fish[0], v3(0.0f, 0.0f, 0.0f));
     tank.fish[0].position_m = tank.fish[1].position_m;
     expect_all_swim_soon("in a small tank", run_until_all_swim(0, NULL, 0));
 }
@@ -184,8 +184,8 @@ static void test_nobody_goes_for_a_gap_through_paper(void **state)
                              .centre_m = { 0.0f, -0.06f, 0.0f },
                              .normal = { 0.0f, 1.0f, 0.0f },
                              .radius_m = POI_RADIUS,
-                             .axes = basis_from_angles((struct angles){ 0 }),
-                             .axes_before = basis_from_angles((struct angles){ 0 }),
+                             .axes = vec_basis_from_angles((struct angles){ 0 }),
+                             .axes_before = vec_basis_from_angles((struct angles){ 0 }),
                              .paper = paper,
                              .paper_radius_m = 0.9f * POI_RADIUS };
     /* Three layers of twelve that swim, and twelve more right in the lowest of them. */
@@ -193,14 +193,14 @@ static void test_nobody_goes_for_a_gap_through_paper(void **state)
     for (uint32_t i = 0; i < 48; i++) {
         const uint32_t layer = i / 12u % 3u;
         struct fish *fish = &tank.fish[i];
-        fish_grow(fish, 0.03f, tank_law(&tank));
+        fish_grow(fish, 0.03f, tank_behavior_params(&tank));
         fish->position_m = v3(0.0065f * (float)(i % 6u) - 0.01625f,
                               -0.0545f + 0.0112f * (float)layer,
                               i / 6u % 2u == 0 ? -0.0155f : 0.0155f);
         fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
         fish->speed_m_s = 0.0f;
         if (i >= 36u) {
-            loose_begin(&tank, fish, v3(0.0f, -0.3f, 0.0f));
+            reentry_begin(&tank, fish, v3(0.0f, -0.3f, 0.0f));
         }
     }
     for (uint32_t tick = 0; tick < CORE_TICK_HZ && count_loose() > 0; tick++) {

@@ -52,7 +52,7 @@ static void say_truth(void)
     const float sway_m_s = core.tick / 240u % 2u ? 0.04f : -0.04f;
     hand_m.z += sway_m_s * CORE_TICK_S;
     struct poi_input *poi = &input.poi[0];
-    *poi = (struct poi_input){ .link = POI_LINK_LIVE, .target.position_m = hand_m };
+    *poi = (struct poi_input){ .link = POI_SOURCE_LIVE, .target.position_m = hand_m };
     poi->target.angles.roll_rad = roll_rad;
     if (device == SENSOR) {
         poi->has_wrist = poi->trembles = 1;
@@ -113,13 +113,13 @@ static void take_a_fish(void)
 {
     struct fish *fish = &core.tank.fish[0];
     move_to(v3(hand_m.x, -0.02f, hand_m.z), 0.1f);
-    for (uint32_t i = 0; i < 400 && core.poi[0].rider_count == 0; i++) {
+    for (uint32_t i = 0; i < 400 && core.poi[0].carried_count == 0; i++) {
         fish->position_m = v3_add(core.poi[0].position_m, v3(0.0f, 0.008f, 0.0f));
         fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
         hand_m.y += 0.05f * CORE_TICK_S;
         wait(1);
     }
-    assert_int_equal(core.poi[0].rider_count, 1);
+    assert_int_equal(core.poi[0].carried_count, 1);
     move_to(v3(hand_m.x, 0.05f, hand_m.z), 0.08f);
 }
 
@@ -168,7 +168,7 @@ static int say_nonsense(enum fault fault, uint32_t tick)
         poi->target.position_m.y -= 1.0f;
         return tick < 1;
     case UNPLUG:
-        poi->link = POI_LINK_LOST;
+        poi->link = POI_SOURCE_LOST;
         return tick < 200;
     case SILENCE:
         *poi = before;
@@ -244,27 +244,27 @@ static void check_fault(const struct scene_of *of)
         }
         run_tick();
         tick++;
-        lost_ticks += (uint32_t)hand_is_lost(&core, 0);
-        const int is_led = !hand_is_lost(&core, 0) && core.game.back_ticks[0] == 0;
+        lost_ticks += (uint32_t)controller_is_lost(&core, 0);
+        const int is_led = !controller_is_lost(&core, 0) && core.game.return_ticks[0] == 0;
         leads = is_led && !broken;
-        if (poi->spared) {
+        if (poi->damage_immune) {
             assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* It pulls at nobody. */
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
             memcpy(damage, poi->sheet.damage, sizeof damage); /* Led, it wears as ever: ... */
             cells = may_slap(of) ? poi->sheet.paper_cells : cells; /* a fish slaps. */
         }
-        assert_true(poi->spared || !loses_the_hand(of) || leads || broken);
+        assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
         assert_int_equal(poi->sheet.paper_cells, cells);
         assert_true(tick < 1200);
     } while (!leads);
     assert_int_equal(still_ticks, lost_ticks); /* The round's clock stands just so long. */
     assert_int_equal(lost_ticks > 0, loses_the_hand(of));
     if (of->fault != TURN) { /* Which holds the ring on its edge in the end. */
-        assert_int_equal(poi->rider_count, of->place == CARRYING); /* It lies there still. */
+        assert_int_equal(poi->carried_count, of->place == CARRYING); /* It lies there still. */
     }
     if (of->fault == SPIKE && of->device == SENSOR) {
-        assert_in_range(lost_ticks, TRUST_AGREE_TICKS, TRUST_AGREE_TICKS + 1u);
+        assert_in_range(lost_ticks, INPUT_AGREE_TICKS, INPUT_AGREE_TICKS + 1u);
     }
 }
 
@@ -404,14 +404,14 @@ static void test_the_poi_glides_back_and_does_not_leap(void **state)
     (void)state;
     const struct scene_of of = { .device = SENSOR, .place = DEEP, .fault = UNPLUG };
     begin(&of);
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     for (uint32_t tick = 0; tick < 400; tick++) {
         run_tick();
     }
-    assert_float_equal(core.poi[0].position_m.y, DRIFT_HOVER_M, 0.005f);
+    assert_float_equal(core.poi[0].position_m.y, FAILSAFE_HOVER_M, 0.005f);
     float fastest_m_s = 0.0f;
     uint32_t ticks = 0;
-    for (; hand_is_lost(&core, 0) || core.poi[0].spared; ticks++) {
+    for (; controller_is_lost(&core, 0) || core.poi[0].damage_immune; ticks++) {
         wait(1);
         fastest_m_s = f_max(fastest_m_s, v3_length(core.poi[0].velocity_m_s));
         assert_true(ticks < 240);
@@ -428,7 +428,7 @@ static void test_a_lost_poi_leaves_the_water_by_itself(void **state)
     const struct scene_of of = { .device = SENSOR, .place = DEEP, .fault = UNPLUG };
     uint32_t ticks = 0;
     begin(&of);
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     for (; core.poi[0].immersed > 0.0f; ticks++) {
         run_tick();
         assert_true(ticks < 360);
@@ -464,10 +464,10 @@ static void test_it_finds_its_way_out_from_anywhere(void **state)
         poi->angles.pitch_rad = -1.2f + 0.6f * (float)(i / 30u);
         poi->angles.roll_rad = 0.4f - 0.2f * (float)(i / 30u);
         poi->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
-        core.game.hand[0] = (struct poi_target){ poi->position_m, poi->angles };
-        input.poi[0].link = POI_LINK_LOST;
+        core.game.hand_pose[0] = (struct poi_target){ poi->position_m, poi->angles };
+        input.poi[0].link = POI_SOURCE_LOST;
         uint32_t ticks = 0;
-        while (poi->immersed > 0.0f || poi->position_m.y < 0.9f * DRIFT_HOVER_M) {
+        while (poi->immersed > 0.0f || poi->position_m.y < 0.9f * FAILSAFE_HOVER_M) {
             run_tick();
             assert_true(++ticks < 6u * CORE_TICK_HZ);
         }

@@ -57,15 +57,15 @@ static int tear_down(void **state)
     return system(command);
 }
 
-static struct machine machine_here(void)
+static struct system_health machine_here(void)
 {
-    return (struct machine){ .data = root, .checked = checked, .heat = heat };
+    return (struct system_health){ .data = root, .checked = checked, .heat = heat };
 }
 
-static struct scene_machine look(struct machine *machine)
+static struct scene_machine look(struct system_health *machine)
 {
     struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
-    machine_look(machine, &says);
+    system_health_sample(machine, &says);
     assert_int_equal(says.has_looked, 1);
     assert_int_equal(says.watch, WATCH_DEAF); /* The frame loop's own. */
     assert_int_equal(says.missed, 3);
@@ -74,9 +74,9 @@ static struct scene_machine look(struct machine *machine)
 
 static void test_the_boards_own_check_says_whether_the_data_persist(void **state)
 {
-    struct machine machine = machine_here(), nowhere = { .checked = checked, .heat = heat };
-    struct machine gone = { .data = "/nowhere/at/all", .checked = checked, .heat = heat };
-    struct machine memory = { .data = "/dev/shm", .checked = checked, .heat = heat };
+    struct system_health machine = machine_here(), nowhere = { .checked = checked, .heat = heat };
+    struct system_health gone = { .data = "/nowhere/at/all", .checked = checked, .heat = heat };
+    struct system_health memory = { .data = "/dev/shm", .checked = checked, .heat = heat };
     (void)state;
     assert_int_equal(look(&machine).keeps, KEEPS_FOLDER);
     write_file("checked", "kept: /dev/mmcblk0p3, ext4; start 7 of this disk, ...\n");
@@ -94,7 +94,7 @@ static void test_the_boards_own_check_says_whether_the_data_persist(void **state
 
 static void test_a_backup_ages_by_the_clock_that_nobody_sets(void **state)
 {
-    struct machine machine = machine_here();
+    struct system_health machine = machine_here();
     (void)state;
     assert_int_equal(look(&machine).has_backup, 0);
     write_file("kingyo.db.backup", "x");
@@ -114,7 +114,7 @@ static void test_a_backup_ages_by_the_clock_that_nobody_sets(void **state)
 
 static void test_a_backup_of_an_earlier_evening_is_as_old_as_its_date(void **state)
 {
-    struct machine machine = machine_here();
+    struct system_health machine = machine_here();
     (void)state;
     write_file("kingyo.db.backup", "x");
     calendar_ahead_s = 5 * 3600;
@@ -123,7 +123,7 @@ static void test_a_backup_of_an_earlier_evening_is_as_old_as_its_date(void **sta
 
 static void test_a_clock_behind_its_own_files_was_set_back(void **state)
 {
-    struct machine machine = machine_here(), later = machine_here();
+    struct system_health machine = machine_here(), later = machine_here();
     (void)state;
     write_file("kingyo.db", "x");
     assert_int_equal(look(&machine).is_clock_back, 0);
@@ -139,7 +139,7 @@ static void test_a_clock_behind_its_own_files_was_set_back(void **state)
 
 static void test_heat_is_a_margin_where_there_is_a_sensor(void **state)
 {
-    struct machine machine = machine_here();
+    struct system_health machine = machine_here();
     char zone[128];
     (void)state;
     assert_int_equal(look(&machine).has_heat, 0);
@@ -155,32 +155,33 @@ static void test_heat_is_a_margin_where_there_is_a_sensor(void **state)
 
 static void test_what_was_set_aside_counts_until_it_is_acknowledged(void **state)
 {
-    struct machine machine = machine_here();
+    struct system_health machine = machine_here();
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
     write_file("kingyo.db.damaged-1-wal", "x"); /* Its journal. */
     write_file("kingyo.db.damaged-2", "x");
     write_file("kingyo.db.damaged-", "x");      /* Nothing of ours. */
     assert_int_equal(look(&machine).aside, 2);
-    assert_int_equal(machine_mark_seen(&machine), 0);
+    assert_int_equal(system_health_mark_seen(&machine), 0);
     assert_int_equal(look(&machine).aside, 0);
-    assert_true(machine_is_seen(root, "kingyo.db.damaged-2"));
-    struct machine restarted = machine_here();
+    assert_true(system_health_is_seen(root, "kingyo.db.damaged-2"));
+    struct system_health restarted = machine_here();
     assert_int_equal(look(&restarted).aside, 0);
     write_file("kingyo.db.damaged-3", "x");
     assert_int_equal(look(&restarted).aside, 1);
-    assert_int_equal(machine_aside_of("kingyo.db.damaged-1.seen"), MACHINE_ASIDE_NOT);
+    assert_int_equal(system_health_quarantine_of("kingyo.db.damaged-1.seen"),
+                     SYSTEM_HEALTH_QUARANTINE_NONE);
     write_file("kingyo.db.missing-4", "");
     write_file("kingyo.db.tail.other-5", "");
     write_file("kingyo.db.backup.other-6", "");
     assert_int_equal(look(&restarted).aside, 4);
 }
 
-static int is_told(struct machine *machine, uint32_t aside)
+static int is_told(struct system_health *machine, uint32_t aside)
 {
     struct scene_machine says = { .watch = WATCH_FED };
     for (uint32_t i = 0; i < 500u; i++) { /* 5 s, before a second look is due. */
-        machine_read(machine, &says);
+        system_health_read(machine, &says);
         if (says.has_looked && says.aside == aside) {
             return says.watch == WATCH_FED;
         }
@@ -191,27 +192,27 @@ static int is_told(struct machine *machine, uint32_t aside)
 
 static void test_its_thread_looks_and_marks_and_the_frame_loop_only_asks(void **state)
 {
-    static struct machine machine;
+    static struct system_health machine;
     struct scene_machine says = { 0 };
     (void)state;
     write_file("kingyo.db.damaged-1", "x");
     machine = machine_here();
-    machine_read(&machine, &says); /* Nobody looks yet. */
+    system_health_read(&machine, &says); /* Nobody looks yet. */
     assert_int_equal(says.has_looked, 0);
-    machine_start(&machine);
+    system_health_start(&machine);
     assert_true(is_told(&machine, 1));
-    while (!machine_acknowledge(&machine)) {
+    while (!system_health_acknowledge(&machine)) {
         usleep(1000);
     }
     assert_true(is_told(&machine, 0));
     pthread_mutex_lock(&machine.lock); /* While it copies, what was known stays. */
     says = (struct scene_machine){ .room_mib = 77 };
-    machine_read(&machine, &says);
+    system_health_read(&machine, &says);
     assert_int_equal(says.room_mib, 77);
-    assert_false(machine_acknowledge(&machine));
+    assert_false(system_health_acknowledge(&machine));
     pthread_mutex_unlock(&machine.lock);
-    machine_stop(&machine);
-    assert_true(machine_is_seen(root, "kingyo.db.damaged-1"));
+    system_health_stop(&machine);
+    assert_true(system_health_is_seen(root, "kingyo.db.damaged-1"));
 }
 
 int main(void)

@@ -26,8 +26,8 @@ static struct avoid_party swimmer(float z_m, float ahead, uint32_t index)
 static float side_of(uint32_t a, uint32_t b, uint32_t tick)
 {
     const struct avoid_party one = swimmer(0.03f, -1.0f, a), other = swimmer(-0.03f, 1.0f, b);
-    const struct law *law = &tank_preset(TANK_PRESET_FESTIVAL)->law;
-    const struct avoid_pair pair = avoid_meet(&one, &other, 0.01f, law, 1, tick);
+    const struct behavior_params *params = &tank_preset(TANK_PRESET_FESTIVAL)->params;
+    const struct avoid_pair pair = avoid_meet(&one, &other, 0.01f, params, 1, tick);
     assert_int_equal(pair.a.kind, MEET_HEAD_ON);
     return pair.a.turn;
 }

@@ -28,8 +28,8 @@ static uint32_t leave(void)
 static int setup_open(void **state)
 {
     setup(state);
-    input.desk.state[0] = CONTROLLER_PLAYS;
-    input.desk.state[3] = CONTROLLER_FREE;
+    input.controllers.state[0] = CONTROLLER_ACTIVE;
+    input.controllers.state[3] = CONTROLLER_FREE;
     push(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_MENU);
     return 0;
@@ -69,10 +69,10 @@ static void go_to_lines(void)
     go_to(MENU_LINES);
 }
 
-static void expect_order(uint32_t id, enum desk_order_kind kind, uint8_t row)
+static void expect_order(uint32_t id, enum controller_command_kind kind, uint8_t row)
 {
-    const struct desk_order *order = &output.orders[(id - 1u) % DESK_ORDER_MAX];
-    assert_int_equal(output.order_count, id);
+    const struct controller_command *order = &output.commands[(id - 1u) % CONTROLLER_COMMAND_MAX];
+    assert_int_equal(output.command_count, id);
     assert_int_equal(order->kind, kind);
     assert_int_equal(order->row, row);
 }
@@ -109,7 +109,7 @@ static void test_a_second_test_ends_the_round_without_a_result_and_pays_it_back(
 {
     (void)state;
     core.config.credit_coins = 1;
-    core.game.ledger.purse.paid = core.game.ledger.kept.paid = 2;
+    core.game.ledger.balance.paid = core.game.ledger.committed.paid = 2;
     play_into_round();
     core.game.player[0].caught = 7;
     assert_int_equal(purse_credits(&core), 1);
@@ -195,7 +195,7 @@ static void test_two_buttons_lead_into_every_page_and_back(void **state)
         setup_open(state);
         for (uint8_t at = page; at != MENU_TOP && at < MENU_PAGE_COUNT;) {
             way[depth++] = at;
-            at = menu_sheet_of(at)->parent;
+            at = menu_page_desc_of(at)->parent;
         }
         for (uint32_t i = depth; i > 0 && menu_tag_of(way[i - 1u]) < MENU_TAG_MAX; i--) {
             go_to(way[i - 1u]);
@@ -221,7 +221,7 @@ static void test_one_push_takes_once_however_it_bounces(void **state)
     press(INPUT_TEST);
     press(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_CONTROLLER);
-    assert_int_equal(output.order_count, 0);
+    assert_int_equal(output.command_count, 0);
 }
 
 /* ---- Controllers ---------------------------------------------------------------------------- */
@@ -235,15 +235,15 @@ static void test_what_may_be_done_to_a_controller_is_what_it_is_good_for(void **
     } offers[] = {
         { CONTROLLER_NONE, 0 },
         { CONTROLLER_FREE, 1u << ROW_CHOOSE | 1u << ROW_LEARN },
-        { CONTROLLER_PLAYS, 1u << ROW_RELEASE | 1u << ROW_LEARN },
+        { CONTROLLER_ACTIVE, 1u << ROW_RELEASE | 1u << ROW_LEARN },
         { CONTROLLER_LOST, 1u << ROW_RELEASE },
-        { CONTROLLER_BARRED, 0 },
+        { CONTROLLER_UNSUPPORTED, 0 },
         { CONTROLLER_DENIED, 1u << ROW_CHOOSE | 1u << ROW_RELEASE },
     };
     static struct scene scene;
     go_to_a_controller();
     for (size_t i = 0; i < sizeof offers / sizeof offers[0]; i++) {
-        input.desk.state[3] = offers[i].state;
+        input.controllers.state[3] = offers[i].state;
         step();
         core_scene(&core, &scene);
         assert_int_equal(scene.menu.tags, offers[i].tags | 1u << ROW_BACK);
@@ -256,14 +256,14 @@ static void test_each_order_is_told_once_with_its_row(void **state)
     (void)state;
     go_to_a_controller();
     push(INPUT_TEST);
-    expect_order(1, DESK_CHOOSE, 3);
+    expect_order(1, COMMAND_CHOOSE, 3);
     steps(CORE_TICK_HZ);
-    expect_order(1, DESK_CHOOSE, 3);
-    input.desk.state[3] = CONTROLLER_PLAYS;
+    expect_order(1, COMMAND_CHOOSE, 3);
+    input.controllers.state[3] = CONTROLLER_ACTIVE;
     step();
     assert_int_equal(pointed(), ROW_RELEASE); /* What was pointed at is gone. */
     push(INPUT_TEST);
-    expect_order(2, DESK_RELEASE, 3);
+    expect_order(2, COMMAND_RELEASE, 3);
 }
 
 static void test_orders_count_on_when_the_menu_is_opened_again(void **state)
@@ -275,7 +275,7 @@ static void test_orders_count_on_when_the_menu_is_opened_again(void **state)
     push(INPUT_TEST);
     go_to_a_controller();
     push(INPUT_TEST);
-    expect_order(2, DESK_CHOOSE, 3);
+    expect_order(2, COMMAND_CHOOSE, 3);
 }
 
 static void test_a_controller_is_learned_step_by_step_and_kept(void **state)
@@ -284,31 +284,31 @@ static void test_a_controller_is_learned_step_by_step_and_kept(void **state)
     go_to_a_controller();
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    expect_order(1, DESK_LEARN, 3);
+    expect_order(1, COMMAND_LEARN, 3);
     assert_int_equal(pointed(), LEARNS_END); /* Until the desk has begun. */
     uint32_t id = 1;
     for (uint8_t learn = LEARN_REST; learn <= LEARN_DIP; learn++) {
-        input.desk.learn_step = learn;
-        input.desk.learn_row = 3;
+        input.controllers.learn_step = learn;
+        input.controllers.learn_row = 3;
         step();
         push(INPUT_LEFT); /* Whatever it pointed at: */
         while (pointed() != LEARNS_NEXT) {
             push(INPUT_SERVICE);
         }
         push(INPUT_TEST);
-        expect_order(++id, DESK_LEARN_NEXT, 3);
+        expect_order(++id, COMMAND_LEARN_NEXT, 3);
     }
-    input.desk.learn_step = LEARN_TRY;
+    input.controllers.learn_step = LEARN_TRY;
     step();
     assert_int_equal(pointed(), LEARNS_KEEP);
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    expect_order(++id, DESK_LEARN, 3); /* Once more. */
+    expect_order(++id, COMMAND_LEARN, 3); /* Once more. */
     while (pointed() != LEARNS_KEEP) {
         push(INPUT_SERVICE);
     }
     push(INPUT_TEST);
-    expect_order(++id, DESK_LEARN_KEEP, 3);
+    expect_order(++id, COMMAND_LEARN_KEEP, 3);
     assert_int_equal(menu()->page, MENU_CONTROLLERS);
 }
 
@@ -318,22 +318,22 @@ static void test_who_kept_what_cannot_be_written_is_told_wherever_he_is(void **s
     go_to_a_controller();
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    input.desk.learn_step = LEARN_TRY;
-    input.desk.learn_row = 3;
+    input.controllers.learn_step = LEARN_TRY;
+    input.controllers.learn_row = 3;
     step();
     while (pointed() != LEARNS_KEEP) {
         push(INPUT_SERVICE);
     }
     push(INPUT_TEST);
-    expect_order(2, DESK_LEARN_KEEP, 3);
+    expect_order(2, COMMAND_LEARN_KEEP, 3);
     push(INPUT_SERVICE);
     assert_int_equal(menu()->page, MENU_CONTROLLERS);
-    input.desk.learn_step = LEARN_UNKEPT;
+    input.controllers.learn_step = LEARN_NOT_SAVED;
     step();
     assert_int_equal(menu()->page, MENU_LEARN);
     assert_int_equal(pointed(), LEARNS_KEEP);
     push(INPUT_TEST);
-    expect_order(3, DESK_LEARN_KEEP, 3);
+    expect_order(3, COMMAND_LEARN_KEEP, 3);
     steps(10);
     assert_int_equal(menu()->page, MENU_CONTROLLERS); /* It is told once. */
 }
@@ -344,7 +344,7 @@ static void test_what_failed_can_be_tried_again_or_left(void **state)
     go_to_a_controller();
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    input.desk.learn_step = LEARN_FAILED;
+    input.controllers.learn_step = LEARN_FAILED;
     step();
     push(INPUT_LEFT);
     push(INPUT_SERVICE);
@@ -352,7 +352,7 @@ static void test_what_failed_can_be_tried_again_or_left(void **state)
         push(INPUT_SERVICE);
     }
     push(INPUT_TEST);
-    expect_order(2, DESK_LEARN_END, 3);
+    expect_order(2, COMMAND_LEARN_END, 3);
     assert_int_equal(menu()->page, MENU_CONTROLLER);
 }
 
@@ -362,17 +362,17 @@ static void test_a_menu_that_is_forgotten_ends_what_was_being_learned(void **sta
     go_to_a_controller();
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    input.desk.learn_step = LEARN_LEFT;
+    input.controllers.learn_step = LEARN_LEFT;
     steps(MENU_IDLE_TICKS + MENU_TAKE_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    expect_order(2, DESK_LEARN_END, 3);
+    expect_order(2, COMMAND_LEARN_END, 3);
 }
 
 /* ---- Files ---------------------------------------------------------------------------------- */
 
 static void go_to_files(uint8_t file_count)
 {
-    input.desk.file_count = file_count;
+    input.controllers.file_count = file_count;
     go_to(MENU_UPKEEP);
     go_to(MENU_FILES);
 }
@@ -386,13 +386,13 @@ static void test_more_is_offered_where_more_is_than_fits(void **state)
         const uint32_t shown = menu_files_shown((int)upright);
         input.upright = (uint8_t)upright;
         for (uint32_t count = 0; count <= UINT8_MAX; count++) {
-            input.desk.file_count = (uint8_t)count;
+            input.controllers.file_count = (uint8_t)count;
             step();
             core_scene(&core, &scene);
             assert_int_equal(scene.menu.tags,
                              1u << FILES_BACK | 1u << FILES_SEEN |
                                  (count > shown ? 1u << FILES_MORE : 0u));
-            assert_int_equal(scene.menu.desk.file_count, count);
+            assert_int_equal(scene.menu.controllers.file_count, count);
         }
     }
 }
@@ -406,11 +406,11 @@ static void test_more_leads_past_every_row_and_to_the_first_again(void **state)
         input.upright = (uint8_t)(k % 2u);
         go_to_files((uint8_t)(1u + k / 2u));
         const uint32_t shown = menu_files_shown(input.upright);
-        for (uint32_t seen = 0; seen < input.desk.file_count; seen += shown) {
+        for (uint32_t seen = 0; seen < input.controllers.file_count; seen += shown) {
             core_scene(&core, &scene);
             assert_int_equal(scene.menu.file_first, seen);
             push(INPUT_LEFT);
-            while (input.desk.file_count > shown && pointed() != FILES_MORE) {
+            while (input.controllers.file_count > shown && pointed() != FILES_MORE) {
                 push(INPUT_SERVICE);
             }
             if (pointed() == FILES_MORE) {
@@ -443,12 +443,12 @@ static void test_what_was_set_aside_is_acknowledged_by_a_tag_of_its_own(void **s
     (void)state;
     go_to_files(2);
     assert_int_equal(pointed(), FILES_BACK);
-    const uint32_t orders = output.order_count;
+    const uint32_t commands = output.command_count;
     push(INPUT_SERVICE);
     assert_int_equal(pointed(), FILES_SEEN);
     push(INPUT_TEST);
-    assert_int_equal(output.order_count, orders + 1u);
-    assert_int_equal(output.orders[orders % DESK_ORDER_MAX].kind, DESK_SEEN);
+    assert_int_equal(output.command_count, commands + 1u);
+    assert_int_equal(output.commands[commands % CONTROLLER_COMMAND_MAX].kind, COMMAND_SEEN);
     assert_int_equal(menu()->page, MENU_FILES);
     assert_int_equal(menu()->file_first, 0);
 }
@@ -474,7 +474,7 @@ static void test_a_coin_on_the_lines_page_is_a_test_and_only_metered(void **stat
     }
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
-    assert_int_equal(core.game.ledger.purse.units + purse_credits(&core), 0);
+    assert_int_equal(core.game.ledger.balance.units + purse_credits(&core), 0);
     assert_int_equal(output.coins_counted, 5); /* They are in the box. */
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_DEVICES);
@@ -496,7 +496,7 @@ static void test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_a
         assert_int_equal(output.coin_lockout, 1);
         drop(1);
         drop(1);
-        assert_int_equal(core.game.ledger.purse.units + purse_credits(&core), 0);
+        assert_int_equal(core.game.ledger.balance.units + purse_credits(&core), 0);
         assert_int_equal(output.coins_counted, before + 2u);
         assert_int_equal(purse_audit(&core, AUDIT_TEST_COINS), output.coins_counted);
     }
@@ -581,11 +581,11 @@ static void test_a_shake_while_the_operator_works_is_no_shake(void **state)
 static void hold_over(uint32_t tag, float y_m)
 {
     const int upright = input.upright;
-    const struct overlay_point canvas = overlay_size(upright);
-    const struct overlay_box box = menu_box(upright, menu()->page, menu_offers(menu()), tag);
+    const struct layout_point canvas = pointer_layout_size(upright);
+    const struct layout_box box = menu_box(upright, menu()->page, menu_enabled(menu()), tag);
     assert_true(box.width > 0.0f);
     input.poi[0] = (struct poi_input){
-        .link = POI_LINK_LIVE,
+        .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
         .target.position_m = { core.tank.size_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f),
                                y_m,
@@ -620,13 +620,13 @@ static void test_a_poi_alone_leads_everywhere_on_both_screens(void **state)
         tap(3);
         assert_int_equal(menu()->page, MENU_CONTROLLER);
         tap(ROW_CHOOSE);
-        expect_order(1, DESK_CHOOSE, 3);
+        expect_order(1, COMMAND_CHOOSE, 3);
         tap(ROW_LEARN);
         assert_int_equal(menu()->page, MENU_LEARN);
-        input.desk.learn_step = LEARN_TRY;
+        input.controllers.learn_step = LEARN_TRY;
         step();
         tap(LEARNS_KEEP);
-        expect_order(3, DESK_LEARN_KEEP, 3);
+        expect_order(3, COMMAND_LEARN_KEEP, 3);
         tap(ROWS_BACK);
         tap(menu_tag_of(MENU_LINES));
         assert_int_equal(menu()->page, MENU_LINES);
@@ -665,7 +665,7 @@ static void test_a_controller_that_is_being_learned_points_at_nothing(void **sta
     go_to_a_controller();
     push(INPUT_SERVICE);
     push(INPUT_TEST);
-    input.desk.learn_step = LEARN_LEFT;
+    input.controllers.learn_step = LEARN_LEFT;
     step();
     const uint8_t before = pointed();
     for (uint32_t tag = 0; tag < 2u; tag++) {
@@ -676,7 +676,7 @@ static void test_a_controller_that_is_being_learned_points_at_nothing(void **sta
         assert_int_equal(pointed(), before);
         assert_int_equal(menu()->page, MENU_LEARN);
     }
-    expect_order(1, DESK_LEARN, 3);
+    expect_order(1, COMMAND_LEARN, 3);
 }
 
 static void test_whoever_moves_points_also_without_a_bowl(void **state)
@@ -740,10 +740,10 @@ static void test_a_hand_that_rests_as_the_menu_opens_chooses_nothing(void **stat
 
 static void expect_apart(int upright, uint8_t page, uint16_t offered)
 {
-    const struct overlay_point canvas = overlay_size(upright);
+    const struct layout_point canvas = pointer_layout_size(upright);
     const uint32_t count = menu_tag_count(page);
     for (uint32_t a = 0; a < count; a++) {
-        const struct overlay_box box = menu_box(upright, page, offered, a);
+        const struct layout_box box = menu_box(upright, page, offered, a);
         if (!(offered >> a & 1u)) {
             assert_true(box.width <= 0.0f);
             continue;
@@ -751,7 +751,7 @@ static void expect_apart(int upright, uint8_t page, uint16_t offered)
         assert_true(box.x >= 0.0f && box.y >= 0.0f);
         assert_true(box.x + box.width <= canvas.x && box.y + box.height <= canvas.y);
         for (uint32_t b = 0; b < a; b++) {
-            const struct overlay_box other = menu_box(upright, page, offered, b);
+            const struct layout_box other = menu_box(upright, page, offered, b);
             const int apart = other.width <= 0.0f || other.x + other.width <= box.x ||
                               box.x + box.width <= other.x || other.y + other.height <= box.y ||
                               box.y + box.height <= other.y;
@@ -777,13 +777,13 @@ static void test_no_two_tags_overlap_and_all_are_on_the_canvas(void **state)
 static void test_a_desk_that_is_out_of_range_is_a_bug(void **state)
 {
     (void)state;
-    input.desk.state[2] = CONTROLLER_STATE_COUNT;
+    input.controllers.state[2] = CONTROLLER_STATE_COUNT;
     expect_assert_failure(step());
-    input.desk.state[2] = 0;
-    input.desk.learn_row = CONTROLLER_MAX;
+    input.controllers.state[2] = 0;
+    input.controllers.learn_row = CONTROLLER_MAX;
     expect_assert_failure(step());
-    input.desk.learn_row = 0;
-    input.desk.learn_step = LEARN_STEP_COUNT;
+    input.controllers.learn_row = 0;
+    input.controllers.learn_step = LEARN_STEP_COUNT;
     expect_assert_failure(step());
 }
 

@@ -23,10 +23,10 @@ static int setup(void **state)
 {
     (void)state;
     struct core_config config = { .seed = 3 };
-    settings_reset(&config.memory.settings);
-    config.memory.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
-    config.memory.settings.value[SET_ROUND_S] = 60;
-    settings_apply(&config.memory.settings, &config);
+    settings_reset(&config.persistent.settings);
+    config.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
+    config.persistent.settings.value[SET_ROUND_S] = 60;
+    settings_apply(&config.persistent.settings, &config);
     bot_stall_open(&stall, &config, &technique_expert);
     stall.input.store_well = 1;
     return 0;
@@ -73,8 +73,9 @@ static void hold_true(struct poi_target at, uint32_t ticks)
     for (uint32_t i = 0; i < ticks; i++) {
         struct poi_target now = at;
         now.position_m.x += i % 2u ? 0.001f : -0.001f;
-        stall.input.poi[0] = (struct poi_input){ .link = POI_LINK_LIVE, .has_wrist = 1,
-                                                 .trembles = 1, .target = seen(&skewed, now) };
+        stall.input.poi[0] = (struct poi_input){
+            .link = POI_SOURCE_LIVE, .has_wrist = 1, .trembles = 1, .target = seen(&skewed, now)
+        };
         step();
     }
 }
@@ -102,7 +103,7 @@ static void lead_through(struct poi_target water)
 
 static int is_set(void)
 {
-    return calibration_is_set(&stall.core.config.memory.settings, 0);
+    return calibration_is_set(&stall.core.config.persistent.settings, 0);
 }
 
 static void calibrate_all(void)
@@ -120,7 +121,7 @@ static void test_a_poi_is_led_from_mark_to_mark_and_counts_at_once(void **state)
     assert_true(is_set());
     const struct poi_target at = { .position_m = v3(0.21f, 0.05f, -0.11f) };
     hold_true(at, 60);
-    const vec3 off_m = v3_sub(stall.core.game.trust[0].newest.position_m, at.position_m);
+    const vec3 off_m = v3_sub(stall.core.game.validation[0].newest.position_m, at.position_m);
     assert_true(v3_length(off_m) < 0.004f); /* The hand's own millimetre is in it. */
 }
 
@@ -138,12 +139,12 @@ static void test_each_value_is_an_entry_of_the_ledger(void **state)
         assert_int_equal(entry->kind, LEDGER_SETTING);
         assert_int_equal(entry->detail | entry->count << 8, calibration_setting(0) + i);
         assert_int_equal(entry->value,
-                         stall.core.config.memory.settings.value[calibration_setting(0) + i]);
+                         stall.core.config.persistent.settings.value[calibration_setting(0) + i]);
     }
     const struct ledger_entry *check =
         &stall.output.entries[stall.output.entry_id % LEDGER_RING]; /* After all of them. */
     assert_int_equal(check->detail | check->count << 8, calibration_check_setting(0));
-    assert_true(adjust_is_saved(&stall.core));
+    assert_true(settings_edit_is_saved(&stall.core));
 }
 
 /* What is on disk after so many of the entries from `before` on. */
@@ -156,7 +157,7 @@ static struct settings settings_cut_after(const struct settings *before, uint32_
         assert_int_equal(entry->kind, LEDGER_SETTING);
         left.value[entry->detail | entry->count << 8] = entry->value;
     }
-    settings_mend(&left);
+    settings_sanitize(&left);
     return left;
 }
 
@@ -164,14 +165,15 @@ static struct settings settings_cut_after(const struct settings *before, uint32_
  * map, all of the new one, or none. */
 static void expect_no_patchwork(const struct settings *before, uint32_t before_id)
 {
-    const struct settings now = stall.core.config.memory.settings;
+    const struct settings now = stall.core.config.persistent.settings;
     const uint32_t count = stall.output.entry_id - before_id;
     uint32_t torn = 0;
     assert_true(count >= 2u && count < LEDGER_RING);
     for (uint32_t i = 0; i <= count; i++) {
         const struct settings left = settings_cut_after(before, before_id, i);
         const struct settings *whole = i < count ? before : &now;
-        const struct poi_input said = { .link = POI_LINK_LIVE, .has_wrist = 1,
+        const struct poi_input said = { .link = POI_SOURCE_LIVE,
+                                        .has_wrist = 1,
                                         .target = { { 0.1f, 0.2f, 0.3f }, { 0.4f, 0.5f, 0.6f } } };
         struct poi_input poi = said, wanted = said;
         calibration_apply(&left, 0, &poi);
@@ -188,7 +190,7 @@ static void expect_no_patchwork(const struct settings *before, uint32_t before_i
 static void test_a_map_that_was_cut_off_between_two_entries_is_none(void **state)
 {
     (void)state;
-    struct settings before = stall.core.config.memory.settings;
+    struct settings before = stall.core.config.persistent.settings;
     const struct poi_target aside = { .position_m = v3(0.2f, 0.1f, 0.0f) };
     open_page();
     uint32_t before_id = stall.output.entry_id;
@@ -197,14 +199,14 @@ static void test_a_map_that_was_cut_off_between_two_entries_is_none(void **state
     hold_true(aside, CORE_TICK_HZ);
     expect_no_patchwork(&before, before_id); /* The first one, */
 
-    before = stall.core.config.memory.settings;
+    before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_BEGIN);
     lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
     hold_true(aside, CORE_TICK_HZ);
     expect_no_patchwork(&before, before_id); /* another after it, */
 
-    before = stall.core.config.memory.settings;
+    before = stall.core.config.persistent.settings;
     before_id = stall.output.entry_id;
     take(CALIBRATE_NONE);
     hold_true(aside, CORE_TICK_HZ);
@@ -217,16 +219,16 @@ static void test_a_torn_map_is_told_and_taken_away(void **state)
     (void)state;
     static struct scene scene;
     calibrate_all();
-    stall.core.config.memory.settings.value[calibration_setting(0) + CALIBRATION_Z0] += 1;
+    stall.core.config.persistent.settings.value[calibration_setting(0) + CALIBRATION_Z0] += 1;
     step();
     core_scene(&stall.core, &scene);
     assert_true(calibration_is_torn(&scene.menu.settings, 0));
     assert_false(is_set());
-    assert_true(menu_offers(menu()) >> CALIBRATE_NONE & 1u);
+    assert_true(menu_enabled(menu()) >> CALIBRATE_NONE & 1u);
     take(CALIBRATE_NONE);
-    assert_false(calibration_is_torn(&stall.core.config.memory.settings, 0));
+    assert_false(calibration_is_torn(&stall.core.config.persistent.settings, 0));
     take(CALIBRATE_UNDO);
-    assert_false(calibration_is_torn(&stall.core.config.memory.settings, 0));
+    assert_false(calibration_is_torn(&stall.core.config.persistent.settings, 0));
     assert_false(is_set());
 }
 
@@ -234,16 +236,16 @@ static void test_it_is_undone_redone_and_taken_away(void **state)
 {
     (void)state;
     calibrate_all();
-    const struct settings set = stall.core.config.memory.settings;
+    const struct settings set = stall.core.config.persistent.settings;
     take(CALIBRATE_UNDO);
     assert_false(is_set());
     take(CALIBRATE_UNDO);
-    assert_memory_equal(&stall.core.config.memory.settings, &set, sizeof set);
+    assert_memory_equal(&stall.core.config.persistent.settings, &set, sizeof set);
     take(CALIBRATE_NONE);
     assert_false(is_set());
-    assert_false(menu_offers(menu()) >> CALIBRATE_NONE & 1u);
+    assert_false(menu_enabled(menu()) >> CALIBRATE_NONE & 1u);
     take(CALIBRATE_UNDO);
-    assert_memory_equal(&stall.core.config.memory.settings, &set, sizeof set);
+    assert_memory_equal(&stall.core.config.persistent.settings, &set, sizeof set);
 }
 
 static void test_a_refused_one_changes_nothing(void **state)
@@ -255,7 +257,7 @@ static void test_a_refused_one_changes_nothing(void **state)
     assert_int_equal(calibrate()->step, CALIBRATE_REFUSED);
     assert_int_equal(calibrate()->fault, CALIBRATION_TILTED);
     assert_false(is_set());
-    assert_false(menu_offers(menu()) >> CALIBRATE_UNDO & 1u);
+    assert_false(menu_enabled(menu()) >> CALIBRATE_UNDO & 1u);
 }
 
 /* In its holder when it began, on its way, away for a while: none of that is a mark. */
@@ -274,7 +276,7 @@ static void test_only_stillness_after_a_way_is_a_mark(void **state)
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
     const struct poi_target mark = { .position_m = calibration_mark(stall.core.tank.size_m, 0) };
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u);
-    stall.input.poi[0].link = POI_LINK_LOST;
+    stall.input.poi[0].link = POI_SOURCE_LOST;
     step();
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u + 2u);
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
@@ -308,9 +310,9 @@ static uint32_t play_a_round(void)
     stall.bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
     while (stall.core.game.phase != PHASE_RESULT && ticks++ < 120u * CORE_TICK_HZ) {
         const uint8_t phase = stall.core.game.phase;
-        const struct sight sight = bot_stall_sight(&stall);
+        const struct vision vision = bot_stall_sight(&stall);
         stall.input.pressed = phase == PHASE_ATTRACT && ticks % CORE_TICK_HZ == 0 ? INPUT_START : 0;
-        hold_true(bot_tick(&stall.bot, &sight), 1);
+        hold_true(bot_tick(&stall.bot, &vision), 1);
     }
     assert_int_equal(stall.core.game.phase, PHASE_RESULT);
     return stall.output.record.caught;

@@ -28,17 +28,17 @@ static struct rig {
     struct clock_sim clock;
     struct display_sim display;
     struct hid_wire wire;
-    struct hid_roster_sim roster;
-    struct hid_book book;
+    struct hid_device_list_sim device_list;
+    struct hid_mapping_store book;
     struct poi_hid poi;
-    struct hid_desk desk;
+    struct controller_manager desk;
     struct storage_sim storage;
     struct hal hal;
     struct kiosk kiosk;
     struct button_sample buttons; /* Of the next frame. */
     float x, z;                   /* The stick, [0, 1] each. */
     uint8_t trigger;
-    uint32_t lockout, coin_pulses, ticket_pulses, lamp; /* What the cabinet was told. */
+    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* What the cabinet was told. */
 } rig;
 
 /* ---- A cabinet ------------------------------------------------------------------------------ */
@@ -67,7 +67,7 @@ static int set_switch(void *self, enum hal_switch which, int active)
 static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
 {
     (void)self;
-    *(which == HAL_TICKET ? &rig.ticket_pulses : &rig.coin_pulses) += count;
+    *(which == HAL_TICKET ? &rig.ticket_pulses : &rig.input_coin_pulses) += count;
     return HAL_OK;
 }
 
@@ -131,9 +131,9 @@ static int set_up(void **state)
     wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
     snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
     rig.wire.port.absent = 1; /* It lies there, and sits nowhere yet. */
-    hid_roster_sim_init(&rig.roster, seats);
-    hid_roster_sim_plug(&rig.roster, ROW, &rig.wire.face);
-    hid_book_open(&rig.book, NULL, NULL, NULL);
+    hid_device_list_sim_init(&rig.device_list, seats);
+    hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
+    hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
     rig.hal = null_hal();
     rig.hal.clock = clock_sim_device(&rig.clock);
     rig.hal.display = display_sim_device(&rig.display);
@@ -141,9 +141,10 @@ static int set_up(void **state)
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
     rig.hal.switches = (struct hal_switches){ .ops = &switches };
     poi_hid_init(&rig.poi, hid_port_sim_port(&rig.wire.port), rig.hal.clock,
-                 hid_book_mapper(&rig.book), &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    hid_desk_init(&rig.desk, hid_roster_sim_device(&rig.roster), &rig.book, pois);
-    rig.hal.controllers = hid_desk_device(&rig.desk);
+                 hid_mapping_store_mapper(&rig.book), &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    controller_manager_init(&rig.desk, hid_device_list_sim_device(&rig.device_list), &rig.book,
+                            pois);
+    rig.hal.controllers = controller_manager_device(&rig.desk);
     rig.hal.poi[0] = poi_hid_device(&rig.poi);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
     frames(2);
@@ -153,7 +154,7 @@ static int set_up(void **state)
 static int tear_down(void **state)
 {
     (void)state;
-    hid_book_close(&rig.book);
+    hid_mapping_store_close(&rig.book);
     return 0;
 }
 
@@ -203,14 +204,14 @@ static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_ord
     point_at(menu_tag_of(MENU_RESTART));
     push(INPUT_TEST);
     push(INPUT_SERVICE); /* From "back" round to "yes". */
-    assert_int_equal(shown()->tag, SURE_YES);
+    assert_int_equal(shown()->tag, CONFIRM_YES);
     rig.buttons.pressed = INPUT_TEST;
     for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) { /* 6 s: a store may be slow. */
         rig.clock.now_ns += FRAME_NS;
         end = kiosk_frame(&rig.kiosk, &rig.hal);
     }
     assert_int_equal(end, KIOSK_RESTART);
-    assert_int_equal(rig.roster.choose_count + rig.roster.release_count, 0);
+    assert_int_equal(rig.device_list.choose_count + rig.device_list.release_count, 0);
 }
 
 /* A card that came late is gone on from, but not while somebody plays, and not before it has what
@@ -218,20 +219,20 @@ static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_ord
 static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays(void **state)
 {
     (void)state;
-    struct purse *purse = &rig.kiosk.core.game.ledger.purse;
+    struct balance *balance = &rig.kiosk.core.game.ledger.balance;
     push(INPUT_TEST);
     assert_int_equal(rig.display.scene.phase, PHASE_MENU);
     rig.storage.wants_restart = 1;
     rig.storage.late_polls = 30;
-    purse->paid = 1;
-    purse->untold = 3;
+    balance->paid = 1;
+    balance->unlogged = 3;
     frames(10);
     assert_int_equal(rig.storage.late_purse.paid, 0);
     rig.buttons.quit = 1;
     frames(10);
     assert_int_equal(rig.storage.late_purse.paid, 1);
-    assert_int_equal(rig.storage.late_purse.untold, 3);
-    purse->untold = 4;
+    assert_int_equal(rig.storage.late_purse.unlogged, 3);
+    balance->unlogged = 4;
     enum kiosk_end end = KIOSK_RUNS;
     for (uint32_t i = 0; i < 100u && end == KIOSK_RUNS; i++) {
         rig.clock.now_ns += FRAME_NS;
@@ -239,7 +240,7 @@ static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_pla
     }
     assert_int_equal(end, KIOSK_RESTART);
     assert_int_equal(rig.storage.late_purse.paid, 1);
-    assert_int_equal(rig.storage.late_purse.untold, 4);
+    assert_int_equal(rig.storage.late_purse.unlogged, 4);
 }
 
 /* ---- Names ---------------------------------------------------------------------------------- */
@@ -252,7 +253,7 @@ static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state
     assert_non_null(strstr(rig.display.scene.devices.controller[ROW], "Flight Stick"));
     assert_string_equal(rig.display.scene.devices.controller[0], "");
     assert_string_equal(rig.display.scene.devices.lines, "two buttons and a slot");
-    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_FREE);
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE);
 }
 
 /* ---- Choosing ------------------------------------------------------------------------------- */
@@ -263,23 +264,23 @@ static void test_what_is_chosen_plays_and_what_is_released_does_not(void **state
     open_the_row();
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
-    assert_int_equal(rig.roster.choose_count, 1);
+    assert_int_equal(rig.device_list.choose_count, 1);
     frames(90); /* A seat is looked for once a second. */
-    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_PLAYS);
-    assert_int_equal(rig.kiosk.hands[0].link, POI_LINK_LIVE);
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_ACTIVE);
+    assert_int_equal(rig.kiosk.hands[0].link, POI_SOURCE_LIVE);
     point_at(ROW_RELEASE);
     push(INPUT_TEST);
-    assert_int_equal(rig.roster.release_count, 1);
+    assert_int_equal(rig.device_list.release_count, 1);
     frames(90);
-    assert_int_equal(rig.roster.choose_count, 1);
-    assert_int_equal(rig.roster.release_count, 1); /* Each order was told once. */
+    assert_int_equal(rig.device_list.choose_count, 1);
+    assert_int_equal(rig.device_list.release_count, 1); /* Each order was told once. */
 }
 
 /* ---- Learning ------------------------------------------------------------------------------- */
 
 static void show_step(uint8_t step, float x, float z, uint8_t trigger)
 {
-    assert_int_equal(shown()->desk.learn_step, step);
+    assert_int_equal(shown()->controllers.learn_step, step);
     rig.x = x;
     rig.z = z;
     rig.trigger = trigger;
@@ -304,7 +305,7 @@ static void learn_backwards(void)
     show_step(LEARN_DIP, MIDDLE, MIDDLE, 1);
     rig.trigger = 0;
     frames(30);
-    assert_int_equal(shown()->desk.learn_step, LEARN_TRY);
+    assert_int_equal(shown()->controllers.learn_step, LEARN_TRY);
 }
 
 /* Whither the ring goes when the stick goes right. */
@@ -329,8 +330,8 @@ static void test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught(voi
     push(INPUT_TEST);
     frames(5);
     assert_int_equal(shown()->page, MENU_CONTROLLERS);
-    assert_int_equal(shown()->desk.learn_step, LEARN_NONE);
-    assert_non_null(hid_book_find(&rig.book, &rig.wire.face.identity));
+    assert_int_equal(shown()->controllers.learn_step, LEARN_NONE);
+    assert_non_null(hid_mapping_store_find(&rig.book, &rig.wire.face.identity));
     assert_true(way_right_m() < -0.02f);
 }
 
@@ -342,8 +343,8 @@ static void test_what_was_not_kept_is_forgotten(void **state)
     push(INPUT_TEST);
     frames(5);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
-    assert_null(hid_book_find(&rig.book, &rig.wire.face.identity));
-    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_FREE); /* As it was. */
+    assert_null(hid_mapping_store_find(&rig.book, &rig.wire.face.identity));
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE); /* As it was. */
     point_at(ROW_CHOOSE);
     push(INPUT_TEST);
     frames(90);
@@ -358,14 +359,14 @@ static void test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_g
     push(INPUT_TEST);
     frames(90);
     show_step(LEARN_REST, MIDDLE, MIDDLE, 0);
-    hid_roster_sim_plug(&rig.roster, ROW, NULL);
+    hid_device_list_sim_plug(&rig.device_list, ROW, NULL);
     frames(10);
-    assert_int_equal(shown()->desk.learn_step, LEARN_FAILED);
+    assert_int_equal(shown()->controllers.learn_step, LEARN_FAILED);
     point_at(LEARNS_END);
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLER);
     frames(2);
-    assert_int_equal(shown()->desk.state[ROW], CONTROLLER_NONE); /* Nobody chose it. */
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_NONE); /* Nobody chose it. */
     point_at(ROW_BACK);
     push(INPUT_TEST);
     assert_int_equal(shown()->page, MENU_CONTROLLERS);
@@ -398,7 +399,7 @@ static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_
     assert_int_equal(rig.lockout, 0); /* The operator tries the mechanism. */
     drop(7);
     assert_int_equal(shown()->test_coins, 7);
-    assert_int_equal(rig.coin_pulses, 7);
+    assert_int_equal(rig.input_coin_pulses, 7);
     assert_int_equal(rig.display.scene.credit.credits + rig.display.scene.credit.units, 0);
     go_back();
     assert_int_equal(rig.lockout, 1);
@@ -415,11 +416,11 @@ static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_
     assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
     assert_int_equal(rig.lockout, 0);
     drop(3);
-    assert_int_equal(rig.coin_pulses, 11);
+    assert_int_equal(rig.input_coin_pulses, 11);
     assert_int_equal(rig.display.scene.credit.credits, 1);
     assert_int_equal(rig.display.scene.credit.units, 1);
     frames(30);
-    assert_int_equal(rig.coin_pulses, 11);
+    assert_int_equal(rig.input_coin_pulses, 11);
 }
 
 #define IN_CABINET(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)

@@ -46,9 +46,9 @@ static void test_only_rows_that_somebody_is_in_can_be_taken(void **state)
 {
     (void)state;
     open_ranking();
-    assert_int_equal(menu_offers(&core.game.menu), 7u | 3u << RANKING_NEXT);
+    assert_int_equal(menu_enabled(&core.game.menu), 7u | 3u << RANKING_NEXT);
     take(RANKING_NEXT); /* Nobody this week. */
-    assert_int_equal(menu_offers(&core.game.menu), 3u << RANKING_NEXT);
+    assert_int_equal(menu_enabled(&core.game.menu), 3u << RANKING_NEXT);
     take(RANKING_BACK);
     assert_int_equal(core.game.menu.page, MENU_BOOKS);
 }
@@ -60,9 +60,9 @@ static void test_boards_come_round_and_practice_has_none(void **state)
     open_ranking();
     for (uint32_t i = 0; i < 2u * 6u; i++) {
         core_scene(&core, &scene);
-        assert_true(scene.board.shown);
-        assert_int_equal(scene.board.period, i % 3u);
-        assert_int_equal(scene.board.mode, i / 3u % 2u); /* Festival and championship. */
+        assert_true(scene.leaderboard.shown);
+        assert_int_equal(scene.leaderboard.period, i % 3u);
+        assert_int_equal(scene.leaderboard.mode, i / 3u % 2u); /* Festival and championship. */
         take(RANKING_NEXT);
     }
 }
@@ -73,11 +73,11 @@ static void test_a_score_is_asked_for_by_its_round(void **state)
     open_ranking();
     take(1);
     assert_int_equal(core.game.menu.page, MENU_SCORE);
-    const uint32_t before = output.order_count;
+    const uint32_t before = output.command_count;
     take(SCORE_REPLAY);
-    assert_int_equal(output.order_count, before + 1u);
-    const struct desk_order *order = &output.orders[before % DESK_ORDER_MAX];
-    assert_int_equal(order->kind, DESK_REPLAY);
+    assert_int_equal(output.command_count, before + 1u);
+    const struct controller_command *order = &output.commands[before % CONTROLLER_COMMAND_MAX];
+    assert_int_equal(order->kind, COMMAND_REPLAY);
     assert_int_equal(order->round_id, 41);
 }
 
@@ -89,8 +89,8 @@ static void test_a_name_goes_from_every_board_when_it_was_meant(void **state)
     const uint32_t before = output.entry_id;
     take(SCORE_UNNAME);
     assert_int_equal(output.entry_id, before); /* It asks first. */
-    assert_false(menu_offers(&core.game.menu) >> SCORE_UNNAME & 1u);
-    take(SCORE_SURE);
+    assert_false(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u);
+    take(SCORE_CONFIRM);
     assert_int_equal(output.entry_id, before + 1u);
     const struct ledger_entry *entry = &output.entries[output.entry_id % LEDGER_RING];
     assert_int_equal(entry->kind, LEDGER_NAME);
@@ -111,7 +111,7 @@ static void test_who_has_second_thoughts_takes_nothing_down(void **state)
     take(SCORE_UNNAME);
     take(SCORE_BACK);
     take(0);
-    assert_true(menu_offers(&core.game.menu) >> SCORE_UNNAME & 1u); /* It is asked anew. */
+    assert_true(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u); /* It is asked anew. */
     assert_string_equal(name_in(RANK_DAY, 0), "さくら");
 }
 
@@ -120,7 +120,7 @@ static void test_what_has_no_name_offers_none_to_take_down(void **state)
     (void)state;
     open_ranking();
     take(1);
-    assert_int_equal(menu_offers(&core.game.menu), 1u << SCORE_REPLAY | 1u << SCORE_BACK);
+    assert_int_equal(menu_enabled(&core.game.menu), 1u << SCORE_REPLAY | 1u << SCORE_BACK);
 }
 
 static void test_a_day_that_ends_meanwhile_leaves_nothing_to_do(void **state)
@@ -136,9 +136,9 @@ static void test_a_day_that_ends_meanwhile_leaves_nothing_to_do(void **state)
     take(0);
     memset(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY], 0,
            sizeof core.game.ranking.row[MODE_FESTIVAL][RANK_DAY]);
-    const uint32_t before = output.order_count;
+    const uint32_t before = output.command_count;
     take(SCORE_REPLAY);
-    assert_int_equal(output.order_count, before);
+    assert_int_equal(output.command_count, before);
     assert_int_equal(core.game.menu.page, MENU_RANKING);
 }
 

@@ -13,7 +13,7 @@ static const struct menu *menu(void)
 
 static int32_t value(uint32_t id)
 {
-    return core.config.memory.settings.value[id];
+    return core.config.persistent.settings.value[id];
 }
 
 static void push(uint32_t button)
@@ -51,9 +51,9 @@ static void go_back(void)
 static int setup_menu(void **state)
 {
     setup(state);
-    settings_reset(&core.config.memory.settings);
-    adjust_init(&core.game.adjust, &core.config);
-    settings_apply(&core.config.memory.settings, &core.config);
+    settings_reset(&core.config.persistent.settings);
+    settings_edit_init(&core.game.settings_edit, &core.config);
+    settings_apply(&core.config.persistent.settings, &core.config);
     store_is_late = 1;
     input.store_well = 1;
     push(INPUT_TEST);
@@ -107,7 +107,7 @@ static void test_the_foot_turns_down_and_back_to_the_standard(void **state)
 {
     (void)state;
     go_to(MENU_SOUND);
-    assert_false(menu_offers(menu()) >> foot(SETTINGS_STANDARD) & 1u); /* Of what? */
+    assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u); /* Of what? */
     take(foot(SETTINGS_DIRECTION));
     take(row_of(MENU_SOUND, SET_VOLUME));
     push(INPUT_TEST);
@@ -123,11 +123,11 @@ static void test_the_foot_turns_down_and_back_to_the_standard(void **state)
 static void test_what_was_changed_elsewhere_has_its_standard_offered(void **state)
 {
     (void)state;
-    core.config.memory.settings.value[SET_CREDIT_MAX] = 5;
+    core.config.persistent.settings.value[SET_CREDIT_MAX] = 5;
     go_to(MENU_MONEY);
-    assert_true(menu_offers(menu()) >> foot(SETTINGS_STANDARD) & 1u);
+    assert_true(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u);
     take(foot(SETTINGS_STANDARD));
-    assert_int_equal(value(SET_CREDIT_MAX), setting_of(SET_CREDIT_MAX)->standard);
+    assert_int_equal(value(SET_CREDIT_MAX), settings_entry(SET_CREDIT_MAX)->standard);
 }
 
 static void test_nothing_is_called_saved_that_was_not_turned(void **state)
@@ -154,20 +154,21 @@ static void test_every_setting_can_have_every_value_that_it_may(void **state)
 {
     (void)state;
     for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
-        const struct setting *setting = setting_of(id);
+        const struct setting *setting = settings_entry(id);
         uint32_t allowed = 0, met = 0;
-        for (int32_t v = setting->min; v <= adjust_max(&core, id); v++) {
-            allowed += setting_allows(id, v) != 0;
+        for (int32_t v = setting->min; v <= settings_edit_max(&core, id); v++) {
+            allowed += settings_allows(id, v) != 0;
         }
-        adjust_set(&core, id, setting->min);
+        settings_edit_set(&core, id, setting->min);
         do {
-            adjust_turn(&core, id, 0, 1);
-            assert_true(setting_allows(id, value(id)) && value(id) <= adjust_max(&core, id));
+            settings_edit_step(&core, id, 0, 1);
+            assert_true(settings_allows(id, value(id)) &&
+                        value(id) <= settings_edit_max(&core, id));
             met++;
         } while (value(id) != setting->min && met <= allowed);
         assert_int_equal(met, allowed);
         for (uint32_t i = 0; i < allowed; i++) {
-            adjust_turn(&core, id, 1, 1);
+            settings_edit_step(&core, id, 1, 1);
         }
         assert_int_equal(value(id), setting->min);
     }
@@ -200,7 +201,7 @@ static void test_held_it_turns_on_in_haste_and_stops_at_the_end(void **state)
     steps(2);
     assert_int_equal(value(SET_FISH), 2);
     steps(HELD_S * CORE_TICK_HZ);
-    assert_int_equal(value(SET_FISH), adjust_max(&core, SET_FISH));
+    assert_int_equal(value(SET_FISH), settings_edit_max(&core, SET_FISH));
     input.held = 0;
     step();
     push(INPUT_TEST);
@@ -211,11 +212,11 @@ static void test_a_poi_under_water_turns_on_too(void **state)
 {
     (void)state;
     go_to(MENU_SOUND);
-    const struct overlay_box box = menu_box(0, MENU_SOUND, menu_offers(menu()),
-                                            row_of(MENU_SOUND, SET_VOLUME));
-    const struct overlay_point canvas = overlay_size(0);
+    const struct layout_box box =
+        menu_box(0, MENU_SOUND, menu_enabled(menu()), row_of(MENU_SOUND, SET_VOLUME));
+    const struct layout_point canvas = pointer_layout_size(0);
     input.poi[0] = (struct poi_input){
-        .link = POI_LINK_LIVE,
+        .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
         .target.position_m = { core.tank.size_m.x * ((box.x + 99.0f) / canvas.x - 0.5f), ABOVE_M,
                                core.tank.size_m.z * ((box.y + 9.0f) / canvas.y - 0.5f) },
@@ -273,15 +274,15 @@ static void test_a_knob_that_is_turned_far_is_one_entry_once_it_rests(void **sta
         push(INPUT_TEST);
     }
     assert_int_equal(output.entry_id, before);
-    assert_false(adjust_is_saved(&core));
-    steps(ADJUST_REST_TICKS);
+    assert_false(settings_edit_is_saved(&core));
+    steps(SETTINGS_EDIT_REST_TICKS);
     assert_int_equal(output.entry_id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_SETTING);
     assert_int_equal(newest()->detail | newest()->count << 8, SET_PRICE);
     assert_int_equal(newest()->value, 13);
-    assert_false(adjust_is_saved(&core));
+    assert_false(settings_edit_is_saved(&core));
     save_all();
-    assert_true(adjust_is_saved(&core));
+    assert_true(settings_edit_is_saved(&core));
 }
 
 static void test_what_is_turned_there_and_back_is_no_entry(void **state)
@@ -293,7 +294,7 @@ static void test_what_is_turned_there_and_back_is_no_entry(void **state)
     take(foot(SETTINGS_STANDARD));
     steps(CORE_TICK_HZ);
     assert_int_equal(output.entry_id, before);
-    assert_true(adjust_is_saved(&core));
+    assert_true(settings_edit_is_saved(&core));
 }
 
 static void fill_the_ring(void)
@@ -315,7 +316,7 @@ static void test_a_full_ring_and_a_closed_menu_lose_no_setting(void **state)
     steps(5u * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(output.entry_id, full);
-    assert_int_equal(core.game.ledger.unkept, 0);
+    assert_int_equal(core.game.ledger.uncommitted, 0);
     save_all(); /* The card is back. */
     step();
     assert_int_equal(output.entry_id, full + 1u);
@@ -332,7 +333,7 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     take(row_of(MENU_SOUND, SET_VOLUME));
     go_back();
     steps(CORE_TICK_HZ);
-    core.game.ledger.purse.paid = 3;
+    core.game.ledger.balance.paid = 3;
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     const uint32_t before = output.entry_id;
@@ -340,15 +341,16 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(output.entry_id, before);
     go_to(MENU_FACTORY);
-    take(SURE_YES);
+    take(CONFIRM_YES);
     assert_int_equal(menu()->page, MENU_UPKEEP);
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
     assert_int_equal(newest()->count, 3); /* The books say what became of them. */
     assert_int_equal(core.game.audits.count[AUDIT_EXPIRED], 3);
-    assert_int_equal(output.orders[(output.order_count - 1u) % DESK_ORDER_MAX].kind, DESK_RESTART);
-    assert_int_equal(newest()->purse.paid, 0);
-    assert_int_equal(core.game.ledger.purse.paid, 0);
+    assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,
+                     COMMAND_RESTART);
+    assert_int_equal(newest()->balance.paid, 0);
+    assert_int_equal(core.game.ledger.balance.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);
     steps(CORE_TICK_HZ);
     assert_int_equal(output.entry_id, before + 1u); /* It says all: no setting is told again. */
@@ -361,13 +363,13 @@ static void test_where_the_ledger_has_no_room_nothing_is_taken_back(void **state
     take(row_of(MENU_SOUND, SET_VOLUME));
     go_back();
     steps(CORE_TICK_HZ);
-    core.game.ledger.purse.paid = 3;
+    core.game.ledger.balance.paid = 3;
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     fill_the_ring();
-    take(SURE_YES);
+    take(CONFIRM_YES);
     assert_int_equal(menu()->page, MENU_FACTORY); /* The question stays. */
-    assert_int_equal(core.game.ledger.purse.paid, 3);
+    assert_int_equal(core.game.ledger.balance.paid, 3);
     assert_int_equal(value(SET_VOLUME), 85);
 }
 
@@ -398,7 +400,7 @@ static void test_a_reset_of_the_books_is_an_entry_with_what_was_counted(void **s
         assert_int_equal(menu()->page, books[i].page);
         assert_int_equal(output.entry_id, before);
         take(BOOK_RESET);
-        take(SURE_YES);
+        take(CONFIRM_YES);
         assert_int_equal(menu()->page, books[i].page);
         assert_int_equal(output.entry_id, before + 1u);
         assert_int_equal(newest()->kind, LEDGER_RESET);
@@ -415,11 +417,11 @@ static void test_a_restart_is_ordered_once_and_not_in_haste(void **state)
     go_to(MENU_UPKEEP);
     go_to(MENU_RESTART);
     push(INPUT_TEST);
-    assert_int_equal(output.order_count, 0);
+    assert_int_equal(output.command_count, 0);
     go_to(MENU_RESTART);
-    take(SURE_YES);
-    assert_int_equal(output.order_count, 1);
-    assert_int_equal(output.orders[0].kind, DESK_RESTART);
+    take(CONFIRM_YES);
+    assert_int_equal(output.command_count, 1);
+    assert_int_equal(output.commands[0].kind, COMMAND_RESTART);
 }
 
 /* ---- The PIN -------------------------------------------------------------------------------- */
@@ -434,9 +436,9 @@ static void type(uint32_t pin)
 static int setup_locked(void **state)
 {
     setup(state);
-    settings_reset(&core.config.memory.settings);
-    core.config.memory.settings.value[SET_PIN] = 407;
-    adjust_init(&core.game.adjust, &core.config);
+    settings_reset(&core.config.persistent.settings);
+    core.config.persistent.settings.value[SET_PIN] = 407;
+    settings_edit_init(&core.game.settings_edit, &core.config);
     input.store_well = 1;
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_PIN);
@@ -462,16 +464,16 @@ static void test_a_wrong_pin_waits_and_the_next_one_twice_as_long(void **state)
             assert_int_equal(menu()->page, MENU_PIN);
         }
         core.game.menu.act_tick = core.tick;
-        core.game.adjust.pin_tick = core.tick - wait + 1u;
+        core.game.settings_edit.pin_tick = core.tick - wait + 1u;
         assert_int_equal(menu_pin_wait_ticks(&core), 1);
-        core.game.adjust.pin_tick--;
+        core.game.settings_edit.pin_tick--;
         assert_int_equal(menu_pin_wait_ticks(&core), 0);
         wait = wait < 160u * CORE_TICK_HZ ? 2u * wait : wait;
         take(PIN_ERASE);
     }
     type(407);
     assert_int_equal(menu()->page, MENU_TOP);
-    assert_int_equal(core.game.adjust.pin_wrong, 0);
+    assert_int_equal(core.game.settings_edit.pin_wrong, 0);
 }
 
 static void test_who_leaves_and_comes_back_waits_none_the_less(void **state)
@@ -480,7 +482,7 @@ static void test_who_leaves_and_comes_back_waits_none_the_less(void **state)
     type(1);
     take(PIN_BACK);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    for (uint32_t i = 0; i < CHAPTER_FADE_TICKS + 2u; i++) { /* The stall begins anew. */
+    for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) { /* The stall begins anew. */
         core_tick(&core, &input, &output);
     }
     push(INPUT_TEST);
@@ -493,22 +495,22 @@ static void test_who_pulls_the_plug_waits_as_long(void **state)
 {
     (void)state;
     for (uint32_t tries = 0; tries < 3u; tries++) {
-        core.game.adjust.pin_tick = core.tick - 160u * CORE_TICK_HZ;
+        core.game.settings_edit.pin_tick = core.tick - 160u * CORE_TICK_HZ;
         type(408);
         assert_int_equal(newest()->kind, LEDGER_PIN);
         assert_int_equal(newest()->detail, 0);
     }
     static struct core_config config;
     config = core.config;
-    config.chapter = (struct chapter){ 0 };
-    config.memory.audits = core.game.audits;
+    config.session = (struct game_session){ 0 };
+    config.persistent.audits = core.game.audits;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_PIN);
     assert_in_range(menu_pin_wait_ticks(&core), 18u * CORE_TICK_HZ, 20u * CORE_TICK_HZ);
     type(407);
     assert_int_equal(menu()->page, MENU_PIN);
-    core.game.adjust.pin_tick = core.tick - 20u * CORE_TICK_HZ;
+    core.game.settings_edit.pin_tick = core.tick - 20u * CORE_TICK_HZ;
     take(PIN_ERASE);
     type(407);
     assert_int_equal(menu()->page, MENU_TOP);
@@ -523,7 +525,7 @@ static void test_no_number_of_wrong_pins_locks_the_menu_for_good(void **state)
     (void)state;
     static struct core_config config;
     config = core.config;
-    config.memory.audits.count[AUDIT_WRONG_PINS] = UINT32_MAX;
+    config.persistent.audits.count[AUDIT_WRONG_PINS] = UINT32_MAX;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     assert_int_equal(menu_pin_wait_ticks(&core), 160u * CORE_TICK_HZ);
     core.tick += 160u * CORE_TICK_HZ;

@@ -8,9 +8,11 @@
 
 static void open_at(uint32_t price, struct ledger_start start)
 {
-    const struct core_config config = { .seed = 7, .fish_count = 12, .round_s = ROUND_S,
+    const struct core_config config = { .seed = 7,
+                                        .fish_count = 12,
+                                        .round_s = ROUND_S,
                                         .credit_coins = (uint8_t)price,
-                                        .memory.ledger = start };
+                                        .persistent.ledger = start };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
@@ -53,9 +55,9 @@ static void fill_ring(void)
     }
 }
 
-static const struct purse *purse(void)
+static const struct balance *balance(void)
 {
-    return &core.game.ledger.purse;
+    return &core.game.ledger.balance;
 }
 
 /* ---- Coins and credits ---------------------------------------------------------------------- */
@@ -63,12 +65,12 @@ static const struct purse *purse(void)
 static void test_a_round_between_two_coins_ends_the_way_to_a_bonus(void **state)
 {
     (void)state;
-    core.config.memory.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
+    core.config.persistent.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
     drop(PRICE);
-    assert_int_equal(purse()->bonus_units, PRICE);
+    assert_int_equal(balance()->bonus_units, PRICE);
     press(INPUT_START);
-    assert_int_equal(purse()->open, OPEN_PAID);
-    assert_int_equal(purse()->bonus_units, 0);
+    assert_int_equal(balance()->open, PAYMENT_PAID);
+    assert_int_equal(balance()->bonus_units, 0);
     drop(PRICE);
     assert_int_equal(purse_credits(&core), 1);
     drop(PRICE); /* The sixth in a row. */
@@ -78,9 +80,9 @@ static void test_a_round_between_two_coins_ends_the_way_to_a_bonus(void **state)
 static void test_what_fell_before_there_was_a_bonus_earns_none(void **state)
 {
     (void)state;
-    core.config.memory.settings.value[SET_BONUS_UNITS] = 0;
+    core.config.persistent.settings.value[SET_BONUS_UNITS] = 0;
     drop(3u * PRICE);
-    core.config.memory.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
+    core.config.persistent.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
     steps(3);
     assert_int_equal(purse_credits(&core), 3);
     drop(2u * PRICE);
@@ -94,15 +96,15 @@ static void test_a_coin_of_free_play_is_no_credit_when_there_is_a_price_again(vo
     drop(2u * PRICE);
     core.config.credit_coins = PRICE;
     steps(3);
-    assert_int_equal(purse()->units, 0);
-    assert_int_equal(purse()->bonus_units, 0);
+    assert_int_equal(balance()->units, 0);
+    assert_int_equal(balance()->bonus_units, 0);
     assert_int_equal(purse_credits(&core), 0);
 }
 
 static void test_nothing_lapses_while_the_card_has_not_all_of_it(void **state)
 {
     (void)state;
-    core.config.memory.settings.value[SET_CREDIT_EXPIRY_MIN] = EXPIRY_MIN;
+    core.config.persistent.settings.value[SET_CREDIT_EXPIRY_MIN] = EXPIRY_MIN;
     store_is_late = 1;
     drop(PRICE);
     steps((EXPIRY_MIN * 60u + 1u) * CORE_TICK_HZ);
@@ -120,12 +122,12 @@ static void test_a_service_credit_that_is_not_on_disk_is_not_the_one_that_is_spe
     step();
     store_is_late = 1;
     press(INPUT_SERVICE);
-    assert_int_equal(purse()->service, 1);
-    assert_int_equal(ledger_sure(&core.game.ledger).service, 0);
+    assert_int_equal(balance()->service, 1);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).service, 0);
     press(INPUT_START);
-    assert_int_equal(purse()->open, OPEN_PAID);
-    assert_int_equal(purse()->service, 1);
-    assert_int_equal(purse()->paid, 0);
+    assert_int_equal(balance()->open, PAYMENT_PAID);
+    assert_int_equal(balance()->service, 1);
+    assert_int_equal(balance()->paid, 0);
 }
 
 static void test_a_free_round_whose_poi_went_is_no_refund(void **state)
@@ -135,13 +137,13 @@ static void test_a_free_round_whose_poi_went_is_no_refund(void **state)
     press(INPUT_START);
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_int_equal(purse()->open, OPEN_FREE);
-    input.poi[0].link = POI_LINK_ABSENT;
+    assert_int_equal(balance()->open, PAYMENT_FREE);
+    input.poi[0].link = POI_SOURCE_ABSENT;
     for (uint32_t i = 0; i < 2u * ROUND_S * CORE_TICK_HZ + GAME_LOST_TICKS_MAX; i++) {
         step();
         assert_int_equal(purse_count(&output, LEDGER_REFUND), 0);
     }
-    assert_int_equal(purse()->open, OPEN_NONE);
+    assert_int_equal(balance()->open, PAYMENT_NONE);
     assert_int_equal(purse_count(&output, LEDGER_BEGIN), 1);
 }
 
@@ -153,12 +155,12 @@ static void test_nothing_is_sold_whose_end_could_not_be_told(void **state)
     drop(PRICE);
     assert_true(credit_can_play(&core));
     fill_ring();
-    assert_true(ledger_sure(&core.game.ledger).paid > 0);
+    assert_true(ledger_committed_credits(&core.game.ledger).paid > 0);
     assert_false(ledger_has_room(&core.game.ledger, LEDGER_COINS));
     assert_false(credit_can_play(&core));
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    assert_int_equal(purse()->open, OPEN_NONE);
+    assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
 static void test_coins_leave_room_for_the_end_of_a_round(void **state)
@@ -170,12 +172,12 @@ static void test_coins_leave_room_for_the_end_of_a_round(void **state)
     assert_int_equal(core.game.phase, PHASE_ROUND);
     fill_ring();
     assert_int_equal(core.game.ledger.last_id - core.game.ledger.saved_id,
-                     LEDGER_RING - LEDGER_SPARE);
+                     LEDGER_RING - LEDGER_RESERVE);
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(core.game.ledger.unkept, 0);
+    assert_int_equal(core.game.ledger.uncommitted, 0);
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
-    assert_int_equal(purse()->open, OPEN_NONE);
+    assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
 static void test_a_card_that_is_silent_for_two_seconds_closes_the_slot(void **state)
@@ -204,12 +206,12 @@ static void test_an_entry_that_was_never_written_is_never_on_disk(void **state)
     input.record_saved_id = output.entry_id + 1u;
     step();
     assert_int_equal(core.game.ledger.saved_id, saved_id);
-    assert_int_equal(ledger_sure(&core.game.ledger).paid, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0);
     assert_false(credit_can_play(&core));
     input.record_saved_id = output.entry_id;
     step();
     assert_int_equal(core.game.ledger.saved_id, output.entry_id);
-    assert_int_equal(ledger_sure(&core.game.ledger).paid, 1);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 1);
 }
 
 /* ---- The next start and the next chapter ---------------------------------------------------- */
@@ -217,11 +219,11 @@ static void test_an_entry_that_was_never_written_is_never_on_disk(void **state)
 static void test_units_that_found_no_room_before_the_plug_was_pulled_are_there_again(void **state)
 {
     (void)state;
-    open_at(PRICE, (struct ledger_start){ .last_id = 5, .boots = 2,
-                                          .purse = { .units = 1, .untold = PRICE } });
-    assert_int_equal(purse()->untold, 0);
-    assert_int_equal(purse()->paid, 1);
-    assert_int_equal(purse()->units, 1);
+    open_at(PRICE, (struct ledger_start){
+                       .last_id = 5, .boots = 2, .balance = { .units = 1, .unlogged = PRICE } });
+    assert_int_equal(balance()->unlogged, 0);
+    assert_int_equal(balance()->paid, 1);
+    assert_int_equal(balance()->units, 1);
     assert_int_equal(purse_entry(&output, 6)->kind, LEDGER_BOOT);
     assert_int_equal(purse_entry(&output, 6)->value, PRICE);
 }
@@ -229,12 +231,15 @@ static void test_units_that_found_no_room_before_the_plug_was_pulled_are_there_a
 static void open_with_untold(int32_t bonus_units, uint8_t rules_7)
 {
     struct core_config config = {
-        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .credit_coins = PRICE,
+        .seed = 7,
+        .fish_count = 12,
+        .round_s = ROUND_S,
+        .credit_coins = PRICE,
         .rules_7 = rules_7,
-        .memory.ledger = { .last_id = 5, .boots = 2, .purse = { .untold = PRICE } },
+        .persistent.ledger = { .last_id = 5, .boots = 2, .balance = { .unlogged = PRICE } },
     };
-    settings_reset(&config.memory.settings);
-    config.memory.settings.value[SET_BONUS_UNITS] = bonus_units;
+    settings_reset(&config.persistent.settings);
+    config.persistent.settings.value[SET_BONUS_UNITS] = bonus_units;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);
@@ -246,7 +251,7 @@ static void test_units_from_before_a_power_cut_count_toward_a_configured_bonus(v
 {
     (void)state;
     open_with_untold(2 * (int)PRICE, 0);
-    assert_int_equal(purse()->bonus_units, PRICE);
+    assert_int_equal(balance()->bonus_units, PRICE);
     drop(PRICE);
     assert_int_equal(purse_credits(&core), 3);
 }
@@ -255,10 +260,10 @@ static void test_units_from_before_a_power_cut_count_toward_no_bonus_where_none_
 {
     (void)state;
     open_with_untold(0, 0);
-    assert_int_equal(purse()->bonus_units, 0);
-    core.config.memory.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
+    assert_int_equal(balance()->bonus_units, 0);
+    core.config.persistent.settings.value[SET_BONUS_UNITS] = 2 * (int)PRICE;
     drop(PRICE);
-    assert_int_equal(purse()->bonus_units, PRICE);
+    assert_int_equal(balance()->bonus_units, PRICE);
     assert_int_equal(purse_credits(&core), 2);
 }
 
@@ -266,17 +271,17 @@ static void test_a_recording_of_format_7_keeps_its_count_toward_a_bonus(void **s
 {
     (void)state;
     open_with_untold(0, 1);
-    assert_int_equal(purse()->bonus_units, PRICE);
+    assert_int_equal(balance()->bonus_units, PRICE);
 }
 
 static void test_a_chapter_begins_with_the_purse_as_it_is(void **state)
 {
     (void)state;
     drop(PRICE + 1u);
-    chapter_turn(&core);
-    const struct ledger_start *start = &core.config.memory.ledger;
-    assert_int_equal(start->purse.paid, 1);
-    assert_int_equal(start->purse.units, 1);
+    session_restart(&core);
+    const struct ledger_start *start = &core.config.persistent.ledger;
+    assert_int_equal(start->balance.paid, 1);
+    assert_int_equal(start->balance.units, 1);
     assert_int_equal(start->last_id, output.entry_id);
 }
 

@@ -31,7 +31,7 @@ struct vertex {
 
 struct rig_case {
     const char *name;
-    uint8_t template, thesis;
+    uint8_t template_id, thesis;
 };
 
 static const struct rig_case rig_cases[] = {
@@ -139,7 +139,7 @@ static struct error compare(const struct species_mesh *source, uint32_t key_coun
 
 static void send_block(uint32_t anchor_count)
 {
-    pose_pack(texels, &pose, MORPH_CURVE_MAX, anchor_count);
+    fish_poses_pack(texels, &pose, MORPH_CURVE_MAX, anchor_count);
     glBindBuffer(GL_UNIFORM_BUFFER, pose_buffer);
     gl_buffer_refill(GL_UNIFORM_BUFFER, texels, sizeof texels);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, pose_buffer);
@@ -184,7 +184,7 @@ static struct error follow(const struct species *species, uint32_t lod, GLuint n
 static const struct species *species_of(const struct rig_case *of, uint32_t index)
 {
     if (of->thesis) {
-        species_thesis(species_table[index], &straight, &thesis);
+        straight_thesis(species_table[index], &straight, &thesis);
         return &thesis;
     }
     return species_table[index];
@@ -199,9 +199,9 @@ static void follow_all(bool rows)
         for (size_t k = 0; k < sizeof rig_cases / sizeof *rig_cases; k++) {
             const struct species *const species = species_of(&rig_cases[k], i);
             char defines[96];
-            pose_defines(defines, sizeof defines, species, false);
+            fish_poses_defines(defines, sizeof defines, species, false);
             const GLuint name = rows ? program(defines) : block_program;
-            morph_rig_init(&rig, &species->card, (enum graph_template)rig_cases[k].template);
+            morph_rig_init(&rig, &species->card, (enum graph_template)rig_cases[k].template_id);
             for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
                 fish_poses_open(&status, &poses, species, lod);
                 const struct error error = follow(species, lod, name, rows);

@@ -115,8 +115,8 @@ static void test_coordinates_round_the_girth_count_turns(void **state)
         const struct anchor_pose once = morph_ride(mesh, 3, &pose, 0.3f, v, true);
         const struct anchor_pose again = morph_ride(mesh, 3, &pose, 0.3f, v + 3.0f, true);
         assert_near(once.position, again.position, 1e-6f);
-        assert_near(quat_turn(once.turn, v3(1.0f, 0.0f, 0.0f)),
-                    quat_turn(again.turn, v3(1.0f, 0.0f, 0.0f)), 1e-4f);
+        assert_near(pose_rotate(once.turn, v3(1.0f, 0.0f, 0.0f)),
+                    pose_rotate(again.turn, v3(1.0f, 0.0f, 0.0f)), 1e-4f);
     }
 }
 
@@ -139,10 +139,10 @@ static void test_a_frame_of_the_skin_turns_there_and_back(void **state)
         const float v = (float)step / 100.0f;
         const struct anchor_pose at = morph_ride(mesh, 3, &pose, 0.4f, v, true);
         const vec3 p = v3(0.03f, -0.2f, 0.11f);
-        assert_near(quat_turn(at.turn, quat_turn_back(at.turn, p)), p, 1e-6f);
-        const vec3 out = quat_turn(at.turn, v3(1.0f, 0.0f, 0.0f));
+        assert_near(pose_rotate(at.turn, pose_rotate_inverse(at.turn, p)), p, 1e-6f);
+        const vec3 out = pose_rotate(at.turn, v3(1.0f, 0.0f, 0.0f));
         assert_true(v3_dot(out, v3(f_sin(v * F_TAU), f_cos(v * F_TAU), 0.0f)) > 0.98f);
-        assert_near(quat_turn(at.turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, 0.0f, 1.0f), 0.02f);
+        assert_near(pose_rotate(at.turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, 0.0f, 1.0f), 0.02f);
     }
 }
 
@@ -154,9 +154,9 @@ static void assert_a_skin_has_its_turn(vec3 normal)
     }
     morph_key_pose(mesh, 3, 0, &pose);
     const struct quat turn = pose.anchor[0].turn;
-    const vec3 x = quat_turn(turn, v3(1.0f, 0.0f, 0.0f));
-    const vec3 y = quat_turn(turn, v3(0.0f, 1.0f, 0.0f));
-    const vec3 z = quat_turn(turn, v3(0.0f, 0.0f, 1.0f));
+    const vec3 x = pose_rotate(turn, v3(1.0f, 0.0f, 0.0f));
+    const vec3 y = pose_rotate(turn, v3(0.0f, 1.0f, 0.0f));
+    const vec3 z = pose_rotate(turn, v3(0.0f, 0.0f, 1.0f));
     assert_near(x, morph_normal(morph_fold_normal(normal)), 1e-5f);
     assert_float_equal(v3_dot(x, z), 0.0f, 1e-5f);
     assert_float_equal(v3_length(z), 1.0f, 1e-5f);
@@ -179,9 +179,11 @@ static void test_a_skin_that_faces_along_the_body_has_its_turn(void **state)
 {
     (void)state;
     assert_a_skin_has_its_turn(v3(0.0f, 0.0f, -1.0f));
-    assert_near(quat_turn(pose.anchor[0].turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, -1.0f, 0.0f), 1e-5f);
+    assert_near(pose_rotate(pose.anchor[0].turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, -1.0f, 0.0f),
+                1e-5f);
     assert_a_skin_has_its_turn(v3(0.0f, 0.0f, 1.0f));
-    assert_near(quat_turn(pose.anchor[0].turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, -1.0f, 0.0f), 1e-5f);
+    assert_near(pose_rotate(pose.anchor[0].turn, v3(0.0f, 0.0f, 1.0f)), v3(0.0f, -1.0f, 0.0f),
+                1e-5f);
 }
 
 /* So little before the back that it rounds to a whole turn: the seam, not the next ring. */
@@ -193,7 +195,7 @@ static void test_a_hair_before_the_seam_is_the_seam(void **state)
         const float u = (float)i / 10.0f;
         const struct anchor_pose before = morph_ride(mesh, 3, &pose, u, -1e-9f, true);
         assert_near(before.position, morph_ride(mesh, 3, &pose, u, 0.0f, true).position, 1e-4f);
-        assert_near(quat_turn(before.turn, v3(1.0f, 0.0f, 0.0f)), v3(0.0f, 1.0f, 0.0f), 0.01f);
+        assert_near(pose_rotate(before.turn, v3(1.0f, 0.0f, 0.0f)), v3(0.0f, 1.0f, 0.0f), 0.01f);
     }
 }
 
@@ -202,7 +204,7 @@ static void test_an_anchor_follows_its_own_curve(void **state)
     (void)state;
     struct species_card *card = &barrel.species.card;
     card->curve_count = 2;
-    graph_template(&card->curves[1], TEMPLATE_ORDINARY, 3, SIMULTANEOUS_PEAK);
+    template_graph(&card->curves[1], TEMPLATE_ORDINARY, 3, SIMULTANEOUS_PEAK);
     barrel.anchors[1].u[1] = 0.75f;
     morph_rig_init(&rig, card, TEMPLATE_OWN);
     shape_at(0.25f); /* By the whole fish's curve it rests between the first two keys ... */

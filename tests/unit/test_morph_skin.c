@@ -17,7 +17,7 @@ static struct species_vertex vertices[8];
 static vec3 corners[8];
 static struct species_mesh box = { .vertex_count = 8, .index_count = 36, .vertices = vertices,
                                    .indices = box_indices };
-static struct skin skin;
+static struct morph_skin skin;
 
 static int new_box(void **state)
 {
@@ -27,21 +27,21 @@ static int new_box(void **state)
         vertices[i] = (struct species_vertex){ .part = PART_BODY };
     }
     box.index_count = 36;
-    skin_build(&skin, &box, corners, PART_BODY, SIDE_MIDDLE);
+    morph_skin_build(&skin, &box, corners, PART_BODY, SIDE_MIDDLE);
     return 0;
 }
 
 static void test_a_box_has_its_volume_and_no_hole(void **state)
 {
     (void)state;
-    assert_float_equal(skin_volume(&skin), 16.0f / 2.0f, 1e-5f);
-    assert_true(skin_is_closed(&skin));
+    assert_float_equal(morph_skin_volume(&skin), 16.0f / 2.0f, 1e-5f);
+    assert_true(morph_skin_is_closed(&skin));
     box.index_count = 33;
-    skin_build(&skin, &box, corners, PART_BODY, SIDE_MIDDLE);
-    assert_false(skin_is_closed(&skin));
-    skin_build(&skin, &box, corners, PART_EYE, SIDE_MIDDLE);
-    assert_false(skin_is_closed(&skin));
-    assert_false(skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
+    morph_skin_build(&skin, &box, corners, PART_BODY, SIDE_MIDDLE);
+    assert_false(morph_skin_is_closed(&skin));
+    morph_skin_build(&skin, &box, corners, PART_EYE, SIDE_MIDDLE);
+    assert_false(morph_skin_is_closed(&skin));
+    assert_false(morph_skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
 }
 
 /* On a lattice whose lines run through corners, edges and diagonals, where a careless ray counts
@@ -56,7 +56,7 @@ static void test_every_point_of_a_lattice_is_told_in_from_out(void **state)
                     v3(0.3f * (float)x, 0.0625f * 1.01f * (float)y, 0.125f * 1.01f * (float)z);
                 const bool inside =
                     f_abs(p.x) < 1.0f && f_abs(p.y) < 0.5f && f_abs(p.z) < 2.0f;
-                assert_int_equal(skin_has(&skin, p), inside);
+                assert_int_equal(morph_skin_has(&skin, p), inside);
             }
         }
     }
@@ -65,19 +65,19 @@ static void test_every_point_of_a_lattice_is_told_in_from_out(void **state)
 static void test_distances_are_to_faces_edges_and_corners(void **state)
 {
     (void)state;
-    assert_float_equal(skin_distance(&skin, v3(0.0f, 0.0f, 0.0f)), 0.5f, 1e-6f);
-    assert_float_equal(skin_distance(&skin, v3(0.9f, 0.0f, 0.3f)), 0.1f, 1e-6f);
-    assert_float_equal(skin_distance(&skin, v3(1.3f, 0.9f, 0.3f)), 0.5f, 1e-6f);
-    assert_float_equal(skin_distance(&skin, v3(2.0f, 2.5f, 4.0f)), 3.0f, 1e-6f);
+    assert_float_equal(morph_skin_distance(&skin, v3(0.0f, 0.0f, 0.0f)), 0.5f, 1e-6f);
+    assert_float_equal(morph_skin_distance(&skin, v3(0.9f, 0.0f, 0.3f)), 0.1f, 1e-6f);
+    assert_float_equal(morph_skin_distance(&skin, v3(1.3f, 0.9f, 0.3f)), 0.5f, 1e-6f);
+    assert_float_equal(morph_skin_distance(&skin, v3(2.0f, 2.5f, 4.0f)), 3.0f, 1e-6f);
 }
 
 static void test_the_way_out_is_along_the_way_asked(void **state)
 {
     (void)state;
     const vec3 p = v3(0.1f, 0.2f, 0.3f);
-    assert_float_equal(skin_way_out(&skin, p, v3(1.0f, 0.0f, 0.0f)), 0.9f, 1e-5f);
-    assert_float_equal(skin_way_out(&skin, p, v3(0.0f, -1.0f, 0.0f)), 0.7f, 1e-5f);
-    assert_float_equal(skin_way_out(&skin, v3(5.0f, 0.0f, 0.0f), v3(1.0f, 0.0f, 0.0f)), 0.0f,
+    assert_float_equal(morph_skin_way_out(&skin, p, v3(1.0f, 0.0f, 0.0f)), 0.9f, 1e-5f);
+    assert_float_equal(morph_skin_way_out(&skin, p, v3(0.0f, -1.0f, 0.0f)), 0.7f, 1e-5f);
+    assert_float_equal(morph_skin_way_out(&skin, v3(5.0f, 0.0f, 0.0f), v3(1.0f, 0.0f, 0.0f)), 0.0f,
                        0.0f);
 }
 
@@ -88,11 +88,11 @@ static void test_only_the_asked_part_and_side_count(void **state)
         vertices[i].part = PART_EYE;
         vertices[i].side = SIDE_LEFT;
     }
-    skin_build(&skin, &box, corners, PART_EYE, SIDE_LEFT);
-    assert_true(skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
-    skin_build(&skin, &box, corners, PART_EYE, SIDE_RIGHT);
-    assert_false(skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
-    skin_build(&skin, &box, corners, PART_BODY, SIDE_MIDDLE);
+    morph_skin_build(&skin, &box, corners, PART_EYE, SIDE_LEFT);
+    assert_true(morph_skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
+    morph_skin_build(&skin, &box, corners, PART_EYE, SIDE_RIGHT);
+    assert_false(morph_skin_has(&skin, v3(0.0f, 0.0f, 0.0f)));
+    morph_skin_build(&skin, &box, corners, PART_BODY, SIDE_MIDDLE);
     assert_int_equal(skin.triangle_count, 0);
 }
 

@@ -19,7 +19,7 @@ static struct species_vertex vertices[MESH_VERTEX_MAX];
 static struct species_point points[MORPH_KEY_MAX][MESH_VERTEX_MAX];
 static uint16_t indices[MESH_INDEX_MAX];
 static struct morph_rig rig;
-static struct survey survey;
+static struct morph_survey survey;
 
 static int new_fish(void **state)
 {
@@ -96,7 +96,7 @@ static void test_a_key_that_is_not_quite_alone_is_seen(void **state)
 static void test_a_key_that_is_never_alone_is_not_counted(void **state)
 {
     (void)state;
-    graph_template(&rig.curves[0], TEMPLATE_ORDINARY, rig.key_count, SIMULTANEOUS_PEAK);
+    template_graph(&rig.curves[0], TEMPLATE_ORDINARY, rig.key_count, SIMULTANEOUS_PEAK);
     measure();
     assert_int_equal(survey.keys_alone, 2);
 }
@@ -271,7 +271,7 @@ static void test_only_a_straight_morph_keeps_to_the_chord(void **state)
     static struct species straight;
     measure();
     assert_true(survey.dorsal_root.from_chord > 0.001f);
-    species_straighten(&fish, &memory, &straight);
+    straight_species(&fish, &memory, &straight);
     morph_rig_init(&rig, &straight.card, TEMPLATE_ORDINARY);
     morph_survey(&straight, &rig, 0, STEPS, &survey);
     assert_true(survey.dorsal_root.from_chord < 1e-6f && survey.eye_right.from_chord < 1e-6f);

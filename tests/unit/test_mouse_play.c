@@ -24,7 +24,7 @@
 
 static struct mouse_player {
     struct clock_sim clock;
-    struct poi_sim poi;
+    struct pointer_sim poi;
     struct hal hal;
     struct kiosk kiosk;
     struct pointer_report reports[MOMENTS_MAX]; /* Since the last frame. */
@@ -42,7 +42,8 @@ static void frame(void)
     player.poi.next = 0;
     kiosk_frame(&player.kiosk, &player.hal);
     player.report_count = player.moment_count = 0;
-    assert_false(hand_is_lost(&player.kiosk.core, 0)); /* Whatever a mouse does is a hand's. */
+    assert_false(
+        controller_is_lost(&player.kiosk.core, 0)); /* Whatever a mouse does is a hand's. */
 }
 
 /* A mouse at rest reports nothing, and knows whole pixels only. */
@@ -81,8 +82,8 @@ static void begin_round(uint32_t seed, uint32_t fish_count)
     player.y_px = 330.0f;
     player.hal = null_hal();
     player.hal.clock = clock_sim_device(&player.clock);
-    poi_sim_init(&player.poi, player.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    player.hal.poi[0] = poi_sim_device(&player.poi);
+    pointer_sim_init(&player.poi, player.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    player.hal.poi[0] = pointer_sim_device(&player.poi);
     assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);
     moments(10);
     player.kiosk.input.pressed = INPUT_START;
@@ -96,7 +97,7 @@ static void to_screen(vec3 point, float *x_px, float *y_px)
 {
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
     const struct basis axes = view_basis(view);
-    const vec3 body = basis_to_body(&axes, v3_sub(point, view->eye_m));
+    const vec3 body = vec_basis_to_body(&axes, v3_sub(point, view->eye_m));
     const float aspect = (float)WIDTH / (float)HEIGHT;
     const float tan_y = view_half_height_tan(view, aspect);
     *x_px = 0.5f * (body.x / -body.z / (tan_y * aspect) + 1.0f) * (float)WIDTH;
@@ -175,7 +176,7 @@ static void try_once(void)
     }
     player.buttons = 0;
     moments(28 + player.moments); /* And a look at the paper. */
-    if (player.kiosk.core.poi[0].rider_count > 0) {
+    if (player.kiosk.core.poi[0].carried_count > 0) {
         const vec3 bowl = player.kiosk.core.bowl[0].position_m;
         move_to(v3(bowl.x, POINTER_HOVER_M, bowl.z), 6.0f);
         moments(80);

@@ -10,8 +10,11 @@
 static int setup_names(void **state)
 {
     const struct core_config config = {
-        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .players = POI_MAX,
-        .memory.ledger.boots = 1,
+        .seed = 7,
+        .fish_count = 12,
+        .round_s = ROUND_S,
+        .players = POI_MAX,
+        .persistent.ledger.boots = 1,
     };
     setup(state);
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -22,7 +25,7 @@ static int setup_names(void **state)
 static void play(uint32_t seats, const uint32_t *caught)
 {
     for (uint32_t i = 0; i < seats; i++) {
-        input.poi[i].link = POI_LINK_LIVE;
+        input.poi[i].link = POI_SOURCE_LIVE;
         input.poi[i].target.position_m = v3(0.05f, ABOVE_M, 0.02f + 0.1f * (float)i);
     }
     play_into_round();
@@ -79,8 +82,8 @@ static void write_letters(const uint16_t *letters)
 /* The hand of a seat over, or under, the middle of a key: a hand with a wrist has its plan. */
 static void lead(uint32_t seat, uint32_t key, float y_m)
 {
-    const struct overlay_point canvas = overlay_size(0);
-    const struct overlay_box box = name_box(0, core.game.name.alphabet, key);
+    const struct layout_point canvas = pointer_layout_size(0);
+    const struct layout_box box = name_box(0, core.game.name.alphabet, key);
     const float x = (box.x + 0.5f * box.width) / canvas.x - 0.5f;
     const float z = (box.y + 0.5f * box.height) / canvas.y - 0.5f;
     input.poi[seat].has_wrist = 1;
@@ -128,7 +131,7 @@ static void test_who_caught_nothing_is_not_asked(void **state)
 static void test_nobody_is_asked_where_the_operator_does_not_want_it(void **state)
 {
     (void)state;
-    core.config.memory.settings.value[SET_NAMES] = 0;
+    core.config.persistent.settings.value[SET_NAMES] = 0;
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -170,8 +173,8 @@ static void test_of_several_the_best_is_asked_first_and_everybody_once(void **st
     assert_int_equal(core.game.name.seat, 0);
     steps(NAME_SEEN_TICKS);
     press_key(NAME_DONE);
-    assert_int_equal(core.game.phase, PHASE_BOARD);
-    steps(BOARD_TICKS);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+    steps(LEADERBOARD_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -195,7 +198,7 @@ static void test_buttons_write_a_name_that_comes_to_every_board(void **state)
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         assert_string_equal(name_on_board((enum rank_period)period, 0), "きんぎょ");
     }
-    assert_int_equal(core.game.phase, PHASE_BOARD);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
 static void test_a_hand_writes_by_dips(void **state)
@@ -300,7 +303,7 @@ static void test_erasing_nothing_and_changing_nothing_do_nothing(void **state)
     const uint32_t before = output.entry_id;
     press_key(NAME_DONE);
     assert_int_equal(output.entry_id, before); /* Nobody is a name. */
-    assert_int_equal(core.game.phase, PHASE_BOARD);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
 static void test_forms_of_a_letter_come_round(void **state)
@@ -331,7 +334,7 @@ static void test_a_bad_name_is_asked_for_once_more_and_then_there_is_none(void *
     steps(NAME_SEEN_TICKS);
     write_letters(u"うんこ");
     press_key(NAME_DONE);
-    assert_int_equal(core.game.phase, PHASE_BOARD);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
     assert_int_equal(output.entry_id, before);
     assert_string_equal(name_on_board(RANK_DAY, 0), "");
 }
@@ -356,7 +359,7 @@ static void test_waiting_is_no_way_round_the_list(void **state)
     ask_for_name();
     write_letters(u"うんこ");
     steps(NAME_IDLE_TICKS);
-    assert_int_equal(core.game.phase, PHASE_BOARD);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
     assert_string_equal(name_on_board(RANK_DAY, 0), "");
 }
 
@@ -371,9 +374,9 @@ static void test_who_goes_away_keeps_what_stands_there(void **state)
     steps(NAME_IDLE_TICKS - 2u);
     assert_int_equal(core.game.phase, PHASE_NAME);
     steps(2);
-    assert_int_equal(core.game.phase, PHASE_BOARD);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
     assert_string_equal(name_on_board(RANK_DAY, 0), "さく");
-    steps(BOARD_TICKS);
+    steps(LEADERBOARD_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -388,7 +391,7 @@ static void test_who_never_comes_to_an_end_is_brought_to_one(void **state)
         step();
     }
     step();
-    assert_int_equal(core.game.phase, PHASE_BOARD);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
 }
 
 static void test_the_operators_key_keeps_what_stands_there(void **state)
@@ -454,11 +457,11 @@ static void test_the_board_shows_the_proudest_place_and_lights_the_round(void **
     ask_for_name();
     press_key(NAME_DONE);
     core_scene(&core, &scene);
-    assert_true(scene.board.shown);
-    assert_int_equal(scene.board.period, RANK_WEEK);
-    assert_true(scene.board.row[0].is_new);
-    assert_int_equal(scene.board.row[0].caught, 3);
-    assert_false(scene.board.row[1].is_new);
+    assert_true(scene.leaderboard.shown);
+    assert_int_equal(scene.leaderboard.period, RANK_WEEK);
+    assert_true(scene.leaderboard.row[0].is_new);
+    assert_int_equal(scene.leaderboard.row[0].caught, 3);
+    assert_false(scene.leaderboard.row[1].is_new);
 }
 
 static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **state)
@@ -469,13 +472,15 @@ static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **st
     core.game.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
     core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
     core.game.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught = 4; /* Not offered here. */
-    for (uint32_t i = 0; i < 4u * BOARD_EVERY_TICKS; i++) {
+    for (uint32_t i = 0; i < 4u * LEADERBOARD_EVERY_TICKS; i++) {
         core.tick++;
         core_scene(&core, &scene);
-        shown[scene.board.mode][scene.board.period] += scene.board.shown;
+        shown[scene.leaderboard.mode][scene.leaderboard.period] += scene.leaderboard.shown;
     }
-    assert_in_range(shown[MODE_FESTIVAL][RANK_WEEK], 2u * BOARD_TICKS - 2u, 2u * BOARD_TICKS);
-    assert_in_range(shown[MODE_FESTIVAL][RANK_EVER], 2u * BOARD_TICKS - 2u, 2u * BOARD_TICKS);
+    assert_in_range(shown[MODE_FESTIVAL][RANK_WEEK], 2u * LEADERBOARD_TICKS - 2u,
+                    2u * LEADERBOARD_TICKS);
+    assert_in_range(shown[MODE_FESTIVAL][RANK_EVER], 2u * LEADERBOARD_TICKS - 2u,
+                    2u * LEADERBOARD_TICKS);
     assert_int_equal(shown[MODE_FESTIVAL][RANK_DAY], 0);
     assert_int_equal(shown[MODE_CHAMPIONSHIP][RANK_EVER], 0);
 }
@@ -483,10 +488,10 @@ static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **st
 static void test_no_board_hangs_where_nobody_was_ever_ranked(void **state)
 {
     (void)state;
-    for (uint32_t i = 0; i < 2u * BOARD_EVERY_TICKS; i++) {
+    for (uint32_t i = 0; i < 2u * LEADERBOARD_EVERY_TICKS; i++) {
         core.tick++;
         core_scene(&core, &scene);
-        assert_false(scene.board.shown);
+        assert_false(scene.leaderboard.shown);
     }
 }
 

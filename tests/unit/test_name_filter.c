@@ -88,11 +88,11 @@ static void test_every_word_of_the_list_is_refused_as_it_stands(void **state)
 static void test_a_long_name_is_folded_no_further_than_there_is_room(void **state)
 {
     (void)state;
-    uint16_t letters[NAME_FOLD_MAX];
+    uint16_t letters[NAME_NORMALIZE_MAX];
     char name[200];
     memset(name, 'a', sizeof name);
     name[199] = 0;
-    assert_int_equal(name_fold(name, NAME_ENDS_KEPT, letters), NAME_FOLD_MAX);
+    assert_int_equal(name_normalize(name, NAME_ENDS_KEPT, letters), NAME_NORMALIZE_MAX);
 }
 
 int main(void)

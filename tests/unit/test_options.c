@@ -295,8 +295,8 @@ static void test_nothing_asked_is_every_standard(void **state)
     assert_int_equal(parse(COUNT(none), none), 0);
     settle(SETTING_COUNT, 0);
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        assert_int_equal(settings.value[id], setting_of(id)->standard);
-        assert_int_equal(options_ask(&options, id), 0);
+        assert_int_equal(settings.value[id], settings_entry(id)->standard);
+        assert_int_equal(options_query(&options, id), 0);
     }
 }
 
@@ -351,7 +351,7 @@ static void test_a_stall_never_has_more_fish_than_its_tank_holds(void **state)
     struct core_config core = { .preset = TANK_PRESET_FESTIVAL };
     (void)state;
     settings_reset(&settings);
-    settings.value[SET_FISH] = setting_of(SET_FISH)->max;
+    settings.value[SET_FISH] = settings_entry(SET_FISH)->max;
     settings_apply(&settings, &core);
     assert_int_equal(core.fish_count, tank_preset_fish_max(tank_preset(core.preset), 1.0f));
 }

@@ -62,11 +62,11 @@ static void write_much(FILE *file)
 static void test_what_was_written_is_there(void **state)
 {
     (void)state;
-    struct out_file out;
+    struct atomic_file out;
     struct stat status;
-    assert_int_equal(out_open(&out, path), 0);
+    assert_int_equal(atomic_file_open(&out, path), 0);
     write_much(out.file);
-    assert_int_equal(out_close(&out), 0);
+    assert_int_equal(atomic_file_close(&out), 0);
     assert_int_equal(stat(path, &status), 0);
     assert_int_equal(status.st_size, 64 * 4096);
     unlink(path);
@@ -75,11 +75,11 @@ static void test_what_was_written_is_there(void **state)
 static void test_half_a_file_is_removed(void **state)
 {
     (void)state;
-    struct out_file out;
-    assert_int_equal(out_open(&out, path), 0);
+    struct atomic_file out;
+    assert_int_equal(atomic_file_open(&out, path), 0);
     limit_files(10000);
     write_much(out.file);
-    const int error = out_close(&out);
+    const int error = atomic_file_close(&out);
     limit_files(RLIM_INFINITY);
     assert_int_equal(error, -EFBIG);
     assert_false(exists(path));
@@ -89,22 +89,22 @@ static void test_half_a_file_is_removed(void **state)
 static void test_a_full_device_is_told_and_stays(void **state)
 {
     (void)state;
-    struct out_file out;
-    assert_int_equal(out_open(&out, "/dev/full"), 0);
+    struct atomic_file out;
+    assert_int_equal(atomic_file_open(&out, "/dev/full"), 0);
     fputs("x", out.file);
-    assert_int_equal(out_close(&out), -ENOSPC);
+    assert_int_equal(atomic_file_close(&out), -ENOSPC);
     assert_true(exists("/dev/full"));
 }
 
 static void test_a_file_that_cannot_be_opened_is_left_alone(void **state)
 {
     (void)state;
-    struct out_file out;
+    struct atomic_file out;
     char below[80];
-    assert_int_equal(out_open(&out, folder), -EISDIR);
+    assert_int_equal(atomic_file_open(&out, folder), -EISDIR);
     assert_true(exists(folder));
     snprintf(below, sizeof below, "%s/no/file", folder);
-    assert_int_equal(out_open(&out, below), -ENOENT);
+    assert_int_equal(atomic_file_open(&out, below), -ENOENT);
 }
 
 static void test_half_a_picture_is_removed(void **state)
@@ -151,32 +151,32 @@ static void reads(const char *name, const char *words)
     assert_string_equal(is, words);
 }
 
-static int write_new(int (*open_out)(struct out_file *, const char *), const char *name)
+static int write_new(int (*open_out)(struct atomic_file *, const char *), const char *name)
 {
-    struct out_file out;
+    struct atomic_file out;
     const int error = open_out(&out, name);
     if (error != 0) {
         return error;
     }
     fputs("new", out.file);
-    return out_close(&out);
+    return atomic_file_close(&out);
 }
 
 static void test_a_full_disk_leaves_the_file_that_was_there(void **state)
 {
     (void)state;
-    struct out_file out;
+    struct atomic_file out;
     write_words(path, "old");
     assert_int_equal(chmod(path, 0640), 0);
-    assert_int_equal(out_open(&out, path), 0);
+    assert_int_equal(atomic_file_open(&out, path), 0);
     limit_files(10000);
     write_much(out.file);
     reads(path, "old");
-    const int error = out_close(&out);
+    const int error = atomic_file_close(&out);
     limit_files(RLIM_INFINITY);
     assert_int_equal(error, -EFBIG);
     reads(path, "old");
-    assert_int_equal(write_new(out_open, path), 0);
+    assert_int_equal(write_new(atomic_file_open, path), 0);
     reads(path, "new");
     struct stat status;
     assert_int_equal(stat(path, &status), 0);
@@ -189,11 +189,11 @@ static void test_a_pipe_takes_what_is_written_and_stays(void **state)
     (void)state;
     char is[8] = "";
     assert_int_equal(mkfifo(path, 0600), 0);
-    assert_int_equal(write_new(out_open, path), -ENXIO); /* Nobody reads: no waiting. */
+    assert_int_equal(write_new(atomic_file_open, path), -ENXIO); /* Nobody reads: no waiting. */
     const int reader = open(path, O_RDONLY | O_NONBLOCK);
     assert_true(reader >= 0);
-    assert_int_equal(write_new(out_open_lasting, path), -ENOTSUP);
-    assert_int_equal(write_new(out_open, path), 0);
+    assert_int_equal(write_new(atomic_file_open_durable, path), -ENOTSUP);
+    assert_int_equal(write_new(atomic_file_open, path), 0);
     assert_int_equal(read(reader, is, sizeof is), 3);
     assert_string_equal(is, "new");
     close(reader);
@@ -213,12 +213,12 @@ static void test_a_device_is_never_replaced(void **state)
     if (opens) {
         close(fd);
     }
-    assert_int_equal(write_new(out_open, path), opens ? -ENOSPC : -EACCES);
-    assert_int_equal(write_new(out_open_lasting, path), -ENOTSUP);
+    assert_int_equal(write_new(atomic_file_open, path), opens ? -ENOSPC : -EACCES);
+    assert_int_equal(write_new(atomic_file_open_durable, path), -ENOTSUP);
     assert_int_equal(kind_of(path), S_IFCHR);
     unlink(path);
     if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) { /* A disk takes nothing at all. */
-        assert_int_equal(write_new(out_open, path), -ENOTSUP);
+        assert_int_equal(write_new(atomic_file_open, path), -ENOTSUP);
         assert_int_equal(kind_of(path), S_IFBLK);
         unlink(path);
     }
@@ -229,20 +229,20 @@ static void test_a_link_stays_one_and_leads_nowhere_new(void **state)
     (void)state;
     char link[80], part[80];
     snprintf(link, sizeof link, "%s/link", folder);
-    snprintf(part, sizeof part, "%s" OUT_FILE_PART, path);
+    snprintf(part, sizeof part, "%s" ATOMIC_FILE_PART, path);
     assert_int_equal(symlink(path, link), 0);
-    assert_int_equal(write_new(out_open, link), -ENOENT);
-    assert_int_equal(write_new(out_open_lasting, link), -ENOENT);
+    assert_int_equal(write_new(atomic_file_open, link), -ENOENT);
+    assert_int_equal(write_new(atomic_file_open_durable, link), -ENOENT);
     assert_false(exists(path));
     write_words(path, "old");
-    assert_int_equal(write_new(out_open, link), 0);
+    assert_int_equal(write_new(atomic_file_open, link), 0);
     assert_int_equal(kind_of(link), S_IFLNK);
     reads(path, "new");
     /* A link where the part is to be is no way to another's file. */
     unlink(link);
     write_words(link, "theirs");
     assert_int_equal(symlink(link, part), 0);
-    assert_int_equal(write_new(out_open_lasting, path), 0);
+    assert_int_equal(write_new(atomic_file_open_durable, path), 0);
     reads(link, "theirs");
     reads(path, "new");
     assert_false(exists(part));

@@ -80,7 +80,7 @@ static struct {
     struct display_gl display;
     struct buttons_sim buttons;
     struct pointer_report reports[REPORT_COUNT];
-    struct poi_sim poi;
+    struct pointer_sim poi;
     struct storage storage;
     struct audio audio;
     struct hal hal;
@@ -101,10 +101,10 @@ static void wire_hand(void)
             .buttons = i / 50u % 2u ? POINTER_DIP : 0,
         };
     }
-    poi_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.poi.reports = rig.reports;
     rig.poi.report_count = REPORT_COUNT;
-    rig.hal.poi[0] = poi_sim_device(&rig.poi);
+    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
 }
 
 static void wire_devices(void)
@@ -152,10 +152,12 @@ static int close_stall(void **state)
     kiosk_close_store(&rig.kiosk, &rig.hal);
     rig.hal.display.ops->close(rig.hal.display.self);
     recorder_end(&rig.recorder);
-    static const char *const files[] = { "play.kgr", STORAGE_FILE, STORAGE_FILE "-wal",
+    static const char *const files[] = { "play.kgr",
+                                         STORAGE_FILE,
+                                         STORAGE_FILE "-wal",
                                          STORAGE_FILE "-shm",
                                          STORAGE_FILE STORAGE_BACKUP_SUFFIX,
-                                         STORAGE_FILE STORAGE_TAIL_SUFFIX };
+                                         STORAGE_FILE STORAGE_MIRROR_SUFFIX };
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         snprintf(path, sizeof path, "%s/%s", rig.folder, files[i]);
         unlink(path);

@@ -18,7 +18,7 @@
 
 static struct species_slot slot, other;
 static uint8_t bytes[PACK_SIZE_MAX], again[PACK_SIZE_MAX];
-static char why[VET_WHY_SIZE];
+static char why[VALIDATE_WHY_SIZE];
 
 static size_t packed_wakin(void)
 {
@@ -151,7 +151,7 @@ static void harm_negative(struct species_slot *s)
 static void harm_solved(struct species_slot *s)
 {
     struct graph *graph = &card_of(s)->curves[0]; /* The first and the last key at all times. */
-    graph_template(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
+    template_graph(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
     graph->solved = 1;
 }
 static void harm_colour(struct species_slot *s) { s->species.coats[0].fin = 0x1000000; }

@@ -12,55 +12,55 @@
 #include "drivers/pad_sim.h"
 #include "pointer.h"
 
-static struct pad_hand hand;
+static struct gamepad_decoder hand;
 static uint64_t now_ms;
 
 static int begin(void **state)
 {
     (void)state;
     now_ms = 1000;
-    pad_hand_init(&hand, stall_view());
-    pad_hand_sample(&hand, now_ms * MS);
+    gamepad_decoder_init(&hand, stall_view());
+    gamepad_decoder_sample(&hand, now_ms * MS);
     return 0;
 }
 
-static struct pad_report *report_now(void)
+static struct gamepad_report *report_now(void)
 {
-    static struct pad_report report;
+    static struct gamepad_report report;
     report = hand.now;
     report.time_ns = now_ms * MS;
     report.has_turn = report.has_weight = 0;
     return &report;
 }
 
-static void set_axis(enum pad_axis axis, int16_t value)
+static void set_axis(enum gamepad_axis axis, int16_t value)
 {
-    struct pad_report *report = report_now();
+    struct gamepad_report *report = report_now();
     report->axis[axis] = value;
-    pad_hand_report(&hand, report);
+    gamepad_decoder_report(&hand, report);
 }
 
 static void set_buttons(uint32_t buttons)
 {
-    struct pad_report *report = report_now();
+    struct gamepad_report *report = report_now();
     report->buttons = buttons;
-    pad_hand_report(&hand, report);
+    gamepad_decoder_report(&hand, report);
 }
 
 static struct poi_target after_ms(uint64_t ms)
 {
     now_ms += ms;
-    return pad_hand_sample(&hand, now_ms * MS).target;
+    return gamepad_decoder_sample(&hand, now_ms * MS).target;
 }
 
 static void test_a_stick_that_is_worn_leads_nowhere(void **state)
 {
     (void)state;
     const vec3 before = after_ms(0).position_m;
-    set_axis(PAD_LEAD_X, PAD_DEAD);
+    set_axis(GAMEPAD_LEAD_X, GAMEPAD_DEAD);
     const vec3 after = after_ms(800).position_m;
     assert_true(after.x == before.x && after.z == before.z);
-    set_axis(PAD_LEAD_X, PAD_DEAD + 2000);
+    set_axis(GAMEPAD_LEAD_X, GAMEPAD_DEAD + 2000);
     assert_true(after_ms(800).position_m.x > before.x + 0.001f);
 }
 
@@ -68,11 +68,11 @@ static void test_a_stick_that_is_worn_leads_nowhere(void **state)
 static void test_a_stick_in_its_corner_is_as_fast_as_at_its_rim(void **state)
 {
     (void)state;
-    set_axis(PAD_LEAD_X, INT16_MAX);
-    set_axis(PAD_LEAD_Y, INT16_MAX);
+    set_axis(GAMEPAD_LEAD_X, INT16_MAX);
+    set_axis(GAMEPAD_LEAD_Y, INT16_MAX);
     after_ms(300);
     const vec3 speed = hand.fly.speed_m_s;
-    assert_true(v3_length(speed) <= FLY_AIR_M_S * 1.001f);
+    assert_true(v3_length(speed) <= STICK_MOTION_AIR_M_S * 1.001f);
     assert_true(speed.x > 0.0f && f_abs(speed.x - speed.z) < 1e-3f);
 }
 
@@ -82,68 +82,68 @@ static void test_a_trigger_that_trembles_half_way_dips_once(void **state)
     uint32_t dips = 0;
     int was_down = 0;
     for (uint32_t i = 0; i < 100; i++) {
-        set_axis(PAD_TRIGGER_LEFT, (int16_t)(PAD_TRIGGER_ON + (i % 2 ? 900 : -900)));
+        set_axis(GAMEPAD_TRIGGER_LEFT, (int16_t)(GAMEPAD_TRIGGER_ON + (i % 2 ? 900 : -900)));
         dips += hand.trigger_down && !was_down;
         was_down = hand.trigger_down;
         after_ms(4);
     }
     assert_int_equal(dips, 1);
     assert_true(after_ms(400).position_m.y < -0.04f);
-    set_axis(PAD_TRIGGER_LEFT, PAD_TRIGGER_OFF);
+    set_axis(GAMEPAD_TRIGGER_LEFT, GAMEPAD_TRIGGER_OFF);
     assert_true(after_ms(600).position_m.y > 0.03f);
 }
 
 static void test_a_and_either_trigger_hold_the_ring_down_together(void **state)
 {
     (void)state;
-    set_buttons(PAD_SOUTH);
-    set_axis(PAD_TRIGGER_RIGHT, INT16_MAX);
+    set_buttons(GAMEPAD_SOUTH);
+    set_axis(GAMEPAD_TRIGGER_RIGHT, INT16_MAX);
     after_ms(500);
     set_buttons(0);
     assert_true(after_ms(600).position_m.y < -0.04f);
-    set_axis(PAD_TRIGGER_RIGHT, 0);
+    set_axis(GAMEPAD_TRIGGER_RIGHT, 0);
     assert_true(after_ms(600).position_m.y > 0.03f);
 }
 
 static void test_the_right_stick_tilts_as_far_as_it_is_pushed_and_no_jerk(void **state)
 {
     (void)state;
-    set_axis(PAD_TILT_Y, INT16_MIN); /* Away. */
+    set_axis(GAMEPAD_TILT_Y, INT16_MIN); /* Away. */
     const float at_once = after_ms(8).angles.pitch_rad;
     const float then = after_ms(500).angles.pitch_rad;
-    assert_true(at_once < 0.2f * PAD_TILT_RAD);
-    assert_true(f_abs(then - PAD_TILT_RAD) < 0.01f);
-    set_axis(PAD_TILT_Y, 0);
+    assert_true(at_once < 0.2f * GAMEPAD_TILT_RAD);
+    assert_true(f_abs(then - GAMEPAD_TILT_RAD) < 0.01f);
+    set_axis(GAMEPAD_TILT_Y, 0);
     assert_true(f_abs(after_ms(500).angles.pitch_rad) < 0.01f);
-    set_axis(PAD_TILT_X, INT16_MAX);
-    assert_true(f_abs(after_ms(500).angles.roll_rad - PAD_TILT_RAD) < 0.01f);
+    set_axis(GAMEPAD_TILT_X, INT16_MAX);
+    assert_true(f_abs(after_ms(500).angles.roll_rad - GAMEPAD_TILT_RAD) < 0.01f);
 }
 
 static void test_buttons_are_the_cabinets(void **state)
 {
     (void)state;
     struct button_sample buttons;
-    set_buttons(PAD_START | PAD_BACK);
-    set_buttons(PAD_LEFT | PAD_EAST);
-    set_buttons(PAD_RIGHT | 0x80000000u);
-    pad_hand_buttons(&hand, &buttons);
+    set_buttons(GAMEPAD_START | GAMEPAD_BACK);
+    set_buttons(GAMEPAD_LEFT | GAMEPAD_EAST);
+    set_buttons(GAMEPAD_RIGHT | 0x80000000u);
+    gamepad_decoder_buttons(&hand, &buttons);
     assert_int_equal(buttons.pressed,
                      INPUT_START | INPUT_LANGUAGE | INPUT_LEFT | INPUT_OK | INPUT_RIGHT);
     assert_int_equal(buttons.held, INPUT_RIGHT);
-    set_buttons(PAD_RIGHT);
-    pad_hand_buttons(&hand, &buttons);
+    set_buttons(GAMEPAD_RIGHT);
+    gamepad_decoder_buttons(&hand, &buttons);
     assert_int_equal(buttons.pressed, 0);
 }
 
 static void test_the_shoulder_holds_the_fan_and_the_poi_waits(void **state)
 {
     (void)state;
-    assert_false(pad_hand_fan(&hand, now_ms * MS).present);
-    set_buttons(PAD_SHOULDER_LEFT);
+    assert_false(gamepad_decoder_fan(&hand, now_ms * MS).present);
+    set_buttons(GAMEPAD_SHOULDER_LEFT);
     const vec3 before = after_ms(500).position_m;
-    set_axis(PAD_LEAD_X, INT16_MAX);
+    set_axis(GAMEPAD_LEAD_X, INT16_MAX);
     const vec3 after = after_ms(300).position_m;
-    const struct shade_input fan = pad_hand_fan(&hand, now_ms * MS);
+    const struct shade_input fan = gamepad_decoder_fan(&hand, now_ms * MS);
     assert_true(fan.present);
     assert_true(fan.x_m > 0.05f);
     assert_true(f_abs(after.x - before.x) < 0.001f);
@@ -153,26 +153,26 @@ static void test_the_shoulder_holds_the_fan_and_the_poi_waits(void **state)
 
 static void weigh(vec3 up)
 {
-    struct pad_report *report = report_now();
+    struct gamepad_report *report = report_now();
     report->has_weight = 1;
     report->weight_m_s2 = v3_scale(up, 9.81f);
-    pad_hand_report(&hand, report);
+    gamepad_decoder_report(&hand, report);
 }
 
 static void turn(vec3 rate_rad_s)
 {
-    struct pad_report *report = report_now();
+    struct gamepad_report *report = report_now();
     report->has_turn = 1;
     report->turn_rad_s = rate_rad_s;
-    pad_hand_report(&hand, report);
+    gamepad_decoder_report(&hand, report);
 }
 
 /* Held at 40 degrees, as everybody holds one. */
 static vec3 as_held(float pitch_rad, float roll_rad)
 {
     const struct basis axes =
-        basis_from_angles((struct angles){ .pitch_rad = pitch_rad, .roll_rad = roll_rad });
-    return basis_to_body(&axes, v3(0.0f, 1.0f, 0.0f));
+        vec_basis_from_angles((struct angles){ .pitch_rad = pitch_rad, .roll_rad = roll_rad });
+    return vec_basis_to_body(&axes, v3(0.0f, 1.0f, 0.0f));
 }
 
 static void test_however_a_pad_is_held_that_is_level(void **state)
@@ -189,7 +189,7 @@ static void test_a_wrist_turns_the_ring_and_it_does_not_drift(void **state)
     (void)state;
     weigh(as_held(40.0f * F_DEG, 0.0f));
     after_ms(100);
-    set_buttons(PAD_SOUTH);
+    set_buttons(GAMEPAD_SOUTH);
     after_ms(500);
     turn(v3(0.0f, 0.0f, -2.0f)); /* The right edge down, for a quarter of a second. */
     after_ms(250);
@@ -220,32 +220,32 @@ static void test_level_makes_how_it_is_held_the_rest(void **state)
     after_ms(250);
     turn(v3(0.0f, 0.0f, 0.0f));
     assert_true(after_ms(200).angles.pitch_rad > 0.3f);
-    set_buttons(PAD_WEST);
+    set_buttons(GAMEPAD_WEST);
     assert_true(f_abs(after_ms(300).angles.pitch_rad) < 0.02f);
 }
 
 /* ---- The twin ------------------------------------------------------------------------------- */
 
 #define SCRIPT 1000u
-static struct pad_report script[SCRIPT];
+static struct gamepad_report script[SCRIPT];
 static struct clock_sim clock_state;
-static struct pad_sim sim;
+static struct gamepad_sim sim;
 static struct hal_poi poi;
 
 static int begin_twin(void **state)
 {
     (void)state;
     clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
-    pad_sim_init(&sim, clock_sim_device(&clock_state), stall_view());
+    gamepad_sim_init(&sim, clock_sim_device(&clock_state), stall_view());
     for (uint32_t i = 0; i < SCRIPT; i++) { /* At 250 a second, leading about and dipping. */
-        script[i] = (struct pad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };
-        script[i].axis[PAD_LEAD_X] = (int16_t)(32767.0f * f_sin((float)i * 0.02f));
-        script[i].axis[PAD_LEAD_Y] = (int16_t)(32767.0f * f_cos((float)i * 0.03f));
-        script[i].buttons = i % 300 < 150 ? (uint32_t)PAD_SOUTH : 0u;
+        script[i] = (struct gamepad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };
+        script[i].axis[GAMEPAD_LEAD_X] = (int16_t)(32767.0f * f_sin((float)i * 0.02f));
+        script[i].axis[GAMEPAD_LEAD_Y] = (int16_t)(32767.0f * f_cos((float)i * 0.03f));
+        script[i].buttons = i % 300 < 150 ? (uint32_t)GAMEPAD_SOUTH : 0u;
     }
     sim.reports = script;
     sim.report_count = SCRIPT;
-    poi = pad_sim_device(&sim);
+    poi = gamepad_sim_device(&sim);
     return poi.ops->open(poi.self);
 }
 
@@ -260,11 +260,11 @@ static uint32_t play_ms(uint64_t ms, uint64_t frame_ms)
         clock_state.now_ns += frame_ms * MS;
         const int taken = poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
         for (int i = 0; i < taken; i++) {
-            assert_true(trust_can_read(&samples[i].target));
+            assert_true(input_pose_is_finite(&samples[i].target));
             assert_true(samples[i].time_ns >= last.time_ns);
             const float dt_s = (float)(samples[i].time_ns - last.time_ns) * 1e-9f;
             assert_false(last.time_ns > 0 && dt_s > 0.001f &&
-                         trust_is_leap(&last.target, &samples[i].target, dt_s, 0));
+                         input_pose_is_jump(&last.target, &samples[i].target, dt_s, 0));
             last = samples[i];
             count++;
         }
@@ -309,9 +309,9 @@ static void test_a_burst_after_a_silence_loses_no_press(void **state)
 {
     (void)state;
     struct button_sample buttons;
-    const struct hal_buttons device = pad_sim_buttons(&sim);
+    const struct hal_buttons device = gamepad_sim_buttons(&sim);
     for (uint32_t i = 100; i < SCRIPT; i += 100) {
-        script[i].buttons |= PAD_START;
+        script[i].buttons |= GAMEPAD_START;
     }
     sim.silent_from_ns = 1000 * MS;
     sim.silent_to_ns = 4900 * MS;

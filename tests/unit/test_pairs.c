@@ -18,12 +18,12 @@
 #define CELL_EXACT_M 0.08602f /* Twice the half diagonal of 7 x 4 x 3 cm. */
 #define ROUNDING_M 1e-6f
 
-static struct pairs pairs;
+static struct narrow_phase pairs;
 static struct body body[COUNT_MAX];
 static uint8_t flags[COUNT_MAX];
 static float reach_m[COUNT_MAX];
-static struct found found[FOUND_MAX + PAIRS_BATCH + LANES_MAX];
-static struct found others[FOUND_MAX + PAIRS_BATCH + LANES_MAX];
+static struct narrow_phase_pair found[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
+static struct narrow_phase_pair others[FOUND_MAX + NARROW_PHASE_BATCH + SIMD_LANES_MAX];
 static uint32_t listed[COUNT_MAX][COUNT_MAX]; /* 1 + index into found. */
 
 static float draw(uint32_t who, uint32_t purpose, float low, float high)
@@ -34,7 +34,7 @@ static float draw(uint32_t who, uint32_t purpose, float low, float high)
 static void put(uint32_t index, vec3 centre_m, struct angles angles, float length_m)
 {
     const struct box box = { centre_m,
-                             basis_from_angles(angles),
+                             vec_basis_from_angles(angles),
                              { 0.1f * length_m, 0.2f * length_m, 0.5f * length_m } };
     body[index] = body_of(&box, 0.2f * length_m);
     flags[index] = 1;
@@ -57,22 +57,28 @@ static void fill(uint32_t count, float pitch_max, float length_min, float length
     }
 }
 
-static uint32_t search(struct found *to, uint32_t count, uint8_t how, uint8_t lanes)
+static uint32_t search(struct narrow_phase_pair *to, uint32_t count, uint8_t how, uint8_t lanes)
 {
-    const struct pairs_of of = { .body = body, .flags = flags, .reach_m = reach_m, .count = count,
-                                 .which = 1, .search = how, .lanes = lanes, .width_m = 1.36f,
-                                 .breadth_m = 0.65f };
+    const struct narrow_phase_query of = { .body = body,
+                                           .flags = flags,
+                                           .reach_m = reach_m,
+                                           .count = count,
+                                           .which = 1,
+                                           .search = how,
+                                           .lanes = lanes,
+                                           .width_m = 1.36f,
+                                           .breadth_m = 0.65f };
     uint32_t all = 0;
     memset(&pairs, 0x5a, sizeof pairs); /* Nothing is remembered. */
-    pairs_begin(&pairs, &of);
-    for (uint32_t some; pairs_next(&pairs, &of, &to[all], &some); all += some) {
-        assert_true(some <= PAIRS_BATCH);
+    narrow_phase_begin(&pairs, &of);
+    for (uint32_t some; narrow_phase_next(&pairs, &of, &to[all], &some); all += some) {
+        assert_true(some <= NARROW_PHASE_BATCH);
         assert_true(all <= FOUND_MAX);
     }
     return all;
 }
 
-static int same(const struct found *a, const struct found *b)
+static int same(const struct narrow_phase_pair *a, const struct narrow_phase_pair *b)
 {
     return a->a == b->a && a->b == b->b && memcmp(&a->gap_m, &b->gap_m, sizeof a->gap_m) == 0 &&
            a->axis == b->axis && a->spaces == b->spaces;
@@ -81,10 +87,10 @@ static int same(const struct found *a, const struct found *b)
 /* Every lane width and every search finds the same, to the last bit and in the same order. */
 static uint32_t search_every_way(uint32_t count)
 {
-    const uint32_t all = search(found, count, PAIRS_GRID, 4);
-    const uint8_t ways[][2] = {
-        { PAIRS_ALL, 4 }, { PAIRS_GRID, LANES_MAX }, { PAIRS_ALL, LANES_MAX }
-    };
+    const uint32_t all = search(found, count, PAIR_SEARCH_GRID, 4);
+    const uint8_t ways[][2] = { { PAIR_SEARCH_ALL, 4 },
+                                { PAIR_SEARCH_GRID, SIMD_LANES_MAX },
+                                { PAIR_SEARCH_ALL, SIMD_LANES_MAX } };
     for (uint32_t way = 0; way < sizeof ways / sizeof ways[0]; way++) {
         assert_int_equal(search(others, count, ways[way][0], ways[way][1]), all);
         for (uint32_t f = 0; f < all; f++) {
@@ -195,7 +201,7 @@ static void test_pairs_that_meet_at_the_corners_of_cells_are_found(void **state)
             const vec3 along = v3(-f_sin(yaw), 0.0f, -f_cos(yaw));
             /* Nose to nose, spaces a hair in each other. */
             for (uint32_t end = 0; end < 2u; end++) {
-                const vec3 at = v3_mad(corner, along, end == 0 ? 0.0349f : -0.0349f);
+                const vec3 at = v3_muladd(corner, along, end == 0 ? 0.0349f : -0.0349f);
                 put(count++, at, (struct angles){ yaw, 0.0f, 0.0f }, 0.05f);
             }
         }
@@ -214,8 +220,8 @@ static void test_the_farthest_pair_that_overlaps_lies_within_one_cell(void **sta
         body[1] = body[0];
         const struct body *a = &body[0];
         vec3 corner = v3_add(v3_scale(a->right, 0.015f), v3_scale(a->up, 0.02f));
-        corner = v3_mad(corner, a->back, 0.035f);
-        body[1].centre_m = v3_mad(a->centre_m, corner, 1.9999f);
+        corner = v3_muladd(corner, a->back, 0.035f);
+        body[1].centre_m = v3_muladd(a->centre_m, corner, 1.9999f);
         flags[1] = 1;
         reach_m[1] = 0.001f;
         overlaps += check(2);
@@ -259,10 +265,11 @@ static void test_the_axis_of_a_pair_is_where_its_gap_is(void **state)
     (void)state;
     uint32_t by_edges = 0;
     fill(600, 1.0f, 0.03f, 0.08f);
-    const uint32_t all = search(found, 600, PAIRS_GRID, LANES_MAX);
+    const uint32_t all = search(found, 600, PAIR_SEARCH_GRID, SIMD_LANES_MAX);
     for (uint32_t f = 0; f < all; f++) {
         const struct body *a = &body[found[f].a], *b = &body[found[f].b];
-        const vec3 axis = pairs_axis(a, b, found[f].axis), d = v3_sub(b->centre_m, a->centre_m);
+        const vec3 axis = narrow_phase_axis(a, b, found[f].axis),
+                   d = v3_sub(b->centre_m, a->centre_m);
         const struct body *const both[2] = { a, b };
         float gap_m = v3_dot(axis, d);
         for (int which = 0; which < 2; which++) {
@@ -283,7 +290,7 @@ static void test_the_axis_of_a_pair_is_where_its_gap_is(void **state)
 static float missed_by_cells(float columns, float rows)
 {
     uint32_t overlaps = 0, missed = 0;
-    const uint32_t all = search(found, 600, PAIRS_GRID, LANES_MAX);
+    const uint32_t all = search(found, 600, PAIR_SEARCH_GRID, SIMD_LANES_MAX);
     for (uint32_t f = 0; f < all; f++) {
         if (found[f].spaces) {
             const vec3 a = body[found[f].a].centre_m, b = body[found[f].b].centre_m;

@@ -91,7 +91,7 @@ static void test_each_such_start_leaves_one_part_more_out_and_counts_anew(void *
         panics_add(&panics, BOOT, 100 + i, 1, 0);
         assert_true(panics_is_due(&panics));
         assert_int_equal(panics_try(&panics), order[i]);
-        panics_leave(&panics, BOOT);
+        panics_set_left_out(&panics, BOOT);
         assert_int_equal(panics.left, order[i]);
         assert_false(panics_is_due(&panics));
     }
@@ -105,11 +105,11 @@ static void test_a_run_of_ten_minutes_begins_with_settings_again(void **state)
     struct panics panics = { 0 };
     panics_add(&panics, BOOT, 100, 1, 0);
     panics_try(&panics);
-    panics_leave(&panics, BOOT);
+    panics_set_left_out(&panics, BOOT);
     panics_add(&panics, BOOT, 800, PANICS_WITHIN_S, 1);
     assert_int_equal(panics.left, LEFT_NOTHING);
     panics_try(&panics);
-    panics_leave(&panics, BOOT);
+    panics_set_left_out(&panics, BOOT);
     panics_add(&panics, BOOT, 900, PANICS_WITHIN_S - 1u, 1);
     assert_int_equal(panics.left, LEFT_SETTINGS);
     panics_add(&panics, BOOT + 1u, 20, 10, 1);

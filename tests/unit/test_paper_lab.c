@@ -8,9 +8,9 @@
 
 static struct paper_lab lab;
 
-static struct paper_plan wet(uint8_t grade)
+static struct paper_options wet(uint8_t grade)
 {
-    return (struct paper_plan){
+    return (struct paper_options){
         .grade = grade,
         .wetness = 1.0f,
         .wet_fraction = 1.0f,
@@ -21,7 +21,7 @@ static struct paper_plan wet(uint8_t grade)
     };
 }
 
-static void run(const struct paper_plan *plan)
+static void run(const struct paper_options *plan)
 {
     paper_lab_open(&lab, plan);
     while (lab.tick < plan->tick_count) {
@@ -30,7 +30,7 @@ static void run(const struct paper_plan *plan)
 }
 
 /* The least speed at which it tears within 0.05 s, to a thousandth of itself. */
-static float instant_m_s(struct paper_plan plan)
+static float instant_m_s(struct paper_options plan)
 {
     float low = 0.05f, high = 4.0f;
     plan.tick_count = 7;
@@ -50,7 +50,7 @@ static void test_broadside_at_0_3_m_s_presses_with_a_quarter_of_a_newton(void **
 {
     (void)state;
     for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
-        struct paper_plan plan = wet(grade);
+        struct paper_options plan = wet(grade);
         plan.speed_m_s = 0.3f;
         run(&plan);
         assert_float_equal(lab.force_n, 0.25f, 0.025f);
@@ -63,7 +63,7 @@ static void test_broadside_at_0_3_m_s_presses_with_a_quarter_of_a_newton(void **
 static void test_edge_on_it_only_rubs(void **state)
 {
     (void)state;
-    struct paper_plan plan = wet(5);
+    struct paper_options plan = wet(5);
     plan.speed_m_s = 0.3f;
     plan.tilt_rad = 0.0f;
     run(&plan);
@@ -74,7 +74,7 @@ static void test_edge_on_it_only_rubs(void **state)
 static void test_at_twenty_degrees_it_lifts_like_a_wing(void **state)
 {
     (void)state;
-    struct paper_plan plan = wet(5);
+    struct paper_options plan = wet(5);
     plan.speed_m_s = 0.3f;
     plan.tilt_rad = 20.0f * F_DEG;
     run(&plan);
@@ -86,14 +86,14 @@ static void test_a_still_fish_in_air_tears_no_grade_in_a_minute(void **state)
     (void)state;
     for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
         for (uint32_t seed = 0; seed < SEEDS; seed++) {
-            struct paper_plan plan = wet(grade);
+            struct paper_options plan = wet(grade);
             plan.in_air = plan.still = 1;
             plan.fish_count = 1;
             plan.seed = seed;
             plan.tick_count = 60u * CORE_TICK_HZ;
             run(&plan);
-            assert_int_equal(lab.poi.rider_count, 1);
-            assert_float_equal(lab.poi.riders_kg, 0.0029f, 0.0001f);
+            assert_int_equal(lab.poi.carried_count, 1);
+            assert_float_equal(lab.poi.carried_kg, 0.0029f, 0.0001f);
             assert_int_equal(lab.tore_tick, 0);
         }
     }
@@ -102,7 +102,7 @@ static void test_a_still_fish_in_air_tears_no_grade_in_a_minute(void **state)
 static void test_fish_that_slap_strain_it_more(void **state)
 {
     (void)state;
-    struct paper_plan plan = wet(5);
+    struct paper_options plan = wet(5);
     plan.in_air = plan.still = 1;
     plan.fish_count = 3;
     plan.tick_count = 2u * CORE_TICK_HZ;
@@ -119,7 +119,7 @@ static void test_it_tears_at_once_at_the_speed_of_the_membranes_formula(void **s
     (void)state;
     for (uint8_t number = SHEET_GRADE_MIN; number <= SHEET_GRADE_MAX; number++) {
         const struct paper_grade *grade = sheet_grade(number);
-        struct paper_plan plan = wet(number);
+        struct paper_options plan = wet(number);
         plan.ideal = 1;
         /* 0.423 (Y p^2 a^2)^(1/3) = T, and p = 1.17 rho v^2 / 2. */
         const float stretch = grade->wet_n_m / 0.423f;
@@ -138,7 +138,7 @@ static void test_half_wet_paper_tears_at_about_half_the_speed(void **state)
     (void)state;
     for (uint8_t grade = SHEET_GRADE_MIN; grade <= SHEET_GRADE_MAX; grade++) {
         for (uint32_t seed = 1; seed <= SEEDS; seed++) {
-            struct paper_plan plan = wet(grade);
+            struct paper_options plan = wet(grade);
             plan.seed = seed;
             const float whole_m_s = instant_m_s(plan);
             plan.wet_fraction = 0.5f;
@@ -151,7 +151,7 @@ static void test_half_wet_paper_tears_at_about_half_the_speed(void **state)
 static void test_upside_down_it_holds_fifteen_grams(void **state)
 {
     (void)state;
-    struct paper_plan plan = wet(5);
+    struct paper_options plan = wet(5);
     plan.in_air = plan.upside_down = 1;
     run(&plan);
     assert_float_equal(lab.water_kg, 0.015f, 0.0015f);
@@ -163,7 +163,7 @@ static void test_upside_down_it_holds_fifteen_grams(void **state)
 static void test_dry_paper_carries_no_water_and_stands_what_tears_wet_paper(void **state)
 {
     (void)state;
-    struct paper_plan plan = wet(6);
+    struct paper_options plan = wet(6);
     plan.wetness = 0.0f;
     plan.in_air = 1;
     run(&plan);
@@ -175,7 +175,7 @@ static void test_dry_paper_carries_no_water_and_stands_what_tears_wet_paper(void
 static void test_the_wetness_is_held_and_the_line_stays_where_it_was(void **state)
 {
     (void)state;
-    struct paper_plan plan = wet(5);
+    struct paper_options plan = wet(5);
     plan.wet_fraction = 0.3f;
     plan.wetness = 0.8f;
     plan.tick_count = 3u * CORE_TICK_HZ;

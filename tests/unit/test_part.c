@@ -11,33 +11,34 @@
 #include "core/tank/part.h"
 #include "tests/unit/throng.h"
 
-static struct part part;
-static struct part_place place = { .bounds = { { -0.68f, -0.20f, -0.325f },
-                                               { 0.68f, 0.0f, 0.325f } } };
+static struct contact_solver solver;
+static struct solver_context place = { .bounds = { { -0.68f, -0.20f, -0.325f },
+                                                   { 0.68f, 0.0f, 0.325f } } };
 
-static void begin_step(uint32_t count, float shove_max_m)
+static void begin_step(uint32_t count, float push_max_m)
 {
     place.fish = fish;
-    place.shove_max_m = shove_max_m;
-    crowd_gather(&crowd, fish, count, 0.2f);
-    part_stations(&part, &place);
-    part_advance(&part, &crowd, &place, 0);
-    part_clear(&part, &crowd, &place);
+    place.push_max_m = push_max_m;
+    broad_phase_gather(&broad_phase, fish, count, 0.2f);
+    contact_solver_substep_count(&solver, &place);
+    contact_solver_substep(&solver, &broad_phase, &place, 0);
+    contact_solver_project(&solver, &broad_phase, &place);
 }
 
 /* Fish that came from `before_m`; null: that are where they are, and may be shoved any way. */
 static void gather(uint32_t count, const vec3 *before_m)
 {
-    part_begin(&part, fish, count);
+    contact_solver_begin(&solver, fish, count);
     for (uint32_t i = 0; i < count && before_m; i++) {
-        part.began_m[i] = before_m[i];
+        solver.began_m[i] = before_m[i];
     }
-    begin_step(count, before_m ? PART_SHOVE_M : 0.05f);
+    begin_step(count, before_m ? SOLVER_PUSH_M : 0.05f);
 }
 
 static float depth_m(uint32_t first, uint32_t second)
 {
-    const struct box a = body_box(&crowd.body[first]), b = body_box(&crowd.body[second]);
+    const struct box a = body_box(&broad_phase.body[first]),
+                     b = body_box(&broad_phase.body[second]);
     return box_depth_m(&a, &b);
 }
 
@@ -48,12 +49,12 @@ static void test_parting_ends_overlaps_and_keeps_walls(void **state)
     gather(400, NULL);
     for (int tick = 0; tick < 40; tick++) {
         look(0);
-        part_relax(&part, &crowd, &place);
-        part_clear(&part, &crowd, &place);
+        contact_solver_relax(&solver, &broad_phase, &place);
+        contact_solver_project(&solver, &broad_phase, &place);
     }
     float deepest_m = 0.0f;
-    for (uint32_t i = 0; i < crowd.count; i++) {
-        const vec3 p = crowd.body[i].centre_m, extent = body_extent_m(&crowd.body[i]);
+    for (uint32_t i = 0; i < broad_phase.count; i++) {
+        const vec3 p = broad_phase.body[i].centre_m, extent = body_extent_m(&broad_phase.body[i]);
         assert_true(f_abs(p.x) + extent.x < 0.68f + 1e-5f);
         assert_true(f_abs(p.z) + extent.z < 0.325f + 1e-5f);
         assert_true(p.y + extent.y < 1e-5f && p.y - extent.y > -0.20f - 1e-5f);
@@ -76,11 +77,11 @@ static void test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_mo
     }
     gather(300, before_m);
     look(0);
-    const uint32_t before = crowd.overlap_count;
-    part_relax(&part, &crowd, &place);
+    const uint32_t before = broad_phase.overlap_count;
+    contact_solver_relax(&solver, &broad_phase, &place);
     float farthest_m = 0.0f;
-    for (uint32_t i = 0; i < crowd.count; i++) {
-        const vec3 step = v3_sub(crowd.body[i].centre_m, before_m[i]);
+    for (uint32_t i = 0; i < broad_phase.count; i++) {
+        const vec3 step = v3_sub(broad_phase.body[i].centre_m, before_m[i]);
         farthest_m = f_max(farthest_m, v3_length(v3(step.x, 0.0f, step.z)));
     }
     print_message("%u overlaps, farthest step %.2f mm\n", before, (double)(1000.0f * farthest_m));
@@ -97,8 +98,8 @@ static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
     fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
     gather(2, before_m);
     look(0);
-    part_relax(&part, &crowd, &place);
-    assert_true(crowd.body[0].centre_m.x > -0.00201f);
+    contact_solver_relax(&solver, &broad_phase, &place);
+    assert_true(broad_phase.body[0].centre_m.x > -0.00201f);
     assert_true(depth_m(0, 1) < 1e-5f);
 }
 
@@ -109,9 +110,9 @@ static void test_the_larger_of_two_gives_way_less(void **state)
     fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, WAKIN(0.04f) };
     gather(2, NULL);
     look(0);
-    part_relax(&part, &crowd, &place);
-    const float large_m = -crowd.body[0].centre_m.x,
-                small_m = crowd.body[1].centre_m.x - 0.009f;
+    contact_solver_relax(&solver, &broad_phase, &place);
+    const float large_m = -broad_phase.body[0].centre_m.x,
+                small_m = broad_phase.body[1].centre_m.x - 0.009f;
     assert_true(large_m > 0.0f);
     assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* As their masses. */
 }
@@ -127,17 +128,17 @@ static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **s
                                           .yaw_rate_rad_s = 1.0f,
                                           WAKIN(0.05f) };
     }
-    part_begin(&part, fish, 3);
+    contact_solver_begin(&solver, fish, 3);
     fish[2].angles.yaw_rad = 0.9f;
-    begin_step(3, PART_SHOVE_M);
+    begin_step(3, SOLVER_PUSH_M);
     look(0);
-    part_bodies(&part, &crowd, &place);
-    part_take(&crowd, fish);
-    part_end(&part, &crowd, &place);
-    assert_true(part.back_count >= 1);
+    contact_solver_finish(&solver, &broad_phase, &place);
+    contact_solver_write_back(&broad_phase, fish);
+    contact_solver_end(&solver, &broad_phase, &place);
+    assert_true(solver.reverted_count >= 1);
     assert_true(fish[2].angles.yaw_rad == 0.0f && fish[2].yaw_rate_rad_s == 0.0f);
     assert_true(fish[2].position_m.x == was[2].position_m.x);
-    assert_true(depth_m(0, 1) <= PART_FREE_M && depth_m(1, 2) <= PART_FREE_M);
+    assert_true(depth_m(0, 1) <= SOLVER_FREE_M && depth_m(1, 2) <= SOLVER_FREE_M);
 }
 
 /* A disc that turned and went 12 mm to the right in one tick, which takes several steps. */
@@ -152,18 +153,18 @@ static void take_all_steps(struct obstacle *disc, uint8_t gave)
     place.obstacles = disc;
     place.obstacle_count = 1;
     place.fish = fish;
-    crowd_gather(&crowd, fish, 1, 0.2f);
-    part_begin(&part, fish, 1);
-    const uint32_t count = part_stations(&part, &place);
+    broad_phase_gather(&broad_phase, fish, 1, 0.2f);
+    contact_solver_begin(&solver, fish, 1);
+    const uint32_t count = contact_solver_substep_count(&solver, &place);
     assert_true(count > 1);
     for (uint32_t station = 0; station < count; station++) {
-        part_advance(&part, &crowd, &place, station);
+        contact_solver_substep(&solver, &broad_phase, &place, station);
     }
-    if (gave & OBSTACLE_GAVE_PLACE) {
+    if (gave & REACTION_POSITION) {
         disc->centre_m.x -= 0.004f;
     }
-    disc->gave = gave;
-    part_end(&part, &crowd, &place);
+    disc->reaction = gave;
+    contact_solver_end(&solver, &broad_phase, &place);
     place.obstacles = NULL;
     place.obstacle_count = 0;
 }
@@ -185,7 +186,7 @@ test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use(
 {
     (void)state;
     struct obstacle disc;
-    take_all_steps(&disc, OBSTACLE_GAVE_PLACE | OBSTACLE_GAVE_TURN);
+    take_all_steps(&disc, REACTION_POSITION | REACTION_ROTATION);
     assert_float_equal(disc.step_m.x, 0.008f, 1e-6f);
     assert_float_equal(disc.velocity_m_s.x, 0.008f * CORE_TICK_HZ, 1e-4f);
     assert_int_equal(disc.turned, 0);
@@ -197,13 +198,14 @@ enum { MANY = 203 }; /* No multiple of any width. */
 static void clear_anew(uint8_t lanes, int alone)
 {
     place.lanes = lanes;
-    crowd_gather(&crowd, fish, MANY, 0.2f);
+    broad_phase_gather(&broad_phase, fish, MANY, 0.2f);
     for (uint32_t i = 0; i < MANY && alone; i++) {
-        crowd.flags[i] |= CROWD_BESIDE; /* Of a step before: lanes leave such fish alone. */
+        broad_phase.flags[i] |=
+            BODY_NEAR_OBSTACLE; /* Of a step before: lanes leave such fish alone. */
     }
-    part_stations(&part, &place);
-    part_advance(&part, &crowd, &place, 0);
-    part_clear(&part, &crowd, &place);
+    contact_solver_substep_count(&solver, &place);
+    contact_solver_substep(&solver, &broad_phase, &place, 0);
+    contact_solver_project(&solver, &broad_phase, &place);
     place.lanes = 0;
 }
 
@@ -219,30 +221,30 @@ static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_ti
                              .axes = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
                              .step_m = { 0.001f, 0.0f, 0.0f } };
     fill_at_random(MANY, 1.2f, 0.06f);
-    part_begin(&part, fish, MANY);
+    contact_solver_begin(&solver, fish, MANY);
     for (uint32_t i = 0; i < MANY; i++) { /* Some into walls, floor and surface. */
         fish[i].position_m.x *= 1.05f;
         fish[i].position_m.y += draw(i, 8, -0.008f, 0.008f);
         fish[i].angles.yaw_rad += draw(i, 9, -0.2f, 0.2f);
     }
     place.fish = fish;
-    place.shove_max_m = PART_SHOVE_M;
+    place.push_max_m = SOLVER_PUSH_M;
     place.obstacles = &disc;
     place.obstacle_count = 1;
     clear_anew(0, 1);
-    MEM_COPY(cleared, crowd.body, sizeof cleared);
-    MEM_COPY(play_m, crowd.play_m, sizeof play_m);
-    MEM_COPY(step_max_m, part.step_max_m, sizeof step_max_m);
-    const uint32_t beside = part.beside_count;
+    MEM_COPY(cleared, broad_phase.body, sizeof cleared);
+    MEM_COPY(play_m, broad_phase.play_m, sizeof play_m);
+    MEM_COPY(step_max_m, solver.step_max_m, sizeof step_max_m);
+    const uint32_t beside = solver.beside_count;
     assert_true(beside > 2 && beside < MANY / 2);
-    for (uint8_t lanes = 4; lanes <= LANES_MAX; lanes *= 2) {
+    for (uint8_t lanes = 4; lanes <= SIMD_LANES_MAX; lanes *= 2) {
         disc.centre_m = v3(0.1f, -0.05f, 0.0f);
         disc.step_m = v3(0.001f, 0.0f, 0.0f);
         clear_anew(lanes, 0);
-        assert_int_equal(part.beside_count, beside);
-        assert_memory_equal(cleared, crowd.body, sizeof cleared);
-        assert_memory_equal(play_m, crowd.play_m, sizeof play_m);
-        assert_memory_equal(step_max_m, part.step_max_m, sizeof step_max_m);
+        assert_int_equal(solver.beside_count, beside);
+        assert_memory_equal(cleared, broad_phase.body, sizeof cleared);
+        assert_memory_equal(play_m, broad_phase.play_m, sizeof play_m);
+        assert_memory_equal(step_max_m, solver.step_max_m, sizeof step_max_m);
     }
     place.obstacles = NULL;
     place.obstacle_count = 0;
@@ -255,7 +257,7 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
     (void)state;
     enum { COUNT = 400 };
     static uint8_t was_free[COUNT][COUNT];
-    uint32_t back_count = 0, free_count = 0;
+    uint32_t reverted_count = 0, free_count = 0;
     float deepest_m = 0.0f;
     fill_at_random(COUNT, 0.3f, 0.05f);
     for (uint32_t i = 0; i < COUNT; i++) { /* As near to each other as 2,000 in all the water. */
@@ -265,43 +267,43 @@ static void test_what_was_free_stays_free_whatever_fish_do(void **state)
     gather(COUNT, NULL);
     for (int round = 0; round < 60; round++) {
         look(0);
-        part_relax(&part, &crowd, &place);
+        contact_solver_relax(&solver, &broad_phase, &place);
     }
-    part_take(&crowd, fish);
-    part_end(&part, &crowd, &place);
+    contact_solver_write_back(&broad_phase, fish);
+    contact_solver_end(&solver, &broad_phase, &place);
     for (uint32_t i = 0; i < COUNT; i++) {
         for (uint32_t j = 0; j < i; j++) {
-            was_free[i][j] = depth_m(i, j) <= PART_FREE_M;
+            was_free[i][j] = depth_m(i, j) <= SOLVER_FREE_M;
             free_count += was_free[i][j];
         }
     }
     assert_true(free_count + 20u > COUNT * (COUNT - 1u) / 2u);
     for (uint32_t tick = 1; tick <= 40; tick++) {
-        part_begin(&part, fish, COUNT);
+        contact_solver_begin(&solver, fish, COUNT);
         for (uint32_t i = 0; i < COUNT; i++) {
             fish[i].position_m.x += draw(i + COUNT * tick, 11, -0.005f, 0.005f);
             fish[i].position_m.y += draw(i + COUNT * tick, 12, -0.005f, 0.005f);
             fish[i].angles.yaw_rad += draw(i + COUNT * tick, 13, -0.3f, 0.3f);
             fish[i].angles.pitch_rad += draw(i + COUNT * tick, 14, -0.05f, 0.05f);
         }
-        begin_step(COUNT, PART_SHOVE_M);
+        begin_step(COUNT, SOLVER_PUSH_M);
         look(0);
-        part_bodies(&part, &crowd, &place);
-        part_take(&crowd, fish);
-        part_end(&part, &crowd, &place);
-        back_count += part.back_count;
+        contact_solver_finish(&solver, &broad_phase, &place);
+        contact_solver_write_back(&broad_phase, fish);
+        contact_solver_end(&solver, &broad_phase, &place);
+        reverted_count += solver.reverted_count;
         for (uint32_t i = 0; i < COUNT; i++) {
             for (uint32_t j = 0; j < i; j++) {
                 const vec3 d = v3_sub(fish[i].position_m, fish[j].position_m);
                 const float now_m = v3_dot(d, d) < 0.0036f ? depth_m(i, j) : 0.0f;
                 deepest_m = was_free[i][j] ? f_max(deepest_m, now_m) : deepest_m;
-                was_free[i][j] |= now_m <= PART_FREE_M;
+                was_free[i][j] |= now_m <= SOLVER_FREE_M;
             }
         }
     }
-    print_message("%u put back, deepest %.3f mm\n", back_count, (double)(1000.0f * deepest_m));
-    assert_true(back_count > 5);
-    assert_true(deepest_m <= PART_FREE_M + 1e-6f);
+    print_message("%u put back, deepest %.3f mm\n", reverted_count, (double)(1000.0f * deepest_m));
+    assert_true(reverted_count > 5);
+    assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
 }
 
 /* Fish half a millimetre apart on every side, each of which could touch 26 others. */
@@ -318,19 +320,19 @@ static void test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_ove
         fish[i] = (struct fish){ .position_m = at, WAKIN(0.04f) };
     }
     for (uint32_t tick = 1; tick <= 6; tick++) {
-        part_begin(&part, fish, COUNT);
+        contact_solver_begin(&solver, fish, COUNT);
         for (uint32_t i = 0; i < COUNT; i++) {
             fish[i].position_m.x += draw(i + COUNT * tick, 11, -0.002f, 0.002f);
             fish[i].position_m.y += draw(i + COUNT * tick, 12, -0.001f, 0.001f);
             fish[i].angles.yaw_rad += draw(i + COUNT * tick, 13, -0.05f, 0.05f);
         }
-        begin_step(COUNT, PART_SHOVE_M);
+        begin_step(COUNT, SOLVER_PUSH_M);
         look(tick);
-        assert_true(crowd.touch_count > CROWD_CONTACT_MAX);
-        part_bodies(&part, &crowd, &place);
-        part_take(&crowd, fish);
-        part_end(&part, &crowd, &place);
-        moved += COUNT - part.back_count;
+        assert_true(broad_phase.touch_count > BROAD_PHASE_CONTACT_MAX);
+        contact_solver_finish(&solver, &broad_phase, &place);
+        contact_solver_write_back(&broad_phase, fish);
+        contact_solver_end(&solver, &broad_phase, &place);
+        moved += COUNT - solver.reverted_count;
         for (uint32_t i = 0; i < COUNT; i++) {
             for (uint32_t j = 0; j < i; j++) {
                 const vec3 d = v3_sub(fish[i].position_m, fish[j].position_m);
@@ -338,10 +340,10 @@ static void test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_ove
             }
         }
     }
-    print_message("%u contacts, %u fish-ticks free, deepest %.3f mm\n", crowd.touch_count, moved,
-                  (double)(1000.0f * deepest_m));
+    print_message("%u contacts, %u fish-ticks free, deepest %.3f mm\n", broad_phase.touch_count,
+                  moved, (double)(1000.0f * deepest_m));
     assert_true(moved > 0);
-    assert_true(deepest_m <= PART_FREE_M + 1e-6f);
+    assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
 }
 
 int main(void)

@@ -41,12 +41,12 @@ static int two(void **state)
 
 static void lose(uint32_t index)
 {
-    input.poi[index].link = POI_LINK_LOST;
+    input.poi[index].link = POI_SOURCE_LOST;
 }
 
 static void return_hand(uint32_t index)
 {
-    input.poi[index].link = POI_LINK_LIVE;
+    input.poi[index].link = POI_SOURCE_LIVE;
 }
 
 static void test_the_clock_stands_still_for_both_and_all_can_see_why(void **state)
@@ -139,7 +139,7 @@ static uint32_t play_with_a_flaky_plug(uint32_t index)
     uint32_t passed = 0;
     for (; core.game.phase == PHASE_ROUND; passed++) {
         const int away = passed % 1120u < 1080u;
-        input.poi[index].link = away ? POI_LINK_LOST : POI_LINK_LIVE;
+        input.poi[index].link = away ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
         tick();
         assert_true(passed < 1200u * CORE_TICK_HZ);
     }
@@ -221,8 +221,8 @@ static void test_after_time_was_called_nobody_is_waited_for(void **state)
     while (game_seconds_left(&core.game, core.tick + 1u) > 0.0f) {
         tick();
     }
-    core.poi[MINE].rider_count = 1; /* As if a fish lay there: the round waits for it, ... */
-    core.poi[MINE].riders[0].fish = 0;
+    core.poi[MINE].carried_count = 1; /* As if a fish lay there: the round waits for it, ... */
+    core.poi[MINE].carried_fish[0].fish = 0;
     core.tank.fish[0].gait = GAIT_HELD;
     ticks(1);
     assert_true(game_seconds_left(&core.game, core.tick) == 0.0f);

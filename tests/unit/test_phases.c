@@ -70,7 +70,7 @@ static void test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_nothing(void
     setup(state);
     hold_at(ABOVE_M);
     input.poi[1] = input.poi[0];
-    input.poi[0].link = POI_LINK_BOT;
+    input.poi[0].link = POI_SOURCE_BOT;
     step();
     input.poi[0].target.position_m.y = BELOW_M;
     input.poi[1].target.position_m.y = BELOW_M;
@@ -104,23 +104,23 @@ static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(
 {
     (void)state;
     play_into_round();
-    core.poi[0].rider_count = 1;
+    core.poi[0].carried_count = 1;
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     steps(GAME_CARRY_TICKS - 1);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     step();
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(core.poi[0].rider_count, 0);
+    assert_int_equal(core.poi[0].carried_count, 0);
 }
 
 static void test_the_round_ends_as_soon_as_the_last_fish_is_home(void **state)
 {
     (void)state;
     play_into_round();
-    core.poi[0].rider_count = 1;
+    core.poi[0].carried_count = 1;
     steps(ROUND_S * CORE_TICK_HZ + 10);
-    core.poi[0].rider_count = 0;
+    core.poi[0].carried_count = 0;
     step();
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
@@ -132,7 +132,7 @@ static void test_nothing_can_be_dipped_after_the_call(void **state)
     uint8_t live[POI_MAX];
     play_into_round();
     hold_at(BELOW_M);
-    core.poi[0].rider_count = 1;
+    core.poi[0].carried_count = 1;
     steps(ROUND_S * CORE_TICK_HZ + 2);
     game_tick(&core, &input, &output, targets, live);
     assert_true(live[0]);
@@ -203,8 +203,8 @@ static void test_in_attract_the_bot_has_the_poi_whatever_is_linked(void **state)
     (void)state;
     hold_at(ABOVE_M);
     steps(5);
-    assert_int_equal(core.poi[0].link, POI_LINK_BOT);
-    assert_int_equal(core.poi[1].link, POI_LINK_ABSENT);
+    assert_int_equal(core.poi[0].link, POI_SOURCE_BOT);
+    assert_int_equal(core.poi[1].link, POI_SOURCE_ABSENT);
 }
 
 /* Who lost it has gone; whoever comes next is not led back to where that hand was. */
@@ -212,14 +212,14 @@ static void test_what_the_bot_takes_over_is_on_its_way_back_to_nobody(void **sta
 {
     (void)state;
     start_with_a_hand();
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     steps(60);
-    assert_true(core.game.back_ticks[0] > 0);
+    assert_true(core.game.return_ticks[0] > 0);
     core.game.phase = PHASE_RESULT;
     core.game.phase_tick = core.tick;
     steps(GAME_RESULT_TICKS + 2u);
-    assert_int_equal(core.game.holder[0], POI_LINK_BOT);
-    assert_int_equal(core.game.back_ticks[0], 0);
+    assert_int_equal(core.game.holder[0], POI_SOURCE_BOT);
+    assert_int_equal(core.game.return_ticks[0], 0);
 }
 
 static void test_language_changes_with_each_press_in_any_phase(void **state)
@@ -277,7 +277,7 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
 static void test_the_operators_language_is_the_one_that_attract_returns_to(void **state)
 {
     (void)state;
-    adjust_set(&core, SET_LANGUAGE, LANGUAGE_EN);
+    settings_edit_set(&core, SET_LANGUAGE, LANGUAGE_EN);
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(LANGUAGE_TICKS);

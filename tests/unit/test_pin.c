@@ -50,7 +50,7 @@ static void test_a_hidden_pin_matches_its_digits(void **state)
         assert_int_not_equal(kept, PIN_WITHHELD);
         assert_false(pin_is_plain(kept));
         assert_true(pin_matches(kept, pin));
-        assert_true(setting_allows(SET_PIN, kept));
+        assert_true(settings_allows(SET_PIN, kept));
     }
 }
 
@@ -102,7 +102,7 @@ static void test_settings_hide_a_plain_pin_once(void **state)
     assert_true(pin_matches(kept, 407));
     settings_hide_pin(&settings, 6);
     assert_int_equal(settings.value[SET_PIN], kept);
-    settings_mend(&settings);
+    settings_sanitize(&settings);
     assert_int_equal(settings.value[SET_PIN], kept);
 }
 

@@ -24,24 +24,25 @@ static char path[64], log_path[72];
 static struct core core, bots;
 static struct output output, unheard;
 static struct input input;
-static struct chapters chapters;
+static struct session_recorder chapters;
 static struct pin_sweep sweep;
-static struct judge judge;
+static struct replay_verifier judge;
 static struct ledger_file file;
-static uint8_t replay[CHAPTERS_SIZE], found[CHAPTERS_SIZE];
+static uint8_t replay[SESSION_RECORDER_SIZE], found[SESSION_RECORDER_SIZE];
 static size_t replay_size, found_size;
 
 static uint32_t tick(uint32_t pressed)
 {
-    struct input by_bot = { .pressed = pressed, .poi[0].link = POI_LINK_BOT };
+    struct input by_bot = { .pressed = pressed, .poi[0].link = POI_SOURCE_BOT };
     uint32_t round_id = 0;
     unheard.sound_count = output.sound_count = 0;
     core_tick(&bots, &by_bot, &unheard);
     input.pressed = pressed;
     input.store_well = 1;
     input.record_saved_id = output.entry_id;
-    input.poi[0] = (struct poi_input){ .link = POI_LINK_LIVE, .has_wrist = 1,
-                                       .target = bots.game.hand[0] };
+    input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                       .has_wrist = 1,
+                                       .target = bots.game.hand_pose[0] };
     const uint32_t before = output.entry_id;
     core_tick(&core, &input, &output);
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
@@ -49,7 +50,7 @@ static uint32_t tick(uint32_t pressed)
         assert_int_equal(ledger_file_write(&file, entry, 1), SQLITE_OK);
         round_id = entry->kind == LEDGER_ROUND ? id : round_id;
     }
-    chapters_tick(&chapters, &input, &core, &output);
+    session_recorder_tick(&chapters, &input, &core, &output);
     return round_id;
 }
 
@@ -58,11 +59,11 @@ static uint32_t tick(uint32_t pressed)
 static uint32_t keep_as_before(void)
 {
     struct core_config config = { .seed = 11, .round_s = 20, .lanes = cpu_lanes(), .rules_7 = 1 };
-    settings_reset(&config.memory.settings);
-    config.memory.settings.value[SET_PIN] = PIN;
+    settings_reset(&config.persistent.settings);
+    config.persistent.settings.value[SET_PIN] = PIN;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     assert_int_equal(core_init(&bots, &config), CORE_OK);
-    chapters_begin(&chapters, &core);
+    session_recorder_begin(&chapters, &core);
     uint32_t round_id = 0;
     for (uint32_t i = 0; i < 90u * CORE_TICK_HZ && round_id == 0; i++) {
         round_id = tick(i == 2u * CORE_TICK_HZ ? INPUT_START : 0);
@@ -84,17 +85,17 @@ static void sweep_all(void)
     assert_int_equal(chore.step(chore.self, &file), SQLITE_DONE);
 }
 
-static enum verdict judged(uint32_t round_id)
+static enum replay_verdict judged(uint32_t round_id)
 {
     struct ledger_entry kept;
     ledger_file_round(&file, round_id, &kept);
     assert_int_equal(ledger_file_get_replay(&file, round_id, found, sizeof found, &found_size),
                      SQLITE_OK);
-    if (judge_begin(&judge, found, found_size) == 0) {
-        while (judge_tick(&judge)) {
+    if (replay_verifier_begin(&judge, found, found_size) == 0) {
+        while (replay_verifier_tick(&judge)) {
         }
     }
-    return judge_say(&judge, &file.content.memory.ranking, round_id, &kept);
+    return replay_verifier_result(&judge, &file.content.memory.ranking, round_id, &kept);
 }
 
 /* Returns whether the file `name` holds these bytes anywhere. */
@@ -143,19 +144,19 @@ static void test_an_old_replay_loses_the_pin_and_stays_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = keep_as_before();
-    assert_int_equal(judged(round_id), VERDICT_GENUINE);
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
     const uint32_t ticks = judge.replayer.totals.ticks;
     const struct round_record round = judge.round.round;
     sweep_all();
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(sweep.left, 0);
-    assert_int_equal(judged(round_id), VERDICT_GENUINE);
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
     assert_int_equal(judge.replayer.totals.ticks, ticks);
     assert_memory_equal(&judge.round.round, &round, sizeof round);
     const struct core_config *config = &judge.replayer.reader.header.config;
     assert_int_equal(config->rules_7, 1);
-    assert_int_equal(config->memory.settings.value[SET_PIN], PIN_WITHHELD);
-    assert_false(chapters_start_has_pin(config));
+    assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
+    assert_false(session_recorder_start_has_pin(config));
     sweep_all(); /* There is nothing left to do. */
     assert_int_equal(sweep.cleaned + sweep.left, 0);
 }
@@ -193,7 +194,7 @@ static void test_a_replay_that_does_not_verify_stays_as_it_is(void **state)
     while (!replay_seal_next(&seal, sizeof replay)) {
     }
     assert_int_equal(ledger_file_put_replay(&file, round_id, replay, replay_size), SQLITE_OK);
-    assert_int_not_equal(judged(round_id), VERDICT_GENUINE);
+    assert_int_not_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
     sweep_all();
     assert_int_equal(sweep.cleaned, 0);
     assert_int_equal(sweep.left, 1);
@@ -207,7 +208,7 @@ static void test_a_replay_without_a_pin_is_passed_over(void **state)
     (void)state;
     const uint32_t round_id = keep_as_before();
     sweep_all();
-    assert_int_equal(judged(round_id), VERDICT_GENUINE);
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
     memcpy(replay, found, found_size);
     const size_t size = found_size;
     sweep_all();
@@ -234,8 +235,8 @@ static void test_the_store_does_the_work_while_no_entry_waits(void **state)
     assert_int_equal(sweep.cleaned, 1);
     assert_int_equal(device.ops->close(device.self), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
-    assert_int_equal(judged(round_id), VERDICT_GENUINE);
-    assert_false(chapters_start_has_pin(&judge.replayer.reader.header.config));
+    assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
+    assert_false(session_recorder_start_has_pin(&judge.replayer.reader.header.config));
 }
 
 int main(void)

@@ -12,9 +12,10 @@
 #define WIDTH 1920.0f
 #define HEIGHT 1080.0f
 
-static struct placing turned(uint32_t rotation)
+static struct display_transform turned(uint32_t rotation)
 {
-    return placing_of(&(struct showing){ .rotation = rotation, .light = 1.0f }, WIDTH, HEIGHT);
+    return display_transform_of(&(struct display_settings){ .rotation = rotation, .light = 1.0f },
+                                WIDTH, HEIGHT);
 }
 
 static void assert_near(float is, float wanted)
@@ -25,10 +26,11 @@ static void assert_near(float is, float wanted)
 static void test_a_plain_picture_fills_the_screen(void **state)
 {
     (void)state;
-    const struct placing placing = turned(0), whole = placing_whole(WIDTH, HEIGHT);
-    assert_memory_equal(&placing, &whole, sizeof whole);
+    const struct display_transform transform = turned(0),
+                                   whole = display_transform_identity(WIDTH, HEIGHT);
+    assert_memory_equal(&transform, &whole, sizeof whole);
     float turn[4], move[2];
-    placing_clip(&placing, turn, move);
+    display_clip_matrix(&transform, turn, move);
     assert_near(turn[0], 1.0f);
     assert_near(turn[1], 0.0f);
     assert_near(turn[2], 0.0f);
@@ -44,12 +46,12 @@ static void test_a_quarter_turn_clockwise_brings_the_top_left_to_the_top_right(v
         { 0.0f, 0.0f }, { WIDTH, 0.0f }, { WIDTH, HEIGHT }, { 0.0f, HEIGHT }
     };
     for (uint32_t rotation = 0; rotation < 4; rotation++) {
-        const struct placing placing = turned(rotation);
-        assert_near(placing.x, corner[rotation][0]);
-        assert_near(placing.y, corner[rotation][1]);
-        assert_near(placing.width, rotation & 1u ? HEIGHT : WIDTH);
-        assert_near(placing.height, rotation & 1u ? WIDTH : HEIGHT);
-        const struct placing_part part = placing_part_of(&placing);
+        const struct display_transform transform = turned(rotation);
+        assert_near(transform.x, corner[rotation][0]);
+        assert_near(transform.y, corner[rotation][1]);
+        assert_near(transform.width, rotation & 1u ? HEIGHT : WIDTH);
+        assert_near(transform.height, rotation & 1u ? WIDTH : HEIGHT);
+        const struct display_rect part = display_picture_rect(&transform);
         assert_near(part.left, 0.0f);
         assert_near(part.top, 0.0f);
         assert_near(part.right, WIDTH);
@@ -61,20 +63,20 @@ static void test_who_looks_back_sees_what_opengl_drew_there(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 4u * 8u; i++) {
-        const struct showing showing = { .rotation = i % 4u,
-                                         .inset_x = 0.01f * (float)(i % 7u),
-                                         .inset_y = 0.01f * (float)(i % 5u),
-                                         .shift_x = 0.001f * (float)(i % 3u),
-                                         .shift_y = -0.002f * (float)(i % 4u),
-                                         .light = 1.0f };
-        const struct placing p = placing_of(&showing, WIDTH, HEIGHT);
+        const struct display_settings display_settings = { .rotation = i % 4u,
+                                                           .inset_x = 0.01f * (float)(i % 7u),
+                                                           .inset_y = 0.01f * (float)(i % 5u),
+                                                           .shift_x = 0.001f * (float)(i % 3u),
+                                                           .shift_y = -0.002f * (float)(i % 4u),
+                                                           .light = 1.0f };
+        const struct display_transform p = display_transform_of(&display_settings, WIDTH, HEIGHT);
         float turn[4], move[2];
-        placing_clip(&p, turn, move);
+        display_clip_matrix(&p, turn, move);
         for (uint32_t at = 0; at < 9u; at++) {
             const float x = (float)(at % 3u) - 1.0f, y = (float)(at / 3u) - 1.0f;
             float screen_x = 0.5f * WIDTH * (1.0f + turn[0] * x + turn[2] * y + move[0]);
             float screen_y = 0.5f * HEIGHT * (1.0f - turn[1] * x - turn[3] * y - move[1]);
-            placing_look_back(&p, &screen_x, &screen_y);
+            display_to_picture(&p, &screen_x, &screen_y);
             assert_near(screen_x, 0.5f * p.width * (1.0f + x));
             assert_near(screen_y, 0.5f * p.height * (1.0f - y));
         }
@@ -84,33 +86,36 @@ static void test_who_looks_back_sees_what_opengl_drew_there(void **state)
 static void test_what_is_lost_at_the_screen_s_edges_is_left_free_in_whole_pixels(void **state)
 {
     (void)state;
-    const struct showing showing = { .rotation = 1, .inset_x = 0.0501f, .inset_y = 0.1f,
-                                     .shift_x = 0.0049f, .light = 1.0f };
-    const struct placing placing = placing_of(&showing, WIDTH, HEIGHT);
-    const struct placing_part part = placing_part_of(&placing);
+    const struct display_settings display_settings = {
+        .rotation = 1, .inset_x = 0.0501f, .inset_y = 0.1f, .shift_x = 0.0049f, .light = 1.0f
+    };
+    const struct display_transform transform =
+        display_transform_of(&display_settings, WIDTH, HEIGHT);
+    const struct display_rect part = display_picture_rect(&transform);
     assert_near(part.left, 96.0f + 5.0f);
     assert_near(part.right, WIDTH - 96.0f + 5.0f);
     assert_near(part.top, 108.0f);
     assert_near(part.bottom, HEIGHT - 108.0f);
-    assert_near(placing.width, HEIGHT - 216.0f);
-    assert_near(placing.height, WIDTH - 192.0f);
+    assert_near(transform.width, HEIGHT - 216.0f);
+    assert_near(transform.height, WIDTH - 192.0f);
 }
 
 static void test_absurd_wishes_leave_a_picture(void **state)
 {
     (void)state;
-    const struct showing showing = { .rotation = 7, .inset_x = 3.0f, .inset_y = -1.0f,
-                                     .light = 9.0f };
-    const struct placing placing = placing_of(&showing, 4.0f, 2.0f);
-    assert_near(placing.width, 2.0f);
-    assert_near(placing.height, 2.0f);
-    assert_near(placing.light, 1.0f);
+    const struct display_settings display_settings = {
+        .rotation = 7, .inset_x = 3.0f, .inset_y = -1.0f, .light = 9.0f
+    };
+    const struct display_transform transform = display_transform_of(&display_settings, 4.0f, 2.0f);
+    assert_near(transform.width, 2.0f);
+    assert_near(transform.height, 2.0f);
+    assert_near(transform.light, 1.0f);
 }
 
 static void test_a_pointer_on_a_turned_screen_points_at_what_it_touches(void **state)
 {
     (void)state;
-    const struct showing upright = { .rotation = 1, .inset_x = 0.1f, .light = 1.0f };
+    const struct display_settings upright = { .rotation = 1, .inset_x = 0.1f, .light = 1.0f };
     const struct pointer_report at = { .x_px = 192.0f, .y_px = 270.0f, .width_px = 1920,
                                        .height_px = 1080, .buttons = POINTER_DIP };
     const struct pointer_report on = pointer_report_on(&at, &upright);

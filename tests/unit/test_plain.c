@@ -15,7 +15,7 @@
 #include "platform/plain_file.h"
 #include "platform/species/plain.h"
 
-static char why[PLAIN_WHY_SIZE];
+static char why[TEXT_FILE_WHY_SIZE];
 static FILE *file;
 
 static void test_a_device_a_pipe_and_a_folder_are_no_files(void **state)
@@ -24,14 +24,15 @@ static void test_a_device_a_pipe_and_a_folder_are_no_files(void **state)
     char path[64];
     snprintf(path, sizeof path, "/tmp/kingyo-plain-%d", (int)getpid());
     assert_int_equal(mkfifo(path, 0600), 0);
-    assert_int_equal(plain_open(path, 1024, &file, why), PLAIN_NONE); /* Nobody writes there. */
+    assert_int_equal(text_file_open(path, 1024, &file, why),
+                     TEXT_FILE_NONE); /* Nobody writes there. */
     assert_string_equal(why, "is not a regular file");
     unlink(path);
-    assert_int_equal(plain_open("/dev/zero", 1024, &file, why), PLAIN_NONE);
+    assert_int_equal(text_file_open("/dev/zero", 1024, &file, why), TEXT_FILE_NONE);
     assert_string_equal(why, "is not a regular file");
-    assert_int_equal(plain_open("/tmp", 1024, &file, why), PLAIN_NONE);
+    assert_int_equal(text_file_open("/tmp", 1024, &file, why), TEXT_FILE_NONE);
     assert_string_equal(why, "Is a directory");
-    assert_int_equal(plain_open("/nowhere/x", 1024, &file, why), PLAIN_NONE);
+    assert_int_equal(text_file_open("/nowhere/x", 1024, &file, why), TEXT_FILE_NONE);
     assert_string_equal(why, "No such file or directory");
     assert_null(file);
 }
@@ -42,13 +43,13 @@ static void test_a_byte_too_many_is_too_many(void **state)
     char path[] = "/tmp/kingyo-plain-XXXXXX";
     const int fd = mkstemp(path);
     assert_int_equal(ftruncate(fd, 2048), 0);
-    assert_int_equal(plain_open(path, 2048, &file, why), PLAIN_OPEN);
+    assert_int_equal(text_file_open(path, 2048, &file, why), TEXT_FILE_OPEN);
     fclose(file);
     assert_int_equal(ftruncate(fd, 2049), 0);
-    assert_int_equal(plain_open(path, 2048, &file, why), PLAIN_LARGE);
+    assert_int_equal(text_file_open(path, 2048, &file, why), TEXT_FILE_LARGE);
     assert_string_equal(why, "larger than 2 KiB");
     assert_int_equal(ftruncate(fd, (1 << 20) + 1), 0);
-    assert_int_equal(plain_open(path, 1u << 20, &file, why), PLAIN_LARGE);
+    assert_int_equal(text_file_open(path, 1u << 20, &file, why), TEXT_FILE_LARGE);
     assert_string_equal(why, "larger than 1 MiB");
     close(fd);
     unlink(path);
@@ -60,7 +61,7 @@ static void test_a_file_that_grows_while_it_is_read_ends_at_the_limit(void **sta
     char path[] = "/tmp/kingyo-plain-XXXXXX", bytes[64];
     const int fd = mkstemp(path);
     assert_int_equal(ftruncate(fd, 10), 0);
-    file = plain_file_open(path, 16);
+    file = regular_file_open(path, 16);
     assert_non_null(file);
     assert_int_equal(ftruncate(fd, 16), 0);
     assert_int_equal(fread(bytes, 1, sizeof bytes, file), 16);
@@ -71,17 +72,17 @@ static void test_a_file_that_grows_while_it_is_read_ends_at_the_limit(void **sta
     assert_int_equal(fread(bytes, 1, sizeof bytes, file), 0);
     assert_true(ferror(file));
     assert_int_equal(errno, EFBIG);
-    assert_string_equal(plain_file_error(errno), "is too large");
+    assert_string_equal(regular_file_error(errno), "is too large");
     assert_int_equal(fclose(file), 0);
     close(fd);
     unlink(path);
 }
 
-static enum plain_line first_line(const char *bytes, size_t size, char text[8])
+static enum text_file_line first_line(const char *bytes, size_t size, char text[8])
 {
     FILE *in = fmemopen((void *)(uintptr_t)bytes, size, "r");
     assert_non_null(in);
-    const enum plain_line got = plain_line(in, text, 8);
+    const enum text_file_line got = text_file_line(in, text, 8);
     fclose(in);
     return got;
 }
@@ -90,19 +91,19 @@ static void test_lines_are_as_long_as_there_is_room_and_hold_no_zero(void **stat
 {
     (void)state;
     char text[8];
-    assert_int_equal(first_line("123456\nx", 8, text), PLAIN_LINE);
+    assert_int_equal(first_line("123456\nx", 8, text), TEXT_FILE_LINE);
     assert_string_equal(text, "123456");
-    assert_int_equal(first_line("1234567\n", 8, text), PLAIN_LONG);
-    assert_int_equal(first_line("123456", 6, text), PLAIN_LINE); /* The last needs no end. */
+    assert_int_equal(first_line("1234567\n", 8, text), TEXT_FILE_LONG);
+    assert_int_equal(first_line("123456", 6, text), TEXT_FILE_LINE); /* The last needs no end. */
     assert_string_equal(text, "123456");
-    assert_int_equal(first_line("12\0", 3, text), PLAIN_ZERO);
-    assert_int_equal(first_line("\n", 1, text), PLAIN_LINE);
+    assert_int_equal(first_line("12\0", 3, text), TEXT_FILE_ZERO);
+    assert_int_equal(first_line("\n", 1, text), TEXT_FILE_LINE);
     assert_string_equal(text, "");
     FILE *in = fmemopen((void *)(uintptr_t)"a\nb", 3, "r");
-    assert_int_equal(plain_line(in, text, 8), PLAIN_LINE);
-    assert_int_equal(plain_line(in, text, 8), PLAIN_LINE);
+    assert_int_equal(text_file_line(in, text, 8), TEXT_FILE_LINE);
+    assert_int_equal(text_file_line(in, text, 8), TEXT_FILE_LINE);
     assert_string_equal(text, "b");
-    assert_int_equal(plain_line(in, text, 8), PLAIN_END);
+    assert_int_equal(text_file_line(in, text, 8), TEXT_FILE_END);
     fclose(in);
 }
 

@@ -95,15 +95,15 @@ static void test_larger_words_have_more_ink_in_proportion(void **state)
 
 static void says_age(float days, const char *wanted)
 {
-    char words[PLATE_WORDS_SIZE];
-    plate_age(words, days);
+    char words[CAPTION_WORDS_SIZE];
+    caption_age(words, days);
     assert_string_equal(words, wanted);
 }
 
 static void says_length(float length_m, const char *wanted)
 {
-    char words[PLATE_WORDS_SIZE];
-    plate_length(words, length_m);
+    char words[CAPTION_WORDS_SIZE];
+    caption_length(words, length_m);
     assert_string_equal(words, wanted);
 }
 
@@ -123,11 +123,11 @@ static void test_ages_and_lengths_are_said_in_their_own_units(void **state)
 static void test_names_are_written_as_people_write_them(void **state)
 {
     (void)state;
-    char words[PLATE_WORDS_SIZE];
-    plate_name(words, "long_leaf_2");
+    char words[CAPTION_WORDS_SIZE];
+    caption_name(words, "long_leaf_2");
     assert_string_equal(words, "long leaf 2");
-    plate_name(words, "0123456789012345678901234567890123456789012345678901234567890123456789");
-    assert_int_equal(strlen(words), PLATE_WORDS_SIZE - 1);
+    caption_name(words, "0123456789012345678901234567890123456789012345678901234567890123456789");
+    assert_int_equal(strlen(words), CAPTION_WORDS_SIZE - 1);
 }
 
 static void test_bars_are_one_two_or_five_of_a_unit(void **state)
@@ -137,7 +137,7 @@ static void test_bars_are_one_two_or_five_of_a_unit(void **state)
                                        { 0.005f, 0.005f },  { 0.99f, 0.5f },    { 1.0f, 1.0f },
                                        { 1e-5f, 1e-5f },    { 37.0f, 20.0f } };
     for (uint32_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
-        const float got = plate_round_length_m(wanted[i][0]);
+        const float got = caption_round_length_m(wanted[i][0]);
         assert_true(f_abs(got / wanted[i][1] - 1.0f) < 1e-4f);
     }
 }
@@ -147,7 +147,7 @@ static void test_a_bar_is_as_long_as_it_says(void **state)
     (void)state;
     struct canvas canvas = white_canvas();
     /* 3 px a millimetre, at most 100 px: 20 mm, so 60 px, from 70 to 130. */
-    plate_bar(&canvas, 100.0f, 30.0f, 100.0f, 3000.0f, 10.0f);
+    caption_bar(&canvas, 100.0f, 30.0f, 100.0f, 3000.0f, 10.0f);
     assert_true(canvas.pixels[30 * WIDTH + 71].y < 0.5f);
     assert_true(canvas.pixels[30 * WIDTH + 128].y < 0.5f);
     assert_true(ink(&canvas, 0, 70) == 0.0f && ink(&canvas, 130, WIDTH) == 0.0f);
@@ -159,7 +159,7 @@ static void test_weights_fill_their_bar_in_their_shares(void **state)
     (void)state;
     struct canvas canvas = white_canvas();
     const float weights[MORPH_KEY_MAX] = { 0.25f, 0.0f, 0.75f };
-    plate_weights(&canvas, (struct canvas_box){ 0.0f, 0.0f, 200.0f, 10.0f }, 3, weights);
+    caption_weights(&canvas, (struct canvas_box){ 0.0f, 0.0f, 200.0f, 10.0f }, 3, weights);
     const vec3 red = canvas_colour(key_colour(3, 0)), blue = canvas_colour(key_colour(3, 2));
     assert_true(f_abs(canvas.pixels[49].x - red.x) < 1e-5f);
     assert_true(f_abs(canvas.pixels[50].z - blue.z) < 1e-5f);

@@ -38,10 +38,10 @@ static void drop_into_bowl(uint32_t player, uint32_t which)
     fish->gait = GAIT_HELD;
     fish->holder = (uint8_t)player;
     fish->position_m = v3_add(core.bowl[player].position_m, v3(0.0f, 0.03f, 0.0f));
-    poi->riders[poi->rider_count++] = (struct rider){
+    poi->carried_fish[poi->carried_count++] = (struct carried_fish){
         .fish = (uint16_t)which,
-        .state = RIDER_FALLING,
-        .clear_ticks = RIDER_CLEAR_TICKS,
+        .state = CARRIED_FALLING,
+        .clear_ticks = CARRIED_CLEAR_TICKS,
     };
     ticks(30);
 }
@@ -238,7 +238,8 @@ static void test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in(void **st
     fish->gait = GAIT_HELD;
     fish->holder = 0;
     fish->position_m = v3_add(core.bowl[1].position_m, v3(0.0f, 0.03f, 0.0f));
-    poi->riders[poi->rider_count++] = (struct rider){ .fish = 0, .state = RIDER_FALLING };
+    poi->carried_fish[poi->carried_count++] =
+        (struct carried_fish){ .fish = 0, .state = CARRIED_FALLING };
     ticks(30);
     assert_int_equal(core.bowl[1].fish_count, 1);
     assert_int_equal(look()->caught[1], 1);
@@ -253,10 +254,10 @@ static void test_a_scoop_counts_where_a_hand_leads_it(void **state)
     ticks(60);
     assert_int_equal(core.poi[0].dips, 1);
     for (uint32_t i = 0; i < 3; i++) { /* It drifts out and is led back, three times. */
-        input.poi[0].link = POI_LINK_LOST;
+        input.poi[0].link = POI_SOURCE_LOST;
         ticks(4u * CORE_TICK_HZ);
         assert_true(core.poi[0].immersed <= 0.0f);
-        input.poi[0].link = POI_LINK_LIVE;
+        input.poi[0].link = POI_SOURCE_LIVE;
         ticks(4u * CORE_TICK_HZ);
         assert_true(core.poi[0].immersed > 0.5f);
     }

@@ -126,7 +126,7 @@ static void test_the_hand_feels_the_burdens_moment_about_the_grip(void **state)
     const float weight_n = POI_MASS_KG * GRAVITY_M_S2;
     assert_float_equal(stand.force.torque_n_m.x, -0.130f * weight_n, 0.001f);
     assert_float_equal(stand.force.torque_n_m.z, 0.0f, 1e-5f);
-    stand.poi.riders_kg = 0.003f; /* What catch_tick would have gathered. */
+    stand.poi.carried_kg = 0.003f; /* What catch_tick would have gathered. */
     stand.poi.loads[0] = (struct sheet_load){ 0.03f, 0.0f, 0.02f, -0.003f * GRAVITY_M_S2 };
     stand.poi.load_count = 1;
     const struct poi_grip grip = { stand.hand, 1 };
@@ -320,8 +320,8 @@ static void tick_held(void)
     struct obstacle ring = poi_obstacle(&stand.poi);
     ring.centre_m = v3_sub(ring.centre_m, ring.step_m);
     ring.step_m = ring.velocity_m_s = v3(0.0f, 0.0f, 0.0f);
-    ring.gave = OBSTACLE_GAVE_PLACE;
-    poi_give_way(&stand.poi, &ring);
+    ring.reaction = REACTION_POSITION;
+    poi_apply_reaction(&stand.poi, &ring);
 }
 
 /* The hand goes on for 0.8 s while the ring is held, and then for 0.5 s more. */
@@ -458,9 +458,9 @@ static void glide(float speed_m_s, float course_rad, float roll_rad, int by_mous
     const uint32_t ticks = (uint32_t)(0.4f / speed_m_s * (float)CORE_TICK_HZ);
     for (uint32_t tick = 0; tick < ticks; tick++) {
         const float at_m = speed_m_s * (float)(tick + 1u) * CORE_TICK_S;
-        const vec3 smooth = v3_mad(start, way, at_m);
+        const vec3 smooth = v3_muladd(start, way, at_m);
         if (tick % 2u == 0) {
-            const vec3 next = v3_mad(smooth, way, speed_m_s * CORE_TICK_S);
+            const vec3 next = v3_muladd(smooth, way, speed_m_s * CORE_TICK_S);
             reports[0] = reports[1];
             reports[1] = v3(whole_pixel(next.x), next.y, whole_pixel(next.z));
         }
@@ -528,22 +528,22 @@ static void test_over_the_bowl_the_poi_turns_toward_it_by_55_degrees_and_back(vo
     stand.laden = 1;
     stand_move(&stand, v3(0.18f, 0.05f, 0.15f), 0.5f);
     stand_wait(&stand, 0.2f);
-    assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
+    assert_true(vec_basis_from_angles(stand.poi.angles).up.y > 0.999f);
     stand_move(&stand, v3(0.27f, 0.05f, 0.15f), 0.3f);
     stand_wait(&stand, 1.0f);
-    const struct basis over = basis_from_angles(stand.poi.angles);
+    const struct basis over = vec_basis_from_angles(stand.poi.angles);
     assert_float_equal(f_acos(over.up.y), 55.0f * F_DEG, 0.02f);
     assert_true(over.up.x > 0.8f); /* It lowers its right edge: the bowl is to the right. */
     const float low_m = stand.poi.position_m.y - POI_OUTER_RADIUS_M * f_sin(55.0f * F_DEG);
     assert_true(low_m > stand.bowl.position_m.y);
     stand_move(&stand, v3(0.10f, 0.05f, 0.0f), 0.5f);
     stand_wait(&stand, 1.0f);
-    assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
+    assert_true(vec_basis_from_angles(stand.poi.angles).up.y > 0.999f);
 }
 
 static float tilt_rad(void)
 {
-    return f_acos(basis_from_angles(stand.poi.angles).up.y);
+    return f_acos(vec_basis_from_angles(stand.poi.angles).up.y);
 }
 
 static void test_with_nothing_on_it_the_poi_does_not_turn_over_the_bowl(void **state)
@@ -574,7 +574,7 @@ static void test_the_wrist_never_lowers_the_handle_into_the_bowl(void **state)
         float steepest = 1.0f;
         for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
             stand_tick(&stand);
-            const struct basis axes = basis_from_angles(stand.poi.angles);
+            const struct basis axes = vec_basis_from_angles(stand.poi.angles);
             assert_true(axes.back.y > -0.01f); /* The handle is level or rises to the hand. */
             steepest = f_min(steepest, axes.up.y);
         }
@@ -590,18 +590,18 @@ static void test_a_hand_with_a_wrist_turns_by_itself(void **state)
     stand.laden = 1;
     stand_move(&stand, v3(0.30f, 0.05f, 0.15f), 0.5f);
     stand_wait(&stand, 1.0f);
-    assert_true(basis_from_angles(stand.poi.angles).up.y > 0.999f);
+    assert_true(vec_basis_from_angles(stand.poi.angles).up.y > 0.999f);
 }
 
 /* Whether the ring's centre line is off the bowl's hull all round. */
 static int clear_of_bowl(void)
 {
-    const struct basis axes = basis_from_angles(stand.poi.angles);
+    const struct basis axes = vec_basis_from_angles(stand.poi.angles);
     for (uint32_t i = 0; i < 32; i++) {
         const float a = F_TAU * (float)i / 32.0f;
         const vec3 rim = v3_scale(v3(f_cos(a), 0.0f, f_sin(a)), 0.043f);
-        const vec3 at =
-            v3_sub(v3_add(stand.poi.position_m, basis_to_world(&axes, rim)), stand.bowl.position_m);
+        const vec3 at = v3_sub(v3_add(stand.poi.position_m, vec_basis_to_world(&axes, rim)),
+                               stand.bowl.position_m);
         const float wide = (at.x * at.x + at.z * at.z) / (BOWL_RADIUS_M * BOWL_RADIUS_M);
         if (at.y < 0.0f && wide + at.y * at.y / (BOWL_DEPTH_M * BOWL_DEPTH_M) < 0.9f) {
             return 0;

@@ -49,7 +49,7 @@ static void say_next(void)
     };
     poi_report_encode(&said, bytes);
     stand.clock.now_ns += REPORT_NS;
-    hid_port_sim_say(&stand.wire.port, bytes, sizeof bytes);
+    hid_port_sim_report(&stand.wire.port, bytes, sizeof bytes);
 }
 
 static int poll(struct poi_sample samples[HAL_POI_SAMPLES_MAX])
@@ -78,7 +78,7 @@ static void test_nobody_ever_and_nobody_now_are_told_apart(void **state)
     assert_int_equal(reopen(), HAL_OK);
     assert_int_equal(poll(samples), 0); /* It has not said anything. */
     stand.wire.port.face = NULL;
-    assert_int_equal(reopen(), HAL_ERR_NONE);
+    assert_int_equal(reopen(), HAL_ERR_ABSENT);
 }
 
 static void test_each_report_is_a_sample_of_its_own_time(void **state)
@@ -106,16 +106,16 @@ static void test_the_hand_feels_the_water_if_its_device_can(void **state)
     begin();
     const struct hal_poi device = poi_hid_device(&stand.poi);
     const struct poi_force pull = { .force_n = { 0.0f, -1.5f, 0.0f }, .drag = 0.75f };
-    assert_int_equal(device.ops->feel(device.self, &pull), HAL_ERR_NONE); /* Not opened. */
+    assert_int_equal(device.ops->set_force(device.self, &pull), HAL_ERR_ABSENT); /* Not opened. */
     reopen();
-    assert_int_equal(device.ops->feel(device.self, &pull), HAL_OK);
+    assert_int_equal(device.ops->set_force(device.self, &pull), HAL_OK);
     assert_true(poi_feel_decode(stand.wire.port.sent, stand.wire.port.sent_size, &felt, &sequence));
     assert_int_equal(sequence, 0);
     assert_float_equal(felt.force_n.y, -1.5f, 1e-3f);
     stand.wire.port.busy = 1;
-    assert_int_equal(device.ops->feel(device.self, &pull), HAL_ERR_BUSY);
+    assert_int_equal(device.ops->set_force(device.self, &pull), HAL_ERR_BUSY);
     stand.wire.port.busy = 0;
-    device.ops->feel(device.self, &pull);
+    device.ops->set_force(device.self, &pull);
     poi_feel_decode(stand.wire.port.sent, stand.wire.port.sent_size, &felt, &sequence);
     assert_int_equal(sequence, 1); /* What was not sent is not counted. */
 }
@@ -129,7 +129,7 @@ static void test_a_pad_feels_nothing_and_a_keyboard_is_no_poi(void **state)
     wire_load(&stand.wire, &stand.clock, "016-ci-dualsense");
     const struct hal_poi device = poi_hid_device(&stand.poi);
     reopen();
-    assert_int_equal(device.ops->feel(device.self, &pull), HAL_ERR_NONE);
+    assert_int_equal(device.ops->set_force(device.self, &pull), HAL_ERR_ABSENT);
     begin();
     wire_load(&stand.wire, &stand.clock, "012-compact-keyboard-2222-0099-if1");
     assert_int_equal(reopen(), HAL_OK);
@@ -153,7 +153,7 @@ static void test_who_cannot_play_is_listened_to_by_the_desk(void **state)
     begin();
     wire_load(&stand.wire, &stand.clock, "012-compact-keyboard-2222-0099-if1");
     reopen();
-    poi_hid_show(&stand.poi, (struct hid_watch){ .report = heard, .self = &count });
+    poi_hid_set_observer(&stand.poi, (struct hid_watch){ .report = heard, .self = &count });
     wire_send(&stand.wire, 0);
     wire_send(&stand.wire, 0);
     const struct hal_poi device = poi_hid_device(&stand.poi);
@@ -362,14 +362,14 @@ static void test_a_poi_that_is_pulled_out_in_mid_round_is_lost_and_found_again(v
 {
     (void)state;
     begin_round();
-    assert_false(hand_is_lost(&stand.kiosk.core, 0));
+    assert_false(controller_is_lost(&stand.kiosk.core, 0));
     stand.wire.port.absent = 1;
     frames(60);
-    assert_true(hand_is_lost(&stand.kiosk.core, 0));
+    assert_true(controller_is_lost(&stand.kiosk.core, 0));
     assert_int_equal(stand.kiosk.core.game.phase, PHASE_ROUND);
     stand.wire.port.absent = 0;
     frames(150); /* It is looked for once a second, and believed a quarter of one later. */
-    assert_false(hand_is_lost(&stand.kiosk.core, 0));
+    assert_false(controller_is_lost(&stand.kiosk.core, 0));
     assert_int_equal(stand.kiosk.core.game.phase, PHASE_ROUND);
 }
 
@@ -383,9 +383,9 @@ static void test_a_silent_poi_is_lost_and_one_that_speaks_again_found(void **sta
     stand.wire.port.faults = &fault;
     stand.wire.port.fault_count = 1;
     frames(70);
-    assert_true(hand_is_lost(&stand.kiosk.core, 0));
+    assert_true(controller_is_lost(&stand.kiosk.core, 0));
     frames(40);
-    assert_false(hand_is_lost(&stand.kiosk.core, 0));
+    assert_false(controller_is_lost(&stand.kiosk.core, 0));
 }
 
 int main(void)

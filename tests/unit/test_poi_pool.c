@@ -26,9 +26,9 @@ static struct scene_poi poi_with(float water_m, float pitch_deg, float roll_deg,
 /* World height of the paper at a point of its disc, in radii, as the vertex shader bends it. */
 static float height_m(const struct scene_poi *poi, float x, float z)
 {
-    const struct basis axes = basis_from_angles(poi->angles);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 local = v3(RADIUS_M * x, -poi->sag_m * (1.0f - x * x - z * z), RADIUS_M * z);
-    return v3_add(poi->position_m, basis_to_world(&axes, local)).y;
+    return v3_add(poi->position_m, vec_basis_to_world(&axes, local)).y;
 }
 
 /* Mean depth over the disc, by a grid that the module does not know. */

@@ -28,7 +28,7 @@ static struct {
     struct hal hal;
     struct kiosk kiosk;
     struct poi_config config;
-    struct twin_source twin;
+    struct sensor_source_twin twin;
     struct pose_source source;
     uint64_t next_report_ns;
     uint8_t sequence;
@@ -43,7 +43,7 @@ static void frame(void)
         stall.source.step(stall.source.self, (float)REPORT_NS * 1e-9f, &report);
         report.sequence = stall.sequence++;
         poi_report_encode(&report, bytes);
-        hid_port_sim_say(&stall.wire.port, bytes, sizeof bytes);
+        hid_port_sim_report(&stall.wire.port, bytes, sizeof bytes);
     }
     kiosk_frame(&stall.kiosk, &stall.hal);
 }
@@ -55,7 +55,7 @@ static void begin(uint32_t seed)
     wire_begin(&stall.wire, &stall.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
     poi_config_init(&stall.config);
     sensor_twin_calibrate(&stall.config);
-    stall.source = twin_source(&stall.twin, &stall.config);
+    stall.source = sensor_source_twin(&stall.twin, &stall.config);
     stall.hal = null_hal();
     stall.hal.clock = clock_sim_device(&stall.clock);
     poi_hid_init(&stall.poi, hid_port_sim_port(&stall.wire.port), stall.hal.clock,
@@ -80,7 +80,7 @@ static void test_a_simulated_poi_starts_a_round_is_believed_and_lands_fish(void 
             const int plays = game->phase == PHASE_ROUND;
             rounds += plays && before != PHASE_ROUND;
             round_frames += (uint32_t)plays;
-            lost_frames += plays && hand_is_lost(&stall.kiosk.core, 0);
+            lost_frames += plays && controller_is_lost(&stall.kiosk.core, 0);
             landed += game->player[0].caught > caught ? game->player[0].caught - caught : 0;
             dips += plays && before_m > -0.02f && stall.kiosk.core.poi[0].position_m.y <= -0.02f;
         }

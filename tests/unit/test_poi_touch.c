@@ -167,7 +167,7 @@ static int play_out(void)
         twin_clock.now_ns += 16 * MS;
         result = twin.ops->poll(twin.self, samples, HAL_POI_SAMPLES_MAX);
         for (int k = 0; k < result; k++) {
-            assert_true(trust_can_read(&samples[k].target));
+            assert_true(input_pose_is_finite(&samples[k].target));
             assert_true(samples[k].time_ns >= last.time_ns);
             last = samples[k];
         }
@@ -236,7 +236,7 @@ static void test_it_may_be_unplugged_at_any_event(void **state)
 /* ---- SDL's events --------------------------------------------------------------------------- */
 
 static struct clock_sim clock_state;
-static struct poi_mouse mouse;
+static struct mouse_poi mouse;
 static struct hal_poi poi;
 
 static int open_pointer(uint32_t heeds)
@@ -245,27 +245,27 @@ static int open_pointer(uint32_t heeds)
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     SDL_InitSubSystem(SDL_INIT_VIDEO);
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
-    poi_mouse_init(&mouse, clock_sim_device(&clock_state), stall_view(), WIDTH, HEIGHT, heeds);
-    poi = poi_mouse_device(&mouse);
+    mouse_poi_init(&mouse, clock_sim_device(&clock_state), stall_view(), WIDTH, HEIGHT, heeds);
+    poi = mouse_poi_device(&mouse);
     return poi.ops->open(poi.self);
 }
 
 static int open_both(void **state)
 {
     (void)state;
-    return open_pointer(POINTER_HEEDS_MOUSE | POINTER_HEEDS_FINGERS);
+    return open_pointer(POINTER_FILTER_MOUSE | POINTER_FILTER_TOUCH);
 }
 
 static int open_mouse_alone(void **state)
 {
     (void)state;
-    return open_pointer(POINTER_HEEDS_MOUSE);
+    return open_pointer(POINTER_FILTER_MOUSE);
 }
 
 static int open_touch_alone(void **state)
 {
     (void)state;
-    return open_pointer(POINTER_HEEDS_FINGERS);
+    return open_pointer(POINTER_FILTER_TOUCH);
 }
 
 static int close_pointer(void **state)
@@ -365,7 +365,7 @@ static void test_three_fingers_are_a_start_button(void **state)
 {
     (void)state;
     struct button_sample buttons;
-    const struct hal_buttons device = poi_mouse_buttons(&mouse);
+    const struct hal_buttons device = mouse_poi_buttons(&mouse);
     for (SDL_FingerID id = 1; id <= 3; id++) {
         push_finger(SDL_FINGERDOWN, id, 0.5f, 0.5f);
     }

@@ -35,7 +35,7 @@ static struct poi_target after(struct pointer_poi *pointer, uint64_t ms)
 static void project(const struct pointer_poi *pointer, vec3 point, float *x_px, float *y_px)
 {
     const struct basis axes = view_basis(&pointer->view);
-    const vec3 body = basis_to_body(&axes, v3_sub(point, pointer->view.eye_m));
+    const vec3 body = vec_basis_to_body(&axes, v3_sub(point, pointer->view.eye_m));
     const float tan_y = view_half_height_tan(&pointer->view, (float)WIDTH / (float)HEIGHT);
     const float ndc_x = body.x / -body.z / (tan_y * (float)WIDTH / (float)HEIGHT);
     const float ndc_y = body.y / -body.z / tan_y;

@@ -13,7 +13,7 @@
 
 #define SIDE 240u
 
-static struct portrait portrait;
+static struct fish_preview portrait;
 static struct morph_mesh cut;
 
 static const struct species *take(uint32_t index, float progress)
@@ -21,7 +21,7 @@ static const struct species *take(uint32_t index, float progress)
     const struct species *species = species_table[index];
     struct morph_rig rig;
     morph_rig_init(&rig, &species->card, TEMPLATE_OWN);
-    portrait_take(&portrait, species, &rig, progress);
+    fish_preview_pose(&portrait, species, &rig, progress);
     morph_mesh_cut(&species->lod[0], portrait.positions, portrait.normals, &cut);
     return species;
 }
@@ -31,9 +31,9 @@ static void test_every_fish_fits_its_bounds_with_its_nose_left(void **state)
     (void)state;
     for (uint32_t i = 0; i < species_table_count; i++) {
         take(i, 1.0f);
-        struct portrait_bounds side = portrait_nowhere, above = portrait_nowhere;
-        portrait_measure(&portrait, VIEW_SIDE, &side);
-        portrait_measure(&portrait, VIEW_ABOVE, &above);
+        struct fish_preview_bounds side = fish_preview_nowhere, above = fish_preview_nowhere;
+        fish_preview_measure(&portrait, VIEW_SIDE, &side);
+        fish_preview_measure(&portrait, VIEW_ABOVE, &above);
         assert_true(f_abs(side.left + 0.5f) < 0.02f); /* The snout at z = -0.5. */
         assert_true(side.right > side.left + 0.9f);
         assert_true(above.left == side.left && above.right == side.right);
@@ -50,12 +50,12 @@ static void test_every_fish_is_drawn_in_every_view_and_stays_within(void **state
     for (uint32_t i = 0; i < species_table_count; i++) {
         take(i, 1.0f);
         for (uint32_t view = 0; view < VIEW_COUNT; view++) {
-            struct portrait_bounds b = portrait_nowhere;
+            struct fish_preview_bounds b = fish_preview_nowhere;
             assert_true(canvas_open(&canvas, SIDE, SIDE) && raster_open(&raster, SIDE, SIDE));
-            portrait_measure(&portrait, (enum portrait_view)view, &b);
+            fish_preview_measure(&portrait, (enum fish_preview_view)view, &b);
             const float scale = 0.8f * (float)SIDE / (b.right - b.left);
-            portrait_draw(&portrait, (enum portrait_view)view, 0.5f * (b.left + b.right),
-                          0.5f * (b.low + b.high), scale, &raster);
+            fish_preview_draw(&portrait, (enum fish_preview_view)view, 0.5f * (b.left + b.right),
+                              0.5f * (b.low + b.high), scale, &raster);
             assert_true(raster_finish(&raster, &canvas, 0, 0));
             uint32_t inside = 0, outside = 0;
             for (uint32_t k = 0; k < SIDE * SIDE; k++) {
@@ -142,7 +142,7 @@ static void test_the_sheet_has_room_for_a_tower_of_a_fish(void **state)
     (void)state;
     static struct species tower;
     static struct species_point points[MESH_VERTEX_MAX];
-    static struct morph_pick pick;
+    static struct morph_options pick;
     tower = *species_table[0];
     const struct species_mesh *mesh = &species_table[0]->lod[0];
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {

@@ -17,8 +17,8 @@ static void test_angles_come_back_from_their_axes(void **state)
         for (int pitch = -3; pitch <= 3; pitch++) {
             for (int roll = -3; roll <= 3; roll++) {
                 const struct angles angles = { (float)yaw, 0.5236f * (float)pitch, (float)roll };
-                const struct basis axes = basis_from_angles(angles);
-                const struct basis again = basis_from_angles(pose_angles(&axes));
+                const struct basis axes = vec_basis_from_angles(angles);
+                const struct basis again = vec_basis_from_angles(pose_angles(&axes));
                 same_axes(&axes, &again);
             }
         }
@@ -28,9 +28,9 @@ static void test_angles_come_back_from_their_axes(void **state)
 static void test_a_quarter_turn_about_up_turns_left(void **state)
 {
     (void)state;
-    const struct basis level = basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
+    const struct basis level = vec_basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
     const struct basis turned = pose_turn(&level, v3(0.0f, 1.0f, 0.0f), 0.5f * F_PI);
-    const struct basis left = basis_from_angles((struct angles){ 0.5f * F_PI, 0.0f, 0.0f });
+    const struct basis left = vec_basis_from_angles((struct angles){ 0.5f * F_PI, 0.0f, 0.0f });
     same_axes(&turned, &left);
 }
 

@@ -128,11 +128,11 @@ static void test_an_umpire_does_not_coach(void **state)
 static void test_who_pours_is_told_to_clear_the_rim(void **state)
 {
     (void)state;
-    struct rider washed = { .fish = 1, .state = RIDER_FALLING };
+    struct carried_fish washed = { .fish = 1, .state = CARRIED_FALLING };
     core.tank.fish[1].gait = GAIT_HELD;
     core.tank.fish[1].holder = 0;
     core.tank.fish[1].position_m = v3_add(core.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
-    core.poi[0].riders[core.poi[0].rider_count++] = washed;
+    core.poi[0].carried_fish[core.poi[0].carried_count++] = washed;
     ticks(240);
     assert_int_equal(look()->hint, HINT_CLEAR_RIM);
     assert_int_equal(scene.player[0].fouls, 0); /* A word, not a whistle; and it counts. */

@@ -55,7 +55,7 @@ static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
 static vec3 on_screen(const struct view *view, float aspect, vec3 point_m)
 {
     const struct basis axes = view_basis(view);
-    const vec3 p = basis_to_body(&axes, v3_sub(point_m, view->eye_m));
+    const vec3 p = vec_basis_to_body(&axes, v3_sub(point_m, view->eye_m));
     const float tan_y = view_half_height_tan(view, aspect);
     return v3(p.x / (-p.z * tan_y * aspect), p.y / (-p.z * tan_y), -p.z);
 }
@@ -110,10 +110,10 @@ static void test_living_fish_have_a_slimmer_box_than_the_thesis(void **state)
 {
     (void)state;
     for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
-        const struct law *law = &tank_preset(id)->law;
+        const struct behavior_params *params = &tank_preset(id)->params;
         const float height = id == TANK_PRESET_THESIS ? 0.40f : 0.36f;
-        assert_float_equal(law->height_per_length, height, 1e-6f);
-        assert_float_equal(law->width_per_length, 0.20f, 1e-6f);
+        assert_float_equal(params->height_per_length, height, 1e-6f);
+        assert_float_equal(params->width_per_length, 0.20f, 1e-6f);
     }
 }
 

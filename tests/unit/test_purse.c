@@ -55,13 +55,13 @@ static struct sum sum_to(uint32_t id)
     return sum;
 }
 
-static void expect_balance(uint32_t id, const struct purse *purse)
+static void expect_balance(uint32_t id, const struct balance *balance)
 {
     const struct sum sum = sum_to(id);
-    assert_int_equal(sum.units, purse->units + PRICE * sum.credits);
+    assert_int_equal(sum.units, balance->units + PRICE * sum.credits);
     assert_int_equal(sum.credits + sum.service + sum.back,
-                     purse->paid + purse->service + sum.spent);
-    assert_int_equal(sum.open, purse->open != OPEN_NONE);
+                     balance->paid + balance->service + sum.spent);
+    assert_int_equal(sum.open, balance->open != PAYMENT_NONE);
     assert_true(sum.back <= sum.credits + sum.service); /* None comes back twice. */
 }
 
@@ -69,11 +69,11 @@ static void start(void)
 {
     struct core_config config = { .seed = 7, .fish_count = 4, .round_s = 10,
                                   .credit_coins = PRICE };
-    config.memory.ledger = (struct ledger_start){ .last_id = disk.id, .boots = ++disk.boots };
+    config.persistent.ledger = (struct ledger_start){ .last_id = disk.id, .boots = ++disk.boots };
     if (disk.id > 0) {
-        config.memory.ledger.purse = journal[disk.id].purse;
+        config.persistent.ledger.balance = journal[disk.id].balance;
         for (uint32_t id = 1; id <= disk.id; id++) {
-            struct ledger_stand *stand = &config.memory.ledger.stand;
+            struct ledger_stand *stand = &config.persistent.ledger.stand;
             *stand = stand_after(*stand, &journal[id]);
         }
     }
@@ -123,7 +123,7 @@ static void live(void)
     input.coin_count[2] = lines * (draw(3) == 0);
     fallen += input.coin_count[0] + 5u * input.coin_count[2]; /* The standard. */
     input.pressed = (draw(60) == 0 ? INPUT_START : 0u) | (draw(500) == 0 ? INPUT_SERVICE : 0u);
-    input.poi[0].link = draw(300) == 0 ? POI_LINK_LOST : POI_LINK_LIVE;
+    input.poi[0].link = draw(300) == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
     step();
     take_entries(before);
 }
@@ -136,11 +136,11 @@ static void expect_no_coin_lost(uint32_t began)
         told += journal[id].kind == LEDGER_COINS ? (uint32_t)journal[id].value : 0u;
     }
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        waits += core.game.credit.untold[line].owed;
+        waits += core.game.credit.pending_coins[line].owed;
     }
     assert_int_equal(told + waits, fallen);
-    assert_int_equal(core.game.ledger.purse.untold, waits);
-    expect_balance(output.entry_id, &core.game.ledger.purse);
+    assert_int_equal(core.game.ledger.balance.unlogged, waits);
+    expect_balance(output.entry_id, &core.game.ledger.balance);
 }
 
 static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_doubled(void **state)
@@ -156,23 +156,23 @@ static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_dou
             live();
         }
         expect_no_coin_lost(began);
-        untold += core.game.ledger.purse.untold > 0;
-        begun += core.game.ledger.purse.open != OPEN_NONE;
+        untold += core.game.ledger.balance.unlogged > 0;
+        begun += core.game.ledger.balance.open != PAYMENT_NONE;
         behind += disk.id < output.entry_id;
         assert_true(disk.id >= disk.told);
         if (disk.id > 0) { /* The plug: what is not on the disk was never said to be. */
-            const struct purse left = journal[disk.id].purse;
+            const struct balance left = journal[disk.id].balance;
             expect_balance(disk.id, &left);
-            open += left.open != OPEN_NONE;
+            open += left.open != PAYMENT_NONE;
             start();
             disk.boots--;
             step();
-            const struct purse *now = &core.game.ledger.purse;
-            assert_int_equal(now->open, OPEN_NONE);
-            const uint32_t back = left.open != OPEN_NONE && !(left.open & OPEN_SPENT);
+            const struct balance *now = &core.game.ledger.balance;
+            assert_int_equal(now->open, PAYMENT_NONE);
+            const uint32_t back = left.open != PAYMENT_NONE && !(left.open & PAYMENT_SPENT);
             assert_int_equal(PRICE * (now->paid + now->service) + now->units,
                              PRICE * (left.paid + left.service + back) + left.units +
-                                 left.untold);
+                                 left.unlogged);
         }
     }
     store_is_late = 0;

@@ -130,10 +130,10 @@ static vec3 centre_of_three(const uint32_t order[3])
 static void test_layers_are_seen_by_depth_in_whatever_order_they_were_drawn(void **state)
 {
     (void)state;
-    static const uint32_t orders[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 },
-                                           { 1, 2, 0 }, { 2, 0, 1 }, { 2, 1, 0 } };
+    static const uint32_t commands[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 },
+                                             { 1, 2, 0 }, { 2, 0, 1 }, { 2, 1, 0 } };
     for (uint32_t i = 0; i < 6; i++) {
-        const vec3 centre = centre_of_three(orders[i]);
+        const vec3 centre = centre_of_three(commands[i]);
         assert_true(f_abs(centre.x - 0.5f) < 1e-5f);
         assert_true(f_abs(centre.y - 0.125f) < 1e-5f);
         assert_true(f_abs(centre.z - 0.375f) < 1e-5f);

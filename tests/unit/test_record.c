@@ -51,7 +51,7 @@ static void test_record_ids_go_on_from_what_the_store_has(void **state)
 {
     (void)state;
     struct core_config config = core.config;
-    config.memory.ledger.last_id = 41;
+    config.persistent.ledger.last_id = 41;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     input.record_saved_id = 41;
     play_into_result();
@@ -64,7 +64,7 @@ static void test_record_ids_go_on_from_what_the_store_has(void **state)
 static void test_a_bots_round_is_marked_and_is_no_best(void **state)
 {
     (void)state;
-    input.poi[0].link = POI_LINK_BOT;
+    input.poi[0].link = POI_SOURCE_BOT;
     press(INPUT_START);
     steps(GAME_READY_TICKS);
     land(9);
@@ -91,8 +91,8 @@ static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(voi
     core.tank.fish[1].gait = GAIT_HELD;
     core.tank.fish[1].holder = 0;
     core.tank.fish[1].position_m = core.poi[0].position_m;
-    core.poi[0].riders[0].fish = 1;
-    core.poi[0].rider_count = 1;
+    core.poi[0].carried_fish[0].fish = 1;
+    core.poi[0].carried_count = 1;
     hold_at(ABOVE_M);
     input.pressed = INPUT_START;
     core_tick(&core, &input, &output);
@@ -136,16 +136,16 @@ static void test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_w
     (void)state;
     play_into_round();
     hold_a_fish(1, 0.05f);
-    core.poi[0].riders[0] = (struct rider){ .fish = 1 };
-    core.poi[0].rider_count = 1;
+    core.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
+    core.poi[0].carried_count = 1;
     hold_a_fish(2, 0.05f); /* held, and nobody's rider */
-    input.poi[0].link = POI_LINK_ABSENT;
+    input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);
     assert_true(core.tank.fish[1].position_m.y > 0.045f);
     for (uint32_t i = 0; i < 30; i++) {
         core_tick(&core, &input, &output);
     }
-    assert_int_equal(core.poi[0].rider_count, 0);
+    assert_int_equal(core.poi[0].carried_count, 0);
     assert_true(core.tank.fish[1].gait < GAIT_HELD);
     assert_true(core.tank.fish[2].gait < GAIT_HELD);
     assert_true(core.tank.fish[1].position_m.y < 0.0f);
@@ -174,7 +174,7 @@ static void test_a_round_that_was_left_after_a_while_keeps_its_record(void **sta
     play_into_round();
     step();
     land(3);
-    input.poi[0].link = POI_LINK_ABSENT;
+    input.poi[0].link = POI_SOURCE_ABSENT;
     steps(GAME_LOST_TICKS_MAX + 1u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(output.record.caught, 3);

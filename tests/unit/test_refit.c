@@ -33,7 +33,7 @@ static struct mesh_tables tables;
 static struct species_mesh other; /* The same fish in another tessellation. */
 static struct species_slot slot;
 static struct import_mesh mesh;
-static struct mark_list marks;
+static struct refit_marks marks;
 static vec3 truth[MESH_VERTEX_MAX], positions[MESH_VERTEX_MAX];
 static char why[IMPORT_WHY_SIZE];
 
@@ -90,8 +90,8 @@ static void mark_truth(const struct species_mesh *body, const vec3 *at)
 {
     marks.count = 0;
     for (size_t i = 0; i < MARK_COUNT_HERE; i++) {
-        struct landmark *mark = &marks.marks[marks.count];
-        if (marks_of_template(body, at, mark_names[i], &mark->place)) {
+        struct refit_landmark *mark = &marks.marks[marks.count];
+        if (refit_marks_of_template(body, at, mark_names[i], &mark->place)) {
             snprintf(mark->name, MARK_NAME_SIZE, "%s", mark_names[i]);
             marks.count++;
         }
@@ -145,7 +145,7 @@ static void test_one_species_is_bent_onto_another(void **state)
     assert_non_null(perch);
     loft_otherwise("assets/species/wakin.txt");
     const uint32_t n = species_wakin.card.key_count;
-    char fault[VET_WHY_SIZE] = "";
+    char fault[VALIDATE_WHY_SIZE] = "";
     pack_copy(perch, &slot);
     for (uint32_t key = 0; key < perch->card.key_count; key++) {
         shape_of(&species_wakin.lod[0], n, key + n - perch->card.key_count, truth);
@@ -157,7 +157,7 @@ static void test_one_species_is_bent_onto_another(void **state)
         assert_true(result.to_mesh.mean < 0.003f && result.from_mesh.mean < 0.005f);
         assert_true(result.from_mesh.max < 0.04f);
     }
-    if (!species_vet(&slot.species, fault)) {
+    if (!species_validate(&slot.species, fault)) {
         fail_msg("%s", fault);
     }
 }
@@ -247,12 +247,12 @@ static void test_the_warp_carries_landmarks_and_leaves_what_is_there(void **stat
     const vec3 from[5] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
     vec3 to[5], points[5];
     memcpy(points, from, sizeof from);
-    marks_warp(from, from, 5, points, 5);
+    refit_marks_warp(from, from, 5, points, 5);
     for (int i = 0; i < 5; i++) {
         assert_true(v3_length(v3_sub(points[i], from[i])) < 1e-5f);
         to[i] = v3(2.0f * from[i].x + 0.1f * from[i].y, from[i].y - 3.0f, from[i].z * from[i].z);
     }
-    marks_warp(from, to, 5, points, 5);
+    refit_marks_warp(from, to, 5, points, 5);
     for (int i = 0; i < 5; i++) {
         assert_true(v3_length(v3_sub(points[i], to[i])) < 3e-3f);
     }
@@ -261,7 +261,7 @@ static void test_the_warp_carries_landmarks_and_leaves_what_is_there(void **stat
 static void test_the_tree_finds_what_trying_all_finds(void **state)
 {
     (void)state;
-    static struct tree tree, one;
+    static struct refit_tree tree, one;
     uint32_t random = 12345;
     for (uint32_t i = 0; i < 500; i++) {
         vec3 corner[3];
@@ -269,23 +269,23 @@ static void test_the_tree_finds_what_trying_all_finds(void **state)
             random = random * 1664525u + 1013904223u;
             (&corner[0].x)[k] = (float)(random >> 8) / 16777216.0f + (float)(i % 10) * 0.3f;
         }
-        tree_add(&tree, corner[0], corner[1], corner[2], (uint8_t)(i % 3));
+        refit_tree_add(&tree, corner[0], corner[1], corner[2], (uint8_t)(i % 3));
     }
-    tree_build(&tree);
+    refit_tree_build(&tree);
     for (uint32_t q = 0; q < 200; q++) {
         vec3 at, best_at;
         float best = INFINITY;
         random = random * 1664525u + 1013904223u;
         const vec3 p = v3((float)(random >> 8) / 4e6f, (float)(q % 17) / 5.0f, 0.7f);
-        const uint8_t part = q % 4 == 3 ? TREE_ANY_PART : (uint8_t)(q % 4);
+        const uint8_t part = q % 4 == 3 ? REFIT_TREE_ANY_PART : (uint8_t)(q % 4);
         for (uint32_t i = 0; i < tree.triangle_count; i++) {
-            const struct tree_triangle *t = &tree.triangles[i];
+            const struct refit_tree_triangle *t = &tree.triangles[i];
             one.triangle_count = 0;
-            tree_add(&one, t->corner[0], t->corner[1], t->corner[2], t->part);
-            tree_build(&one);
-            best = fminf(best, tree_nearest(&one, p, part, &best_at));
+            refit_tree_add(&one, t->corner[0], t->corner[1], t->corner[2], t->part);
+            refit_tree_build(&one);
+            best = fminf(best, refit_tree_nearest(&one, p, part, &best_at));
         }
-        assert_float_equal(tree_nearest(&tree, p, part, &at), best, 1e-6f);
+        assert_float_equal(refit_tree_nearest(&tree, p, part, &at), best, 1e-6f);
     }
 }
 
@@ -312,7 +312,7 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
         FILE *out = fopen(path, "w");
         fputs(cases[i].text, out);
         fclose(out);
-        assert_int_equal(marks_read(path, &marks, why), EXIT_BAD_DATA);
+        assert_int_equal(refit_marks_read(path, &marks, why), EXIT_BAD_DATA);
         if (!strstr(why, cases[i].complaint)) {
             fail_msg("'%s' and not '%s'", why, cases[i].complaint);
         }
@@ -322,7 +322,7 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
         fprintf(out, " %s\t%zu 0.5 -1e-3 # here\n", mark_names[i], i);
     }
     fclose(out);
-    assert_int_equal(marks_read(path, &marks, why), EXIT_OK);
+    assert_int_equal(refit_marks_read(path, &marks, why), EXIT_OK);
     assert_int_equal(marks.count, MARK_COUNT_HERE);
     for (uint32_t i = 0; i < marks.count; i++) {
         assert_string_equal(marks.marks[i].name, mark_names[i]);
@@ -331,14 +331,14 @@ static void test_bad_landmarks_are_named_with_their_line(void **state)
     out = fopen(path, "w");
     fprintf(out, "snout 0 0 %0300d\n", 1); /* A line is not cut in two. */
     fclose(out);
-    assert_int_equal(marks_read(path, &marks, why), EXIT_BAD_DATA);
+    assert_int_equal(refit_marks_read(path, &marks, why), EXIT_BAD_DATA);
     assert_non_null(strstr(why, ":1: the line is longer than 254"));
     assert_int_equal(truncate(path, 0) | truncate(path, 65537), 0);
-    assert_int_equal(marks_read(path, &marks, why), EXIT_BAD_DATA);
+    assert_int_equal(refit_marks_read(path, &marks, why), EXIT_BAD_DATA);
     assert_non_null(strstr(why, ": larger than 64 KiB"));
     unlink(path);
-    assert_int_equal(marks_read(path, &marks, why), EXIT_IO);
-    assert_int_equal(marks_read("/dev/zero", &marks, why), EXIT_IO);
+    assert_int_equal(refit_marks_read(path, &marks, why), EXIT_IO);
+    assert_int_equal(refit_marks_read("/dev/zero", &marks, why), EXIT_IO);
 }
 
 int main(void)

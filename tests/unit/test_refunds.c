@@ -33,12 +33,14 @@ static void cut_power(void)
     static uint32_t boots = 1;
     note_entries();
     struct core_config config = core.config;
-    config.chapter = (struct chapter){ 0 };
-    config.memory.audits = core.game.audits;
-    config.memory.ranking = core.game.ranking;
-    config.memory.ledger = (struct ledger_start){
-        .last_id = output.entry_id, .boots = ++boots,
-        .purse = purse_entry(&output, output.entry_id)->purse, .stand = stand,
+    config.session = (struct game_session){ 0 };
+    config.persistent.audits = core.game.audits;
+    config.persistent.ranking = core.game.ranking;
+    config.persistent.ledger = (struct ledger_start){
+        .last_id = output.entry_id,
+        .boots = ++boots,
+        .balance = purse_entry(&output, output.entry_id)->balance,
+        .stand = stand,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     const uint32_t last_id = output.entry_id;
@@ -74,7 +76,7 @@ static void play(uint32_t ticks)
 
 static void lose_controller(void)
 {
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     while (core.game.phase == PHASE_ROUND) {
         noted_steps(1);
     }
@@ -95,7 +97,7 @@ static void expect_refunded(void)
     assert_int_equal(credits(), 1);
     assert_int_equal(audit(AUDIT_ROUNDS), 0);
     assert_int_equal(audit(AUDIT_TICKETS), 0);
-    assert_int_equal(purse()->open, OPEN_NONE);
+    assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
 /* The second of two plays of one credit, or one that was nearly over: the round counts. */
@@ -107,7 +109,7 @@ static void expect_kept(uint32_t refunds)
     assert_int_equal(audit(AUDIT_CAUGHT), FISH);
     assert_int_equal(audit(AUDIT_TICKETS), TICKETS);
     assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, FISH);
-    assert_int_equal(purse()->open, OPEN_NONE);
+    assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
 typedef void (*cut_round)(void);
@@ -160,16 +162,16 @@ static void test_a_credit_that_came_back_is_remembered_over_a_restart(void **sta
     play(10);
     lose_controller();
     cut_power();
-    assert_int_equal(purse()->returned, OPEN_PAID);
+    assert_int_equal(balance()->returned, PAYMENT_PAID);
     drop(PRICE); /* A second credit, which may still come back. */
     assert_int_equal(credits(), 2);
     play(10);
-    assert_int_equal(purse()->open, OPEN_PAID | OPEN_SPENT);
+    assert_int_equal(balance()->open, PAYMENT_PAID | PAYMENT_SPENT);
     lose_controller();
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
     assert_int_equal(credits(), 1);
     play(10);
-    assert_int_equal(purse()->open, OPEN_PAID);
+    assert_int_equal(balance()->open, PAYMENT_PAID);
     lose_controller();
     assert_int_equal(audit(AUDIT_REFUNDS), 2);
     assert_int_equal(credits(), 1);
@@ -182,11 +184,11 @@ static void test_a_service_credit_comes_back_once_too(void **state)
     noted_steps(3);
     play(10);
     lose_controller();
-    assert_int_equal(purse()->service, 1);
-    assert_int_equal(purse()->returned, OPEN_SERVICE);
+    assert_int_equal(balance()->service, 1);
+    assert_int_equal(balance()->returned, PAYMENT_SERVICE);
     play(10);
     lose_controller();
-    assert_int_equal(purse()->service, 0);
+    assert_int_equal(balance()->service, 0);
     assert_int_equal(audit(AUDIT_REFUNDS), 1);
 }
 
@@ -228,7 +230,7 @@ static void test_a_recording_of_format_7_gives_each_credit_back(void **state)
     play(ROUND_S * CORE_TICK_HZ - CORE_TICK_HZ);
     lose_controller();
     expect_refunded();
-    assert_int_equal(purse()->returned, OPEN_NONE);
+    assert_int_equal(balance()->returned, PAYMENT_NONE);
     assert_int_equal(purse_count(&output, LEDGER_STAND), 0);
 }
 
@@ -236,7 +238,7 @@ static void test_a_recording_of_format_7_gives_each_credit_back(void **state)
 
 static void lose_for(uint32_t ticks)
 {
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     noted_steps(ticks);
     hold_at(ABOVE_M);
     noted_steps(CORE_TICK_HZ);
@@ -264,7 +266,7 @@ static void test_losses_that_lie_far_apart_are_not_repeated_ones(void **state)
     drop(PRICE);
     play(10);
     lose_for(2u * CORE_TICK_HZ);
-    core.game.upkeep.loss_tick[0] = core.tick - UPKEEP_LOSS_AGAIN_TICKS;
+    core.game.health_log.loss_tick[0] = core.tick - HEALTH_LOG_LOSS_AGAIN_TICKS;
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);
 }

@@ -102,10 +102,12 @@ static float red_in_hand(float age_days)
     scene.phase = PHASE_WORDLESS;
     scene.poi[0].present = scene.bowl[0].present = 0;
     scene.fish_count = 1;
-    scene.fish[0] = (struct scene_fish){
-        .position_m = v3(0.0f, 0.12f, 0.0f), .length_m = 0.08f, .place = SCENE_ON_POI,
-        .age_days = age_days, .maturity = show_maturity(age_days),
-        .progress = life_progress(&species_wakin.card, age_days) };
+    scene.fish[0] = (struct scene_fish){ .position_m = v3(0.0f, 0.12f, 0.0f),
+                                         .length_m = 0.08f,
+                                         .place = SCENE_ON_POI,
+                                         .age_days = age_days,
+                                         .maturity = scene_maturity(age_days),
+                                         .progress = life_progress(&species_wakin.card, age_days) };
     scene.view.target_m = v3(0.0f, 0.12f, 0.0f);
     scene.view.eye_m = v3(-0.10f, 0.13f, 0.0f);
     picture(pixels[0]);
@@ -125,7 +127,7 @@ static float red_in_album(float age_days, float caught_days)
     core_scene(&core, &scene);
     scene.phase_s = 5.0f;
     scene.album.fish[0].age_days = age_days;
-    scene.album.fish[0].maturity = show_maturity(age_days);
+    scene.album.fish[0].maturity = scene_maturity(age_days);
     scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
     scene.album.fish[0].is_caught = 0; /* Its seal is red, too. */
     for (uint32_t i = 0; i < 20; i++) { /* Until its paint is fine. */

@@ -457,7 +457,7 @@ static void test_a_replaced_start_has_the_bytes_of_a_recording_with_that_start(v
     static uint8_t wanted[sizeof copied];
     (void)state;
     struct core_config other = config;
-    other.memory.ledger.boots = 12345678;
+    other.persistent.ledger.boots = 12345678;
     write_memory_from(&other, 500, sizeof memory);
     const size_t size = replay_copy(&writer, 1, wanted, sizeof wanted);
     write_memory(500, sizeof memory);
@@ -546,7 +546,7 @@ static struct shade_input fan_at(uint32_t tick)
 static void play_and_record(uint32_t seconds, uint32_t lie_at)
 {
     static struct output output;
-    struct input input = { .poi[0].link = POI_LINK_BOT };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     empty_path();
     assert_int_equal(recorder_begin(&recorder, path, &core), 0);
@@ -607,7 +607,7 @@ static void test_a_visit_to_the_operators_menu_is_found_true(void **state)
                                         INPUT_LEFT, INPUT_SERVICE, INPUT_RIGHT, INPUT_TEST,
                                         INPUT_OK,   INPUT_SERVICE, INPUT_START, INPUT_SERVICE };
     struct core_config paid = config;
-    struct input input = { .poi[0].link = POI_LINK_BOT };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
     (void)state;
     paid.credit_coins = 2;
     paid.ticket_fish = 3;
@@ -620,11 +620,12 @@ static void test_a_visit_to_the_operators_menu_is_found_true(void **state)
         input.coin_count[0] = tick % 50u == 7u;
         input.pressed = tick % 30u == 29u ? presses[tick / 30u % 12u] : 0u;
         input.held = tick / 100u % 2u ? INPUT_DOOR : 0u;
-        input.desk.state[0] = CONTROLLER_FREE;
-        input.desk.state[1u + tick / 77u % 7u] = (uint8_t)(tick / 31u % CONTROLLER_STATE_COUNT);
-        input.desk.learn_step = (uint8_t)(tick / 120u);
-        input.desk.learn_progress = (uint8_t)tick;
-        input.desk.file_count = (uint8_t)(tick / 9u);
+        input.controllers.state[0] = CONTROLLER_FREE;
+        input.controllers.state[1u + tick / 77u % 7u] =
+            (uint8_t)(tick / 31u % CONTROLLER_STATE_COUNT);
+        input.controllers.learn_step = (uint8_t)(tick / 120u);
+        input.controllers.learn_progress = (uint8_t)tick;
+        input.controllers.file_count = (uint8_t)(tick / 9u);
         output.sound_count = 0;
         core_tick(&core, &input, &output);
         menu_ticks += core.game.phase == PHASE_MENU;
@@ -632,7 +633,7 @@ static void test_a_visit_to_the_operators_menu_is_found_true(void **state)
     }
     assert_int_equal(recorder_end(&recorder), 0);
     const uint64_t hash = core_hash(&core);
-    assert_true(menu_ticks > CORE_TICK_HZ && output.order_count > 0 && output.coins_counted > 0);
+    assert_true(menu_ticks > CORE_TICK_HZ && output.command_count > 0 && output.coins_counted > 0);
     replay_all();
     assert_int_equal(replayer.damaged, 0);
     assert_int_equal(replayer.difference.found, 0);
@@ -687,7 +688,7 @@ static void test_a_recording_that_a_panic_ends_leads_to_the_panic(void **state)
 {
     static struct output output;
     struct replay_totals totals;
-    struct input input = { .poi[0].link = POI_LINK_BOT };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
     (void)state;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     empty_path();
@@ -716,7 +717,7 @@ static void test_a_recording_that_a_panic_ends_leads_to_the_panic(void **state)
 static void record_into_a_tick(uint32_t count)
 {
     static struct output output;
-    const struct input input = { .poi[0].link = POI_LINK_BOT };
+    const struct input input = { .poi[0].link = POI_SOURCE_BOT };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     empty_path();
     assert_int_equal(recorder_begin(&recorder, path, &core), 0);

@@ -20,7 +20,7 @@ static struct lab_book book, back;
 static struct core core;
 static struct recorder recorder;
 static struct replayer replayer;
-static uint8_t bytes[REPLAY_BOOK_MAX];
+static uint8_t bytes[REPLAY_CATALOG_MAX];
 
 /* All that there may be: eight makers' species, and a graph of each. */
 static void fill(void)
@@ -44,16 +44,16 @@ static int setup(void **state)
 {
     (void)state;
     fill();
-    assert_true(lab_book_is_good(&book));
+    assert_true(lab_book_is_valid(&book));
     return 0;
 }
 
 static void test_the_fullest_book_comes_back_to_the_last_bit(void **state)
 {
     (void)state;
-    const size_t size = replay_book_encode(&book, bytes);
-    assert_in_range(size, 20000, REPLAY_BOOK_MAX);
-    assert_int_equal(replay_book_decode(&back, bytes, size), 1);
+    const size_t size = replay_catalog_encode(&book, bytes);
+    assert_in_range(size, 20000, REPLAY_CATALOG_MAX);
+    assert_int_equal(replay_catalog_decode(&back, bytes, size), 1);
     assert_true(lab_book_hash(HASH_START, &back) == lab_book_hash(HASH_START, &book));
 }
 
@@ -61,23 +61,23 @@ static void test_an_empty_book_costs_nothing(void **state)
 {
     (void)state;
     memset(&book, 0, sizeof book);
-    assert_int_equal(replay_book_encode(&book, bytes), 0);
+    assert_int_equal(replay_catalog_encode(&book, bytes), 0);
 }
 
 static void test_no_altered_book_is_believed_unless_it_is_sound(void **state)
 {
     (void)state;
-    static uint8_t altered[REPLAY_BOOK_MAX];
-    const size_t size = replay_book_encode(&book, bytes);
+    static uint8_t altered[REPLAY_CATALOG_MAX];
+    const size_t size = replay_catalog_encode(&book, bytes);
     uint32_t refused = 0;
     for (uint32_t i = 0; i < 600; i++) {
         const uint32_t bits = rng_u32((struct rng_key){ 3, i, 0, RNG_TEST });
         memcpy(altered, bytes, size);
         altered[bits % size] ^= (uint8_t)(1u << (bits >> 29));
         const size_t cut = i % 4u == 0 ? bits % size : size;
-        const int believed = replay_book_decode(&back, altered, cut);
+        const int believed = replay_catalog_decode(&back, altered, cut);
         refused += believed == 0;
-        assert_true(lab_book_is_good(&back)); /* It is empty where it was refused. */
+        assert_true(lab_book_is_valid(&back)); /* It is empty where it was refused. */
     }
     assert_true(refused > 150);
 }
@@ -91,9 +91,10 @@ static struct input hands(uint32_t tick)
         .upright = bits >> 31 != 0,
         .edit_saved_id = tick / 300u,
         .pressed = tick % 97u == 0 ? INPUT_OK : 0,
-        .poi[0] = { .link = POI_LINK_LIVE, .has_wrist = 1,
-                    .target.position_m = v3(0.85f * x, bits >> 16 & 1u ? -0.02f : 0.04f,
-                                            0.55f * (z - 0.5f)) },
+        .poi[0] = { .link = POI_SOURCE_LIVE,
+                    .has_wrist = 1,
+                    .target.position_m =
+                        v3(0.85f * x, bits >> 16 & 1u ? -0.02f : 0.04f, 0.55f * (z - 0.5f)) },
     };
 }
 

@@ -30,10 +30,10 @@ static void test_the_largest_difference_fits_the_bound(void **state)
                          .edit_saved_id = 5, .edit_refused = 1, .upright = 1, .day = 6,
                          .minute = 7, .dropped_ticks = 8, .device_faults = 9,
                          .tickets_done = 10 };
-    memset(&all.desk, 1, sizeof all.desk);
+    memset(&all.controllers, 1, sizeof all.controllers);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         all.poi[i] = (struct poi_input){
-            .link = POI_LINK_LIVE,
+            .link = POI_SOURCE_LIVE,
             .has_wrist = 1,
             .trembles = 1,
             .age_ticks = 300,
@@ -172,17 +172,17 @@ static void test_a_controller_that_comes_costs_three_bytes_beside_the_mask(void 
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
-    struct input before = { .desk = { .state = { CONTROLLER_PLAYS } } };
+    struct input before = { .controllers = { .state = { CONTROLLER_ACTIVE } } };
     struct input after = before;
-    after.desk.state[7] = CONTROLLER_FREE;
+    after.controllers.state[7] = CONTROLLER_FREE;
     assert_int_equal(replay_encode_input(&before, &after, bytes), 4);
     for (size_t cut = 0; cut < 4; cut++) {
         struct input untouched = before;
         assert_int_equal(replay_decode_input(&untouched, bytes, cut), 0);
-        assert_memory_equal(&untouched.desk, &before.desk, sizeof before.desk);
+        assert_memory_equal(&untouched.controllers, &before.controllers, sizeof before.controllers);
     }
     assert_int_equal(replay_decode_input(&before, bytes, 4), 4);
-    assert_memory_equal(&before.desk, &after.desk, sizeof after.desk);
+    assert_memory_equal(&before.controllers, &after.controllers, sizeof after.controllers);
 }
 
 static void test_a_desk_that_no_recorder_writes_is_refused(void **state)
@@ -203,7 +203,7 @@ static void test_a_desk_that_no_recorder_writes_is_refused(void **state)
     const uint8_t good[4] = { DESK, 0, ROW, CONTROLLER_MAX - 1 };
     struct input input = { 0 };
     assert_int_equal(replay_decode_input(&input, good, 4), 4);
-    assert_int_equal(input.desk.learn_row, CONTROLLER_MAX - 1);
+    assert_int_equal(input.controllers.learn_row, CONTROLLER_MAX - 1);
 }
 
 static uint32_t draw(uint32_t tick, uint32_t what)
@@ -241,7 +241,7 @@ static void test_a_hand_that_only_grows_old_costs_five_bytes(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
-    struct input before = { .poi[2] = { .link = POI_LINK_LIVE, .age_ticks = 254 } };
+    struct input before = { .poi[2] = { .link = POI_SOURCE_LIVE, .age_ticks = 254 } };
     struct input after = before;
     for (after.poi[2].age_ticks = 255; after.poi[2].age_ticks < 258; after.poi[2].age_ticks++) {
         assert_int_equal(replay_encode_input(&before, &after, bytes), 5);
@@ -265,7 +265,7 @@ static void test_a_poi_that_no_recorder_writes_is_refused(void **state)
         struct input input = { 0 };
         assert_int_equal(replay_decode_input(&input, refused[i], sizeof refused[i]), 0);
     }
-    const uint8_t good[8] = { HANDS, POI_0, BYTE, TREMBLES | POI_LINK_LIVE };
+    const uint8_t good[8] = { HANDS, POI_0, BYTE, TREMBLES | POI_SOURCE_LIVE };
     struct input input = { 0 };
     assert_int_equal(replay_decode_input(&input, good, sizeof good), 4);
     assert_int_equal(input.poi[0].trembles, 1);

@@ -14,7 +14,7 @@
 
 static struct core core;
 static struct core_config config, back;
-static uint8_t bytes[REPLAY_START_MAX];
+static uint8_t bytes[REPLAY_INITIAL_STATE_MAX];
 
 static uint32_t draw(uint32_t at, uint32_t what)
 {
@@ -47,35 +47,35 @@ static void fill_ranking(struct ranking *ranking)
 }
 
 /* The fullest stall there is. */
-static void limit_purse(struct purse *purse)
+static void limit_purse(struct balance *balance)
 {
-    uint32_t *const counts[] = { &purse->units, &purse->bonus_units, &purse->paid, &purse->service,
-                                 &purse->untold };
+    uint32_t *const counts[] = { &balance->units, &balance->bonus_units, &balance->paid,
+                                 &balance->service, &balance->unlogged };
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
-        *counts[i] %= PURSE_MAX;
+        *counts[i] %= BALANCE_MAX;
     }
-    purse->open %= OPEN_SERVICE + 1u;
-    purse->returned = purse->returned % 2u ? OPEN_PAID : OPEN_SERVICE;
-    purse->tickets %= PURSE_TICKETS_MAX;
+    balance->open %= PAYMENT_SERVICE + 1u;
+    balance->returned = balance->returned % 2u ? PAYMENT_PAID : PAYMENT_SERVICE;
+    balance->tickets %= BALANCE_TICKETS_MAX;
 }
 
-static void bring_into_range(struct chapter *chapter)
+static void bring_into_range(struct game_session *session)
 {
-    struct ledger *ledger = &chapter->ledger;
+    struct ledger *ledger = &session->ledger;
     ledger->last_id %= LEDGER_ID_MAX;
     ledger->saved_id %= ledger->last_id + 1u;
     ledger->boot %= LEDGER_BOOTS_MAX;
     ledger->minute %= 24u * 60u;
-    ledger->is_well &= 1u;
-    chapter->upkeep.is_told &= 1u;
-    limit_purse(&ledger->purse);
-    limit_purse(&ledger->kept);
+    ledger->is_healthy &= 1u;
+    session->health_log.is_told &= 1u;
+    limit_purse(&ledger->balance);
+    limit_purse(&ledger->committed);
     for (uint32_t i = 0; i < LEDGER_RING; i++) {
         limit_purse(&ledger->after[i]);
     }
     for (uint32_t i = 0; i < COIN_LINE_COUNT; i++) {
-        chapter->credit.untold[i].units %= PURSE_MAX;
-        chapter->credit.untold[i].owed %= PURSE_MAX;
+        session->credit.pending_coins[i].units %= BALANCE_MAX;
+        session->credit.pending_coins[i].owed %= BALANCE_MAX;
     }
 }
 
@@ -91,19 +91,19 @@ static void fill(void)
                                    .players = 3,
                                    .credit_coins = 7,
                                    .ticket_fish = 9 };
-    scatter(&config.memory.ledger, sizeof config.memory.ledger, 2);
-    scatter(&config.memory.audits, sizeof config.memory.audits, 3);
-    fill_ranking(&config.memory.ranking);
-    scatter(&config.chapter, sizeof config.chapter, 5);
-    bring_into_range(&config.chapter);
-    config.memory.ledger.last_id %= LEDGER_ID_MAX;
-    config.memory.ledger.boots %= LEDGER_BOOTS_MAX;
-    limit_purse(&config.memory.ledger.purse);
-    config.memory.ledger.stand = (struct ledger_stand){ 0x01020304, 0xf0005, 0x60 };
-    config.chapter.language.chosen = LANGUAGE_EN;
+    scatter(&config.persistent.ledger, sizeof config.persistent.ledger, 2);
+    scatter(&config.persistent.audits, sizeof config.persistent.audits, 3);
+    fill_ranking(&config.persistent.ranking);
+    scatter(&config.session, sizeof config.session, 5);
+    bring_into_range(&config.session);
+    config.persistent.ledger.last_id %= LEDGER_ID_MAX;
+    config.persistent.ledger.boots %= LEDGER_BOOTS_MAX;
+    limit_purse(&config.persistent.ledger.balance);
+    config.persistent.ledger.stand = (struct ledger_stand){ 0x01020304, 0xf0005, 0x60 };
+    config.session.language.chosen = LANGUAGE_EN;
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const struct setting *setting = setting_of(id);
-        config.memory.settings.value[id] = draw(id, 4) % 2u ? setting->min : setting->max;
+        const struct setting *setting = settings_entry(id);
+        config.persistent.settings.value[id] = draw(id, 4) % 2u ? setting->min : setting->max;
     }
 }
 
@@ -112,10 +112,10 @@ static void test_the_fullest_memory_comes_back_to_the_bit(void **state)
 {
     (void)state;
     fill();
-    const size_t size = replay_start_encode(&config, bytes);
-    assert_in_range(size, 4000, REPLAY_START_MAX / 2u);
+    const size_t size = replay_initial_state_encode(&config, bytes);
+    assert_in_range(size, 4000, REPLAY_INITIAL_STATE_MAX / 2u);
     memset(&back, 0, sizeof back);
-    assert_int_equal(replay_start_decode(&back, bytes, size, REPLAY_VERSION), 1);
+    assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
     assert_int_equal(core_init(&core, &config), CORE_OK);
     const uint64_t hash = core_hash(&core);
     assert_int_equal(core_init(&core, &back), CORE_OK);
@@ -127,39 +127,39 @@ static void test_a_stall_that_remembers_nothing_costs_few_bytes(void **state)
     (void)state;
     const struct core_config fresh = { .seed = 7, .fish_count = 12 };
     assert_int_equal(core_init(&core, &fresh), CORE_OK); /* Its settings are at their standard. */
-    const size_t size = replay_start_encode(&core.config, bytes);
+    const size_t size = replay_initial_state_encode(&core.config, bytes);
     assert_in_range(size, 10, 80);
-    assert_int_equal(replay_start_decode(&back, bytes, size, REPLAY_VERSION), 1);
-    assert_memory_equal(&back.memory, &core.config.memory, sizeof back.memory);
+    assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
+    assert_memory_equal(&back.persistent, &core.config.persistent, sizeof back.persistent);
 }
 
 static void test_cut_anywhere_or_with_more_behind_it_is_refused(void **state)
 {
     (void)state;
     fill();
-    const size_t size = replay_start_encode(&config, bytes);
+    const size_t size = replay_initial_state_encode(&config, bytes);
     for (size_t cut = 0; cut < size; cut++) {
-        assert_int_equal(replay_start_decode(&back, bytes, cut, REPLAY_VERSION), 0);
+        assert_int_equal(replay_initial_state_decode(&back, bytes, cut, REPLAY_VERSION), 0);
     }
     bytes[size] = 128; /* Two zeros more. */
-    assert_int_equal(replay_start_decode(&back, bytes, size + 1u, REPLAY_VERSION), 0);
+    assert_int_equal(replay_initial_state_decode(&back, bytes, size + 1u, REPLAY_VERSION), 0);
 }
 
 static void test_what_no_recorder_writes_is_refused(void **state)
 {
     (void)state;
     fill();
-    config.memory.ranking.row[1][2][9].seat = POI_MAX - 1u;
-    size_t size = replay_start_encode(&config, bytes);
-    assert_int_equal(replay_start_decode(&back, bytes, size, REPLAY_VERSION), 1);
+    config.persistent.ranking.row[1][2][9].seat = POI_MAX - 1u;
+    size_t size = replay_initial_state_encode(&config, bytes);
+    assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 1);
     memset(bytes, 0xff, sizeof bytes); /* 129 zeros each: far more than there are fields. */
-    assert_int_equal(replay_start_decode(&back, bytes, sizeof bytes, REPLAY_VERSION), 0);
+    assert_int_equal(replay_initial_state_decode(&back, bytes, sizeof bytes, REPLAY_VERSION), 0);
     memset(bytes, 0x41, sizeof bytes); /* A name that does not end. */
     for (size_t i = 0; i < sizeof bytes; i += 129) {
         bytes[i] = 127;
     }
     for (size = 0; size < sizeof bytes; size++) {
-        assert_int_equal(replay_start_decode(&back, bytes, size, REPLAY_VERSION), 0);
+        assert_int_equal(replay_initial_state_decode(&back, bytes, size, REPLAY_VERSION), 0);
     }
 }
 

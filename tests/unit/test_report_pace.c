@@ -16,7 +16,7 @@
 
 /* A controller that delivers one report each time `due` is set. */
 static struct {
-    struct poi_hand hand;
+    struct poi_sampler hand;
     uint64_t now_ns;
     int due, is_stamped;
 } rig;
@@ -45,8 +45,8 @@ static void frame(uint64_t now_ns, int due)
 {
     rig.now_ns = now_ns;
     rig.due = due;
-    assert_int_equal(poi_hand_sample(&rig.hand, &device, now_ns), 0);
-    poi_hand_end(&rig.hand);
+    assert_int_equal(poi_sampler_sample(&rig.hand, &device, now_ns), 0);
+    poi_sampler_end(&rig.hand);
 }
 
 static int setup(void **state)
@@ -54,7 +54,7 @@ static int setup(void **state)
     (void)state;
     memset(&rig, 0, sizeof rig);
     rig.is_stamped = 1;
-    assert_int_equal(poi_hand_open(&rig.hand, &device, BEGIN_NS), 0);
+    assert_int_equal(poi_sampler_open(&rig.hand, &device, BEGIN_NS), 0);
     frame(BEGIN_NS, 0); /* The first measured second begins here. */
     return 0;
 }
@@ -113,11 +113,11 @@ static void test_the_files_page_has_a_row_for_the_store_and_one_for_each_note(vo
 {
     static struct file_notes notes;
     (void)state;
-    assert_int_equal(dressing_file_count(NULL), 1);
-    assert_int_equal(dressing_file_count(&notes), 1);
+    assert_int_equal(operator_view_file_count(NULL), 1);
+    assert_int_equal(operator_view_file_count(&notes), 1);
     file_notes_add(&notes, FILE_USED, "koi.kfish", "");
     file_notes_add(&notes, FILE_REFUSED, "pois/x.poi", "no map");
-    assert_int_equal(dressing_file_count(&notes), 3);
+    assert_int_equal(operator_view_file_count(&notes), 3);
 }
 
 static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
@@ -126,17 +126,18 @@ static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
     const struct hal hal = null_hal();
     static struct scene scene;
     static struct input input;
-    static struct poi_hand hands[POI_MAX];
-    static struct line_book lines;
+    static struct poi_sampler hands[POI_MAX];
+    static struct operator_view_lines lines;
     static struct scene_machine machine;
     (void)state;
     file_notes_add(&notes, FILE_USED, "koi.kfish", "a koi");
     scene.phase = PHASE_MENU;
-    dressing_put(&scene, &hal, &(struct dressing){ .notes = &notes,
-                                                   .input = &input,
-                                                   .hands = hands,
-                                                   .lines = &lines,
-                                                   .machine = &machine });
+    operator_view_fill(&scene, &hal,
+                       &(struct operator_view){ .notes = &notes,
+                                                .input = &input,
+                                                .hands = hands,
+                                                .lines = &lines,
+                                                .machine = &machine });
     assert_string_equal(scene.devices.file[0].words, hal.storage.ops->describe(hal.storage.self));
     assert_string_equal(scene.devices.file[1].name, "koi.kfish");
     assert_int_equal(scene.devices.file[2].state, FILE_UNKNOWN);

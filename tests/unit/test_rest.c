@@ -35,7 +35,7 @@ static void project(vec3 at_m, float *x, float *y)
 {
     const struct view *view = &tank_preset(core.tank.preset)->view;
     const struct basis axes = view_basis(view);
-    const vec3 seen = basis_to_body(&axes, v3_sub(at_m, view->eye_m));
+    const vec3 seen = vec_basis_to_body(&axes, v3_sub(at_m, view->eye_m));
     const float tan_y = view_half_height_tan(view, view->aspect_min);
     *x = seen.x / (-seen.z * tan_y * view->aspect_min);
     *y = seen.y / (-seen.z * tan_y);
@@ -98,7 +98,7 @@ static void test_every_poi_has_a_place_of_its_own_in_the_picture(void **state)
 static void bots(uint32_t players)
 {
     for (uint32_t i = 0; i < players; i++) {
-        input.poi[i].link = POI_LINK_BOT;
+        input.poi[i].link = POI_SOURCE_BOT;
     }
 }
 
@@ -130,7 +130,7 @@ static void expect_put_away(uint32_t index, uint32_t players)
     const struct shade_cast *cast = &core.tank.shade[SHADE_MAX + index].cast;
     assert_true(look()->player[index].out);
     assert_false(cast->present);
-    assert_false(rest_is_met(&core, index));
+    assert_false(parking_collides(&core, index));
     expect_own_place(index, players);
 }
 
@@ -166,11 +166,11 @@ static void test_after_the_third_foul_what_lay_on_it_swims_again(void **state)
         tick();
     }
     ticks(30);
-    assert_int_equal(core.poi[0].rider_count, 1);
+    assert_int_equal(core.poi[0].carried_count, 1);
     core.game.player[0].out = 1; /* As the umpire says. */
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);
-    assert_int_equal(core.poi[0].rider_count, 0);
+    assert_int_equal(core.poi[0].carried_count, 0);
     assert_int_not_equal(core.tank.fish[0].gait, GAIT_HELD);
 }
 
@@ -178,7 +178,7 @@ static void test_who_was_waited_for_too_long_is_put_away(void **state)
 {
     (void)state;
     play(2);
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     for (uint32_t i = 0; i < 2u * GAME_LOST_TICKS_OTHERS && !core.game.player[0].out; i++) {
         tick();
     }

@@ -14,7 +14,7 @@ static void test_tipped_over_the_tank_a_fish_slides_off_and_swims_on(void **stat
     const uint32_t fish = lifted(4, 3, 0.0f);
     stand_turn(&stand, 0.0f, 55.0f * F_DEG, 0.3f);
     stand_wait(&stand, 1.0f);
-    assert_int_equal(stand.poi.rider_count, 0);
+    assert_int_equal(stand.poi.carried_count, 0);
     assert_int_equal(stand.landed, 0);
     assert_true(stand.tank.fish[fish].position_m.y < 0.0f);
     assert_true(stand.tank.fish[fish].position_m.x > 0.0f); /* Off the lowered right side. */
@@ -28,7 +28,7 @@ static void test_a_slight_tilt_keeps_the_fish_behind_the_ring(void **state)
         lifted(4, seed, 0.0f);
         stand_turn(&stand, 0.0f, 24.0f * F_DEG, 0.5f);
         stand_wait(&stand, 1.0f);
-        kept += stand.poi.rider_count;
+        kept += stand.poi.carried_count;
     }
     assert_in_range(kept, 17, 20);
 }
@@ -40,10 +40,10 @@ static void test_near_the_rim_a_fish_may_flop_out_and_in_the_middle_it_hardly_do
     for (uint32_t seed = 0; seed < 40; seed++) {
         stand_lift(&stand, 4, seed, 0.0f, -0.5f * F_PI);
         stand_wait(&stand, 2.0f);
-        middle += stand.poi.rider_count;
+        middle += stand.poi.carried_count;
         stand_lift(&stand, 4, seed, 0.034f, -0.5f * F_PI); /* Nose out over the ring. */
         stand_wait(&stand, 2.0f);
-        rim += stand.poi.rider_count;
+        rim += stand.poi.carried_count;
     }
     assert_true(middle >= 38);
     assert_in_range(rim, 20, middle - 1u);
@@ -62,7 +62,7 @@ static uint32_t kept_at(float tilt_rad)
         stand_move(&stand, v3(0.26f, 0.08f, 0.15f), 0.3f);
         stand_turn(&stand, 0.0f, tilt_rad, 0.3f);
         stand_wait(&stand, 1.0f);
-        kept += stand.poi.rider_count;
+        kept += stand.poi.carried_count;
     }
     return kept;
 }
@@ -95,7 +95,7 @@ static uint32_t lifted_of_24(int is_wild, float lift_m_s)
         stand_move(&stand, v3(0.0f, -0.03f, 0.0f), 0.1f);
         stand_move(&stand, v3(0.0f, 0.05f, 0.0f), lift_m_s);
         stand_wait(&stand, 0.2f);
-        kept += stand.poi.rider_count;
+        kept += stand.poi.carried_count;
     }
     return kept;
 }

@@ -17,11 +17,11 @@ static void test_a_fish_slaps_and_calms_down(void **state)
     uint32_t early = 0, late = 0;
     for (uint32_t tick = 0; tick < 10u * CORE_TICK_HZ; tick++) {
         stand_tick(&stand);
-        assert_int_equal(stand.poi.rider_count, 1);
-        const struct rider *rider = &stand.poi.riders[0];
-        assert_true(rider->slap_n <= 0.15f);
-        early += tick < 2u * CORE_TICK_HZ && rider->slap_s > 0.0f && rider->slap_n > 0.02f;
-        late += tick >= 8u * CORE_TICK_HZ && rider->slap_s > 0.0f && rider->slap_n > 0.02f;
+        assert_int_equal(stand.poi.carried_count, 1);
+        const struct carried_fish *carried = &stand.poi.carried_fish[0];
+        assert_true(carried->slap_n <= 0.15f);
+        early += tick < 2u * CORE_TICK_HZ && carried->slap_s > 0.0f && carried->slap_n > 0.02f;
+        late += tick >= 8u * CORE_TICK_HZ && carried->slap_s > 0.0f && carried->slap_n > 0.02f;
     }
     assert_true(early > 10);
     assert_true(late < early / 4u);
@@ -31,13 +31,13 @@ static void test_one_that_was_taken_by_surprise_slaps_by_half(void **state)
 {
     (void)state;
     lifted(4, 1, 0.0f);
-    const float wild = stand.poi.riders[0].vigour;
+    const float wild = stand.poi.carried_fish[0].vigour;
     stand_init(&stand, 4, 1);
     stand_dip(&stand);
     stand_fish(&stand, v3(0.0f, -0.045f, 0.005f), 0.045f); /* It rests. */
     stand_move(&stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
-    assert_int_equal(stand.poi.rider_count, 1);
-    assert_float_equal(stand.poi.riders[0].vigour, 0.55f * wild, 0.02f);
+    assert_int_equal(stand.poi.carried_count, 1);
+    assert_float_equal(stand.poi.carried_fish[0].vigour, 0.55f * wild, 0.02f);
 }
 
 static void test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost(void **state)
@@ -45,23 +45,29 @@ static void test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost(v
     (void)state;
     stand_init(&stand, 4, 1);
     float weight_n = 0.0f;
-    for (uint32_t i = 0; i < POI_RIDER_MAX; i++) {
+    for (uint32_t i = 0; i < POI_CARRIED_MAX; i++) {
         const uint32_t fish = stand_fish(&stand, v3(0.0f, 0.06f, 0.0f), 0.03f);
         const float x_m = 0.012f * (float)(i % 4u) - 0.018f;
         const float z_m = 0.012f * (float)(i / 4u) - 0.018f;
         stand.tank.fish[fish].gait = GAIT_HELD;
-        stand.poi.riders[i] = (struct rider){
-            .fish = (uint16_t)fish, .side = 1, .x_m = x_m, .z_m = z_m, .height_m = 0.003f,
-            .lie = 1.0f, .rest_s = 1.0f, .slap_s = 0.02f, .slap_n = 1e-3f, .slap_d_m = 0.003f
-        };
+        stand.poi.carried_fish[i] = (struct carried_fish){ .fish = (uint16_t)fish,
+                                                           .side = 1,
+                                                           .x_m = x_m,
+                                                           .z_m = z_m,
+                                                           .height_m = 0.003f,
+                                                           .lie = 1.0f,
+                                                           .rest_s = 1.0f,
+                                                           .slap_s = 0.02f,
+                                                           .slap_n = 1e-3f,
+                                                           .slap_d_m = 0.003f };
         weight_n += fish_mass_kg(0.03f) * GRAVITY_M_S2 + 1e-3f;
     }
-    stand.poi.rider_count = POI_RIDER_MAX;
+    stand.poi.carried_count = POI_CARRIED_MAX;
     const struct stall stall = { &stand.tank, &stand.bowl, 1 };
     struct catch_result caught[POI_MAX] = { 0 };
     catch_tick(&stand.poi, 0, &stall, 0, &stand.output, caught);
-    assert_int_equal(stand.poi.rider_count, POI_RIDER_MAX);
-    assert_int_equal(stand.poi.load_count, 2u * POI_RIDER_MAX);
+    assert_int_equal(stand.poi.carried_count, POI_CARRIED_MAX);
+    assert_int_equal(stand.poi.load_count, 2u * POI_CARRIED_MAX);
     float force_n = 0.0f;
     for (uint32_t i = 0; i < stand.poi.load_count; i++) {
         force_n -= stand.poi.loads[i].force_n;
@@ -75,11 +81,11 @@ static void test_every_rider_may_slap_at_once_and_none_of_their_weight_is_lost(v
 static void lay_slapping(float x_m, float heading_rad, float left_s)
 {
     stand_init(&stand, 4, 1);
-    struct rider *rider = stand_lay(&stand, 0.05f, x_m, 0.0f, heading_rad);
-    rider->slap_s = left_s;
-    rider->slap_n = 0.05f;
-    const struct basis level = basis_from_angles(stand.poi.angles);
-    burden_gather(&stand.poi, &level, -GRAVITY_M_S2, stand.tank.fish);
+    struct carried_fish *carried = stand_lay(&stand, 0.05f, x_m, 0.0f, heading_rad);
+    carried->slap_s = left_s;
+    carried->slap_n = 0.05f;
+    const struct basis level = vec_basis_from_angles(stand.poi.angles);
+    carried_load_gather(&stand.poi, &level, -GRAVITY_M_S2, stand.tank.fish);
 }
 
 static void test_a_slap_falls_where_the_tail_is(void **state)
@@ -123,11 +129,11 @@ static void test_a_tail_over_a_hole_slaps_no_paper(void **state)
     (void)state;
     stand_init(&stand, 4, 1);
     stand_punch(&stand, 0.021f, 0.0f, 0.006f);
-    struct rider *rider = stand_lay(&stand, 0.05f, 0.0f, 0.0f, 0.5f * F_PI);
-    rider->slap_s = 0.02f;
-    rider->slap_n = 0.05f;
-    const struct basis level = basis_from_angles(stand.poi.angles);
-    burden_gather(&stand.poi, &level, -GRAVITY_M_S2, stand.tank.fish);
+    struct carried_fish *carried = stand_lay(&stand, 0.05f, 0.0f, 0.0f, 0.5f * F_PI);
+    carried->slap_s = 0.02f;
+    carried->slap_n = 0.05f;
+    const struct basis level = vec_basis_from_angles(stand.poi.angles);
+    carried_load_gather(&stand.poi, &level, -GRAVITY_M_S2, stand.tank.fish);
     assert_float_equal(stand.poi.loads[0].diameter_m, 0.020f, 0.0f);
 }
 
@@ -163,8 +169,8 @@ static void test_a_fish_taken_up_near_the_rim_has_its_tail_beyond_the_ring(void 
         const uint32_t fish = stand_fish(&stand, v3(0.030f, -0.045f, 0.0f), 0.045f);
         stand.tank.fish[fish].angles.yaw_rad = 0.5f * F_PI; /* Looks in over the paper. */
         stand_move(&stand, v3(0.0f, 0.01f, 0.0f), 0.18f);
-        assert_int_equal(stand.poi.rider_count, 1);
-        rider_tail(&stand.poi.riders[0], 0.045f, &x_m, &z_m);
+        assert_int_equal(stand.poi.carried_count, 1);
+        carried_fish_tail(&stand.poi.carried_fish[0], 0.045f, &x_m, &z_m);
         beyond += !sheet_holds(&stand.poi.sheet, x_m, z_m);
     }
     assert_in_range(beyond, 9, 10);
@@ -173,16 +179,16 @@ static void test_a_fish_taken_up_near_the_rim_has_its_tail_beyond_the_ring(void 
 static void test_water_bears_it_by_as_much_as_it_is_under(void **state)
 {
     (void)state;
-    const struct basis level = basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
+    const struct basis level = vec_basis_from_angles((struct angles){ 0.0f, 0.0f, 0.0f });
     stand_init(&stand, 4, 1);
-    struct rider *rider = stand_lay(&stand, 0.05f, 0.0f, 0.0f, 0.0f);
-    const struct fish *fish = &stand.tank.fish[rider->fish];
+    struct carried_fish *carried = stand_lay(&stand, 0.05f, 0.0f, 0.0f, 0.0f);
+    const struct fish *fish = &stand.tank.fish[carried->fish];
     const float y_m[] = { 0.01f, 0.0f, -0.5f * fish->width_m, -fish->width_m, -0.05f };
     const float dry[] = { 1.0f, 1.0f, 0.5f, 0.0f, 0.0f };
     for (int i = 0; i < 5; i++) {
         stand.poi.position_m.y = y_m[i];
-        assert_float_equal(burden_dryness(&stand.poi, &level, rider, fish), dry[i], 1e-5f);
-        burden_gather(&stand.poi, &level, -GRAVITY_M_S2, stand.tank.fish);
+        assert_float_equal(carried_load_dryness(&stand.poi, &level, carried, fish), dry[i], 1e-5f);
+        carried_load_gather(&stand.poi, &level, -GRAVITY_M_S2, stand.tank.fish);
         const float bears_n = stand.poi.load_count > 0 ? -stand.poi.loads[0].force_n : 0.0f;
         assert_float_equal(bears_n, dry[i] * fish_mass_kg(0.05f) * GRAVITY_M_S2, 1e-6f);
     }
@@ -194,19 +200,19 @@ static void test_a_fish_falls_through_a_hole_that_is_under_it(void **state)
 {
     (void)state;
     const uint32_t fish = lifted(4, 1, 0.0f);
-    const struct rider rider = stand.poi.riders[0];
+    const struct carried_fish carried = stand.poi.carried_fish[0];
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        const float x = ((float)(cell % SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - rider.x_m;
-        const float z = ((float)(cell / SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - rider.z_m;
+        const float x = ((float)(cell % SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - carried.x_m;
+        const float z = ((float)(cell / SHEET_SIDE) + 0.5f) * 0.0025f - 0.04f - carried.z_m;
         if (stand.poi.sheet.state[cell] == CELL_PAPER && x * x + z * z < 0.015f * 0.015f) {
             stand.poi.sheet.state[cell] = CELL_HOLE;
             stand.poi.sheet.paper_cells--;
         }
     }
     stand_wait(&stand, 0.05f);
-    assert_int_equal(stand.poi.riders[0].state, RIDER_FALLING);
+    assert_int_equal(stand.poi.carried_fish[0].state, CARRIED_FALLING);
     stand_wait(&stand, 0.5f);
-    assert_int_equal(stand.poi.rider_count, 0);
+    assert_int_equal(stand.poi.carried_count, 0);
     assert_int_not_equal(stand.tank.fish[fish].gait, GAIT_HELD);
     assert_true(stand.tank.fish[fish].position_m.y < 0.0f);
     assert_int_equal(stand.landed, 0);
@@ -216,19 +222,19 @@ static void test_a_hole_elsewhere_drops_nobody(void **state)
 {
     (void)state;
     lifted(4, 1, 0.0f);
-    const float away = stand.poi.riders[0].x_m > 0.0f ? -0.03f : 0.03f;
+    const float away = stand.poi.carried_fish[0].x_m > 0.0f ? -0.03f : 0.03f;
     const uint32_t column = (uint32_t)((away + 0.04f) / 0.0025f);
     stand.poi.sheet.state[SHEET_SIDE / 2u * SHEET_SIDE + column] = CELL_HOLE;
     stand.poi.sheet.paper_cells--;
     stand_wait(&stand, 0.5f);
-    assert_int_equal(stand.poi.rider_count, 1);
+    assert_int_equal(stand.poi.carried_count, 1);
 }
 
 /* Whether a fish of 5 cm whose nose looks to the left stays up at a place. */
 static int stays(float x_m, float z_m)
 {
-    struct rider *rider = stand_lay(&stand, 0.05f, x_m, z_m, 0.5f * F_PI);
-    return footing_holds(&stand.poi.sheet, rider, &stand.tank.fish[rider->fish]);
+    struct carried_fish *carried = stand_lay(&stand, 0.05f, x_m, z_m, 0.5f * F_PI);
+    return carried_support_holds(&stand.poi.sheet, carried, &stand.tank.fish[carried->fish]);
 }
 
 static void test_a_pinhole_under_its_middle_drops_nobody_and_one_of_its_girth_does(void **state)

@@ -15,7 +15,7 @@
 #include "platform/say.h"
 
 static char place[] = "/tmp/kingyo-say-XXXXXX";
-static char said[2u * SAY_LINE_MAX];
+static char said[2u * LOG_LINE_MAX];
 
 /* Says a warning with standard error led into a file; what $JOURNAL_STREAM is then, by `shift` off
  * the file's own inode. */
@@ -32,8 +32,8 @@ static void say_into_file(int shift, const char *words)
     setenv("JOURNAL_STREAM", journal, 1);
     fflush(stderr);
     dup2(file, STDERR_FILENO);
-    say_prepare();
-    say(SAY_WARNING, "%s", words);
+    log_open();
+    log_print(LOG_LEVEL_WARNING, "%s", words);
     fflush(stderr);
     dup2(before, STDERR_FILENO);
     close(before);
@@ -42,7 +42,7 @@ static void say_into_file(int shift, const char *words)
     close(file);
     unlink(place);
     unsetenv("JOURNAL_STREAM");
-    say_prepare();
+    log_open();
 }
 
 static void test_a_journal_gets_the_priority(void **state)
@@ -69,20 +69,20 @@ static void test_a_line_holds_no_control_character(void **state)
 
 static void test_a_long_line_is_cut_and_ends(void **state)
 {
-    static char words[2u * SAY_LINE_MAX];
+    static char words[2u * LOG_LINE_MAX];
     (void)state;
     memset(words, 'x', sizeof words - 1u);
     say_into_file(0, words);
-    assert_in_range(strlen(said), SAY_LINE_MAX - 64u, SAY_LINE_MAX - 1u);
+    assert_in_range(strlen(said), LOG_LINE_MAX - 64u, LOG_LINE_MAX - 1u);
     assert_int_equal(said[strlen(said) - 1u], '\n');
 }
 
 static void test_no_variable_no_journal(void **state)
 {
     (void)state;
-    assert_int_equal(say_is_journal(NULL, STDERR_FILENO), 0);
-    assert_int_equal(say_is_journal("", STDERR_FILENO), 0);
-    assert_int_equal(say_is_journal("8:12345", -1), 0);
+    assert_int_equal(log_is_journal(NULL, STDERR_FILENO), 0);
+    assert_int_equal(log_is_journal("", STDERR_FILENO), 0);
+    assert_int_equal(log_is_journal("8:12345", -1), 0);
 }
 
 int main(void)

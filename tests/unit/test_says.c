@@ -18,11 +18,11 @@
 #include "platform/storage.h"
 #include "platform/watchdog.h"
 
-static char out[SAYS_SIZE];
+static char out[MESSAGE_TRANSLATE_SIZE];
 
 static const char *in_japanese(const char *line)
 {
-    says(out, sizeof out, LANGUAGE_JA, line);
+    message_translate(out, sizeof out, LANGUAGE_JA, line);
     return out;
 }
 
@@ -33,21 +33,21 @@ static void test_every_pattern_is_its_own(void **state)
     for (uint32_t key = TEXT_SAYS_NO_PICTURE; key <= TEXT_SAYS_NO_ROOM; key++) {
         const char *words[2] = { text_words(LANGUAGE_EN, (enum text_key)key),
                                  text_words(LANGUAGE_JA, (enum text_key)key) };
-        char line[2][SAYS_SIZE];
+        char line[2][MESSAGE_TRANSLATE_SIZE];
         for (uint32_t side = 0; side < 2u; side++) {
             char name[] = "x0";
             size_t length = 0;
             for (const char *c = words[side]; *c; c++) {
                 const int is_gap = c[0] == '{' && c[1] == '}';
-                length += (size_t)snprintf(line[side] + length, SAYS_SIZE - length, "%.*s",
-                                           is_gap ? 2 : 1, is_gap ? name : c);
+                length += (size_t)snprintf(line[side] + length, MESSAGE_TRANSLATE_SIZE - length,
+                                           "%.*s", is_gap ? 2 : 1, is_gap ? name : c);
                 name[1] = (char)(name[1] + is_gap);
                 c += is_gap;
             }
         }
         assert_string_not_equal(line[0], line[1]);
         assert_string_equal(in_japanese(line[0]), line[1]);
-        says(out, sizeof out, LANGUAGE_EN, line[0]);
+        message_translate(out, sizeof out, LANGUAGE_EN, line[0]);
         assert_string_equal(out, line[0]);
     }
 }
@@ -122,7 +122,7 @@ static void test_what_is_no_regular_file_is_known(void **state)
     static const int errors[] = { ELOOP, ENOTSUP, EFBIG };
     (void)state;
     for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
-        expect_japanese(plain_file_error(errors[i]));
+        expect_japanese(regular_file_error(errors[i]));
     }
     assert_string_equal(in_japanese("/var/lib/kingyo/usb.txt: is not a regular file"),
                         "/var/lib/kingyo/usb.txt：ふつうのファイルではありません");
@@ -132,10 +132,11 @@ static void test_what_is_no_regular_file_is_known(void **state)
 /* All that a store can be like, in the words that it has for it today. */
 static void test_whatever_the_store_says_is_known(void **state)
 {
-    static const int errors[] = { SQLITE_BUSY,  SQLITE_LOCKED,  SQLITE_FULL,    SQLITE_READONLY,
-                                  SQLITE_IOERR, SQLITE_CORRUPT, SQLITE_CANTOPEN, SQLITE_NOTADB,
-                                  LEDGER_FILE_ANOTHERS, LEDGER_FILE_NEWER,
-                                  LEDGER_FILE_HELD, LEDGER_FILE_LINK, LEDGER_FILE_MOVED };
+    static const int errors[] = { SQLITE_BUSY,       SQLITE_LOCKED,      SQLITE_FULL,
+                                  SQLITE_READONLY,   SQLITE_IOERR,       SQLITE_CORRUPT,
+                                  SQLITE_CANTOPEN,   SQLITE_NOTADB,      LEDGER_FILE_FOREIGN,
+                                  LEDGER_FILE_NEWER, LEDGER_FILE_LOCKED, LEDGER_FILE_LINK,
+                                  LEDGER_FILE_MOVED };
     static struct storage storage;
     const struct hal_storage store = storage_device(&storage);
     (void)state;
@@ -163,7 +164,7 @@ static void test_what_is_too_long_ends_after_a_whole_character(void **state)
 {
     (void)state;
     for (size_t size = 1; size < 40u; size++) {
-        says(out, size, LANGUAGE_JA, "three fingers start");
+        message_translate(out, size, LANGUAGE_JA, "three fingers start");
         const size_t length = strlen(out);
         assert_true(length < size && length % 3u == 0 && length + 3u >= (size < 28u ? size : 0u));
         assert_memory_equal(out, "三本の指でスタート", length);

@@ -18,7 +18,7 @@ static int setup(void **state)
     (void)state;
     const struct core_config config = {
         .seed = 11,
-        .memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught = 8,
+        .persistent.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught = 8,
         .language = LANGUAGE_EN,
     };
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -102,7 +102,7 @@ static void test_fish_redden_between_fifty_and_a_hundred_and_twenty_days(void **
 static void test_paper_shows_wetness_damage_and_holes(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_LINK_BOT;
+    core.poi[0].link = POI_SOURCE_BOT;
     struct sheet *sheet = &core.poi[0].sheet;
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
     sheet->wetness[middle] = 1.0f;
@@ -121,7 +121,7 @@ static void test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is
 {
     (void)state;
     struct poi *poi = &core.poi[0];
-    poi->link = POI_LINK_BOT;
+    poi->link = POI_SOURCE_BOT;
     poi->position_m = v3(0.11f, -0.02f, 0.07f);
     poi->angles = (struct angles){ .yaw_rad = 0.1f, .pitch_rad = 0.2f, .roll_rad = 0.3f };
     poi->sheet.sag_m = 0.0021f;
@@ -141,7 +141,7 @@ static void test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is
 static void test_cells_beyond_the_ring_continue_the_paper_inside(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_LINK_BOT;
+    core.poi[0].link = POI_SOURCE_BOT;
     core_scene(&core, &scene);
     const uint32_t row = SHEET_SIDE / 4u * SHEET_SIDE;
     assert_int_equal(core.poi[0].sheet.state[row], CELL_OUTSIDE);
@@ -151,7 +151,7 @@ static void test_cells_beyond_the_ring_continue_the_paper_inside(void **state)
 static void test_paper_shows_its_stress_and_has_none_where_it_has_gone(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_LINK_BOT;
+    core.poi[0].link = POI_SOURCE_BOT;
     struct sheet *sheet = &core.poi[0].sheet;
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
     memset(sheet->stress, 40, sizeof sheet->stress);
@@ -168,7 +168,7 @@ static void test_paper_shows_its_stress_and_has_none_where_it_has_gone(void **st
 static void test_only_a_round_of_practice_colours_the_paper(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_LINK_BOT;
+    core.poi[0].link = POI_SOURCE_BOT;
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         for (uint8_t phase = PHASE_ATTRACT; phase <= PHASE_RESULT; phase++) {
             core.game.mode = mode;
@@ -199,7 +199,7 @@ static void test_every_mode_tells_its_time_and_paper(void **state)
 static void test_what_a_poi_carries_is_told_as_a_depth(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_LINK_BOT;
+    core.poi[0].link = POI_SOURCE_BOT;
     core.poi[0].film_kg = 0.0f;
     core.poi[0].water_kg = core.poi[0].pool_kg = 0.005f; /* 5 g on 50 cm2: 1 mm. */
     core_scene(&core, &scene);
@@ -243,7 +243,7 @@ static void test_a_bowl_leans_as_it_heels_and_tells_where_its_water_stands(void 
     core.bowl[0].heel_x = 0.10f;
     core.bowl[0].heel_z = -0.05f;
     core_scene(&core, &scene);
-    const vec3 up = basis_from_angles(scene.bowl[0].angles).up;
+    const vec3 up = vec_basis_from_angles(scene.bowl[0].angles).up;
     assert_float_equal(up.x, 0.10f, 2e-3f);
     assert_float_equal(up.z, -0.05f, 2e-3f);
     assert_true(scene.bowl[0].water_below_m > 0.0f);

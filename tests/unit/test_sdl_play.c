@@ -27,8 +27,8 @@
 /* Where whoever plays wants the ring to be. */
 static struct sdl_player {
     struct clock_sim clock;
-    struct pads pads;
-    struct poi_mouse pointer;
+    struct gamepads gamepads;
+    struct mouse_poi pointer;
     struct hal hal;
     struct kiosk kiosk;
     void (*say)(void);  /* Puts the wish into SDL's queue. */
@@ -54,7 +54,7 @@ static void frame(void)
     player.say();
     SDL_PumpEvents();
     kiosk_frame(&player.kiosk, &player.hal);
-    assert_false(hand_is_lost(&player.kiosk.core, 0));
+    assert_false(controller_is_lost(&player.kiosk.core, 0));
 }
 
 static void frames(uint32_t count)
@@ -68,7 +68,7 @@ static void frames(uint32_t count)
 
 static SDL_Joystick *joystick(void)
 {
-    return SDL_GameControllerGetJoystick(player.pads.pad[0].controller);
+    return SDL_GameControllerGetJoystick(player.gamepads.pad[0].controller);
 }
 
 /* A thumb pushes fully from 8 cm on; inside 15 % of the way the stick is dead. */
@@ -89,7 +89,7 @@ static void say_pad(void)
 static void to_window(vec3 point, float *x, float *y)
 {
     const struct basis axes = view_basis(stall_view());
-    const vec3 body = basis_to_body(&axes, v3_sub(point, stall_view()->eye_m));
+    const vec3 body = vec_basis_to_body(&axes, v3_sub(point, stall_view()->eye_m));
     const float aspect = (float)WIDTH / (float)HEIGHT;
     const float tan_y = view_half_height_tan(stall_view(), aspect);
     *x = 0.5f * (body.x / -body.z / (tan_y * aspect) + 1.0f);
@@ -177,7 +177,7 @@ static void try_once(int flies)
         player.over_m = flies ? ring_m() : player.over_m;
         frame();
     }
-    if (player.kiosk.core.poi[0].rider_count > 0) {
+    if (player.kiosk.core.poi[0].carried_count > 0) {
         const vec3 bowl_m = player.kiosk.core.bowl[0].position_m;
         go_to(v3(bowl_m.x, POINTER_HOVER_M, bowl_m.z), 0.012f, 200);
         frames(100);
@@ -218,7 +218,7 @@ static int end(void **state)
     (void)state;
     while (SDL_NumJoysticks() > 0 && SDL_JoystickDetachVirtual(0) == 0) {
     }
-    pads_close(&player.pads);
+    gamepads_close(&player.gamepads);
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
     return 0;
 }
@@ -226,14 +226,14 @@ static int end(void **state)
 static void test_a_pad_lands_fish(void **state)
 {
     (void)state;
-    pads_init(&player.pads, player.hal.clock, stall_view());
-    assert_int_equal(pads_open(&player.pads, NULL), HAL_OK);
+    gamepads_init(&player.gamepads, player.hal.clock, stall_view());
+    assert_int_equal(gamepads_open(&player.gamepads, NULL), HAL_OK);
     assert_true(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER,
                                           SDL_CONTROLLER_AXIS_MAX,
                                           SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1, 0) >= 0);
-    pads_pump(&player.pads);
-    assert_non_null(player.pads.pad[0].controller);
-    player.hal.poi[0] = pads_poi(&player.pads, 0);
+    gamepads_poll(&player.gamepads);
+    assert_non_null(player.gamepads.pad[0].controller);
+    player.hal.poi[0] = gamepad_poi_device(&player.gamepads, 0);
     player.say = say_pad;
     assert_true(landed_in(4, 1, "a pad") >= 4);
 }
@@ -241,9 +241,9 @@ static void test_a_pad_lands_fish(void **state)
 static void test_fingers_land_fish(void **state)
 {
     (void)state;
-    poi_mouse_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
-                   POINTER_HEEDS_FINGERS);
-    player.hal.poi[0] = poi_mouse_device(&player.pointer);
+    mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
+                   POINTER_FILTER_TOUCH);
+    player.hal.poi[0] = mouse_poi_device(&player.pointer);
     player.say = say_fingers;
     player.x = player.y = 0.5f;
     push_finger(SDL_FINGERDOWN, 1, player.x, player.y);

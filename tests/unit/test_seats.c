@@ -13,15 +13,16 @@
 /* ---- The rule ------------------------------------------------------------------------------- */
 
 enum { USB0, USB1, USB2, USB3, PAD0, PAD1, PAD2, PAD3, MOUSE, COUNT };
-#define NOBODY SEAT_EMPTY
+#define NOBODY SLOT_NONE
 #define BIT(who) (1u << (who))
 
-static const uint8_t kinds[COUNT] = { SEAT_USB, SEAT_USB, SEAT_USB, SEAT_USB,    SEAT_PAD,
-                                      SEAT_PAD, SEAT_PAD, SEAT_PAD, SEAT_POINTER };
+static const uint8_t kinds[COUNT] = { INPUT_KIND_USB,     INPUT_KIND_USB,     INPUT_KIND_USB,
+                                      INPUT_KIND_USB,     INPUT_KIND_GAMEPAD, INPUT_KIND_GAMEPAD,
+                                      INPUT_KIND_GAMEPAD, INPUT_KIND_GAMEPAD, INPUT_KIND_POINTER };
 
 static void assert_share(uint8_t seat[POI_MAX], uint32_t there, const uint8_t wanted[POI_MAX])
 {
-    seats_share(seat, kinds, COUNT, there);
+    input_mux_assign(seat, kinds, COUNT, there);
     assert_memory_equal(seat, wanted, POI_MAX);
 }
 
@@ -68,7 +69,7 @@ static void test_any_company_is_seated_well(void **state)
             rng_u32((struct rng_key){ 6, turn, 0, RNG_TEST }) & (BIT(COUNT) - 1u);
         const uint32_t guests = (uint32_t)__builtin_popcount(there);
         uint32_t seen = 0;
-        seats_share(seat, kinds, COUNT, there);
+        input_mux_assign(seat, kinds, COUNT, there);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             assert_int_equal(seat[i] != NOBODY, i < guests);
             if (seat[i] != NOBODY) {
@@ -115,11 +116,12 @@ static int source_feel(void *self, const struct poi_force *force)
     return HAL_OK;
 }
 
-static void source_look(void *self, const struct view *view, const struct showing *showing)
+static void source_look(void *self, const struct view *view,
+                        const struct display_settings *display_settings)
 {
     struct source *source = self;
     (void)view;
-    (void)showing;
+    (void)display_settings;
     source->looked++;
 }
 
@@ -136,25 +138,25 @@ static int source_is_there(void *self)
     return source->there;
 }
 
-static struct seats seats;
+static struct input_mux seats;
 static struct source usb, pad, mouse;
 
-static void add(struct source *source, enum seat_kind kind)
+static void add(struct source *source, enum input_kind kind)
 {
     static const struct hal_poi_ops ops = {
         .open = source_open,
         .poll = source_poll,
-        .feel = source_feel,
-        .look = source_look,
+        .set_force = source_feel,
+        .set_view = source_look,
         .describe = source_describe,
     };
-    const struct seat_source one = {
+    const struct input_source one = {
         .poi = { .ops = &ops, .self = source },
         .is_there = source_is_there,
         .self = source,
         .kind = (uint8_t)kind,
     };
-    assert_int_equal(seats_add(&seats, &one), 0);
+    assert_int_equal(input_mux_add(&seats, &one), 0);
 }
 
 static int begin(void **state)
@@ -162,33 +164,33 @@ static int begin(void **state)
     (void)state;
     usb = pad = (struct source){ 0 };
     mouse = (struct source){ .there = 1 };
-    seats_init(&seats, "plug one in");
-    add(&usb, SEAT_USB);
-    add(&pad, SEAT_PAD);
-    add(&mouse, SEAT_POINTER);
+    input_mux_init(&seats, "plug one in");
+    add(&usb, INPUT_KIND_USB);
+    add(&pad, INPUT_KIND_GAMEPAD);
+    add(&mouse, INPUT_KIND_POINTER);
     return 0;
 }
 
 static uint32_t arrange(int may_move)
 {
-    const struct hal_seats device = seats_device(&seats);
+    const struct hal_seats device = input_mux_device(&seats);
     return device.ops->arrange(device.self, may_move);
 }
 
 static void test_a_seat_passes_on_to_whoever_sits_there(void **state)
 {
     (void)state;
-    const struct hal_poi poi = seats_poi(&seats, 0);
+    const struct hal_poi poi = input_mux_poi(&seats, 0);
     struct poi_sample sample;
-    assert_int_equal(poi.ops->open(poi.self), HAL_ERR_NONE);
-    assert_int_equal(poi.ops->poll(poi.self, &sample, 1), HAL_ERR_NONE);
+    assert_int_equal(poi.ops->open(poi.self), HAL_ERR_ABSENT);
+    assert_int_equal(poi.ops->poll(poi.self, &sample, 1), HAL_ERR_ABSENT);
     assert_string_equal(poi.ops->describe(poi.self), "plug one in");
     assert_int_equal(arrange(1), 1u);
     assert_int_equal(poi.ops->open(poi.self), HAL_OK);
     assert_int_equal(poi.ops->poll(poi.self, &sample, 1), 1);
     assert_int_equal(mouse.polled, 1);
     assert_string_equal(poi.ops->describe(poi.self), "a source");
-    const struct hal_poi second = seats_poi(&seats, 1);
+    const struct hal_poi second = input_mux_poi(&seats, 1);
     assert_string_equal(second.ops->describe(second.self), "");
 }
 
@@ -210,7 +212,7 @@ static void test_a_better_one_gets_the_seat_between_games_only(void **state)
 static void test_a_lost_one_keeps_its_seat_while_the_game_lasts(void **state)
 {
     (void)state;
-    const struct hal_poi poi = seats_poi(&seats, 0);
+    const struct hal_poi poi = input_mux_poi(&seats, 0);
     struct poi_sample sample;
     usb.there = 1;
     arrange(1);
@@ -238,8 +240,8 @@ static void test_one_that_stands_in_sits_where_nobody_else_does_or_once_it_is_us
     assert_int_equal(arrange(1), 1u);
     pad.there = 1;
     assert_int_equal(arrange(1), 1u);
-    const struct hal_poi second = seats_poi(&seats, 1);
-    assert_int_equal(second.ops->open(second.self), HAL_ERR_NONE);
+    const struct hal_poi second = input_mux_poi(&seats, 1);
+    assert_int_equal(second.ops->open(second.self), HAL_ERR_ABSENT);
     arrange(1);
     assert_int_equal(mouse.polled, 1); /* Without a seat, lest nobody sees that it is moved. */
     mouse.there = 1;
@@ -256,15 +258,15 @@ static void test_who_lost_his_in_a_game_takes_up_another_of_its_kind(void **stat
     (void)state;
     static struct source second, third;
     second = third = (struct source){ 0 };
-    add(&second, SEAT_USB);
-    add(&third, SEAT_USB);
+    add(&second, INPUT_KIND_USB);
+    add(&third, INPUT_KIND_USB);
     usb.there = second.there = 1;
     arrange(1);
     usb.there = 0;
     assert_int_equal(arrange(0), 0u); /* The second has a seat, the mouse is no poi. */
     third.there = 1;
     assert_int_equal(arrange(0), 1u);
-    const struct hal_poi poi = seats_poi(&seats, 0);
+    const struct hal_poi poi = input_mux_poi(&seats, 0);
     struct poi_sample sample;
     poi.ops->poll(poi.self, &sample, 1);
     assert_int_equal(third.polled, 1);
@@ -277,7 +279,7 @@ static void test_who_has_no_seat_is_listened_to(void **state)
 {
     (void)state;
     while (seats.source_count < POI_MAX + 1u) {
-        add(&pad, SEAT_PAD);
+        add(&pad, INPUT_KIND_GAMEPAD);
     }
     usb.there = pad.there = 1;
     arrange(1);
@@ -293,9 +295,9 @@ static void test_who_has_no_seat_is_listened_to(void **state)
 static void test_who_sits_down_is_told_the_view(void **state)
 {
     (void)state;
-    const struct hal_poi poi = seats_poi(&seats, 0);
-    poi.ops->look(poi.self, &tank_preset(TANK_PRESET_FESTIVAL)->view,
-                  &(struct showing){ .light = 1.0f });
+    const struct hal_poi poi = input_mux_poi(&seats, 0);
+    poi.ops->set_view(poi.self, &tank_preset(TANK_PRESET_FESTIVAL)->view,
+                      &(struct display_settings){ .light = 1.0f });
     arrange(1);
     assert_int_equal(mouse.looked, 0);
     poi.ops->open(poi.self);
@@ -305,11 +307,11 @@ static void test_who_sits_down_is_told_the_view(void **state)
 static void test_a_hand_that_stands_up_feels_nothing_more(void **state)
 {
     (void)state;
-    const struct hal_poi poi = seats_poi(&seats, 0);
+    const struct hal_poi poi = input_mux_poi(&seats, 0);
     const struct poi_force force = { .drag = 1.0f };
     pad.there = 1;
     arrange(1);
-    poi.ops->feel(poi.self, &force);
+    poi.ops->set_force(poi.self, &force);
     assert_true(pad.felt.drag == 1.0f);
     usb.there = 1;
     arrange(1);
@@ -319,11 +321,11 @@ static void test_a_hand_that_stands_up_feels_nothing_more(void **state)
 static void test_one_source_too_many_is_refused(void **state)
 {
     (void)state;
-    while (seats.source_count < SEAT_SOURCE_MAX) {
-        add(&pad, SEAT_PAD);
+    while (seats.source_count < INPUT_SOURCE_MAX) {
+        add(&pad, INPUT_KIND_GAMEPAD);
     }
-    assert_int_equal(seats_add(&seats, &seats.source[0]), -1);
-    assert_int_equal(seats.source_count, SEAT_SOURCE_MAX);
+    assert_int_equal(input_mux_add(&seats, &seats.source[0]), -1);
+    assert_int_equal(seats.source_count, INPUT_SOURCE_MAX);
 }
 
 int main(void)

@@ -37,14 +37,14 @@ static int setup_page(void **state)
 {
     setup(state);
     store_is_late = 0;
-    settings_reset(&core.config.memory.settings);
-    adjust_init(&core.game.adjust, &core.config);
+    settings_reset(&core.config.persistent.settings);
+    settings_edit_init(&core.game.settings_edit, &core.config);
     memset(&scene, 0, sizeof scene);
     scene.devices.frames_a_second = 60;
     scene.devices.machine = well;
     scene.devices.lines[0] = 'x';
-    core.config.memory.settings.value[SET_PLAY] = PLAY_PAID;
-    adjust_init(&core.game.adjust, &core.config);
+    core.config.persistent.settings.value[SET_PLAY] = PLAY_PAID;
+    settings_edit_init(&core.game.settings_edit, &core.config);
     input.store_well = 1;
     input.day = 9000;
     push(INPUT_TEST);
@@ -70,7 +70,8 @@ static void wave(uint32_t seat)
 {
     for (uint32_t i = 0; i < 8u; i++) {
         const vec3 at_m = v3(i & 1u ? 0.05f : 0.0f, i & 2u ? 0.12f : 0.07f, i & 4u ? 0.05f : 0.0f);
-        input.poi[seat] = (struct poi_input){ .link = POI_LINK_LIVE, .has_wrist = 1,
+        input.poi[seat] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                              .has_wrist = 1,
                                               .target.position_m = at_m };
         step();
     }
@@ -111,7 +112,7 @@ static void test_it_is_ready_when_everything_was_tried(void **state)
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
         assert_int_equal(state_of[i], SELF_GOOD);
     }
-    assert_int_equal(core.game.ledger.purse.units + core.game.ledger.purse.paid, 0);
+    assert_int_equal(core.game.ledger.balance.units + core.game.ledger.balance.paid, 0);
 }
 
 static void test_what_a_person_must_do_is_asked_until_it_is_done(void **state)
@@ -198,7 +199,7 @@ static void test_the_operator_says_what_he_heard_and_saw(void **state)
     take(SELF_NO);
     judge();
     assert_int_equal(state_of[SELF_LAMP], SELF_BAD);
-    assert_false(menu_offers(menu()) >> SELF_YES & 1u);
+    assert_false(menu_enabled(menu()) >> SELF_YES & 1u);
     step();
     assert_int_equal(output.coin_lockout, 0); /* A coin may be tried. */
     take(SELF_AGAIN);
@@ -305,7 +306,7 @@ static void test_what_this_stall_does_not_have_is_not_asked_for(void **state)
     judge();
     assert_int_equal(state_of[SELF_COINS], SELF_ASKS);
     assert_int_equal(state_of[SELF_LAMP], SELF_ASKS);
-    core.config.memory.settings.value[SET_PLAY] = PLAY_FREE;
+    core.config.persistent.settings.value[SET_PLAY] = PLAY_FREE;
     scene.devices.lines[0] = '\0';
     judge();
     assert_int_equal(state_of[SELF_COINS], SELF_GOOD);
@@ -347,14 +348,14 @@ static void test_a_button_that_is_not_wired_is_not_asked_for(void **state)
 static void test_the_entry_that_tries_the_store_says_what_was_so(void **state)
 {
     (void)state;
-    const struct settings before = core.config.memory.settings;
+    const struct settings before = core.config.persistent.settings;
     steps(2);
     const struct ledger_entry *entry = &output.entries[menu()->self.entry_id % LEDGER_RING];
     assert_int_equal(entry->id, menu()->self.entry_id);
     assert_int_equal(entry->kind, LEDGER_SETTING);
     assert_int_equal(entry->detail, SET_VOLUME);
     assert_int_equal(entry->value, before.value[SET_VOLUME]);
-    assert_memory_equal(&core.config.memory.settings, &before, sizeof before);
+    assert_memory_equal(&core.config.persistent.settings, &before, sizeof before);
 }
 
 int main(void)

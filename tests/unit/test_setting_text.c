@@ -13,7 +13,7 @@
 
 static int is_for_files(uint32_t id)
 {
-    return setting_section(setting_of(id)->group) != NULL;
+    return setting_section(settings_entry(id)->group) != NULL;
 }
 
 static void test_every_value_that_is_allowed_is_read_as_it_was_written(void **state)
@@ -21,10 +21,10 @@ static void test_every_value_that_is_allowed_is_read_as_it_was_written(void **st
     char text[SETTING_TEXT_MAX];
     (void)state;
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        for (int32_t value = setting_of(id)->min; is_for_files(id) && value <= setting_of(id)->max;
-             value++) {
+        for (int32_t value = settings_entry(id)->min;
+             is_for_files(id) && value <= settings_entry(id)->max; value++) {
             int32_t read = -1;
-            if (setting_allows(id, value)) {
+            if (settings_allows(id, value)) {
                 setting_print(id, value, text);
                 assert_int_equal(setting_parse(id, text, &read), 1);
                 assert_int_equal(read, value);
@@ -76,7 +76,7 @@ static void test_every_setting_for_files_has_a_place_a_range_and_a_reason(void *
     char range[SETTING_RANGE_MAX];
     (void)state;
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const char *name = setting_of(id)->name;
+        const char *name = settings_entry(id)->name;
         const size_t length = strlen(name);
         assert_int_equal(setting_find(name, length), is_for_files(id) ? id : SETTING_COUNT);
         assert_int_equal(setting_find(name, length - 1u), SETTING_COUNT);

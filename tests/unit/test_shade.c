@@ -11,9 +11,9 @@
 
 #define DT CORE_TICK_S
 
-static const struct law *law_of(enum tank_preset_id preset)
+static const struct behavior_params *law_of(enum tank_preset_id preset)
 {
-    return &tank_preset((uint8_t)preset)->law;
+    return &tank_preset((uint8_t)preset)->params;
 }
 
 static struct shade_cast fan_at(float x_m, float z_m)

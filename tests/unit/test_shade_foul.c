@@ -199,7 +199,7 @@ static void test_a_cable_that_breaks_casts_no_guilty_shadow(void **state)
 {
     (void)state;
     lead(0, v3(0.1f, STAND_ABOVE_M, 0.0f)); /* Over fish, a moment after READY began. */
-    input.poi[0].link = POI_LINK_LOST;
+    input.poi[0].link = POI_SOURCE_LOST;
     ticks(READY_TICKS - 180u);
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_int_equal(look()->player[0].fouls, 0);

@@ -66,10 +66,10 @@ test_wet_paper_tears_at_once_at_its_ultimate_pressure_and_dry_paper_does_not(voi
             pressure_pa *= 1.02f;
         }
         struct sheet wet = plain(number, 1.0f), dry = plain(number, 0.0f),
-                     spared = plain(number, 1.0f);
+                     damage_immune = plain(number, 1.0f);
         assert_true(press(&wet, 1.05f * pressure_pa, 0.05f) > 0);
         assert_int_equal(press(&dry, 1.05f * pressure_pa, 0.05f), 0);
-        assert_int_equal(press(&spared, 0.35f * pressure_pa, 0.05f), 0);
+        assert_int_equal(press(&damage_immune, 0.35f * pressure_pa, 0.05f), 0);
     }
 }
 

@@ -13,10 +13,10 @@
 
 #include "platform/species/shelf.h"
 
-static struct shelf shelf;
+static struct library library;
 static struct species_slot slot;
 static char data[] = "/tmp/kingyo-shelf-XXXXXX";
-static char why[VET_WHY_SIZE];
+static char why[VALIDATE_WHY_SIZE];
 
 static const char *path_of(const char *name)
 {
@@ -62,12 +62,12 @@ static int remove_folder(void **state)
 static void test_no_folder_is_an_empty_shelf(void **state)
 {
     (void)state;
-    shelf_fill(&shelf, NULL);
-    assert_int_equal(shelf_count(&shelf), species_table_count);
-    shelf_fill(&shelf, "/nowhere");
-    assert_int_equal(shelf_count(&shelf), species_table_count);
-    assert_int_equal(shelf.line_count, 0);
-    assert_ptr_equal(shelf_species(&shelf, 0), &species_wakin);
+    library_fill(&library, NULL);
+    assert_int_equal(library_count(&library), species_table_count);
+    library_fill(&library, "/nowhere");
+    assert_int_equal(library_count(&library), species_table_count);
+    assert_int_equal(library.line_count, 0);
+    assert_ptr_equal(library_species(&library, 0), &species_wakin);
 }
 
 static void test_species_stand_behind_the_built_in_ones_in_the_order_of_their_files(void **state)
@@ -78,14 +78,14 @@ static void test_species_stand_behind_the_built_in_ones_in_the_order_of_their_fi
     put_species("b.kfish", "second");
     put_text("notes.txt", "not asked for");
     put_text(".hidden.kfish", "nor this");
-    shelf_fill(&shelf, data);
-    assert_int_equal(shelf.line_count, 3);
-    assert_int_equal(shelf_count(&shelf), species_table_count + 3);
+    library_fill(&library, data);
+    assert_int_equal(library.line_count, 3);
+    assert_int_equal(library_count(&library), species_table_count + 3);
     const char *const ids[] = { "first", "second", "third" };
     for (uint32_t i = 0; i < 3; i++) {
-        assert_string_equal(shelf_species(&shelf, species_table_count + i)->card.id, ids[i]);
-        assert_int_equal(shelf.lines[i].slot, i);
-        assert_string_equal(shelf.lines[i].why, "");
+        assert_string_equal(library_species(&library, species_table_count + i)->card.id, ids[i]);
+        assert_int_equal(library.lines[i].slot, i);
+        assert_string_equal(library.lines[i].why, "");
     }
 }
 
@@ -98,15 +98,15 @@ static void test_a_bad_file_costs_a_line_and_no_slot(void **state)
     assert_int_equal(mkdir(path_of("d.kfish"), 0755), 0);
     assert_int_equal(mkfifo(path_of("e.kfish"), 0644), 0); /* Nobody waits for a writer. */
     assert_int_equal(symlink("/dev/zero", path_of("f.kfish")), 0);
-    shelf_fill(&shelf, data);
-    assert_int_equal(shelf.line_count, 6);
-    assert_int_equal(shelf.species_count, 1);
+    library_fill(&library, data);
+    assert_int_equal(library.line_count, 6);
+    assert_int_equal(library.species_count, 1);
     for (uint32_t i = 0; i < 6; i++) {
-        assert_int_equal(shelf.lines[i].slot, i == 2 ? 0 : SHELF_SLOT_NONE);
-        assert_true((shelf.lines[i].why[0] == '\0') == (i == 2));
+        assert_int_equal(library.lines[i].slot, i == 2 ? 0 : LIBRARY_SLOT_NONE);
+        assert_true((library.lines[i].why[0] == '\0') == (i == 2));
     }
-    assert_string_equal(shelf.lines[0].file, "a.kfish");
-    assert_string_equal(shelf.lines[0].why, "magic: this is no packed species");
+    assert_string_equal(library.lines[0].file, "a.kfish");
+    assert_string_equal(library.lines[0].why, "magic: this is no packed species");
 }
 
 static void test_what_was_refused_is_told_in_the_order_of_the_shelf(void **state)
@@ -115,21 +115,21 @@ static void test_what_was_refused_is_told_in_the_order_of_the_shelf(void **state
     put_text("a.kfish", "");
     put_species("b.kfish", "good");
     put_text("c.kfish", "KFISH");
-    shelf_fill(&shelf, data);
-    shelf_note_graph(&shelf, "graphs/wakin.graph:3: wakin has 5 keys");
-    shelf_note_graph(&shelf, "no reason");
-    assert_int_equal(shelf_fault_count(&shelf), 3);
-    assert_string_equal(shelf_fault(&shelf, 0).file, "a.kfish");
-    assert_string_equal(shelf_fault(&shelf, 1).file, "c.kfish");
-    assert_string_equal(shelf_fault(&shelf, 1).why, shelf.lines[2].why);
-    assert_string_equal(shelf_fault(&shelf, 2).file, "graphs/wakin.graph:3");
-    assert_string_equal(shelf_fault(&shelf, 2).why, "wakin has 5 keys");
-    shelf.unread_count = 7;
-    assert_int_equal(shelf_fault_count(&shelf), 4);
-    assert_string_equal(shelf_fault(&shelf, 2).why, "7 more files, and no room for them");
-    assert_string_equal(shelf_fault(&shelf, 3).why, "wakin has 5 keys");
-    shelf_fill(&shelf, data);
-    assert_int_equal(shelf_fault_count(&shelf), 2);
+    library_fill(&library, data);
+    library_note_graph(&library, "graphs/wakin.graph:3: wakin has 5 keys");
+    library_note_graph(&library, "no reason");
+    assert_int_equal(library_fault_count(&library), 3);
+    assert_string_equal(library_fault(&library, 0).file, "a.kfish");
+    assert_string_equal(library_fault(&library, 1).file, "c.kfish");
+    assert_string_equal(library_fault(&library, 1).why, library.lines[2].why);
+    assert_string_equal(library_fault(&library, 2).file, "graphs/wakin.graph:3");
+    assert_string_equal(library_fault(&library, 2).why, "wakin has 5 keys");
+    library.unread_count = 7;
+    assert_int_equal(library_fault_count(&library), 4);
+    assert_string_equal(library_fault(&library, 2).why, "7 more files, and no room for them");
+    assert_string_equal(library_fault(&library, 3).why, "wakin has 5 keys");
+    library_fill(&library, data);
+    assert_int_equal(library_fault_count(&library), 2);
 }
 
 static void test_a_folder_that_is_none_is_told(void **state)
@@ -141,21 +141,21 @@ static void test_a_folder_that_is_none_is_told(void **state)
     FILE *out = fopen(place, "w"); /* A file in its place. */
     assert_non_null(out);
     fclose(out);
-    shelf_fill(&shelf, data);
-    assert_int_equal(shelf.line_count, 1);
-    assert_string_equal(shelf.lines[0].file, "species");
-    assert_string_equal(shelf.lines[0].why, "Not a directory");
-    assert_int_equal(shelf.lines[0].slot, SHELF_SLOT_NONE);
+    library_fill(&library, data);
+    assert_int_equal(library.line_count, 1);
+    assert_string_equal(library.lines[0].file, "species");
+    assert_string_equal(library.lines[0].why, "Not a directory");
+    assert_int_equal(library.lines[0].slot, LIBRARY_SLOT_NONE);
 }
 
 static void test_a_name_that_a_terminal_obeys_is_told_without(void **state)
 {
     (void)state;
     put_text("\033[31m\n.kfish", "");
-    shelf_fill(&shelf, data);
-    assert_int_equal(shelf.line_count, 1);
-    assert_string_equal(shelf.lines[0].file, "?[31m?.kfish");
-    assert_string_equal(shelf.lines[0].why, "magic: this is no packed species");
+    library_fill(&library, data);
+    assert_int_equal(library.line_count, 1);
+    assert_string_equal(library.lines[0].file, "?[31m?.kfish");
+    assert_string_equal(library.lines[0].why, "magic: this is no packed species");
 }
 
 static void test_an_id_is_given_once(void **state)
@@ -164,33 +164,33 @@ static void test_an_id_is_given_once(void **state)
     put_species("a.kfish", "wakin");
     put_species("b.kfish", "mine");
     put_species("c.kfish", "mine");
-    shelf_fill(&shelf, data);
-    assert_int_equal(shelf.species_count, 1);
-    assert_string_equal(shelf.lines[0].why, "id: there is a 'wakin' already");
-    assert_string_equal(shelf.lines[2].why, "id: there is a 'mine' already");
+    library_fill(&library, data);
+    assert_int_equal(library.species_count, 1);
+    assert_string_equal(library.lines[0].why, "id: there is a 'wakin' already");
+    assert_string_equal(library.lines[2].why, "id: there is a 'mine' already");
 }
 
 static void test_more_than_there_are_slots_are_refused_by_name(void **state)
 {
     (void)state;
-    for (uint32_t i = 0; i < SHELF_LINE_MAX + 5; i++) {
+    for (uint32_t i = 0; i < LIBRARY_LINE_MAX + 5; i++) {
         char file[32], id[32];
-        const uint32_t shuffled = i * 11 % (SHELF_LINE_MAX + 5);
+        const uint32_t shuffled = i * 11 % (LIBRARY_LINE_MAX + 5);
         snprintf(file, sizeof file, "fish%02u.kfish", shuffled);
         snprintf(id, sizeof id, "fish_%u", shuffled);
         put_species(file, id);
     }
-    shelf_fill(&shelf, data);
-    assert_int_equal(shelf.species_count, SPECIES_EXTRA_MAX);
-    assert_int_equal(shelf.line_count, SHELF_LINE_MAX);
-    assert_int_equal(shelf.unread_count, 5);
-    for (uint32_t i = 0; i < SHELF_LINE_MAX; i++) {
+    library_fill(&library, data);
+    assert_int_equal(library.species_count, SPECIES_EXTRA_MAX);
+    assert_int_equal(library.line_count, LIBRARY_LINE_MAX);
+    assert_int_equal(library.unread_count, 5);
+    for (uint32_t i = 0; i < LIBRARY_LINE_MAX; i++) {
         char file[32];
         snprintf(file, sizeof file, "fish%02u.kfish", i);
-        assert_string_equal(shelf.lines[i].file, file);
-        assert_int_equal(shelf.lines[i].slot, i < SPECIES_EXTRA_MAX ? i : SHELF_SLOT_NONE);
+        assert_string_equal(library.lines[i].file, file);
+        assert_int_equal(library.lines[i].slot, i < SPECIES_EXTRA_MAX ? i : LIBRARY_SLOT_NONE);
     }
-    assert_string_equal(shelf.lines[SPECIES_EXTRA_MAX].why, "no room: 8 species are loaded");
+    assert_string_equal(library.lines[SPECIES_EXTRA_MAX].why, "no room: 8 species are loaded");
 }
 
 int main(void)

@@ -24,9 +24,9 @@ static void begin(uint32_t seed)
 {
     const struct core_config config = { .seed = seed, .players = 2 };
     bot_stall_open(&stall, &config, &technique_expert);
-    stall.input.poi[1] = (struct poi_input){
-        .link = POI_LINK_LIVE, .has_wrist = 1, .target.position_m = v3(0.2f, 0.1f, 0.1f)
-    };
+    stall.input.poi[1] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                             .has_wrist = 1,
+                                             .target.position_m = v3(0.2f, 0.1f, 0.1f) };
     stall.input.shade[0] = (struct shade_input){ 1, -0.1f, 0.05f, 0.1f };
     bot_stall_begin(&stall);
 }
@@ -105,7 +105,7 @@ static void keep_fish(struct fish *fish, const struct fish *from)
 {
     KEEP(fish, from, fish_parts);
     const int gulps = surface_breathes(from);
-    const int swims = show_place(from->gait) == SCENE_IN_TANK;
+    const int swims = scene_place_of(from->gait) == SCENE_IN_TANK;
     fish->gait = gulps ? (uint8_t)GAIT_SURFACE : swims ? (uint8_t)GAIT_ESCAPE : from->gait;
     fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
 }
@@ -115,12 +115,12 @@ static void keep_fish(struct fish *fish, const struct fish *from)
 static void keep_poi(struct poi *poi, const struct poi *from)
 {
     KEEP(poi, from, poi_parts);
-    poi->link = from->link == POI_LINK_LIVE ? (uint8_t)POI_LINK_BOT : from->link;
+    poi->link = from->link == POI_SOURCE_LIVE ? (uint8_t)POI_SOURCE_BOT : from->link;
     poi->immersed = 0.0f;
     poi->water_kg = (1.0f - from->immersed) * from->water_kg;
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
-        const float wet = (float)show_wetness(&from->sheet, i);
-        const float whole = (float)show_integrity(&from->sheet, i) - 1.0f;
+        const float wet = (float)scene_wetness(&from->sheet, i);
+        const float whole = (float)scene_integrity(&from->sheet, i) - 1.0f;
         poi->sheet.wetness[i] = f_min((wet + 0.5f) / 255.0f, 1.0f);
         poi->sheet.damage[i] = 1.0f - f_min((whole + 0.5f) / 254.0f, 1.0f);
     }
@@ -262,7 +262,7 @@ static void each_shows(void *of, const struct member *parts, size_t count, uint3
 static void test_all_that_is_kept_of_a_bare_state_can_be_seen(void **state)
 {
     (void)state;
-    static const uint8_t phases[] = { PHASE_ROUND, PHASE_CHOOSE };
+    static const uint8_t phases[] = { PHASE_ROUND, PHASE_MODE_SELECT };
     uint32_t core = 0, player = 0, fish = 0, poi = 0, bowl = 0, shade = 0;
     begin(8);
     stall.core.tank.fish[3].age_days = 80.0f; /* It still reddens. */
@@ -294,7 +294,7 @@ static void test_a_bot_that_sees_a_bare_state_goes_the_very_same_way(void **stat
     for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
         twin = stall.bot;
         bare_of(&bare, &stall.core);
-        const struct poi_target blind = bot_tick(&twin, &(struct sight){ &bare, 0 });
+        const struct poi_target blind = bot_tick(&twin, &(struct vision){ &bare, 0 });
         bot_stall_tick(&stall);
         assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
         assert_true(bot_hash(HASH_START, &twin) == bot_hash(HASH_START, &stall.bot));

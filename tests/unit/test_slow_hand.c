@@ -8,7 +8,7 @@
 
 static struct tally {
     uint32_t torn_tick;                 /* Of the round: when the first cell went; 0: none did. */
-    uint32_t spared, paused, spared_in_play;
+    uint32_t damage_immune, paused, spared_in_play;
 } tally;
 
 /* Round of one, whose paper is the weakest and wet. */
@@ -42,9 +42,9 @@ static void play_tick(uint32_t i)
 {
     const struct sheet *sheet = &core.poi[0].sheet;
     tick();
-    tally.spared += core.poi[0].spared;
+    tally.damage_immune += core.poi[0].damage_immune;
     tally.paused += core.game.paused;
-    tally.spared_in_play += core.poi[0].spared && !core.game.paused;
+    tally.spared_in_play += core.poi[0].damage_immune && !core.game.paused;
     if (tally.torn_tick == 0 && sheet->paper_cells < sheet->paper_cells_new) {
         tally.torn_tick = i + 1u;
     }
@@ -64,7 +64,7 @@ static uint32_t lasts_at(uint32_t period)
         input.poi[0].age_ticks = (uint16_t)age;
         play_tick(i);
     }
-    assert_int_equal(tally.spared, 0);
+    assert_int_equal(tally.damage_immune, 0);
     assert_int_equal(tally.paused, 0);
     return tally.torn_tick;
 }
@@ -97,7 +97,7 @@ static void play_with_a_loose_plug(uint32_t period, uint32_t ticks_max)
     begin(NULL);
     for (uint32_t i = 0; i < ticks_max && core.game.phase == PHASE_ROUND; i++) {
         input.poi[0].target.position_m = hand_at(i);
-        input.poi[0].link = i % period == 0 ? POI_LINK_LOST : POI_LINK_LIVE;
+        input.poi[0].link = i % period == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
         play_tick(i);
     }
 }

@@ -13,7 +13,7 @@ static struct sheet sheet;
 static void soak(struct sheet_wetting wet, float seconds)
 {
     for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
-        soak_tick(&sheet, wet);
+        wetting_tick(&sheet, wet);
     }
 }
 
@@ -78,13 +78,13 @@ static void test_wet_paper_loses_a_quarter_more_in_a_minute_and_no_more(void **s
     sheet_init(&sheet, 5, RADIUS_M, 1);
     stand_plain_paper(&sheet, 1.0f);
     sheet.soaked = 1;
-    assert_float_equal(soak_keeps(&sheet, cell), 1.0f, 0.0f);
+    assert_float_equal(wetting_strength(&sheet, cell), 1.0f, 0.0f);
     soak(in_air, 30.0f);
-    assert_float_equal(soak_keeps(&sheet, cell), 0.875f, 1e-4f);
+    assert_float_equal(wetting_strength(&sheet, cell), 0.875f, 1e-4f);
     soak(in_air, 30.0f);
-    assert_float_equal(soak_keeps(&sheet, cell), 0.75f, 1e-4f);
+    assert_float_equal(wetting_strength(&sheet, cell), 0.75f, 1e-4f);
     soak(in_air, 30.0f);
-    assert_float_equal(soak_keeps(&sheet, cell), 0.75f, 1e-4f);
+    assert_float_equal(wetting_strength(&sheet, cell), 0.75f, 1e-4f);
 }
 
 static void test_softened_paper_tears_at_three_quarters_of_the_tension(void **state)
@@ -122,13 +122,13 @@ static void test_a_line_is_full_where_wet_meets_dry_and_nowhere_else(void **stat
         sheet.wetness[cell] = cell % SHEET_SIDE < MIDDLE ? 1.0f : 0.0f;
     }
     for (uint32_t row = 0; row < SHEET_SIDE; row++) { /* The ring's own row, too. */
-        assert_float_equal(soak_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
-        assert_float_equal(soak_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
+        assert_float_equal(wetting_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
+        assert_float_equal(wetting_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
     }
-    assert_float_equal(soak_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
-    assert_float_equal(soak_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
+    assert_float_equal(wetting_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
+    assert_float_equal(wetting_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
     sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f; /* A step of a quarter is half. */
-    assert_float_equal(soak_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
+    assert_float_equal(wetting_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
 }
 
 int main(void)

@@ -12,7 +12,7 @@
 
 #define STEPS 1000
 
-static struct survey surveys[SPECIES_MAX][SPECIES_LOD_COUNT];
+static struct morph_survey surveys[SPECIES_MAX][SPECIES_LOD_COUNT];
 
 static int measure_all(void **state)
 {
@@ -30,7 +30,7 @@ static int measure_all(void **state)
 /* The most of one figure over all species and levels of detail; says whose it is. */
 #define MOST(figure, most)                                                                         \
     for (uint32_t i = 0; i < 2 * species_table_count; i++) {                                       \
-        const struct survey *s = &surveys[i / 2][i % 2];                                           \
+        const struct morph_survey *s = &surveys[i / 2][i % 2];                                     \
         if (!(s->figure <= (most))) {                                                              \
             print_error("%s, lod %u: %s is %g\n", species_table[i / 2]->card.id, i % 2, #figure,   \
                         (double)s->figure);                                                        \
@@ -116,10 +116,10 @@ static void test_a_flatfish_eye_goes_round_where_the_ordinary_one_goes_through(v
     (void)state;
     static struct straight_memory memory;
     static struct species straight;
-    static struct survey ordinary;
+    static struct morph_survey ordinary;
     struct morph_rig rig;
     const uint32_t hirame = index_of("hirame");
-    species_straighten(species_table[hirame], &memory, &straight);
+    straight_species(species_table[hirame], &memory, &straight);
     morph_rig_init(&rig, &straight.card, TEMPLATE_ORDINARY);
     morph_survey(&straight, &rig, 0, STEPS, &ordinary);
     assert_true(ordinary.pupil_in_body.value > 0.02f);
@@ -131,7 +131,7 @@ static void test_a_flatfish_eye_goes_round_where_the_ordinary_one_goes_through(v
 static void test_the_congers_dorsal_root_moves_on_a_curve(void **state)
 {
     (void)state;
-    const struct survey *conger = surveys[index_of("kuroanago")];
+    const struct morph_survey *conger = surveys[index_of("kuroanago")];
     assert_true(conger[0].dorsal_root.from_chord > 0.005f);
     assert_true(conger[1].dorsal_root.from_chord > 0.005f);
 }

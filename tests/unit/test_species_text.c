@@ -10,7 +10,7 @@ static void test_a_whole_text_is_read_as_written(void **state)
     assert_int_equal(species.key_count, 3);
     assert_int_equal(species.curves[0].graph.knot_count, 3);
     assert_float_equal(species.keys[1].length_m, 0.020f, 1e-7f);
-    assert_int_equal(species.keys[2].station_count, 4);
+    assert_int_equal(species.keys[2].substep_count, 4);
     assert_int_equal(species.keys[2].coat.fin, 0xabcdef);
     assert_float_equal(species.keys[0].fins[PART_TAIL].rays[1].sweep_deg, -30.0f, 0.0f);
     assert_float_equal(species.curves[0].graph.knots[1].weight[1], 0.7f, 0.0f);

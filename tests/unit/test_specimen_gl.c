@@ -23,14 +23,14 @@ static struct textures textures;
 static struct gl_target target;
 static struct straight_memory memory;
 static struct species changed;
-static struct placing whole;
+static struct display_transform whole;
 static uint8_t pictures[2][SIZE];
 
 static int open_pass(void **state)
 {
     (void)state;
     open_gl_context("specimen");
-    whole = placing_whole((float)WIDTH, (float)HEIGHT);
+    whole = display_transform_identity((float)WIDTH, (float)HEIGHT);
     textures_open(&status, &textures);
     specimen_pass_open(&status, &pass, &textures);
     gl_target_open(&status, "sheet", &target,
@@ -193,7 +193,7 @@ static void test_whatever_depth_was_there_a_specimen_is_drawn_over_it(void **sta
 static void test_a_species_that_lost_its_slot_comes_back_the_same(void **state)
 {
     (void)state;
-    species_thesis(species_table[1], &memory, &changed);
+    straight_thesis(species_table[1], &memory, &changed);
     struct specimen fish = fish_of(&changed, 0.4f);
     picture(pictures[0], &fish, 0.3f);
     for (uint32_t i = 1; i <= SPECIMEN_OTHERS; i++) {
@@ -211,10 +211,10 @@ static void test_a_species_that_lost_its_slot_comes_back_the_same(void **state)
 static void test_another_edition_in_the_same_memory_is_drawn_anew(void **state)
 {
     (void)state;
-    species_thesis(species_table[1], &memory, &changed);
+    straight_thesis(species_table[1], &memory, &changed);
     struct specimen fish = fish_of(&changed, 1.0f);
     picture(pictures[0], &fish, 0.3f);
-    species_thesis(species_table[2], &memory, &changed);
+    straight_thesis(species_table[2], &memory, &changed);
     fish.edition = 1;
     picture(pictures[1], &fish, 0.3f);
     assert_memory_not_equal(pictures[0], pictures[1], SIZE);
@@ -241,7 +241,7 @@ static void test_a_key_s_sheet_is_what_paint_at_says(void **state)
     const struct species *const species = species_table[1];
     struct specimen fish = fish_of(species, 1.0f);
     picture(pictures[0], &fish, 0.0f);
-    const struct skin *skin = NULL;
+    const struct fish_texture *skin = NULL;
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         skin = pass.slots[i].species == species ? &pass.slots[i].skin : skin;
     }
@@ -301,14 +301,14 @@ static uint32_t bands_painted(void)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
-        for (uint32_t sheet = 0; sheet < SKIN_SHEETS; sheet++) {
+        for (uint32_t sheet = 0; sheet < FISH_TEXTURE_SHEETS; sheet++) {
             count += pass.slots[i].skin.bands_done[sheet];
         }
     }
     return count;
 }
 
-static const struct skin *skin_of(const struct species *species)
+static const struct fish_texture *skin_of(const struct species *species)
 {
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         if (pass.slots[i].species == species) {
@@ -338,12 +338,12 @@ static uint32_t bands_to_fine(const struct species *species)
     draw_page(species);
     const uint32_t begun = bands_painted();
     uint32_t painted = begun;
-    for (uint32_t frame = 0; frame < 1000 && !skin_is_fine(skin_of(species)); frame++) {
+    for (uint32_t frame = 0; frame < 1000 && !fish_texture_is_fine(skin_of(species)); frame++) {
         painted = bands_painted();
         specimen_pass_work(&pass, true);
         draw_page(species);
     }
-    assert_true(skin_is_fine(skin_of(species)));
+    assert_true(fish_texture_is_fine(skin_of(species)));
     return painted - begun;
 }
 
@@ -356,10 +356,10 @@ static void test_what_is_shown_is_painted_finely_before_anything_else(void **sta
     for (uint32_t i = 0; i < species_table_count; i++) {
         const uint32_t bands = bands_to_fine(species_table[i]);
         print_message("%s: %u bands\n", species_table[i]->card.id, bands);
-        assert_true(bands < 2u * SKIN_BANDS);
+        assert_true(bands < 2u * FISH_TEXTURE_BANDS);
         most = bands > most ? bands : most;
     }
-    assert_true(most > SKIN_BANDS / 2u);
+    assert_true(most > FISH_TEXTURE_BANDS / 2u);
 }
 
 static void test_when_there_is_time_all_built_in_species_are_painted_ahead(void **state)
@@ -377,7 +377,7 @@ static void test_when_there_is_time_all_built_in_species_are_painted_ahead(void 
         specimen_pass_work(&pass, true);
         done = 0;
         for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
-            done += skin_is_done(&pass.slots[i].skin);
+            done += fish_texture_is_done(&pass.slots[i].skin);
         }
     }
     assert_int_equal(done, SPECIES_BUILT_IN);
@@ -388,11 +388,11 @@ static void test_the_ordinary_morph_wears_the_skin_of_its_species(void **state)
     (void)state;
     struct specimen fish = fish_of(species_table[3], 0.5f);
     draw_only(&fish);
-    species_straighten(species_table[3], &memory, &changed);
+    straight_species(species_table[3], &memory, &changed);
     struct specimen rival = fish_of(&changed, 0.5f);
     rival.edition = 900;
     draw_only(&rival);
-    const struct skin *worn = NULL;
+    const struct fish_texture *worn = NULL;
     for (uint32_t i = SPECIES_BUILT_IN; i < SPECIMEN_SLOTS; i++) {
         worn = pass.slots[i].edition == 900 ? pass.slots[i].worn : worn;
     }
@@ -408,7 +408,7 @@ static void test_the_first_coarse_painting_has_no_squares(void **state)
     open_anew();
     struct specimen fish = fish_of(species, 1.0f);
     draw_only(&fish);
-    const struct skin *const skin = &pass.slots[1].skin;
+    const struct fish_texture *const skin = &pass.slots[1].skin;
     GLuint framebuffer;
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -434,10 +434,10 @@ static void test_a_negative_weight_chooses_no_sheet(void **state)
     const float weights[MORPH_KEY_MAX] = { -0.2f, 1.0f, 0.0f, 0.2f };
     const float painted[MORPH_KEY_MAX] = { 0.0f, 1.0f, 0.0f, 0.2f };
     float sheets[2][3];
-    struct skin *const skin = &pass.slots[1].skin;
+    struct fish_texture *const skin = &pass.slots[1].skin;
     assert_true(skin->species.card.key_count >= 4);
-    skin_show(skin, &pass.brush, weights, 100.0f, sheets[0]);
-    skin_show(skin, &pass.brush, painted, 100.0f, sheets[1]);
+    fish_texture_request(skin, &pass.brush, weights, 100.0f, sheets[0]);
+    fish_texture_request(skin, &pass.brush, painted, 100.0f, sheets[1]);
     for (uint32_t i = 0; i < 3; i++) {
         assert_float_equal(sheets[0][i], sheets[1][i], 1e-6f);
     }
@@ -473,7 +473,7 @@ static void test_a_finished_skin_wants_no_more_work(void **state)
     picture(pictures[0], &fish, 0.0f);
     for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
         if (pass.slots[i].species == &species_wakin) {
-            assert_int_equal(skin_work(&pass.slots[i].skin, &pass.brush, 5), 5);
+            assert_int_equal(fish_texture_work(&pass.slots[i].skin, &pass.brush, 5), 5);
         }
     }
 }

@@ -76,7 +76,7 @@ static void test_a_round_that_begins_in_stale_water_ends_among_gulpers(void **st
     run(5);
     const float stale_mg_l = core.tank.oxygen.dissolved_mg_l;
     /* A player who only holds the poi over a corner: paper lasts, and no fish is scooped. */
-    input.poi[0].link = POI_LINK_LIVE;
+    input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(-0.35f, 0.15f, 0.2f);
     input.pressed = INPUT_START;
     run(4);

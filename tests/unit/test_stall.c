@@ -39,7 +39,7 @@ static void lead(uint32_t player, uint32_t tick)
         goal[player] = (struct angles){ draw(turn, 4, -0.5f, 0.5f), draw(turn, 5, -0.4f, 0.4f),
                                         home ? 0.9f : draw(turn, 6, -0.4f, 0.4f) };
     }
-    poi->link = POI_LINK_LIVE;
+    poi->link = POI_SOURCE_LIVE;
     poi->has_wrist = 1;
     poi->target.position_m = v3_lerp(poi->target.position_m, goal_m[player], 0.05f);
     poi->target.angles.yaw_rad = f_lerp(poi->target.angles.yaw_rad, goal[player].yaw_rad, 0.05f);
@@ -56,12 +56,12 @@ static void count_all(void)
     uint32_t swim = 0, ride = 0, kept = 0, loose = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct poi *poi = &core.poi[i];
-        for (uint32_t k = 0; k < poi->rider_count; k++) {
-            ridden[poi->riders[k].fish]++;
-            assert_int_equal(core.tank.fish[poi->riders[k].fish].gait, GAIT_HELD);
-            assert_int_equal(core.tank.fish[poi->riders[k].fish].holder, i);
+        for (uint32_t k = 0; k < poi->carried_count; k++) {
+            ridden[poi->carried_fish[k].fish]++;
+            assert_int_equal(core.tank.fish[poi->carried_fish[k].fish].gait, GAIT_HELD);
+            assert_int_equal(core.tank.fish[poi->carried_fish[k].fish].holder, i);
         }
-        ride += poi->rider_count;
+        ride += poi->carried_count;
     }
     for (uint32_t i = 0; i < FISH; i++) {
         const struct fish *fish = &core.tank.fish[i];

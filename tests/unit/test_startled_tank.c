@@ -36,7 +36,7 @@ static float deepest_m(uint32_t *over_half_mm)
 static void startle_all(void)
 {
     for (uint32_t i = 0; i < tank.fish_count; i++) {
-        tank.fish[i].startle = FRIGHT_PRESSURE;
+        tank.fish[i].startle = STARTLE_PRESSURE;
         tank.fish[i].startle_s = 0.010f;
         tank.fish[i].startle_from_m = v3(0.0f, -0.05f, 0.0f);
         start_m[i] = tank.fish[i].position_m;

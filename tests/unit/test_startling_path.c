@@ -23,13 +23,13 @@ static void tick_on(void)
     poi_tick(&stand.poi, &grip, &stand.tank, &stand.bowl);
     struct obstacle ring = poi_obstacle(&stand.poi);
     tank_tick(&stand.tank, stand.tick++, &ring, 1);
-    poi_give_way(&stand.poi, &ring);
+    poi_apply_reaction(&stand.poi, &ring);
 }
 
 static int is_startled(const struct fish *fish)
 {
-    return fish->gait == GAIT_ESCAPE || fish->startle == FRIGHT_PRESSURE ||
-           fish->startle == FRIGHT_LOOM;
+    return fish->gait == GAIT_ESCAPE || fish->startle == STARTLE_PRESSURE ||
+           fish->startle == STARTLE_LOOM;
 }
 
 /* Marks those that are; returns how many were not yet. */
@@ -72,13 +72,13 @@ static uint32_t startled_by(struct manner manner, uint32_t seed)
     const vec3 way = v3(f_cos(manner.down_rad), -f_sin(manner.down_rad), 0.0f);
     const float turn_rad = manner.down_rad - manner.tilt_rad;
     stand.hand.position_m = stand.poi.position_m = stand.poi.hand_m = v3(from_m.x, 0.06f, 0.0f);
-    stand.poi.spared = 1;
+    stand.poi.damage_immune = 1;
     dip_gently(from_m.y, turn_rad);
     memset(marks, 0, sizeof marks);
     count_startled(marks);
     uint32_t count = 0;
     for (float gone_m = 0.0f; gone_m < WAY_M; gone_m += manner.speed_m_s * CORE_TICK_S) {
-        stand.hand.position_m = v3_mad(from_m, way, gone_m);
+        stand.hand.position_m = v3_muladd(from_m, way, gone_m);
         stand.hand.position_m.y = f_max(stand.hand.position_m.y, -0.085f);
         tick_on();
         count += count_startled(marks);

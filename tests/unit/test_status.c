@@ -118,21 +118,53 @@ static void test_every_figure_is_in_it(void **state)
         { "$.devices[0].text", "mouse" },
     };
     struct status_report report = {
-        .written_ms = 5000000000ull, .pid = 1234, .up_s = 60, .boot = 7, .phase = PHASE_ROUND,
+        .written_ms = 5000000000ull,
+        .pid = 1234,
+        .up_s = 60,
+        .boot = 7,
+        .phase = PHASE_ROUND,
         .players = 2,
-        .purse = { .paid = 3, .service = 4, .units = 1, .untold = 2, .open = OPEN_PAID,
-                   .tickets = 6 },
+        .balance = { .paid = 3,
+                     .service = 4,
+                     .units = 1,
+                     .unlogged = 2,
+                     .open = PAYMENT_PAID,
+                     .tickets = 6 },
         .tickets_out = 40,
-        .entry_id = 90, .saved_id = 88, .store_well = 1, .frames = 600, .dropped_ticks = 9,
-        .ticks = 7200, .frame_median_ns = 16700000, .frame_p99_ns = 18000000,
-        .faults = { .poi = 1, .shade = 2, .display = 3, .audio = 4, .storage = 5, .buttons = 6,
+        .entry_id = 90,
+        .saved_id = 88,
+        .store_well = 1,
+        .frames = 600,
+        .dropped_ticks = 9,
+        .ticks = 7200,
+        .frame_median_ns = 16700000,
+        .frame_p99_ns = 18000000,
+        .faults = { .poi = 1,
+                    .shade = 2,
+                    .display = 3,
+                    .audio = 4,
+                    .storage = 5,
+                    .buttons = 6,
                     .switches = 7 },
-        .day = 9000, .minute = 61, .files_refused = 3,
-        .machine = { .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
-                     .backup_min = 12, .room_mib = 345, .has_heat = 1, .heat_margin_c = -2,
-                     .is_clock_back = 1, .aside = 2, .missed = 5, .panics = 8,
+        .day = 9000,
+        .minute = 61,
+        .files_refused = 3,
+        .machine = { .has_looked = 1,
+                     .keeps = KEEPS_PROVEN,
+                     .watch = WATCH_FED,
+                     .has_backup = 1,
+                     .backup_min = 12,
+                     .room_mib = 345,
+                     .has_heat = 1,
+                     .heat_margin_c = -2,
+                     .is_clock_back = 1,
+                     .aside = 2,
+                     .missed = 5,
+                     .panics = 8,
                      .left_out = 2 },
-        .buttons_missing = 5, .float_resets = 11, .device_count = 1,
+        .buttons_missing = 5,
+        .float_resets = 11,
+        .device_count = 1,
         .device = { { "poi", "mouse" } },
     };
     (void)state;
@@ -227,7 +259,7 @@ static void test_a_running_stall_has_a_file_and_a_closed_one_has_none(void **sta
     kiosk.frames = 5;
     const mode_t mask = umask(0077);
     status_begin(&status, folder);
-    status_tell(&status, &kiosk, &hal, 0);
+    status_update(&status, &kiosk, &hal, 0);
     assert_true(waits_for_file());
     umask(mask);
     read_text(text);
@@ -243,13 +275,13 @@ static void test_it_is_told_once_a_second(void **state)
     const struct hal hal = null_hal();
     (void)state;
     status_begin(&status, folder);
-    status_tell(&status, &kiosk, &hal, 5);
+    status_update(&status, &kiosk, &hal, 5);
     assert_true(waits_for_file());
     assert_int_equal(unlink(path), 0);
-    status_tell(&status, &kiosk, &hal, 5 + STATUS_PERIOD_NS - 1u);
+    status_update(&status, &kiosk, &hal, 5 + STATUS_PERIOD_NS - 1u);
     assert_int_equal(status.is_fresh, 0);
     assert_int_equal(access(path, F_OK), -1);
-    status_tell(&status, &kiosk, &hal, 5 + STATUS_PERIOD_NS);
+    status_update(&status, &kiosk, &hal, 5 + STATUS_PERIOD_NS);
     assert_true(waits_for_file());
     status_end(&status);
 }
@@ -262,14 +294,14 @@ static void test_a_store_that_fails_is_reported_at_once(void **state)
     (void)state;
     kiosk.input.store_well = 1;
     status_begin(&status, folder);
-    status_tell(&status, &kiosk, &hal, 5);
+    status_update(&status, &kiosk, &hal, 5);
     assert_true(waits_for_file());
     assert_int_equal(unlink(path), 0);
     kiosk.input.store_well = 0;
     pthread_mutex_lock(&status.mutex); /* The report is not lost while the thread writes. */
-    status_tell(&status, &kiosk, &hal, 6);
+    status_update(&status, &kiosk, &hal, 6);
     pthread_mutex_unlock(&status.mutex);
-    status_tell(&status, &kiosk, &hal, 7);
+    status_update(&status, &kiosk, &hal, 7);
     assert_true(waits_for_file());
     read_text(text);
     check_json(text, "$.store.well", "0");
@@ -283,7 +315,7 @@ static void test_no_frame_waits_while_it_is_written(void **state)
     (void)state;
     status_begin(&status, folder);
     pthread_mutex_lock(&status.mutex); /* As the thread holds it. */
-    status_tell(&status, &kiosk, &hal, 0);
+    status_update(&status, &kiosk, &hal, 0);
     assert_int_equal(status.is_fresh, 0); /* Left out; and here we are. */
     pthread_mutex_unlock(&status.mutex);
     status_end(&status);
@@ -297,7 +329,7 @@ static void test_without_a_folder_nothing_happens(void **state)
     for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
         status_begin(&status, none[i]);
         assert_int_equal(status.runs, 0);
-        status_tell(&status, &kiosk, &hal, 0);
+        status_update(&status, &kiosk, &hal, 0);
         status_end(&status);
     }
 }
@@ -307,7 +339,7 @@ static void test_a_folder_that_went_is_counted_and_survived(void **state)
     const struct hal hal = null_hal();
     (void)state;
     status_begin(&status, "/tmp/kingyo-no-such-folder");
-    status_tell(&status, &kiosk, &hal, 0);
+    status_update(&status, &kiosk, &hal, 0);
     const struct timespec rest = { .tv_nsec = 1000000 };
     for (int i = 0; i < 5000 && atomic_load(&status.failed) == 0; i++) {
         nanosleep(&rest, NULL);

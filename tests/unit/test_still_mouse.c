@@ -16,7 +16,7 @@
 
 static struct {
     struct clock_sim clock;
-    struct poi_sim poi;
+    struct pointer_sim poi;
     struct hal hal;
     struct kiosk kiosk;
     struct pointer_report report;
@@ -42,8 +42,8 @@ static void sit_down(void)
     };
     seat.hal = null_hal();
     seat.hal.clock = clock_sim_device(&seat.clock);
-    poi_sim_init(&seat.poi, seat.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
-    seat.hal.poi[0] = poi_sim_device(&seat.poi);
+    pointer_sim_init(&seat.poi, seat.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    seat.hal.poi[0] = pointer_sim_device(&seat.poi);
     assert_int_equal(kiosk_init(&seat.kiosk, &seat.hal, &config), CORE_OK);
     for (uint32_t i = 0; i < 10; i++) {
         frame(16666667ull);
@@ -52,7 +52,7 @@ static void sit_down(void)
 
 static vec3 hand_m(void)
 {
-    return seat.kiosk.core.game.trust[0].newest.position_m;
+    return seat.kiosk.core.game.validation[0].newest.position_m;
 }
 
 static void lie_still(uint64_t frame_ns)

@@ -64,7 +64,7 @@ static int save(struct stall *stall, uint32_t id, uint32_t caught, uint8_t by_bo
                                          .players = 1,      .player = { { .caught = caught } } };
     const struct ledger_entry entry = { .id = id, .boot = 1, .day = 9821, .kind = LEDGER_ROUND,
                                         .round = record };
-    return stall->device.ops->keep(stall->device.self, &entry);
+    return stall->device.ops->append(stall->device.self, &entry);
 }
 
 static uint32_t saved_id(struct stall *stall)
@@ -132,19 +132,23 @@ static void test_a_saved_round_is_on_disk_with_every_field(void **state)
 static void test_the_next_start_goes_on_where_the_last_ended(void **state)
 {
     struct stall *stall = *state;
-    static struct memory memory;
+    static struct persistent_state memory;
     assert_int_equal(open_store(stall), HAL_OK);
-    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 0);
     assert_int_equal(memory.ledger.boots, 1);
-    const struct ledger_entry coin = { .id = 1, .boot = 1, .kind = LEDGER_COINS, .count = 1,
-                                       .value = 1, .purse = { .units = 2, .paid = 3 } };
-    stall->device.ops->keep(stall->device.self, &coin);
+    const struct ledger_entry coin = { .id = 1,
+                                       .boot = 1,
+                                       .kind = LEDGER_COINS,
+                                       .count = 1,
+                                       .value = 1,
+                                       .balance = { .units = 2, .paid = 3 } };
+    stall->device.ops->append(stall->device.self, &coin);
     save(stall, 2, 4, 0);
     wait_until_saved(stall, 2);
     reopen(stall);
     assert_int_equal(saved_id(stall), 2);
-    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 2);
     assert_int_equal(memory.ledger.boots, 2);
     assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
@@ -250,9 +254,9 @@ static void test_a_folder_that_cannot_be_written_is_one_line(void **state)
     assert_int_equal(open_store(stall), HAL_ERR_IO);
     assert_non_null(strstr(text(stall), "/proc"));
     assert_null(strchr(text(stall), '\n'));
-    static struct memory memory;
-    assert_int_equal(save(stall, 1, 1, 0), HAL_ERR_NONE);
-    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_ERR_NONE);
+    static struct persistent_state memory;
+    assert_int_equal(save(stall, 1, 1, 0), HAL_ERR_ABSENT);
+    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_ERR_ABSENT);
     assert_int_equal(saved_id(stall), 0);
 }
 
@@ -260,7 +264,7 @@ static void test_no_folder_at_all_is_said(void **state)
 {
     struct stall *stall = *state;
     stall->storage.dir = NULL;
-    assert_int_equal(open_store(stall), HAL_ERR_NONE);
+    assert_int_equal(open_store(stall), HAL_ERR_ABSENT);
     assert_non_null(strstr(text(stall), "--data"));
 }
 
@@ -314,7 +318,7 @@ static void fill_and_close(struct stall *stall)
 static void lose_tail(const struct stall *stall)
 {
     char path[160];
-    snprintf(path, sizeof path, "%s" STORAGE_TAIL_SUFFIX, stall->file);
+    snprintf(path, sizeof path, "%s" STORAGE_MIRROR_SUFFIX, stall->file);
     assert_int_equal(unlink(path), 0);
 }
 
@@ -335,11 +339,11 @@ static void spoil(const struct stall *stall, long offset)
     fclose(file);
 }
 
-static struct memory *remember(struct stall *stall)
+static struct persistent_state *remember(struct stall *stall)
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     memset(&memory, 0, sizeof memory);
-    assert_int_equal(stall->device.ops->remember(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_OK);
     return &memory;
 }
 
@@ -417,10 +421,14 @@ static void test_a_bad_page_hides_no_other(void **state)
     struct stall *stall = *state;
     open_by_hand(stall);
     for (uint32_t id = 1; id <= 300; id++) {
-        const struct ledger_entry coin = { .id = id, .boot = 1, .tick = 100 * id,
-                                           .kind = LEDGER_COINS, .count = 1, .value = 1,
-                                           .purse = { .paid = id } };
-        assert_int_equal(stall->device.ops->keep(stall->device.self, &coin), HAL_OK);
+        const struct ledger_entry coin = { .id = id,
+                                           .boot = 1,
+                                           .tick = 100 * id,
+                                           .kind = LEDGER_COINS,
+                                           .count = 1,
+                                           .value = 1,
+                                           .balance = { .paid = id } };
+        assert_int_equal(stall->device.ops->append(stall->device.self, &coin), HAL_OK);
         storage_work(&stall->storage);
     }
     stall->device.ops->close(stall->device.self);
@@ -430,7 +438,7 @@ static void test_a_bad_page_hides_no_other(void **state)
     spoil(stall, 4096L * (page - 1));
     open_by_hand(stall);
     assert_int_equal(remember(stall)->ledger.last_id, 300);
-    assert_int_equal(remember(stall)->ledger.purse.paid, 300);
+    assert_int_equal(remember(stall)->ledger.balance.paid, 300);
     const struct storage *storage = &stall->storage;
     assert_int_equal(storage->from_backup + storage->salvaged.entries + storage->salvaged.lost,
                      300);
@@ -459,7 +467,7 @@ static void test_a_backup_of_an_earlier_version_is_brought_up_to_date(void **sta
     write_file(stall->file, "no database, whatever it says", 29);
     open_by_hand(stall);
     assert_non_null(strstr(text(stall), "9 entries from the backup"));
-    assert_int_equal(remember(stall)->ledger.purse.paid, 2);
+    assert_int_equal(remember(stall)->ledger.balance.paid, 2);
 }
 
 static void test_without_a_backup_a_fresh_file_begins(void **state)
@@ -532,7 +540,7 @@ static void test_a_name_that_cannot_be_looked_at_is_not_taken_for_none(void **st
     stall->storage.dir = stall->dir;
     stall->storage.by_hand = 1;
     assert_int_not_equal(open_store(stall), HAL_OK);
-    assert_int_equal(stall->device.ops->is_well(stall->device.self), 0);
+    assert_int_equal(stall->device.ops->is_healthy(stall->device.self), 0);
     assert_int_equal(rename(hidden, stall->file), 0); /* Over the link, which is still there. */
     stall->device.ops->close(stall->device.self);
     open_by_hand(stall);
@@ -726,12 +734,12 @@ static void test_a_store_without_memory_says_so_and_goes_on_when_it_has_some(voi
     assert_int_equal(save(stall, 2, 2, 0), HAL_OK);
     storage_work(&stall->storage);
     assert_int_equal(saved_id(stall), 1);
-    assert_int_equal(stall->device.ops->is_well(stall->device.self), 0);
+    assert_int_equal(stall->device.ops->is_healthy(stall->device.self), 0);
     assert_non_null(strstr(text(stall), "out of memory"));
     sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
     storage_work(&stall->storage);
     assert_int_equal(saved_id(stall), 2);
-    assert_int_equal(stall->device.ops->is_well(stall->device.self), 1);
+    assert_int_equal(stall->device.ops->is_healthy(stall->device.self), 1);
     assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 2);
 }
 
@@ -789,7 +797,7 @@ static void test_a_ranked_round_is_sealed_while_its_replay_is_kept(void **state)
     assert_int_equal(save(stall, 1, 5, 0), HAL_OK);
     storage_work(&stall->storage);
     assert_false(has_replay(stall, 1));
-    assert_int_equal(stall->device.ops->keep_replay(stall->device.self, 1, bytes, sizeof bytes),
+    assert_int_equal(stall->device.ops->store_replay(stall->device.self, 1, bytes, sizeof bytes),
                      HAL_OK);
     assert_false(has_replay(stall, 1));
     storage_work(&stall->storage);

@@ -69,9 +69,14 @@ static int tear_down(void **state)
 
 static int keep(uint32_t id)
 {
-    const struct ledger_entry coin = { .id = id, .boot = 1, .tick = 100 * id, .kind = LEDGER_COINS,
-                                       .count = 1, .value = 1, .purse = { .paid = id } };
-    return device.ops->keep(device.self, &coin);
+    const struct ledger_entry coin = { .id = id,
+                                       .boot = 1,
+                                       .tick = 100 * id,
+                                       .kind = LEDGER_COINS,
+                                       .count = 1,
+                                       .value = 1,
+                                       .balance = { .paid = id } };
+    return device.ops->append(device.self, &coin);
 }
 
 static uint32_t saved_id(void)
@@ -81,7 +86,7 @@ static uint32_t saved_id(void)
 
 static int is_well(void)
 {
-    return device.ops->is_well(device.self);
+    return device.ops->is_healthy(device.self);
 }
 
 static const char *text(void)
@@ -223,11 +228,11 @@ static void put_away(void)
 static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     take_card_away();
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_ERR_NONE);
-    assert_int_equal(keep(1), HAL_ERR_NONE);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_ERR_ABSENT);
+    assert_int_equal(keep(1), HAL_ERR_ABSENT);
     assert_false(is_well());
     put_away();
     storage_work(&storage);
@@ -241,7 +246,7 @@ static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
 static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     char command[256];
     take_card_away();
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
@@ -249,14 +254,14 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     snprintf(command, sizeof command, "cp tests/unit/store/version-5.db %s", file);
     assert_int_equal(system(command), 0);
     storage_work(&storage);
-    assert_int_equal(keep(1), HAL_ERR_NONE);
+    assert_int_equal(keep(1), HAL_ERR_ABSENT);
     assert_false(is_well());
     assert_non_null(strstr(text(), "restart"));
     assert_int_equal(device.ops->wants_restart(device.self), 1);
     device.ops->close(device.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 9);
     assert_int_equal(device.ops->wants_restart(device.self), 0);
 }
@@ -265,7 +270,7 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
 static void test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     keep(1);
     device.ops->close(device.self);
@@ -273,8 +278,8 @@ static void test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not(vo
     is_read_only = true;
     tape_refuse(EROFS);
     assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
-    assert_int_equal(memory.ledger.purse.paid, 1);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.balance.paid, 1);
     keep(2);
     storage_work(&storage);
     assert_false(is_well());
@@ -331,12 +336,12 @@ static void leave_five_entries_in_the_log(void)
 /* `proven`: the newest entry that counts as on disk while the card is full. */
 static void remembers_and_goes_on(uint32_t proven)
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     tape_refuse(ENOSPC);
     assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 5);
-    assert_int_equal(memory.ledger.purse.paid, 5);
+    assert_int_equal(memory.ledger.balance.paid, 5);
     assert_false(is_well());
     assert_non_null(strstr(text(), "full; free some space"));
     assert_int_equal(saved_id(), proven);
@@ -412,10 +417,10 @@ static void test_a_second_stall_at_one_folder_waits_until_the_first_has_ended(vo
     keep(1);
     storage_work(&storage);
     assert_int_equal(other.ops->open(other.self), HAL_ERR_IO);
-    assert_int_equal(other.ops->keep(other.self, &coin), HAL_ERR_NONE);
+    assert_int_equal(other.ops->append(other.self, &coin), HAL_ERR_ABSENT);
     assert_non_null(strstr(other.ops->describe(other.self), "another Kingyo has it open"));
     storage_work(&second);
-    assert_false(other.ops->is_well(other.self));
+    assert_false(other.ops->is_healthy(other.self));
     device.ops->close(device.self);
     storage_work(&second);
     assert_true(other.ops->wants_restart(other.self)); /* The first stall's list lies there. */
@@ -429,16 +434,16 @@ static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **st
     assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
     storage_work(&storage);
     assert_int_equal(looks(), 1);
-    for (int64_t wait_ms = STORAGE_LOOK_MS, i = 0; i < 8; i++) {
+    for (int64_t wait_ms = STORAGE_RETRY_MS, i = 0; i < 8; i++) {
         storage_work(&storage);
         assert_int_equal(looks(), 1 + i); /* Not before its time ... */
         assert_int_equal(storage.look_wait_ms, wait_ms);
         storage.look_due_ms -= wait_ms;
         storage_work(&storage);
         assert_int_equal(looks(), 2 + i); /* ... and then once. */
-        wait_ms = 2 * wait_ms < STORAGE_LOOK_MS_MAX ? 2 * wait_ms : STORAGE_LOOK_MS_MAX;
+        wait_ms = 2 * wait_ms < STORAGE_RETRY_MS_MAX ? 2 * wait_ms : STORAGE_RETRY_MS_MAX;
     }
-    assert_int_equal(storage.look_wait_ms, STORAGE_LOOK_MS_MAX);
+    assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
 }
 
 static bool is_beside(const char *suffix)
@@ -462,12 +467,12 @@ static void keep_eight_and_close(void)
 /* All that there is is shown, nothing of it is replaced by less, and the slot stays shut. */
 static void is_read_and_left(void)
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     tape_refuse(ENOSPC);
     assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 8);
-    assert_int_equal(memory.ledger.purse.paid, 8);
+    assert_int_equal(memory.ledger.balance.paid, 8);
     assert_int_equal(memory.audits.count[AUDIT_UNITS], 8);
     assert_false(is_well());
     assert_int_equal(keep(9), HAL_OK);
@@ -528,7 +533,7 @@ static void test_a_file_that_changes_is_looked_at_at_once(void **state)
         storage.look_due_ms = 0;
         storage_work(&storage);
     }
-    assert_int_equal(storage.look_wait_ms, STORAGE_LOOK_MS_MAX);
+    assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
     put_away(); /* That card is pulled, and a fresh one put in. */
     storage_work(&storage);
     assert_true(is_well());
@@ -549,7 +554,7 @@ static void play_round(uint32_t id, uint32_t caught)
         .kind = LEDGER_ROUND,
         .round = { .id = id, .caught = caught, .players = 1, .player = { { .caught = caught } } },
     };
-    assert_int_equal(device.ops->keep(device.self, &round), HAL_OK);
+    assert_int_equal(device.ops->append(device.self, &round), HAL_OK);
 }
 
 static struct ledger_entry fetched;
@@ -569,17 +574,17 @@ static void test_a_ranked_rounds_replay_is_kept_and_comes_back(void **state)
     uint8_t found[64];
     device.ops->open(device.self);
     play_round(1, 5); /* Written in the same go, before its replay. */
-    assert_int_equal(device.ops->keep_replay(device.self, 1, replay, sizeof replay), HAL_OK);
-    assert_int_equal(device.ops->keep_replay(device.self, 2, replay, sizeof replay), HAL_ERR_BUSY);
-    assert_int_equal(device.ops->replay_kept_id(device.self), 0);
+    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    assert_int_equal(device.ops->store_replay(device.self, 2, replay, sizeof replay), HAL_ERR_BUSY);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 0);
     storage_work(&storage);
-    assert_int_equal(device.ops->replay_kept_id(device.self), 1);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
     assert_memory_equal(found, replay, sizeof replay);
     assert_int_equal(fetched.id, 1); /* And the round's own entry with it. */
     assert_int_equal(fetched.round.caught, 5);
-    assert_int_equal(fetch(1, found, 4), HAL_ERR_NONE);
-    assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_NONE);
+    assert_int_equal(fetch(1, found, 4), HAL_ERR_ABSENT);
+    assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_ABSENT);
 }
 
 static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
@@ -590,10 +595,10 @@ static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
     for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) {
         play_round(id, id <= RANK_ROWS ? 9 : 1);
     }
-    device.ops->keep_replay(device.self, RANK_ROWS + 1, replay, sizeof replay);
+    device.ops->store_replay(device.self, RANK_ROWS + 1, replay, sizeof replay);
     storage_work(&storage);
-    assert_int_equal(device.ops->replay_kept_id(device.self), RANK_ROWS + 1);
-    assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_NONE);
+    assert_int_equal(device.ops->stored_replay_id(device.self), RANK_ROWS + 1);
+    assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_ABSENT);
 }
 
 /* A round that is not on disk is not among the best there: its replay would be dropped. */
@@ -604,16 +609,16 @@ static void test_a_replay_is_written_after_its_round_and_never_before(void **sta
     device.ops->open(device.self);
     tape_refuse(ENOSPC);
     play_round(1, 5);
-    assert_int_equal(device.ops->keep_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
     for (int i = 0; i < 3; i++) {
         storage_work(&storage);
         assert_int_equal(saved_id(), 0);
-        assert_int_equal(device.ops->replay_kept_id(device.self), 0);
+        assert_int_equal(device.ops->stored_replay_id(device.self), 0);
     }
     tape_refuse(0);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
-    assert_int_equal(device.ops->replay_kept_id(device.self), 1);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
 }
 
@@ -624,15 +629,15 @@ static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
     play_round(1, 5);
     storage_work(&storage);
     tape_refuse(ENOSPC);
-    device.ops->keep_replay(device.self, 1, replay, sizeof replay);
+    device.ops->store_replay(device.self, 1, replay, sizeof replay);
     storage_work(&storage);
     storage_work(&storage);
-    assert_int_equal(device.ops->replay_kept_id(device.self), 0); /* Tried again, ... */
+    assert_int_equal(device.ops->stored_replay_id(device.self), 0); /* Tried again, ... */
     storage.put_since_ms -= STORAGE_REPLAY_MS;                    /* ... but not for ever. */
     storage_work(&storage);
-    assert_int_equal(device.ops->replay_kept_id(device.self), 1);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
     tape_refuse(0);
-    assert_int_equal(device.ops->keep_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
 }
 
 int main(void)

@@ -65,14 +65,19 @@ static void pause_ms(long ms)
 
 static int is_well(void)
 {
-    return device.ops->is_well(device.self);
+    return device.ops->is_healthy(device.self);
 }
 
 static int keep(uint32_t id)
 {
-    const struct ledger_entry coin = { .id = id, .boot = 1, .tick = 100 * id, .kind = LEDGER_COINS,
-                                       .count = 1, .value = 1, .purse = { .paid = id } };
-    return device.ops->keep(device.self, &coin);
+    const struct ledger_entry coin = { .id = id,
+                                       .boot = 1,
+                                       .tick = 100 * id,
+                                       .kind = LEDGER_COINS,
+                                       .count = 1,
+                                       .value = 1,
+                                       .balance = { .paid = id } };
+    return device.ops->append(device.self, &coin);
 }
 
 static uint32_t saved_id(void)
@@ -120,11 +125,11 @@ static void is_detected_after(const char *what)
 static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     is_detected_after("rm -rf data");
     assert_int_equal(device.ops->close(device.self), 0);
     begin(1);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4); /* The one that waited as well. */
     assert_int_equal(memory.audits.count[AUDIT_COINS_1], 4);
     assert_non_null(strstr(device.ops->describe(device.self), "kingyo.db was missing"));
@@ -133,11 +138,11 @@ static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
 static void test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     is_detected_after("rm -rf data && mkdir data");
     assert_int_equal(device.ops->close(device.self), 0);
     begin(1);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4);
 }
 
@@ -199,7 +204,7 @@ static void test_a_file_that_is_deleted_or_replaced_is_detected(void **state)
 static void test_a_log_that_is_deleted_is_detected_and_loses_nothing(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     begin(1);
     keep(1);
     storage_work(&storage);
@@ -212,14 +217,14 @@ static void test_a_log_that_is_deleted_is_detected_and_loses_nothing(void **stat
     do_shell("rm -f data/kingyo.db-wal.lost");
     device.ops->close(device.self);
     begin(1);
-    device.ops->remember(device.self, &memory);
+    device.ops->load(device.self, &memory);
     assert_int_equal(memory.ledger.last_id, 2);
 }
 
 static void test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_again(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     save_three();
     const uint32_t refused = device.ops->refused_count(device.self);
     do_shell("rm data/kingyo.db-wal");
@@ -234,14 +239,14 @@ static void test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_
     assert_int_equal(saved_id(), 4);
     assert_int_equal(device.ops->close(device.self), 0);
     begin(1);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4);
 }
 
 static void test_a_log_that_is_deleted_right_before_the_end_loses_nothing(void **state)
 {
     (void)state;
-    static struct memory memory;
+    static struct persistent_state memory;
     begin(1);
     keep(1);
     storage_work(&storage);
@@ -249,7 +254,7 @@ static void test_a_log_that_is_deleted_right_before_the_end_loses_nothing(void *
     do_shell("rm data/kingyo.db-wal");
     assert_int_equal(device.ops->close(device.self), 0);
     begin(1);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 2);
 }
 

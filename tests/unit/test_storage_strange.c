@@ -102,9 +102,14 @@ static void victim_is_untouched(void)
 
 static int keep(uint32_t id)
 {
-    const struct ledger_entry coin = { .id = id, .boot = 1, .tick = 100 * id, .kind = LEDGER_COINS,
-                                       .count = 1, .value = 1, .purse = { .paid = id } };
-    return device.ops->keep(device.self, &coin);
+    const struct ledger_entry coin = { .id = id,
+                                       .boot = 1,
+                                       .tick = 100 * id,
+                                       .kind = LEDGER_COINS,
+                                       .count = 1,
+                                       .value = 1,
+                                       .balance = { .paid = id } };
+    return device.ops->append(device.self, &coin);
 }
 
 static int begin(void)
@@ -129,13 +134,13 @@ static void fill_and_close(void)
 
 static void goes_on_after(const char *name, void (*put)(const char *))
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     char aside[64];
     fill_and_close();
     unlink(in_dir(name));
     put(in_dir(name));
     assert_int_equal(begin(), HAL_OK);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 3);
     const char *text = device.ops->describe(device.self);
     assert_non_null(strstr(text, "was not a regular file and was set aside"));
@@ -146,7 +151,7 @@ static void goes_on_after(const char *name, void (*put)(const char *))
     keep(4);
     storage_work(&storage);
     assert_int_equal(device.ops->saved_id(device.self), 4);
-    assert_true(device.ops->is_well(device.self));
+    assert_true(device.ops->is_healthy(device.self));
     assert_int_equal(device.ops->close(device.self), 0);
     victim_is_untouched();
 }
@@ -155,7 +160,7 @@ static void test_what_is_no_regular_file_beside_the_database_is_set_aside(void *
 {
     (void)state;
     static const char *const names[] = { STORAGE_FILE STORAGE_BACKUP_SUFFIX,
-                                         STORAGE_FILE STORAGE_TAIL_SUFFIX, STORAGE_FILE "-wal",
+                                         STORAGE_FILE STORAGE_MIRROR_SUFFIX, STORAGE_FILE "-wal",
                                          STORAGE_FILE "-shm", STORAGE_FILE "-journal" };
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         for (size_t k = 0; k < KIND_COUNT; k++) {
@@ -169,12 +174,12 @@ static void test_what_is_no_file_in_place_of_the_database_gives_way_to_the_backu
     (void)state;
     static void (*const others[])(const char *) = { put_fifo, put_folder, put_socket, put_device };
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
-        static struct memory memory;
+        static struct persistent_state memory;
         fill_and_close();
         unlink(in_dir(STORAGE_FILE));
         others[i](in_dir(STORAGE_FILE));
         assert_int_equal(begin(), HAL_OK);
-        assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
         assert_int_equal(memory.ledger.last_id, 3);
         assert_non_null(strstr(device.ops->describe(device.self), "damaged-1"));
         assert_int_equal(device.ops->close(device.self), 0);
@@ -204,12 +209,12 @@ static void test_what_is_no_file_in_place_of_a_file_in_the_making_is_no_obstacle
     static const char *const names[] = { STORAGE_FILE STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX,
                                          STORAGE_FILE STORAGE_BACKUP_SUFFIX LEDGER_PART_SUFFIX };
     for (size_t i = 0; i < 4; i++) {
-        static struct memory memory;
+        static struct persistent_state memory;
         fill_and_close();
         unlink(in_dir(STORAGE_FILE));
         (i % 2u == 0 ? put_fifo : put_link)(in_dir(names[i / 2u]));
         assert_int_equal(begin(), HAL_OK);
-        assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
         assert_int_equal(memory.ledger.last_id, 3);
         storage_work(&storage);
         assert_int_equal(device.ops->close(device.self), 0);
@@ -224,20 +229,20 @@ static void test_the_shared_function_opens_regular_files_alone(void **state)
     (void)state;
     for (size_t i = 0; i < KIND_COUNT; i++) {
         kinds[i](in_dir("one"));
-        assert_true(plain_file_is_other(in_dir("one")));
-        assert_int_equal(plain_file_handle(in_dir("one"), O_RDONLY, 0), -1);
-        assert_int_equal(plain_file_handle(in_dir("one"), O_RDWR | O_CREAT | O_TRUNC, 0600), -1);
-        assert_int_equal(plain_file_handle(in_dir("one"), O_WRONLY | O_CREAT, 0600), -1);
+        assert_true(regular_file_is_other(in_dir("one")));
+        assert_int_equal(regular_file_handle(in_dir("one"), O_RDONLY, 0), -1);
+        assert_int_equal(regular_file_handle(in_dir("one"), O_RDWR | O_CREAT | O_TRUNC, 0600), -1);
+        assert_int_equal(regular_file_handle(in_dir("one"), O_WRONLY | O_CREAT, 0600), -1);
         assert_int_equal(remove(in_dir("one")), 0);
     }
-    assert_string_equal(plain_file_error(ELOOP), "is a symbolic link");
-    assert_string_equal(plain_file_error(ENOTSUP), "is not a regular file");
-    const int handle = plain_file_handle(in_dir("one"), O_RDWR | O_CREAT, 0600);
+    assert_string_equal(regular_file_error(ELOOP), "is a symbolic link");
+    assert_string_equal(regular_file_error(ENOTSUP), "is not a regular file");
+    const int handle = regular_file_handle(in_dir("one"), O_RDWR | O_CREAT, 0600);
     assert_true(handle >= 0);
     assert_int_equal(write(handle, "12", 2), 2);
     close(handle);
     struct stat about;
-    close(plain_file_handle(in_dir("one"), O_WRONLY | O_TRUNC, 0));
+    close(regular_file_handle(in_dir("one"), O_WRONLY | O_TRUNC, 0));
     assert_int_equal(stat(in_dir("one"), &about), 0);
     assert_int_equal(about.st_size, 0);
     victim_is_untouched();
@@ -246,21 +251,21 @@ static void test_the_shared_function_opens_regular_files_alone(void **state)
 static void test_learned_controllers_and_the_choice_of_usb_are_regular_files_too(void **state)
 {
     (void)state;
-    static char text[HID_BOOK_TEXT_SIZE];
+    static char text[HID_MAPPING_STORE_TEXT_SIZE];
     static struct usb_choice choice;
     char why[HAL_TEXT_SIZE];
     for (size_t i = 0; i < KIND_COUNT; i++) {
         kinds[i](in_dir("one"));
-        assert_int_not_equal(hid_book_file_read(in_dir("one"), text), 0);
+        assert_int_not_equal(hid_mapping_store_file_read(in_dir("one"), text), 0);
         assert_true(usb_choice_load(&choice, in_dir("one"), why) < 0);
         assert_int_equal(remove(in_dir("one")), 0);
     }
     char path[160];
     snprintf(path, sizeof path, "%s", in_dir("one"));
     put_fifo(in_dir("one.new"));
-    assert_int_equal(hid_book_file_replace(path, "text"), 0);
+    assert_int_equal(hid_mapping_store_file_replace(path, "text"), 0);
     put_link(in_dir("one.new"));
-    assert_int_equal(hid_book_file_replace(path, "text"), 0);
+    assert_int_equal(hid_mapping_store_file_replace(path, "text"), 0);
     put_fifo(in_dir("one.part"));
     assert_int_equal(usb_choice_save(&choice, path), 0);
     put_link(in_dir("one.part"));

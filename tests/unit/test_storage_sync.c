@@ -89,7 +89,7 @@ static int set_up(void **state)
     }
     snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
     snprintf(wal, sizeof wal, "%s/" STORAGE_FILE "-wal", dir);
-    snprintf(tail, sizeof tail, "%s/" STORAGE_FILE STORAGE_TAIL_SUFFIX, dir);
+    snprintf(tail, sizeof tail, "%s/" STORAGE_FILE STORAGE_MIRROR_SUFFIX, dir);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     device = storage_device(&storage);
     fail_syncs(NULL, 0);
@@ -112,7 +112,7 @@ static void drop_coins(uint32_t first, uint32_t last)
     for (uint32_t id = first; id <= last; id++) {
         const struct ledger_entry coin = { .id = id, .boot = 1, .tick = id, .kind = LEDGER_COINS,
                                            .count = 1 };
-        assert_int_equal(device.ops->keep(device.self, &coin), HAL_OK);
+        assert_int_equal(device.ops->append(device.self, &coin), HAL_OK);
     }
     storage_work(&storage);
 }
@@ -138,13 +138,13 @@ static void test_after_a_failed_sync_of_the_log_its_bytes_are_written_again(void
     fail_syncs(wal, 2); /* At COMMIT, and when the file is closed. */
     drop_coins(2, 3);
     assert_int_equal(saved(), 1);
-    assert_false(device.ops->is_well(device.self));
+    assert_false(device.ops->is_healthy(device.self));
     const uint64_t size = size_of(wal);
     assert_true(size > 0);
     written = 0;
     storage_work(&storage);
     assert_int_equal(saved(), 3);
-    assert_true(device.ops->is_well(device.self));
+    assert_true(device.ops->is_healthy(device.self));
     assert_true(written >= size);
 }
 
@@ -156,12 +156,12 @@ static void test_while_every_sync_fails_nothing_is_acknowledged(void **state)
     for (uint32_t id = 3; id < 12; id++) {
         drop_coins(id, id);
         assert_int_equal(saved(), 2);
-        assert_false(device.ops->is_well(device.self));
+        assert_false(device.ops->is_healthy(device.self));
     }
     fail_syncs(NULL, 0);
     storage_work(&storage);
     assert_int_equal(saved(), 11);
-    assert_true(device.ops->is_well(device.self));
+    assert_true(device.ops->is_healthy(device.self));
 }
 
 static void test_a_failed_sync_of_the_tail_alone_is_not_acknowledged(void **state)
@@ -172,11 +172,11 @@ static void test_a_failed_sync_of_the_tail_alone_is_not_acknowledged(void **stat
     fail_syncs(tail, 1);
     drop_coins(2, 2);
     assert_int_equal(saved(), 1);
-    assert_false(device.ops->is_well(device.self));
+    assert_false(device.ops->is_healthy(device.self));
     written = 0;
     storage_work(&storage);
     assert_int_equal(saved(), 2);
-    assert_true(written >= LEDGER_TAIL_SLOTS * LEDGER_TAIL_SLOT_SIZE);
+    assert_true(written >= LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE);
 }
 
 static void test_a_failed_checkpoint_closes_the_file_and_loses_nothing(void **state)
@@ -190,7 +190,7 @@ static void test_a_failed_checkpoint_closes_the_file_and_loses_nothing(void **st
     }
     assert_int_equal(fails_left, 0);
     assert_int_equal(saved(), id - 1u);
-    assert_false(device.ops->is_well(device.self));
+    assert_false(device.ops->is_healthy(device.self));
     assert_null(storage.file.db);
     watched = wal;
     written = 0;
@@ -242,7 +242,7 @@ static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledg
     assert_int_equal(device.ops->open(device.self), HAL_OK);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(saved(), 0);
-        assert_false(device.ops->is_well(device.self));
+        assert_false(device.ops->is_healthy(device.self));
         storage_work(&storage); /* The lock still lasts. */
     }
     assert_non_null(strstr(device.ops->describe(device.self), "another program holds it"));
@@ -253,7 +253,7 @@ static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledg
     storage_work(&storage); /* After the failed sync the file is opened again. */
     assert_int_equal(fails_left, 0);
     assert_int_equal(saved(), 5);
-    assert_true(device.ops->is_well(device.self));
+    assert_true(device.ops->is_healthy(device.self));
     assert_true(written >= 2u * size_of(wal));
     sqlite3_close(other);
 }
@@ -263,19 +263,19 @@ static void test_a_name_taken_back_is_written_again_after_a_failed_sync_of_the_t
     (void)state;
     struct ledger_entry name = { .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1,
                                  .name = "A WORD" };
-    device.ops->keep(device.self, &name);
+    device.ops->append(device.self, &name);
     storage_work(&storage);
     memset(name.name, 0, sizeof name.name);
     name.id = 2;
-    struct ledger_tail own = ledger_tail_look(tail);
-    ledger_tail_close(&own);
-    assert_int_equal(ledger_tail_open(&own, tail), 0);
-    assert_int_equal(ledger_tail_forget_name(&own, 9, 1), 0);
+    struct ledger_mirror own = ledger_mirror_inspect(tail);
+    ledger_mirror_close(&own);
+    assert_int_equal(ledger_mirror_open(&own, tail), 0);
+    assert_int_equal(ledger_mirror_erase_name(&own, 9, 1), 0);
     watched = tail;
     written = 0;
-    assert_int_equal(ledger_tail_forget_name(&own, 9, 1), 0);
-    assert_int_equal(written, LEDGER_TAIL_SLOT_SIZE);
-    ledger_tail_close(&own);
+    assert_int_equal(ledger_mirror_erase_name(&own, 9, 1), 0);
+    assert_int_equal(written, LEDGER_MIRROR_SLOT_SIZE);
+    ledger_mirror_close(&own);
 }
 
 int main(void)

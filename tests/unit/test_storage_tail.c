@@ -37,7 +37,7 @@ static int set_up(void **state)
     }
     snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
     snprintf(backup, sizeof backup, "%s/" STORAGE_FILE STORAGE_BACKUP_SUFFIX, dir);
-    snprintf(tail_path, sizeof tail_path, "%s/" STORAGE_FILE STORAGE_TAIL_SUFFIX, dir);
+    snprintf(tail_path, sizeof tail_path, "%s/" STORAGE_FILE STORAGE_MIRROR_SUFFIX, dir);
     boot = 1;
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     device = storage_device(&storage);
@@ -69,10 +69,10 @@ static void hand_over_rounds(uint32_t first, uint32_t last)
             .boot = boot,
             .tick = 100 * id,
             .kind = LEDGER_ROUND,
-            .purse = { .paid = id },
+            .balance = { .paid = id },
             .round = { .id = id, .caught = id, .players = 1, .player = { { .caught = id } } },
         };
-        assert_int_equal(device.ops->keep(device.self, &round), HAL_OK);
+        assert_int_equal(device.ops->append(device.self, &round), HAL_OK);
     }
     storage_work(&storage);
 }
@@ -107,12 +107,12 @@ static int ask(const char *path, const char *question)
 
 static void has_all_eight(void)
 {
-    static struct memory memory;
+    static struct persistent_state memory;
     reopen();
     memset(&memory, 0, sizeof memory);
-    assert_int_equal(device.ops->remember(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 8);
-    assert_int_equal(memory.ledger.purse.paid, 8);
+    assert_int_equal(memory.ledger.balance.paid, 8);
     assert_int_equal(memory.audits.count[AUDIT_CAUGHT], 36);
     assert_int_equal(ask(file, "SELECT count(*) FROM rounds"), 8);
     assert_int_equal(storage.salvaged.lost, 0);
@@ -238,8 +238,8 @@ static void test_what_neither_has_is_counted(void **state)
     assert_int_equal(unlink(file), 0);
     reopen();
     assert_int_equal(storage.from_backup, 4);
-    assert_int_equal(storage.salvaged.entries, LEDGER_TAIL_SLOTS);
-    assert_int_equal(storage.salvaged.lost, 1400 - 4 - (int)LEDGER_TAIL_SLOTS);
+    assert_int_equal(storage.salvaged.entries, LEDGER_MIRROR_SLOTS);
+    assert_int_equal(storage.salvaged.lost, 1400 - 4 - (int)LEDGER_MIRROR_SLOTS);
 }
 
 /* Another stall's card, put in by hand: nothing of the tail that lay there gets into it. */
@@ -300,28 +300,28 @@ static void test_a_file_with_less_than_its_tail_is_damage(void **state)
 static void test_a_slot_that_is_not_as_it_was_written_is_no_entry(void **state)
 {
     (void)state;
-    struct ledger_tail tail;
+    struct ledger_mirror tail;
     struct ledger_entry found;
     const struct ledger_entry coins[] = { { .id = 7, .kind = LEDGER_COINS },
                                           { .id = 8, .kind = LEDGER_COINS } };
-    assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
-    assert_int_equal(ledger_tail_write(&tail, coins, 2), 0);
-    assert_int_equal(ledger_tail_last_id(&tail), 8);
-    assert_true(ledger_tail_entry(&tail, 8, &found));
-    assert_false(ledger_tail_entry(&tail, 8 + LEDGER_TAIL_SLOTS, &found));
-    assert_false(ledger_tail_entry(&tail, 9, &found));
-    ledger_tail_close(&tail);
+    assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
+    assert_int_equal(ledger_mirror_write(&tail, coins, 2), 0);
+    assert_int_equal(ledger_mirror_last_id(&tail), 8);
+    assert_true(ledger_mirror_entry(&tail, 8, &found));
+    assert_false(ledger_mirror_entry(&tail, 8 + LEDGER_MIRROR_SLOTS, &found));
+    assert_false(ledger_mirror_entry(&tail, 9, &found));
+    ledger_mirror_close(&tail);
     for (long byte = 0; byte < (long)sizeof coins[1] + 16; byte++) {
         FILE *out = fopen(tail_path, "r+b");
         assert_non_null(out);
-        fseek(out, 8L * LEDGER_TAIL_SLOT_SIZE + byte, SEEK_SET);
+        fseek(out, 8L * LEDGER_MIRROR_SLOT_SIZE + byte, SEEK_SET);
         const int was = fgetc(out);
         fseek(out, -1, SEEK_CUR);
         fputc(was ^ 4, out);
         fflush(out);
-        tail = ledger_tail_look(tail_path);
-        assert_int_equal(ledger_tail_last_id(&tail), 7);
-        ledger_tail_close(&tail);
+        tail = ledger_mirror_inspect(tail_path);
+        assert_int_equal(ledger_mirror_last_id(&tail), 7);
+        ledger_mirror_close(&tail);
         fseek(out, -1, SEEK_CUR);
         fputc(was, out);
         fclose(out);
@@ -331,38 +331,38 @@ static void test_a_slot_that_is_not_as_it_was_written_is_no_entry(void **state)
 static void test_a_newer_entry_takes_the_oldest_ones_slot(void **state)
 {
     (void)state;
-    struct ledger_tail tail;
+    struct ledger_mirror tail;
     struct ledger_entry found;
-    assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
-    for (uint32_t id = 1; id <= LEDGER_TAIL_SLOTS + 1u; id++) {
+    assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
+    for (uint32_t id = 1; id <= LEDGER_MIRROR_SLOTS + 1u; id++) {
         const struct ledger_entry coin = { .id = id, .kind = LEDGER_COINS, .count = id };
-        assert_int_equal(ledger_tail_write(&tail, &coin, 1), 0);
+        assert_int_equal(ledger_mirror_write(&tail, &coin, 1), 0);
     }
-    assert_false(ledger_tail_entry(&tail, 1, &found));
-    assert_true(ledger_tail_entry(&tail, 2, &found));
-    assert_true(ledger_tail_entry(&tail, LEDGER_TAIL_SLOTS + 1u, &found));
-    assert_int_equal(found.count, LEDGER_TAIL_SLOTS + 1u);
-    ledger_tail_close(&tail);
+    assert_false(ledger_mirror_entry(&tail, 1, &found));
+    assert_true(ledger_mirror_entry(&tail, 2, &found));
+    assert_true(ledger_mirror_entry(&tail, LEDGER_MIRROR_SLOTS + 1u, &found));
+    assert_int_equal(found.count, LEDGER_MIRROR_SLOTS + 1u);
+    ledger_mirror_close(&tail);
 }
 
 /* As where a database was copied there by hand: what is not of its list must not get into it. */
 static void test_a_tail_of_another_list_is_begun_anew(void **state)
 {
     (void)state;
-    struct ledger_tail tail;
+    struct ledger_mirror tail;
     struct ledger_entry found;
     const struct ledger_entry others[] = {
         { .id = 7, .boot = 77, .kind = LEDGER_COINS }, { .id = 8, .boot = 77, .kind = LEDGER_COINS }
     };
     play_eight_and_close();
-    assert_int_equal(ledger_tail_open(&tail, tail_path), 0);
-    assert_int_equal(ledger_tail_write(&tail, others, 2), 0);
-    ledger_tail_close(&tail);
+    assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
+    assert_int_equal(ledger_mirror_write(&tail, others, 2), 0);
+    ledger_mirror_close(&tail);
     reopen();
     play_rounds(9, 9);
-    assert_true(ledger_tail_entry(&storage.tail, 7, &found));
+    assert_true(ledger_mirror_entry(&storage.tail, 7, &found));
     assert_int_equal(found.boot, 1);
-    assert_true(ledger_tail_entry(&storage.tail, 9, &found));
+    assert_true(ledger_mirror_entry(&storage.tail, 9, &found));
     assert_true(is_beside(".tail.other-1"));
 }
 
@@ -381,7 +381,7 @@ static void test_a_copy_that_is_put_back_has_a_tail_of_its_own(void **state)
     assert_int_equal(atomic_load(&storage.aside), 0);
     assert_int_equal(device.ops->saved_id(device.self), 2);
     play_rounds(3, 3);
-    assert_int_equal(ledger_tail_last_id(&storage.tail), 3);
+    assert_int_equal(ledger_mirror_last_id(&storage.tail), 3);
 }
 
 static void test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged(void **state)
@@ -392,16 +392,16 @@ static void test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged(voi
     assert_int_equal(mkdir(tail_path, 0755), 0); /* At the start it would be set aside. */
     hand_over_rounds(1, 3);
     assert_int_equal(device.ops->saved_id(device.self), 0);
-    assert_false(device.ops->is_well(device.self));
+    assert_false(device.ops->is_healthy(device.self));
     assert_non_null(strstr(device.ops->describe(device.self), "second copy is not written"));
     hand_over_rounds(4, 4);
     assert_int_equal(device.ops->saved_id(device.self), 0);
     assert_int_equal(rmdir(tail_path), 0);
     play_rounds(5, 5);
-    assert_true(device.ops->is_well(device.self));
+    assert_true(device.ops->is_healthy(device.self));
     assert_null(strstr(device.ops->describe(device.self), "second copy"));
     for (uint32_t id = 1; id <= 5; id++) {
-        assert_true(ledger_tail_entry(&storage.tail, id, &found));
+        assert_true(ledger_mirror_entry(&storage.tail, id, &found));
         assert_int_equal(found.round.caught, id);
     }
 }
@@ -424,10 +424,10 @@ static void test_a_tail_that_is_removed_is_written_whole_anew(void **state)
     play_rounds(1, 4);
     assert_int_equal(unlink(tail_path), 0);
     play_rounds(5, 5);
-    struct ledger_tail tail = ledger_tail_look(tail_path);
-    assert_true(ledger_tail_entry(&tail, 1, &found));
-    assert_int_equal(ledger_tail_last_id(&tail), 5);
-    ledger_tail_close(&tail);
+    struct ledger_mirror tail = ledger_mirror_inspect(tail_path);
+    assert_true(ledger_mirror_entry(&tail, 1, &found));
+    assert_int_equal(ledger_mirror_last_id(&tail), 5);
+    ledger_mirror_close(&tail);
 }
 
 static void test_a_name_that_is_taken_back_is_not_left_in_it(void **state)
@@ -437,13 +437,13 @@ static void test_a_name_that_is_taken_back_is_not_left_in_it(void **state)
     struct ledger_entry name = { .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1,
                                  .name = "A WORD" };
     reopen();
-    device.ops->keep(device.self, &name);
+    device.ops->append(device.self, &name);
     storage_work(&storage);
     memset(name.name, 0, sizeof name.name);
     name.id = 2;
-    device.ops->keep(device.self, &name);
+    device.ops->append(device.self, &name);
     storage_work(&storage);
-    assert_true(ledger_tail_entry(&storage.tail, 1, &found));
+    assert_true(ledger_mirror_entry(&storage.tail, 1, &found));
     assert_string_equal(found.name, "");
 }
 

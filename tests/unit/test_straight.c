@@ -31,7 +31,7 @@ static void key_positions(const struct species *species, uint32_t key, vec3 *pos
 static void test_every_key_is_the_same_shape_without_anchors(void **state)
 {
     (void)state;
-    species_straighten(&barrel.species, &memory, &out);
+    straight_species(&barrel.species, &memory, &out);
     assert_int_equal(out.lod[0].anchor_count, 0);
     assert_int_equal(out.card.curve_count, 1);
     for (uint32_t key = 0; key < 3; key++) {
@@ -48,7 +48,7 @@ static void test_between_keys_every_point_moves_straight(void **state)
 {
     (void)state;
     struct morph_rig rig;
-    species_straighten(&barrel.species, &memory, &out);
+    straight_species(&barrel.species, &memory, &out);
     morph_rig_init(&rig, &out.card, TEMPLATE_ORDINARY);
     key_positions(&out, 0, ours);
     key_positions(&out, 2, theirs);
@@ -67,7 +67,7 @@ static void test_masks_are_the_whole_fishs(void **state)
     (void)state;
     barrel.vertices[3].mask[0] = 100;
     barrel.vertices[3].mask[2] = 155;
-    species_straighten(&barrel.species, &memory, &out);
+    straight_species(&barrel.species, &memory, &out);
     assert_int_equal(out.lod[0].vertices[3].mask[0], 255);
     assert_int_equal(out.lod[0].vertices[3].mask[2], 0);
 }
@@ -88,7 +88,7 @@ static void test_what_anchors_carry_far_out_widens_the_reach(void **state)
         }
         barrel.points[key][BARREL_RAY].y = (int16_t)(0.4f / 0.5f * 32767.0f);
     }
-    species_straighten(&barrel.species, &memory, &out);
+    straight_species(&barrel.species, &memory, &out);
     assert_true(out.lod[0].reach == 1.0f);
     key_positions(&barrel.species, 2, ours);
     key_positions(&out, 2, theirs);
@@ -106,7 +106,7 @@ static void test_a_species_without_anchors_keeps_its_tables(void **state)
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         barrel.species.lod[lod].anchor_count = 0;
     }
-    species_straighten(&barrel.species, &memory, &out);
+    straight_species(&barrel.species, &memory, &out);
     for (uint32_t key = 0; key < 3; key++) {
         assert_ptr_equal(out.lod[0].points[key], barrel.points[key]);
     }
@@ -123,13 +123,13 @@ static void test_the_thesis_takes_its_three_keys_and_its_template(void **state)
     card->key_length_m[3] = 0.2f;
     card->key_names[3][0] = 'd';
     card->scale_knot_count = 2;
-    graph_template(&card->curves[0], TEMPLATE_PAIRWISE, 4, SIMULTANEOUS_PEAK);
+    template_graph(&card->curves[0], TEMPLATE_PAIRWISE, 4, SIMULTANEOUS_PEAK);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         barrel.species.lod[lod].points[3] = barrel.points[0];
         barrel.anchors[0].v[3] = 0.25f;
         barrel.anchors[1].u[3] = 0.75f;
     }
-    species_thesis(&barrel.species, &memory, &out);
+    straight_thesis(&barrel.species, &memory, &out);
     assert_int_equal(out.card.key_count, 3);
     assert_int_equal(out.card.thesis_key[2], 2);
     assert_int_equal(out.card.key_names[2][0], 'd');
@@ -151,7 +151,7 @@ static void test_the_thesis_takes_its_three_keys_and_its_template(void **state)
 static void test_the_thesis_is_as_long_as_its_shifted_curve(void **state)
 {
     (void)state;
-    species_thesis(&barrel.species, &memory, &out);
+    straight_thesis(&barrel.species, &memory, &out);
     for (int step = 0; step <= 100; step++) {
         const float progress = (float)step / 100.0f, age = life_age_days(&out.card, progress);
         const float expected = 0.2f - (0.2f - 0.01f) * f_exp(-age / 365.25f);
@@ -170,7 +170,7 @@ static void test_a_thesis_key_that_is_not_there_is_a_bug(void **state)
 {
     (void)state;
     barrel.species.card.thesis_key[2] = 3;
-    expect_assert_failure(species_thesis(&barrel.species, &memory, &out));
+    expect_assert_failure(straight_thesis(&barrel.species, &memory, &out));
 }
 
 int main(void)

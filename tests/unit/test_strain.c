@@ -61,7 +61,7 @@ static float plain_load(uint32_t cell, float *tension_max_n_m)
         return 0.0f;
     }
     *tension_max_n_m = f_max(*tension_max_n_m, tension);
-    const float wet = strain.grade->wet_n_m * soak_keeps(&sheet, cell);
+    const float wet = strain.grade->wet_n_m * wetting_strength(&sheet, cell);
     const float holds =
         f_lerp(strain.grade->dry_n_m, wet, sheet.wetness[cell]) * sheet.strength[cell];
     const float load = tension / f_max(holds, 1e-3f);
@@ -127,13 +127,13 @@ static void test_eight_lanes_do_what_four_do(void **state)
     prepare();
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         const float four = strain_row_4(&strain, &sheet, row);
-        assert_float_equal(four, LANES_PICK(8u, strain_row)(&wide, &other, row), 0.0f);
+        assert_float_equal(four, SIMD_PICK(8u, strain_row)(&wide, &other, row), 0.0f);
         assert_int_equal(strain_tears_4(&strain, &sheet, row, 0.05f),
-                         LANES_PICK(8u, strain_tears)(&wide, &other, row, 0.05f));
+                         SIMD_PICK(8u, strain_tears)(&wide, &other, row, 0.05f));
         assert_int_equal(strain_wear_4(&strain, &sheet, row, 0.05f),
-                         LANES_PICK(8u, strain_wear)(&wide, &other, row, 0.05f));
+                         SIMD_PICK(8u, strain_wear)(&wide, &other, row, 0.05f));
         strain_show_4(&strain, &sheet, row);
-        LANES_PICK(8u, strain_show)(&wide, &other, row);
+        SIMD_PICK(8u, strain_show)(&wide, &other, row);
     }
     assert_memory_equal(strain.ratio, wide.ratio, sizeof wide.ratio);
     assert_memory_equal(sheet.damage, other.damage, sizeof sheet.damage);

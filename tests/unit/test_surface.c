@@ -78,12 +78,12 @@ static void test_a_tired_fish_is_a_fifth_of_a_milligram_sooner_up(void **state)
     assert_float_equal(surface_chance(1.6f, 1.0f), 0.5f, 1e-4f);
 }
 
-static uint32_t calls_of_1000(float oxygen_mg_l, const struct law *law)
+static uint32_t calls_of_1000(float oxygen_mg_l, const struct behavior_params *params)
 {
     uint32_t calls = 0;
     for (uint32_t i = 0; i < 1000; i++) {
-        struct surroundings around = *pond_at(5, i);
-        around.law = law;
+        struct perception around = *pond_at(5, i);
+        around.params = params;
         around.oxygen_mg_l = oxygen_mg_l;
         const struct fish fish = { WAKIN(0.05f), .stamina = 0.5f };
         calls += (uint32_t)surface_calls(&fish, 3, &around);
@@ -97,7 +97,7 @@ static void test_in_a_living_tank_oxygen_calls_and_in_the_thesis_it_never_does(v
     assert_in_range(calls_of_1000(1.8f, pond_law()), 450, 550);
     assert_true(calls_of_1000(0.8f, pond_law()) > 950);
     assert_int_equal(calls_of_1000(8.0f, pond_law()), 0);
-    assert_int_equal(calls_of_1000(0.0f, &tank_preset(TANK_PRESET_THESIS)->law), 0);
+    assert_int_equal(calls_of_1000(0.0f, &tank_preset(TANK_PRESET_THESIS)->params), 0);
 }
 
 /* Stamina below 25 lets the thesis' fish rise and no other: section 3.6. */
@@ -357,7 +357,7 @@ static void test_who_gulps_takes_nothing_from_the_water(void **state)
 static void test_bad_water_tires_and_the_film_refreshes(void **state)
 {
     (void)state;
-    struct surroundings around = *pond_at(1, 0);
+    struct perception around = *pond_at(1, 0);
     around.oxygen_mg_l = 1.0f;
     around.dt_s = 1.0f;
     struct fish below = { WAKIN(0.05f), .stamina = 0.5f, .position_m = { 0.0f, -0.06f, 0.0f } };

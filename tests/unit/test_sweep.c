@@ -26,13 +26,13 @@ static void swing_from(vec3 start_m, struct angles angles, vec3 velocity_m_s)
     poi->angles = poi->before_angles = angles;
     poi->velocity_m_s = poi->before_m_s = velocity_m_s;
     poi->pace_m_s = v3_length(velocity_m_s);
-    const vec3 up = basis_from_angles(angles).up;
+    const vec3 up = vec_basis_from_angles(angles).up;
     poi->immersed = disc_immersed(POI_RADIUS_M, start_m.y, up.y);
 }
 
 static void swing_on(vec3 velocity_m_s)
 {
-    stand.hand.position_m = v3_mad(stand.hand.position_m, velocity_m_s, CORE_TICK_S);
+    stand.hand.position_m = v3_muladd(stand.hand.position_m, velocity_m_s, CORE_TICK_S);
     stand_tick(&stand);
 }
 
@@ -88,8 +88,8 @@ static void test_a_flick_through_the_surface_and_back_is_a_dip(void **state)
 
 static vec3 from_poi(uint32_t fish)
 {
-    const struct basis axes = basis_from_angles(stand.poi.angles);
-    return basis_to_body(&axes, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
+    const struct basis axes = vec_basis_from_angles(stand.poi.angles);
+    return vec_basis_to_body(&axes, v3_sub(stand.tank.fish[fish].position_m, stand.poi.position_m));
 }
 
 /* Whether what went from one place to the other in the poi's axes came through its paper. What lies
@@ -118,7 +118,7 @@ static uint32_t swing_at_fish(uint32_t trial, vec3 velocity_m_s, struct angles a
         stand.tank.fish[fish].angles.yaw_rad = drawn(trial, 30 + i, -3.0f, 3.0f);
     }
     vec3 began[3];
-    stand.poi.spared = 1; /* A hole would let them through. */
+    stand.poi.damage_immune = 1; /* A hole would let them through. */
     swing_from(start_m, angles, velocity_m_s);
     for (uint32_t i = 0; i < 3; i++) {
         began[i] = stand.tank.fish[i].position_m;

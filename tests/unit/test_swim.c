@@ -79,7 +79,7 @@ static float swim_a_minute(struct fish *fish, float *fastest)
     *fastest = 0.0f;
     for (uint32_t tick = 0; tick < ticks + CORE_TICK_HZ; tick++) {
         const vec3 before = fish->position_m;
-        if (tick % THINK_TICKS == 0) {
+        if (tick % FISH_BEHAVIOR_TICKS == 0) {
             swim_resolve(fish, pond_at(1, tick));
         }
         swim_one_tick(fish);
@@ -253,9 +253,9 @@ static void test_a_wall_ahead_is_left_before_it_is_touched(void **state)
         const vec3 size_m = { 0.85f, 0.12f, 0.55f };
         float nearest = 1.0f;
         for (uint32_t tick = 0; tick < 30 * CORE_TICK_HZ; tick++) {
-            struct swim_shun shun = { 0 };
-            swim_shun_walls(&shun, &fish, pond_law(), size_m);
-            swim_shun_turn(&fish, &shun, CORE_TICK_S);
+            struct swim_avoidance avoidance = { 0 };
+            swim_avoid_walls(&avoidance, &fish, pond_law(), size_m);
+            swim_avoid_turn(&fish, &avoidance, CORE_TICK_S);
             swim_ticks(&fish, 1, 0.0525f);
             const struct box box = fish_box(&fish);
             const vec3 extent = box_extent_m(&box);

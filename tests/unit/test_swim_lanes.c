@@ -71,8 +71,8 @@ static float corner_way_m(const struct body *from, const struct body *to)
                     z = corner & 4 ? 1.0f : -1.0f;
         const struct box a = body_box(from), b = body_box(to);
         const vec3 half = v3(x * a.half_m.x, y * a.half_m.y, z * a.half_m.z);
-        const vec3 at_a = v3_add(a.centre_m, basis_to_world(&a.axes, half));
-        const vec3 at_b = v3_add(b.centre_m, basis_to_world(&b.axes, half));
+        const vec3 at_a = v3_add(a.centre_m, vec_basis_to_world(&a.axes, half));
+        const vec3 at_b = v3_add(b.centre_m, vec_basis_to_world(&b.axes, half));
         farthest_m = f_max(farthest_m, v3_length(v3_sub(at_b, at_a)));
     }
     return farthest_m;
@@ -104,8 +104,10 @@ struct school {
 
 static struct shoal shoal_of(struct school *school, uint8_t preset)
 {
-    return (struct shoal){ school->fish, school->body, school->way_m, school->before_m, SHOAL,
-                           &tank_preset(preset)->law, 0.2f };
+    return (struct shoal){ school->fish,  school->body,
+                           school->way_m, school->before_m,
+                           SHOAL,         &tank_preset(preset)->params,
+                           0.2f };
 }
 
 static void school_make(struct school *school, uint32_t round)
@@ -125,8 +127,8 @@ static void school_swim_one_by_one(struct school *school, uint8_t preset, vec3 s
         if (!fish_swims(fish)) {
             continue;
         }
-        school->way_m[i] += fish->falls ? SWIM_FAR_M
-                                        : swim_move(fish, &tank_preset(preset)->law);
+        school->way_m[i] +=
+            fish->falls ? SWIM_FAR_M : swim_move(fish, &tank_preset(preset)->params);
         const struct box box = fish_box(fish);
         school->body[i] = body_of(&box, 0.2f * fish->length_m);
         school->body[i].centre_m = v3_add(school->body[i].centre_m, shove_m);

@@ -74,7 +74,7 @@ static float jump_m(const struct tank *t)
 {
     float farthest_m = 0.0f;
     for (uint32_t i = 0; i < t->fish_count; i++) {
-        const vec3 step = v3_sub(t->fish[i].position_m, t->part.began_m[i]);
+        const vec3 step = v3_sub(t->fish[i].position_m, t->solver.began_m[i]);
         const float own_m =
             (f_max(t->fish[i].speed_m_s, 1.5f * t->fish[i].length_m) + 0.03f) * CORE_TICK_S;
         farthest_m = f_max(farthest_m, v3_length(step) - own_m);
@@ -183,7 +183,7 @@ static void test_a_copy_goes_on_as_the_tank_itself_does(void **state)
     tank_init(&tank, TANK_PRESET_FESTIVAL, 80, 3);
     run(&tank, 0, 500, 0, 0);
     twin = tank;
-    memset(&twin.crowd, 0x5a, sizeof twin.crowd); /* 500 is a tick in which all look. */
+    memset(&twin.broad_phase, 0x5a, sizeof twin.broad_phase); /* 500 is a tick in which all look. */
     run(&tank, 500, 500, 0, 0);
     run(&twin, 500, 500, 0, 0);
     assert_true(tank_hash(HASH_START, &tank) == tank_hash(HASH_START, &twin));
@@ -265,7 +265,7 @@ static void test_the_fullest_tank_of_every_kind_begins_without_an_overlap(void *
         config.fish_count = tank_fish_max(config.preset, config.area_scale);
         uint32_t over = 0;
         assert_int_equal(tank_open(&tank, &config), 1);
-        assert_true(deepest_overlap_m(&tank, &over) <= PART_FREE_M);
+        assert_true(deepest_overlap_m(&tank, &over) <= SOLVER_FREE_M);
     }
 }
 
@@ -280,7 +280,7 @@ static void test_the_smallest_tank_finds_room_for_its_fish_by_every_seed(void **
     for (config.seed = 1; config.seed <= 300; config.seed++) {
         uint32_t over = 0;
         assert_int_equal(tank_open(&tank, &config), 1);
-        assert_true(deepest_overlap_m(&tank, &over) <= PART_FREE_M);
+        assert_true(deepest_overlap_m(&tank, &over) <= SOLVER_FREE_M);
     }
 }
 
@@ -296,7 +296,7 @@ static void test_a_tank_without_room_is_refused_rather_than_opened_with_an_overl
     for (config.seed = 1; config.seed <= 200; config.seed++) {
         uint32_t over = 0;
         if (tank_open(&tank, &config)) {
-            assert_true(deepest_overlap_m(&tank, &over) <= PART_FREE_M);
+            assert_true(deepest_overlap_m(&tank, &over) <= SOLVER_FREE_M);
         } else {
             refused++;
         }

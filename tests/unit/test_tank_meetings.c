@@ -10,7 +10,7 @@
 #include "platform/ctl/tank_meetings.h"
 #include "tests/unit/thesis.h"
 
-static struct meetings meetings;
+static struct tank_meetings meetings;
 
 static struct tank_stage swimmer(float x_cm, float z_cm, float yaw_deg)
 {
@@ -26,10 +26,10 @@ static struct tank_stage swimmer(float x_cm, float z_cm, float yaw_deg)
 static void watch_stage(const struct tank_stage *stages, uint32_t count, uint32_t seed)
 {
     struct tank *tank = thesis_stage(stages, count, seed);
-    meetings = (struct meetings){ 0 };
+    meetings = (struct tank_meetings){ 0 };
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         tank_tick(tank, tick, NULL, 0);
-        meetings_watch(&meetings, tank, 1);
+        tank_meetings_update(&meetings, tank, 1);
     }
 }
 
@@ -78,28 +78,28 @@ static void test_a_pair_counts_again_only_when_it_has_parted(void **state)
     (void)state;
     const struct tank_stage near[] = { swimmer(0.0f, 3.0f, 0.0f), swimmer(0.0f, -3.0f, 180.0f) };
     struct tank *tank = thesis_stage(near, 2, 1);
-    meetings = (struct meetings){ 0 };
+    meetings = (struct tank_meetings){ 0 };
     for (uint32_t turn = 0; turn < 3; turn++) { /* In turns, without parting. */
         give_way(&tank->fish[turn % 2u], (fish_index)(1u - turn % 2u));
-        meetings_watch(&meetings, tank, 1);
+        tank_meetings_update(&meetings, tank, 1);
         tank->fish[turn % 2u].avoiding = AVOID_NONE;
-        meetings_watch(&meetings, tank, 1);
+        tank_meetings_update(&meetings, tank, 1);
     }
     assert_int_equal(meetings.head_on, 1);
     assert_int_equal(meetings.by_yaw, 3);
     const vec3 here = tank->fish[0].position_m;
     tank->fish[0].position_m.z += 0.02f; /* 8 cm between the middles: spaces of 7 are apart. */
-    for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - MEETINGS_LOOK_TICKS; tick++) {
+    for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u - TANK_MEETINGS_LOOK_TICKS; tick++) {
         assert_int_equal(meetings.open_count, 1);
-        meetings_watch(&meetings, tank, 1);
+        tank_meetings_update(&meetings, tank, 1);
     }
-    for (uint32_t tick = 0; tick < 2u * MEETINGS_LOOK_TICKS; tick++) {
-        meetings_watch(&meetings, tank, 1);
+    for (uint32_t tick = 0; tick < 2u * TANK_MEETINGS_LOOK_TICKS; tick++) {
+        tank_meetings_update(&meetings, tank, 1);
     }
     assert_int_equal(meetings.open_count, 0);
     tank->fish[0].position_m = here;
     give_way(&tank->fish[0], 1);
-    meetings_watch(&meetings, tank, 1);
+    tank_meetings_update(&meetings, tank, 1);
     assert_int_equal(meetings.head_on, 2);
 }
 
@@ -109,16 +109,16 @@ static void test_a_pair_that_is_watched_in_steps_parts_in_time(void **state)
     (void)state;
     const struct tank_stage near[] = { swimmer(0.0f, 3.0f, 0.0f), swimmer(0.0f, -3.0f, 180.0f) };
     struct tank *tank = thesis_stage(near, 2, 1);
-    meetings = (struct meetings){ 0 };
+    meetings = (struct tank_meetings){ 0 };
     give_way(&tank->fish[0], 1);
-    meetings_watch(&meetings, tank, 24);
-    meetings_watch(&meetings, tank, 24);
+    tank_meetings_update(&meetings, tank, 24);
+    tank_meetings_update(&meetings, tank, 24);
     assert_int_equal(meetings.head_on, 1);
     tank->fish[0].position_m.z += 0.02f;
-    meetings_watch(&meetings, tank, 24);
-    meetings_watch(&meetings, tank, 24);
+    tank_meetings_update(&meetings, tank, 24);
+    tank_meetings_update(&meetings, tank, 24);
     assert_int_equal(meetings.open_count, 1); /* Apart for 48 ticks. */
-    meetings_watch(&meetings, tank, 24);
+    tank_meetings_update(&meetings, tank, 24);
     assert_int_equal(meetings.open_count, 0);
 }
 

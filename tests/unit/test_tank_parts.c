@@ -39,7 +39,7 @@ static void scoop(struct tank *t, uint32_t index)
 /* Where its body was seen last, as far as anybody still knows. */
 static void ghost_at(struct tank *t, uint32_t index, vec3 place_m)
 {
-    t->crowd.body[index].centre_m = place_m;
+    t->broad_phase.body[index].centre_m = place_m;
 }
 
 static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **state)
@@ -49,10 +49,11 @@ static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **
     open_official(1000);
     for (uint32_t tick = 0; tick < 60u; tick++) {
         tank_tick(&tank, tick, NULL, 0);
-        if (tick % CROWD_LOOK_TICKS != 0 || tank.crowd.contact_count == 0) {
+        if (tick % BROAD_PHASE_UPDATE_TICKS != 0 || tank.broad_phase.contact_count == 0) {
             continue;
         }
-        const struct contact contact = tank.crowd.contact[staged % tank.crowd.contact_count];
+        const struct contact contact =
+            tank.broad_phase.contact[staged % tank.broad_phase.contact_count];
         if (!swims(&tank, contact.a) || !swims(&tank, contact.b)) {
             continue;
         }
@@ -61,7 +62,7 @@ static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **
         memcpy(&twin, &tank, sizeof twin);
         ghost_at(&tank, contact.a, tank.fish[contact.b].position_m);
         ghost_at(&twin, contact.a, v3(0.0f, 1.0f, 0.0f));
-        for (uint32_t k = 1; k < CROWD_LOOK_TICKS; k++) {
+        for (uint32_t k = 1; k < BROAD_PHASE_UPDATE_TICKS; k++) {
             tank_tick(&tank, ++tick, NULL, 0);
             tank_tick(&twin, tick, NULL, 0);
         }
@@ -78,10 +79,10 @@ static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **
 
 static vec3 nearest_in(const struct box *box, vec3 point_m)
 {
-    const vec3 p = basis_to_body(&box->axes, v3_sub(point_m, box->centre_m)), h = box->half_m;
+    const vec3 p = vec_basis_to_body(&box->axes, v3_sub(point_m, box->centre_m)), h = box->half_m;
     const vec3 q =
         v3(f_clamp(p.x, -h.x, h.x), f_clamp(p.y, -h.y, h.y), f_clamp(p.z, -h.z, h.z));
-    return v3_add(box->centre_m, basis_to_world(&box->axes, q));
+    return v3_add(box->centre_m, vec_basis_to_world(&box->axes, q));
 }
 
 /* How far apart two boxes really are: corner to corner that is more than any one axis shows. From
@@ -97,13 +98,13 @@ static float apart_m(const struct box *a, const struct box *b)
 }
 
 /* The most by which a pair is nearer than what parting believes, where it believes them apart. */
-static float worst_lie_m(const struct crowd *crowd)
+static float worst_lie_m(const struct broad_phase *broad_phase)
 {
     float worst_m = 0.0f;
-    for (uint32_t c = 0; c < crowd->near_count; c++) {
-        const struct contact *contact = &crowd->contact[c];
+    for (uint32_t c = 0; c < broad_phase->near_count; c++) {
+        const struct contact *contact = &broad_phase->contact[c];
         const float told_m =
-            contact->gap_m - (crowd->way_m[contact->a] + crowd->way_m[contact->b]);
+            contact->gap_m - (broad_phase->way_m[contact->a] + broad_phase->way_m[contact->b]);
         if (told_m > 0.0f && swims(&tank, contact->a) && swims(&tank, contact->b)) {
             const struct box a = fish_box(&tank.fish[contact->a]),
                              b = fish_box(&tank.fish[contact->b]);
@@ -126,7 +127,7 @@ static struct obstacle swept(uint32_t tick, float speed_m_s)
     struct obstacle ring = { .kind = OBSTACLE_DISC,
                              .centre_m = { x * reach_m, -0.5f * tank.size_m.y, 0.02f },
                              .radius_m = POI_RADIUS,
-                             .axes = basis_from_angles((struct angles){ 0.0f, 0.4f, 0.9f }) };
+                             .axes = vec_basis_from_angles((struct angles){ 0.0f, 0.4f, 0.9f }) };
     ring.axes_before = ring.axes;
     ring.normal = ring.axes.up;
     ring.velocity_m_s = v3(way * speed_m_s, 0.0f, 0.0f);
@@ -141,15 +142,15 @@ static void test_a_pair_is_never_nearer_than_its_gap_and_its_ways_say(void **sta
     open_official(1000);
     for (uint32_t s = 0; s < 4; s++) {
         float worst_m = 0.0f;
-        uint32_t back_count = 0;
+        uint32_t reverted_count = 0;
         for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
             struct obstacle ring = swept(tick, speeds_m_s[s]);
             tank_tick(&tank, s * 1000u + tick, &ring, 1);
-            back_count += tank.part.back_count;
-            worst_m = f_max(worst_m, worst_lie_m(&tank.crowd));
+            reverted_count += tank.solver.reverted_count;
+            worst_m = f_max(worst_m, worst_lie_m(&tank.broad_phase));
         }
         print_message("%.1f m/s: %.4f mm nearer at worst, %u put back\n", (double)speeds_m_s[s],
-                      (double)(1000.0f * worst_m), back_count);
+                      (double)(1000.0f * worst_m), reverted_count);
         assert_true(worst_m < ROUNDING_M);
     }
 }

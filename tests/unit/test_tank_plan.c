@@ -13,7 +13,7 @@
 
 #define WORDS_MAX 40
 
-static struct tank_plan plan;
+static struct tank_options plan;
 
 /* Words apart by blanks; what is said on standard error is not shown. */
 static enum exit_code read_plan(const char *line)
@@ -28,7 +28,7 @@ static enum exit_code read_plan(const char *line)
     fflush(stderr);
     const int shown = dup(STDERR_FILENO);
     assert_non_null(freopen("/dev/null", "w", stderr));
-    const enum exit_code code = tank_plan_read(&plan, argc, argv);
+    const enum exit_code code = tank_options_read(&plan, argc, argv);
     fflush(stderr);
     dup2(shown, STDERR_FILENO);
     close(shown);
@@ -66,7 +66,7 @@ static void test_every_option_reaches_the_plan(void **state)
     assert_true(plan.config.temperature_c == 30.0f && plan.config.pressure_hpa == 990.0f);
     assert_true(plan.config.oxygen_mg_l == 3.5f && plan.config.time_compression == 60.0f);
     assert_int_equal(plan.config.pump, 1);
-    assert_int_equal(plan.config.search, PAIRS_ALL);
+    assert_int_equal(plan.config.search, PAIR_SEARCH_ALL);
     assert_int_equal(plan.shade_count, 2);
     assert_true(plan.shade[0].z_m == -0.02 && plan.shade[1].to_s == 2.0);
     assert_string_equal(plan.poi_path, "p.csv");

@@ -17,14 +17,14 @@ static struct fish rested(uint8_t gait)
 }
 
 /* In water that keeps everybody in breath: what 3.2 and 3.3 do without the gulping of 3.6. */
-static const struct surroundings *at(uint32_t tick)
+static const struct perception *at(uint32_t tick)
 {
-    static struct law law;
-    static struct surroundings around;
-    law = *thesis_law();
-    law.air_by_oxygen = 1; /* And there is enough: the one switch for gulping by stamina. */
+    static struct behavior_params params;
+    static struct perception around;
+    params = *thesis_law();
+    params.air_by_oxygen = 1; /* And there is enough: the one switch for gulping by stamina. */
     around = *thesis_at(7, tick);
-    around.law = &law;
+    around.params = &params;
     around.oxygen_mg_l = 8.0f;
     return &around;
 }
@@ -191,7 +191,7 @@ static void test_3_2_in_the_long_run_0_8_percent_bursts_31_swims_68_rests_and_h_
     for (uint32_t i = 0; i < 200; i++) {
         struct fish fish = rested(GAIT_REST);
         fish.stamina = 0.3f + 0.7f * (float)i / 199.0f;
-        struct surroundings around = *at(0);
+        struct perception around = *at(0);
         around.dt_s = 1.0f / (float)hz;
         float mine = 0.0f;
         uint32_t ticks[GAIT_COUNT] = { 0 };

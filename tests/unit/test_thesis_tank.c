@@ -185,12 +185,12 @@ static void test_3_6_the_bands_change_at_75_50_and_25_of_100(void **state)
 static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
 {
     (void)state;
-    const struct law *law = thesis_law();
-    assert_false(law->escapes || law->glides || law->banks || law->shade_frights);
-    assert_float_equal(law->flow_share, 0.0f, 0.0f);
-    assert_false(law->air_by_oxygen);
-    assert_float_equal(law->kick_rad + law->wall_follow + law->depth_stray, 0.0f, 0.0f);
-    assert_float_equal(law->brake_s + law->meet_within_s + law->meet_miss, 0.0f, 0.0f);
+    const struct behavior_params *params = thesis_law();
+    assert_false(params->escapes || params->glides || params->banks || params->shade_frights);
+    assert_float_equal(params->flow_share, 0.0f, 0.0f);
+    assert_false(params->air_by_oxygen);
+    assert_float_equal(params->kick_rad + params->wall_follow + params->depth_stray, 0.0f, 0.0f);
+    assert_float_equal(params->brake_s + params->meet_within_s + params->meet_miss, 0.0f, 0.0f);
     tank_init(&tank, TANK_PRESET_THESIS, 200, 1);
     for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
         struct obstacle disc = {
@@ -245,10 +245,12 @@ struct bustle_sums {
 
 static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick)
 {
-    struct surroundings around = { .law = tank_law(&tank), .size_m = tank.size_m, .tick = tick };
-    struct law even = *around.law; /* A beat and a glide in the mean. */
+    struct perception around = { .params = tank_behavior_params(&tank),
+                                 .size_m = tank.size_m,
+                                 .tick = tick };
+    struct behavior_params even = *around.params; /* A beat and a glide in the mean. */
     even.glides = 0;
-    around.law = &even;
+    around.params = &even;
     for (uint32_t i = 0; i < tank.fish_count; i++) {
         const struct fish *fish = &tank.fish[i];
         const vec3 v = fish->velocity_m_s;

@@ -37,11 +37,11 @@ static uint32_t thoughts(struct fish *fish, uint32_t index, uint32_t ticks,
     uint32_t count = 0;
     *covered_s = 0.0f;
     for (uint32_t tick = 0; tick < ticks; tick++) {
-        struct surroundings around = *pond_at(1, tick);
+        struct perception around = *pond_at(1, tick);
         around.obstacles = poi;
         around.obstacle_count = poi ? 1u : 0u;
-        if (think_due(fish, index, &around)) {
-            around.dt_s = think_dt_s(fish, tick);
+        if (fish_behavior_is_due(fish, index, &around)) {
+            around.dt_s = fish_behavior_dt_s(fish, tick);
             *covered_s += around.dt_s;
             fish->thought_tick = (uint8_t)tick;
             count++;
@@ -57,7 +57,7 @@ static void test_a_calm_fish_thinks_every_fourth_tick_and_fish_do_so_in_turn(voi
         uint32_t thinking = 0;
         for (uint32_t index = 0; index < 100; index++) {
             const struct fish fish = calm();
-            thinking += (uint32_t)think_due(&fish, index, pond_at(1, tick));
+            thinking += (uint32_t)fish_behavior_is_due(&fish, index, pond_at(1, tick));
         }
         assert_int_equal(thinking, 25);
     }
@@ -105,11 +105,12 @@ static void test_a_fish_that_was_held_does_not_make_up_for_lost_thoughts(void **
     (void)state;
     struct fish fish = calm();
     fish.thought_tick = 10;
-    assert_float_equal(think_dt_s(&fish, 11), CORE_TICK_S, 1e-9f);
-    assert_float_equal(think_dt_s(&fish, 13), 3.0f * CORE_TICK_S, 1e-9f);
+    assert_float_equal(fish_behavior_dt_s(&fish, 11), CORE_TICK_S, 1e-9f);
+    assert_float_equal(fish_behavior_dt_s(&fish, 13), 3.0f * CORE_TICK_S, 1e-9f);
     for (uint32_t tick = 14; tick < 1000; tick++) {
-        assert_true(think_dt_s(&fish, tick) >= CORE_TICK_S);
-        assert_true(think_dt_s(&fish, tick) <= (float)THINK_TICKS * CORE_TICK_S + 1e-9f);
+        assert_true(fish_behavior_dt_s(&fish, tick) >= CORE_TICK_S);
+        assert_true(fish_behavior_dt_s(&fish, tick) <=
+                    (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S + 1e-9f);
     }
 }
 
@@ -121,15 +122,15 @@ static void test_a_fish_is_the_same_at_thirty_thoughts_a_second_as_at_120(void *
     often.gait = seldom.gait = GAIT_SWIM;
     often.depth_goal_m = seldom.depth_goal_m = -0.04f;
     for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
-        struct surroundings around = *pond_at(3, tick);
+        struct perception around = *pond_at(3, tick);
         around.size_m = v3(20.0f, 0.12f, 20.0f); /* No wall is near. */
-        think(&often, 0, &around);
-        if (tick % THINK_TICKS == 0) {
-            around.dt_s = think_dt_s(&seldom, tick);
-            think(&seldom, 0, &around);
+        fish_behavior_tick(&often, 0, &around);
+        if (tick % FISH_BEHAVIOR_TICKS == 0) {
+            around.dt_s = fish_behavior_dt_s(&seldom, tick);
+            fish_behavior_tick(&seldom, 0, &around);
         }
-        swim_move(&often, around.law);
-        swim_move(&seldom, around.law);
+        swim_move(&often, around.params);
+        swim_move(&seldom, around.params);
     }
     assert_float_equal(seldom.stamina, often.stamina, 1e-4f);
     assert_float_equal(seldom.position_m.y, often.position_m.y, 0.001f);
@@ -146,15 +147,15 @@ static void test_the_path_between_thoughts_is_a_smooth_arc(void **state)
     struct fish fish = calm();
     fish.gait = GAIT_SWIM;
     for (uint32_t tick = 0; tick < 60u * CORE_TICK_HZ; tick++) {
-        struct surroundings around = *pond_at(9, tick);
-        around.law = &tank_preset(TANK_PRESET_THESIS)->law;
+        struct perception around = *pond_at(9, tick);
+        around.params = &tank_preset(TANK_PRESET_THESIS)->params;
         around.size_m = v3(0.40f, 0.12f, 0.30f);
         const float rate = fish.yaw_rate_rad_s;
-        if (think_due(&fish, 0, &around)) {
-            around.dt_s = think_dt_s(&fish, tick);
-            think(&fish, 0, &around);
+        if (fish_behavior_is_due(&fish, 0, &around)) {
+            around.dt_s = fish_behavior_dt_s(&fish, tick);
+            fish_behavior_tick(&fish, 0, &around);
         }
-        swim_move(&fish, around.law);
+        swim_move(&fish, around.params);
         fish.position_m.x = f_clamp(fish.position_m.x, -0.175f, 0.175f); /* Walls are hard. */
         fish.position_m.z = f_clamp(fish.position_m.z, -0.125f, 0.125f);
         roughest = f_max(roughest, f_abs(fish.yaw_rate_rad_s - rate));

@@ -82,17 +82,18 @@ static void win(void)
         slow_step();
     }
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(purse()->tickets, WON);
+    assert_int_equal(balance()->tickets, WON);
 }
 
 /* The power goes: what is not saved is lost, and the ticket whose pulse runs stays inside. */
 static void cut_power(void)
 {
     struct core_config config = core.config;
-    config.memory.ledger = (struct ledger_start){ .last_id = saved_id, .boots = 2,
-                                                  .purse = journal[saved_id].purse };
+    config.persistent.ledger = (struct ledger_start){ .last_id = saved_id,
+                                                      .boots = 2,
+                                                      .balance = journal[saved_id].balance };
     for (uint32_t id = 1; id <= saved_id; id++) {
-        struct ledger_stand *stand = &config.memory.ledger.stand;
+        struct ledger_stand *stand = &config.persistent.ledger.stand;
         *stand = stand_after(*stand, &journal[id]);
     }
     assert_int_equal(core_init(&core, &config), CORE_OK);
@@ -151,7 +152,7 @@ static void test_a_disk_that_takes_nothing_dispenses_nothing(void **state)
         step();
         assert_int_equal(output.tickets, 0);
     }
-    assert_int_equal(purse()->tickets, WON);
+    assert_int_equal(balance()->tickets, WON);
 }
 
 static void test_no_ticket_begins_before_the_pulse_of_the_last_has_ended(void **state)
@@ -195,7 +196,7 @@ static void test_a_power_cut_at_any_tick_costs_one_ticket_at_most_and_pays_none_
         const uint32_t whole = pulses - cut_pulses;
         assert_true(pulses <= WON);
         assert_true(whole + 1u + cuts_again >= WON);
-        assert_int_equal(purse()->tickets, 0);
+        assert_int_equal(balance()->tickets, 0);
         missing_cuts += whole < WON;
     }
     print_message("# in %u of the plays a ticket was missing\n", missing_cuts);

@@ -38,7 +38,7 @@ static void ask_corner(const void *self, float progress, float *values)
 }
 
 /* Straight lines between the samples, as whoever reads the file has them. */
-static float read_back(const struct track *track, float progress)
+static float read_back(const struct piecewise_fit *track, float progress)
 {
     uint32_t i = 1;
     while (track->progress[i] < progress) {
@@ -48,7 +48,7 @@ static float read_back(const struct track *track, float progress)
     return f_lerp(track->values[i - 1], track->values[i], (progress - from) / (to - from));
 }
 
-static float worst(const struct track *track, const struct track_function *f)
+static float worst(const struct piecewise_fit *track, const struct piecewise_fit_function *f)
 {
     float far = 0.0f, exact;
     for (uint32_t i = 0; i <= 10000; i++) {
@@ -62,50 +62,50 @@ static float worst(const struct track *track, const struct track_function *f)
 static void test_a_straight_line_needs_its_ends_alone(void **state)
 {
     (void)state;
-    struct track track;
-    assert_true(track_fit(&track, &(struct track_function){ 1, ask_line, error, NULL }, ends, 2,
-                          TOLERANCE));
+    struct piecewise_fit track;
+    assert_true(piecewise_fit_fit(
+        &track, &(struct piecewise_fit_function){ 1, ask_line, error, NULL }, ends, 2, TOLERANCE));
     assert_int_equal(track.count, 2);
     assert_true(track.values[0] == -1.0f && track.values[1] == 2.0f);
-    track_free(&track);
+    piecewise_fit_free(&track);
 }
 
 /* A line over a step h misses x^2 by h^2 / 4: 2^-8 is the first step within 1e-5. */
 static void test_a_parabola_gets_the_steps_that_its_bend_asks_for(void **state)
 {
     (void)state;
-    struct track track;
-    const struct track_function f = { 1, ask_parabola, error, NULL };
-    assert_true(track_fit(&track, &f, ends, 2, TOLERANCE));
+    struct piecewise_fit track;
+    const struct piecewise_fit_function f = { 1, ask_parabola, error, NULL };
+    assert_true(piecewise_fit_fit(&track, &f, ends, 2, TOLERANCE));
     assert_int_equal(track.count, 257);
     assert_true(worst(&track, &f) <= 1.1f * TOLERANCE);
-    track_free(&track);
+    piecewise_fit_free(&track);
 }
 
 static void test_samples_gather_where_a_corner_is(void **state)
 {
     (void)state;
-    struct track track;
+    struct piecewise_fit track;
     const float corner = 0.377f;
-    const struct track_function f = { 1, ask_corner, error, &corner };
-    assert_true(track_fit(&track, &f, ends, 2, TOLERANCE));
+    const struct piecewise_fit_function f = { 1, ask_corner, error, &corner };
+    assert_true(piecewise_fit_fit(&track, &f, ends, 2, TOLERANCE));
     assert_true(track.count < 40);
     assert_true(worst(&track, &f) <= 4.0f * TOLERANCE); /* The corner may lie off the middle. */
     for (uint32_t i = 1; i < track.count; i++) {
         assert_true(track.progress[i] > track.progress[i - 1]);
     }
-    track_free(&track);
+    piecewise_fit_free(&track);
 }
 
 static void test_a_mark_on_the_corner_is_enough(void **state)
 {
     (void)state;
-    struct track track;
+    struct piecewise_fit track;
     const float corner = 0.375f, marks[3] = { 0.0f, 0.375f, 1.0f };
-    const struct track_function f = { 1, ask_corner, error, &corner };
-    assert_true(track_fit(&track, &f, marks, 3, TOLERANCE));
+    const struct piecewise_fit_function f = { 1, ask_corner, error, &corner };
+    assert_true(piecewise_fit_fit(&track, &f, marks, 3, TOLERANCE));
     assert_int_equal(track.count, 3);
-    track_free(&track);
+    piecewise_fit_free(&track);
 }
 
 /* A step can never be met: it must end all the same. */
@@ -118,11 +118,11 @@ static void ask_step(const void *self, float progress, float *values)
 static void test_a_jump_ends_at_the_finest_step(void **state)
 {
     (void)state;
-    struct track track;
-    assert_true(track_fit(&track, &(struct track_function){ 1, ask_step, error, NULL }, ends, 2,
-                          TOLERANCE));
-    assert_int_equal(track.count, 2 + TRACK_HALVINGS);
-    track_free(&track);
+    struct piecewise_fit track;
+    assert_true(piecewise_fit_fit(
+        &track, &(struct piecewise_fit_function){ 1, ask_step, error, NULL }, ends, 2, TOLERANCE));
+    assert_int_equal(track.count, 2 + PIECEWISE_FIT_HALVINGS);
+    piecewise_fit_free(&track);
 }
 
 int main(void)

@@ -100,8 +100,9 @@ static void lay_out(struct size size)
 /* The curtain is outside while it is raised or lowered; lights may spill over the edge. */
 static int may_leave(uint32_t quad, const struct bounds *bounds)
 {
-    const int curtain = (scene.phase == PHASE_READY || scene.phase_s < 1.0f || scene.board.shown) &&
-                        bounds->top < 0.0f;
+    const int curtain =
+        (scene.phase == PHASE_READY || scene.phase_s < 1.0f || scene.leaderboard.shown) &&
+        bounds->top < 0.0f;
     return batch.kinds[quad] == UI_GLOW || curtain;
 }
 
@@ -153,7 +154,7 @@ static void test_nothing_leaves_the_screen_in_any_phase_language_size_or_moment(
 static void test_every_mode_fits_with_one_to_four_players_and_all_that_is_called(void **state)
 {
     (void)state;
-    static const uint8_t phases[] = { PHASE_CHOOSE, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
+    static const uint8_t phases[] = { PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
     static const float moments_s[] = { 0.4f, 2.0f, 597.3f };
     memory = (struct ui_memory){ 0 };
     for (uint32_t k = 0; k < SIZE_COUNT * 4u * MODE_COUNT * POI_MAX; k++) {
@@ -194,8 +195,8 @@ static void test_every_count_of_fish_fits(void **state)
 static void test_what_is_paid_and_what_is_wrong_fits_in_every_phase(void **state)
 {
     (void)state;
-    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_CHOOSE, PHASE_READY,
-                                      PHASE_ROUND,   PHASE_RESULT, PHASE_ALBUM };
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_MODE_SELECT, PHASE_READY,
+                                      PHASE_ROUND,   PHASE_RESULT,      PHASE_ALBUM };
     static const uint32_t counts[] = { 0, 1, 99, 4294967295u };
     for (uint32_t k = 0; k < SIZE_COUNT * 6u * 4u * 8u * LANGUAGE_COUNT; k++) {
         const struct size size = sizes[k % SIZE_COUNT];
@@ -369,7 +370,7 @@ static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
 static void test_what_a_player_must_read_is_readable_from_two_metres(void **state)
 {
     (void)state;
-    static const uint8_t phases[] = { PHASE_CHOOSE, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
+    static const uint8_t phases[] = { PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND, PHASE_RESULT };
     for (uint32_t k = 0; k < 4u * MODE_COUNT * POI_MAX; k++) {
         for (uint8_t hint = 0; hint < HINT_COUNT * LANGUAGE_COUNT; hint++) {
             set_scene(phases[k % 4u], hint % LANGUAGE_COUNT, hint / LANGUAGE_COUNT, 2.0f);
@@ -483,7 +484,7 @@ static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_
 {
     (void)state;
     for (uint8_t modes = 1; modes < 1u << CHOICE_COUNT; modes++) {
-        set_scene(PHASE_CHOOSE, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
+        set_scene(PHASE_MODE_SELECT, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
         scene.modes = modes;
         scene.choice = 0;
         while ((modes >> scene.choice & 1u) == 0) {
@@ -547,7 +548,7 @@ static float tag_top(uint32_t nth)
 static void test_as_one_tag_rises_the_last_one_sinks(void **state)
 {
     (void)state;
-    set_scene(PHASE_CHOOSE, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
+    set_scene(PHASE_MODE_SELECT, LANGUAGE_JA, HINT_CHOOSE, 3.0f);
     memory = (struct ui_memory){ 0 };
     lay_out(sizes[0]);
     const float high = tag_top(0), low = tag_top(1);
@@ -644,7 +645,7 @@ static void check_no_line_on_another(struct size size)
 static void test_no_words_lie_on_others_on_any_screen_at_rest(void **state)
 {
     (void)state;
-    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_CHOOSE, PHASE_READY, PHASE_ROUND,
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_MODE_SELECT, PHASE_READY, PHASE_ROUND,
                                       PHASE_RESULT };
     for (uint32_t k = 0; k < SIZE_COUNT * 5u * MODE_COUNT * POI_MAX * LANGUAGE_COUNT; k++) {
         const struct size size = sizes[k % SIZE_COUNT];
@@ -669,10 +670,13 @@ static void test_no_words_lie_on_others_on_any_screen_at_rest(void **state)
 /* The longest name, the largest catch, and a place in every row. */
 static void hang_board(uint8_t period, uint32_t rows, float shown_s, float left_s)
 {
-    scene.board = (struct scene_board){ .shown = 1, .mode = MODE_CHAMPIONSHIP, .period = period,
-                                        .shown_s = shown_s, .left_s = left_s };
+    scene.leaderboard = (struct scene_leaderboard){ .shown = 1,
+                                                    .mode = MODE_CHAMPIONSHIP,
+                                                    .period = period,
+                                                    .shown_s = shown_s,
+                                                    .left_s = left_s };
     for (uint32_t i = 0; i < rows; i++) {
-        struct scene_row *row = &scene.board.row[i];
+        struct scene_row *row = &scene.leaderboard.row[i];
         row->caught = 9999;
         row->seat = (uint8_t)(i % POI_MAX);
         row->is_new = i % 2u == 0;
@@ -692,9 +696,10 @@ static void test_no_board_leaves_the_screen(void **state)
         const uint8_t period = (uint8_t)(rest % RANK_PERIOD_COUNT);
         rest /= RANK_PERIOD_COUNT;
         const float moment_s = moments_s[rest % 7u];
-        set_scene(rest / 7u == 0 ? PHASE_BOARD : PHASE_ATTRACT, language, HINT_START, 20.0f);
+        set_scene(rest / 7u == 0 ? PHASE_LEADERBOARD : PHASE_ATTRACT, language, HINT_START, 20.0f);
         scene.credit = (struct scene_credit){ .price = 3, .credits = 99, .units = 1 };
-        hang_board(period, rest / 7u == 1u ? 1u : SCENE_BOARD_ROWS, moment_s, 9.0f - moment_s);
+        hang_board(period, rest / 7u == 1u ? 1u : SCENE_LEADERBOARD_ROWS, moment_s,
+                   9.0f - moment_s);
         memory = (struct ui_memory){ 0 };
         lay_out(sizes[k % SIZE_COUNT]);
         if (moment_s > 0.2f && moment_s < 8.7f) { /* The curtain is under way before and after. */
@@ -728,7 +733,7 @@ static void test_writing_a_name_leaves_no_screen(void **state)
         scene.seconds_left = (float)(rest % 60u);
         set_name((uint8_t)(rest % ALPHABET_COUNT), (uint8_t)(rest / ALPHABET_COUNT),
                  (uint8_t)(rest % (NAME_LETTERS_MAX + 1u)),
-                 size.width / size.height < OVERLAY_UPRIGHT_ASPECT);
+                 size.width / size.height < POINTER_UPRIGHT_ASPECT);
         memory = (struct ui_memory){ 0 };
         lay_out(size);
         check_inside(size);

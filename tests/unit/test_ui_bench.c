@@ -11,8 +11,8 @@
 
 #define SAME 1e-5f /* Body lengths: rounding of two ways to the same point. */
 
-static struct ui_bench bench;
-static struct survey survey;
+static struct ui_lab_preview bench;
+static struct morph_survey survey;
 
 static void test_the_lab_and_check_tell_the_same_bow(void **state)
 {
@@ -21,10 +21,11 @@ static void test_the_lab_and_check_tell_the_same_bow(void **state)
         const struct species *species = species_table[i];
         struct morph_rig rig;
         morph_rig_init(&rig, &species->card, TEMPLATE_OWN);
-        morph_survey(species, &rig, 0, BENCH_STEPS, &survey);
-        ui_bench_set(&bench, species, &species->card);
-        const struct bench_way *dorsal = &bench.ways[BENCH_DORSAL], *eye = &bench.ways[BENCH_EYE];
-        assert_int_equal(dorsal->is_there, survey.dorsal_root.vertex != SURVEY_NOWHERE);
+        morph_survey(species, &rig, 0, LAB_PREVIEW_STEPS, &survey);
+        ui_lab_preview_set(&bench, species, &species->card);
+        const struct lab_preview_path *dorsal = &bench.ways[LAB_PREVIEW_DORSAL],
+                                      *eye = &bench.ways[LAB_PREVIEW_EYE];
+        assert_int_equal(dorsal->is_there, survey.dorsal_root.vertex != MORPH_SURVEY_NOWHERE);
         assert_float_equal(dorsal->bow, survey.dorsal_root.from_chord, SAME);
         assert_true(eye->is_there);
         assert_true(f_abs(eye->bow - survey.eye_left.from_chord) < SAME ||

@@ -37,7 +37,7 @@ static void take(uint32_t species)
 
 static void lay_out(float width, float height)
 {
-    core.game.lab.upright = width < OVERLAY_UPRIGHT_ASPECT * height;
+    core.game.lab.upright = width < POINTER_UPRIGHT_ASPECT * height;
     look();
     ui_screens(&batch, &memory, &scene, width, height);
     longest = batch.quad_count > longest ? batch.quad_count : longest;
@@ -100,9 +100,9 @@ static int is_dot(float x, float y, uint32_t colour)
 }
 
 /* A hand with a wrist over that point of the canvas; down when it shall press. */
-static void point_at(struct overlay_point at, int down)
+static void point_at(struct layout_point at, int down)
 {
-    const struct overlay_point canvas = overlay_size(core.game.lab.upright);
+    const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
     input.upright = core.game.lab.upright;
     hold(0, v3((at.x / canvas.x - 0.5f) * core.tank.size_m.x, down ? -0.02f : 0.035f,
                (at.y / canvas.y - 0.5f) * core.tank.size_m.z));
@@ -118,15 +118,15 @@ static void test_every_knot_is_taken_where_it_is_drawn(void **state)
     for (uint32_t s = 0; s < 4; s++) {
         const float width = sizes[s][0], height = sizes[s][1];
         lay_out(width, height);
-        const struct overlay_point canvas = overlay_size(core.game.lab.upright);
+        const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
         const float unit = core.game.lab.upright ? width / canvas.x
                                                  : f_min(width / canvas.x, height / canvas.y);
-        const struct overlay_box plot =
+        const struct layout_box plot =
             lab_box(core.game.lab.upright, scene.lab.card.key_count, LAB_PLOT);
         for (uint32_t i = 0; i < core.game.lab.edit.graph.knot_count; i++) {
             const struct graph_knot *knot = &core.game.lab.edit.graph.knots[i];
-            const struct overlay_point at = { plot.x + knot->progress * plot.width,
-                                          plot.y + (1.0f - knot->weight[0]) * plot.height };
+            const struct layout_point at = { plot.x + knot->progress * plot.width,
+                                             plot.y + (1.0f - knot->weight[0]) * plot.height };
             core.game.lab.layer = 0;
             lay_out(width, height);
             assert_true(is_dot(0.5f * width + (at.x - 0.5f * canvas.x) * unit,
@@ -153,8 +153,8 @@ static void test_the_fish_stays_between_stage_and_ruler(void **state)
         lay_out(size[0], size[1]);
         const struct specimen *fish = &batch.specimens[0];
         const struct specimen_bounds reach = specimen_bounds(fish);
-        const struct overlay_point canvas = overlay_size(core.game.lab.upright);
-        const struct overlay_box stage =
+        const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
+        const struct layout_box stage =
             lab_box(core.game.lab.upright, scene.lab.card.key_count, LAB_STAGE);
         const float unit = core.game.lab.upright
                                ? size[0] / canvas.x
@@ -199,19 +199,19 @@ static void test_only_the_recorded_species_itself_is_shown(void **state)
 {
     (void)state;
     static struct core_config config;
-    static struct shelf shelf;
+    static struct library library;
     config = (struct core_config){ .seed = 5, .fish_count = 12, .modes = 1u << CHOICE_LAB };
     config.book.card_count = 1;
-    shelf.species_count = 1;
+    library.species_count = 1;
     config.book.cards[0] = species_table[0]->card;
     config.book.cards[0].id[0] = 'x';
     open_stall(&config);
     take(species_table_count);
-    memory.shelf = &shelf;
+    memory.library = &library;
     for (uint32_t other = 0; other < 3; other++) {
-        shelf.slots[0].species = *species_table[0];
-        shelf.slots[0].species.card.id[0] = other == 1 ? 'y' : 'x';
-        shelf.slots[0].species.card.key_count =
+        library.slots[0].species = *species_table[0];
+        library.slots[0].species.card.id[0] = other == 1 ? 'y' : 'x';
+        library.slots[0].species.card.key_count =
             (uint8_t)(species_table[0]->card.key_count - (other == 2 ? 1u : 0u));
         lay_out(1280, 720);
         check_inside(1280, 720);
@@ -244,16 +244,16 @@ static uint32_t letters_in(const char *words)
 static void test_each_refused_file_is_told_with_its_reason(void **state)
 {
     (void)state;
-    static struct shelf shelf;
-    memset(&shelf, 0, sizeof shelf);
-    shelf.line_count = 2;
+    static struct library library;
+    memset(&library, 0, sizeof library);
+    library.line_count = 2;
     for (uint32_t i = 0; i < 2; i++) {
-        shelf.lines[i].slot = SHELF_SLOT_NONE;
-        memset(shelf.lines[i].file, 'f', sizeof shelf.lines[i].file - 1u - 20u * i);
-        memset(shelf.lines[i].why, 'w', sizeof shelf.lines[i].why - 1u - 30u * i);
+        library.lines[i].slot = LIBRARY_SLOT_NONE;
+        memset(library.lines[i].file, 'f', sizeof library.lines[i].file - 1u - 20u * i);
+        memset(library.lines[i].why, 'w', sizeof library.lines[i].why - 1u - 30u * i);
     }
-    shelf_note_graph(&shelf, "graphs/wakin.graph:3: wakin has 5 keys");
-    memory.shelf = &shelf;
+    library_note_graph(&library, "graphs/wakin.graph:3: wakin has 5 keys");
+    memory.library = &library;
     core.config.book.refused = 2;
     const uint32_t start = core.tick;
     for (uint32_t s = 0; s < SIZE_COUNT; s++) {
@@ -266,8 +266,8 @@ static void test_each_refused_file_is_told_with_its_reason(void **state)
             lay_out(width, height);
             check_inside(width, height);
             const uint32_t letters = glyphs_of(0xf0c089ffu);
-            for (uint32_t i = 0; i < shelf_fault_count(&shelf); i++) {
-                const struct shelf_line fault = shelf_fault(&shelf, i);
+            for (uint32_t i = 0; i < library_fault_count(&library); i++) {
+                const struct library_line fault = library_fault(&library, i);
                 seen |= letters == letters_in(fault.file) + letters_in(fault.why) ? 1u << i : 0u;
             }
         }
@@ -285,11 +285,11 @@ static void test_the_ordinary_morph_beside_it_is_straight(void **state)
         core.game.lab.compare = 1;
         core.game.lab.path = 1;
         lay_out(1280, 720);
-        for (uint32_t p = 0; p < BENCH_POINT_COUNT; p++) {
-            const struct bench_way *way = &memory.bench.ways[p];
-            const vec3 from = way->ordinary[0], to = way->ordinary[BENCH_STEPS];
-            for (uint32_t k = 0; way->is_there && k <= BENCH_STEPS; k++) {
-                const float t = (float)k / (float)BENCH_STEPS;
+        for (uint32_t p = 0; p < LAB_PREVIEW_POINT_COUNT; p++) {
+            const struct lab_preview_path *way = &memory.bench.ways[p];
+            const vec3 from = way->ordinary[0], to = way->ordinary[LAB_PREVIEW_STEPS];
+            for (uint32_t k = 0; way->is_there && k <= LAB_PREVIEW_STEPS; k++) {
+                const float t = (float)k / (float)LAB_PREVIEW_STEPS;
                 assert_float_equal(v3_length(v3_sub(way->ordinary[k], v3_lerp(from, to, t))), 0.0f,
                                    1e-3f);
             }
@@ -303,10 +303,10 @@ static void test_an_edited_knot_moves_the_way_of_a_point(void **state)
     (void)state;
     core.game.lab.path = 1;
     lay_out(1280, 720);
-    const vec3 before = memory.bench.ways[BENCH_EYE].at[BENCH_STEPS / 2u];
+    const vec3 before = memory.bench.ways[LAB_PREVIEW_EYE].at[LAB_PREVIEW_STEPS / 2u];
     lab_edit_template(&core.game.lab.edit, &species_table[0]->card, TEMPLATE_ORDINARY);
     lay_out(1280, 720);
-    const vec3 after = memory.bench.ways[BENCH_EYE].at[BENCH_STEPS / 2u];
+    const vec3 after = memory.bench.ways[LAB_PREVIEW_EYE].at[LAB_PREVIEW_STEPS / 2u];
     assert_true(v3_length(v3_sub(before, after)) > 1e-3f);
 }
 
@@ -317,11 +317,11 @@ static void test_a_bow_is_told_from_the_endless_line(void **state)
     for (uint32_t s = 0; s < species_table_count; s++) {
         take(s);
         lay_out(1280, 720);
-        for (uint32_t p = 0; p < BENCH_POINT_COUNT; p++) {
-            const struct bench_way *way = &memory.bench.ways[p];
-            const vec3 along = v3_sub(way->at[BENCH_STEPS], way->at[0]);
+        for (uint32_t p = 0; p < LAB_PREVIEW_POINT_COUNT; p++) {
+            const struct lab_preview_path *way = &memory.bench.ways[p];
+            const vec3 along = v3_sub(way->at[LAB_PREVIEW_STEPS], way->at[0]);
             float bow = 0.0f;
-            for (uint32_t i = 0; way->is_there && i <= BENCH_STEPS; i++) {
+            for (uint32_t i = 0; way->is_there && i <= LAB_PREVIEW_STEPS; i++) {
                 const vec3 off = v3_sub(way->at[i], way->at[0]);
                 bow = f_max(bow, v3_length(v3_cross(off, along)) / v3_length(along));
             }

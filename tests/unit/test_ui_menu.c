@@ -58,13 +58,15 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
         scene.devices.about[i][SCENE_LINE_SIZE - 1u] = 0;
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        scene.devices.axes[i] = (struct scene_axes){ POI_LINK_LIVE, { -99.0f, 99.0f, NAN },
-                                                     { 1000.0f, -1000.0f, INFINITY }, 4294967295u,
+        scene.devices.axes[i] = (struct scene_axes){ POI_SOURCE_LIVE,
+                                                     { -99.0f, 99.0f, NAN },
+                                                     { 1000.0f, -1000.0f, INFINITY },
+                                                     4294967295u,
                                                      INFINITY };
     }
     scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        menu->desk.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
+        menu->controllers.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
         memset(scene.devices.controller[i], 'W', SCENE_NAME_SIZE - 1u);
     }
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
@@ -74,7 +76,7 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     memset(scene.devices.controllers, 'm', SCENE_LINE_SIZE - 1u);
     scene.devices.button_faults = 4294967295u;
     memset(scene.devices.line, 0xff, sizeof scene.devices.line);
-    menu->desk.file_count = UINT8_MAX;
+    menu->controllers.file_count = UINT8_MAX;
     menu->file_first = 160;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
         scene.devices.file[i].state = (uint8_t)(i % FILE_STATE_COUNT);
@@ -100,7 +102,7 @@ static void expect_inside(uint32_t size)
             (v->x < -ROUNDING_PX || v->y < -ROUNDING_PX || v->x > sizes[size].width + ROUNDING_PX ||
              v->y > sizes[size].height + ROUNDING_PX)) {
             fail_msg("page %d step %d language %d on %gx%g: quad %u of kind %d reaches %.1f,%.1f",
-                     scene.menu.page, scene.menu.desk.learn_step, scene.language,
+                     scene.menu.page, scene.menu.controllers.learn_step, scene.language,
                      (double)sizes[size].width, (double)sizes[size].height, i / 4u,
                      batch.kinds[i / 4u], (double)v->x, (double)v->y);
         }
@@ -109,7 +111,7 @@ static void expect_inside(uint32_t size)
 
 static int is_upright(uint32_t size)
 {
-    return sizes[size].width < OVERLAY_UPRIGHT_ASPECT * sizes[size].height;
+    return sizes[size].width < POINTER_UPRIGHT_ASPECT * sizes[size].height;
 }
 
 static void test_nothing_leaves_the_screen_on_any_page(void **state)
@@ -124,7 +126,7 @@ static void test_nothing_leaves_the_screen_on_any_page(void **state)
             for (uint32_t bare = 0; bare < 2u; bare++) {
                 set_page(page, (uint16_t)(bare ? last : all),
                          (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
-                scene.menu.desk.learn_step = step;
+                scene.menu.controllers.learn_step = step;
                 memset(scene.menu.audit, 0xff, sizeof scene.menu.audit);
                 scene.tick += 37u * step; /* Another moment of what moves. */
                 lay_out(size);
@@ -144,14 +146,14 @@ static void test_every_word_is_read_from_a_metre(void **state)
         const uint8_t page = (uint8_t)(k % MENU_PAGE_COUNT);
         const uint32_t all = (1u << menu_tag_count(page)) - 1u;
         set_page(page, (uint16_t)all, (uint8_t)(k / MENU_PAGE_COUNT % LANGUAGE_COUNT), 0);
-        scene.menu.desk.learn_step = (uint8_t)(k / (MENU_PAGE_COUNT * LANGUAGE_COUNT));
+        scene.menu.controllers.learn_step = (uint8_t)(k / (MENU_PAGE_COUNT * LANGUAGE_COUNT));
         memset(&scene.devices, 0, sizeof scene.devices);
         snprintf(scene.devices.controller[1], SCENE_NAME_SIZE, "054c:09cc Wireless Controller");
         lay_out(0);
         for (uint32_t i = 0; i < batch.quad_count && page != MENU_CARD; i++) {
             if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 0.024f * 720.0f) {
                 fail_msg("page %d step %d language %d: letter %u is %.1f px", page,
-                         scene.menu.desk.learn_step, scene.language, i,
+                         scene.menu.controllers.learn_step, scene.language, i,
                          (double)glyph_em_px(&batch, i));
             }
         }
@@ -218,7 +220,7 @@ static void test_the_longest_reason_is_read_whole_however_the_screen_stands(void
                                            sizes[size].height / 720.0f);
         set_page(MENU_FILES, 1u << FILES_BACK, LANGUAGE_EN, upright);
         memset(&scene.devices, 0, sizeof scene.devices);
-        scene.menu.desk.file_count = 2;
+        scene.menu.controllers.file_count = 2;
         scene.menu.file_first = 1;
         snprintf(scene.devices.file[0].name, SCENE_FILE_SIZE, "x");
         scene.devices.file[0].state = FILE_REFUSED;
@@ -244,7 +246,7 @@ static void test_a_slip_is_drawn_for_each_row_that_there_is(void **state)
         for (int upright = 0; upright < 2; upright++) {
             const uint32_t shown = menu_files_shown(upright);
             set_page(MENU_FILES, 1u << FILES_BACK, LANGUAGE_JA, upright);
-            scene.menu.desk.file_count = (uint8_t)count;
+            scene.menu.controllers.file_count = (uint8_t)count;
             scene.menu.file_first = (uint8_t)(count > shown ? shown : 0u);
             const uint32_t left = count - scene.menu.file_first;
             lay_out(upright ? 4 : 0);
@@ -344,7 +346,7 @@ static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
         ui_screens(&batch, &memory, &scene, width, height);
         assert_int_equal(batch.dropped_count, 0);
     }
-    for (uint8_t phase = 0; phase <= PHASE_BOARD; phase++) {
+    for (uint8_t phase = 0; phase <= PHASE_LEADERBOARD; phase++) {
         /* The lab is left out because its screen needs a fish. */
         for (uint32_t k = 0; k < count * count && phase != PHASE_LAB; k++) {
             scene.phase = phase;
@@ -459,7 +461,7 @@ static void test_replays_that_could_not_be_kept_are_told_on_the_stores_slip(void
     for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
         set_page(MENU_FILES, 0, language, 0);
         memset(scene.devices.file, 0, sizeof scene.devices.file);
-        scene.menu.desk.file_count = 1;
+        scene.menu.controllers.file_count = 1;
         scene.menu.file_first = 0;
         snprintf(scene.devices.file[0].words, SCENE_LINE_SIZE, "/data/kingyo.db");
         const uint32_t bare = quads_of(MENU_FILES);
@@ -472,7 +474,7 @@ static void test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too(voi
 {
     (void)state;
     set_page(MENU_MODES, 0, LANGUAGE_JA, 0);
-    const int32_t standard = setting_of(SET_MODES)->standard;
+    const int32_t standard = settings_entry(SET_MODES)->standard;
     const uint32_t bare = quads_of(MENU_MODES);
     scene.menu.settings.value[SET_MODES] = standard ^ 1;
     /* Its seal, and 出さない has two letters more than 出す. */

@@ -51,7 +51,7 @@ static void report(void)
     uint8_t bytes[POI_REPORT_SIZE];
     rig.clock.now_ns += REPORT_NS;
     poi_report_encode(&says, bytes);
-    hid_port_sim_say(&rig.wire.port, bytes, sizeof bytes);
+    hid_port_sim_report(&rig.wire.port, bytes, sizeof bytes);
     if (++rig.report_count % 2u == 0) {
         assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
     }

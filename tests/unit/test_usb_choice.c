@@ -68,15 +68,15 @@ static struct hid_identity someone(uint16_t vendor, uint16_t product, const char
 static enum usb_verdict judge(const struct usb_choice *choice, const struct hid_identity *identity,
                               enum usb_kind kind)
 {
-    const struct usb_subject subject = { .identity = identity, .kind = (uint8_t)kind };
-    return usb_choice_judge(choice, &subject);
+    const struct usb_candidate subject = { .identity = identity, .kind = (uint8_t)kind };
+    return usb_choice_evaluate(choice, &subject);
 }
 
 static void wish(struct usb_choice *choice, const char *text, int plays, int kept)
 {
     struct usb_key key;
     assert_int_equal(usb_key_read(&key, text), 0);
-    usb_choice_wish(choice, &key, plays, kept);
+    usb_choice_request(choice, &key, plays, kept);
 }
 
 static void test_only_our_own_poi_plays_by_itself(void **state)
@@ -102,9 +102,10 @@ static void test_keys_and_nothings_are_barred_whoever_names_them(void **state)
     assert_int_equal(judge(&choice, &who, USB_KIND_KEYS), USB_BARRED);
     assert_int_equal(judge(&choice, &who, USB_KIND_NOTHING), USB_BARRED);
     assert_int_equal(judge(&choice, &who, USB_KIND_HAND), USB_PLAYS);
-    const struct usb_subject boot = { .identity = &who, .is_boot_keyboard = 1,
-                                      .kind = USB_KIND_OWN };
-    assert_int_equal(usb_choice_judge(&choice, &boot), USB_BARRED);
+    const struct usb_candidate boot = { .identity = &who,
+                                        .is_boot_keyboard = 1,
+                                        .kind = USB_KIND_OWN };
+    assert_int_equal(usb_choice_evaluate(&choice, &boot), USB_BARRED);
 }
 
 static void test_a_wish_with_a_serial_number_counts_more_than_one_without(void **state)
@@ -127,12 +128,12 @@ static void test_a_full_list_forgets_its_oldest(void **state)
     (void)state;
     struct usb_choice choice = { 0 };
     char text[16];
-    for (uint32_t i = 0; i < USB_WISH_MAX + 1u; i++) {
+    for (uint32_t i = 0; i < USB_REQUEST_MAX + 1u; i++) {
         snprintf(text, sizeof text, "0001:%04x", i);
         wish(&choice, text, 1, 1);
     }
     const struct hid_identity first = someone(1, 0, "", ""), second = someone(1, 1, "", "");
-    assert_int_equal(choice.wish_count, USB_WISH_MAX);
+    assert_int_equal(choice.wish_count, USB_REQUEST_MAX);
     assert_int_equal(judge(&choice, &first, USB_KIND_HAND), USB_FREE);
     assert_int_equal(judge(&choice, &second, USB_KIND_HAND), USB_PLAYS);
 }
@@ -152,11 +153,11 @@ static uint32_t read_hex(const char *path, uint8_t *out, uint32_t size)
     return count;
 }
 
-static struct usb_subject subject_of(const char *name, const struct hid_identity *identity)
+static struct usb_candidate subject_of(const char *name, const struct hid_identity *identity)
 {
     uint8_t bytes[HID_DESCRIPTOR_MAX];
     char path[128];
-    struct usb_subject subject = { .identity = identity };
+    struct usb_candidate subject = { .identity = identity };
     snprintf(path, sizeof path, "tests/hid/good/descriptors/%s.hid", name);
     usb_choice_read(&subject, bytes, read_hex(path, bytes, sizeof bytes), &scratch);
     return subject;
@@ -165,7 +166,7 @@ static struct usb_subject subject_of(const char *name, const struct hid_identity
 static enum usb_kind kind_of_bytes(const uint8_t *bytes, uint32_t size)
 {
     const struct hid_identity nobody = { 0 };
-    struct usb_subject subject = { .identity = &nobody };
+    struct usb_candidate subject = { .identity = &nobody };
     usb_choice_read(&subject, bytes, size, &scratch);
     return subject.kind;
 }
@@ -202,7 +203,7 @@ static void test_real_devices_are_told_apart_by_their_descriptors(void **state)
     };
     const struct hid_identity nobody = { 0 };
     for (uint32_t i = 0; i < sizeof devices / sizeof devices[0]; i++) {
-        const struct usb_subject subject = subject_of(devices[i].name, &nobody);
+        const struct usb_candidate subject = subject_of(devices[i].name, &nobody);
         if (subject.kind != devices[i].kind) {
             fail_msg("%s is %u, not %u", devices[i].name, subject.kind, devices[i].kind);
         }
@@ -213,13 +214,13 @@ static void test_real_devices_are_told_apart_by_their_descriptors(void **state)
 static uint32_t best_of(const struct usb_choice *choice, const char *const names[], uint32_t count)
 {
     struct hid_identity identity[4];
-    struct usb_subject subject[4];
+    struct usb_candidate subject[4];
     uint32_t best = 0;
     for (uint32_t i = 0; i < count; i++) {
         identity[i] = someone(0x256c, 0x006e, "", "1-1");
         identity[i].interface_number = (uint8_t)i;
         subject[i] = names[i] ? subject_of(names[i], &identity[i])
-                              : (struct usb_subject){ .identity = &identity[i] };
+                              : (struct usb_candidate){ .identity = &identity[i] };
         best = i > 0 && usb_choice_is_better(choice, &subject[i], &subject[best]) ? i : best;
     }
     return best;
@@ -262,8 +263,8 @@ static void test_keys_that_type_are_barred_with_whatever_is_beside_them(void **s
     const struct hid_identity who = someone(0x1234, 0x5678, "", "1-1");
     wish(&choice, "1234:5678", 1, 1);
     for (uint32_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        const struct usb_subject subject = subject_of(names[i], &who);
-        assert_int_equal(usb_choice_judge(&choice, &subject), USB_BARRED);
+        const struct usb_candidate subject = subject_of(names[i], &who);
+        assert_int_equal(usb_choice_evaluate(&choice, &subject), USB_BARRED);
     }
 }
 
@@ -309,13 +310,13 @@ static void test_who_comes_back_gets_its_own_seat(void **state)
         [2] = place_of(someone(1, 2, "b", "1-2"), 0, 1),
     };
     struct hid_identity who = someone(1, 2, "b", "1-9");
-    assert_int_equal(usb_choice_seat(place, &who), 2);
+    assert_int_equal(usb_choice_slot(place, &who), 2);
     who = someone(1, 2, "c", "1-1"); /* Another of its kind in its place: it was replaced. */
-    assert_int_equal(usb_choice_seat(place, &who), 1);
+    assert_int_equal(usb_choice_slot(place, &who), 1);
     who = someone(1, 2, "c", "1-9");
-    assert_int_equal(usb_choice_seat(place, &who), 0);
+    assert_int_equal(usb_choice_slot(place, &who), 0);
     who = someone(1, 3, "a", "1-1");
-    assert_int_equal(usb_choice_seat(place, &who), 0);
+    assert_int_equal(usb_choice_slot(place, &who), 0);
 }
 
 static void test_two_with_the_same_number_are_told_apart_by_their_ports(void **state)
@@ -326,7 +327,7 @@ static void test_two_with_the_same_number_are_told_apart_by_their_ports(void **s
         place_of(someone(1, 2, "123456", "1-2"), 0, 1),
     };
     const struct hid_identity who = someone(1, 2, "123456", "1-2");
-    assert_int_equal(usb_choice_seat(place, &who), 1);
+    assert_int_equal(usb_choice_slot(place, &who), 1);
 }
 
 static void test_without_a_number_elsewhere_it_is_known_if_there_is_but_one(void **state)
@@ -337,9 +338,9 @@ static void test_without_a_number_elsewhere_it_is_known_if_there_is_but_one(void
         place_of(someone(1, 2, "", "1-1"), 0, 1),
     };
     const struct hid_identity who = someone(1, 2, "", "1-7");
-    assert_int_equal(usb_choice_seat(place, &who), 1);
+    assert_int_equal(usb_choice_slot(place, &who), 1);
     place[0] = place_of(someone(1, 2, "", "1-8"), 0, 1); /* Two such are away: who knows. */
-    assert_int_equal(usb_choice_seat(place, &who), 2);
+    assert_int_equal(usb_choice_slot(place, &who), 2);
 }
 
 static void test_a_seat_is_kept_for_a_while_and_then_given_away(void **state)
@@ -350,9 +351,9 @@ static void test_a_seat_is_kept_for_a_while_and_then_given_away(void **state)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         place[i] = place_of(someone(1, (uint16_t)i, "", "1-1"), i != 2, 1);
     }
-    assert_int_equal(usb_choice_seat(place, &stranger), POI_MAX);
+    assert_int_equal(usb_choice_slot(place, &stranger), POI_MAX);
     place[2].is_held = 0;
-    assert_int_equal(usb_choice_seat(place, &stranger), 2);
+    assert_int_equal(usb_choice_slot(place, &stranger), 2);
 }
 
 /* ---- Rows ----------------------------------------------------------------------------------- */
@@ -360,26 +361,26 @@ static void test_a_seat_is_kept_for_a_while_and_then_given_away(void **state)
 static void test_rows_keep_their_places_and_barred_ones_give_way(void **state)
 {
     (void)state;
-    struct usb_rows rows;
-    usb_rows_init(&rows);
+    struct device_table rows;
+    device_table_init(&rows);
     for (uint16_t i = 0; i < 6; i++) {
         const struct hid_identity who = someone(1, i, "", "1-1");
-        const uint32_t row = usb_rows_enter(&rows, &who, 1);
+        const uint32_t row = device_table_enter(&rows, &who, 1);
         assert_int_equal(row, i < 4 ? i : CONTROLLER_MAX); /* Four stay empty for others. */
     }
     for (uint16_t i = 0; i < 8; i++) {
         const struct hid_identity who = someone(2, i, "", "1-2");
-        assert_true(usb_rows_enter(&rows, &who, 0) < CONTROLLER_MAX);
-        assert_true(usb_rows_find(&rows, &who) < CONTROLLER_MAX);
+        assert_true(device_table_enter(&rows, &who, 0) < CONTROLLER_MAX);
+        assert_true(device_table_find(&rows, &who) < CONTROLLER_MAX);
     }
     const struct hid_identity ninth = someone(2, 9, "", "1-3");
-    assert_int_equal(usb_rows_enter(&rows, &ninth, 0), CONTROLLER_MAX);
+    assert_int_equal(device_table_enter(&rows, &ninth, 0), CONTROLLER_MAX);
     const struct hid_identity lost = someone(2, 5, "", "1-2");
-    const uint32_t row = usb_rows_find(&rows, &lost);
+    const uint32_t row = device_table_find(&rows, &lost);
     rows.row[row].state = CONTROLLER_LOST;
-    assert_int_equal(usb_rows_enter(&rows, &lost, 0), row); /* Back in its own. */
+    assert_int_equal(device_table_enter(&rows, &lost, 0), row); /* Back in its own. */
     rows.row[row].state = CONTROLLER_LOST;
-    assert_int_equal(usb_rows_enter(&rows, &ninth, 0), row);
+    assert_int_equal(device_table_enter(&rows, &ninth, 0), row);
 }
 
 /* ---- The file ------------------------------------------------------------------------------- */
@@ -448,7 +449,7 @@ static void test_texts_cannot_break_a_line_or_a_terminal(void **state)
     for (uint32_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         char text[HID_TEXT_SIZE];
         snprintf(text, sizeof text, "%s", pairs[i][0]);
-        usb_clean_text(text);
+        usb_sysfs_clean_text(text);
         assert_string_equal(text, pairs[i][1]);
     }
 }

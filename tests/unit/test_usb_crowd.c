@@ -13,7 +13,7 @@
 #include "tests/unit/usb_kinds.h"
 
 static struct usb_bench bench;
-static struct hid_face face;
+static struct hid_device_info face;
 static struct stand_kind kinds[12]; /* Pois with a serial number each. */
 static char serials[12][4];
 
@@ -41,7 +41,7 @@ static int tear_down(void **state)
 static int sits(uint32_t seat, const char *serial)
 {
     for (uint32_t i = 0; i < 25000; i++) {
-        const struct hid_port port = usb_seats_port(bench.seats, seat);
+        const struct hid_port port = usb_transport_port(bench.seats, seat);
         if (port.ops->open(port.self, &face) == HAL_OK && !strcmp(face.identity.serial, serial)) {
             return 1;
         }
@@ -60,17 +60,17 @@ static void test_four_play_and_the_fifth_waits_for_a_seat(void **state)
     }
     assert_true(bench_until(&bench, 4, CONTROLLER_FREE));
     assert_int_equal(stand_seen(device[4]).opens, 0);
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
-    assert_int_equal(roster.ops->choose(roster.self, 4), HAL_ERR_BUSY);
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
+    assert_int_equal(device_list.ops->choose(device_list.self, 4), HAL_ERR_BUSY);
     stand_unplug(device[2], STAND_GONE); /* For a moment only: its seat is kept. */
     assert_true(bench_until(&bench, 2, CONTROLLER_LOST));
     usleep(100000);
     assert_int_equal(bench_row(&bench, 4).state, CONTROLLER_FREE);
     stand_plug(&kinds[2], 9);
     assert_true(sits(2, "S2"));
-    assert_int_equal(roster.ops->release(roster.self, 1), HAL_OK); /* Now there is one. */
+    assert_int_equal(device_list.ops->release(device_list.self, 1), HAL_OK); /* Now there is one. */
     assert_true(sits(1, "S4"));
-    assert_true(bench_until(&bench, 4, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 4, CONTROLLER_ACTIVE));
     assert_int_equal(bench_row(&bench, 4).seat, 1);
 }
 
@@ -91,7 +91,7 @@ static void test_all_four_come_back_to_their_seats_in_any_order(void **state)
     }
     for (uint32_t i = 0; i < 4; i++) {
         assert_true(sits(i, serials[i]));
-        assert_true(bench_until(&bench, i, CONTROLLER_PLAYS));
+        assert_true(bench_until(&bench, i, CONTROLLER_ACTIVE));
     }
 }
 
@@ -120,7 +120,7 @@ static void test_more_than_eight_have_rows_enough_for_those_that_play(void **sta
     for (uint8_t i = 0; i < 6; i++) {
         stand_plug(&keyboard, (uint8_t)(i + 20u));
     }
-    assert_true(bench_until(&bench, 3, CONTROLLER_BARRED));
+    assert_true(bench_until(&bench, 3, CONTROLLER_UNSUPPORTED));
     for (uint8_t i = 0; i < 4; i++) {
         stand_plug(&kinds[i], (uint8_t)(i + 1u));
         assert_true(sits(i, serials[i]));
@@ -130,7 +130,7 @@ static void test_more_than_eight_have_rows_enough_for_those_that_play(void **sta
         usleep(200);
         playing = 0;
         for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-            playing += bench_row(&bench, i).state == CONTROLLER_PLAYS;
+            playing += bench_row(&bench, i).state == CONTROLLER_ACTIVE;
         }
     }
     assert_int_equal(playing, 4);
@@ -142,7 +142,7 @@ static void test_a_poi_is_seen_among_more_keyboards_than_we_watch(void **state)
     for (uint8_t i = 0; i < 20; i++) {
         stand_plug(&keyboard, (uint8_t)(i + 20u));
     }
-    assert_true(bench_until(&bench, 3, CONTROLLER_BARRED));
+    assert_true(bench_until(&bench, 3, CONTROLLER_UNSUPPORTED));
     for (uint8_t i = 0; i < 4; i++) {
         stand_plug(&kinds[i], (uint8_t)(i + 1u));
         assert_true(sits(i, serials[i]));
@@ -184,7 +184,7 @@ static void test_a_storm_of_hot_plugs_ends_with_everybody_in_a_seat(void **state
     pthread_t thread;
     struct hid_raw raw;
     struct hid_row rows[CONTROLLER_MAX];
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
     uint32_t order = 0, device[POI_MAX];
     for (uint8_t i = 0; i < POI_MAX; i++) { /* Each slot is then kept for its poi. */
         device[i] = stand_plug(&kinds[i], (uint8_t)(i + 1u));
@@ -198,14 +198,14 @@ static void test_a_storm_of_hot_plugs_ends_with_everybody_in_a_seat(void **state
     assert_int_equal(pthread_create(&thread, NULL, storm, NULL), 0);
     while (!atomic_load(&storm_is_over)) { /* The kiosk plays on meanwhile. */
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            const struct hid_port port = usb_seats_port(bench.seats, i);
+            const struct hid_port port = usb_transport_port(bench.seats, i);
             while (port.ops->take(port.self, &raw) == 1) {
             }
             port.ops->open(port.self, &face);
             port.ops->send(port.self, (const uint8_t *)"\2\1", 2);
         }
-        roster.ops->rows(roster.self, rows);
-        roster.ops->choose(roster.self, order++ % CONTROLLER_MAX);
+        device_list.ops->rows(device_list.self, rows);
+        device_list.ops->choose(device_list.self, order++ % CONTROLLER_MAX);
         usleep(500);
     }
     pthread_join(thread, NULL);

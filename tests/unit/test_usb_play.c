@@ -119,14 +119,13 @@ static int is_paused(void)
 
 static int runs(void)
 {
-    return is_round() && !stall.kiosk.scene.paused &&
-           stall.kiosk.hands[0].link == POI_LINK_LIVE;
+    return is_round() && !stall.kiosk.scene.paused && stall.kiosk.hands[0].link == POI_SOURCE_LIVE;
 }
 
 static int is_attract(void)
 {
     return stall.kiosk.core.game.phase == PHASE_ATTRACT &&
-           stall.kiosk.hands[0].link == POI_LINK_LIVE;
+           stall.kiosk.hands[0].link == POI_SOURCE_LIVE;
 }
 
 static void press_start(void)
@@ -154,7 +153,7 @@ static int set_up(void **state)
                                           .event_count = 1 };
     stall.hal.buttons = buttons_sim_device(&stall.buttons);
     const struct view view = tank_preset(TANK_PRESET_FESTIVAL)->view;
-    poi_hid_init(&stall.poi, usb_seats_port(stall.bench.seats, 0), stall_clock(),
+    poi_hid_init(&stall.poi, usb_transport_port(stall.bench.seats, 0), stall_clock(),
                  (struct hid_mapper){ NULL, NULL }, &view);
     stall.hal.poi[0] = poi_hid_device(&stall.poi);
     stall.hal.storage = storage_sim_device(&stall.storage);

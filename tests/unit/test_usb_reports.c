@@ -10,7 +10,7 @@
 #include "tests/unit/usb_kinds.h"
 
 static struct usb_bench bench;
-static struct hid_face face;
+static struct hid_device_info face;
 
 static int set_up(void **state)
 {
@@ -86,7 +86,7 @@ static void test_a_frame_that_stalls_still_hears_the_newest_and_counts_what_is_l
     struct hid_raw raw;
     bench_start(&bench, NULL, 0);
     const uint32_t poi = stand_plug(&own_poi, 1);
-    const struct hid_port port = usb_seats_port(bench.seats, 0);
+    const struct hid_port port = usb_transport_port(bench.seats, 0);
     assert_true(bench_open(&bench, 0, &face));
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 10u; i++) {
         bench_say(poi, i);
@@ -166,7 +166,7 @@ static const uint8_t blow[POI_FEEL_SIZE] = { POI_FEEL_ID, 9, 1, 2, 3 };
 
 static int send_blow(void)
 {
-    const struct hid_port port = usb_seats_port(bench.seats, 0);
+    const struct hid_port port = usb_transport_port(bench.seats, 0);
     return port.ops->send(port.self, blow, sizeof blow);
 }
 
@@ -253,12 +253,12 @@ static void test_no_call_of_the_frame_loop_waits_however_slow_the_bus_is(void **
     struct hid_raw raw;
     struct hid_row rows[CONTROLLER_MAX];
     bench_start(&bench, NULL, 0);
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
     const uint32_t first = stand_plug(&own_poi, 1);
     assert_true(bench_open(&bench, 0, &face));
     stand_set_faults(&(struct stand_faults){ .close_ms = 400, .cancel_ms = 200 });
     stand_plug(&second_poi, 2);
-    assert_true(bench_until(&bench, 1, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 1, CONTROLLER_ACTIVE));
     stand_unplug(first, STAND_QUIET); /* The thread is stuck for over half a second from here. */
     uint64_t worst_ns = 0;
     uint32_t frames = 0;
@@ -266,16 +266,16 @@ static void test_no_call_of_the_frame_loop_waits_however_slow_the_bus_is(void **
     while (clock_device().ops->now_ns(NULL) - begin_ns < 800000000ull) {
         const uint64_t frame_ns = clock_device().ops->now_ns(NULL);
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            const struct hid_port port = usb_seats_port(bench.seats, i);
+            const struct hid_port port = usb_transport_port(bench.seats, i);
             if (port.ops->take(port.self, &raw) == HAL_ERR_GONE) {
                 port.ops->open(port.self, &face);
             }
             port.ops->send(port.self, blow, sizeof blow);
             port.ops->describe(port.self);
         }
-        roster.ops->rows(roster.self, rows);
-        roster.ops->release(roster.self, frames % 2u);
-        roster.ops->choose(roster.self, frames % 2u);
+        device_list.ops->rows(device_list.self, rows);
+        device_list.ops->release(device_list.self, frames % 2u);
+        device_list.ops->choose(device_list.self, frames % 2u);
         const uint64_t took_ns = clock_device().ops->now_ns(NULL) - frame_ns;
         worst_ns = took_ns > worst_ns ? took_ns : worst_ns;
         frames++;

@@ -17,8 +17,8 @@
 #define REPORT_COUNT 200000u
 #define POST_COUNT 200000u
 
-static struct usb_ring ring;
-static struct usb_seat seat;
+static struct report_ring ring;
+static struct usb_slot seat;
 
 /* ---- The ring ------------------------------------------------------------------------------- */
 
@@ -43,7 +43,7 @@ static void *write_reports(void *self)
     (void)self;
     for (uint32_t i = 0; i < REPORT_COUNT; i++) {
         fill_bytes(bytes, size_of(i), i);
-        if (!usb_ring_push(&ring, i >> 8, i, bytes, size_of(i)) && i % 64u == 0u) {
+        if (!report_ring_push(&ring, i >> 8, i, bytes, size_of(i)) && i % 64u == 0u) {
             sched_yield();
         }
     }
@@ -51,7 +51,7 @@ static void *write_reports(void *self)
     return NULL;
 }
 
-static void check_report(const struct usb_ring_slot *slot, uint32_t number)
+static void check_report(const struct report_ring_slot *slot, uint32_t number)
 {
     uint8_t bytes[HID_REPORT_MAX];
     fill_bytes(bytes, size_of(number), number);
@@ -66,11 +66,11 @@ static void test_reports_cross_between_threads_whole_and_in_order_and_the_last_a
     (void)state;
     pthread_t writer;
     uint32_t count = 0, next = 0;
-    usb_ring_init(&ring);
+    report_ring_init(&ring);
     assert_int_equal(pthread_create(&writer, NULL, write_reports, NULL), 0);
     for (;;) {
         const int is_all = atomic_load(&wrote);
-        const struct usb_ring_slot *slot = usb_ring_peek(&ring);
+        const struct report_ring_slot *slot = report_ring_peek(&ring);
         if (!slot && is_all) {
             break;
         }
@@ -82,19 +82,19 @@ static void test_reports_cross_between_threads_whole_and_in_order_and_the_last_a
         next = (uint32_t)slot->raw.time_ns + 1u;
         check_report(slot, next - 1u);
         count++;
-        usb_ring_drop(&ring);
+        report_ring_drop(&ring);
     }
     pthread_join(writer, NULL);
     assert_int_equal(next, REPORT_COUNT);
-    assert_int_equal(count + usb_ring_lost(&ring), REPORT_COUNT);
+    assert_int_equal(count + report_ring_lost(&ring), REPORT_COUNT);
 }
 
 static uint32_t next_number(void)
 {
-    const struct usb_ring_slot *slot = usb_ring_peek(&ring);
+    const struct report_ring_slot *slot = report_ring_peek(&ring);
     const uint32_t number = slot ? (uint32_t)slot->raw.time_ns : UINT32_MAX;
     if (slot) {
-        usb_ring_drop(&ring);
+        report_ring_drop(&ring);
     }
     return number;
 }
@@ -103,25 +103,25 @@ static void test_a_full_ring_keeps_the_newest_and_counts_what_it_cannot(void **s
 {
     (void)state;
     const uint8_t byte = 7;
-    usb_ring_init(&ring);
+    report_ring_init(&ring);
     for (uint32_t i = 0; i < HID_REPORTS_MAX; i++) {
-        assert_true(usb_ring_push(&ring, 1, i, &byte, 1));
+        assert_true(report_ring_push(&ring, 1, i, &byte, 1));
     }
-    assert_false(usb_ring_push(&ring, 1, 5000, &byte, 1));
-    assert_int_equal(usb_ring_lost(&ring), 0);
-    assert_false(usb_ring_push(&ring, 1, 5001, &byte, 1));
-    assert_int_equal(usb_ring_lost(&ring), 1);
+    assert_false(report_ring_push(&ring, 1, 5000, &byte, 1));
+    assert_int_equal(report_ring_lost(&ring), 0);
+    assert_false(report_ring_push(&ring, 1, 5001, &byte, 1));
+    assert_int_equal(report_ring_lost(&ring), 1);
     for (uint32_t i = 0; i < 10; i++) {
         assert_int_equal(next_number(), i);
     }
-    assert_true(usb_ring_push(&ring, 1, 5002, &byte, 1)); /* Room again: that came later. */
+    assert_true(report_ring_push(&ring, 1, 5002, &byte, 1)); /* Room again: that came later. */
     for (uint32_t i = 10; i < HID_REPORTS_MAX; i++) {
         assert_int_equal(next_number(), i);
     }
     assert_int_equal(next_number(), 5001);
     assert_int_equal(next_number(), 5002);
     assert_int_equal(next_number(), UINT32_MAX);
-    assert_int_equal(usb_ring_lost(&ring), 1);
+    assert_int_equal(report_ring_lost(&ring), 1);
 }
 
 /* Neither the wait beside the ring nor the numbers of reports are thrown by a wrap. */
@@ -129,15 +129,15 @@ static void test_one_that_waits_beside_a_full_ring_keeps_its_turn_over_a_wrap(vo
 {
     (void)state;
     const uint8_t byte = 7;
-    usb_ring_init(&ring);
+    report_ring_init(&ring);
     ring.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) { /* The last is number UINT32_MAX. */
-        usb_ring_push(&ring, 1, i, &byte, 1);
+        report_ring_push(&ring, 1, i, &byte, 1);
     }
     for (uint32_t i = 0; i < HID_REPORTS_MAX - 1u; i++) {
         assert_int_equal(next_number(), i);
     }
-    assert_true(usb_ring_push(&ring, 1, 9000, &byte, 1)); /* Number 0. */
+    assert_true(report_ring_push(&ring, 1, 9000, &byte, 1)); /* Number 0. */
     assert_int_equal(next_number(), HID_REPORTS_MAX - 1u);
     assert_int_equal(next_number(), HID_REPORTS_MAX + 1u);
     assert_int_equal(next_number(), 9000);
@@ -147,22 +147,22 @@ static void test_counters_may_wrap(void **state)
 {
     (void)state;
     const uint8_t byte = 7;
-    usb_ring_init(&ring);
+    report_ring_init(&ring);
     atomic_store(&ring.pushed, UINT32_MAX - 5u);
     atomic_store(&ring.taken, UINT32_MAX - 5u);
     for (uint32_t i = 0; i < 3u * HID_REPORTS_MAX; i++) {
-        assert_true(usb_ring_push(&ring, 1, i, &byte, 1));
-        assert_int_equal(usb_ring_peek(&ring)->raw.time_ns, i);
-        usb_ring_drop(&ring);
+        assert_true(report_ring_push(&ring, 1, i, &byte, 1));
+        assert_int_equal(report_ring_peek(&ring)->raw.time_ns, i);
+        report_ring_drop(&ring);
     }
-    assert_null(usb_ring_peek(&ring));
+    assert_null(report_ring_peek(&ring));
 }
 
 /* ---- The mail ------------------------------------------------------------------------------- */
 
 static struct {
-    struct usb_mail mail;
-    uint32_t letter[USB_MAIL_SLOTS][64];
+    struct triple_buffer mail;
+    uint32_t letter[TRIPLE_BUFFER_SLOTS][64];
 } post;
 
 static void *write_letters(void *self)
@@ -172,7 +172,7 @@ static void *write_letters(void *self)
         for (uint32_t k = 0; k < 64; k++) {
             post.letter[post.mail.writing][k] = i;
         }
-        usb_mail_post(&post.mail);
+        triple_buffer_post(&post.mail);
     }
     return NULL;
 }
@@ -183,11 +183,11 @@ static void test_the_newest_value_is_whole_and_never_older_than_before(void **st
     pthread_t writer;
     uint32_t newest = 0;
     memset(&post, 0, sizeof post);
-    usb_mail_init(&post.mail);
-    assert_false(usb_mail_fetch(&post.mail));
+    triple_buffer_init(&post.mail);
+    assert_false(triple_buffer_fetch(&post.mail));
     assert_int_equal(pthread_create(&writer, NULL, write_letters, NULL), 0);
     while (newest < POST_COUNT) {
-        const int is_new = usb_mail_fetch(&post.mail);
+        const int is_new = triple_buffer_fetch(&post.mail);
         const uint32_t *letter = post.letter[post.mail.reading];
         assert_true(is_new ? letter[0] > newest : letter[0] == newest);
         newest = letter[0];
@@ -196,7 +196,7 @@ static void test_the_newest_value_is_whole_and_never_older_than_before(void **st
         }
     }
     pthread_join(writer, NULL);
-    assert_false(usb_mail_fetch(&post.mail));
+    assert_false(triple_buffer_fetch(&post.mail));
 }
 
 /* ---- The seat ------------------------------------------------------------------------------- */
@@ -209,29 +209,29 @@ static void wake(void *self)
     wakes++;
 }
 
-static struct hid_face face_of(uint16_t product)
+static struct hid_device_info face_of(uint16_t product)
 {
-    return (struct hid_face){ .identity = { .vendor = 1, .product = product },
-                              .descriptor_size = 1 };
+    return (struct hid_device_info){ .identity = { .vendor = 1, .product = product },
+                                     .descriptor_size = 1 };
 }
 
 static void test_what_one_left_behind_is_not_taken_for_the_nexts(void **state)
 {
     (void)state;
-    struct hid_face face;
+    struct hid_device_info face;
     struct hid_raw raw;
-    usb_seat_init(&seat, wake, NULL);
-    const struct hid_port port = usb_seat_port(&seat);
+    usb_slot_init(&seat, wake, NULL);
+    const struct hid_port port = usb_slot_port(&seat);
     assert_int_equal(port.ops->open(port.self, &face), HAL_ERR_GONE);
     assert_int_equal(port.ops->take(port.self, &raw), HAL_ERR_GONE);
     face = face_of(1);
-    usb_seat_sit(&seat, &face);
+    usb_slot_attach(&seat, &face);
     assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
-    usb_seat_report(&seat, 10, (const uint8_t *)"a", 1);
-    usb_seat_leave(&seat);
+    usb_slot_report(&seat, 10, (const uint8_t *)"a", 1);
+    usb_slot_detach(&seat);
     face = face_of(2);
-    usb_seat_sit(&seat, &face);
-    usb_seat_report(&seat, 20, (const uint8_t *)"b", 1);
+    usb_slot_attach(&seat, &face);
+    usb_slot_report(&seat, 20, (const uint8_t *)"b", 1);
     assert_int_equal(port.ops->take(port.self, &raw), 1); /* The first one's last word ... */
     assert_int_equal(raw.bytes[0], 'a');
     assert_int_equal(port.ops->take(port.self, &raw), HAL_ERR_GONE); /* ... and its end. */
@@ -245,15 +245,15 @@ static void test_what_one_left_behind_is_not_taken_for_the_nexts(void **state)
 static void test_what_came_before_the_seat_was_looked_at_is_dropped_with_its_owner(void **state)
 {
     (void)state;
-    struct hid_face face = face_of(1);
+    struct hid_device_info face = face_of(1);
     struct hid_raw raw;
-    usb_seat_init(&seat, wake, NULL);
-    const struct hid_port port = usb_seat_port(&seat);
-    usb_seat_sit(&seat, &face);
-    usb_seat_report(&seat, 10, (const uint8_t *)"a", 1);
-    usb_seat_leave(&seat);
+    usb_slot_init(&seat, wake, NULL);
+    const struct hid_port port = usb_slot_port(&seat);
+    usb_slot_attach(&seat, &face);
+    usb_slot_report(&seat, 10, (const uint8_t *)"a", 1);
+    usb_slot_detach(&seat);
     face = face_of(2);
-    usb_seat_sit(&seat, &face);
+    usb_slot_attach(&seat, &face);
     assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
     assert_int_equal(face.identity.product, 2);
     assert_int_equal(port.ops->take(port.self, &raw), 0);
@@ -262,14 +262,14 @@ static void test_what_came_before_the_seat_was_looked_at_is_dropped_with_its_own
 static void test_time_stamps_never_go_back(void **state)
 {
     (void)state;
-    struct hid_face face = face_of(1);
+    struct hid_device_info face = face_of(1);
     struct hid_raw raw;
-    usb_seat_init(&seat, wake, NULL);
-    const struct hid_port port = usb_seat_port(&seat);
-    usb_seat_sit(&seat, &face);
+    usb_slot_init(&seat, wake, NULL);
+    const struct hid_port port = usb_slot_port(&seat);
+    usb_slot_attach(&seat, &face);
     assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
-    usb_seat_report(&seat, 100, (const uint8_t *)"a", 1);
-    usb_seat_report(&seat, 90, (const uint8_t *)"b", 1);
+    usb_slot_report(&seat, 100, (const uint8_t *)"a", 1);
+    usb_slot_report(&seat, 90, (const uint8_t *)"b", 1);
     assert_int_equal(port.ops->take(port.self, &raw), 1);
     assert_int_equal(port.ops->take(port.self, &raw), 1);
     assert_int_equal(raw.time_ns, 100);
@@ -279,17 +279,17 @@ static void test_sizes_that_are_no_report_are_no_report(void **state)
 {
     (void)state;
     static const uint8_t bytes[HID_REPORT_MAX + 1u] = { 5 };
-    struct hid_face face = face_of(1);
+    struct hid_device_info face = face_of(1);
     struct hid_raw raw;
-    usb_seat_init(&seat, wake, NULL);
-    const struct hid_port port = usb_seat_port(&seat);
-    usb_seat_sit(&seat, &face);
+    usb_slot_init(&seat, wake, NULL);
+    const struct hid_port port = usb_slot_port(&seat);
+    usb_slot_attach(&seat, &face);
     assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
-    usb_seat_report(&seat, 1, bytes, 0);
-    usb_seat_report(&seat, 2, bytes, HID_REPORT_MAX + 1u);
+    usb_slot_report(&seat, 1, bytes, 0);
+    usb_slot_report(&seat, 2, bytes, HID_REPORT_MAX + 1u);
     assert_int_equal(port.ops->take(port.self, &raw), 0);
     assert_int_equal(port.ops->lost_count(port.self), 1);
-    usb_seat_report(&seat, 3, bytes, HID_REPORT_MAX);
+    usb_slot_report(&seat, 3, bytes, HID_REPORT_MAX);
     assert_int_equal(port.ops->take(port.self, &raw), 1);
     assert_int_equal(raw.size, HID_REPORT_MAX);
     assert_int_equal(port.ops->send(port.self, bytes, HID_REPORT_MAX + 1u), HAL_ERR_IO);
@@ -299,23 +299,23 @@ static void test_sizes_that_are_no_report_are_no_report(void **state)
 static void test_a_blow_for_one_who_left_does_not_reach_the_next(void **state)
 {
     (void)state;
-    struct hid_face face = face_of(1);
-    usb_seat_init(&seat, wake, NULL);
-    const struct hid_port port = usb_seat_port(&seat);
-    usb_seat_sit(&seat, &face);
+    struct hid_device_info face = face_of(1);
+    usb_slot_init(&seat, wake, NULL);
+    const struct hid_port port = usb_slot_port(&seat);
+    usb_slot_attach(&seat, &face);
     assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
     wakes = 0;
     assert_int_equal(port.ops->send(port.self, (const uint8_t *)"x", 1), HAL_OK);
     assert_int_equal(wakes, 1);
-    usb_seat_leave(&seat);
-    usb_seat_sit(&seat, &face);
-    assert_int_equal(usb_seat_outgoing(&seat), 0);
+    usb_slot_detach(&seat);
+    usb_slot_attach(&seat, &face);
+    assert_int_equal(usb_slot_outgoing(&seat), 0);
     assert_int_equal(port.ops->open(port.self, &face), HAL_OK);
     assert_int_equal(port.ops->send(port.self, (const uint8_t *)"y", 1), HAL_OK);
-    assert_int_equal(usb_seat_outgoing(&seat), 1);
+    assert_int_equal(usb_slot_outgoing(&seat), 1);
     assert_int_equal(seat.out_bytes[0], 'y');
     assert_int_equal(port.ops->send(port.self, (const uint8_t *)"z", 1), HAL_ERR_BUSY);
-    usb_seat_sent(&seat);
+    usb_slot_sent(&seat);
     assert_int_equal(port.ops->send(port.self, (const uint8_t *)"z", 1), HAL_OK);
 }
 

@@ -10,7 +10,7 @@
 #include "tests/unit/usb_kinds.h"
 
 static struct usb_bench bench;
-static struct hid_face face;
+static struct hid_device_info face;
 
 static int set_up(void **state)
 {
@@ -29,20 +29,20 @@ static int tear_down(void **state)
 
 static int choose(uint32_t row)
 {
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
-    return roster.ops->choose(roster.self, row);
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
+    return device_list.ops->choose(device_list.self, row);
 }
 
 static int release(uint32_t row)
 {
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
-    return roster.ops->release(roster.self, row);
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
+    return device_list.ops->release(device_list.self, row);
 }
 
 static const char *described(void)
 {
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
-    return roster.ops->describe(roster.self);
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
+    return device_list.ops->describe(device_list.self);
 }
 
 /* ---- Who plays ------------------------------------------------------------------------------ */
@@ -61,7 +61,7 @@ static void test_our_own_poi_plays_whoever_made_it(void **state)
     assert_int_equal(stand_seen(poi).claimed_interfaces, 1);
     assert_int_equal(stand_seen(poi).set_idles, 1);
     assert_int_equal(stand_seen(poi).descriptor_reads, 1); /* A driver may have mended /sys'. */
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_int_equal(bench_row(&bench, 0).seat, 0);
 }
 
@@ -127,14 +127,14 @@ static void test_one_chosen_anew_waits_until_it_was_closed(void **state)
     stand_set_faults(&(struct stand_faults){ .cancel_ms = 50 });
     bench_start(&bench, NULL, 0);
     const uint32_t poi = stand_plug(&own_poi, 2);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_int_equal(release(0), HAL_OK);
     assert_int_equal(choose(0), HAL_OK);
     for (uint32_t i = 0; i < 5000 && stand_seen(poi).opens < 2; i++) {
         assert_int_not_equal(bench_row(&bench, 0).state, CONTROLLER_DENIED);
         usleep(200);
     }
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_int_equal(stand_seen(poi).claims, 2);
 }
 
@@ -145,14 +145,14 @@ static void test_a_choice_outlives_the_kiosk(void **state)
     stand_plug(&joystick, 2);
     stand_plug(&own_poi, 3);
     assert_true(bench_until(&bench, 0, CONTROLLER_FREE));
-    assert_true(bench_until(&bench, 1, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 1, CONTROLLER_ACTIVE));
     assert_int_equal(choose(0), HAL_OK);
     assert_int_equal(release(1), HAL_OK);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_true(bench_until(&bench, 1, CONTROLLER_FREE));
-    usb_seats_stop(bench.seats);
+    usb_transport_stop(bench.seats);
     bench_start(&bench, NULL, 0);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_true(bench_until(&bench, 1, CONTROLLER_FREE));
 }
 
@@ -165,7 +165,7 @@ static void test_a_choice_that_cannot_be_kept_is_told_and_holds_for_today(void *
     stand_plug(&joystick, 2);
     assert_true(bench_until(&bench, 0, CONTROLLER_FREE));
     assert_int_equal(choose(0), HAL_OK);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_int_equal(bench_told(&bench, line), 1);
     assert_non_null(strstr(line, "no/usb.txt: cannot write: No such file"));
 }
@@ -178,13 +178,13 @@ static void test_what_the_command_line_lists_plays(void **state)
     assert_int_equal(usb_key_read(&keys[1], "046a:0001"), 0);
     bench_start(&bench, keys, 2);
     stand_plug(&joystick, 2);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     const uint32_t keys_device = stand_plug(&keyboard, 3);
-    assert_true(bench_until(&bench, 1, CONTROLLER_BARRED)); /* A keyboard, whoever names it. */
-    assert_int_equal(choose(1), HAL_ERR_NONE);
+    assert_true(bench_until(&bench, 1, CONTROLLER_UNSUPPORTED)); /* A keyboard, whoever names it. */
+    assert_int_equal(choose(1), HAL_ERR_ABSENT);
     usleep(200000);
     assert_int_equal(stand_seen(keys_device).opens, 0);
-    assert_int_equal(choose(5), HAL_ERR_NONE);
+    assert_int_equal(choose(5), HAL_ERR_ABSENT);
 }
 
 static void test_other_interfaces_are_left_alone(void **state)
@@ -256,7 +256,7 @@ static void test_one_that_is_no_hand_after_all_is_asked_once(void **state)
     const uint32_t device = stand_plug(&disguised, 1);
     assert_true(bench_until(&bench, 0, CONTROLLER_FREE));
     assert_int_equal(choose(0), HAL_OK);
-    assert_true(bench_until(&bench, 0, CONTROLLER_BARRED));
+    assert_true(bench_until(&bench, 0, CONTROLLER_UNSUPPORTED));
     usleep(300000);
     assert_int_equal(stand_seen(device).opens, 1);
     assert_int_equal(stand_seen(device).closes, 1);
@@ -301,7 +301,7 @@ static void test_a_poi_that_may_not_be_opened_names_the_rule_that_lets_it(void *
     assert_string_equal(line, described());
     stand_set_faults(&(struct stand_faults){ 0 });
     assert_true(bench_open(&bench, 0, &face)); /* Found out without a replug. */
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_null(strstr(described(), "rules"));
     assert_int_equal(bench_told(&bench, line), 1);
 }
@@ -324,9 +324,9 @@ static void test_without_usb_nobody_ever_comes(void **state)
     stand_set_faults(&(struct stand_faults){ .init_error = LIBUSB_ERROR_OTHER });
     bench_start(&bench, NULL, 0);
     assert_non_null(strstr(bench.why, "no USB"));
-    const struct hid_port port = usb_seats_port(bench.seats, 0);
-    assert_int_equal(port.ops->open(port.self, &face), HAL_ERR_NONE);
-    assert_int_equal(port.ops->take(port.self, &raw), HAL_ERR_NONE);
+    const struct hid_port port = usb_transport_port(bench.seats, 0);
+    assert_int_equal(port.ops->open(port.self, &face), HAL_ERR_ABSENT);
+    assert_int_equal(port.ops->take(port.self, &raw), HAL_ERR_ABSENT);
     assert_int_equal(bench_row(&bench, 0).state, CONTROLLER_NONE);
     assert_string_equal(described(), bench.why);
 }
@@ -341,7 +341,7 @@ static void test_a_bad_line_of_the_file_is_told_and_the_others_count(void **stat
     bench_start(&bench, NULL, 0);
     assert_non_null(strstr(bench.why, "usb.txt:3: '46d'"));
     stand_plug(&joystick, 1);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
 }
 
 int main(void)

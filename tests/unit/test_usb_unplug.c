@@ -16,7 +16,7 @@
 #define BURST 64u /* No more than the ring holds: none is lost. */
 
 static struct usb_bench bench;
-static struct hid_face face;
+static struct hid_device_info face;
 
 static int set_up(void **state)
 {
@@ -96,8 +96,9 @@ static void test_pulled_out_at_each_of_a_thousand_reports_it_comes_back(void **s
         if (how == STAND_LATE) {
             stand_announce(poi);
         }
-        assert_int_equal(usb_seats_port(bench.seats, 0).ops->lost_count(
-                             usb_seats_port(bench.seats, 0).self), 0);
+        assert_int_equal(usb_transport_port(bench.seats, 0)
+                             .ops->lost_count(usb_transport_port(bench.seats, 0).self),
+                         0);
     }
     qsort(back_ns, INDEX_COUNT, sizeof back_ns[0], compare);
     printf("# plugged in to seated: p50 %.2f ms, p99 %.2f ms, at most %.2f ms\n",
@@ -130,18 +131,19 @@ static void test_a_lost_poi_has_its_row_while_it_is_away(void **state)
 {
     (void)state;
     uint32_t poi = stand_plug(&own_poi, 1);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     stand_unplug(poi, STAND_IO_FIRST);
     assert_true(bench_until(&bench, 0, CONTROLLER_LOST));
     poi = stand_plug(&own_poi, 5); /* Elsewhere: its serial number says who it is. */
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
     assert_int_equal(bench_row(&bench, 0).seat, 0);
     assert_string_equal(bench_row(&bench, 0).identity.port, "3-5");
     assert_int_equal(bench_row(&bench, 1).state, CONTROLLER_NONE);
     stand_unplug(poi, STAND_GONE);
     assert_true(bench_until(&bench, 0, CONTROLLER_LOST));
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
-    assert_int_equal(roster.ops->release(roster.self, 0), HAL_OK); /* Waited for no more. */
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
+    assert_int_equal(device_list.ops->release(device_list.self, 0),
+                     HAL_OK); /* Waited for no more. */
     assert_true(bench_until(&bench, 0, CONTROLLER_NONE));
 }
 
@@ -171,14 +173,14 @@ static void test_the_end_waits_for_all_that_flies(void **state)
     stand_set_faults(&(struct stand_faults){ .cancel_ms = 100, .hold_outs = 1 });
     const uint32_t poi = stand_plug(&own_poi, 1);
     const uint32_t other = stand_plug(&second_poi, 2);
-    const struct hid_port port = usb_seats_port(bench.seats, 0);
+    const struct hid_port port = usb_transport_port(bench.seats, 0);
     const uint8_t blow[] = { POI_FEEL_ID, 1 };
     assert_true(bench_open(&bench, 0, &face));
     assert_true(bench_open(&bench, 1, &face));
     assert_true(bench_open(&bench, 0, &face));
     assert_int_equal(port.ops->send(port.self, blow, sizeof blow), HAL_OK);
     usleep(10000);
-    usb_seats_stop(bench.seats);
+    usb_transport_stop(bench.seats);
     assert_int_equal(stand_seen(poi).closes, 1);
     assert_int_equal(stand_seen(poi).releases, 1);
     assert_int_equal(stand_seen(other).closes, 1);
@@ -201,7 +203,7 @@ static void test_the_end_does_not_wait_for_ever(void **state)
     stand_plug(&own_poi, 1);
     assert_true(bench_open(&bench, 0, &face));
     const uint64_t begin_ns = now_ns();
-    usb_seats_stop(bench.seats);
+    usb_transport_stop(bench.seats);
     assert_in_range(now_ns() - begin_ns, 1000000000ull, 10000000000ull);
 }
 

@@ -17,7 +17,7 @@
 #define NS_PER_S 1000000000ull
 
 static struct usb_bench bench;
-static struct hid_face face;
+static struct hid_device_info face;
 static atomic_ullong leapt_ns;
 
 static uint64_t leaping_ns(void *self)
@@ -114,11 +114,11 @@ static void test_a_seat_is_kept_for_as_long_as_a_round_may_wait(void **state)
 
 static void choose_the_joystick(void)
 {
-    const struct hid_roster roster = usb_seats_roster(bench.seats);
+    const struct hid_device_list device_list = usb_transport_roster(bench.seats);
     stand_plug(&joystick, 1);
     assert_true(bench_until(&bench, 0, CONTROLLER_FREE));
-    assert_int_equal(roster.ops->choose(roster.self, 0), HAL_OK);
-    assert_true(bench_until(&bench, 0, CONTROLLER_PLAYS));
+    assert_int_equal(device_list.ops->choose(device_list.self, 0), HAL_OK);
+    assert_true(bench_until(&bench, 0, CONTROLLER_ACTIVE));
 }
 
 /* A name that leads to itself: neither absent nor to be opened, whoever asks. */

@@ -20,7 +20,7 @@ static const struct view above = {
 static void project(const struct view *view, float aspect, vec3 point, float *x, float *y)
 {
     const struct basis axes = view_basis(view);
-    const vec3 eye = basis_to_body(&axes, v3_sub(point, view->eye_m));
+    const vec3 eye = vec_basis_to_body(&axes, v3_sub(point, view->eye_m));
     const float tan_y = view_half_height_tan(view, aspect);
     *x = eye.x / (-eye.z * tan_y * aspect);
     *y = eye.y / (-eye.z * tan_y);

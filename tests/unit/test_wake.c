@@ -9,7 +9,7 @@ static void tick_on(void)
 {
     struct tank *tank = &stand.tank;
     stand_tick(&stand);
-    wake_tick(&stand.poi, &tank->water, tank->size_m);
+    surface_disturbance_tick(&stand.poi, &tank->water, tank->size_m);
     if (stand.tick % 2u == 0) {
         water_step(&tank->water, tank->size_m);
     }
@@ -35,7 +35,7 @@ static void plough(float speed_m_s)
 {
     stand_init(&stand, 4, 1);
     stand.has_wrist = 1;
-    stand.poi.spared = 1;
+    stand.poi.damage_immune = 1;
     stand.hand.angles.pitch_rad = stand.poi.angles.pitch_rad = -1.2f;
     stand.hand.position_m = stand.poi.position_m = v3(-0.25f, 0.0f, 0.0f);
     for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
@@ -69,7 +69,7 @@ static void test_each_of_the_two_points_where_it_cuts_the_surface_is_pressed(voi
     water_init(water);
     stand.hand.position_m.x += 0.6f * CORE_TICK_S;
     stand_tick(&stand);
-    wake_tick(&stand.poi, water, stand.tank.size_m);
+    surface_disturbance_tick(&stand.poi, water, stand.tank.size_m);
     const vec3 at = stand.poi.position_m;
     for (float side = -1.0f; side < 2.0f; side += 2.0f) {
         const float x_m = at.x + side * POI_OUTER_RADIUS_M;

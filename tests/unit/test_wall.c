@@ -81,7 +81,7 @@ static float fall_off_m(const struct histogram *histogram, uint32_t first, float
 {
     float n = 0.0f, sx = 0.0f, sy = 0.0f, sxx = 0.0f, sxy = 0.0f, syy = 0.0f;
     for (uint32_t bin = first; bin < 10u; bin++) {
-        const float x = ((float)bin + 0.5f) * BIN_M, y = f_ln(histogram->share[bin]);
+        const float x = ((float)bin + 0.5f) * BIN_M, y = f_log(histogram->share[bin]);
         n += 1.0f;
         sx += x;
         sy += y;
@@ -120,7 +120,7 @@ static void test_the_pull_falls_off_exponentially_and_ends_at_20_cm(void **state
 static void test_a_wall_turns_headings_toward_it_by_the_shorter_way(void **state)
 {
     (void)state;
-    struct surroundings around = *pond_at(1, 0);
+    struct perception around = *pond_at(1, 0);
     around.wall_follow = 1.0f;
     for (int degrees = -170; degrees < 180; degrees += 20) {
         struct fish fish = { WAKIN(0.05f), .gait = GAIT_SWIM,

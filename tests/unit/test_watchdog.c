@@ -95,7 +95,7 @@ static void test_without_a_manager_there_is_no_watchdog(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof nobody / sizeof nobody[0]; i++) {
         assert_int_equal(watchdog_init(&watchdog, clock_sim_device(&clock), nobody[i], 0),
-                         HAL_ERR_NONE);
+                         HAL_ERR_ABSENT);
         assert_int_equal(watchdog.socket_fd, -1);
     }
 }

@@ -8,17 +8,17 @@
 #include "core/tank/tank.h"
 
 /* Returns the behavior parameters of the thesis' tank. */
-static inline const struct law *thesis_law(void)
+static inline const struct behavior_params *thesis_law(void)
 {
-    return &tank_preset(TANK_PRESET_THESIS)->law;
+    return &tank_preset(TANK_PRESET_THESIS)->params;
 }
 
 /* Returns the perception of a fish in that tank. The result is valid until the next call. */
-static inline const struct surroundings *thesis_at(uint32_t seed, uint32_t tick)
+static inline const struct perception *thesis_at(uint32_t seed, uint32_t tick)
 {
-    static struct surroundings around;
-    around = (struct surroundings){
-        .law = thesis_law(),
+    static struct perception around;
+    around = (struct perception){
+        .params = thesis_law(),
         .size_m = tank_preset(TANK_PRESET_THESIS)->size_m,
         .seed = seed,
         .tick = tick,

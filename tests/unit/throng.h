@@ -7,16 +7,16 @@
 #include "core/tank/crowd.h"
 #include "tests/unit/pond.h"
 
-static struct crowd crowd;
+static struct broad_phase broad_phase;
 static struct fish fish[768];
 static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
 
 /* Updates the broad phase for all fish at `tick`. */
 static inline void look(uint32_t tick)
 {
-    struct surroundings around = *pond_at(1, tick);
+    struct perception around = *pond_at(1, tick);
     around.size_m = tank_m;
-    crowd_look(&crowd, fish, (struct crowd_search){ 0 }, &around);
+    broad_phase_update(&broad_phase, fish, (struct broad_phase_search){ 0 }, &around);
 }
 
 /* Returns a random number in [low, high] for fish `who`. Equal arguments give equal numbers. */

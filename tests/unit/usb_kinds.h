@@ -132,7 +132,7 @@ static inline void bench_prepare(struct usb_bench *bench)
 static inline void bench_start_with(struct usb_bench *bench, struct hal_clock clock,
                                     const struct usb_key *listed, uint32_t listed_count)
 {
-    const struct usb_seats_config config = {
+    const struct usb_transport_config config = {
         .clock = clock,
         .choices = bench->choices,
         .listed = listed,
@@ -141,7 +141,7 @@ static inline void bench_start_with(struct usb_bench *bench, struct hal_clock cl
         .tell = bench_tell,
         .tell_self = bench,
     };
-    bench->seats = usb_seats_start(&config, bench->why);
+    bench->seats = usb_transport_start(&config, bench->why);
 }
 
 /* Starts the USB thread with the real clock and the listed devices. */
@@ -156,7 +156,7 @@ static inline void bench_start(struct usb_bench *bench, const struct usb_key *li
 static inline uint32_t bench_end(struct usb_bench *bench)
 {
     char command[128];
-    usb_seats_stop(bench->seats);
+    usb_transport_stop(bench->seats);
     const uint32_t left = stand_end();
     snprintf(command, sizeof command, "rm -r '%s'", bench->folder);
     return left + (system(command) != 0);
@@ -166,8 +166,8 @@ static inline uint32_t bench_end(struct usb_bench *bench)
 static inline struct hid_row bench_row(struct usb_bench *bench, uint32_t index)
 {
     struct hid_row rows[CONTROLLER_MAX];
-    const struct hid_roster roster = usb_seats_roster(bench->seats);
-    roster.ops->rows(roster.self, rows);
+    const struct hid_device_list device_list = usb_transport_roster(bench->seats);
+    device_list.ops->rows(device_list.self, rows);
     return rows[index];
 }
 
@@ -186,9 +186,9 @@ static inline int bench_until(struct usb_bench *bench, uint32_t index, uint8_t s
 }
 
 /* Waits until slot `index` has a device. Returns 0 on timeout. */
-static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid_face *face)
+static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid_device_info *face)
 {
-    const struct hid_port port = usb_seats_port(bench->seats, index);
+    const struct hid_port port = usb_transport_port(bench->seats, index);
     for (uint32_t i = 0; i < BENCH_WAIT_MS * 5u; i++) {
         if (port.ops->open(port.self, face) == HAL_OK) {
             return 1;
@@ -201,7 +201,7 @@ static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid
 /* Waits for the next result of take() that is not 0. Returns that result, or 0 on timeout. */
 static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid_raw *raw)
 {
-    const struct hid_port port = usb_seats_port(bench->seats, index);
+    const struct hid_port port = usb_transport_port(bench->seats, index);
     for (uint32_t i = 0; i < BENCH_WAIT_MS * 20u; i++) {
         const int result = port.ops->take(port.self, raw);
         if (result != 0) {

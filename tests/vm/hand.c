@@ -129,7 +129,7 @@ static int lands(uint32_t lead, const struct plan *way)
 
 /* Computes the path of an expert bot that begins after `lead` ticks. Returns 1 and the path if the
  * path lands a fish. */
-static int think(uint32_t lead, uint32_t seed, struct plan *out)
+static int fish_behavior_tick(uint32_t lead, uint32_t seed, struct plan *out)
 {
     static struct output ignored;
     struct bot bot;
@@ -140,8 +140,8 @@ static int think(uint32_t lead, uint32_t seed, struct plan *out)
     bot.hand.pose = home;
     out->count = 0;
     for (uint32_t end = PLAN_TICKS_MAX; out->count < end && copy.game.phase == PHASE_ROUND;) {
-        const struct sight sight = { &copy, 0 };
-        input.poi[0].target = bot_tick(&bot, &sight);
+        const struct vision vision = { &copy, 0 };
+        input.poi[0].target = bot_tick(&bot, &vision);
         out->way[out->count++] = input.poi[0].target;
         twin_tick(&copy, &input, &ignored);
         if (end == PLAN_TICKS_MAX && caught(&copy) > before) {
@@ -186,7 +186,7 @@ static int send(const struct plan *way, const char *folder)
 static int can_play(void)
 {
     const struct game *game = &twin.core.game;
-    return game->phase == PHASE_ROUND && !game->paused && twin.input.poi[0].link == POI_LINK_LIVE;
+    return game->phase == PHASE_ROUND && !game->paused && twin.input.poi[0].link == POI_SOURCE_LIVE;
 }
 
 /* Computes one more plan. The plan replaces the best plan if it lands fish in more simulations, or
@@ -196,7 +196,8 @@ static void think_once(uint32_t seed)
     static const int32_t jitter_ticks[JITTERS] = { -12, 8, 18, 32 };
     const uint32_t lead = (uint32_t)(THINK_S * CORE_TICK_HZ * pace.rate);
     struct plan *best = &plans[0], *idea = &plans[1];
-    if (!think(lead, seed, idea) || (best->lands > JITTERS && best->count <= idea->count)) {
+    if (!fish_behavior_tick(lead, seed, idea) ||
+        (best->lands > JITTERS && best->count <= idea->count)) {
         return;
     }
     idea->lands = 1;

@@ -24,8 +24,8 @@
 #define MEDIAN_MAX_NS (FRAME_NS + FRAME_NS / 2u)
 
 static struct poi_hid poi[POI_MAX];
-static struct poi_hand hand;
-static struct pace pace;
+static struct poi_sampler hand;
+static struct frame_pacer pace;
 static struct timing waits;
 
 static void tell(void *self, const char *line)
@@ -37,12 +37,15 @@ static void tell(void *self, const char *line)
 static struct usb_seats *start(struct hal *hal, const struct usb_key *key)
 {
     char why[HAL_TEXT_SIZE];
-    const struct usb_seats_config config = {
-        .clock = hal->clock, .listed = key, .listed_count = 1, .tell = tell,
+    const struct usb_transport_config config = {
+        .clock = hal->clock,
+        .listed = key,
+        .listed_count = 1,
+        .tell = tell,
     };
-    struct usb_seats *usb = usb_seats_start(&config, why);
+    struct usb_seats *usb = usb_transport_start(&config, why);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_hid_init(&poi[i], usb_seats_port(usb, i), hal->clock, (struct hid_mapper){ 0 },
+        poi_hid_init(&poi[i], usb_transport_port(usb, i), hal->clock, (struct hid_mapper){ 0 },
                      &tank_preset(TANK_PRESET_FESTIVAL)->view);
         hal->poi[i] = poi_hid_device(&poi[i]);
     }
@@ -70,16 +73,16 @@ static void frame(const struct hal *hal)
 {
     struct poi_input input;
     const uint64_t now_ns = hal->clock.ops->now_ns(hal->clock.self);
-    const uint32_t due = pace_ticks_due(&pace, now_ns);
-    poi_hand_sample(&hand, &hal->poi[0], now_ns);
+    const uint32_t due = frame_pacer_ticks_due(&pace, now_ns);
+    poi_sampler_sample(&hand, &hal->poi[0], now_ns);
     if (due == 0) {
         return;
     }
-    poi_hand_time(&hand, hal->clock.ops->now_ns(hal->clock.self), &waits);
+    poi_sampler_time(&hand, hal->clock.ops->now_ns(hal->clock.self), &waits);
     for (uint32_t i = 0; i < due; i++) {
-        poi_hand_at(&hand, i, due, now_ns, &input);
+        poi_sampler_at(&hand, i, due, now_ns, &input);
     }
-    poi_hand_end(&hand);
+    poi_sampler_end(&hand);
 }
 
 /* Runs frames until `long_ns` have passed. A late frame is not repeated. Returns the number of
@@ -89,7 +92,7 @@ static uint32_t play(const struct hal *hal, uint64_t long_ns)
     const uint64_t begin_ns = hal->clock.ops->now_ns(hal->clock.self);
     uint64_t next_ns = begin_ns, now_ns = begin_ns;
     uint32_t frames = 0;
-    poi_hand_open(&hand, &hal->poi[0], begin_ns);
+    poi_sampler_open(&hand, &hal->poi[0], begin_ns);
     for (; now_ns < begin_ns + long_ns; frames++) {
         frame(hal);
         now_ns = hal->clock.ops->now_ns(hal->clock.self);
@@ -127,6 +130,6 @@ int main(int argc, char **argv)
     } else {
         fprintf(stderr, "lag: no poi %s that plays\n", argv[1]);
     }
-    usb_seats_stop(usb);
+    usb_transport_stop(usb);
     return !passed;
 }

@@ -24,15 +24,15 @@ static void tell(FILE *file, const struct twin *twin)
     static const char *const buttons[] = { "start", "left", "right", "ok", "language",
                                            "test", "service", "tilt", "door" };
     const struct core *core = &twin->core;
-    const struct purse *purse = &core->game.ledger.purse;
+    const struct balance *balance = &core->game.ledger.balance;
     fprintf(file, "ticks %u\ndiffers_at %u\n", twin->ticks, twin->differs_at);
     for (unsigned i = 0; i < sizeof buttons / sizeof buttons[0]; i++) {
         fprintf(file, "%s %u\n", buttons[i], twin->presses[i]);
     }
-    fprintf(file, "coins %u\ncredits %u\ntaken %u\n", twin->coins, purse->paid + purse->service,
-           core->game.round_count);
+    fprintf(file, "coins %u\ncredits %u\ntaken %u\n", twin->coins, balance->paid + balance->service,
+            core->game.round_count);
     const struct menu *menu = &core->game.menu;
-    fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", purse->units,
+    fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", balance->units,
             core->game.audits.count[AUDIT_REFUNDS], core->game.credit.metered);
     fprintf(file, "on_top %d\non_devices %d\non_lines %d\non_upkeep %d\non_files %d\n",
             menu->page == MENU_TOP, menu->page == MENU_DEVICES, menu->page == MENU_LINES,
@@ -40,9 +40,8 @@ static void tell(FILE *file, const struct twin *twin)
     fprintf(file, "to_devices %u\nto_lines %u\nto_upkeep %u\nto_files %u\nto_back %u\n",
             menu_tag_of(MENU_DEVICES), menu_tag_of(MENU_LINES), menu_tag_of(MENU_UPKEEP),
             menu_tag_of(MENU_FILES), menu_tag_count(menu->page) - 1u);
-    fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n",
-            menu_is_asking(core), menu->page, menu->tag[menu->page], menu->test_coins,
-            menu->desk.file_count);
+    fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n", menu_is_asking(core),
+            menu->page, menu->tag[menu->page], menu->test_coins, menu->controllers.file_count);
     const uint8_t phase = core->game.phase;
     fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);
     fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", phase, core->game.paused,

@@ -12,17 +12,17 @@ void twin_tick(struct core *core, const struct input *input, struct output *outp
 static void count_link(struct twin *twin)
 {
     const uint8_t link = twin->input.poi[0].link;
-    if (link == POI_LINK_LOST && twin->was_live) {
+    if (link == POI_SOURCE_LOST && twin->was_live) {
         twin->lost_spans++;
         twin->lost_ticks = 0;
     }
-    twin->lost_ticks += link == POI_LINK_LOST;
-    twin->was_live = link == POI_LINK_LIVE;
+    twin->lost_ticks += link == POI_SOURCE_LOST;
+    twin->was_live = link == POI_SOURCE_LIVE;
 }
 
 static void count(struct twin *twin)
 {
-    twin->coins += coin_pulses(&twin->input);
+    twin->coins += input_coin_pulses(&twin->input);
     for (uint32_t i = 0; i < sizeof twin->presses / sizeof twin->presses[0]; i++) {
         twin->presses[i] += twin->input.pressed >> i & 1u;
     }

@@ -20,10 +20,10 @@ static struct core core;
 static struct output output; /* The three structs have a size of megabytes and do not fit on the
                                 stack. */
 
-static void tell_purse(const struct purse *purse)
+static void tell_purse(const struct balance *balance)
 {
-    printf(" %u %u %u %u %u %u\n", purse->units, purse->bonus_units, purse->paid, purse->service,
-           purse->untold, purse->open);
+    printf(" %u %u %u %u %u %u\n", balance->units, balance->bonus_units, balance->paid,
+           balance->service, balance->unlogged, balance->open);
 }
 
 static void tell_entries(uint32_t from_id)
@@ -32,7 +32,7 @@ static void tell_entries(uint32_t from_id)
         const struct ledger_entry *entry = &output.entries[id % LEDGER_RING];
         printf("entry %u %u %u %u %u %u %d", entry->id, entry->boot, entry->tick, entry->kind,
                entry->detail, entry->count, entry->value);
-        tell_purse(&entry->purse);
+        tell_purse(&entry->balance);
     }
 }
 
@@ -57,9 +57,9 @@ int main(int argc, char **argv)
         fprintf(stderr, "witness: %s: %s\n", argv[1], reader.problem.text);
         return 65;
     }
-    const struct ledger_start *start = &reader.header.config.memory.ledger;
+    const struct ledger_start *start = &reader.header.config.persistent.ledger;
     printf("start %u %u", start->last_id, start->boots);
-    tell_purse(&start->purse);
+    tell_purse(&start->balance);
     output.entry_id = start->last_id;
     while (replay_next(&reader, &input) == 1) {
         const uint32_t before = output.entry_id;
