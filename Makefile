@@ -57,18 +57,20 @@ FOUND_TOOLS := $(BUILD)/found-tools.txt
 FOUND_FLAGS := $(CORE_CFLAGS)
 replace_if_other = { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 
-CORE_SRC := $(wildcard core/*.c core/*/*.c)
-PLATFORM_SRC := $(wildcard platform/*.c platform/render/*.c platform/species/*.c \
-    platform/store/*.c)
-KIOSK_SRC := $(wildcard platform/kiosk/*.c)
-CTL_SRC := $(wildcard platform/ctl/*.c)
-GPIOD_SRC := $(wildcard drivers/gpio_lines[0-9].c drivers/gpio_chips[0-9].c)
-DRIVER_SRC = $(filter-out $(GPIOD_SRC),$(wildcard drivers/*.c)) $(filter %$(GPIOD).c,$(GPIOD_SRC))
+# $(call sources,FOLDER): every C file in FOLDER and below.
+sources = $(sort $(shell find $(1) -name '*.c'))
+
+CORE_SRC := $(call sources,core)
+KIOSK_SRC := $(call sources,platform/kiosk)
+CTL_SRC := $(call sources,platform/ctl)
+PLATFORM_SRC := $(filter-out $(KIOSK_SRC) $(CTL_SRC),$(call sources,platform))
+GPIOD_SRC := $(wildcard drivers/gpio/gpio_lines[0-9].c drivers/gpio/gpio_chips[0-9].c)
+DRIVER_SRC = $(filter-out $(GPIOD_SRC),$(call sources,drivers)) $(filter %$(GPIOD).c,$(GPIOD_SRC))
 BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 
-# Kernels (core/base/lanes.h) are compiled once for four lanes and, where the compiler makes code for
+# Kernels (core/base/simd.h) are compiled once for four lanes and, where the compiler makes code for
 # x86-64, once more for eight; the platform says at the start which of the two run.
-KERNEL_SRC := $(filter %_lanes.c,$(CORE_SRC))
+KERNEL_SRC := $(filter %_simd.c,$(CORE_SRC))
 WIDE_CFLAGS := -mavx2 -DSIMD_WIDE
 MACHINE = $(eval MACHINE := $$(shell $(CC) -dumpmachine))$(MACHINE)
 WIDE_SRC = $(if $(filter x86_64%,$(MACHINE)),$(KERNEL_SRC))
@@ -85,7 +87,7 @@ SHELL_OBJ = $(filter-out %/main.o,$(PLATFORM_OBJ) $(KIOSK_OBJ) $(DRIVER_OBJ) $(B
 # What each part adds of its own: board files and set-up, baked assets, tests, figures.
 -include board/board.mk
 -include $(wildcard assets/bake/*.mk)
--include platform/ctl/tank.mk
+-include platform/ctl/tank/tank.mk
 -include tests/tests.mk
 -include tests/bench/bench.mk
 -include tests/soak/soak.mk
@@ -121,10 +123,11 @@ $(BUILD)/kingyoctl: $(BUILD)/platform/ctl/main.o $(BUILD)/many/tank.o $(BUILD)/c
 $(BUILD)/core.a: $(CORE_OBJ)
 $(BUILD)/shell.a: $(SHELL_OBJ)
 $(BUILD)/ctl.a: $(filter-out %/main.o,$(CTL_OBJ))
+# P: objects of one name in two folders are two members.
 $(BUILD)/%.a:
 	$(call step,AR,$@)
 	@rm -f $@
-	$(Q)ar rcs $@ $^
+	$(Q)ar rcsP $@ $^
 
 $(FOUND_TOOLS): always
 	@mkdir -p $(@D)

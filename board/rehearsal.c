@@ -5,9 +5,9 @@
 #include "platform/board.h"
 
 #include "core/input.h"
-#include "drivers/buttons_sim.h"
-#include "drivers/clock_sim.h"
 #include "drivers/null.h"
+#include "drivers/sim/buttons_sim.h"
+#include "drivers/sim/clock_sim.h"
 
 #define PRESS_NS 200000000ull /* Duration of a simulated button press. */
 

@@ -3,26 +3,26 @@
 
 #include "core/base/float_env.h"
 #include "core/base/hash.h"
-#include "core/base/lanes.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/game/hand.h"
-#include "core/game/ledger_range.h"
-#include "core/game/let_go.h"
-#include "core/game/rest.h"
-#include "core/poi/afloat.h"
-#include "core/poi/bowl_fish.h"
-#include "core/poi/catch.h"
+#include "core/base/simd.h"
+#include "core/game/accounting/ledger_range.h"
+#include "core/game/control/controller.h"
+#include "core/game/control/parking.h"
+#include "core/game/control/release.h"
+#include "core/poi/bowl/bowl_buoyancy.h"
+#include "core/poi/bowl/bowl_fish.h"
+#include "core/poi/catch/catch.h"
 #include "core/poi/haptics.h"
-#include "core/poi/rings.h"
-#include "core/poi/wake.h"
-#include "core/poi/yield.h"
+#include "core/poi/ring_constraints.h"
+#include "core/poi/ring_pairs.h"
+#include "core/poi/surface_disturbance.h"
 
 /* Memory budgets of the kiosk. The tank uses at most 1 MiB; game, pois and bowls use a sixteenth of
  * that. The growth lab uses half as much. The lab holds eight custom species with all their curves
  * (19 KiB). For each of 15 species the lab also holds the saved and the edited graph (8 KiB each).
  * The smallest board reserves this much for the state and the same for the scene. `kingyoctl tank`
- * allocates a larger tank of its own (platform/ctl/tank.mk). */
+ * allocates a larger tank of its own (platform/ctl/tank/tank.mk). */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
 _Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");

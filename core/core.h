@@ -9,13 +9,13 @@
 
 #include <stdint.h>
 
-#include "core/game/chapter.h"
-#include "core/game/credit.h"
+#include "core/game/accounting/credit.h"
 #include "core/game/game.h"
+#include "core/game/session.h"
 #include "core/input.h"
-#include "core/memory.h"
 #include "core/output.h"
-#include "core/poi/bowl.h"
+#include "core/persistent_state.h"
+#include "core/poi/bowl/bowl.h"
 #include "core/poi/poi.h"
 #include "core/scene.h"
 #include "core/tank/tank.h"

@@ -111,7 +111,8 @@ struct poi_input {
                                  age 0. */
     struct poi_target target; /* Ignored unless `link` is POI_SOURCE_LIVE. Any bits are accepted:
                                  NaN, an absurd value or a jump faster than an arm stops only this
-                                 player's input (core/game/trust.h), not the game. */
+                                 player's input (core/game/control/input_validation.h), not the
+                                 game. */
 };
 
 /* A fan (uchiwa) or a hand held over the water. Light falls vertically, so the shaded volume is the

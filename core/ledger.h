@@ -2,10 +2,10 @@
  *
  * The core emits one entry for each persistent event, such as a coin, a started round, a finished
  * round or a changed setting. Entry ids rise by one, starting with the first entry that this kiosk
- * ever wrote. The store (platform/storage.h) writes entries in order, so the disk always holds the
- * list up to some id. input.record_saved_id is that id: every entry up to it is committed, so no
- * power cut removes or duplicates it. Each entry contains the balance after the entry, so the
- * newest entry on disk defines the balance at the next start. */
+ * ever wrote. The store (platform/store/storage.h) writes entries in order, so the disk always
+ * holds the list up to some id. input.record_saved_id is that id: every entry up to it is
+ * committed, so no power cut removes or duplicates it. Each entry contains the balance after the
+ * entry, so the newest entry on disk defines the balance at the next start. */
 #ifndef KINGYO_CORE_LEDGER_H
 #define KINGYO_CORE_LEDGER_H
 
@@ -60,7 +60,8 @@ enum ledger_kind {
                          it was the lab or no player joined. */
     LEDGER_PIN,       /* A PIN was entered. `detail` 1: correct, after wrong attempts; 0: wrong. */
     LEDGER_STAND,     /* State of an open round whose credit is no longer refundable.
-                         core/game/stand.c packs `detail`, `count` and `value`. */
+                         core/game/accounting/round_standing.c packs `detail`, `count` and
+                         `value`. */
     LEDGER_LOSS,      /* The controller of slot `detail` was lost again during a round. */
     LEDGER_TICKET,    /* `count` tickets, always 1, moved from the balance to the dispenser. */
     LEDGER_KIND_COUNT,

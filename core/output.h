@@ -7,8 +7,8 @@
 
 #include <stdint.h>
 
-#include "core/edit.h"
 #include "core/input.h"
+#include "core/lab_edit_record.h"
 #include "core/ledger.h"
 
 #define OUTPUT_SOUND_MAX 16u /* Capacity for one frame; more sounds in one frame cannot be

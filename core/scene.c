@@ -1,12 +1,12 @@
 /* scene.c -- the scene, rebuilt from the state. The file has no state of its own. */
 #include "core/base/mem.h"
 #include "core/core.h"
-#include "core/game/board.h"
-#include "core/game/hand.h"
+#include "core/game/control/controller.h"
+#include "core/game/ranking/leaderboard.h"
 #include "core/game/rules.h"
 #include "core/morph/morph.h"
-#include "core/show.h"
-#include "core/tank/surface.h"
+#include "core/scene_helpers.h"
+#include "core/tank/behavior/surface_breathing.h"
 
 static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish *out)
 {

@@ -20,7 +20,7 @@
 #include "core/view.h"
 
 /* State of the score playback, which is drawn over every other page; see
- * platform/kiosk/encore.h. */
+ * platform/kiosk/score_playback.h. */
 enum scene_encore {
     ENCORE_OFF = 0,
     ENCORE_SEEKS,   /* The replay is loaded and played fast up to its round. */

@@ -1,5 +1,5 @@
 /* scene_machine.h -- the state of the computer for the operator's pages. The shell fills it in
- * (platform/machine.h); the core's state does not contain it. */
+ * (platform/system_health.h); the core's state does not contain it. */
 #ifndef KINGYO_CORE_SCENE_MACHINE_H
 #define KINGYO_CORE_SCENE_MACHINE_H
 

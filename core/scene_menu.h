@@ -9,9 +9,10 @@
 #include "core/scene_machine.h"
 #include "core/settings.h"
 
-#define SCENE_AUDIT_MAX 96u /* Capacity for the counters of core/game/audits.h, with reserve. */
+/* Capacity for the counters of core/game/accounting/audits.h, with reserve. */
+#define SCENE_AUDIT_MAX 96u
 
-/* State of the page "ready for opening" (core/game/self_test.h). */
+/* State of the page "ready for opening" (core/game/menu/self_test.h). */
 struct scene_self_test {
     uint8_t heard, moved;       /* Confirmations of the operator for sound and picture. */
     uint8_t present, players;   /* Bit masks of the slots with a controller and of the slots in
@@ -23,7 +24,7 @@ struct scene_self_test {
     uint8_t ways[POI_MAX], worst_age[POI_MAX];
 };
 
-/* State of the operator's menu (core/game/menu.h) while the phase is PHASE_MENU. */
+/* State of the operator's menu (core/game/menu/menu.h) while the phase is PHASE_MENU. */
 struct scene_menu {
     uint8_t page;            /* enum menu_page */
     uint8_t tag;             /* Highlighted item. */
@@ -32,7 +33,7 @@ struct scene_menu {
     uint8_t score;           /* Selected row of the leaderboard. */
     uint8_t file_first;      /* First row shown of desk.file_count; 0 if the list is empty. */
     uint8_t upright, has_hand, presses;
-    float x, y;              /* Pointer position on the canvas (core/game/overlay.h). */
+    float x, y;              /* Pointer position on the canvas (core/game/pointer_mapping.h). */
     struct controller_status controllers;
     uint32_t held;           /* enum input_button */
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses since the menu was opened. */

@@ -11,7 +11,7 @@
 enum scene_keeping { LAB_NOT_SAVED = 0, LAB_SAVING, LAB_SAVED, LAB_UNSAVED /* Saving failed. */ };
 
 /* State of the growth lab while the phase is PHASE_LAB. Positions are on the canvas of
- * core/game/lab_layout.h. */
+ * core/game/lab/lab_layout.h. */
 struct scene_lab {
     uint8_t species, species_count; /* The built-in species, followed by the custom species. */
     uint8_t refused;         /* Number of species files that were rejected. */
@@ -53,8 +53,8 @@ struct scene_album {
 
 #define SCENE_NAME_LETTERS 8u /* Equal to NAME_LETTERS_MAX. */
 
-/* State of the name entry (core/game/name.h) while the phase is PHASE_NAME; `waits` is valid in
- * every phase. */
+/* State of the name entry (core/game/ranking/name.h) while the phase is PHASE_NAME; `waits` is
+ * valid in every phase. */
 struct scene_name {
     uint8_t waits;           /* Bit mask of the slots that still need a name. */
     uint8_t seat;
@@ -64,7 +64,7 @@ struct scene_name {
     uint8_t was_refused;     /* 1: the name was rejected, and another name is required. */
     uint8_t letter_count;
     uint16_t letter[SCENE_NAME_LETTERS];
-    float x, y;              /* Pointer position on the canvas (core/game/overlay.h). */
+    float x, y;              /* Pointer position on the canvas (core/game/pointer_mapping.h). */
 };
 
 #define SCENE_LEADERBOARD_ROWS 10u /* Equal to RANK_ROWS. */

@@ -10,8 +10,8 @@
 
 #define CALIBRATION(seat, name)                                                                    \
     { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
-/* The nine calibration values of core/game/calibrate.h; all 0: the controller's pose is used
- * unchanged. */
+/* The nine calibration values of core/game/control/calibration.h; all 0: the controller's pose is
+ * used unchanged. */
 #define SEAT(seat)                                                                                 \
     CALIBRATION(seat, "xx"), CALIBRATION(seat, "xz"), CALIBRATION(seat, "x0"),                     \
         CALIBRATION(seat, "zx"), CALIBRATION(seat, "zz"), CALIBRATION(seat, "z0"),                 \

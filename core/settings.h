@@ -47,8 +47,8 @@ enum setting_id {
                            SET_NIGHT_FROM_MIN: never dark. */
     /* Operator. */
     SET_PIN,            /* PIN in the form of core/pin.h; 0: no PIN is required. */
-    /* Calibration of each slot's controller, nine values per slot: see core/game/calibrate.h. The
-     * menu does not show these as numbers. */
+    /* Calibration of each slot's controller, nine values per slot: see
+     * core/game/control/calibration.h. The menu does not show these as numbers. */
     SET_CALIBRATION,
     SET_CALIBRATION_END = SET_CALIBRATION + 9 * (int)POI_MAX,
     /* Check value per slot, written after the nine values. The nine values are valid only if the

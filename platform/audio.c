@@ -8,7 +8,7 @@
 
 #include <SDL.h>
 
-#include "platform/clock.h"
+#include "platform/os/clock.h"
 
 /* Audio callback, called on SDL's audio thread. */
 static void render(void *context, Uint8 *bytes, int size)

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/sound/sound.h"
+#include "core/sound/synth.h"
 #include "platform/hal.h"
 
 #define AUDIO_QUEUE_MAX 64u   /* Four times OUTPUT_SOUND_MAX. */

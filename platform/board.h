@@ -49,7 +49,7 @@ struct board_options {
     uint8_t mute;
     const char *data_dir;      /* Folder of the store; null stores nothing. */
     struct view view;          /* View from which the rays of a pointer device start. */
-    const struct library *library; /* Species files of makers to show (platform/species/shelf.h);
+    const struct library *library; /* Species files of makers to show (platform/species/library.h);
                                       null: none. */
     /* Called when the display is lost for good, from inside the display call that detected the
      * loss. The callback must end the program, because memory below the display may not survive the

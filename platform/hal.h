@@ -11,9 +11,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/display_geometry.h"
 #include "core/input.h"
 #include "core/output.h"
-#include "core/placing.h"
 #include "core/scene.h"
 
 enum hal_error {
@@ -203,7 +203,7 @@ struct hal_audio_ops {
     void (*close)(void *self);
 };
 
-struct persistent_state; /* Defined in core/memory.h. */
+struct persistent_state; /* Defined in core/persistent_state.h. */
 
 /* Change of the balance. Units that were due may have become credits in between. */
 struct balance_change {

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <unistd.h>
 
-#include "platform/panic_text.h"
-#include "platform/say.h"
+#include "platform/os/log.h"
+#include "platform/os/panic_text.h"
 
 /* Size of the signal stack in bytes. core_hash() and the file's writer need less than 4 KiB, but a
  * library's handler may also run on this stack. */

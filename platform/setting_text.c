@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/game/rules.h"
-#include "platform/number.h"
+#include "platform/os/number.h"
 
 #define MINUTES_PER_HOUR 60
 

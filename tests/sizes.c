@@ -3,7 +3,7 @@
 
 #include "core/core.h"
 #include "core/morph/species.h"
-#include "core/sound/sound.h"
+#include "core/sound/synth.h"
 
 #define ROW(type, count_max) printf("  %-24s %9zu  %s\n", #type, sizeof(struct type), count_max)
 

@@ -2,7 +2,8 @@
 
 RESULTS := $(BUILD)/results
 
-UNIT_SRC := $(wildcard tests/unit/test_*.c)
+# The folders below tests/unit are those of the sources; support/ has what several tests share.
+UNIT_SRC := $(filter %.c,$(foreach file,$(call sources,tests/unit),$(if $(filter test_%,$(notdir $(file))),$(file))))
 # A test that includes only the core links only the core, which is one more proof that it can.
 UNIT_SHELL_SRC := $(if $(UNIT_SRC),$(shell grep -lE '"(platform|drivers|board)/' $(UNIT_SRC)))
 UNIT_CORE_SRC := $(filter-out $(UNIT_SHELL_SRC),$(UNIT_SRC))
@@ -44,7 +45,7 @@ check: boundaries
 	+@$(MAKE) --no-print-directory sizes
 
 ## test/unit: Run the unit tests; ONLY=tank runs test_tank* alone
-unit: $(filter $(BUILD)/tests/unit/test_$(ONLY)%,$(UNIT))
+unit: $(foreach test,$(UNIT),$(if $(filter test_$(ONLY)%,$(notdir $(test))),$(test)))
 	@tests/run.sh $(RESULTS) $^
 
 ## test/test-e2e: Run the end-to-end tests: virtual screen, real kiosk, real pointer
@@ -58,32 +59,32 @@ test-fresh:
 	@board/setup.sh dev
 	@BUILD=$(BUILD) tests/fresh/fresh.sh $(RELEASES)
 
-$(UNIT_CORE): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
+$(UNIT_CORE): %: %.o $(BUILD)/tests/unit/support/panic.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
 
-# Lanes are held to the scalar form in both widths (core/base/lanes.h).
-$(BUILD)/tests/unit/test_lanes.o: BASE_CFLAGS += -Wno-psabi
-$(BUILD)/tests/unit/test_lanes_wide.o: BASE_CFLAGS += -Wno-psabi \
+# Lanes are held to the scalar form in both widths (core/base/simd.h).
+$(BUILD)/tests/unit/core/base/test_simd.o: BASE_CFLAGS += -Wno-psabi
+$(BUILD)/tests/unit/core/base/test_simd_wide.o: BASE_CFLAGS += -Wno-psabi \
     $(if $(filter x86_64%,$(MACHINE)),$(WIDE_CFLAGS))
 
-$(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/panic.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
+$(UNIT_SHELL): %: %.o $(BUILD)/tests/unit/support/panic.o $(BUILD)/ctl.a $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(TRAP) -o $@ $(filter %.o,$^) $(filter %.a,$^) -lcmocka $(HOST_LIBS)
 
 # The judge of the technique bench (tests/bench/technique.c) is a part of the bench alone.
-$(BUILD)/tests/unit/test_statistics: $(BUILD)/tests/bench/statistics.o
+$(BUILD)/tests/unit/bench/test_statistics: $(BUILD)/tests/bench/statistics.o
 
 # A card with moods.
-$(BUILD)/tests/unit/test_storage_card: $(BUILD)/tests/power/tape.o $(BUILD)/tests/power/fault.o
-$(BUILD)/tests/unit/test_storage_card: TRAP := -Wl,--wrap=access
+$(BUILD)/tests/unit/platform/store/test_storage_card: $(BUILD)/tests/power/tape.o $(BUILD)/tests/power/fault.o
+$(BUILD)/tests/unit/platform/store/test_storage_card: TRAP := -Wl,--wrap=access
 
 # What allocates, as our objects ask for it; libraries' own asking is not turned aside.
-$(BUILD)/tests/unit/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
+$(BUILD)/tests/unit/platform/kiosk/test_own_memory: TRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
     -Wl,--wrap=strdup,--wrap=fopen
 
 # The kernel that a live device is read from.
-$(BUILD)/tests/unit/test_hid_source: TRAP := -Wl,--wrap=open,--wrap=ioctl,--wrap=read
+$(BUILD)/tests/unit/platform/ctl/devices/test_hid_source: TRAP := -Wl,--wrap=open,--wrap=ioctl,--wrap=read
 
 $(BUILD)/tests/e2e/hand: $(BUILD)/tests/e2e/hand.o $(BUILD)/tests/e2e/eye.o $(BUILD)/core.a
 $(BUILD)/tests/e2e/ask_to_close: $(BUILD)/tests/e2e/ask_to_close.o
@@ -97,7 +98,7 @@ $(BUILD)/tests/ctl/judge_trace: $(BUILD)/tests/ctl/judge_trace.o
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
-.SECONDARY: $(UNIT:%=%.o) $(BUILD)/tests/unit/panic.o
+.SECONDARY: $(UNIT:%=%.o) $(BUILD)/tests/unit/support/panic.o
 
 ## test/boundaries: Check which folder includes and calls which
 boundaries: includes symbols

@@ -134,7 +134,7 @@ static void add_range(struct face *face, uint32_t first, uint32_t last)
 }
 
 /* Adds the base set. `names` contains every character that a guest's name may have
- * (core/game/name_board.h). */
+ * (core/game/ranking/name_keyboard.h). */
 static void add_base(struct face *face)
 {
     const int names = strcmp(face->base, "names") == 0;

@@ -4,10 +4,10 @@ SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
 # All sources except the kiosk's species library, which depends on the table baked here, and except
 # the SIMD kernels, which a bake does not need.
 SPECIES_PARTS := assets/bake/species assets/bake/species_write \
-    $(patsubst %.c,%,$(filter-out %/shelf.c,$(wildcard platform/species/*.c))) \
+    $(patsubst %.c,%,$(filter-out %/library.c,$(wildcard platform/species/*.c))) \
     $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \
-    core/base/fmath core/base/printable core/base/vec platform/out_file platform/plain_file \
-    platform/print
+    core/base/fmath core/base/printable core/base/vec platform/os/atomic_file \
+    platform/os/regular_file platform/os/print
 # Compiled for the building machine, separately from the kiosk's objects.
 SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/bake_host/%.o)
 GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o) $(BUILD)/generated/species_table.o

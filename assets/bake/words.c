@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/game/name_filter.h"
-#include "core/game/name_fold.h"
+#include "core/game/ranking/name_filter.h"
+#include "core/game/ranking/name_normalize.h"
 
 #define EXIT_USAGE 2
 #define EXIT_BAD_DATA 65
@@ -74,7 +74,8 @@ int main(int count, char **arguments)
     }
     FILE *in = open_or_fail(arguments[1], "r"), *out = open_or_fail(arguments[2], "w");
     fputs("/* refused_words.c -- written by assets/bake/words.c from assets/words/refused.txt. */\n"
-          "#include \"core/game/name_filter.h\"\n\nconst struct refused_word refused_words[] = {\n",
+          "#include \"core/game/ranking/name_filter.h\"\n\n"
+          "const struct refused_word refused_words[] = {\n",
           out);
     const uint32_t words = write_words(in, out, arguments[1]);
     fprintf(out, "};\nconst uint32_t refused_word_count = %uu;\n", words);

@@ -1,6 +1,6 @@
 # words.mk -- bakes assets/words/refused.txt into a constant table of the core.
 
-WORDS_OBJ := $(BUILD)/bake_host/assets/bake/words.o $(BUILD)/bake_host/core/game/name_fold.o
+WORDS_OBJ := $(BUILD)/bake_host/assets/bake/words.o $(BUILD)/bake_host/core/game/ranking/name_normalize.o
 GENERATED_CORE_OBJ += $(BUILD)/generated/refused_words.o
 BUILD_CC ?= cc
 

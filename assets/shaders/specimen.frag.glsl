@@ -154,7 +154,7 @@ vec2 scales(vec2 uv)
     return vec2(edge, clamp(1.2 - 1.3 * front, 0.0, 1.0)) * (told * trunk * step(1.0, look.y));
 }
 
-// Returns the lines round the body that are too fine for a sheet (platform/render/skin.h), the
+// Returns the lines round the body that are too fine for a sheet (platform/render/fish_texture.h), the
 // bands of core/morph/mark.c. Each line has its true width, even below a pixel.
 uniform vec4 line_place[2];
 uniform vec4 line_shape[2];

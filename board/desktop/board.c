@@ -5,7 +5,7 @@
 
 #include "board/desktop/parts.h"
 #include "drivers/null.h"
-#include "platform/clock.h"
+#include "platform/os/clock.h"
 
 void board_open(struct hal *hal, const struct board_options *options)
 {

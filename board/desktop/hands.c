@@ -1,11 +1,11 @@
-/* hands.c -- assigns poi devices to the slots (drivers/seats.h). */
+/* hands.c -- assigns poi devices to the slots (drivers/input_mux.h). */
 #include <SDL.h>
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
-#include "drivers/poi_mouse.h"
-#include "drivers/poi_pad.h"
-#include "drivers/seats.h"
+#include "drivers/gamepad/gamepad_poi.h"
+#include "drivers/input_mux.h"
+#include "drivers/pointer/mouse_poi.h"
 
 static struct {
     struct input_mux seats;

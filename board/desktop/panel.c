@@ -7,11 +7,11 @@
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
-#include "drivers/buttons_gpio.h"
-#include "drivers/buttons_keyboard.h"
-#include "drivers/gpio_wires.h"
+#include "drivers/gpio/buttons_gpio.h"
+#include "drivers/gpio/gpio_config.h"
 #include "drivers/null.h"
-#include "platform/say.h"
+#include "drivers/pointer/buttons_keyboard.h"
+#include "platform/os/log.h"
 
 static struct {
     struct buttons_mux join;

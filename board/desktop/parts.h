@@ -6,9 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "drivers/buttons_join.h"
-#include "drivers/pads.h"
-#include "drivers/seats.h"
+#include "drivers/buttons_mux.h"
+#include "drivers/gamepad/gamepads.h"
+#include "drivers/input_mux.h"
 #include "platform/board.h"
 
 /* Opens the display and SDL's video. */

@@ -5,7 +5,7 @@
 #include "drivers/null.h"
 #include "platform/audio.h"
 #include "platform/kiosk/pin_sweep.h"
-#include "platform/storage.h"
+#include "platform/store/storage.h"
 #include "platform/watchdog.h"
 
 static struct {

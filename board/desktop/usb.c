@@ -3,11 +3,11 @@
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
-#include "drivers/hid_book.h"
-#include "drivers/hid_desk.h"
-#include "drivers/poi_hid.h"
-#include "drivers/usb_seats.h"
-#include "platform/say.h"
+#include "drivers/hid/controller_manager.h"
+#include "drivers/hid/hid_mapping_store.h"
+#include "drivers/hid/poi_hid.h"
+#include "drivers/usb/usb_transport.h"
+#include "platform/os/log.h"
 
 #define PATH_SIZE 1100u /* Size of the data folder's path and a file name. */
 

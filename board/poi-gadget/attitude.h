@@ -7,8 +7,8 @@
  * is still. No sensor measures the direction in which the player faces. The heading therefore
  * decays to straight ahead, so that the drift of several minutes does not accumulate. The decay is
  * not visible on the round ring, only on its handle. */
-#ifndef KINGYO_POI_GADGET_ATTITUDE_H
-#define KINGYO_POI_GADGET_ATTITUDE_H
+#ifndef KINGYO_BOARD_POI_GADGET_ATTITUDE_H
+#define KINGYO_BOARD_POI_GADGET_ATTITUDE_H
 
 #include <stdint.h>
 

@@ -1,12 +1,12 @@
 /* board_pose.h -- converts a poi's sensor readings to the report for its host. The functions are
  * pure. */
-#ifndef KINGYO_POI_GADGET_BOARD_POSE_H
-#define KINGYO_POI_GADGET_BOARD_POSE_H
+#ifndef KINGYO_BOARD_POI_GADGET_BOARD_POSE_H
+#define KINGYO_BOARD_POI_GADGET_BOARD_POSE_H
 
 #include "board/poi-gadget/attitude.h"
 #include "board/poi-gadget/poi_config.h"
 #include "board/poi-gadget/steady.h"
-#include "drivers/poi_report.h"
+#include "drivers/hid/poi_report.h"
 
 /* Readings below this number of converter steps are the stop of a potentiometer with its noise. */
 #define BOARD_POSE_STEPS_MIN 8.0f

@@ -6,7 +6,7 @@
 
 #include "board/poi-gadget/sensors.h"
 #include "board/poi-gadget/wire_fit.h"
-#include "platform/print.h"
+#include "platform/os/print.h"
 
 #define READINGS 50u
 #define BETWEEN_NS 20000000

@@ -2,8 +2,8 @@
  *
  * The instructions are printed to standard error. The lines for the configuration file are printed
  * to standard output. */
-#ifndef KINGYO_POI_GADGET_CALIBRATE_H
-#define KINGYO_POI_GADGET_CALIBRATE_H
+#ifndef KINGYO_BOARD_POI_GADGET_CALIBRATE_H
+#define KINGYO_BOARD_POI_GADGET_CALIBRATE_H
 
 #include "board/poi-gadget/poi_config.h"
 #include "board/poi-gadget/run.h"

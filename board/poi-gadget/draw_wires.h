@@ -3,8 +3,8 @@
  *
  * Each wire comes from a spool above the tank and ends at an eye on the poi's neck. Three spheres
  * meet in two points, one on each side of the spools' plane. The poi is at the lower point. */
-#ifndef KINGYO_POI_GADGET_DRAW_WIRES_H
-#define KINGYO_POI_GADGET_DRAW_WIRES_H
+#ifndef KINGYO_BOARD_POI_GADGET_DRAW_WIRES_H
+#define KINGYO_BOARD_POI_GADGET_DRAW_WIRES_H
 
 #include <stdint.h>
 

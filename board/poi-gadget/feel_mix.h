@@ -5,8 +5,8 @@
  * Drag makes the motor hum, a slap gives a pulse that decays, and a tear gives a rattle. A board
  * with motors on its spools may use force and torque. The motor stops if the host sends no more
  * reports. */
-#ifndef KINGYO_POI_GADGET_FEEL_MIX_H
-#define KINGYO_POI_GADGET_FEEL_MIX_H
+#ifndef KINGYO_BOARD_POI_GADGET_FEEL_MIX_H
+#define KINGYO_BOARD_POI_GADGET_FEEL_MIX_H
 
 #include "core/output.h"
 

@@ -2,12 +2,12 @@
  *
  * No call blocks. If the host does not read, reports are dropped. A device whose USB function was
  * removed is opened again. */
-#ifndef KINGYO_POI_GADGET_HID_GADGET_H
-#define KINGYO_POI_GADGET_HID_GADGET_H
+#ifndef KINGYO_BOARD_POI_GADGET_HID_GADGET_H
+#define KINGYO_BOARD_POI_GADGET_HID_GADGET_H
 
 #include <stdint.h>
 
-#include "drivers/poi_report.h"
+#include "drivers/hid/poi_report.h"
 
 struct hid_gadget {
     /* Path of the device. The path "-" writes reports to standard output and gives no force

@@ -1,6 +1,6 @@
 /* iio.h -- reads sensors of Linux's industrial I/O by name. The sysfs files stay open. */
-#ifndef KINGYO_POI_GADGET_IIO_H
-#define KINGYO_POI_GADGET_IIO_H
+#ifndef KINGYO_BOARD_POI_GADGET_IIO_H
+#define KINGYO_BOARD_POI_GADGET_IIO_H
 
 #include <stddef.h>
 #include <stdint.h>

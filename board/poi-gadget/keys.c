@@ -8,7 +8,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "drivers/poi_report.h"
+#include "drivers/hid/poi_report.h"
 
 #define EVENT_DEVICES 32u
 #define EVENTS_MAX 16 /* Maximum number of events for each read. Bouncing keys send few events. */

@@ -1,7 +1,7 @@
 /* keys.h -- reads the keys on the handle, GPIO lines that the kernel's gpio-keys driver
  * debounces. */
-#ifndef KINGYO_POI_GADGET_KEYS_H
-#define KINGYO_POI_GADGET_KEYS_H
+#ifndef KINGYO_BOARD_POI_GADGET_KEYS_H
+#define KINGYO_BOARD_POI_GADGET_KEYS_H
 
 #include <stdint.h>
 

@@ -11,9 +11,9 @@
 #include "board/poi-gadget/script_source.h"
 #include "board/poi-gadget/self_test.h"
 #include "board/poi-gadget/sensor_source.h"
-#include "drivers/poi_descriptor.h"
-#include "platform/print.h"
-#include "platform/standard_streams.h"
+#include "drivers/hid/poi_descriptor.h"
+#include "platform/os/print.h"
+#include "platform/os/standard_streams.h"
 
 static const char usage[] =
     "kingyo-poi COMMAND [OPTION...]: the program of a poi's own board.\n\n"

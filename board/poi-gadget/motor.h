@@ -1,6 +1,6 @@
 /* motor.h -- drives a small motor on a PWM channel and a light on an LED through sysfs. */
-#ifndef KINGYO_POI_GADGET_MOTOR_H
-#define KINGYO_POI_GADGET_MOTOR_H
+#ifndef KINGYO_BOARD_POI_GADGET_MOTOR_H
+#define KINGYO_BOARD_POI_GADGET_MOTOR_H
 
 #include "board/poi-gadget/feel_mix.h"
 #include "board/poi-gadget/poi_config.h"

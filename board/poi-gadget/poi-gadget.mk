@@ -4,8 +4,8 @@
 GADGET_DIR := board/poi-gadget
 GADGET_SRC := $(wildcard $(GADGET_DIR)/*.c)
 GADGET_SHARED := core/base/fmath.c core/base/vec.c core/base/rng.c core/base/printable.c \
-    drivers/poi_descriptor.c drivers/poi_report.c platform/plain_file.c platform/print.c \
-    platform/standard_streams.c
+    drivers/hid/poi_descriptor.c drivers/hid/poi_report.c platform/os/regular_file.c platform/os/print.c \
+    platform/os/standard_streams.c
 # Static: the board's Debian may be older than the one that compiles.
 GADGET_LDFLAGS ?= -static
 GADGET_OBJ := $(patsubst %.c,$(BUILD)/poi-gadget/%.o,$(GADGET_SRC) $(GADGET_SHARED))

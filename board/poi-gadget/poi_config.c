@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/plain_file.h"
-#include "platform/print.h"
+#include "platform/os/print.h"
+#include "platform/os/regular_file.h"
 
 #define MM 0.001f
 #define NUMBERS_MAX 4u

@@ -3,8 +3,8 @@
  *
  * The file has lines of the form `name = value`, and # starts a comment. poi.conf is an example
  * that describes each line. The functions are pure, except for poi_config_load(). */
-#ifndef KINGYO_POI_GADGET_POI_CONFIG_H
-#define KINGYO_POI_GADGET_POI_CONFIG_H
+#ifndef KINGYO_BOARD_POI_GADGET_POI_CONFIG_H
+#define KINGYO_BOARD_POI_GADGET_POI_CONFIG_H
 
 #include <stdint.h>
 

@@ -1,7 +1,7 @@
 /* pose_glide.h -- a simulated hand that moves smoothly from pose to pose. The functions are
  * pure. */
-#ifndef KINGYO_POI_GADGET_POSE_GLIDE_H
-#define KINGYO_POI_GADGET_POSE_GLIDE_H
+#ifndef KINGYO_BOARD_POI_GADGET_POSE_GLIDE_H
+#define KINGYO_BOARD_POI_GADGET_POSE_GLIDE_H
 
 #include "board/poi-gadget/pose_line.h"
 

@@ -5,15 +5,15 @@
  *
  * [+MS] lost
  *
- * Positions are in millimetres and angles in degrees, with the axes of drivers/poi_report.h. With
- * +MS, the hand glides to the pose in the given number of milliseconds. Without +MS, the hand jumps
- * to the pose. # starts a comment. The functions are pure. */
-#ifndef KINGYO_POI_GADGET_POSE_LINE_H
-#define KINGYO_POI_GADGET_POSE_LINE_H
+ * Positions are in millimetres and angles in degrees, with the axes of drivers/hid/poi_report.h.
+ * With +MS, the hand glides to the pose in the given number of milliseconds. Without +MS, the hand
+ * jumps to the pose. # starts a comment. The functions are pure. */
+#ifndef KINGYO_BOARD_POI_GADGET_POSE_LINE_H
+#define KINGYO_BOARD_POI_GADGET_POSE_LINE_H
 
 #include <stdint.h>
 
-#include "drivers/poi_report.h"
+#include "drivers/hid/poi_report.h"
 
 /* Maximum size of a line with its terminating zero. Six numbers, a time and five keys need 90
  * characters. */

@@ -1,9 +1,9 @@
 /* pose_source.h -- the interface of the pose sources: the sensors, the simulated sensors, and
  * scripts. */
-#ifndef KINGYO_POI_GADGET_POSE_SOURCE_H
-#define KINGYO_POI_GADGET_POSE_SOURCE_H
+#ifndef KINGYO_BOARD_POI_GADGET_POSE_SOURCE_H
+#define KINGYO_BOARD_POI_GADGET_POSE_SOURCE_H
 
-#include "drivers/poi_report.h"
+#include "drivers/hid/poi_report.h"
 
 enum pose_result {
     POSE_NEW = 1,    /* A report is available. Its position is NaN if the position is unknown. */

@@ -2,8 +2,8 @@
  *
  * A line is used when the glide of the previous line has ended, so a whole round can be piped in. A
  * line without a glide lasts one step. */
-#ifndef KINGYO_POI_GADGET_POSE_TAPE_H
-#define KINGYO_POI_GADGET_POSE_TAPE_H
+#ifndef KINGYO_BOARD_POI_GADGET_POSE_TAPE_H
+#define KINGYO_BOARD_POI_GADGET_POSE_TAPE_H
 
 #include <stdint.h>
 

@@ -10,7 +10,7 @@
 
 #include "board/poi-gadget/hid_gadget.h"
 #include "board/poi-gadget/pose_line.h"
-#include "platform/print.h"
+#include "platform/os/print.h"
 
 #define REOPEN_BEATS 64u /* Interval in beats between two attempts to open a missing device. */
 

@@ -1,7 +1,7 @@
 /* run.h -- the main loop of the board. In each beat, the loop sends a pose to the host and forwards
  * the host's force feedback to the motor. */
-#ifndef KINGYO_POI_GADGET_RUN_H
-#define KINGYO_POI_GADGET_RUN_H
+#ifndef KINGYO_BOARD_POI_GADGET_RUN_H
+#define KINGYO_BOARD_POI_GADGET_RUN_H
 
 #include "board/poi-gadget/pose_source.h"
 

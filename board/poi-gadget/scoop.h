@@ -5,8 +5,8 @@
  * along the paper's plane, glides under the fish, and lifts level so that the water drains. Finally
  * the poi moves to the first player's bowl in the festival tank and tips. Each scoop dips at
  * another position, so that the scoops cover the whole tank. The functions are pure. */
-#ifndef KINGYO_POI_GADGET_SCOOP_H
-#define KINGYO_POI_GADGET_SCOOP_H
+#ifndef KINGYO_BOARD_POI_GADGET_SCOOP_H
+#define KINGYO_BOARD_POI_GADGET_SCOOP_H
 
 #include "board/poi-gadget/pose_glide.h"
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "platform/print.h"
+#include "platform/os/print.h"
 
 static void read_more(struct script_source *script)
 {

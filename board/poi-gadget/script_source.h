@@ -1,6 +1,6 @@
 /* script_source.h -- reads poses from standard input, one pose in each line (pose_line.h). */
-#ifndef KINGYO_POI_GADGET_SCRIPT_SOURCE_H
-#define KINGYO_POI_GADGET_SCRIPT_SOURCE_H
+#ifndef KINGYO_BOARD_POI_GADGET_SCRIPT_SOURCE_H
+#define KINGYO_BOARD_POI_GADGET_SCRIPT_SOURCE_H
 
 #include "board/poi-gadget/pose_source.h"
 #include "board/poi-gadget/pose_tape.h"

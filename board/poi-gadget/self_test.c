@@ -11,7 +11,7 @@
 #include "board/poi-gadget/board_pose.h"
 #include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/sensors.h"
-#include "platform/print.h"
+#include "platform/os/print.h"
 
 #define LOOKS 50u             /* Number of readings of the sensors at rest. */
 #define LOOK_S 0.02f

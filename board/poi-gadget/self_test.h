@@ -1,7 +1,7 @@
 /* self_test.h -- `kingyo-poi test`, which checks each part of a poi and prints one line of advice
  * for each failure. */
-#ifndef KINGYO_POI_GADGET_SELF_TEST_H
-#define KINGYO_POI_GADGET_SELF_TEST_H
+#ifndef KINGYO_BOARD_POI_GADGET_SELF_TEST_H
+#define KINGYO_BOARD_POI_GADGET_SELF_TEST_H
 
 #include "board/poi-gadget/poi_config.h"
 #include "board/poi-gadget/run.h"

@@ -1,7 +1,7 @@
 /* sensor_source.h -- poses from the board's own sensors, or from simulated sensors with a hand that
  * scoops. */
-#ifndef KINGYO_POI_GADGET_SENSOR_SOURCE_H
-#define KINGYO_POI_GADGET_SENSOR_SOURCE_H
+#ifndef KINGYO_BOARD_POI_GADGET_SENSOR_SOURCE_H
+#define KINGYO_BOARD_POI_GADGET_SENSOR_SOURCE_H
 
 #include "board/poi-gadget/pose_source.h"
 #include "board/poi-gadget/scoop.h"

@@ -3,8 +3,8 @@
  *
  * The simulation replaces the sensors and not the decoder. A simulated poi therefore uses the same
  * wire computation, filter and calibration as a real poi. */
-#ifndef KINGYO_POI_GADGET_SENSOR_TWIN_H
-#define KINGYO_POI_GADGET_SENSOR_TWIN_H
+#ifndef KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
+#define KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
 
 #include "board/poi-gadget/board_pose.h"
 

@@ -1,6 +1,6 @@
 /* sensors.h -- the sensors of the board: a converter for the wires, an inertial chip and keys. */
-#ifndef KINGYO_POI_GADGET_SENSORS_H
-#define KINGYO_POI_GADGET_SENSORS_H
+#ifndef KINGYO_BOARD_POI_GADGET_SENSORS_H
+#define KINGYO_BOARD_POI_GADGET_SENSORS_H
 
 #include "board/poi-gadget/board_pose.h"
 #include "board/poi-gadget/iio.h"

@@ -4,8 +4,8 @@
  * The One Euro filter (Casiez, Roussel, Vogel 2012) is a first-order low-pass filter whose corner
  * frequency rises with the speed. At rest, the 0.3 mm of a 12-bit step must not appear as a hand
  * tremor of 75 mm/s. In a dip, the delay must stay below one tick of the game. */
-#ifndef KINGYO_POI_GADGET_STEADY_H
-#define KINGYO_POI_GADGET_STEADY_H
+#ifndef KINGYO_BOARD_POI_GADGET_STEADY_H
+#define KINGYO_BOARD_POI_GADGET_STEADY_H
 
 #include "core/base/vec.h"
 

@@ -3,8 +3,8 @@
  *
  * A drum with one layer winds evenly, so the length is a linear function of the converter steps.
  * Its two numbers for each wire are found by least squares from all marks. */
-#ifndef KINGYO_POI_GADGET_WIRE_FIT_H
-#define KINGYO_POI_GADGET_WIRE_FIT_H
+#ifndef KINGYO_BOARD_POI_GADGET_WIRE_FIT_H
+#define KINGYO_BOARD_POI_GADGET_WIRE_FIT_H
 
 #include <stdint.h>
 

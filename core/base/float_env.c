@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "core/base/lanes.h"
+#include "core/base/simd.h"
 
 #define CASE_COUNT 8u
 

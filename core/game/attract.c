@@ -1,9 +1,9 @@
 /* attract.c -- attract mode: the built-in bot plays until a player dips the poi or presses
  * START. */
 #include "core/core.h"
-#include "core/game/keeper.h"
 #include "core/game/paper.h"
 #include "core/game/phases.h"
+#include "core/game/table_setup.h"
 
 #define SWAP_TICKS (2u * CORE_TICK_HZ) /* Time for which the bot keeps a torn poi. */
 #define BOWL_MAX 10u                   /* Fish in the bot's bowl at which the bowl is emptied,

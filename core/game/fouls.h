@@ -10,7 +10,7 @@
 
 #include "core/input.h"
 #include "core/output.h"
-#include "core/poi/catch.h"
+#include "core/poi/catch/catch.h"
 #include "core/scene.h"
 
 #define FOUL_APART_TICKS (2u * CORE_TICK_HZ)

@@ -4,10 +4,10 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/core.h"
-#include "core/game/board.h"
-#include "core/game/hand.h"
-#include "core/game/menu_calibrate.h"
+#include "core/game/control/controller.h"
+#include "core/game/menu/menu_calibrate.h"
 #include "core/game/phases.h"
+#include "core/game/ranking/leaderboard.h"
 
 #define START_LAMP_TICKS (CORE_TICK_HZ / 2u)
 

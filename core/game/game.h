@@ -2,35 +2,36 @@
  *
  * The phases are attract, choose, ready, round, result, name, leaderboard and album, plus the
  * growth lab and the operator's menu. Each phase has its own file (phases.h). Further parts are the
- * umpire (fouls.h), time announcements (calls.h), pauses for lost controllers (pause.h), table
- * setup (keeper.h) and scoring (score.h). Differences between modes are data (rules.h). */
+ * umpire (fouls.h), time announcements (announcements.h), pauses for lost controllers (pause.h),
+ * table setup (table_setup.h) and scoring (score.h). Differences between modes are data
+ * (rules.h). */
 #ifndef KINGYO_CORE_GAME_GAME_H
 #define KINGYO_CORE_GAME_GAME_H
 
 #include <stdint.h>
 
-#include "core/game/adjust.h"
-#include "core/game/album.h"
-#include "core/game/audits.h"
-#include "core/game/bot.h"
-#include "core/game/credit.h"
+#include "core/game/accounting/audits.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/bot/bot.h"
+#include "core/game/control/input_validation.h"
+#include "core/game/health_log.h"
 #include "core/game/hints.h"
-#include "core/game/keeper.h"
-#include "core/game/lab.h"
+#include "core/game/lab/album.h"
+#include "core/game/lab/lab.h"
 #include "core/game/language.h"
-#include "core/game/ledger.h"
-#include "core/game/menu.h"
-#include "core/game/name.h"
+#include "core/game/menu/menu.h"
+#include "core/game/menu/settings_edit.h"
 #include "core/game/pause.h"
 #include "core/game/player.h"
-#include "core/game/ranking.h"
+#include "core/game/ranking/name.h"
+#include "core/game/ranking/ranking.h"
 #include "core/game/rules.h"
 #include "core/game/score.h"
-#include "core/game/trust.h"
-#include "core/game/upkeep.h"
+#include "core/game/table_setup.h"
 #include "core/input.h"
 #include "core/output.h"
-#include "core/poi/catch.h"
+#include "core/poi/catch/catch.h"
 #include "core/scene.h"
 
 #define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ) /* Length of READY in the festival and in
@@ -79,7 +80,7 @@ struct game {
                             was torn or its bowl was full. */
     uint32_t language_until; /* Tick at which attract mode ends a visitor's choice of language; 0:
                                 no choice. */
-    uint32_t turn_tick;   /* Tick at which a new session starts (chapter.h); 0: not requested. */
+    uint32_t turn_tick;   /* Tick at which a new session starts (session.h); 0: not requested. */
     uint32_t round_s;     /* Length of this round in seconds. */
     uint32_t round_count; /* Number of started rounds; part of the seed of the next paper. */
     struct ledger ledger;

@@ -1,7 +1,7 @@
 /* paper.c -- the test for usable paper. */
 #include "core/game/paper.h"
 
-#include "core/game/patch.h"
+#include "core/game/bot/paper_patch.h"
 
 static int holds(const void *paper, float x_m, float z_m)
 {

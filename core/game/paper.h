@@ -2,14 +2,14 @@
 #ifndef KINGYO_CORE_GAME_PAPER_H
 #define KINGYO_CORE_GAME_PAPER_H
 
-#include "core/poi/sheet.h"
+#include "core/poi/paper/sheet.h"
 
 #define PAPER_LEFT_MIN 0.35f /* Smallest usable share of the paper; a smaller rest is a fringe along
                                 the ring. */
 
 /* Returns 1 if a fish could lie on the paper: enough area is left, and a whole patch exists
- * (patch.h). A hole alone, even in the middle, does not end a round, because a partly torn poi may
- * be used. */
+ * (paper_patch.h). A hole alone, even in the middle, does not end a round, because a partly torn
+ * poi may be used. */
 int paper_can_hold(const struct sheet *sheet);
 
 #endif

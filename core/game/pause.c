@@ -2,7 +2,7 @@
 #include "core/game/pause.h"
 
 #include "core/core.h"
-#include "core/game/hand.h"
+#include "core/game/control/controller.h"
 
 int pause_holds(const struct core *core, uint32_t index)
 {

@@ -1,6 +1,6 @@
 /* phases.h -- the phases attract, choose, ready, round, result and album: the functions that begin
  * each phase and run its tick. The phases between result and album have headers of their own,
- * name.h and board.h.
+ * name.h and leaderboard.h.
  *
  * Internal to core/game. game.c calls the tick of the current phase, and a phase begins the next
  * one. A new phase has its first tick in the following tick. */

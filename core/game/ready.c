@@ -2,9 +2,9 @@
  * the fish. */
 #include "core/core.h"
 #include "core/game/fouls.h"
-#include "core/game/keeper.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
+#include "core/game/table_setup.h"
 
 void ready_begin(struct core *core, struct output *output)
 {

@@ -1,13 +1,13 @@
 /* round.c -- the round: clock, announcements, torn paper, and the end of the round. */
 #include "core/core.h"
-#include "core/game/calls.h"
-#include "core/game/hand.h"
-#include "core/game/keeper.h"
+#include "core/game/accounting/round_standing.h"
+#include "core/game/announcements.h"
+#include "core/game/control/controller.h"
 #include "core/game/paper.h"
 #include "core/game/pause.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
-#include "core/game/stand.h"
+#include "core/game/table_setup.h"
 
 #define RENEW_TICKS CORE_TICK_HZ /* Time to see the hole before the paper is replaced. */
 

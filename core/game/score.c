@@ -3,8 +3,8 @@
 
 #include "core/core.h"
 #include "core/game/fouls.h"
-#include "core/game/keeper.h"
 #include "core/game/rules.h"
+#include "core/game/table_setup.h"
 
 /* Returns the number of fish that count. Fish caught by a foul are in the bowl too, but do not
  * count in modes with an umpire. */

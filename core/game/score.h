@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "core/output.h"
-#include "core/poi/catch.h"
+#include "core/poi/catch/catch.h"
 
 struct core;
 

@@ -1,11 +1,11 @@
 /* blend.c -- P = sum of V_i K_i: eq. 3.2 of the 2005 thesis, for any number of key shapes.
  *
  * The renderer blends in the vertex shader. This file computes the same sum from the same tables on
- * the CPU, one vertex at a time; blend_lanes.c does it for blocks. */
+ * the CPU, one vertex at a time; blend_simd.c does it for blocks. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
-#include "core/morph/blend_lanes.h"
+#include "core/morph/blend_simd.h"
 
 #define COUNTS 32767.0f
 

@@ -1,7 +1,7 @@
 /* blend_pick.c -- selection of the number of SIMD lanes by the caller, which detects the
  * processor. */
 #include "core/base/panic.h"
-#include "core/morph/blend_lanes.h"
+#include "core/morph/blend_simd.h"
 
 void morph_shape_lanes(const struct species_mesh *mesh, uint32_t key_count,
                        const struct morph_pose *pose, vec3 *positions, vec3 *normals,

@@ -2,8 +2,8 @@
 #include "core/poi/haptics.h"
 
 #include "core/poi/disc.h"
+#include "core/poi/hand_spring.h"
 #include "core/poi/load.h"
-#include "core/poi/pull.h"
 
 static vec3 clamp_vector(vec3 v, float most)
 {

@@ -4,12 +4,12 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/poi/carry.h"
+#include "core/poi/catch/carried_water.h"
 #include "core/poi/disc.h"
+#include "core/poi/hand_spring.h"
 #include "core/poi/load.h"
-#include "core/poi/pull.h"
+#include "core/poi/ring_constraints.h"
 #include "core/poi/wrist.h"
-#include "core/poi/yield.h"
 
 #define SCOOP_IMMERSED 0.2f /* Share of the disc: a level disc is 3 mm under water at its centre. */
 

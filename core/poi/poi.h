@@ -6,9 +6,9 @@
 
 #include "core/input.h"
 #include "core/output.h"
-#include "core/poi/bowl.h"
-#include "core/poi/rider.h"
-#include "core/poi/sheet.h"
+#include "core/poi/bowl/bowl.h"
+#include "core/poi/catch/carried_fish.h"
+#include "core/poi/paper/sheet.h"
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
@@ -94,7 +94,7 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
  * bowl hold it back. Without wrist input the ring rises and turns toward the bowl when it is over
  * the bowl's mouth with fish on it. A blocked ring does not shoot off when it comes free: the ring
  * exceeds the recent speed of the hand by at most 1 m/s. Asserts that the target is finite. Force
- * on the hand: haptics.h; effect on the surface: wake.h. */
+ * on the hand: haptics.h; effect on the surface: surface_disturbance.h. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 

@@ -2,7 +2,7 @@
 #ifndef KINGYO_CORE_SOUND_RECIPE_H
 #define KINGYO_CORE_SOUND_RECIPE_H
 
-#include "core/sound/sound.h"
+#include "core/sound/synth.h"
 
 enum layer_kind {
     LAYER_NONE = 0,

@@ -4,12 +4,13 @@
 
 #include <stdint.h>
 
-#include "core/tank/box.h"
-#include "core/tank/law.h"
+#include "core/tank/behavior_params.h"
+#include "core/tank/collision/box.h"
 
 #define TANK_FISH_KIOSK 2048u /* Capacity for the deepest tank; preset.h has the limit of each
                                  tank. */
-/* `kingyoctl tank` and the benchmark compile a tank with more capacity (platform/ctl/tank.mk). */
+/* `kingyoctl tank` and the benchmark compile a tank with more capacity
+ * (platform/ctl/tank/tank.mk). */
 #ifndef TANK_FISH_MAX
 #define TANK_FISH_MAX TANK_FISH_KIOSK
 #endif
@@ -44,7 +45,7 @@ enum fish_gait {
 };
 
 /* `holder` of a GAIT_HELD fish that is back in the water but not yet clear of other fish
- * (loose.h). */
+ * (reentry.h). */
 #define FISH_HOLDER_WATER 255u
 
 enum fish_avoiding {
@@ -53,7 +54,7 @@ enum fish_avoiding {
     AVOID_PITCH = 2,
 };
 
-/* Stage of surface breathing of a fish short of oxygen; see surface.h. */
+/* Stage of surface breathing of a fish short of oxygen; see surface_breathing.h. */
 enum fish_air {
     AIR_ENOUGH = 0,
     AIR_RISES = 1, /* On the way up, in GAIT_SWIM. */
@@ -64,7 +65,7 @@ enum fish_air {
 };
 
 /* The members used in every tick stand first, in groups of four floats: SIMD code transposes a quad
- * of several fish into columns (core/base/lanes.h). New members belong behind them. */
+ * of several fish into columns (core/base/simd.h). New members belong behind them. */
 struct fish {
     vec3 position_m; /* Centre of the body box, world. */
     float speed_m_s; /* Speed along the nose by the fish's own fins, >= 0. */
@@ -115,7 +116,7 @@ struct fish {
     float depth_stray;  /* Offset of the preferred depth from that of its band, as a share of the
                            water depth, + up. */
 
-    /* Startle state; see fright.h and escape.h. */
+    /* Startle state; see startle.h and escape.h. */
     float alarm; /* [0, 1] alarm; decays. */
     float habit; /* [0, 1] habituation to startling stimuli; decays. */
     float startle_s;   /* Time left of the latency. */

@@ -9,7 +9,7 @@
 #ifndef KINGYO_CORE_TANK_FLOW_H
 #define KINGYO_CORE_TANK_FLOW_H
 
-#include "core/tank/obstacle.h"
+#include "core/tank/collision/obstacle.h"
 
 /* Returns the velocity of the water at a point, world, never faster than the disc. The flow is
  * zero around a disc in air, above the surface, beyond six radii and around a hull. Near the

@@ -4,7 +4,7 @@
 
 #include "core/base/hash.h"
 #include "core/input.h"
-#include "core/tank/surface.h"
+#include "core/tank/behavior/surface_breathing.h"
 
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f

@@ -6,7 +6,7 @@
 #include "core/tank/fish.h"
 
 /* Share of the water that bodies may fill: 600 fish of the stall fill 0.11. A fuller tank would
- * cost too much time; part.h keeps bodies apart in any tank. */
+ * cost too much time; contact_solver.h keeps bodies apart in any tank. */
 #define BODY_FILL_MAX 0.12f
 #define AGE_SAMPLES 32
 

@@ -6,7 +6,7 @@
 
 #include "core/base/vec.h"
 #include "core/input.h"
-#include "core/tank/law.h"
+#include "core/tank/behavior_params.h"
 #include "core/view.h"
 
 enum tank_preset_id {

@@ -3,7 +3,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
-#include "core/tank/gait.h"
+#include "core/tank/behavior/gait.h"
 
 #define EDGE_TAU_S 0.10f
 #define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 per frame at 60 frames per second. */
@@ -11,7 +11,7 @@
 #define FULL_LENGTHS_PER_S 0.1f /* Push of near fish that stops the attraction completely. */
 #define FRIGHT_RIM_M 0.02f   /* Distance before its edge at which a shade is seen to approach. */
 #define FRIGHT_TIME_S 0.04f /* Time to an alarm of 1 under a fan; the nerve latency follows
-                               (fright.h). */
+                               (startle.h). */
 #define FRIGHT_PLAIN_DARK 0.60f /* A darker shade does not startle more than this one. */
 
 static int is_finite(const struct shade_cast *cast)

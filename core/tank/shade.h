@@ -11,8 +11,8 @@
 
 #include "core/base/vec.h"
 #include "core/input.h"
+#include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
-#include "core/tank/law.h"
 
 #define SHADE_FAN_DARK 0.62f /* Share of the light that paper on bamboo, or a hand, takes. */
 
@@ -80,7 +80,7 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
 
 /* Returns the alarm, >= 0, that a shade adds for a fish whose last decision was `dt_s` ago, but not
  * for time before the shade fell. Under a fan that sweeps by or drops in, calm fish need 17 to
- * 33 ms to be startled; the nerve latency takes the rest of 60 to 150 ms (fright.h). A poi's thin
+ * 33 ms to be startled; the nerve latency takes the rest of 60 to 150 ms (startle.h). A poi's thin
  * paper raises the alarm slightly but does not startle. Returns 0 if the behavior parameters
  * disable this response. */
 float shade_alarm(const struct shade *shade, const struct behavior_params *params, vec3 position_m,

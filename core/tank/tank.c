@@ -4,10 +4,10 @@
 #include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
-#include "core/tank/loose.h"
-#include "core/tank/surface.h"
-#include "core/tank/swim.h"
-#include "core/tank/think.h"
+#include "core/tank/behavior/fish_behavior.h"
+#include "core/tank/behavior/surface_breathing.h"
+#include "core/tank/behavior/swim.h"
+#include "core/tank/collision/reentry.h"
 
 #define STIRS_M 0.0001f /* Motion per tick; an obstacle slower than 12 mm/s is not a poi in use. */
 #define BUBBLE_TICKS 6u /* 20 bubbles per second rise. */

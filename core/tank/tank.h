@@ -7,14 +7,14 @@
 #include <stdint.h>
 
 #include "core/scene.h"
-#include "core/tank/crowd.h"
+#include "core/tank/behavior/perception.h"
+#include "core/tank/collision/broad_phase.h"
+#include "core/tank/collision/contact_solver.h"
+#include "core/tank/collision/obstacle.h"
 #include "core/tank/fish.h"
-#include "core/tank/obstacle.h"
 #include "core/tank/oxygen.h"
-#include "core/tank/part.h"
 #include "core/tank/preset.h"
 #include "core/tank/shade.h"
-#include "core/tank/surroundings.h"
 #include "core/tank/water.h"
 
 _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each player");
@@ -61,7 +61,7 @@ struct tank_config {
     uint8_t pump;                   /* 1 if the air stone bubbles. */
     uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX, whose places are kept clear of
                                        fish at the start. */
-    uint8_t lanes;  /* 0, 4 or 8 (core/base/lanes.h): affects speed only. */
+    uint8_t lanes;  /* 0, 4 or 8 (core/base/simd.h): affects speed only. */
     uint8_t search; /* enum pair_search: affects speed only. */
 };
 

@@ -2,14 +2,14 @@
  * fish. */
 #include "core/tank/tank.h"
 
-#include "core/base/lanes.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
+#include "core/base/simd.h"
 #include "core/morph/morph.h"
-#include "core/tank/gait.h"
-#include "core/tank/surface.h"
-#include "core/tank/swim.h"
+#include "core/tank/behavior/gait.h"
+#include "core/tank/behavior/surface_breathing.h"
+#include "core/tank/behavior/swim.h"
 
 #define PLACE_TRIES 12u /* Tries to find a place clear of the bowl; afterwards any place is used. */
 #define START_ROUNDS_MAX 100u /* Full tanks take 3 to 48 rounds. */

@@ -9,11 +9,11 @@
 
 #include "core/tank/preset.h"
 #include "platform/board.h"
-#include "platform/clock.h"
 #include "platform/kiosk/contact_sheet.h"
-#include "platform/png.h"
-#include "platform/print.h"
-#include "platform/say.h"
+#include "platform/os/clock.h"
+#include "platform/os/log.h"
+#include "platform/os/png.h"
+#include "platform/os/print.h"
 
 #define FRAME_NS 50000000ull     /* Six ticks a picture, about the time that a software renderer
                                     needs. */

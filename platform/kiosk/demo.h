@@ -5,7 +5,7 @@
 #ifndef KINGYO_PLATFORM_KIOSK_DEMO_H
 #define KINGYO_PLATFORM_KIOSK_DEMO_H
 
-#include "platform/kiosk/session.h"
+#include "platform/kiosk/run_common.h"
 
 #define DEMO_SEED 2013u /* Default seed, so that two users see the same demonstration. */
 

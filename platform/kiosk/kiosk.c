@@ -5,12 +5,12 @@
 #include <string.h>
 
 #include "platform/cpu.h"
-#include "platform/kiosk/chapters.h"
-#include "platform/kiosk/dressing.h"
-#include "platform/kiosk/encore.h"
+#include "platform/kiosk/operator_view.h"
 #include "platform/kiosk/present.h"
 #include "platform/kiosk/sample.h"
-#include "platform/machine.h"
+#include "platform/kiosk/score_playback.h"
+#include "platform/kiosk/session_recorder.h"
+#include "platform/system_health.h"
 
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config)

@@ -9,17 +9,17 @@
 
 #include "core/core.h"
 #include "platform/hal.h"
-#include "platform/kiosk/dressing.h"
+#include "platform/kiosk/audio_output.h"
+#include "platform/kiosk/dimmer.h"
+#include "platform/kiosk/fan_sampler.h"
 #include "platform/kiosk/file_notes.h"
-#include "platform/kiosk/hands.h"
-#include "platform/kiosk/late.h"
-#include "platform/kiosk/lighting.h"
-#include "platform/kiosk/pace.h"
+#include "platform/kiosk/frame_pacer.h"
+#include "platform/kiosk/offline_flush.h"
+#include "platform/kiosk/operator_view.h"
+#include "platform/kiosk/output_lines.h"
+#include "platform/kiosk/poi_sampler.h"
 #include "platform/kiosk/saving.h"
-#include "platform/kiosk/shades.h"
-#include "platform/kiosk/switches.h"
 #include "platform/kiosk/timing.h"
-#include "platform/kiosk/voice.h"
 
 struct session_recorder;
 struct score_playback;

@@ -7,16 +7,16 @@
 #include <unistd.h>
 
 #include "platform/board.h"
-#include "platform/kiosk/config_file.h"
+#include "platform/config/config_file.h"
+#include "platform/config/options.h"
 #include "platform/kiosk/demo.h"
-#include "platform/kiosk/options.h"
-#include "platform/kiosk/play.h"
-#include "platform/kiosk/session.h"
+#include "platform/kiosk/run_common.h"
+#include "platform/kiosk/run_interactive.h"
+#include "platform/os/log.h"
+#include "platform/os/print.h"
+#include "platform/os/regular_file.h"
+#include "platform/os/standard_streams.h"
 #include "platform/panic.h"
-#include "platform/plain_file.h"
-#include "platform/print.h"
-#include "platform/say.h"
-#include "platform/standard_streams.h"
 
 static volatile sig_atomic_t stop;
 static struct run_common evening; /* Static because of its size of several MB. */

@@ -3,7 +3,7 @@
 
 #include <sqlite3.h>
 
-#include "platform/say.h"
+#include "platform/os/log.h"
 
 static void end_replay(struct pin_sweep *sweep, int is_cleaned)
 {

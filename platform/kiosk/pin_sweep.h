@@ -2,17 +2,17 @@
  *
  * The state hashes of such a recording (`rules_7`, core/core.h) include the PIN, so that replacing
  * its start is not enough. Instead the replay is played again without a picture and verified
- * (judge.h). During the play the same inputs are recorded with the PIN withheld and with the hashes
- * of that state. The new recording is verified as well, and replaces the old one in one
+ * (replay_verifier.h). During the play the same inputs are recorded with the PIN withheld and with
+ * the hashes of that state. The new recording is verified as well, and replaces the old one in one
  * transaction. A replay that fails either check, or in which digits of a PIN are typed, stays
  * unchanged and is counted. The caller owns `struct pin_sweep` (8 MiB: static storage) and clears
  * it. */
 #ifndef KINGYO_PLATFORM_KIOSK_PIN_SWEEP_H
 #define KINGYO_PLATFORM_KIOSK_PIN_SWEEP_H
 
-#include "platform/kiosk/chapters.h"
-#include "platform/kiosk/judge.h"
-#include "platform/storage.h"
+#include "platform/kiosk/replay_verifier.h"
+#include "platform/kiosk/session_recorder.h"
+#include "platform/store/storage.h"
 
 enum pin_sweep_stage {
     PIN_SWEEP_SEEK = 0, /* Finds the next stored replay. */

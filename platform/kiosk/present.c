@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "core/game/menu_pages.h"
-#include "platform/kiosk/chapters.h"
+#include "core/game/menu/menu_pages.h"
+#include "platform/kiosk/session_recorder.h"
 
 #define RESTART_WAIT_NS 5000000000ull /* Longest wait for the store before a restart; a slower card
                                          is assumed to be full. */

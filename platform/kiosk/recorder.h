@@ -9,7 +9,7 @@
 #include <stdatomic.h>
 
 #include "platform/kiosk/kiosk.h"
-#include "platform/replay.h"
+#include "platform/replay/replay.h"
 
 /* Rounds, catches and fouls after the last tick, to detect increases. */
 struct recorder_tally {

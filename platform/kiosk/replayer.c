@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "platform/kiosk/recorder.h"
-#include "platform/print.h"
+#include "platform/os/print.h"
 
 int replayer_begin(struct replayer *replayer, const char *path, struct core_config *config)
 {

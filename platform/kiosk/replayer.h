@@ -3,10 +3,10 @@
 #ifndef KINGYO_PLATFORM_KIOSK_REPLAYER_H
 #define KINGYO_PLATFORM_KIOSK_REPLAYER_H
 
+#include "platform/config/options.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/kiosk/options.h"
 #include "platform/kiosk/recorder.h"
-#include "platform/replay.h"
+#include "platform/replay/replay.h"
 
 /* First tick whose digest, or whose second's hash, differs from the recording. */
 struct replay_difference {

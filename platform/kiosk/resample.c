@@ -2,7 +2,7 @@
 #include "platform/kiosk/resample.h"
 
 #include "core/base/panic.h"
-#include "core/game/trust.h"
+#include "core/game/control/input_validation.h"
 #include "core/poi/pose.h"
 
 void resample_reset(struct resampler *resampler)

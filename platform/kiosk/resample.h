@@ -26,7 +26,7 @@ void resample_reset(struct resampler *resampler);
 
 /* Adds a report. A report with the same or an earlier time replaces the newest one. When full, the
  * second oldest is dropped. Any bit pattern is accepted because the core validates it. Returns 0 if
- * a number is invalid or beyond the range of core/game/trust.h. */
+ * a number is invalid or beyond the range of core/game/control/input_validation.h. */
 int resample_push(struct resampler *resampler, const struct poi_sample *sample);
 
 /* Returns the pose for tick `index` of the `tick_count` >= 1 ticks of this frame. `count` must be >

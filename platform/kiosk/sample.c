@@ -1,7 +1,7 @@
 /* sample.c -- reads the devices for a frame; see sample.h. */
 #include "platform/kiosk/sample.h"
 
-#include "core/game/menu_pages.h"
+#include "core/game/menu/menu_pages.h"
 
 #define QUIT_ASK_NS 5000000000ull /* Time for the second press; the same as for TEST in a round:
                                      MENU_ASK_TICKS. */

@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/say.h"
+#include "platform/os/log.h"
 
 #define NS_PER_MS 1000000ull
 

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/json_char.h"
-#include "platform/panics.h"
+#include "platform/os/json_char.h"
+#include "platform/panic_count.h"
 
 struct text_out {
     char *out;

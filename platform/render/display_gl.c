@@ -6,8 +6,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "core/game/lab_layout.h"
-#include "platform/clock.h"
+#include "core/game/lab/lab_layout.h"
+#include "platform/os/clock.h"
 #include "platform/render/drm_card.h"
 #include "platform/render/x11_guard.h"
 

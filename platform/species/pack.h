@@ -15,7 +15,7 @@
 #include <stddef.h>
 
 #include "platform/species/drawing.h"
-#include "platform/species/vet.h"
+#include "platform/species/validate.h"
 
 #define PACK_VERSION 1u
 #define PACK_SIZE_MAX (256u * 1024u) /* Two meshes with every table full are 222 KiB. */

@@ -7,9 +7,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "platform/out_file.h"
-#include "platform/plain_file.h"
-#include "platform/species/plain.h"
+#include "platform/os/atomic_file.h"
+#include "platform/os/regular_file.h"
+#include "platform/species/text_file.h"
 
 static enum pack_result cannot(int error, char why[VALIDATE_WHY_SIZE])
 {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/print.h"
+#include "platform/os/print.h"
 
 #define COMPLAINT_SIZE 512
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "platform/species/plain.h"
+#include "platform/species/text_file.h"
 
 static const struct {
     const char *word;

@@ -13,7 +13,7 @@ $(BENCH_BIN): %: %.o $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-# The tank's bench uses the tank that is compiled for 131,072 fish (platform/ctl/tank.mk).
+# The tank's bench uses the tank that is compiled for 131,072 fish (platform/ctl/tank/tank.mk).
 BENCH_TANK := $(BUILD)/tests/bench/bench_tank
 # Calls between modules that it times; tests/bench/bench_tank.c wraps each.
 BENCH_TANK_TIMED := swim_move_all broad_phase_mark broad_phase_sync broad_phase_is_stale broad_phase_select_contacts broad_phase_update \
@@ -57,7 +57,7 @@ $(BENCH_MORPH): %: %.o $(BUILD)/platform/cpu.o $(BUILD)/core.a
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
 BENCH_HID := $(BUILD)/tests/bench/bench_hid
-BENCH_HID_SRC := $(patsubst %,drivers/%.c,hid_descriptor hid_globals hid_item hid_report)
+BENCH_HID_SRC := $(patsubst %,drivers/hid/%.c,hid_descriptor hid_globals hid_item hid_report)
 
 ## measure/bench-hid: Measure the time and memory of the slowest report descriptors
 bench-hid:

@@ -17,9 +17,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "drivers/hid_hand.h"
-#include "drivers/hid_learn.h"
-#include "platform/ctl/hid_file.h"
+#include "drivers/hid/hid_learn.h"
+#include "drivers/hid/hid_pose_decoder.h"
+#include "platform/ctl/devices/hid_file.h"
 
 #define RUNS 25u
 #define GOAL_US 1600.0

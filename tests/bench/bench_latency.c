@@ -22,10 +22,10 @@
 
 #include "core/base/rng.h"
 #include "core/tank/preset.h"
-#include "drivers/clock_sim.h"
-#include "drivers/display_sim.h"
 #include "drivers/null.h"
-#include "drivers/poi_sim.h"
+#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/display_sim.h"
+#include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 
 #define TRIALS 400u

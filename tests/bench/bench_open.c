@@ -7,7 +7,8 @@
  * back_max_ms`.
  *
  * Such a tick is long but causes no dropped tick. The frame of this tick is late while the picture
- * changes to another tank, and the next frame runs the missing ticks (pace.h). Returns exit status
+ * changes to another tank, and the next frame runs the missing ticks (frame_pacer.h). Returns exit
+ * status
  * 1 if a tick takes more than one frame. On a processor that is a quarter as fast, such a tick
  * would take four frames. */
 #include <stdio.h>

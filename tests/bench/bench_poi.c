@@ -12,10 +12,10 @@
 #include <time.h>
 
 #include "core/base/panic.h"
-#include "core/poi/afloat.h"
-#include "core/poi/bowl_fish.h"
-#include "core/poi/catch.h"
-#include "core/poi/strain.h"
+#include "core/poi/bowl/bowl_buoyancy.h"
+#include "core/poi/bowl/bowl_fish.h"
+#include "core/poi/catch/catch.h"
+#include "core/poi/paper/strain.h"
 #include "core/tank/preset.h"
 
 #define SAMPLES 40000u

@@ -19,13 +19,13 @@
 #include <string.h>
 
 #include "core/tank/preset.h"
+#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_hid.h"
+#include "drivers/hid/poi_report.h"
 #include "drivers/null.h"
-#include "drivers/poi_descriptor.h"
-#include "drivers/poi_hid.h"
-#include "drivers/poi_report.h"
-#include "drivers/usb_seat.h"
-#include "platform/clock.h"
+#include "drivers/usb/usb_slot.h"
 #include "platform/kiosk/kiosk.h"
+#include "platform/os/clock.h"
 
 static struct bench {
     double seconds, report_hz, frame_ms, work_ms;

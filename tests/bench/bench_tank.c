@@ -18,7 +18,7 @@
 
 #include "core/base/panic.h"
 #include "core/poi/poi.h"
-#include "core/tank/swim.h"
+#include "core/tank/behavior/swim.h"
 #include "core/tank/tank.h"
 #include "platform/cpu.h"
 #include "platform/huge_pages.h"

@@ -3,8 +3,9 @@
  *
  * Usage: bench_usb [SECONDS]
  *
- * Runs the transport's own thread over a simulated bus in memory (tests/unit/usb_stand.h) at 1,000
- * reports per second. A loop of 60 frames per second takes all queued reports and then works for
+ * Runs the transport's own thread over a simulated bus in memory (tests/unit/support/usb_stand.h)
+ * at 1,000 reports per second. A loop of 60 frames per second takes all queued reports and then
+ * works for
  * 4 ms. The benchmark runs in real time. The figures do not include the kernel's host controller
  * and the wire, which takes at most 1 ms at full speed. Returns exit status 1 if a report was lost
  * or arrived out of order. */
@@ -12,9 +13,9 @@
 #include <stdatomic.h>
 #include <time.h>
 
-#include "drivers/usb_seats.h"
+#include "drivers/usb/usb_transport.h"
 #include "platform/kiosk/timing.h"
-#include "tests/unit/usb_kinds.h"
+#include "tests/unit/support/usb_kinds.h"
 
 #define REPORT_NS 1000000ull
 #define FRAME_NS 16666667ull

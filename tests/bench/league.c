@@ -8,7 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/ctl/bot_keys.h"
+#include "platform/ctl/play/bot_keys.h"
 
 #define PATH_CHARS 1200u
 

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "platform/ctl/rounds.h"
+#include "platform/ctl/play/rounds.h"
 
 #define LEAGUE_SEEDS_MAX 2000u
 #define LEAGUE_ARMS_MAX 16u

@@ -9,8 +9,8 @@
 #include <stdio.h>
 
 #include "core/scene.h"
-#include "platform/ctl/summary.h"
-#include "platform/number.h"
+#include "platform/ctl/lib/summary.h"
+#include "platform/os/number.h"
 #include "tests/bench/league.h"
 
 static const char speaker[] = "scores";

@@ -15,8 +15,8 @@
 #include <string.h>
 
 #include "core/scene.h"
-#include "platform/ctl/bot_file.h"
-#include "platform/number.h"
+#include "platform/ctl/play/bot_file.h"
+#include "platform/os/number.h"
 #include "tests/bench/league.h"
 #include "tests/bench/statistics.h"
 

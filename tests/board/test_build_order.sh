@@ -4,7 +4,7 @@
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/../lib.sh"
 tree=$work/build
-flat=$tree/platform/ctl/import_flat.o core=$tree/core/base/rng.o
+flat=$tree/platform/ctl/import/import_flat.o core=$tree/core/base/rng.o
 mkdir "$tree" "$work/include" "$work/pc" "$work/bin"
 # What was baked is the same whatever the compiler: it is copied, so that the test takes seconds.
 cp -a "$build"/{generated,assets,bake_host,bake,bake_species,bake_words} "$tree/"

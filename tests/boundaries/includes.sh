@@ -7,7 +7,7 @@
 set -u
 only=" $* "
 files() { # FOLDER: its sources and headers, but for the one main() that wires.
-    find "$1" -name '*.[ch]' ! -path 'platform/*/main.c' 2>/dev/null | sort |
+    find "$1" -name '*.[ch]' ! -path 'platform/kiosk/main.c' ! -path 'platform/ctl/main.c' 2>/dev/null | sort |
         while read -r file; do
             if [ "$only" = '  ' ] || [[ $only == *" $file "* ]]; then echo "$file"; fi
         done
@@ -16,8 +16,8 @@ own_include=$($CC -print-file-name=include)
 [ -d "$own_include" ] || own_include=$($CC -print-resource-dir)/include # clang calls it so
 freestanding='(float|iso646|limits|stdalign|stdarg|stdbool|stddef|stdint|stdint-gcc|stdnoreturn|__stddef_[a-z_]+|__stdarg_[a-z_]+)\.h'
 # A species is plain data: what scenes and saved graphs are made of. So is what the store remembers.
-contracts='core/(input|output|scene|scene_[a-z]+|view|placing|edit|ledger|memory|settings)\.h|core/game/(audits|ranking)\.h'
-contracts+='|core/poi/sheet\.h|core/morph/species\.h|core/base/[a-z_0-9]+\.h'
+contracts='core/(input|output|scene|scene_[a-z]+|view|display_geometry|lab_edit_record|ledger|persistent_state|settings)\.h|core/game/(accounting/audits|ranking/ranking)\.h'
+contracts+='|core/poi/paper/sheet\.h|core/morph/species\.h|core/base/[a-z_0-9]+\.h'
 
 # Prints `file included` pairs, paths relative to the top, for the sources on standard input.
 pairs() { # FLAGS...
@@ -35,12 +35,12 @@ breach() { # ALLOWED RULE
 }
 
 core_rule='core includes only core and the freestanding headers'
-bot_rule='a bot knows the stall by core/game/sight.h alone'
-bot_files='/(bot|bot_[a-z]+|aim|look|patch|technique)\.[ch]$'
-bot_headers='core/game/(bot|bot_[a-z]+|aim|look|patch|technique|sight)\.h|core/poi/pose\.h'
-driver_rule="a driver includes only platform/hal.h, the core's contracts, drivers and libraries"
+bot_rule='a bot knows the stall by core/game/bot/vision.h alone'
+bot_files='/bot/[a-z_]+\.h$|/bot/(bot|bot_[a-z]+|paper_patch|snapshot|targeting|technique)\.c$'
+bot_headers='core/game/bot/[a-z_]+\.h|core/poi/pose\.h'
+driver_rule="a driver includes only platform/hal.h, platform/os, the core's contracts, drivers and libraries"
 shell_rule='only board/ and main wire drivers and boards; kingyoctl may show a pure decoder, and GPIO lines'
-decoders='drivers/(hid_(descriptor|port|map|book_text)|usb_(choice|choice_file|sysfs)|gpio_[a-z]+|buttons_gpio|coin_mech|debounce|pulse_train)\.h'
+decoders='drivers/(hid/hid_(descriptor|port|mapping|mapping_store_text)|usb/usb_(choice|choice_file|sysfs)|gpio/[a-z_]+)\.h'
 
 breaches=$({
     # shellcheck disable=SC2086
@@ -51,7 +51,7 @@ breaches=$({
         breach "$bot_headers|$contracts|$own_include/$freestanding" "$bot_rule"
     # shellcheck disable=SC2086
     files drivers | pairs $HOST_CFLAGS |
-        breach "platform/hal\.h|$contracts|drivers/.*|/.*" "$driver_rule"
+        breach "platform/hal\.h|$contracts|platform/os/.*|drivers/.*|/.*" "$driver_rule"
     # shellcheck disable=SC2086
     files platform | pairs $HOST_CFLAGS |
         breach "(core|platform|assets|$BUILD/generated)/.*|$decoders|/.*" "$shell_rule"

@@ -2,7 +2,7 @@
 # test_books_command.sh -- kingyoctl scores, audits and backup: what the stall keeps, told. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/../lib.sh"
-old=tests/unit/store
+old=tests/unit/platform/store/files
 data=$work/data
 mkdir "$data"
 cp $old/version-5.db "$data/kingyo.db"

@@ -113,7 +113,7 @@ listed() { # Every id of the rules, and no other, is sent to them.
     sed -nE 's/^ATTRS\{idVendor\}=="(.*)", ATTRS\{idProduct\}=="(.*)", GOTO.*/\1 \2/p' board/udev/70-kingyo.rules |
         while read -r vendor products; do for product in ${products//|/ }; do echo "$vendor $product"; done; done |
         sort >"$work/rules"
-    grep -oE '\{ 0x[0-9a-f]{4}, 0x[0-9a-f]{4} \}' platform/ctl/doctor_rules.c | sed -E 's/[^ ]*0x|[{},]//g; s/^ +//; s/ +$//' |
+    grep -oE '\{ 0x[0-9a-f]{4}, 0x[0-9a-f]{4} \}' platform/ctl/doctor/doctor_rules.c | sed -E 's/[^ ]*0x|[{},]//g; s/^ +//; s/ +$//' |
         tr -s ' ' | sort | diff - "$work/rules"
 }
 check 'doctor knows what our rules list' listed
@@ -180,9 +180,9 @@ chmod 777 "$root/data"
 check 'one that may is fine' finds fine store /data 'nobody may write there'
 check 'how much room there is, is said' finds '(fine|look)' store room '[0-9]+ MiB are free'
 check 'no database yet is fine' finds fine database kingyo.db 'nothing was kept'
-cp tests/unit/store/version-5.db "$root/data/kingyo.db"
+cp tests/unit/platform/store/files/version-5.db "$root/data/kingyo.db"
 check 'a database is looked through' finds fine database kingyo.db 'whole, version 5: 9 entries of 2 starts, 1 rounds'
-cp tests/unit/store/version-2.db "$root/data/kingyo.db"
+cp tests/unit/platform/store/files/version-2.db "$root/data/kingyo.db"
 check 'an earlier one is brought up to date by the stall' finds fine database kingyo.db 'of an earlier version'
 touch "$root/data/kingyo.db.damaged-1" "$root/data/kingyo.db.damaged-1-wal"
 touch -d '3 days ago' "$root/data/kingyo.db.backup"

@@ -105,7 +105,7 @@ sheet_is() { # SPECIES OPTIONS...
     identify -format '%m %w %h %k\n' "$work/sheet.png" | tee "$work/size"
     awk '$1 != "PNG" || $2 != 2400 || $3 < 900 || $4 < 1000 { exit 1 }' "$work/size"
 }
-check 'the sheet is a picture of many colours' sheet_is wakin # test_portrait.c draws every fish.
+check 'the sheet is a picture of many colours' sheet_is wakin # test_fish_preview.c draws every fish.
 check "the thesis' sheet too" sheet_is hirame --thesis
 frames_are() { # COUNT OPTIONS...
     local count=$1

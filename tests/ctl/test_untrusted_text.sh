@@ -56,7 +56,7 @@ for command in scores audits 'backup x'; do
 done
 
 # ---- Names
-mkdir "$work/data" && cp tests/unit/store/version-5.db "$work/data/kingyo.db"
+mkdir "$work/data" && cp tests/unit/platform/store/files/version-5.db "$work/data/kingyo.db"
 name_all() { # NAME: gives it to every player and to every row of the ranking.
     printf "update round_players set name = cast(x'%s' as text)" "$(printf '%s' "$1" | basenc --base16)" |
         sqlite3 "$work/data/kingyo.db"
@@ -96,7 +96,7 @@ printf 'HID_ID=0003:0000057E:00002009\nHID_NAME=%s\nDRIVER=%s\n' "${evil%%$'\n'*
 check 'doctor: the name of a device is harmless' speaks 0 kingyoctl doctor --root "$work/root" --data /data
 check 'and in JSON' speaks 0 kingyoctl doctor --json --root "$work/root" --data /data
 
-# ---- The kiosk's summary (test_say.c has its log)
+# ---- The kiosk's summary (test_log.c has its log)
 plays() {
     speaks 1 kingyo --demo 5 --window 320x240 --shots "$here/shots" --data "$here/data" --record "$here/play.rec" &&
         grep -q 'pictures  *.*e?' "$work/out" && grep -q 'recorded [0-9.]* s to .*e?' "$work/out"

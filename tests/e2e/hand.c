@@ -15,7 +15,7 @@
 
 #include "core/base/panic.h"
 #include "core/tank/preset.h"
-#include "drivers/pointer_poi.h"
+#include "drivers/pointer/pointer_poi.h"
 #include "eye.h"
 
 #define LOOK_S 0.03          /* Time between two pictures. A screen shows at most 60 pictures per

@@ -68,7 +68,7 @@ start_kiosk() { # OPTIONS...
 
 # Presses Esc until the kiosk ends: the first press asks, and the second press within 5 s ends the kiosk. On a busy
 # machine both presses may fall into one frame, or 5 s may pass between the frames of two presses.
-# tests/unit/test_kiosk.c proves the exact numbers without a clock of the machine: the second press ends the kiosk
+# tests/unit/platform/kiosk/test_kiosk.c proves the exact numbers without a clock of the machine: the second press ends the kiosk
 # (test_a_second_press_of_quit_ends_the_loop_after_its_frame), and one press alone never does
 # (test_one_press_of_quit_never_ends_the_loop).
 quit_by_key() {

@@ -6,7 +6,7 @@
 recording=$work/lab.kgr
 graph=$work/data/graphs/wakin.graph
 
-# On a window of 1280x720 the canvas of core/game/lab_layout.h is the window. A press is a dip of the
+# On a window of 1280x720 the canvas of core/game/lab/lab_layout.h is the window. A press is a dip of the
 # poi: it takes about 0.15 s down and as long up.
 press_at() { # X Y
     xdotool mousemove "$1" "$2"

@@ -40,7 +40,7 @@ go_to() { # PAGE...: one after the other
 }
 
 # The mean colour of a part of the screen, held against a condition in r, g and b of 0 .. 255.
-# On a window of 1280x720 the canvas of core/game/overlay.h is the window.
+# On a window of 1280x720 the canvas of core/game/pointer_mapping.h is the window.
 looks() { # CONDITION WxH+X+Y
     import -silent -window root -crop "$2" miff:- 2>/dev/null | convert miff:- -resize '1x1!' -depth 8 rgb:- |
         od -An -v -tu1 -w3 | awk "{ r = \$1; g = \$2; b = \$3; is_so = ($1) } END { exit !is_so }"

@@ -5,8 +5,8 @@
  * in ms, and the first level of the line. After these bytes each edge has two bytes, low byte
  * first: 13 bits of time since the last edge in units of 50 us, one bit each for a poll just before
  * and just after the edge, and its level. */
-#include "drivers/coin_mech.h"
-#include "drivers/debounce.h"
+#include "drivers/gpio/coin_mech.h"
+#include "drivers/gpio/debounce.h"
 #include "tests/fuzz/trap.h"
 
 #define EDGE_MAX 2048u

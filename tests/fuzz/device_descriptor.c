@@ -2,7 +2,7 @@
  * bytes, or returns a consistent list of fields. */
 #include <string.h>
 
-#include "drivers/hid_descriptor.h"
+#include "drivers/hid/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
 /* The same bytes are parsed into two buffers with different old content. Both results must be

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "drivers/hid_hand.h"
+#include "drivers/hid/hid_pose_decoder.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_STEP_NS 500000u /* Unit of the byte of time. The byte gives up to 128 ms, and 255 means

@@ -6,8 +6,8 @@
  * value is followed by a byte of size and the bytes of a report. */
 #include <string.h>
 
-#include "drivers/hid_hand.h"
-#include "drivers/hid_learn.h"
+#include "drivers/hid/hid_learn.h"
+#include "drivers/hid/hid_pose_decoder.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_STEP_NS 4000000u

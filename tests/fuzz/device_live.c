@@ -5,7 +5,7 @@
  * window. */
 #include <string.h>
 
-#include "platform/ctl/hid_live.h"
+#include "platform/ctl/devices/hid_live.h"
 #include "tests/fuzz/trap.h"
 
 static struct hid_descriptor descriptor;

@@ -2,7 +2,7 @@
  * sentence, or the map is unchanged after it was written and read again. */
 #include <string.h>
 
-#include "drivers/hid_map.h"
+#include "drivers/hid/hid_mapping.h"
 #include "tests/fuzz/trap.h"
 
 static void hold_sentence(const char error[HAL_TEXT_SIZE])

@@ -6,8 +6,8 @@
  * byte of time, kind, finger, x and y. */
 #include <string.h>
 
-#include "drivers/pad_track.h"
-#include "drivers/touch_fingers.h"
+#include "drivers/gamepad/gamepad_queue.h"
+#include "drivers/pointer/touch_fingers.h"
 #include "tests/fuzz/trap.h"
 
 #define TIME_STEP_NS 500000u /* Unit of the byte of time. The byte gives up to 128 ms, and 255 means

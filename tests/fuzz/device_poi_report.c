@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "drivers/poi_report.h"
+#include "drivers/hid/poi_report.h"
 #include "tests/fuzz/trap.h"
 
 static void hold_pose(const uint8_t *bytes, uint32_t size)

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drivers/hid_descriptor.h"
+#include "drivers/hid/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
 #define FIELDS_HELD 512u /* Number of fields of one report that are compared. The largest reports

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/ctl/hid_file.h"
-#include "platform/ctl/hid_rows.h"
+#include "platform/ctl/devices/hid_file.h"
+#include "platform/ctl/devices/hid_rows.h"
 #include "tests/fuzz/trap.h"
 
 #define FIELDS_SHOWN 4096u /* Number of fields that are printed. More fields repeat the same code

@@ -3,8 +3,8 @@
  * nothing. */
 #include <string.h>
 
-#include "drivers/gpio_wires.h"
-#include "drivers/usb_choice.h"
+#include "drivers/gpio/gpio_config.h"
+#include "drivers/usb/usb_choice.h"
 #include "tests/fuzz/trap.h"
 
 static void hold_sentence(const char *why, size_t room)

@@ -5,12 +5,14 @@ DEVICE_TARGETS := descriptor report rows live poi_report hand map_text learn boo
     poi_tape poi_board
 DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
 # A target takes from this archive what it calls, and is counted by that alone.
-DEVICE_SRC := $(wildcard drivers/hid_*.c drivers/pointer_*.c drivers/pose_*.c drivers/poi_[dr]*.c drivers/fly_*.c \
-    drivers/dip.c drivers/pad_hand.c drivers/pad_tilt.c drivers/pad_track.c drivers/touch_fingers.c \
-    drivers/gpio_wires.c drivers/gpio_word.c drivers/gpio_input.c drivers/coin_mech.c drivers/debounce.c \
-    drivers/usb_choice.c) $(patsubst %,platform/ctl/hid_%.c,file rows live names) \
+DEVICE_SRC := $(filter-out %/poi_hid.c,$(wildcard drivers/hid/*.c)) \
+    $(patsubst %,drivers/pointer/%.c,pointer_fan pointer_poi dip_trajectory touch_fingers) \
+    $(patsubst %,drivers/gamepad/%.c,stick_motion gamepad_decoder gamepad_imu_filter gamepad_queue) \
+    $(patsubst %,drivers/gpio/%.c,gpio_config gpio_config_token gpio_edge_filter coin_mech debounce) \
+    $(patsubst %,drivers/sim/%.c,hid_port_sim hid_device_list_sim) \
+    drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live names) \
     $(patsubst %,board/poi-gadget/%.c,pose_line pose_glide pose_tape poi_config draw_wires attitude steady \
-    board_pose sensor_twin feel_mix) $(patsubst %,platform/%.c,plain_file print ctl/user_file) core/view.c \
+    board_pose sensor_twin feel_mix) $(patsubst %,platform/%.c,os/regular_file os/print ctl/lib/user_file) core/view.c \
     $(patsubst %,core/base/%.c,fmath vec rng printable)
 
 ## test/fuzz-devices: Fuzz descriptors, reports, mappings and coins; FUZZ_SECONDS=30
@@ -22,7 +24,7 @@ fuzz-devices:
 $(FUZZ)/devices.a: $(DEVICE_SRC:%.c=$(FUZZ)/%.o)
 	$(call step,AR,$@)
 	@rm -f $@
-	$(Q)ar rcs $@ $^
+	$(Q)ar rcsP $@ $^
 
 $(DEVICE_BIN): $(FUZZ)/device_%: $(FUZZ)/tests/fuzz/device_%.o $(FUZZ)/devices.a
 	$(call step,LINK,$@)

@@ -2,9 +2,9 @@
  * number of warnings is limited, and every accepted value is within the range of its setting. */
 #include <string.h>
 
-#include "drivers/gpio_wires.h"
-#include "drivers/usb_choice.h"
-#include "platform/kiosk/config_file.h"
+#include "drivers/gpio/gpio_config.h"
+#include "drivers/usb/usb_choice.h"
+#include "platform/config/config_file.h"
 #include "platform/setting_text.h"
 #include "tests/fuzz/scratch.h"
 #include "tests/fuzz/trap.h"

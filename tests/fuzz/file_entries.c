@@ -11,9 +11,9 @@
 
 #include <sqlite3.h>
 
-#include "platform/store/ledger_parts.h"
-#include "platform/store/ledger_salvage.h"
-#include "platform/store/sql.h"
+#include "platform/store/sqlite/ledger_internal.h"
+#include "platform/store/sqlite/ledger_recovery.h"
+#include "platform/store/sqlite/sql.h"
 #include "tests/fuzz/scratch.h"
 #include "tests/fuzz/stall.h"
 #include "tests/fuzz/trap.h"

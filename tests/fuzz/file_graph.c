@@ -5,7 +5,7 @@
  * Input: a byte that selects the species, and the text. */
 #include <string.h>
 
-#include "platform/edit_file.h"
+#include "platform/store/graph_file.h"
 #include "tests/fuzz/trap.h"
 
 #define STEPS 8u

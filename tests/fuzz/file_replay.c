@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "core/base/hash.h"
-#include "platform/replay.h"
-#include "platform/replay_bytes.h"
-#include "platform/replay_format.h"
+#include "platform/replay/replay.h"
+#include "platform/replay/replay_bytes.h"
+#include "platform/replay/replay_format.h"
 #include "tests/fuzz/stall.h"
 #include "tests/fuzz/trap.h"
 

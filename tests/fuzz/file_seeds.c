@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/edit_file.h"
-#include "platform/kiosk/config_file.h"
-#include "platform/replay.h"
+#include "platform/config/config_file.h"
+#include "platform/replay/replay.h"
+#include "platform/store/graph_file.h"
 
 static const char *folder;
 

@@ -10,7 +10,7 @@
 
 #include <sqlite3.h>
 
-#include "platform/store/ledger_salvage.h"
+#include "platform/store/sqlite/ledger_recovery.h"
 #include "tests/fuzz/scratch.h"
 #include "tests/fuzz/stall.h"
 #include "tests/fuzz/trap.h"

@@ -3,9 +3,9 @@
 
 FILE_TARGETS := replay graph conf usb tail entries
 FILE_BIN := $(FILE_TARGETS:%=$(FUZZ)/file_%)
-FILE_SRC := $(CORE_SRC) $(wildcard platform/replay*.c platform/edit_*.c platform/store/*.c platform/kiosk/config_*.c \
-    platform/kiosk/option*.c) $(patsubst %,platform/%.c,folder number plain_file say setting_text) \
-    drivers/usb_choice.c drivers/usb_choice_file.c tests/fuzz/scratch.c tests/fuzz/stall.c
+FILE_SRC := $(CORE_SRC) $(wildcard platform/replay/*.c platform/store/graph_*.c platform/store/sqlite/*.c \
+    platform/config/*.c) $(patsubst %,platform/%.c,os/directory os/number os/regular_file os/log setting_text) \
+    drivers/usb/usb_choice.c drivers/usb/usb_choice_file.c tests/fuzz/scratch.c tests/fuzz/stall.c
 FILE_GENERATED = $(GENERATED_CORE_OBJ:$(BUILD)/%=$(FUZZ)/%)
 
 ## test/fuzz-files: Fuzz replays, graphs, configuration and ledger; FUZZ_SECONDS=30
@@ -17,7 +17,7 @@ fuzz-files:
 $(FUZZ)/files.a: $(FILE_SRC:%.c=$(FUZZ)/%.o) $(WIDE_SRC:%.c=$(FUZZ)/%_8.o) $(FILE_GENERATED)
 	$(call step,AR,$@)
 	@rm -f $@
-	$(Q)ar rcs $@ $^
+	$(Q)ar rcsP $@ $^
 
 $(FILE_BIN): $(FUZZ)/file_%: $(FUZZ)/tests/fuzz/file_%.o $(FUZZ)/files.a $(FUZZ)/devices.a
 	$(call step,LINK,$@)

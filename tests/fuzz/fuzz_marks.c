@@ -3,7 +3,7 @@
 #include <math.h>
 #include <unistd.h>
 
-#include "platform/ctl/refit.h"
+#include "platform/ctl/import/refit.h"
 #include "tests/fuzz/meshes.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);

@@ -2,7 +2,7 @@
  * with the last shape stretched slightly. */
 #include <unistd.h>
 
-#include "platform/ctl/refit.h"
+#include "platform/ctl/import/refit.h"
 #include "tests/fuzz/meshes.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);

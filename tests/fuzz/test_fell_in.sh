@@ -17,7 +17,7 @@ says 0 'a fall in a function of libc that the library called is the library'\''s
 ==1==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x6
     #0 0x5 in strncmp (build/fuzz/fuzz_scene+0xd8ffc)
     #1 0x7 (/lib/libassimp.so.5+0x7477d2)
-    #2 0x5 in import_flatten platform/ctl/import_flat.c:226:15
+    #2 0x5 in import_flatten platform/ctl/import/import_flat.c:226:15
 SUMMARY: AddressSanitizer: heap-buffer-overflow in strncmp
 E2
 says 0 'so is a time-out in it' <<'E2'
@@ -28,7 +28,7 @@ E2
 says 1 'a fall of ours in memory that the library gave is ours' <<'E2'
 ==1==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x6
     #0 0x5 in memcpy (build/fuzz/fuzz_scene+0xd8ffc)
-    #1 0x5 in take_points platform/ctl/import_flat.c:26:15
+    #1 0x5 in take_points platform/ctl/import/import_flat.c:26:15
 
 0x6 is located 0 bytes after a region allocated by thread T0 here:
     #0 0x5 in malloc (build/fuzz/fuzz_scene+0x2)

@@ -17,8 +17,8 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
-#include "core/game/credit.h"
-#include "platform/render/ui.h"
+#include "core/game/accounting/credit.h"
+#include "platform/render/ui/ui.h"
 
 #define WIDTH_MAX 3840
 #define HEIGHT_MAX 2160

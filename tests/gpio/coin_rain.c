@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "drivers/gpio_wires.h"
+#include "drivers/gpio/gpio_config.h"
 
 #define US 1000ull
 #define MS 1000000ull

@@ -6,8 +6,8 @@
 #ifndef KINGYO_TESTS_GPIO_COIN_RAIN_H
 #define KINGYO_TESTS_GPIO_COIN_RAIN_H
 
-#include "drivers/buttons_gpio.h"
-#include "drivers/gpio_lines_sim.h"
+#include "drivers/gpio/buttons_gpio.h"
+#include "drivers/sim/gpio_lines_sim.h"
 
 #define RAIN_EDGES_MAX 14u /* Largest number of edges of one pulse: two contacts of at most 1 + 2 *
                               3 edges. */

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "drivers/gpio_lines.h"
+#include "drivers/gpio/gpio_lines.h"
 
 #define FAKE_LINES 6u
 #define FAKE_CHIPS 3u

@@ -12,7 +12,7 @@ $(BENCH_COINS): $(BENCH_COINS).o $(BUILD)/tests/gpio/coin_rain.o $(BUILD)/shell.
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 
-$(BUILD)/tests/unit/test_coin_rain: $(BUILD)/tests/gpio/coin_rain.o
+$(BUILD)/tests/unit/drivers/gpio/test_coin_rain: $(BUILD)/tests/gpio/coin_rain.o
 
 # The backend of this machine's libgpiod over a fake library; the other release's by `make gpiod2`.
 GPIO_TEST = $(if $(filter-out 0,$(GPIOD)),$(BUILD)/tests/gpio/test_gpio_backend)

@@ -1,5 +1,5 @@
 #!/bin/bash
-# gpiod2.sh -- drivers/gpio_lines2.c with Debian 13's libgpiod on a machine that has another: fetches its header
+# gpiod2.sh -- drivers/gpio/gpio_lines2.c with Debian 13's libgpiod on a machine that has another: fetches its header
 # and library into BUILD/gpiod2 once, compiles, sees that the library has every function that is asked for, and
 # runs the backend's test over the fake library. Run by `make gpiod2`.
 set -eu
@@ -28,7 +28,7 @@ mkdir -p "$home"
 [ -e "$home/libgpiod.pc" ] || fetch
 version=$(sed -n 's/^Version: //p' "$home/libgpiod.pc")
 for file in gpio_lines2 gpio_chips2; do
-    $cc "${cflags[@]}" -isystem "$home" -c -o "$home/$file.o" "drivers/$file.c"
+    $cc "${cflags[@]}" -isystem "$home" -c -o "$home/$file.o" "drivers/gpio/$file.c"
 done
 missing=$(comm -23 <(nm -u "$home"/gpio_{lines,chips}2.o | awk '/gpiod_/ { print $2 }' | sort -u) \
     <(nm -D --defined-only "$home/libgpiod.so.3" | awk '{ sub("@.*", "", $3); print $3 }' | sort))
@@ -37,6 +37,7 @@ if [ -n "$missing" ]; then
     exit 1
 fi
 $cc "${cflags[@]}" -isystem "$home" "${ldflags[@]}" -fsanitize=address,undefined -o "$home/test_gpio_backend" \
-    tests/gpio/{test_gpio_backend,fake_board,fake_gpiod2}.c drivers/{gpio_lines2,gpio_chips2,gpio_backend,gpio_dev,gpio_wires,gpio_word}.c -lcmocka
+    tests/gpio/{test_gpio_backend,fake_board,fake_gpiod2}.c \
+    drivers/gpio/{gpio_lines2,gpio_chips2,gpio_backend,gpio_dev,gpio_config,gpio_config_token}.c -lcmocka
 CMOCKA_MESSAGE_OUTPUT=TAP "$home/test_gpio_backend" >"$home/test.log" 2>&1 || { cat "$home/test.log" >&2; exit 1; }
 echo "gpiod2: gpio_lines2.c compiles with libgpiod $version, which has all it asks for; $(grep -c '^ok' "$home/test.log") tests passed"

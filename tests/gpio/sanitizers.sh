@@ -8,7 +8,8 @@ read -ra ldflags <<<"${LDFLAGS:-}"
 cc=${CC:-gcc}
 gpiod=${GPIOD:-0}
 mkdir -p "$home"
-drivers=(drivers/{buttons_gpio,coin_mech,debounce,gpio_input,gpio_lines_sim,gpio_reader,gpio_reader_lines,gpio_sim_kernel,gpio_wires,gpio_word,pulse_train}.c)
+drivers=(drivers/gpio/{buttons_gpio,coin_mech,debounce,gpio_edge_filter,gpio_thread,gpio_thread_lines,gpio_config}.c
+    drivers/gpio/{gpio_config_token,pulse_train}.c drivers/sim/{gpio_lines_sim,gpio_sim_kernel}.c)
 
 try() { # NAME SANITIZERS SOURCES...
     local name=$1 sanitizers=$2
@@ -19,11 +20,11 @@ try() { # NAME SANITIZERS SOURCES...
     echo "  ok    $name under $sanitizers: $(grep -c '^ok' "$program.log") tests"
 }
 
-try test_buttons_gpio thread tests/unit/test_buttons_gpio.c "${drivers[@]}"
-try test_buttons_gpio address,undefined tests/unit/test_buttons_gpio.c "${drivers[@]}"
-try test_gpio_reader address,undefined tests/unit/test_gpio_reader.c "${drivers[@]}"
-try test_coin_rain address,undefined tests/unit/test_coin_rain.c tests/gpio/coin_rain.c "${drivers[@]}"
+try test_buttons_gpio thread tests/unit/drivers/gpio/test_buttons_gpio.c "${drivers[@]}"
+try test_buttons_gpio address,undefined tests/unit/drivers/gpio/test_buttons_gpio.c "${drivers[@]}"
+try test_gpio_thread address,undefined tests/unit/drivers/gpio/test_gpio_thread.c "${drivers[@]}"
+try test_coin_rain address,undefined tests/unit/drivers/gpio/test_coin_rain.c tests/gpio/coin_rain.c "${drivers[@]}"
 if [ "$gpiod" != 0 ]; then
     try test_gpio_backend address,undefined "${ldflags[@]}" tests/gpio/{test_gpio_backend,fake_board,"fake_gpiod$gpiod"}.c \
-        drivers/{"gpio_lines$gpiod","gpio_chips$gpiod",gpio_backend,gpio_dev,gpio_wires,gpio_word}.c
+        drivers/gpio/{"gpio_lines$gpiod","gpio_chips$gpiod",gpio_backend,gpio_dev,gpio_config,gpio_config_token}.c
 fi

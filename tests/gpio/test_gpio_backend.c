@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio_wires.h"
+#include "drivers/gpio/gpio_config.h"
 #include "tests/gpio/fake_board.h"
 
 #define MS 1000000ull

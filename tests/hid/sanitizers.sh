@@ -7,24 +7,28 @@ build=${BUILD:-build}
 read -ra cflags <<<"${CFLAGS:--std=c17 -O1 -g -I.}"
 cflags+=(-Wno-conversion) # What checks shifts and sums makes wider numbers of small ones.
 cc=${CC:-gcc}
-tests=(hid_map hid_hand hid_learn hid_book hid_desk poi_hid fly_poi menu menu_desk credit unplug_paid)
-sources=(drivers/{hid_*,poi_hid,poi_report,poi_descriptor,fly_poi,dip,pose_fan,pointer_*,clock_sim,display_sim,null}.c
-    core/game/*.c platform/kiosk/{kiosk,hands,resample,dressing,file_notes}.c tests/unit/panic.c)
+tests=(drivers/hid/test_{hid_mapping,hid_pose_decoder,hid_learn,hid_mapping_store,controller_manager,poi_hid}
+    drivers/gamepad/test_stick_motion core/game/menu/test_menu core/game/accounting/test_credit
+    platform/kiosk/test_{menu_desk,unplug_paid})
+mapfile -t sources < <(find core/game drivers/hid -name '*.c')
+sources+=(drivers/pointer/{dip_trajectory,pointer_fan,pointer_poi}.c drivers/gamepad/stick_motion.c drivers/null.c
+    drivers/sim/{hid_port_sim,hid_device_list_sim,clock_sim,display_sim}.c
+    platform/kiosk/{kiosk,poi_sampler,resample,operator_view,file_notes}.c tests/unit/support/panic.c)
 
 for sanitizers in address,undefined thread; do
     home=$build/hand-sanitizers/${sanitizers%%,*}
     mkdir -p "$home"
     objects=()
     for source in "${sources[@]}"; do
-        object=$home/$(basename "$source" .c).o
+        object=$home/${source//\//,}.o
         $cc "${cflags[@]}" -fsanitize="$sanitizers" -fno-sanitize-recover=all -c -o "$object" "$source"
         objects+=("$object")
     done
     for name in "${tests[@]}"; do
-        program=$home/test_$name
-        $cc "${cflags[@]}" -fsanitize="$sanitizers" -fno-sanitize-recover=all -o "$program" "tests/unit/test_$name.c" \
+        program=$home/${name##*/}
+        $cc "${cflags[@]}" -fsanitize="$sanitizers" -fno-sanitize-recover=all -o "$program" "tests/unit/$name.c" \
             "${objects[@]}" "$build"/{core,shell,core}.a -lcmocka -lm -lpthread
         CMOCKA_MESSAGE_OUTPUT=TAP "$program" >"$program.log" 2>&1 || { cat "$program.log" >&2; exit 1; }
-        echo "  ok    test_$name under $sanitizers: $(grep -c '^ok' "$program.log") tests"
+        echo "  ok    ${name##*/} under $sanitizers: $(grep -c '^ok' "$program.log") tests"
     done
 done

@@ -4,7 +4,7 @@
  * Usage: monkey SEED SECONDS. SECONDS are seconds of the simulated clock at 60 frames per second.
  *
  * Keys and pointer events pass through the event queue of SDL into the real drivers. The real
- * renderer draws each frame off screen. A second poi (drivers/poi_sim.h) is plugged in and
+ * renderer draws each frame off screen. A second poi (drivers/sim/pointer_sim.h) is plugged in and
  * unplugged. A kiosk that ended is opened again. Equal seeds print the same state hash. Exits with
  * 0 when every frame returned within FRAME_S, with 70 when a frame hung, and with 1 when the
  * display was lost. */
@@ -16,14 +16,14 @@
 #include <unistd.h>
 
 #include "core/tank/preset.h"
-#include "drivers/buttons_keyboard.h"
-#include "drivers/clock_sim.h"
 #include "drivers/null.h"
-#include "drivers/poi_mouse.h"
-#include "drivers/poi_sim.h"
-#include "drivers/storage_sim.h"
-#include "platform/clock.h"
+#include "drivers/pointer/buttons_keyboard.h"
+#include "drivers/pointer/mouse_poi.h"
+#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/pointer_sim.h"
+#include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
+#include "platform/os/clock.h"
 #include "platform/render/display_gl.h"
 #include "tests/monkey/whim.h"
 

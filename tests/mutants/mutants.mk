@@ -2,7 +2,7 @@
 
 COUNT ?= 200
 SEED ?= 1
-MUTANT_SRC ?= $(wildcard core/game/*.c platform/store/*.c) $(DRIVER_SRC)
+MUTANT_SRC ?= $(call sources,core/game) $(call sources,platform/store) $(DRIVER_SRC)
 
 ## test/mutants: Count which of COUNT=200 random faults the unit tests detect
 mutants:

@@ -19,7 +19,7 @@ export folder tree times budget_s slow_s
 
 copy_tree() {
     mkdir -p "$tree"
-    rm -f "$tree"/tests/unit/*.c # A test that was renamed must go.
+    rm -rf "$tree"/{core,drivers,platform,tests/unit} # A file that was renamed must go.
     git ls-files -z --cached --others --exclude-standard |
         xargs -0 sh -c 'for f; do [ ! -f "$f" ] || printf "%s\0" "$f"; done' sh |
         tar --null -T - -cf - | tar -C "$tree" -xf -
@@ -33,10 +33,11 @@ note_commands() { # FILE...
     rm -rf "$folder/link" "$folder/compile"
     mkdir -p "$folder/link" "$folder/compile"
     # shellcheck disable=SC2086
-    make --no-print-directory -n V=1 -W build/tests/unit/panic.o $unit | grep -- ' -o build/tests/unit/test_' |
+    make --no-print-directory -n V=1 -W build/tests/unit/support/panic.o $unit | grep -- ' -o build/tests/unit/.*test_' |
         while read -r line; do
             name=${line#* -o build/tests/unit/}
-            echo "$line" >"$folder/link/${name%% *}"
+            name=${name%% *}
+            echo "$line" >"$folder/link/${name##*/}"
         done
     for file in "$@"; do printf -- '-W %s build/%s ' "$file" "${file%.c}.o"; done |
         xargs make --no-print-directory -n V=1 | grep -- ' -c -o build/' |
@@ -60,9 +61,15 @@ timed() { # LIMIT PROGRAM
     return "$status"
 }
 
+# The path of a test below tests/unit, without its suffix. Each name exists once (tests/run.sh counts by name).
+place_of() { # TEST
+    grep -m 1 -- "/$1\$" "$folder/places"
+}
+
 # Times one unmutated test and lists its global symbols.
 base_one() { # TEST
-    local program=$tree/build/tests/unit/$1 seconds
+    local program seconds
+    program=$tree/build/tests/unit/$(place_of "$1")
     [ ! "$times/$1" -nt "$program" ] || return 0
     rm -f "$times/$1"
     nm -g --defined-only "$program" | awk '{ print $3 }' | sort >"$folder/symbols/$1"
@@ -141,7 +148,7 @@ tests_for() { # FILE OBJECT
             continue
         elif [[ $name == test_$stem* ]]; then
             echo "1 near $name $(cat "$times/$name")"
-        elif grep -qs "\"${1%.c}.h\"" "$tree/tests/unit/$name.c"; then
+        elif grep -qs "\"${1%.c}.h\"" "$tree/tests/unit/$(place_of "$name").c"; then
             echo "2 near $name $(cat "$times/$name")"
         elif [[ $name == test_${stem%%_*}* ]]; then
             echo "3 near $name $(cat "$times/$name")"
@@ -152,13 +159,14 @@ tests_for() { # FILE OBJECT
 }
 
 links() { # TEST MUTANT_FOLDER OBJECT_PATH
-    local command
+    local command output
     command=$(cat "$folder/link/$1")
+    output=build/tests/unit/$(place_of "$1")
     case "$command " in
     *" $3 "*) command=${command/ $3 / $2\/mutant.o } ;;
-    *) command=${command/ -o build\/tests\/unit\/$1 / -o build/tests/unit/$1 $2/mutant.o } ;;
+    *) command=${command/ -o $output / -o $output $2/mutant.o } ;;
     esac
-    command=${command/ -o build\/tests\/unit\/$1 / -Wl,-S -o $2/test }
+    command=${command/ -o $output / -Wl,-S -o $2/test }
     (cd "$tree" && eval "$command") 2>/dev/null
 }
 
@@ -197,7 +205,7 @@ judge_one() { # ID
         >"$mutant/result"
     printf '  %-9s %s:%s %s%s\n' $verdict "$file" "$line" "$kind" "$([ "$by" = - ] || echo ", by $by")"
 }
-export -f timed base_one compile base_object mutate_one tests_for links golden_differs judge_one
+export -f timed place_of base_one compile base_object mutate_one tests_for links golden_differs judge_one
 
 report() {
     local mutant
@@ -220,9 +228,9 @@ gcc -std=c17 -O1 -D_GNU_SOURCE -o "$folder/mutate" tests/mutants/mutate.c
 [ "${KEEP:-0}" = 1 ] && [ -s "$folder/build.log" ] || copy_tree
 cd "$tree"
 echo "  seed $seed; building the tests of the copy"
-tests=$(cd tests/unit && ls test_*.c | sed 's/\.c$//')
-# shellcheck disable=SC2086
-unit=$(printf 'build/tests/unit/%s ' $tests)
+(cd tests/unit && find . -name 'test_*.c' | sed 's/^\.\///; s/\.c$//' | sort) >"$folder/places"
+tests=$(sed 's/.*\///' "$folder/places")
+unit=$(sed 's/^/build\/tests\/unit\//' "$folder/places" | tr '\n' ' ')
 # shellcheck disable=SC2086
 make --no-print-directory -j"$jobs" build build/variants/gcc-O2/state_hash $unit >"$folder/build.log" 2>&1 ||
     { tail -20 "$folder/build.log"; exit 1; }

@@ -40,9 +40,9 @@ ok $? 'a statement is removed'
 ! grep -qE 'CORE_ASSERT|refuse\("[^"]*[^ 1+<3"]|A <[^ ]|LIMIT .*7 \+|int i = 0; ;' "$work/lines"
 ok $? 'assertions, strings, comments and the heads of loops keep their text'
 
-"$work/mutate" draw 5 7 core/game/*.c >"$work/first"
-"$work/mutate" draw 5 7 core/game/*.c >"$work/second"
-"$work/mutate" draw 5 8 core/game/*.c >"$work/third"
+"$work/mutate" draw 5 7 core/game/*.c core/game/*/*.c >"$work/first"
+"$work/mutate" draw 5 7 core/game/*.c core/game/*/*.c >"$work/second"
+"$work/mutate" draw 5 8 core/game/*.c core/game/*/*.c >"$work/third"
 cmp -s "$work/first" "$work/second" && ! cmp -s "$work/first" "$work/third"
 ok $? 'the same seed draws the same sites, and another seed draws others'
 [ "$(sort -u "$work/all" | wc -l)" -eq "$sites" ]

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "platform/ctl/paper_lab.h"
+#include "platform/ctl/play/paper_lab.h"
 
 #define SPECIMENS 9u
 #define LAST_S 20.0

@@ -6,7 +6,7 @@
 
 #include <sqlite3.h>
 
-#include "core/game/stand.h"
+#include "core/game/accounting/round_standing.h"
 #include "tests/power/hour.h"
 
 void books_open(struct books *books)

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-#include "core/memory.h"
+#include "core/persistent_state.h"
 
 #define BOOKS_WHY_SIZE 200u
 

@@ -14,14 +14,14 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "drivers/buttons_sim.h"
 #include "drivers/null.h"
-#include "drivers/poi_sim.h"
-#include "platform/clock.h"
+#include "drivers/sim/buttons_sim.h"
+#include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/number.h"
+#include "platform/os/clock.h"
+#include "platform/os/number.h"
 #include "platform/panic.h"
-#include "platform/storage.h"
+#include "platform/store/storage.h"
 #include "tests/power/tape.h"
 
 #define FRAME_NS 16666667ull

@@ -9,7 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/storage.h"
+#include "platform/store/storage.h"
 #include "tests/power/disk.h"
 #include "tests/power/go_on.h"
 

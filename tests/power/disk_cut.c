@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "core/base/rng.h"
-#include "platform/edit_file.h"
+#include "platform/store/graph_file.h"
 #include "tests/power/disk_parts.h"
 
 struct cut {

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/storage.h"
+#include "platform/store/storage.h"
 #include "tests/power/hour.h"
 
 #define FRAMES (30u * 60u)

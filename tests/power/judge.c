@@ -16,9 +16,9 @@
 #include <sqlite3.h>
 
 #include "core/base/rng.h"
-#include "platform/number.h"
+#include "platform/os/number.h"
 #include "platform/panic.h"
-#include "platform/storage.h"
+#include "platform/store/storage.h"
 #include "tests/power/cutter.h"
 #include "tests/power/disk.h"
 #include "tests/power/kiosk_tape.h"

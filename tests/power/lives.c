@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 #include "core/base/rng.h"
-#include "platform/edit_file.h"
-#include "platform/storage.h"
+#include "platform/store/graph_file.h"
+#include "platform/store/storage.h"
 #include "tests/power/disk.h"
 #include "tests/power/hour.h"
 

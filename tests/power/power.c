@@ -21,9 +21,9 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/number.h"
+#include "platform/os/number.h"
 #include "platform/panic.h"
-#include "platform/storage.h"
+#include "platform/store/storage.h"
 #include "tests/power/cutter.h"
 #include "tests/power/hour.h"
 #include "tests/power/lives.h"

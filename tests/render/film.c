@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "core/core.h"
-#include "core/tank/fright.h"
+#include "core/tank/behavior/startle.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/contact_sheet.h"
-#include "platform/png.h"
+#include "platform/os/png.h"
 #include "platform/render/display_gl.h"
 
 #define SIDE_PX 960u

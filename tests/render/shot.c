@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "platform/png.h"
+#include "platform/os/png.h"
 #include "platform/render/display_gl.h"
 #include "tests/render/shot_menu.h"
 #include "tests/render/shot_scene.h"

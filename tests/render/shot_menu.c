@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/game/menu_pages.h"
+#include "core/game/menu/menu_pages.h"
 
 static const struct {
     uint8_t state;

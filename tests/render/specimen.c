@@ -29,9 +29,9 @@
 #include <time.h>
 
 #include "fonts.h"
-#include "platform/png.h"
-#include "platform/render/specimen_pass.h"
-#include "platform/render/ui.h"
+#include "platform/os/png.h"
+#include "platform/render/pass/specimen_pass.h"
+#include "platform/render/ui/ui.h"
 
 #define STEPS_MAX 12u
 #define COST_DRAWS 40u

@@ -7,7 +7,7 @@
 #ifndef KINGYO_TESTS_SOAK_APART_H
 #define KINGYO_TESTS_SOAK_APART_H
 
-#include "core/poi/bowl.h"
+#include "core/poi/bowl/bowl.h"
 #include "core/poi/poi.h"
 #include "core/tank/tank.h"
 

@@ -7,7 +7,7 @@ SOAK_OBJ := $(BUILD)/tests/soak/apart.o $(BUILD)/tests/soak/drag.o $(BUILD)/plat
 soak: $(SOAK_BIN)
 	@$(SOAK_BIN) $(or $(SECONDS),600)
 
-$(SOAK_BIN): $(BUILD)/tests/soak/soak.o $(SOAK_OBJ) $(BUILD)/tests/unit/panic.o $(BUILD)/core.a
+$(SOAK_BIN): $(BUILD)/tests/soak/soak.o $(SOAK_OBJ) $(BUILD)/tests/unit/support/panic.o $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lcmocka -lm
 

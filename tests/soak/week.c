@@ -21,12 +21,12 @@
 
 #include "core/base/rng.h"
 #include "core/game/score.h"
-#include "drivers/clock_sim.h"
 #include "drivers/null.h"
+#include "drivers/sim/clock_sim.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/number.h"
+#include "platform/os/number.h"
 #include "platform/panic.h"
-#include "platform/storage.h"
+#include "platform/store/storage.h"
 
 #define HOURS 168u
 #define FRAMES_PER_HOUR (3600u * 60u)

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/core.h"
-#include "platform/png.h"
+#include "platform/os/png.h"
 #include "platform/render/display_gl.h"
 
 #define ASPECT ((float)EASEL_WIDTH / (float)EASEL_HEIGHT)

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "platform/ctl/tank_lab.h"
+#include "platform/ctl/tank/tank_lab.h"
 
 #define EASEL_WIDTH 1280u
 #define EASEL_HEIGHT 720u

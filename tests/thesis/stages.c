@@ -11,9 +11,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/morph_pick.h"
-#include "platform/ctl/plate.h"
-#include "platform/ctl/portrait.h"
+#include "platform/ctl/lib/caption.h"
+#include "platform/ctl/lib/fish_preview.h"
+#include "platform/ctl/morph/morph_options.h"
 #include "platform/key_colour.h"
 #include "platform/species/part.h"
 

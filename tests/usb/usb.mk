@@ -1,16 +1,19 @@
-# usb.mk -- the USB transport over a bus of memory (tests/unit/usb_stand.h), and under the sanitizers.
+# usb.mk -- the USB transport over a bus of memory (tests/unit/support/usb_stand.h), and under the sanitizers.
 
-USB_TESTS := usb_seats usb_reports usb_unplug usb_crowd usb_ring usb_choice usb_wait
+USB_TESTS := usb_transport usb_reports usb_unplug usb_crowd report_ring usb_choice usb_wait
 USB_STAND := usb_stand usb_stand_lib usb_stand_open
 
 # libusb's functions come from the stand: what the program itself defines is linked before libraries.
-$(patsubst %,$(BUILD)/tests/unit/test_%,$(USB_TESTS) usb_play board_usb): $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
-.SECONDARY: $(USB_STAND:%=$(BUILD)/tests/unit/%.o)
+$(patsubst %,$(BUILD)/tests/unit/drivers/usb/test_%,$(USB_TESTS) usb_play) \
+    $(BUILD)/tests/unit/board/desktop/test_board_usb: $(USB_STAND:%=$(BUILD)/tests/unit/support/%.o)
+.SECONDARY: $(USB_STAND:%=$(BUILD)/tests/unit/support/%.o)
 
 # The same again with everything they call compiled for address + undefined behaviour, and for threads.
 USB_SAN := $(BUILD)/usb
-USB_SAN_SRC := $(wildcard drivers/usb_*.c) $(addprefix drivers/,hid_descriptor.c hid_globals.c hid_item.c \
-    hid_report.c hid_map.c hid_map_known.c hid_offer.c hid_offer_map.c poi_descriptor.c hid_book_file.c) core/base/printable.c platform/clock.c $(USB_STAND:%=tests/unit/%.c) tests/unit/panic.c
+USB_SAN_SRC := $(wildcard drivers/usb/*.c) $(patsubst %,drivers/hid/%.c,hid_descriptor hid_globals hid_item \
+    hid_report hid_mapping hid_mapping_known hid_mapping_auto hid_mapping_auto_build poi_descriptor \
+    hid_mapping_store_file) core/base/printable.c platform/os/clock.c $(USB_STAND:%=tests/unit/support/%.c) \
+    tests/unit/support/panic.c
 USB_SAN_BIN := $(foreach t,$(USB_TESTS),$(USB_SAN)/address/test_$(t) $(USB_SAN)/thread/test_$(t))
 USB_SAN_CFLAGS := -std=c17 -O1 -g $(WARN) -D_GNU_SOURCE -I. -fno-sanitize-recover=all
 USB_FLAGS = $(eval USB_FLAGS := $$(patsubst -I%,-isystem %,$$(shell pkg-config --cflags libusb-1.0)))$(USB_FLAGS)
@@ -22,10 +25,10 @@ test-usb-sanitizers: $(USB_SAN_BIN)
 
 $(USB_SAN)/address/%: SANITIZE := -fsanitize=address,undefined
 $(USB_SAN)/thread/%: SANITIZE := -fsanitize=thread
-$(USB_SAN)/address/test_%: $(USB_SAN)/address/tests/unit/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o)
+$(USB_SAN)/address/test_%: $(USB_SAN)/address/tests/unit/drivers/usb/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread
-$(USB_SAN)/thread/test_%: $(USB_SAN)/thread/tests/unit/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o)
+$(USB_SAN)/thread/test_%: $(USB_SAN)/thread/tests/unit/drivers/usb/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o)
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread
 $(USB_SAN)/address/%.o: %.c $(FOUND)
@@ -39,13 +42,13 @@ $(USB_SAN)/thread/%.o: %.c $(FOUND)
 
 .PHONY: test-usb-sanitizers
 .SECONDARY: $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o) $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o) \
-    $(foreach t,$(USB_TESTS),$(USB_SAN)/address/tests/unit/test_$(t).o $(USB_SAN)/thread/tests/unit/test_$(t).o)
+    $(foreach t,$(USB_TESTS),$(USB_SAN)/address/tests/unit/drivers/usb/test_$(t).o $(USB_SAN)/thread/tests/unit/drivers/usb/test_$(t).o)
 
 ## measure/bench-usb: Measure the delay of a USB report until its frame; SECONDS=10
 bench-usb: $(BUILD)/tests/bench/bench_usb
 	@$< $(or $(SECONDS),10)
 
-$(BUILD)/tests/bench/bench_usb: %: %.o $(USB_STAND:%=$(BUILD)/tests/unit/%.o) $(BUILD)/shell.a $(BUILD)/core.a
+$(BUILD)/tests/bench/bench_usb: %: %.o $(USB_STAND:%=$(BUILD)/tests/unit/support/%.o) $(BUILD)/shell.a $(BUILD)/core.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g -o $@ $^ $(HOST_LIBS)
 

@@ -13,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/game/bot.h"
+#include "core/game/bot/bot.h"
 #include "tests/vm/twin.h"
 
 #define PLAN_TICKS_MAX (20u * CORE_TICK_HZ)

@@ -11,12 +11,12 @@
 #include <stdlib.h>
 
 #include "core/tank/preset.h"
+#include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
-#include "drivers/poi_hid.h"
-#include "drivers/usb_seats.h"
-#include "platform/clock.h"
-#include "platform/kiosk/hands.h"
-#include "platform/kiosk/pace.h"
+#include "drivers/usb/usb_transport.h"
+#include "platform/kiosk/frame_pacer.h"
+#include "platform/kiosk/poi_sampler.h"
+#include "platform/os/clock.h"
 
 #define FRAME_NS 16666667u
 #define FIND_NS 10000000000u /* Timeout until the device of a slow machine has its slot. */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <time.h>
 
-#include "core/game/menu_pages.h"
+#include "core/game/menu/menu_pages.h"
 #include "tests/vm/twin.h"
 
 #define LOOK_NS 100000000 /* Poll period in ns. A recording grows once a second. */

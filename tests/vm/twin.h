@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "core/core.h"
-#include "platform/replay.h"
+#include "platform/replay/replay.h"
 
 struct twin {
     const char *path;        /* Path of the recording, which may still grow. */

@@ -1,0 +1,123 @@
+/* display_geometry.h -- the transform from the picture to the screen: rotation, inset, shift and
+ * brightness.
+ *
+ * Like the camera (view.h), the transform is shared by two sides that must agree. The display draws
+ * with the transform, and pointer devices use its inverse. The core itself does not use it. Screen
+ * and picture are measured in pixels from their top left corners, x to the right, y down. */
+#ifndef KINGYO_CORE_DISPLAY_GEOMETRY_H
+#define KINGYO_CORE_DISPLAY_GEOMETRY_H
+
+#include <stdint.h>
+
+#include "core/base/fmath.h"
+
+/* Largest inset as a share of a side; a larger inset would leave no picture. */
+#define DISPLAY_INSET_MAX 0.25f
+
+/* Display options. All zero is a picture of the screen's size at zero brightness. */
+struct display_settings {
+    uint32_t rotation;        /* Quarter turns clockwise, 0 .. 3. */
+    float inset_x, inset_y;   /* [0, DISPLAY_INSET_MAX]: black margin at each side of the screen, as
+                                 a share of the screen's width (x) and height (y). */
+    float shift_x, shift_y;   /* [-0.01, 0.01] of the screen's height; moves the picture against
+                                 burn-in. */
+    float light;              /* Brightness [0, 1]; at 0 the display may skip drawing. */
+};
+
+/* The transform for one screen size. */
+struct display_transform {
+    float screen_width, screen_height; /* Screen size in pixels, > 0. */
+    float width, height;               /* Size of the picture in pixels in its own orientation, >
+                                          0. */
+    float x, y;                        /* Top left corner of the picture on the screen. */
+    float xx, xy, yx, yy;              /* Axes of the picture on the screen: (xx, yx) is its x axis,
+                                          (xy, yy) its y axis. */
+    float light;                       /* Brightness, as in struct display_settings. */
+};
+
+/* Returns the transform of a picture that fills the screen at full brightness. */
+static inline struct display_transform display_transform_identity(float width, float height)
+{
+    return (struct display_transform){ .screen_width = width,
+                                       .screen_height = height,
+                                       .width = width,
+                                       .height = height,
+                                       .xx = 1.0f,
+                                       .yy = 1.0f,
+                                       .light = 1.0f };
+}
+
+static inline float display_round_pixels(float pixels)
+{
+    return f_floor(pixels + 0.5f);
+}
+
+/* Returns the transform for `display_settings` on a screen of `width` x `height` pixels. Offsets
+ * are rounded to whole pixels, so that the picture is as sharp as a full-screen picture. */
+static inline struct display_transform
+display_transform_of(const struct display_settings *display_settings, float width, float height)
+{
+    static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f }; /* x components of the picture's x
+                                                                   axis per quarter turn. */
+    static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f }; /* y components; the y axis is one
+                                                                   quarter turn further. */
+    const uint32_t turn = display_settings->rotation & 3u;
+    const float left =
+        display_round_pixels(f_clamp(display_settings->inset_x, 0.0f, DISPLAY_INSET_MAX) * width);
+    const float top =
+        display_round_pixels(f_clamp(display_settings->inset_y, 0.0f, DISPLAY_INSET_MAX) * height);
+    const float across = f_max(width - 2.0f * left, 1.0f);
+    const float down = f_max(height - 2.0f * top, 1.0f);
+    struct display_transform transform = { .screen_width = width,
+                                           .screen_height = height,
+                                           .width = turn & 1u ? down : across,
+                                           .height = turn & 1u ? across : down,
+                                           .xx = turn_x[turn],
+                                           .yx = turn_y[turn],
+                                           .xy = 0.0f - turn_y[turn],
+                                           .yy = turn_x[turn],
+                                           .light = f_clamp(display_settings->light, 0.0f, 1.0f) };
+    transform.x = left + display_round_pixels(display_settings->shift_x * height) +
+                  (transform.xx + transform.xy < 0.0f ? across : 0.0f);
+    transform.y = top + display_round_pixels(display_settings->shift_y * height) +
+                  (transform.yx + transform.yy < 0.0f ? down : 0.0f);
+    return transform;
+}
+
+/* Converts a screen point to picture coordinates in place. The result lies outside the picture if
+ * the screen point does. */
+static inline void display_to_picture(const struct display_transform *transform, float *x, float *y)
+{
+    const float right = *x - transform->x, down = *y - transform->y;
+    *x = transform->xx * right + transform->yx * down;
+    *y = transform->xy * right + transform->yy * down;
+}
+
+/* Computes the same transform in OpenGL clip coordinates. A picture point in -1 .. 1 with y up is
+ * at turn * point + move on the screen, also in -1 .. 1. `turn` is column-major. */
+static inline void display_clip_matrix(const struct display_transform *p, float turn[4],
+                                       float move[2])
+{
+    const float w = 2.0f / p->screen_width, h = 2.0f / p->screen_height;
+    turn[0] = 0.5f * w * p->xx * p->width;
+    turn[1] = -0.5f * h * p->yx * p->width;
+    turn[2] = -0.5f * w * p->xy * p->height;
+    turn[3] = 0.5f * h * p->yy * p->height;
+    move[0] = w * (p->x + 0.5f * (p->xx * p->width + p->xy * p->height)) - 1.0f;
+    move[1] = 1.0f - h * (p->y + 0.5f * (p->yx * p->width + p->yy * p->height));
+}
+
+/* The rectangle of the screen that the picture covers; the rectangle may extend beyond the screen's
+ * edge. */
+struct display_rect {
+    float left, top, right, bottom;
+};
+
+static inline struct display_rect display_picture_rect(const struct display_transform *p)
+{
+    const float x = p->x + p->xx * p->width + p->xy * p->height;
+    const float y = p->y + p->yx * p->width + p->yy * p->height;
+    return (struct display_rect){ f_min(p->x, x), f_min(p->y, y), f_max(p->x, x), f_max(p->y, y) };
+}
+
+#endif

@@ -1,0 +1,89 @@
+/* audits.h -- the operator's statistics: money, games, catches and faults.
+ *
+ * The statistics are counters that only grow, each with a fixed name. Each counter is a sum over
+ * ledger entries. The core and the store add entries with the same function, so the menu and the
+ * database always agree. Hours and weekdays come from the clock, if it was set. */
+#ifndef KINGYO_CORE_GAME_ACCOUNTING_AUDITS_H
+#define KINGYO_CORE_GAME_ACCOUNTING_AUDITS_H
+
+#include <stdint.h>
+
+#include "core/ledger.h"
+#include "core/poi/paper/sheet.h"
+#include "core/scene.h"
+
+#define AUDIT_GRADES (SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u)
+
+enum audit_id {
+    /* Money: group 0. */
+    AUDIT_COINS_1 = 0, /* Pulses of each coin line. */
+    AUDIT_COINS_2,
+    AUDIT_COINS_3,
+    AUDIT_UNITS,       /* Value of all coin pulses in units. */
+    AUDIT_TEST_COINS,
+    AUDIT_CREDITS_PAID,
+    AUDIT_CREDITS_BONUS, /* Bonus credits, included in AUDIT_CREDITS_PAID. */
+    AUDIT_CREDITS_SERVICE,
+    AUDIT_REFUNDS,
+    AUDIT_EXPIRED,
+    AUDIT_TICKETS,
+    AUDIT_TILTS,
+    /* Games: group 1. */
+    AUDIT_PLAYS_PAID,
+    AUDIT_PLAYS_SERVICE,
+    AUDIT_PLAYS_FREE,
+    AUDIT_PLAYS_LAB,   /* Visits to the growth lab, included in the counters above. */
+    AUDIT_ROUNDS,      /* Scored rounds that people played to the end. The counters down to
+                          AUDIT_FOULS cover these rounds only. */
+    AUDIT_PLAYERS,
+    AUDIT_CAUGHT,
+    AUDIT_PLAY_S,      /* Seconds played. */
+    AUDIT_PAPERS,      /* Sheets of paper given out. */
+    AUDIT_PAPERS_TORN, /* Sheets that tore through. */
+    AUDIT_PAPER_LIFE_S, /* Total lifetime of the torn sheets in seconds. */
+    AUDIT_FOULS,
+    AUDIT_PLAYS, /* Started rounds by mode and grade: mode * AUDIT_GRADES + grade -
+                    SHEET_GRADE_MIN. */
+    AUDIT_HOUR = AUDIT_PLAYS + MODE_COUNT * AUDIT_GRADES, /* Started games by hour of the day, 24
+                                                             counters. */
+    AUDIT_WEEKDAY = AUDIT_HOUR + 24,                      /* Started games by weekday, Monday first,
+                                                             7 counters. */
+    /* The machine: group 2. */
+    AUDIT_BOOTS = AUDIT_WEEKDAY + 7,
+    AUDIT_CRASHED_ROUNDS, /* Rounds that were still open at startup. */
+    AUDIT_DROPPED_TICKS,
+    AUDIT_DEVICE_FAULTS,
+    AUDIT_UP_S,        /* Total uptime in seconds. */
+    AUDIT_UP_S_MAX,    /* Longest uptime without a restart, in seconds. */
+    AUDIT_RESETS,      /* Resets of any group; never reset. */
+    AUDIT_WRONG_PINS,  /* Wrong PINs in a row until now. A correct PIN sets the counter to 0, so no
+                          page shows it. */
+    AUDIT_FORMAT_7_COUNT, /* End of the counters in recordings of format 7. */
+    AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* Repeated losses of each slot's controller. */
+    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Money: tickets passed to the dispenser,
+                                                            out of AUDIT_TICKETS. */
+    AUDIT_COUNT,
+};
+
+enum audit_group { AUDIT_GROUP_MONEY = 0, AUDIT_GROUP_PLAY, AUDIT_GROUP_MACHINE,
+                   AUDIT_GROUP_COUNT };
+
+struct audits {
+    uint32_t count[AUDIT_COUNT]; /* Counters, each saturated at UINT32_MAX. */
+};
+
+#define AUDIT_NAME_SIZE 32u
+
+/* Writes the key of counter `id` < AUDIT_COUNT, such as "coins-1", "plays-festival-6" or "hour-13".
+ * The store and kingyoctl use this key. */
+void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE]);
+
+/* Returns the group of counter `id`. `id` must be < AUDIT_COUNT, else the function asserts. */
+enum audit_group audits_group_of(uint32_t id);
+
+/* Adds one ledger entry to the counters. */
+void audits_note(struct audits *audits, const struct ledger_entry *entry);
+
+uint64_t audits_hash(uint64_t hash, const struct audits *audits);
+
+#endif

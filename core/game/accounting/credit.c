@@ -1,0 +1,313 @@
+/* credit.c -- credits and rounds, and the conditions that close the coin slot. */
+#include "core/game/accounting/credit.h"
+
+#include "core/base/hash.h"
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/accounting/coins.h"
+#include "core/game/accounting/round_standing.h"
+#include "core/game/accounting/tickets.h"
+
+#define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
+
+uint32_t credit_price(const struct core *core)
+{
+    return core->config.credit_coins;
+}
+
+static uint32_t credits_max(const struct core *core)
+{
+    return (uint32_t)core->config.persistent.settings.value[SET_CREDIT_MAX];
+}
+
+static uint32_t credits_of(const struct balance *balance)
+{
+    return balance->paid + balance->service;
+}
+
+static uint32_t sure_credits(const struct core *core)
+{
+    const struct ledger_credits sure = ledger_committed_credits(&core->game.ledger);
+    return sure.paid + sure.service;
+}
+
+uint32_t credit_coming(const struct core *core)
+{
+    return credits_of(&core->game.ledger.balance) - sure_credits(core);
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+static void take_service(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    const struct ledger_entry entry = { .kind = LEDGER_SERVICE };
+    if (credit_price(core) > 0 && credits_of(&game->ledger.balance) < credits_max(core) &&
+        ledger_may_write(&game->ledger, LEDGER_SERVICE)) {
+        game->ledger.balance.service++;
+        game->credit.act_tick = core->tick;
+        ledger_write(core, &entry, output);
+        output_sound(output, SOUND_COIN, 0.5f, 0.0f);
+    }
+}
+
+/* Returns 1 if someone could play: a slot has a connected controller or the bot. */
+static int has_poi(const struct core *core, const struct input *input)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint8_t link = input->poi[i].link;
+        if (core->bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void note_tilt(struct core *core, const struct input *input, struct output *output)
+{
+    struct credit *credit = &core->game.credit;
+    if (!((input->held | input->pressed) & INPUT_TILT)) {
+        return;
+    }
+    if (!(credit->warnings & WARN_TILT)) {
+        credit->shakes++;
+        output_sound(output, SOUND_FOUL, 0.8f, 0.0f);
+    }
+    credit->tilt_tick = core->tick;
+}
+
+static uint8_t warnings(const struct core *core, const struct input *input)
+{
+    const struct credit *credit = &core->game.credit;
+    const int is_tilted =
+        credit->tilt_tick != 0 && core->tick - credit->tilt_tick < CREDIT_TILT_TICKS;
+    const int is_open = ((input->held | input->pressed) & INPUT_DOOR) != 0;
+    const int is_unsafe = credit_price(core) > 0 && !ledger_is_safe(&core->game.ledger);
+    return (uint8_t)((is_tilted ? (uint32_t)WARN_TILT : 0u) |
+                     (is_open ? (uint32_t)WARN_DOOR : 0u) |
+                     (is_unsafe ? (uint32_t)WARN_STORE : 0u) |
+                     (has_poi(core, input) ? 0u : (uint32_t)WARN_NO_POI));
+}
+
+/* Closes a round or a lab visit that ended without a result: the growth lab, or a round that no
+ * player joined. */
+static void close_what_is_over(struct core *core, struct output *output)
+{
+    struct game *game = &core->game;
+    const int runs = game->phase == PHASE_READY || game->phase == PHASE_ROUND ||
+                     game->phase == PHASE_LAB;
+    if (game->ledger.balance.open != PAYMENT_NONE && !runs) {
+        const struct ledger_entry entry = { .kind = LEDGER_LEFT };
+        game->ledger.balance.open = PAYMENT_NONE;
+        ledger_write(core, &entry, output);
+    }
+}
+
+void credit_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct credit *credit = &core->game.credit;
+    close_what_is_over(core, output);
+    if (core->game.phase == PHASE_MENU) {
+        coins_test(core, input, output);
+    } else {
+        coins_insert(core, input, output);
+        note_tilt(core, input, output);
+        if (input->pressed & INPUT_SERVICE) {
+            take_service(core, output);
+        }
+    }
+    coins_convert(core, output);
+    coins_expire(core, output);
+    tickets_tick(core, input, output);
+    credit->warnings = warnings(core, input);
+}
+
+/* Returns 1 if the coin slot must return coins. In the menu the slot is open only on the page that
+ * tests the input lines, because a visitor cannot see that no game is sold then. */
+static int sends_coins_back(const struct core *core)
+{
+    const struct game *game = &core->game;
+    if (game->phase == PHASE_MENU) {
+        return !menu_tries_lines(core) || self_test_shows(core);
+    }
+    return credit_price(core) == 0 || game->credit.warnings != 0 ||
+           credits_of(&game->ledger.balance) >= credits_max(core);
+}
+
+void credit_show_outputs(const struct core *core, struct output *output)
+{
+    output->coin_lockout = (uint8_t)sends_coins_back(core);
+    output->coins_counted = core->game.credit.metered;
+    output->tickets = core->game.credit.tickets;
+}
+
+/* ---- Rounds --------------------------------------------------------------------------------- */
+
+/* Returns the kind of credit to use next (enum round_payment), or PAYMENT_NONE. A refunded credit
+ * comes first, because it cannot be refunded again. Service credits come next, so that an
+ * operator's test leaves paid credits unused. */
+static uint8_t next_credit(const struct core *core)
+{
+    const struct ledger *ledger = &core->game.ledger;
+    const struct ledger_credits sure = ledger_committed_credits(ledger);
+    const struct balance *balance = &ledger->balance;
+    if (balance->returned == PAYMENT_PAID && balance->paid > 0) {
+        return sure.paid > 0 ? PAYMENT_PAID : PAYMENT_NONE;
+    }
+    if (balance->returned == PAYMENT_SERVICE && balance->service > 0) {
+        return sure.service > 0 ? PAYMENT_SERVICE : PAYMENT_NONE;
+    }
+    return sure.service > 0 ? PAYMENT_SERVICE : sure.paid > 0 ? PAYMENT_PAID : PAYMENT_NONE;
+}
+
+/* If the ledger has no room, no round is sold, because the end of the round could not be logged
+ * either. */
+int credit_can_play(const struct core *core)
+{
+    return credit_price(core) == 0 ||
+           (next_credit(core) != PAYMENT_NONE && ledger_has_room(&core->game.ledger, LEDGER_COINS));
+}
+
+void credit_ask(struct core *core, struct output *output)
+{
+    struct credit *credit = &core->game.credit;
+    if (credit_coming(core) > 0) {
+        credit->await_tick = core->tick;
+        return;
+    }
+    credit->asked_tick = core->tick;
+    output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
+}
+
+int credit_is_awaited(const struct core *core)
+{
+    const uint32_t await_tick = core->game.credit.await_tick;
+    return await_tick != 0 && core->tick - await_tick < CREDIT_AWAIT_TICKS &&
+           credit_can_play(core);
+}
+
+static uint8_t pay(struct core *core)
+{
+    struct balance *balance = &core->game.ledger.balance;
+    if (credit_price(core) == 0) {
+        return PAYMENT_FREE;
+    }
+    const uint8_t kind = next_credit(core);
+    const uint8_t spent = balance->returned != PAYMENT_NONE ? PAYMENT_SPENT : 0u;
+    balance->bonus_units = 0;
+    balance->service -= kind == PAYMENT_SERVICE;
+    balance->paid -= kind == PAYMENT_PAID;
+    balance->returned = PAYMENT_NONE;
+    return kind | spent;
+}
+
+void credit_take(struct core *core, uint8_t what, struct output *output)
+{
+    struct credit *credit = &core->game.credit;
+    CORE_ASSERT(credit_can_play(core));
+    CORE_ASSERT(what < CHOICE_COUNT);
+    close_what_is_over(core, output);
+    const struct ledger_entry entry = {
+        .kind = LEDGER_BEGIN,
+        .detail = what,
+        .count = what < MODE_COUNT ? table_setup_grade(&core->config, what) : 0u,
+    };
+    credit->came_back = 0;
+    credit->await_tick = 0;
+    credit->act_tick = core->tick;
+    credit->stand_id = 0;
+    credit->stand = (struct ledger_stand){ 0 };
+    core->game.ledger.balance.open = pay(core);
+    ledger_write(core, &entry, output);
+}
+
+/* A refund may exceed SET_CREDIT_MAX by one, because the credit belongs to a player. A round with a
+ * non-refundable credit can be open at a restart if no player had joined; its LEDGER_REFUND has
+ * count 0. */
+void credit_refund(struct core *core, enum refund_cause cause, struct output *output)
+{
+    struct balance *balance = &core->game.ledger.balance;
+    const uint8_t open = balance->open, kind = open & PAYMENT_KIND_MASK;
+    const int is_spent = stand_is_spent(core);
+    const int is_credit = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE;
+    const uint32_t count = is_credit && !is_spent;
+    core->game.credit.came_back = (uint8_t)count;
+    if (kind == PAYMENT_NONE || (kind == PAYMENT_FREE && cause == REFUND_NO_POI) ||
+        (is_spent && cause != REFUND_RESTART)) {
+        return;
+    }
+    const struct ledger_entry entry = {
+        .kind = LEDGER_REFUND, .detail = (uint8_t)cause, .count = count, .value = open
+    };
+    balance->paid += kind == PAYMENT_PAID ? count : 0u;
+    balance->service += kind == PAYMENT_SERVICE ? count : 0u;
+    balance->returned = count > 0 && !core->config.rules_7 ? kind : balance->returned;
+    balance->open = PAYMENT_NONE;
+    ledger_write(core, &entry, output);
+}
+
+uint32_t credit_tickets_won(const struct core *core)
+{
+    const struct game *game = &core->game;
+    const uint32_t price = core->config.ticket_fish;
+    uint32_t won = 0;
+    if (price == 0 || game->bot_played || !rules_of(game->mode)->keeps_score) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        won += game->player[i].plays ? game->player[i].caught / price : 0u;
+    }
+    return won;
+}
+
+uint32_t credit_award_tickets(struct core *core)
+{
+    const uint32_t won = credit_tickets_won(core);
+    tickets_owe(core, won);
+    return won;
+}
+
+/* ---- Display -------------------------------------------------------------------------------- */
+
+static float since_s(const struct core *core, uint32_t tick)
+{
+    return tick != 0 ? (float)(core->tick - tick) * CORE_TICK_S : NEVER_S;
+}
+
+void credit_show(const struct core *core, struct scene_credit *out)
+{
+    const struct credit *credit = &core->game.credit;
+    const struct balance *balance = &core->game.ledger.balance;
+    const uint32_t price = credit_price(core);
+    const int is_event = core->config.persistent.settings.value[SET_PLAY] == PLAY_EVENT;
+    *out = (struct scene_credit){
+        .price = (uint8_t)price,
+        .is_event = (uint8_t)(price == 0 && is_event),
+        .unpaid = (uint8_t)(!credit_can_play(core) && credit_coming(core) == 0),
+        .warnings = credit->warnings,
+        .came_back = credit->came_back,
+        .coin_units = (uint8_t)core->config.persistent.settings.value[SET_COIN_1],
+        .units = balance->units,
+        .credits = sure_credits(core),
+        .coming = credit_coming(core),
+        .coin_s = since_s(core, credit->coin_tick),
+        .asked_s = since_s(core, credit->asked_tick),
+    };
+}
+
+uint64_t credit_hash(uint64_t hash, const struct credit *credit)
+{
+    const uint32_t words[] = { credit->came_back,  credit->warnings,   credit->metered,
+                               credit->shakes,     credit->tickets,    credit->coin_tick,
+                               credit->tilt_tick,  credit->asked_tick, credit->await_tick,
+                               credit->act_tick };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        const struct pending_coins *untold = &credit->pending_coins[line];
+        hash = hash_u32(hash_u32(hash_u32(hash, untold->pulses), untold->units), untold->owed);
+    }
+    hash = hash_later(hash_later(hash, 1, credit->stand_id), 2, credit->ticket_id);
+    return stand_hash(hash, &credit->stand);
+}

@@ -1,0 +1,186 @@
+/* ledger_writer.c -- writes entries to the ring and tracks their state on disk. */
+#include "core/game/accounting/ledger_writer.h"
+
+#include "core/base/hash.h"
+#include "core/core.h"
+#include "core/game/accounting/round_standing.h"
+
+void ledger_init(struct ledger *ledger, const struct core_config *config)
+{
+    const struct ledger_start *start = &config->persistent.ledger;
+    *ledger = (struct ledger){
+        .last_id = start->last_id,
+        .saved_id = start->last_id,
+        .boot = start->boots,
+        .balance = start->balance,
+        .committed = start->balance,
+    };
+}
+
+static uint32_t waiting(const struct ledger *ledger)
+{
+    return ledger->last_id - ledger->saved_id;
+}
+
+/* Entries written without a store are lost, so a store that appears later does not wait for them.
+ * The file health_log.c logs the current balance, which counts as `kept` once it is on disk. */
+static void note_store(struct ledger *ledger, int is_well)
+{
+    if (ledger->boot == 0 && is_well && !ledger->is_healthy) {
+        ledger->saved_id = ledger->last_id;
+        ledger->wait_ticks = 0;
+    }
+    ledger->is_healthy = is_well != 0;
+}
+
+/* Accepts the store's newest saved id. An older id is ignored, because saved entries stay saved. */
+static void note_saved(struct ledger *ledger, uint32_t saved_id)
+{
+    const uint32_t ahead = saved_id - ledger->saved_id;
+    if (ahead == 0 || ahead > waiting(ledger)) {
+        return;
+    }
+    ledger->saved_id = saved_id;
+    ledger->wait_ticks = 0;
+    if (waiting(ledger) < LEDGER_RING) {
+        ledger->committed = ledger->after[saved_id % LEDGER_RING];
+    }
+}
+
+void ledger_tick(struct core *core, const struct input *input)
+{
+    struct ledger *ledger = &core->game.ledger;
+    note_store(ledger, input->store_well);
+    note_saved(ledger, input->record_saved_id);
+    ledger->wait_ticks = ledger_is_flushed(ledger)                     ? 0u
+                         : ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX ? ledger->wait_ticks + 1u
+                                                                       : ledger->wait_ticks;
+    ledger->day = input->day;
+    ledger->minute = input->minute;
+}
+
+static int is_of_a_round(uint8_t kind)
+{
+    return kind == LEDGER_BEGIN || kind == LEDGER_ROUND || kind == LEDGER_REFUND ||
+           kind == LEDGER_LEFT;
+}
+
+int ledger_has_room(const struct ledger *ledger, uint8_t kind)
+{
+    return ledger->last_id < LEDGER_ID_MAX &&
+           waiting(ledger) < LEDGER_RING - (is_of_a_round(kind) ? 0u : LEDGER_RESERVE);
+}
+
+/* A kiosk without a store never reported an entry as safe, so the oldest entry may be
+ * overwritten. */
+int ledger_may_write(const struct ledger *ledger, uint8_t kind)
+{
+    return ledger_has_room(ledger, kind) ||
+           (ledger->last_id < LEDGER_ID_MAX && ledger->boot == 0 && !ledger->is_healthy);
+}
+
+uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct output *output)
+{
+    struct ledger *ledger = &core->game.ledger;
+    if (!ledger_may_write(ledger, what->kind)) {
+        ledger->uncommitted++;
+        return 0;
+    }
+    struct ledger_entry entry = *what;
+    entry.id = ++ledger->last_id;
+    entry.boot = ledger->boot;
+    entry.tick = core->tick;
+    entry.day = ledger->day;
+    entry.minute = ledger->minute;
+    entry.balance = ledger->balance;
+    ledger->after[entry.id % LEDGER_RING] = ledger->balance;
+    output->entries[entry.id % LEDGER_RING] = entry;
+    output->entry_id = entry.id;
+    audits_note(&core->game.audits, &entry);
+    ranking_note(&core->game.ranking, &entry);
+    return entry.id;
+}
+
+int ledger_is_saved(const struct ledger *ledger, uint32_t id)
+{
+    return id <= ledger->saved_id;
+}
+
+int ledger_is_flushed(const struct ledger *ledger)
+{
+    return waiting(ledger) == 0 || ledger->boot == 0;
+}
+
+int ledger_is_safe(const struct ledger *ledger)
+{
+    return ledger->is_healthy && ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX &&
+           ledger_has_room(ledger, LEDGER_COINS);
+}
+
+static int same_purse(const struct balance *a, const struct balance *b)
+{
+    return ledger_balance_hash(HASH_START, a) == ledger_balance_hash(HASH_START, b);
+}
+
+int ledger_needs_sync(const struct ledger *ledger)
+{
+    return ledger->is_healthy && waiting(ledger) == 0 &&
+           !same_purse(&ledger->balance, &ledger->committed);
+}
+
+/* Returns the rest of `sure` after a count changed from `before` to `after`; gains are ignored. */
+static uint32_t less_spent(uint32_t sure, uint32_t before, uint32_t after)
+{
+    const uint32_t spent = before > after ? before - after : 0u;
+    return sure > spent ? sure - spent : 0u;
+}
+
+struct ledger_credits ledger_committed_credits(const struct ledger *ledger)
+{
+    struct ledger_credits sure = { ledger->committed.paid, ledger->committed.service };
+    struct balance before = ledger->committed;
+    for (uint32_t i = 1; i <= waiting(ledger); i++) {
+        if (waiting(ledger) > LEDGER_RING) {
+            return (struct ledger_credits){ 0 }; /* No store saves the entries. */
+        }
+        const struct balance *after = &ledger->after[(ledger->saved_id + i) % LEDGER_RING];
+        sure.paid = less_spent(sure.paid, before.paid, after->paid);
+        sure.service = less_spent(sure.service, before.service, after->service);
+        before = *after;
+    }
+    return sure;
+}
+
+static uint64_t hash_words(uint64_t hash, const uint32_t *words, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    return hash;
+}
+
+uint64_t ledger_balance_hash(uint64_t hash, const struct balance *balance)
+{
+    const uint32_t words[] = { balance->units,   balance->bonus_units, balance->paid,
+                               balance->service, balance->unlogged,    balance->open };
+    hash = hash_words(hash, words, sizeof words / sizeof words[0]);
+    return hash_later(hash_later(hash, 1, balance->returned), 2, balance->tickets);
+}
+
+uint64_t ledger_start_hash(uint64_t hash, const struct ledger_start *start)
+{
+    hash = hash_u32(hash_u32(hash, start->last_id), start->boots);
+    return stand_hash(ledger_balance_hash(hash, &start->balance), &start->stand);
+}
+
+uint64_t ledger_hash(uint64_t hash, const struct ledger *ledger)
+{
+    const uint32_t words[] = { ledger->last_id,     ledger->saved_id,   ledger->boot,
+                               ledger->uncommitted, ledger->wait_ticks, ledger->day,
+                               ledger->minute,      ledger->is_healthy };
+    hash = hash_words(hash, words, sizeof words / sizeof words[0]);
+    for (uint32_t i = 0; i < LEDGER_RING; i++) {
+        hash = ledger_balance_hash(hash, &ledger->after[i]);
+    }
+    return ledger_balance_hash(ledger_balance_hash(hash, &ledger->committed), &ledger->balance);
+}

@@ -1,0 +1,155 @@
+/* round_standing.c -- packs an open round into one ledger entry, and unpacks it. */
+#include "core/game/accounting/round_standing.h"
+
+#include "core/base/hash.h"
+#include "core/core.h"
+#include "core/game/accounting/tickets.h"
+#include "core/game/rules.h"
+
+#define SEAT_BITS 8u     /* Bits of `count` for the catch of each slot. */
+#define SEAT_MAX 255u
+#define TICKETS_MASK 0xffffu /* Tickets in `value`; the bits of the players and of the bot are
+                                above. */
+#define PLAYERS_SHIFT 16u
+#define PLAYERS_MASK 15u
+#define BOT_SHIFT 20u
+#define GRADE_SHIFT 4u   /* Grade in `detail`; the mode is in the lower bits. */
+#define MODE_MASK 15u
+_Static_assert(POI_MAX * SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
+_Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
+
+static int is_mostly_played(const struct core *core)
+{
+    const struct game *game = &core->game;
+    const uint32_t total = game->round_s * CORE_TICK_HZ;
+    return game->phase == PHASE_ROUND &&
+           STAND_SHARE_DENOMINATOR * (core->tick - game->phase_tick) >=
+               STAND_SHARE_NUMERATOR * total;
+}
+
+int stand_is_spent(const struct core *core)
+{
+    return !core->config.rules_7 &&
+           ((core->game.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(core));
+}
+
+/* Returns 1 if a power cut could lose something of value. A free round without tickets is not
+ * logged. */
+static int has_value(const struct core *core)
+{
+    const uint8_t kind = core->game.ledger.balance.open & PAYMENT_KIND_MASK;
+    return kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
+           (kind == PAYMENT_FREE && core->config.ticket_fish > 0);
+}
+
+static struct ledger_stand stand_of(const struct core *core)
+{
+    const struct game *game = &core->game;
+    const uint32_t won = credit_tickets_won(core);
+    uint32_t count = 0, value = won < BALANCE_TICKETS_MAX ? won : BALANCE_TICKETS_MAX;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player *player = &game->player[i];
+        if (player->plays) {
+            count |= (player->caught < SEAT_MAX ? player->caught : SEAT_MAX) << i * SEAT_BITS;
+            value |= 1u << (PLAYERS_SHIFT + i);
+        }
+    }
+    value |= (uint32_t)(game->bot_played != 0) << BOT_SHIFT;
+    return (struct ledger_stand){
+        .count = count,
+        .value = (int32_t)value,
+        .detail = (uint8_t)(game->mode | (uint32_t)table_setup_grade(&core->config, game->mode)
+                                             << GRADE_SHIFT),
+    };
+}
+
+static int stands_are_equal(const struct ledger_stand *a, const struct ledger_stand *b)
+{
+    return a->count == b->count && a->value == b->value && a->detail == b->detail;
+}
+
+void stand_tick(struct core *core, struct output *output)
+{
+    struct ledger *ledger = &core->game.ledger;
+    struct credit *credit = &core->game.credit;
+    const struct ledger_stand now = stand_of(core);
+    const int is_told =
+        (ledger->balance.open & PAYMENT_SPENT) && stands_are_equal(&now, &credit->stand);
+    if (!stand_is_spent(core) || !has_value(core) || is_told ||
+        !ledger_is_saved(ledger, credit->stand_id) || !ledger_may_write(ledger, LEDGER_STAND)) {
+        return;
+    }
+    const struct ledger_entry entry = {
+        .kind = LEDGER_STAND, .detail = now.detail, .count = now.count, .value = now.value
+    };
+    ledger->balance.open |= PAYMENT_SPENT;
+    credit->stand = now;
+    credit->stand_id = ledger_write(core, &entry, output);
+}
+
+/* ---- At the next start ---------------------------------------------------------------------- */
+
+/* Returns the record of the round. Times, paper and fish count are unknown and 0, as in records of
+ * an earlier Kingyo. */
+static struct round_record record_of(const struct ledger_stand *stand)
+{
+    const uint32_t value = (uint32_t)stand->value;
+    struct round_record record = {
+        .mode = stand->detail & MODE_MASK, /* In range, because stand_is_good() was checked. */
+        .grade = stand->detail >> GRADE_SHIFT,
+        .players = (uint8_t)(value >> PLAYERS_SHIFT & PLAYERS_MASK),
+        .by_bot = (uint8_t)(value >> BOT_SHIFT & 1u),
+    };
+    record.unscored = (uint8_t)!rules_of(record.mode)->keeps_score;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (record.players >> i & 1u) {
+            record.player[i].caught = stand->count >> i * SEAT_BITS & SEAT_MAX;
+            record.player[i].sheets = 1u;
+            record.caught += record.player[i].caught;
+        }
+    }
+    return record;
+}
+
+int stand_finish(struct core *core, struct output *output)
+{
+    struct ledger *ledger = &core->game.ledger;
+    const struct ledger_stand *stand = &core->config.persistent.ledger.stand;
+    struct ledger_entry entry = { .kind = LEDGER_ROUND,
+                                  .detail = ROUND_CUT_OFF,
+                                  .value = (int32_t)((uint32_t)stand->value & TICKETS_MASK),
+                                  .round = record_of(stand) };
+    if (entry.round.players == 0) {
+        return 0;
+    }
+    entry.round.id = ledger->last_id + 1u;
+    ledger->balance.open = PAYMENT_NONE;
+    tickets_owe(core, (uint32_t)entry.value);
+    ledger_write(core, &entry, output);
+    return 1;
+}
+
+struct ledger_stand stand_after(struct ledger_stand before, const struct ledger_entry *entry)
+{
+    if (entry->kind == LEDGER_STAND) {
+        return (struct ledger_stand){ entry->count, entry->value, entry->detail };
+    }
+    return entry->kind != LEDGER_BEGIN && (entry->balance.open & PAYMENT_SPENT)
+               ? before
+               : (struct ledger_stand){ 0 };
+}
+
+int stand_is_good(const struct ledger_stand *stand)
+{
+    const uint32_t value = (uint32_t)stand->value;
+    return (stand->detail & MODE_MASK) < MODE_COUNT &&
+           stand->detail >> GRADE_SHIFT <= SHEET_GRADE_MAX && value >> (BOT_SHIFT + 1u) == 0 &&
+           (value & TICKETS_MASK) <= BALANCE_TICKETS_MAX;
+}
+
+uint64_t stand_hash(uint64_t hash, const struct ledger_stand *stand)
+{
+    hash = hash_later(hash, 0x51, stand->count);
+    hash = hash_later(hash, 0x52, (uint32_t)stand->value);
+    return hash_later(hash, 0x53, stand->detail);
+}

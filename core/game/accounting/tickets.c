@@ -1,0 +1,40 @@
+/* tickets.c -- the sequence of ledger entry, pulse, and next ticket. */
+#include "core/game/accounting/tickets.h"
+
+#include "core/core.h"
+
+void tickets_owe(struct core *core, uint32_t count)
+{
+    struct balance *balance = &core->game.ledger.balance;
+    if (core->config.rules_7) {
+        core->game.credit.tickets += count;
+        return;
+    }
+    const uint32_t room = BALANCE_TICKETS_MAX - balance->tickets;
+    balance->tickets = (uint16_t)(balance->tickets + (count < room ? count : room));
+}
+
+/* Returns the number of owed tickets whose debt is on disk. */
+static uint32_t sure_tickets(const struct ledger *ledger)
+{
+    const uint16_t kept = ledger->committed.tickets, now = ledger->balance.tickets;
+    return kept < now ? kept : now;
+}
+
+void tickets_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct ledger *ledger = &core->game.ledger;
+    struct credit *credit = &core->game.credit;
+    const struct ledger_entry entry = { .kind = LEDGER_TICKET, .count = 1 };
+    if (credit->ticket_id != 0) {
+        if (ledger_is_saved(ledger, credit->ticket_id)) {
+            credit->tickets++;
+            credit->ticket_id = 0;
+        }
+    } else if (!core->config.rules_7 && sure_tickets(ledger) > 0 &&
+               input->tickets_done == credit->tickets &&
+               ledger_may_write(ledger, LEDGER_TICKET)) {
+        ledger->balance.tickets--;
+        credit->ticket_id = ledger_write(core, &entry, output);
+    }
+}

@@ -1,0 +1,109 @@
+/* vision.c -- the only file of the bot that accesses the core. The file reads the fields that
+ * core/scene.c shows, and no others. */
+#include "core/game/bot/vision.h"
+
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/control/controller.h"
+#include "core/scene_helpers.h"
+#include "core/tank/behavior/surface_breathing.h"
+
+struct vision_game vision_game(const struct vision *vision)
+{
+    const struct core *core = vision->core;
+    CORE_ASSERT(vision->player < POI_MAX);
+    return (struct vision_game){
+        .tick = core->tick,
+        .phase = core->game.phase,
+        .mode = core->game.mode,
+        .fouls = core->game.player[vision->player].fouls,
+        .seconds_left = game_seconds_left(&core->game, core->tick),
+    };
+}
+
+vec3 vision_tank_m(const struct vision *vision)
+{
+    return vision->core->tank.size_m;
+}
+
+uint32_t vision_fish_count(const struct vision *vision)
+{
+    return vision->core->tank.fish_count;
+}
+
+struct vision_fish vision_fish(const struct vision *vision, uint32_t fish)
+{
+    CORE_ASSERT(fish < vision->core->tank.fish_count);
+    const struct fish *seen = &vision->core->tank.fish[fish];
+    return (struct vision_fish){
+        .position_m = seen->position_m,
+        .angles = seen->angles,
+        .length_m = seen->length_m,
+        .bend_rad = seen->bend_rad,
+        .gape = surface_gape(seen, vision->core->tick),
+        .gulp = surface_gulp(seen, vision->core->tick),
+        .place = scene_place_of(seen->gait),
+    };
+}
+
+struct vision_poi vision_poi(const struct vision *vision, uint32_t index)
+{
+    CORE_ASSERT(index < POI_MAX);
+    const struct poi *poi = &vision->core->poi[index];
+    if (!controller_is_active(vision->core, index)) {
+        return (struct vision_poi){ 0 };
+    }
+    return (struct vision_poi){
+        .present = 1,
+        .position_m = poi->position_m,
+        .angles = poi->angles,
+        .radius_m = POI_RADIUS_M,
+        .paper_left = sheet_left(&poi->sheet),
+        .water_m = carried_water_m(poi),
+    };
+}
+
+struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index)
+{
+    CORE_ASSERT(index < POI_MAX);
+    const struct bowl *bowl = &vision->core->bowl[index];
+    if (!bowl->present) {
+        return (struct vision_bowl){ 0 };
+    }
+    return (struct vision_bowl){ .present = 1,
+                                 .position_m = bowl->position_m,
+                                 .radius_m = BOWL_RADIUS_M };
+}
+
+struct vision_fan vision_fan(const struct vision *vision, uint32_t index)
+{
+    CORE_ASSERT(index < SHADE_MAX);
+    const struct shade *shade = &vision->core->tank.shade[index];
+    if (!shade->cast.present) {
+        return (struct vision_fan){ 0 };
+    }
+    return (struct vision_fan){
+        .present = 1,
+        .x_m = shade->cast.x_m,
+        .z_m = shade->cast.z_m,
+        .radius_m = shade->cast.radius_m,
+        .still_s = shade->still_s,
+    };
+}
+
+static const struct sheet *own_paper(const struct vision *vision, uint32_t cell)
+{
+    CORE_ASSERT(cell < SHEET_CELL_COUNT);
+    CORE_ASSERT(vision->player < POI_MAX);
+    return &vision->core->poi[vision->player].sheet;
+}
+
+uint8_t vision_integrity(const struct vision *vision, uint32_t cell)
+{
+    return scene_integrity(own_paper(vision, cell), cell);
+}
+
+uint8_t vision_wetness(const struct vision *vision, uint32_t cell)
+{
+    return scene_wetness(own_paper(vision, cell), cell);
+}

@@ -1,0 +1,307 @@
+/* controller.c -- sources of the pois, and the blending between them. */
+#include "core/game/control/controller.h"
+
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/control/calibration.h"
+#include "core/game/control/failsafe.h"
+#include "core/game/control/parking.h"
+#include "core/poi/pose.h"
+
+#define CLEAR_Y_M 0.035f     /* Lowest height of a poi while dips are not allowed. */
+#define GRIP_TICKS 144u      /* Blend time after a change of the source, 1.2 s: 1 m/s across the
+                                tank. */
+#define DOUBT_TICKS 8u       /* An outlier of a sixteenth of a second moves no poi. */
+#define FAR_M 0.30f          /* Distance from which a new pose is approached gently. */
+#define FAR_TURN 0.3f        /* Rotation from which a new pose is approached gently. */
+#define FAR_LEAN 0.8f        /* Same rotation limit for a pointer; larger, because a pointer tilts
+                                its poi during fast motion. */
+#define WET_BELOW_M 0.020f   /* Height below which part of a tilted ring may be under water. */
+/* Total damage immunity of several returns in a row. */
+#define SPARE_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
+#define REFILL_TICKS 8u      /* Ticks of normal control that restore one tick of immunity. */
+#define REACH_SIDE_M 0.20f   /* Reach of an arm beyond the walls. */
+#define REACH_HEIGHT_M 0.35f /* Reach of an arm above the water. */
+
+int controller_is_active(const struct core *core, uint32_t index)
+{
+    return core->bowl[index].present && core->poi[index].link != POI_SOURCE_ABSENT;
+}
+
+int controller_is_lost(const struct core *core, uint32_t index)
+{
+    return controller_is_active(core, index) && core->poi[index].link == POI_SOURCE_LOST;
+}
+
+struct input controller_calibrate(const struct core *core, const struct input *said)
+{
+    struct input own = *said;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        calibration_apply(&core->config.persistent.settings, i, &own.poi[i]);
+    }
+    return own;
+}
+
+void controller_validate(struct core *core, const struct input *input)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        input_validation_tick(&core->game.validation[i], &input->poi[i]);
+    }
+}
+
+static int is_believed(const struct core *core, uint32_t index)
+{
+    return core->game.validation[index].verdict == INPUT_VALID;
+}
+
+int controller_dip_pressed(const struct core *core, const struct input *input, uint32_t index)
+{
+    return is_believed(core, index) && core->game.live_y_m[index] >= GAME_DIP_Y_M &&
+           input->poi[index].target.position_m.y < GAME_DIP_Y_M;
+}
+
+/* Returns the current source of a poi. In attract mode only the bot counts. A controller with
+ * invalid input counts as lost. */
+static uint8_t link_now(const struct core *core, const struct input *input, uint32_t index)
+{
+    if (core->game.phase == PHASE_ATTRACT) {
+        return index == 0 ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
+    }
+    const int is_lost = core->game.validation[index].verdict == INPUT_LOST;
+    return is_lost ? (uint8_t)POI_SOURCE_LOST : input->poi[index].link;
+}
+
+static float direction(float angle_rad)
+{
+    CORE_ASSERT(f_abs(angle_rad) <= INPUT_ANGLE_RAD_MAX);
+    return f_wrap_angle(angle_rad);
+}
+
+/* Returns the lowest height for a controlled poi. */
+static float lowest_m(const struct core *core, uint32_t index)
+{
+    return game_may_scoop(core, index) ? -core->tank.size_m.y : CLEAR_Y_M;
+}
+
+static struct poi_target within_reach(const struct core *core, struct poi_target target,
+                                      float low_m)
+{
+    const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
+    const float depth_m = 0.5f * core->tank.size_m.z + REACH_SIDE_M;
+    CORE_ASSERT(v3_is_finite(target.position_m));
+    target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
+    target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
+    target.position_m.z = f_clamp(target.position_m.z, -depth_m, depth_m);
+    target.angles.yaw_rad = direction(target.angles.yaw_rad);
+    target.angles.pitch_rad = direction(target.angles.pitch_rad);
+    target.angles.roll_rad = direction(target.angles.roll_rad);
+    return target;
+}
+
+void controller_forget_path(struct game *game, uint32_t index)
+{
+    game->return_ticks[index] = game->outlier_ticks[index] = 0;
+    game->was_lost[index] = 0;
+}
+
+static void take_hold(struct core *core, uint32_t index, uint8_t link)
+{
+    struct game *game = &core->game;
+    if (game->holder[index] == link) {
+        return;
+    }
+    if (link == POI_SOURCE_BOT) {
+        bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
+        game->bot[index].hand.pose = game->hand_pose[index];
+        controller_forget_path(game, index); /* The bot has no controller pose to return to. */
+    }
+    if (link == POI_SOURCE_LIVE && game->holder[index] == POI_SOURCE_LOST) {
+        game->return_ticks[index] = game->was_lost[index] = 1;
+    } else if (link == POI_SOURCE_LOST) {
+        game->hand_pose[index] = failsafe_begin(&core->poi[index], game->hand_pose[index]);
+    } else {
+        game->grip_tick[index] = core->tick;
+    }
+    game->holder[index] = link;
+}
+
+/* Blends from the old target pose to the new one after a change of the source. The share per tick
+ * grows from 0 to 1. */
+static struct poi_target blend_to_holder(struct core *core, uint32_t index,
+                                         struct poi_target wanted)
+{
+    struct game *game = &core->game;
+    const int begins = game->phase == PHASE_ROUND && core->tick == game->phase_tick;
+    if (begins && wanted.position_m.y < CLEAR_Y_M) {
+        game->grip_tick[index] = core->tick; /* A player who waits with the button held starts with
+                                                a gentle dip. */
+    }
+    const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
+    wanted = within_reach(core, wanted, lowest_m(core, index));
+    return age < 1.0f ? pose_between(game->hand_pose[index], wanted, age * age * age) : wanted;
+}
+
+/* Returns 1 if an outlier could damage the paper or lose a fish. */
+static int is_at_stake(const struct core *core, uint32_t index, vec3 next_m)
+{
+    const struct poi *poi = &core->poi[index];
+    const float low_m = f_min(core->game.hand_pose[index].position_m.y, poi->position_m.y);
+    return f_min(low_m, next_m.y) < WET_BELOW_M || poi->carried_count > 0;
+}
+
+/* Returns the share of the motion that the speed limits permit in one tick, [0, 1]. */
+static float share_in_a_tick(const struct poi_target *from, const struct poi_target *to,
+                             float pace_m_s, float pace_rad_s)
+{
+    const float way_m = v3_length(v3_sub(to->position_m, from->position_m));
+    const float turn_rad = input_turn(from->angles, to->angles);
+    const float pace_m = pace_m_s * CORE_TICK_S, pace_rad = pace_rad_s * CORE_TICK_S;
+    return f_min(way_m > pace_m ? pace_m / way_m : 1.0f,
+                 turn_rad > pace_rad ? pace_rad / turn_rad : 1.0f);
+}
+
+static int is_far(const struct poi_target *from, const struct poi_target *to, int has_wrist)
+{
+    return v3_length(v3_sub(to->position_m, from->position_m)) > FAR_M ||
+           input_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
+}
+
+/* Filters outliers. A pose farther away than an arm moves in a tick may be a sensor error. The
+ * target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above the water a
+ * fast mouse motion is accepted. */
+static struct poi_target steady(struct core *core, uint32_t index, struct poi_target next,
+                                int has_wrist)
+{
+    struct game *game = &core->game;
+    const struct poi_target hand = game->hand_pose[index];
+    const int at_stake = is_at_stake(core, index, next.position_m);
+    const int is_arm = has_wrist || at_stake;
+    const float share =
+        share_in_a_tick(&hand, &next, is_arm ? INPUT_ARM_M_S_MAX : INPUT_POINTER_M_S_MAX,
+                        has_wrist ? INPUT_WRIST_RAD_S_MAX : INPUT_POINTER_RAD_S_MAX);
+    const int is_doubted = share < 1.0f && is_arm && game_may_scoop(core, index);
+    game->outlier_ticks[index] = is_doubted ? game->outlier_ticks[index] + 1u : 0u;
+    if (is_doubted && game->outlier_ticks[index] <= DOUBT_TICKS) {
+        return hand;
+    }
+    if (is_doubted && at_stake && is_far(&hand, &next, has_wrist)) {
+        game->return_ticks[index] = 1;
+        return hand;
+    }
+    return share < 1.0f ? pose_between(hand, next, share) : next;
+}
+
+/* Advances the return to the controller's pose. The paper is immune until the return completes,
+ * within the limits for one return and for all returns. */
+static struct poi_target return_to_hand(struct core *core, uint32_t index, struct poi_target wanted)
+{
+    struct game *game = &core->game;
+    const uint32_t ticks = game->return_ticks[index];
+    wanted = within_reach(core, wanted, lowest_m(core, index));
+    const struct poi_target hand = failsafe_return(game->hand_pose[index], wanted, ticks);
+    const int is_back = failsafe_is_returned(hand, wanted, ticks);
+    core->poi[index].damage_immune = game->was_lost[index] && ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
+                                     game->immunity_ticks[index] < SPARE_TICKS_ALL;
+    game->immunity_ticks[index] += core->poi[index].damage_immune;
+    game->return_ticks[index] = is_back ? 0u : ticks + 1u;
+    game->was_lost[index] &= !is_back;
+    game->outlier_ticks[index] = 0;
+    return hand;
+}
+
+static struct poi_target led_by_a_person(struct core *core, const struct input *input,
+                                         uint32_t index)
+{
+    struct game *game = &core->game;
+    const struct poi_input *says = &input->poi[index];
+    if (game->return_ticks[index] > 0) {
+        return return_to_hand(core, index, says->target);
+    }
+    if (core->tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
+        game->immunity_ticks[index]--;
+    }
+    const float share = input_validation_blend(&game->validation[index]);
+    struct poi_target next = blend_to_holder(core, index, says->target);
+    next = share < 1.0f ? pose_between(game->hand_pose[index], next, share) : next;
+    return steady(core, index, next, says->has_wrist);
+}
+
+/* Moves a poi without input out of the water. Restored input, or the end of the pause, starts the
+ * return from there. */
+static void withdraw_hand(struct core *core, uint32_t index)
+{
+    struct game *game = &core->game;
+    const struct poi_target out = failsafe_withdraw(&core->poi[index], game->hand_pose[index]);
+    game->hand_pose[index] = within_reach(core, out, -core->tank.size_m.y);
+    if (core->poi[index].link == POI_SOURCE_BOT) {
+        game->bot[index].hand.pose = game->hand_pose[index];
+    } else {
+        game->return_ticks[index] = game->was_lost[index] = 1;
+    }
+}
+
+/* Parks a poi that is not in use. A bot keeps observing; a person gets the poi back by a gentle
+ * blend. */
+static void put_away(struct core *core, uint32_t index)
+{
+    struct game *game = &core->game;
+    struct bot *bot = &game->bot[index];
+    core->poi[index].damage_immune = 1;
+    game->hand_pose[index] = parking_path(core, index, game->hand_pose[index]);
+    if (core->poi[index].link == POI_SOURCE_BOT) {
+        const struct vision vision = { core, index };
+        (void)bot_tick(bot, &vision);
+        bot->hand = (struct bot_hand){ .pose = game->hand_pose[index] };
+    } else {
+        game->grip_tick[index] = core->tick;
+        controller_forget_path(game, index);
+    }
+}
+
+/* During a pause for a lost controller, every poi of the tank is in failsafe. */
+static void tick_hand(struct core *core, const struct input *input, uint32_t index)
+{
+    struct game *game = &core->game;
+    struct poi *poi = &core->poi[index];
+    if (parking_tick(core, index)) {
+        put_away(core, index);
+        return;
+    }
+    poi->damage_immune = poi->link == POI_SOURCE_LOST || game->paused;
+    if (poi->damage_immune) {
+        withdraw_hand(core, index);
+    } else if (poi->link == POI_SOURCE_BOT) {
+        const struct vision vision = { core, index };
+        game->hand_pose[index] = blend_to_holder(core, index, bot_tick(&game->bot[index], &vision));
+    } else {
+        game->hand_pose[index] = led_by_a_person(core, input, index);
+    }
+}
+
+void controller_tick_all(struct core *core, const struct input *input,
+                         struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        live[i] = (uint8_t)controller_is_active(core, i);
+        if (live[i]) {
+            take_hold(core, i, core->poi[i].link);
+            tick_hand(core, input, i);
+        } else {
+            core->game.holder[i] = POI_SOURCE_ABSENT;
+            core->game.rest_ticks[i] = 0;
+            controller_forget_path(&core->game, i);
+        }
+        targets[i] = core->game.hand_pose[i];
+        core->game.live_y_m[i] = is_believed(core, i)
+                                     ? input->poi[i].target.position_m.y
+                                     : -1.0f; /* The next valid pose after invalid input is no
+                                                 downward crossing. */
+    }
+}
+
+void controller_assign(struct core *core, const struct input *input)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        core->poi[i].link = link_now(core, input, i);
+    }
+}

@@ -1,0 +1,140 @@
+/* parking.c -- parking: which pois are parked, their motion, and their remaining effect on
+ * others. */
+#include "core/game/control/parking.h"
+
+#include "core/core.h"
+#include "core/tank/preset.h"
+
+#define ALONG_M 0.105f       /* Distance beyond the bowl's centre, so that the handle lies beside
+                                the bowl. */
+#define INSIDE_M 0.005f      /* Distance within the wall, so that the ring stays in the picture. */
+#define ON_RIM_M 0.004f
+#define OVER_RIM_M 0.020f    /* Height above the rim during the motion. */
+#define LIFT_M_S 0.30f       /* Lift speed; the paper takes no damage. */
+#define AWAY_M_S 0.80f
+#define AWAY_SHARE 0.06f     /* Share of the remaining distance per tick, for a soft end of the
+                                motion. */
+#define START_TICKS 36.0f    /* Ticks of acceleration, for a soft start. */
+#define TURN_RAD_S 3.0f
+#define NEAR_M 0.03f         /* Horizontal distance within which the poi is lowered. */
+#define DOWN_M_S 0.08f       /* Lowering speed. */
+#define CLEAR_M 0.010f       /* Clearance beside a bowl. */
+#define FADE_TICKS 60.0f
+
+static float rim_m(const struct core *core)
+{
+    return core->tank.wall_height_m - core->tank.size_m.y;
+}
+
+struct poi_target parking_place(const struct core *core, uint32_t index)
+{
+    const vec3 bowl_m = tank_preset(core->tank.preset)->bowl_m[index];
+    const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
+    const float wall_m = 0.5f * core->tank.size_m.x;
+    return (struct poi_target){
+        .position_m = v3(side * (wall_m - INSIDE_M), rim_m(core) + ON_RIM_M,
+                         bowl_m.z - ALONG_M),
+    };
+}
+
+/* Returns 1 if the poi is unused. A bot uses its poi only during a game. A person's poi is the
+ * pointer for as long as the player is in. */
+static int is_idle(const struct core *core, uint32_t index)
+{
+    const struct game *game = &core->game;
+    const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
+    const int is_out = game->player[index].out && game->phase >= PHASE_READY &&
+                       game->phase <= PHASE_RESULT;
+    return is_out || (!in_play && core->poi[index].link == POI_SOURCE_BOT);
+}
+
+/* Returns the ticks since the poi was parked. */
+static uint32_t held_ticks(const struct core *core, uint32_t index)
+{
+    const uint32_t linger = core->game.player[index].out ? PARKING_LINGER_TICKS : 0u;
+    const uint32_t ticks = core->game.rest_ticks[index];
+    return ticks > linger ? ticks - linger : 0u;
+}
+
+int parking_is_parked(const struct core *core, uint32_t index)
+{
+    return held_ticks(core, index) > 0;
+}
+
+int parking_tick(struct core *core, uint32_t index)
+{
+    uint32_t *ticks = &core->game.rest_ticks[index];
+    *ticks = is_idle(core, index) ? *ticks + 1u : 0u;
+    return parking_is_parked(core, index);
+}
+
+/* ---- Motion to the rest position ------------------------------------------------------------ */
+
+static float turn_level(float angle_rad)
+{
+    const float step_rad = TURN_RAD_S * CORE_TICK_S;
+    return angle_rad - f_clamp(angle_rad, -step_rad, step_rad);
+}
+
+/* Returns 1 if the ring is under a bowl or between two, where it cannot move up. */
+static int is_under_a_bowl(const struct core *core, vec3 ring_m)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct bowl *bowl = &core->bowl[i];
+        const float x_m = ring_m.x - bowl->position_m.x, z_m = ring_m.z - bowl->position_m.z;
+        const float clear_m = BOWL_RADIUS_M + POI_OUTER_RADIUS_M + CLEAR_M;
+        if (bowl->present && ring_m.y < bowl->position_m.y &&
+            x_m * x_m + z_m * z_m < clear_m * clear_m) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static float step_of(float way_m, float pace_m_s)
+{
+    return f_clamp(way_m, -pace_m_s * CORE_TICK_S, pace_m_s * CORE_TICK_S);
+}
+
+/* Returns the next position. The motion has four steps, chosen by the ring's actual position:
+ * toward the middle, up, over the rims, and down. */
+static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float begun)
+{
+    const vec3 place_m = parking_place(core, index).position_m;
+    const vec3 ring_m = core->poi[index].position_m;
+    const vec3 way_m = v3_sub(place_m, at_m);
+    const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
+    if (is_under_a_bowl(core, ring_m)) {
+        return v3(at_m.x - step_of(at_m.x, LIFT_M_S) * begun, at_m.y, at_m.z);
+    }
+    if (f_min(at_m.y, ring_m.y) < place_m.y - ON_RIM_M) {
+        at_m.y += step_of(place_m.y + OVER_RIM_M - at_m.y, LIFT_M_S) * begun;
+        return at_m;
+    }
+    const int is_over = way_m.x * way_m.x + way_m.z * way_m.z < NEAR_M * NEAR_M;
+    const float high_m = f_max(at_m.y, place_m.y + OVER_RIM_M);
+    at_m.y += is_over ? step_of(way_m.y, DOWN_M_S) : step_of(high_m - at_m.y, LIFT_M_S);
+    return v3_muladd(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
+}
+
+struct poi_target parking_path(const struct core *core, uint32_t index, struct poi_target hand)
+{
+    const float begun = f_min((float)held_ticks(core, index) / START_TICKS, 1.0f);
+    return (struct poi_target){
+        .position_m = next_m(core, index, hand.position_m, begun),
+        .angles = { turn_level(hand.angles.yaw_rad), turn_level(hand.angles.pitch_rad),
+                    turn_level(hand.angles.roll_rad) },
+    };
+}
+
+/* ---- Effect on others ----------------------------------------------------------------------- */
+
+int parking_collides(const struct core *core, uint32_t index)
+{
+    return !parking_is_parked(core, index) || core->poi[index].immersed > 0.0f;
+}
+
+float parking_shade(const struct core *core, uint32_t index)
+{
+    return f_max(1.0f - (float)held_ticks(core, index) / FADE_TICKS, 0.0f);
+}

@@ -1,0 +1,55 @@
+/* health_log.h -- the health log: ledger entries about starts, crashes, uptime and faults.
+ *
+ * The first entry of each start is LEDGER_BOOT. A round that was open then was interrupted by a
+ * crash or a power cut, and its credit is refunded. A LEDGER_HEALTH is logged every two minutes and
+ * whenever the operator opens the menu. The entry contains the uptime and the faults since the
+ * previous one. */
+#ifndef KINGYO_CORE_GAME_HEALTH_LOG_H
+#define KINGYO_CORE_GAME_HEALTH_LOG_H
+
+#include <stdint.h>
+
+#include "core/input.h"
+#include "core/ledger.h"
+#include "core/output.h"
+
+/* Interval of the entries, which limits what a power cut removes from the statistics. */
+#define HEALTH_LOG_TICKS (120u * CORE_TICK_HZ)
+
+struct health_log {
+    uint8_t is_told;       /* 1: the LEDGER_BOOT of this start is written. */
+    uint32_t told_tick;    /* Tick of the last LEDGER_HEALTH. */
+    uint32_t dropped_ticks, device_faults; /* Values of the input at the last LEDGER_HEALTH. */
+    uint32_t told_shakes;
+    uint32_t away_ticks[POI_MAX]; /* Ticks for which a slot in play has been without its
+                                     controller. */
+    uint32_t loss_tick[POI_MAX];  /* Tick at which a slot last lost its controller in a round; 0:
+                                     never. */
+};
+
+/* Time without a controller that counts as a loss; a shorter gap is a glitch. */
+#define HEALTH_LOG_LOSS_TICKS CORE_TICK_HZ
+/* A loss within this time after the same slot's last loss is logged as repeated: LEDGER_LOSS. */
+#define HEALTH_LOG_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
+
+struct core;
+
+/* Logs repeated losses of each slot's controller. Call once per tick of the round, after
+ * pause_tick(). */
+void health_log_note_losses(struct core *core, struct output *output);
+
+/* Logs boot and health entries that are due. Call once per tick, before any other entry of the
+ * tick. */
+void health_log_tick(struct core *core, const struct input *input, struct output *output);
+
+/* Logs a LEDGER_HEALTH now. */
+void health_log_write(struct core *core, const struct input *input, struct output *output);
+
+/* Fills `out` with the final LEDGER_HEALTH for a shutdown after the last tick, with the next id.
+ * The core is unchanged, so that the core still matches its recording. Returns 1, or 0 if no store
+ * exists. */
+int health_log_final(const struct core *core, const struct input *input, struct ledger_entry *out);
+
+uint64_t health_log_hash(uint64_t hash, const struct health_log *health_log);
+
+#endif

@@ -1,0 +1,233 @@
+/* lab.c -- one tick of the growth lab: pointer, buttons and playback. */
+#include "core/game/lab/lab.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/core.h"
+#include "core/game/lab/lab_press.h"
+#include "core/game/phases.h"
+#include "core/game/table_setup.h"
+
+#define BUTTON_LIFE_S 9.0f /* Seconds for a whole life while LEFT or RIGHT is held. */
+
+void lab_init(struct lab *lab, const struct core_config *config)
+{
+    const struct lab_book *book = &config->book;
+    *lab = (struct lab){ .layer = 0 };
+    memcpy(lab->has_edit, book->has_edit, sizeof lab->has_edit);
+    memcpy(lab->edits, book->edits, sizeof lab->edits);
+}
+
+void lab_begin(struct core *core, struct output *output)
+{
+    struct lab *lab = &core->game.lab;
+    table_setup_empty_bowls(core);
+    table_setup_prepare(core, core->config.preset);
+    game_enter_phase(core, PHASE_LAB);
+    lab->stir_tick = lab->act_tick = core->tick;
+    lab->start_ticks = 0;
+    lab->presses = 1; /* The dip that opened the lab presses nothing here. */
+    lab_take(core, lab->species);
+    output_sound(output, SOUND_START, 0.7f, 0.0f);
+}
+
+/* ---- The pointer ---------------------------------------------------------------------------- */
+
+static void note_stir(struct core *core)
+{
+    struct lab *lab = &core->game.lab;
+    const float x = lab->x - lab->stir_x, y = lab->y - lab->stir_y;
+    if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
+        lab->stir_x = lab->x;
+        lab->stir_y = lab->y;
+        lab->stir_tick = core->tick;
+    }
+}
+
+/* Switches to another player's pointer. The new pointer presses nothing until it was above the
+ * water once, so that the previous drag does not continue. */
+static void change_hands(struct lab *lab, uint32_t index)
+{
+    if (lab->has_hand && index != lab->hand) {
+        lab->presses = 1;
+        lab->holds = HOLD_BUTTON;
+        lab->held_knot = LAB_NO_KNOT;
+    }
+    lab->hand = (uint8_t)index;
+}
+
+/* Updates the pointer's position and its press state. */
+static void track_lab_hand(struct core *core, const struct input *input, struct output *output)
+{
+    struct lab *lab = &core->game.lab;
+    const struct pointer_state hand = pointer_first(core, input, lab->upright);
+    if (!hand.present) {
+        lab->has_hand = lab->presses = 0;
+        lab_release(core);
+        return;
+    }
+    change_hands(lab, hand.player);
+    lab->has_hand = 1;
+    lab->x = hand.at.x;
+    lab->y = hand.at.y;
+    note_stir(core);
+    const int was_down = lab->presses;
+    lab->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
+    if (lab->presses && !was_down) {
+        lab_press(core, output);
+    } else if (lab->presses) {
+        lab_drag(core);
+    } else {
+        lab_release(core);
+    }
+}
+
+/* ---- Buttons -------------------------------------------------------------------------------- */
+
+static void step_life(struct lab *lab, float way)
+{
+    lab->playing = 0;
+    lab->rest_ticks = 0;
+    lab->progress = f_clamp(lab->progress + way, 0.0f, 1.0f);
+}
+
+/* Returns 1 if START was held long enough to leave. A short press plays or stops in
+ * heed_buttons(). */
+static int ends_by_start(struct core *core, const struct input *input)
+{
+    struct lab *lab = &core->game.lab;
+    lab->start_ticks = input->held & INPUT_START ? lab->start_ticks + 1u : 0u;
+    return lab->start_ticks >= LAB_END_TICKS;
+}
+
+static void heed_buttons(struct core *core, const struct input *input, struct output *output)
+{
+    struct lab *lab = &core->game.lab;
+    const float step = CORE_TICK_S / BUTTON_LIFE_S;
+    if ((input->held | input->pressed) & INPUT_LEFT) {
+        step_life(lab, -step);
+    }
+    if ((input->held | input->pressed) & INPUT_RIGHT) {
+        step_life(lab, step);
+    }
+    if (input->pressed & INPUT_START) {
+        lab_use(core, LAB_PLAY, output);
+    }
+    if (input->pressed & INPUT_OK) {
+        lab_use(core, LAB_NEXT, output);
+    }
+    const uint32_t guests = ~(uint32_t)INPUT_TEST;
+    if ((input->pressed | input->held) & guests) {
+        lab->stir_tick = core->tick;
+    }
+    if (input->pressed & guests) { /* A button held for minutes is stuck, so only new presses
+                                      count. */
+        lab->act_tick = core->tick;
+    }
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+static void play_on(struct lab *lab)
+{
+    if (!lab->playing || lab->holds > HOLD_NOTHING) {
+        return;
+    }
+    lab->progress = f_min(lab->progress + 1.0f / (float)LAB_LIFE_TICKS, 1.0f);
+    lab->rest_ticks = lab->progress < 1.0f ? 0u : lab->rest_ticks + 1u;
+    if (lab->rest_ticks > LAB_REST_TICKS) {
+        lab->progress = 0.0f;
+        lab->rest_ticks = 0;
+    }
+}
+
+static int is_deserted(const struct core *core)
+{
+    const struct lab *lab = &core->game.lab;
+    return core->tick - lab->stir_tick >= LAB_IDLE_TICKS ||
+           core->tick - lab->act_tick >= LAB_SWING_TICKS;
+}
+
+void lab_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct lab *lab = &core->game.lab;
+    lab->upright = input->upright != 0;
+    lab->edit_refused = input->edit_refused != 0;
+    lab->saved_id = input->edit_saved_id > lab->saved_id ? input->edit_saved_id : lab->saved_id;
+    heed_buttons(core, input, output);
+    track_lab_hand(core, input, output);
+    play_on(lab);
+    if (core->game.phase == PHASE_LAB && (ends_by_start(core, input) || is_deserted(core))) {
+        attract_begin(core);
+    }
+}
+
+/* ---- Display -------------------------------------------------------------------------------- */
+
+static uint8_t keeping(const struct lab *lab)
+{
+    return lab->asked_id == 0               ? LAB_NOT_SAVED
+           : lab->saved_id >= lab->asked_id ? LAB_SAVED
+           : lab->edit_refused              ? LAB_UNSAVED
+                                            : LAB_SAVING;
+}
+
+void lab_show(const struct core *core, struct scene_lab *out)
+{
+    const struct lab *lab = &core->game.lab;
+    const struct species_card *card = lab_book_card(&core->config.book, lab->species);
+    struct species_card *shown = &out->card;
+    lab_edit_apply(&lab->edit, card, shown);
+    out->species = lab->species;
+    out->species_count = (uint8_t)lab_book_count(&core->config.book);
+    out->refused = core->config.book.refused;
+    out->template_id = lab->edit.template_id;
+    out->layer = lab->layer;
+    out->playing = lab->playing;
+    out->compare = lab->compare;
+    out->path = lab->path;
+    out->points = lab->points;
+    out->presses = lab->presses;
+    out->has_hand = lab->has_hand;
+    out->holds = lab->holds;
+    out->held_knot = lab->held_knot;
+    out->upright = lab->upright;
+    out->keeping = keeping(lab);
+    out->is_own = (uint8_t)lab_is_own(core);
+    out->is_kept = (uint8_t)lab_is_kept(core);
+    out->x = lab->x;
+    out->y = lab->y;
+    out->progress = lab->progress;
+    out->age_days = life_age_days(card, lab->progress);
+    out->length_m = life_length_m(shown, lab->progress);
+    out->scale_knot_count =
+        (uint8_t)lab_edit_scale_knots(&lab->edit, card, out->scale_knots);
+    graph_weights(&lab->edit.graph, card->key_count, lab->progress, out->weight);
+}
+
+/* ---- Hash ----------------------------------------------------------------------------------- */
+
+uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab)
+{
+    const uint32_t words[] = { lab->species,   lab->layer,     lab->playing,     lab->compare,
+                               lab->path,      lab->has_hand,  lab->presses,     lab->points,
+                               lab->holds,     lab->held_knot, lab->upright,     lab->stir_tick,
+                               lab->act_tick,  lab->rest_ticks, lab->start_ticks, lab->save_id,
+                               lab->saved_id,  lab->asked_id,   lab->hand,
+                               lab->edit_refused };
+    const float floats[] = { lab->x, lab->y, lab->stir_x, lab->stir_y, lab->progress };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    hash = hash_floats(hash, floats, sizeof floats / sizeof floats[0]);
+    return lab_edit_hash(hash, &lab->edit);
+}
+
+uint64_t lab_hash(uint64_t hash, const struct lab *lab)
+{
+    hash = hash_bytes(hash, lab->has_edit, sizeof lab->has_edit);
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        hash = lab_edit_hash(hash, &lab->edits[i]);
+    }
+    return hash;
+}

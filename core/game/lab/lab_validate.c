@@ -1,0 +1,119 @@
+/* lab_validate.c -- validation of species data from the data folder or from a recording.
+ *
+ * Packed files were validated before (platform/species/validate.c). The lab book of a recording is
+ * read directly from disk, so the same ranges are checked again here. */
+#include "core/game/lab/lab_book.h"
+
+#define AGE_MAX_DAYS 14610.0f /* 40 years, the limit of growth.c. */
+#define LENGTH_MIN_M 0.0005f  /* Minimum for a custom species; an edit in the lab may use
+                                 LAB_LENGTH_MIN_M. */
+#define LENGTH_APART 0.02f    /* Largest relative difference between a key's length and the growth
+                                 curve at its age. */
+
+/* Returns true if `x` is in the range; false for NaN and infinity. */
+static bool is_within(float x, float low, float high)
+{
+    return x >= low && x <= high;
+}
+
+static bool is_length(float length_m)
+{
+    return is_within(length_m, LENGTH_MIN_M, LAB_LENGTH_MAX_M);
+}
+
+static bool is_name_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/* Returns true for 1 or more of a-z, 0-9 and _, followed only by zeros. */
+static bool is_name(const char name[SPECIES_NAME_SIZE])
+{
+    uint32_t length = 0;
+    while (length < SPECIES_NAME_SIZE && is_name_letter(name[length])) {
+        length++;
+    }
+    bool good = length > 0 && length < SPECIES_NAME_SIZE;
+    for (uint32_t i = length; i < SPECIES_NAME_SIZE; i++) {
+        good = good && name[i] == 0;
+    }
+    return good;
+}
+
+static bool growth_is_good(const struct growth *growth)
+{
+    bool good = growth->point_count >= 1 && growth->point_count <= GROWTH_POINT_MAX &&
+                is_length(growth->length_inf_m) && is_within(growth->k_per_year, 0.001f, 10.0f) &&
+                is_within(growth->t0_year, -20.0f, 20.0f) &&
+                is_within(growth->fade_year, 0.001f, 5.0f) && growth->points[0].age_days == 0.0f;
+    for (uint32_t i = 0; good && i < growth->point_count; i++) {
+        const struct growth_point *point = &growth->points[i];
+        good = is_length(point->length_m) && is_within(point->age_days, 0.0f, AGE_MAX_DAYS) &&
+               (i == 0 || point->age_days > point[-1].age_days);
+    }
+    return good;
+}
+
+/* `card`'s growth must be valid. */
+static bool keys_are_good(const struct species_card *card)
+{
+    bool good = card->key_count >= 3 && card->key_count <= MORPH_KEY_MAX;
+    for (uint32_t i = 0; good && i < card->key_count; i++) {
+        const float age = card->key_age_days[i], length = card->key_length_m[i];
+        good = is_name(card->key_names[i]) && is_length(length) &&
+               is_within(age, 0.0f, AGE_MAX_DAYS) &&
+               (i == 0 || age > card->key_age_days[i - 1u]) &&
+               f_abs(growth_length_m(&card->growth, age) / length - 1.0f) <= LENGTH_APART;
+    }
+    return good;
+}
+
+static bool thesis_is_good(const struct species_card *card)
+{
+    const uint8_t *key = card->thesis_key;
+    return key[0] < key[1] && key[1] < key[2] && key[2] < card->key_count &&
+           card->thesis_template > TEMPLATE_OWN && card->thesis_template < TEMPLATE_COUNT;
+}
+
+static bool curves_are_good(const struct species_card *card)
+{
+    bool good = card->curve_count >= 1 && card->curve_count <= MORPH_CURVE_MAX;
+    for (uint32_t i = 0; good && i < card->curve_count; i++) {
+        const struct graph *graph = &card->curves[i];
+        good = is_name(card->curve_names[i]) && graph->line <= GRAPH_SMOOTH &&
+               graph->solved <= 1u && graph_check(graph, card->key_count).fault == GRAPH_GOOD;
+    }
+    return good;
+}
+
+static bool card_is_good(const struct species_card *card)
+{
+    struct lab_edit own;
+    if (!is_name(card->id) || card->measure > MEASURE_DISC || card->motion > MOTION_WING ||
+        card->form > FORM_PUFFER || !growth_is_good(&card->growth) || !keys_are_good(card) ||
+        !thesis_is_good(card) || !curves_are_good(card)) {
+        return false;
+    }
+    lab_edit_own(&own, card);
+    return lab_edit_is_valid(&own, card);
+}
+
+bool lab_book_is_valid(const struct lab_book *book)
+{
+    if (book->card_count > SPECIES_EXTRA_MAX) {
+        return false;
+    }
+    for (uint32_t i = 0; i < book->card_count; i++) {
+        if (!card_is_good(&book->cards[i])) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        const bool is_there = book->has_edit[i] != 0;
+        if (is_there && (i >= lab_book_count(book) ||
+                         !lab_edit_is_valid(&book->edits[i], lab_book_card(book, i)))) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,356 @@
+/* menu.c -- one tick of the operator's menu: buttons, pointer, and selection. */
+#include "core/game/menu/menu.h"
+
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/accounting/round_standing.h"
+#include "core/game/table_setup.h"
+#include "core/game/menu/menu_internal.h"
+#include "core/game/phases.h"
+
+/* Asserts that the controller state from the shell is in range. */
+static void check_controllers(const struct controller_status *desk)
+{
+    CORE_ASSERT(desk->learn_step < LEARN_STEP_COUNT);
+    CORE_ASSERT(desk->learn_row < CONTROLLER_MAX);
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        CORE_ASSERT(desk->state[i] < CONTROLLER_STATE_COUNT);
+    }
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+static int is_played(const struct core *core)
+{
+    return core->game.phase == PHASE_READY || core->game.phase == PHASE_ROUND;
+}
+
+int menu_is_asking(const struct core *core)
+{
+    const uint32_t ask_tick = core->game.menu.ask_tick;
+    return is_played(core) && ask_tick != 0 && core->tick - ask_tick < MENU_ASK_TICKS;
+}
+
+/* Records the pointers at the opening of the menu, so that a resting pointer highlights nothing. */
+static void note_hands(struct core *core, const struct input *input)
+{
+    struct menu *menu = &core->game.menu;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        menu->rest[i] = pointer_of_player(core, input, menu->upright, i).at;
+    }
+}
+
+static void open_menu(struct core *core, const struct input *input, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    *menu = (struct menu){
+        .controllers = input->controllers,
+        .upright = input->upright != 0,
+        .presses = 1, /* A poi that is down when the menu opens selects nothing. */
+        .command_count = menu->command_count,
+        .take_tick = core->tick,
+        .act_tick = core->tick,
+        .use_tick = core->tick,
+    };
+    check_controllers(&input->controllers);
+    note_hands(core, input);
+    if (core->game.phase == PHASE_ROUND && stand_is_spent(core)) {
+        result_skip(core, output);
+    } else {
+        credit_refund(core, REFUND_OPERATOR, output);
+    }
+    health_log_write(core, input,
+                     output); /* Update the statistics that the menu is about to show. */
+    core->game.paused = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        core->poi[i].carried_count = 0; /* The fish return to the water. */
+    }
+    table_setup_empty_bowls(core);
+    game_enter_phase(core, PHASE_MENU);
+    menu_turn(core, core->config.persistent.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
+}
+
+int menu_opens(struct core *core, const struct input *input, struct output *output)
+{
+    if (!(input->pressed & INPUT_TEST) || core->game.phase == PHASE_MENU) {
+        return 0;
+    }
+    output_sound(output, SOUND_CALL, 0.8f, 0.0f);
+    if (is_played(core) && !menu_is_asking(core)) {
+        core->game.menu.ask_tick = core->tick;
+        return 0;
+    }
+    open_menu(core, input, output);
+    return 1;
+}
+
+/* ---- Pointing ------------------------------------------------------------------------------- */
+
+static uint8_t first_tag(uint16_t offered)
+{
+    uint8_t tag = 0;
+    while (tag < MENU_TAG_MAX && !(offered >> tag & 1u)) {
+        tag++;
+    }
+    CORE_ASSERT(tag < MENU_TAG_MAX);
+    return tag;
+}
+
+/* Highlights an item that is on offer. The previous item may be gone, for example after a
+ * controller was unplugged. */
+static void point_at_something(struct menu *menu)
+{
+    const uint16_t offered = menu_enabled(menu);
+    uint8_t *tag = &menu->tag[menu->page];
+    *tag = offered >> *tag & 1u ? *tag : first_tag(offered);
+}
+
+void menu_turn(struct core *core, enum menu_page page)
+{
+    struct menu *menu = &core->game.menu;
+    menu->page = (uint8_t)page;
+    menu->points = 0; /* An item under a resting pointer was not pointed at. */
+    if (menu_page_desc_of(menu->page)->enter) {
+        menu_page_desc_of(menu->page)->enter(core);
+    }
+    point_at_something(menu);
+}
+
+static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
+{
+    if (menu->tag[menu->page] != tag) {
+        menu->tag[menu->page] = (uint8_t)tag;
+        output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
+    }
+}
+
+/* Moves the highlight to the next item on offer, forward or backward, and wraps around. */
+static void point_on(struct menu *menu, int forward, struct output *output)
+{
+    const uint32_t count = menu_tag_count(menu->page);
+    const uint16_t offered = menu_enabled(menu);
+    uint32_t tag = menu->tag[menu->page];
+    do {
+        tag = (tag + (forward ? 1u : count - 1u)) % count;
+    } while (!(offered >> tag & 1u));
+    point_at_tag(menu, tag, output);
+}
+
+static void activate_pointed_tag(struct core *core, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    if (core->tick - menu->take_tick < MENU_TAKE_TICKS) {
+        return;
+    }
+    menu->take_tick = menu->use_tick = core->tick;
+    output_sound(output, SOUND_TICK, 0.7f, 0.0f);
+    menu_activate(core, output);
+}
+
+static int is_way_back(const struct input *input)
+{
+    return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
+}
+
+static void activate_last_tag(struct core *core, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
+    CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
+    activate_pointed_tag(core, output);
+}
+
+static void heed_buttons(struct core *core, const struct input *input, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
+    if (is_way_back(input)) {
+        activate_last_tag(core, output);
+        return;
+    }
+    const uint32_t pressed =
+        input->pressed &
+        (menu_page_desc_of(menu->page)->watches ? inside : (uint32_t)INPUT_BUTTON_ALL);
+    if (pressed & (INPUT_SERVICE | INPUT_RIGHT)) {
+        point_on(menu, 1, output);
+    } else if (pressed & INPUT_LEFT) {
+        point_on(menu, 0, output);
+    }
+    if (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) {
+        activate_pointed_tag(core, output);
+    }
+}
+
+/* ---- The pointer ---------------------------------------------------------------------------- */
+
+/* Returns 1 while a controller is learned, calibrated or tested, because its motion is not meant as
+ * pointing. */
+static int is_learning(const struct menu *menu)
+{
+    if (menu->page == MENU_CALIBRATION) {
+        return menu_calibrate_is_running(&menu->calibrate);
+    }
+    if (menu->page == MENU_SELF_TEST) {
+        return 1; /* The self-test page tests the pois, so they do not point. */
+    }
+    return menu->page == MENU_LEARN && menu->controllers.learn_step != LEARN_TRY &&
+           menu->controllers.learn_step != LEARN_FAILED &&
+           menu->controllers.learn_step != LEARN_NOT_SAVED;
+}
+
+/* Returns the item under the pointer, from 1; 0: none. */
+static uint8_t tag_under(const struct menu *menu, struct layout_point at)
+{
+    const uint16_t offered = menu_enabled(menu);
+    for (uint32_t tag = 0; tag < menu_tag_count(menu->page); tag++) {
+        if (pointer_is_inside(menu_box(menu->upright, menu->page, offered, tag), 0.0f, at)) {
+            return (uint8_t)(tag + 1u);
+        }
+    }
+    return 0;
+}
+
+/* Returns the pointer of the controller that moved last. The slot need not have a bowl, because the
+ * operator may test a controller that was never used in a game. `*stirs` is 1 if the pointer has
+ * just moved. */
+static struct pointer_state leading_hand(struct core *core, const struct input *input, int *stirs)
+{
+    struct menu *menu = &core->game.menu;
+    struct pointer_state lead = pointer_of_player(core, input, menu->upright, menu->hand);
+    *stirs = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct pointer_state hand = pointer_of_player(core, input, menu->upright, i);
+        const float x = hand.at.x - menu->rest[i].x, y = hand.at.y - menu->rest[i].y;
+        if (hand.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
+            menu->rest[i] = hand.at;
+            menu->act_tick = core->tick;
+            lead = hand;
+            *stirs = 1;
+        }
+    }
+    return lead;
+}
+
+/* Moves the highlight when the pointer enters an item. While the pointer rests, even on a new page,
+ * the buttons keep control. */
+static void point_at_tag_by_hand(struct core *core, const struct input *input,
+                                 struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    int stirs;
+    const struct pointer_state hand = leading_hand(core, input, &stirs);
+    if (!hand.present || is_learning(menu)) {
+        menu->has_hand = menu->points = 0;
+        menu->presses = 1; /* The next pointer selects nothing until it was above the water once. */
+        return;
+    }
+    const int was_down = menu->presses || hand.player != menu->hand;
+    menu->has_hand = 1;
+    menu->hand = hand.player;
+    menu->x = hand.at.x;
+    menu->y = hand.at.y;
+    const uint8_t points = tag_under(menu, hand.at);
+    if (stirs && points != menu->points && points > 0) {
+        point_at_tag(menu, points - 1u, output);
+    }
+    menu->points = stirs ? points : menu->points;
+    menu->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
+    if (menu->presses && !was_down && points > 0) {
+        menu->points = points;
+        point_at_tag(menu, points - 1u, output); /* A dip selects the item under the pointer,
+                                                    even if a button moved the highlight since. */
+        activate_pointed_tag(core, output);
+    }
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+static void count_presses(struct menu *menu, uint32_t pressed)
+{
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        const int counts = (pressed >> i & 1u) && menu->pressed_count[i] < MENU_COUNT_MAX;
+        menu->pressed_count[i] = (uint16_t)(menu->pressed_count[i] + counts);
+    }
+}
+
+/* Counts a coin in the menu as a test, on every page. */
+static void count_coins(struct core *core, uint32_t count, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    if (count > 0) {
+        const uint32_t room = MENU_COUNT_MAX - menu->test_coins;
+        menu->test_coins += count < room ? count : room;
+        menu->coin_tick = core->tick;
+        output_sound(output, SOUND_COIN, 0.5f, 0.0f);
+    }
+}
+
+static void watch_input_test(struct core *core, const struct input *input, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    check_controllers(&input->controllers);
+    const int is_unkept = input->controllers.learn_step == LEARN_NOT_SAVED &&
+                          menu->controllers.learn_step != LEARN_NOT_SAVED;
+    const int has_changed =
+        memcmp(&menu->controllers, &input->controllers, sizeof menu->controllers) != 0;
+    menu->controllers = input->controllers;
+    menu->upright = input->upright != 0;
+    menu->held = input->held;
+    count_presses(menu, is_way_back(input) ? 0u : input->pressed);
+    count_coins(core, input_coin_pulses(input), output);
+    const int is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
+    menu->use_tick = is_used ? core->tick : menu->use_tick;
+    menu->act_tick = is_used || has_changed ? core->tick : menu->act_tick;
+    if (is_unkept && menu->page != MENU_PIN) { /* Report the failed save to the operator who saved
+                                                  the mapping. */
+        menu->row = input->controllers.learn_row;
+        menu_turn(core, MENU_LEARN);
+    }
+    point_at_something(menu);
+}
+
+/* Returns 1 while the button that selected is held, or the poi is still under water over the
+ * item. */
+static int is_taking(const struct menu *menu)
+{
+    return (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
+           (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
+}
+
+/* Returns 1 if no activity occurred for the timeout, or only motion occurred for several
+ * timeouts. */
+static int is_deserted(const struct core *core)
+{
+    const struct menu *menu = &core->game.menu;
+    const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
+    return core->tick - menu->act_tick >= span ||
+           core->tick - menu->use_tick >= MENU_SWING_SPANS * span;
+}
+
+void menu_tick(struct core *core, const struct input *input, struct output *output)
+{
+    watch_input_test(core, input, output);
+    heed_buttons(core, input, output);
+    if (core->game.phase == PHASE_MENU) {
+        point_at_tag_by_hand(core, input, output);
+    }
+    if (core->game.phase == PHASE_MENU) {
+        menu_settings_tick(core, is_taking(&core->game.menu), output);
+    }
+    if (core->game.phase == PHASE_MENU && is_deserted(core)) {
+        menu_close(core, output);
+    }
+}
+
+int menu_tries_lines(const struct core *core)
+{
+    const uint8_t page = core->game.menu.page;
+    return core->game.phase == PHASE_MENU && (page == MENU_LINES || page == MENU_SELF_TEST);
+}
+
+int menu_lights_start(const struct core *core)
+{
+    return self_test_shows(core) ||
+           (menu_tries_lines(core) && (core->game.menu.held & INPUT_START) != 0);
+}

@@ -1,0 +1,38 @@
+/* menu_books.c -- reset of a group of statistics, which is itself logged in the ledger. */
+#include "core/core.h"
+#include "core/game/menu/menu_internal.h"
+
+void menu_book_activate(struct core *core, uint32_t tag, struct output *output)
+{
+    (void)tag;
+    (void)output;
+    core->game.menu.from = core->game.menu.page;
+    menu_turn(core, MENU_RESET);
+}
+
+/* Returns the sum of the group's counters, which the ledger entry stores so that later reports show
+ * the amount removed. */
+static int32_t sum_of(const struct audits *audits, enum audit_group group)
+{
+    uint32_t sum = 0;
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        const uint32_t count = audits_group_of(id) == group ? audits->count[id] : 0u;
+        sum = (uint32_t)INT32_MAX - sum < count ? (uint32_t)INT32_MAX : sum + count;
+    }
+    return (int32_t)sum;
+}
+
+/* If the ledger has no room, the confirmation stays open. */
+void menu_reset_activate(struct core *core, uint32_t tag, struct output *output)
+{
+    const uint8_t from = core->game.menu.from, group = menu_page_desc_of(from)->about;
+    const struct ledger_entry entry = {
+        .kind = LEDGER_RESET,
+        .detail = group,
+        .value = sum_of(&core->game.audits, (enum audit_group)group),
+    };
+    (void)tag;
+    if (ledger_write(core, &entry, output) != 0) {
+        menu_turn(core, (enum menu_page)from);
+    }
+}

@@ -1,0 +1,28 @@
+/* menu_confirm.c -- actions that require confirmation: restart and factory reset. */
+#include "core/core.h"
+#include "core/game/menu/menu_internal.h"
+
+_Static_assert((int)CONFIRM_BACK == (int)BOOK_BACK, "pages of the books begin there, too");
+
+void menu_confirm_open(struct core *core)
+{
+    core->game.menu.tag[core->game.menu.page] = CONFIRM_BACK;
+}
+
+/* Requests a restart. The shell ends the frame loop when the store has saved everything, and starts
+ * the kiosk again. */
+void menu_restart_activate(struct core *core, uint32_t tag, struct output *output)
+{
+    (void)tag;
+    menu_command(core, output, COMMAND_RESTART);
+}
+
+void menu_factory_activate(struct core *core, uint32_t tag, struct output *output)
+{
+    (void)tag;
+    if (settings_edit_factory_reset(core, output)) {
+        /* A restart applies the configuration of the machine and of its files again. */
+        menu_command(core, output, COMMAND_RESTART);
+        menu_turn(core, MENU_UPKEEP);
+    }
+}

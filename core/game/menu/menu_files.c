@@ -1,0 +1,42 @@
+/* menu_files.c -- the menu page that lists the files of the data folder. */
+#include "core/core.h"
+#include "core/game/menu/menu_internal.h"
+
+#define FILES_SHOWN 5u
+
+uint32_t menu_files_shown(int upright)
+{
+    return upright ? SCENE_FILE_MAX : FILES_SHOWN;
+}
+
+static int is_long(const struct menu *menu)
+{
+    return menu->controllers.file_count > menu_files_shown(menu->upright);
+}
+
+uint16_t menu_files_enabled(const struct menu *menu)
+{
+    return (uint16_t)((is_long(menu) ? MENU_TAG(FILES_MORE) : 0u) | MENU_TAG(FILES_SEEN) |
+                      MENU_TAG(FILES_BACK));
+}
+
+/* Highlights an item that is harmless if selected by accident. */
+void menu_files_open(struct core *core)
+{
+    struct menu *menu = &core->game.menu;
+    menu->file_first = 0;
+    menu->tag[MENU_FILES] = is_long(menu) ? FILES_MORE : FILES_BACK;
+}
+
+/* Shows the next rows, and the first rows after the last ones. Acknowledging quarantined databases
+ * is a command for the shell. */
+void menu_files_activate(struct core *core, uint32_t tag, struct output *output)
+{
+    struct menu *menu = &core->game.menu;
+    if (tag == FILES_SEEN) {
+        menu_command(core, output, COMMAND_SEEN);
+        return;
+    }
+    const uint32_t next = menu->file_first + menu_files_shown(menu->upright);
+    menu->file_first = (uint8_t)(next < menu->controllers.file_count ? next : 0u);
+}

@@ -1,0 +1,262 @@
+/* menu_pages.c -- the table of pages, with parent and actions of each. */
+#include "core/game/menu/menu_pages.h"
+
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/game/menu/menu_internal.h"
+#include "core/game/phases.h"
+
+#define PAGES(parent_page) { .parent = (parent_page), .body = MENU_BODY_PAGES, .foot_count = 1 }
+#define BOOK(group)                                                                                \
+    { .parent = MENU_BOOKS,                                                                        \
+      .body = MENU_BODY_FREE,                                                                      \
+      .foot_count = BOOK_TAGS,                                                                     \
+      .about = (group),                                                                            \
+      .enter = menu_confirm_open,                                                                  \
+      .take = menu_book_activate }
+#define SURE(parent_page, take_it)                                                                 \
+    { .parent = (parent_page),                                                                     \
+      .body = MENU_BODY_FREE,                                                                      \
+      .foot_count = CONFIRM_TAGS,                                                                  \
+      .enter = menu_confirm_open,                                                                  \
+      .take = (take_it) }
+#define KEYS(parent_page, take_it)                                                                 \
+    { .parent = (parent_page),                                                                     \
+      .body = MENU_BODY_KEYS,                                                                      \
+      .body_count = PIN_ERASE,                                                                     \
+      .foot_count = PIN_TAGS - PIN_ERASE,                                                          \
+      .enter = menu_pin_open,                                                                      \
+      .take = (take_it) }
+#define SETTINGS(group)                                                                            \
+    { .parent = MENU_TOP,                                                                          \
+      .body = MENU_BODY_SETTINGS,                                                                  \
+      .foot_count = SETTINGS_FEET,                                                                 \
+      .about = (group),                                                                            \
+      .offers = menu_settings_enabled,                                                             \
+      .enter = menu_settings_open,                                                                 \
+      .take = menu_settings_activate }
+
+/* clang-format off */
+static const struct menu_page_desc sheets[MENU_PAGE_COUNT] = {
+    [MENU_TOP] = PAGES(MENU_PAGE_COUNT),
+    [MENU_DEVICES] = PAGES(MENU_TOP),
+    [MENU_CONTROLLERS] = { .parent = MENU_DEVICES, .body = MENU_BODY_ROWS,
+                           .body_count = CONTROLLER_MAX, .foot_count = 1,
+                           .offers = menu_rows_enabled, .take = menu_rows_activate },
+    [MENU_CONTROLLER] = { .parent = MENU_CONTROLLERS, .body = MENU_BODY_TILES,
+        .body_count = ROW_BACK,
+                          .foot_count = 1, .offers = menu_row_enabled, .enter = menu_reopen,
+                          .take = menu_row_activate },
+    [MENU_LEARN] = { .parent = MENU_CONTROLLER, .body = MENU_BODY_FREE, .foot_count = LEARNS_TAGS,
+                     .offers = menu_learn_enabled, .enter = menu_reopen,
+                     .take = menu_learn_activate, .leave = menu_learn_close },
+    [MENU_LINES] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE, .foot_count = LINES_TAGS,
+                     .watches = 1 },
+    [MENU_AXES] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE, .foot_count = 1 },
+    [MENU_CALIBRATION] = { .parent = MENU_DEVICES, .body = MENU_BODY_FREE,
+                           .foot_count = CALIBRATE_TAGS, .offers = menu_calibrate_enabled,
+                           .enter = menu_calibrate_open, .take = menu_calibrate_activate },
+    [MENU_MONEY] = SETTINGS(GROUP_MONEY),
+    [MENU_GAME] = SETTINGS(GROUP_GAME),
+    [MENU_MODES] = { .parent = MENU_GAME, .body = MENU_BODY_BITS, .foot_count = 1,
+        .about = SET_MODES,
+                     .take = menu_bits_activate },
+    [MENU_SOUND] = SETTINGS(GROUP_SOUND),
+    [MENU_PICTURE] = SETTINGS(GROUP_PICTURE),
+    [MENU_CARD] = { .parent = MENU_PICTURE, .body = MENU_BODY_FREE, .foot_count = 1 },
+    [MENU_BOOKS] = PAGES(MENU_TOP),
+    [MENU_EARNINGS] = BOOK(AUDIT_GROUP_MONEY),
+    [MENU_PLAYS] = BOOK(AUDIT_GROUP_PLAY),
+    [MENU_HOURS] = BOOK(AUDIT_GROUP_PLAY),
+    [MENU_MACHINE] = BOOK(AUDIT_GROUP_MACHINE),
+    [MENU_RESET] = { .parent = MENU_EARNINGS, .body = MENU_BODY_FREE, .foot_count = CONFIRM_TAGS,
+                     .returns = 1, .enter = menu_confirm_open, .take = menu_reset_activate },
+    [MENU_RANKING] = { .parent = MENU_BOOKS, .body = MENU_BODY_ROWS, .body_count = RANKING_NEXT,
+                       .foot_count = 2, .offers = menu_ranking_enabled,
+                       .enter = menu_ranking_open, .take = menu_ranking_activate },
+    [MENU_SCORE] = { .parent = MENU_RANKING, .body = MENU_BODY_TILES, .body_count = SCORE_BACK,
+                     .foot_count = 1, .offers = menu_score_enabled, .enter = menu_score_open,
+                     .take = menu_score_activate },
+    [MENU_SELF_TEST] = { .parent = MENU_TOP, .body = MENU_BODY_FREE, .foot_count = SELF_TAGS,
+                         .watches = 1, .offers = menu_self_enabled, .enter = menu_self_open,
+                         .take = menu_self_activate },
+    [MENU_UPKEEP] = PAGES(MENU_TOP),
+    [MENU_FILES] = { .parent = MENU_UPKEEP, .body = MENU_BODY_FREE, .foot_count = FILES_TAGS,
+                     .offers = menu_files_enabled, .enter = menu_files_open,
+                     .take = menu_files_activate },
+    [MENU_ABOUT] = { .parent = MENU_UPKEEP, .body = MENU_BODY_FREE, .foot_count = 1 },
+    [MENU_NEW_PIN] = KEYS(MENU_UPKEEP, menu_new_pin_activate),
+    [MENU_RESTART] = SURE(MENU_UPKEEP, menu_restart_activate),
+    [MENU_FACTORY] = SURE(MENU_UPKEEP, menu_factory_activate),
+    [MENU_PIN] = KEYS(MENU_PAGE_COUNT, menu_pin_activate),
+};
+/* clang-format on */
+_Static_assert(ROWS_TAGS <= MENU_TAG_MAX && PIN_TAGS <= MENU_TAG_MAX, "each tag has its bit");
+_Static_assert(RANKING_TAGS <= MENU_TAG_MAX, "each tag has its bit");
+_Static_assert(MENU_PAGE_COUNT <= 32u, "tests keep a bit for each page that they have seen");
+
+const struct menu_page_desc *menu_page_desc_of(uint8_t page)
+{
+    CORE_ASSERT(page < MENU_PAGE_COUNT);
+    return &sheets[page];
+}
+
+/* ---- Content of a body ---------------------------------------------------------------------- */
+
+/* Returns child page `nth` of `parent`, or MENU_PAGE_COUNT if there are fewer; `*count` receives
+ * the number of children passed. Pages opened by rows of data are no children of a list. */
+static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
+{
+    *count = 0;
+    for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
+        if (sheets[page].parent == parent && (*count)++ == nth) {
+            return page;
+        }
+    }
+    return MENU_PAGE_COUNT;
+}
+
+static uint32_t child_count(uint8_t parent)
+{
+    uint32_t count;
+    nth_child(parent, MENU_PAGE_COUNT, &count);
+    return count;
+}
+
+/* Returns setting `nth` of a group, without bit settings, which have a page of their own. */
+static uint32_t nth_setting(uint8_t group, uint32_t nth, uint32_t *count)
+{
+    *count = 0;
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const struct setting *setting = settings_entry(id);
+        if (setting->group == group && setting->kind != KIND_BITS && (*count)++ == nth) {
+            return id;
+        }
+    }
+    return SETTING_COUNT;
+}
+
+static uint32_t setting_count(uint8_t group)
+{
+    uint32_t count;
+    nth_setting(group, SETTING_COUNT, &count);
+    return count;
+}
+
+static uint32_t bit_count(uint32_t id)
+{
+    uint32_t count = 0;
+    while (settings_entry(id)->max >> count) {
+        count++;
+    }
+    return count;
+}
+
+uint32_t menu_body_count(uint8_t page)
+{
+    const struct menu_page_desc *sheet = menu_page_desc_of(page);
+    switch (sheet->body) {
+    case MENU_BODY_PAGES:
+        return child_count(page);
+    case MENU_BODY_SETTINGS:
+        return setting_count(sheet->about) + child_count(page);
+    case MENU_BODY_BITS:
+        return bit_count(sheet->about);
+    default:
+        return sheet->body_count;
+    }
+}
+
+uint32_t menu_tag_count(uint8_t page)
+{
+    const uint32_t count = menu_body_count(page) + menu_page_desc_of(page)->foot_count;
+    CORE_ASSERT(count <= MENU_TAG_MAX);
+    return count;
+}
+
+uint8_t menu_page_at(uint8_t page, uint32_t tag)
+{
+    const struct menu_page_desc *sheet = menu_page_desc_of(page);
+    const uint32_t first = sheet->body == MENU_BODY_SETTINGS ? setting_count(sheet->about) : 0u;
+    uint32_t count;
+    if ((sheet->body != MENU_BODY_PAGES && sheet->body != MENU_BODY_SETTINGS) || tag < first) {
+        return MENU_PAGE_COUNT;
+    }
+    return nth_child(page, tag - first, &count);
+}
+
+uint32_t menu_tag_of(uint8_t page)
+{
+    const uint8_t parent = menu_page_desc_of(page)->parent;
+    uint32_t tag = 0;
+    while (parent < MENU_PAGE_COUNT && tag < MENU_TAG_MAX && menu_page_at(parent, tag) != page) {
+        tag++;
+    }
+    return parent < MENU_PAGE_COUNT ? tag : MENU_TAG_MAX;
+}
+
+uint32_t menu_setting_at(uint8_t page, uint32_t tag)
+{
+    const struct menu_page_desc *sheet = menu_page_desc_of(page);
+    const uint8_t leads = menu_page_at(page, tag);
+    uint32_t count;
+    if (leads < MENU_PAGE_COUNT && sheets[leads].body == MENU_BODY_BITS) {
+        return sheets[leads].about;
+    }
+    return sheet->body == MENU_BODY_SETTINGS ? nth_setting(sheet->about, tag, &count)
+                                             : SETTING_COUNT;
+}
+
+uint16_t menu_enabled(const struct menu *menu)
+{
+    const struct menu_page_desc *sheet = menu_page_desc_of(menu->page);
+    return sheet->offers ? sheet->offers(menu)
+                         : (uint16_t)((1u << menu_tag_count(menu->page)) - 1u);
+}
+
+/* ---- Actions -------------------------------------------------------------------------------- */
+
+void menu_command(struct core *core, struct output *output, enum controller_command_kind kind)
+{
+    struct menu *menu = &core->game.menu;
+    output->commands[menu->command_count % CONTROLLER_COMMAND_MAX] =
+        (struct controller_command){ .kind = (uint8_t)kind, .row = menu->row };
+    output->command_count = ++menu->command_count;
+}
+
+static void open_parent_page(struct core *core, struct output *output)
+{
+    const struct menu_page_desc *sheet = menu_page_desc_of(core->game.menu.page);
+    if (sheet->parent == MENU_PAGE_COUNT) {
+        menu_close(core, output);
+        return;
+    }
+    if (sheet->leave) {
+        sheet->leave(core, output);
+    }
+    menu_turn(core, (enum menu_page)(sheet->returns ? core->game.menu.from : sheet->parent));
+}
+
+void menu_activate(struct core *core, struct output *output)
+{
+    const struct menu *menu = &core->game.menu;
+    const uint32_t tag = menu->tag[menu->page];
+    const uint8_t page = menu_page_at(menu->page, tag);
+    if (tag + 1u == menu_tag_count(menu->page)) {
+        open_parent_page(core, output);
+    } else if (page < MENU_PAGE_COUNT) {
+        menu_turn(core, (enum menu_page)page);
+    } else {
+        CORE_ASSERT(menu_page_desc_of(menu->page)->take);
+        menu_page_desc_of(menu->page)->take(core, tag, output);
+    }
+}
+
+void menu_close(struct core *core, struct output *output)
+{
+    const struct menu_page_desc *sheet = menu_page_desc_of(core->game.menu.page);
+    if (sheet->leave) {
+        sheet->leave(core, output);
+    }
+    attract_begin(core);
+}

@@ -1,0 +1,288 @@
+/* self_test.c -- the tests of the page, and their evaluation. */
+#include "core/game/menu/self_test.h"
+
+#include "core/base/hash.h"
+#include "core/core.h"
+#include "core/game/menu/menu_internal.h"
+
+/* ---- Items ---------------------------------------------------------------------------------- */
+
+/* Returns the open question: about the sound first, then about lamp and slot; NULL if both are
+ * answered. */
+static uint8_t *open_question(struct self_test *self)
+{
+    return self->heard == SELF_UNSAID   ? &self->heard
+           : self->moved == SELF_UNSAID ? &self->moved
+                                        : (uint8_t *)0;
+}
+
+uint16_t menu_self_enabled(const struct menu *menu)
+{
+    const struct self_test *self = &menu->self;
+    const int asks = self->heard == SELF_UNSAID || self->moved == SELF_UNSAID;
+    return (uint16_t)((asks ? MENU_TAG(SELF_YES) | MENU_TAG(SELF_NO) : 0) | MENU_TAG(SELF_AGAIN) |
+                      MENU_TAG(SELF_BACK));
+}
+
+void menu_self_open(struct core *core)
+{
+    core->game.menu.self = (struct self_test){ .begin_tick = core->tick };
+    core->game.menu.tag[MENU_SELF_TEST] = SELF_YES;
+    core->game.menu.test_coins = 0;
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        core->game.menu.pressed_count[i] = 0;
+    }
+}
+
+void menu_self_activate(struct core *core, uint32_t tag, struct output *output)
+{
+    struct self_test *self = &core->game.menu.self;
+    uint8_t *question = open_question(self);
+    (void)output;
+    if (tag == SELF_AGAIN) {
+        menu_self_open(core);
+    } else if (question) {
+        *question = tag == SELF_YES ? SELF_SAYS_YES : SELF_SAYS_NO;
+    }
+}
+
+/* ---- Tests ---------------------------------------------------------------------------------- */
+
+static int self_test_is_open(const struct core *core)
+{
+    return core->game.phase == PHASE_MENU && core->game.menu.page == MENU_SELF_TEST;
+}
+
+static void watch_poi(struct self_test *self, const struct poi_input *poi, uint32_t seat,
+                      int is_settled)
+{
+    const uint8_t bit = (uint8_t)(1u << seat);
+    if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
+        return;
+    }
+    self->present |= bit;
+    if (!(self->knows_first & bit)) {
+        self->knows_first |= bit;
+        self->first_m[seat] = poi->target.position_m;
+    }
+    const vec3 way_m = v3_sub(poi->target.position_m, self->first_m[seat]);
+    self->ways[seat] |= (uint8_t)((f_abs(way_m.x) >= SELF_TEST_WAY_M ? 1u : 0u) |
+                                  (f_abs(way_m.y) >= SELF_TEST_WAY_M ? 2u : 0u) |
+                                  (f_abs(way_m.z) >= SELF_TEST_WAY_M ? 4u : 0u));
+    if (is_settled && poi->age_ticks > self->worst_age[seat]) {
+        self->worst_age[seat] = (uint8_t)(poi->age_ticks < 255u ? poi->age_ticks : 255u);
+    }
+}
+
+/* Logs the unchanged volume as a test entry, which changes nothing for any reader. */
+static void write_one(struct core *core, struct output *output)
+{
+    const struct ledger_entry entry = {
+        .kind = LEDGER_SETTING,
+        .detail = SET_VOLUME,
+        .value = core->game.settings_edit.told.value[SET_VOLUME],
+    };
+    core->game.menu.self.entry_id = ledger_write(core, &entry, output);
+}
+
+void self_test_tick(struct core *core, const struct input *input, struct output *output)
+{
+    struct self_test *self = &core->game.menu.self;
+    if (!self_test_is_open(core)) {
+        return;
+    }
+    if (core->tick == self->begin_tick + 1u) {
+        write_one(core, output);
+    }
+    if ((core->tick - self->begin_tick) % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
+        output_sound(output, SOUND_CALL, 1.0f, 0.0f);
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        watch_poi(self, &input->poi[i], i, core->tick - self->begin_tick > CORE_TICK_HZ);
+    }
+}
+
+int self_test_shows(const struct core *core)
+{
+    const struct self_test *self = &core->game.menu.self;
+    return self_test_is_open(core) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
+           core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
+}
+
+/* ---- Evaluation ----------------------------------------------------------------------------- */
+
+void self_test_show(const struct core *core, struct scene_self_test *out)
+{
+    const struct self_test *self = &core->game.menu.self;
+    const struct ledger *ledger = &core->game.ledger;
+    const uint32_t age = core->tick - self->begin_tick;
+    const int is_late = age > SELF_TEST_STORE_TICKS;
+    const uint32_t left = age < SELF_TEST_TICKS ? SELF_TEST_TICKS - age : 0u;
+    const int is_saved = self->entry_id != 0 && ledger_is_saved(ledger, self->entry_id);
+    *out = (struct scene_self_test){
+        .heard = self->heard,
+        .moved = self->moved,
+        .present = self->present,
+        .players = core->config.players > 0 ? core->config.players : 1u,
+        .store = (uint8_t)(is_saved && ledger->is_healthy ? SELF_GOOD
+                           : is_late                      ? SELF_BAD
+                                                          : SELF_WAITS),
+        .clock = (uint8_t)(ledger->day != 0 ? SELF_GOOD : SELF_LOOK),
+        .seconds_left = (uint8_t)((left + CORE_TICK_HZ - 1u) / CORE_TICK_HZ),
+        .day = ledger->day,
+        .minute = ledger->minute,
+    };
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        out->ways[i] = self->ways[i];
+        out->worst_age[i] = self->worst_age[i];
+    }
+}
+
+static uint8_t said(uint8_t answer)
+{
+    return answer == SELF_SAYS_YES ? SELF_GOOD : answer == SELF_SAYS_NO ? SELF_BAD : SELF_ASKS;
+}
+
+/* Buttons that must be tested. TILT and DOOR are no buttons, and no cabinet has a language
+ * button. */
+#define TRIED_BUTTONS                                                                              \
+    ((uint32_t)(INPUT_START | INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST | INPUT_SERVICE))
+
+static uint8_t judge_buttons(const struct scene *scene)
+{
+    uint32_t untried = 0;
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        const int counts = (TRIED_BUTTONS & ~scene->devices.buttons_missing) >> i & 1u;
+        untried += counts && scene->menu.pressed_count[i] == 0;
+    }
+    return untried == 0 ? SELF_GOOD : SELF_ASKS;
+}
+
+/* A slot in play is bad without a controller or with late reports. */
+static uint8_t judge_pois(const struct scene_self_test *self)
+{
+    uint8_t state = SELF_GOOD;
+    for (uint32_t i = 0; i < self->players && i < POI_MAX; i++) {
+        if (!(self->present >> i & 1u) || self->worst_age[i] > SELF_TEST_LATE_TICKS) {
+            return SELF_BAD;
+        }
+        state = self->ways[i] != 7u ? (uint8_t)SELF_ASKS : state;
+    }
+    return state;
+}
+
+/* A kiosk without input lines has neither lamp nor slot, so they count as good unless the operator
+ * reports a fault. */
+static uint8_t judge_lamp(const struct scene *scene)
+{
+    const int is_wired = scene->devices.lines[0] != '\0';
+    const uint8_t moved = scene->menu.self.moved;
+    return moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD : said(moved);
+}
+
+/* In free play coins are returned, so the test does not require one. */
+static uint8_t judge_coins(const struct scene *scene)
+{
+    const int is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
+    return scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
+}
+
+static uint8_t judge_display(uint32_t frames)
+{
+    return frames == 0 ? SELF_WAITS : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD : SELF_BAD;
+}
+
+static uint8_t judge_data(uint8_t keeps)
+{
+    return keeps == KEEPS_UNKNOWN                            ? SELF_WAITS
+           : keeps == KEEPS_PROVEN || keeps == KEEPS_FOLDER ? SELF_GOOD
+                                                            : SELF_BAD;
+}
+
+static uint8_t judge_heat(const struct scene_machine *machine)
+{
+    return !machine->has_heat || machine->heat_margin_c >= SELF_HEAT_NEAR_C ? SELF_GOOD
+           : machine->heat_margin_c > 0                                     ? SELF_LOOK
+                                                                            : SELF_BAD;
+}
+
+static uint8_t judge_room(uint32_t room_mib)
+{
+    return room_mib >= SELF_ROOM_LOW_MIB   ? SELF_GOOD
+           : room_mib >= SELF_ROOM_BAD_MIB ? SELF_LOOK
+                                           : SELF_BAD;
+}
+
+/* Evaluates the machine. Checks without data wait; after the timeout a waiting check is bad. */
+static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
+{
+    const int is_fresh =
+        machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
+    state[SELF_WATCHDOG] = machine->watch == WATCH_FED    ? SELF_GOOD
+                           : machine->watch == WATCH_DEAF ? SELF_BAD
+                                                          : SELF_LOOK;
+    state[SELF_BACKUP] = state[SELF_DATA] = state[SELF_ROOM] = state[SELF_HEAT] = SELF_WAITS;
+    if (machine->has_looked) {
+        state[SELF_BACKUP] = is_fresh ? SELF_GOOD : SELF_LOOK;
+        state[SELF_DATA] = judge_data(machine->keeps);
+        state[SELF_ROOM] = judge_room(machine->room_mib);
+        state[SELF_HEAT] = judge_heat(machine);
+    }
+}
+
+static uint32_t first_in(const uint8_t state[SELF_CHECKS], uint8_t wanted)
+{
+    uint32_t check = 0;
+    while (check < SELF_CHECKS && state[check] != wanted) {
+        check++;
+    }
+    return check;
+}
+
+uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
+{
+    static const uint8_t order[] = { SELF_ASKS, SELF_BAD, SELF_LOOK, SELF_WAITS };
+    const struct scene_self_test *self = &scene->menu.self;
+    const struct scene_machine *machine = &scene->devices.machine;
+    judge_machine(machine, state);
+    state[SELF_STORE] = self->store == SELF_GOOD && machine->aside > 0 ? SELF_LOOK : self->store;
+    state[SELF_CLOCK] = machine->is_clock_back ? SELF_LOOK : self->clock;
+    state[SELF_DISPLAY] = judge_display(scene->devices.frames_a_second);
+    state[SELF_FILES] = scene->devices.files_refused == 0 ? SELF_GOOD : SELF_BAD;
+    state[SELF_SOUND] = said(self->heard);
+    state[SELF_LAMP] = judge_lamp(scene);
+    state[SELF_BUTTONS] = judge_buttons(scene);
+    state[SELF_COINS] = judge_coins(scene);
+    state[SELF_POIS] = judge_pois(self);
+    uint32_t next = SELF_CHECKS;
+    for (uint32_t i = 0; i < SELF_CHECKS; i++) {
+        state[i] = state[i] == SELF_WAITS && self->seconds_left == 0 ? (uint8_t)SELF_BAD : state[i];
+    }
+    for (uint32_t i = 0; i < sizeof order && next == SELF_CHECKS; i++) {
+        next = first_in(state, order[i]);
+    }
+    return next;
+}
+
+uint32_t self_test_left(const uint8_t state[SELF_CHECKS])
+{
+    uint32_t left = 0;
+    for (uint32_t i = 0; i < SELF_CHECKS; i++) {
+        left += state[i] != SELF_GOOD;
+    }
+    return left;
+}
+
+uint64_t self_test_hash(uint64_t hash, const struct self_test *self)
+{
+    const uint32_t words[] = { self->heard,      self->moved,     self->present, self->knows_first,
+                               self->begin_tick, self->entry_id };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hash = hash_u32(hash_u32(hash, self->ways[i]), self->worst_age[i]);
+        hash = hash_vec3(hash, self->first_m[i]);
+    }
+    return hash;
+}

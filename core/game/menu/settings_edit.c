@@ -1,0 +1,146 @@
+/* settings_edit.c -- changes settings and logs them in the ledger. */
+#include "core/game/menu/settings_edit.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/core.h"
+#include "core/tank/preset.h"
+
+static struct settings *live_settings(struct core *core)
+{
+    return &core->config.persistent.settings;
+}
+
+void settings_edit_init(struct settings_edit *settings_edit, const struct core_config *config)
+{
+    const uint32_t wrong = config->persistent.audits.count[AUDIT_WRONG_PINS];
+    *settings_edit = (struct settings_edit){
+        .told = config->persistent.settings,
+        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* The times of stored wrong PINs are
+                                                               unknown, so the lockout time starts
+                                                               at boot. */
+    };
+    settings_sanitize(&settings_edit->told);
+}
+
+int32_t settings_edit_max(const struct core *core, uint32_t id)
+{
+    const struct setting *setting = settings_entry(id);
+    if (id != SET_FISH) {
+        return setting->max;
+    }
+    const int32_t room =
+        (int32_t)tank_preset_fish_max(tank_preset(core->config.preset), 1.0f);
+    return room < setting->max ? room : setting->max;
+}
+
+static void apply(struct core *core)
+{
+    settings_apply(live_settings(core), &core->config);
+    core->game.settings_edit.turn_tick = core->tick;
+}
+
+void settings_edit_set(struct core *core, uint32_t id, int32_t value)
+{
+    CORE_ASSERT(settings_allows(id, value));
+    CORE_ASSERT(value <= settings_edit_max(core, id));
+    live_settings(core)->value[id] = value;
+    apply(core);
+    if (id == SET_LANGUAGE) {
+        core->game.language = (uint8_t)value;
+    }
+}
+
+/* Returns the next allowed value; paper grades 1 to 3 do not exist and are skipped. */
+static int32_t step_from(const struct core *core, uint32_t id, int32_t value, int is_down)
+{
+    const struct setting *setting = settings_entry(id);
+    const int32_t max = settings_edit_max(core, id);
+    do {
+        value += is_down ? -setting->step : setting->step;
+        value = value > max ? setting->min : value < setting->min ? max : value;
+    } while (!settings_allows(id, value));
+    return value;
+}
+
+static int is_end(const struct core *core, uint32_t id, int32_t value, int is_down)
+{
+    const int32_t next = step_from(core, id, value, is_down);
+    return is_down ? next > value : next < value;
+}
+
+int settings_edit_step(struct core *core, uint32_t id, int is_down, uint32_t step_count)
+{
+    int32_t value = step_from(core, id, live_settings(core)->value[id], is_down);
+    for (uint32_t i = 1; i < step_count && !is_end(core, id, value, is_down); i++) {
+        value = step_from(core, id, value, is_down);
+    }
+    settings_edit_set(core, id, value);
+    return is_end(core, id, value, is_down);
+}
+
+int settings_edit_factory_reset(struct core *core, struct output *output)
+{
+    struct ledger *ledger = &core->game.ledger;
+    const struct balance balance = ledger->balance;
+    const struct ledger_entry entry = { .kind = LEDGER_FACTORY,
+                                        .count = balance.paid + balance.service,
+                                        .value = balance.tickets };
+    ledger->balance = (struct balance){ 0 };
+    if (!ledger_write(core, &entry, output)) {
+        ledger->balance = balance;
+        return 0;
+    }
+    settings_reset(live_settings(core));
+    core->game.settings_edit.told = *live_settings(core);
+    core->game.settings_edit.entry_id = ledger->last_id;
+    core->game.language = (uint8_t)live_settings(core)->value[SET_LANGUAGE];
+    apply(core);
+    return 1;
+}
+
+/* Logs setting `id` if it changed. Returns 0 if the ledger had no room, else 1. */
+static int append_setting_entry(struct core *core, uint32_t id, struct output *output)
+{
+    struct settings_edit *settings_edit = &core->game.settings_edit;
+    const int32_t value = live_settings(core)->value[id];
+    if (value == settings_edit->told.value[id]) {
+        return 1;
+    }
+    if (!ledger_may_write(&core->game.ledger, LEDGER_SETTING)) {
+        return 0; /* The next tick tries again, because no change of a setting may be lost. */
+    }
+    const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu),
+                                        .count = id >> 8, .value = value };
+    settings_edit->entry_id = ledger_write(core, &entry, output);
+    settings_edit->told.value[id] = value;
+    return 1;
+}
+
+void settings_edit_tick(struct core *core, struct output *output)
+{
+    const struct settings_edit *settings_edit = &core->game.settings_edit;
+    if (core->tick - settings_edit->turn_tick < SETTINGS_EDIT_REST_TICKS) {
+        return;
+    }
+    uint32_t id = 0;
+    while (id < SETTING_COUNT && append_setting_entry(core, id, output)) {
+        id++;
+    }
+}
+
+int settings_edit_is_saved(const struct core *core)
+{
+    const struct settings_edit *settings_edit = &core->game.settings_edit;
+    const struct settings *now = &core->config.persistent.settings;
+    return memcmp(now, &settings_edit->told, sizeof *now) == 0 &&
+           ledger_is_saved(&core->game.ledger, settings_edit->entry_id);
+}
+
+uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_edit, int rules_7)
+{
+    hash = settings_hash(hash, &settings_edit->told, rules_7);
+    hash = hash_u32(hash_u32(hash, settings_edit->turn_tick), settings_edit->entry_id);
+    return hash_u32(hash_u32(hash, settings_edit->pin_wrong), settings_edit->pin_tick);
+}

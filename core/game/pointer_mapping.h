@@ -1,0 +1,62 @@
+/* pointer_mapping.h -- mapping of poses over the water to a pointer on a canvas over the tank's
+ * picture.
+ *
+ * Wide screens use a canvas of 1280 x 720, portrait screens a canvas of 854 x 1400. The origin is
+ * the top left corner, with x to the right and y down. Each canvas is as large as the screen
+ * permits, and centred. The mapping uses the tank's camera: a point on the water surface maps to
+ * the canvas point drawn over it, independent of the screen's size. */
+#ifndef KINGYO_CORE_GAME_POINTER_MAPPING_H
+#define KINGYO_CORE_GAME_POINTER_MAPPING_H
+
+#include <stdint.h>
+
+#include "core/base/vec.h"
+#include "core/input.h"
+#include "core/view.h"
+
+/* Narrower screens (width over height) use the portrait canvas. */
+#define POINTER_UPRIGHT_ASPECT 0.61f
+
+#define POINTER_PRESS_Y_M 0.010f   /* Height below which a pose presses. */
+/* Height above which the press ends; a mouse hovers at 0.035. */
+#define POINTER_RELEASE_Y_M 0.018f
+/* Distance on the canvas within which a pointer counts as resting. */
+#define POINTER_MOVE_MIN 14.0f
+
+struct layout_box {
+    float x, y, width, height;
+};
+
+struct layout_point {
+    float x, y;
+};
+
+struct layout_point pointer_layout_size(int upright); /* Returns width and height of the canvas. */
+
+/* Returns 1 if a point is in a box or less than `room` beside it; always 0 for an empty box. */
+int pointer_is_inside(struct layout_box box, float room, struct layout_point at);
+
+/* Returns the canvas point of a world point. */
+struct layout_point pointer_project(const struct view *view, int upright, vec3 point_m);
+
+/* A pointer: its position, clamped to the canvas, and the height of its pose. Not present if no
+ * controller is connected or its pose is invalid. A jump is harmless here, so jumps are not
+ * filtered. */
+struct pointer_state {
+    uint8_t present;
+    uint8_t player;
+    struct layout_point at;
+    float height_m;
+};
+
+struct core;
+
+/* Returns the pointer of `player`. A controller with rotation maps by the tank's floor plan, other
+ * controllers by the camera. */
+struct pointer_state pointer_of_player(const struct core *core, const struct input *input,
+                                       int upright, uint32_t player);
+
+/* Returns the pointer of the first player who has a bowl at the tank. */
+struct pointer_state pointer_first(const struct core *core, const struct input *input, int upright);
+
+#endif

@@ -1,0 +1,155 @@
+/* leaderboard.c -- selection and content of the leaderboard screen. */
+#include "core/game/ranking/leaderboard.h"
+
+#include "core/base/mem.h"
+#include "core/core.h"
+#include "core/game/phases.h"
+#include "core/game/rules.h"
+#include "core/game/table_setup.h"
+
+_Static_assert(SCENE_LEADERBOARD_ROWS == RANK_ROWS, "every row can be shown");
+
+struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
+                                                uint32_t round_id, uint8_t seat)
+{
+    struct leaderboard_place best = { 0, 0 };
+    for (uint8_t period = 0; period < RANK_PERIOD_COUNT && round_id != 0; period++) {
+        const uint32_t place =
+            ranking_place(ranking, mode, (enum rank_period)period, round_id, seat) + 1u;
+        if (place <= RANK_ROWS && (best.place == 0 || place <= best.place)) {
+            best = (struct leaderboard_place){ period, (uint8_t)place };
+        }
+    }
+    return best;
+}
+
+/* ---- Selection ------------------------------------------------------------------------------ */
+
+struct pick {
+    uint8_t shown, mode, period;
+    uint32_t ticks; /* Ticks since the leaderboard appeared. */
+};
+
+static int is_empty(const struct core *core, uint8_t mode, uint32_t period)
+{
+    return core->game.ranking.row[mode][period][0].caught == 0;
+}
+
+static int is_offered(const struct core *core, uint8_t mode)
+{
+    return (table_setup_modes(&core->config) >> mode & 1u) && rules_of(mode)->keeps_score;
+}
+
+/* Returns the leaderboard number `turn`, modulo the number of leaderboards that have entries. */
+static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ticks)
+{
+    uint8_t hung[MODE_COUNT * RANK_PERIOD_COUNT];
+    uint32_t count = 0;
+    for (uint8_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT; i++) {
+        const uint8_t mode = i / RANK_PERIOD_COUNT, period = i % RANK_PERIOD_COUNT;
+        if (is_offered(core, mode) && !is_empty(core, mode, period)) {
+            hung[count++] = i;
+        }
+    }
+    if (count == 0) {
+        return (struct pick){ 0 };
+    }
+    const uint8_t nth = hung[turn % count];
+    return (struct pick){ 1, nth / RANK_PERIOD_COUNT, nth % RANK_PERIOD_COUNT, ticks };
+}
+
+/* Returns the leaderboard for attract mode. Each interval starts with the tank, so that passers-by
+ * see goldfish first. */
+static struct pick in_attract(const struct core *core)
+{
+    const uint32_t elapsed = core->tick - core->game.phase_tick;
+    const uint32_t within = elapsed % LEADERBOARD_EVERY_TICKS;
+    if (within < LEADERBOARD_EVERY_TICKS - LEADERBOARD_TICKS) {
+        return (struct pick){ 0 };
+    }
+    return nth_board(core, elapsed / LEADERBOARD_EVERY_TICKS,
+                     within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS);
+}
+
+/* Returns the leaderboard with the best place of the round that just ended. */
+static struct pick after_round(const struct core *core)
+{
+    const struct game *game = &core->game;
+    struct leaderboard_place best = { 0, 0 };
+    for (uint8_t seat = 0; seat < POI_MAX; seat++) {
+        const struct leaderboard_place place =
+            leaderboard_best_place(&game->ranking, game->mode, game->name.round_id, seat);
+        if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
+            best = place;
+        }
+    }
+    return (struct pick){ best.place != 0, game->mode, best.period, core->tick - game->phase_tick };
+}
+
+/* Returns the leaderboard selected in the operator's menu. */
+static struct pick in_menu(const struct core *core)
+{
+    const struct menu *menu = &core->game.menu;
+    const int shown = menu->page == MENU_RANKING || menu->page == MENU_SCORE;
+    return (struct pick){ (uint8_t)shown, menu->board / RANK_PERIOD_COUNT,
+                          menu->board % RANK_PERIOD_COUNT, 0 };
+}
+
+static struct pick shown_ranking(const struct core *core)
+{
+    switch (core->game.phase) {
+    case PHASE_LEADERBOARD:
+        return after_round(core);
+    case PHASE_ATTRACT:
+        return in_attract(core);
+    case PHASE_MENU:
+        return in_menu(core);
+    default:
+        return (struct pick){ 0 };
+    }
+}
+
+/* ---- The phase ------------------------------------------------------------------------------ */
+
+void leaderboard_begin(struct core *core)
+{
+    game_enter_phase(core, PHASE_LEADERBOARD);
+}
+
+void leaderboard_tick(struct core *core, const struct input *input, struct output *output)
+{
+    const int dipped = game_dipped_player(core, input) < POI_MAX;
+    const int is_read = core->tick - core->game.phase_tick >= LEADERBOARD_TICKS;
+    if (dipped || (input->pressed & INPUT_START)) {
+        mode_select_begin(core, output);
+    } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(core)) {
+        attract_begin(core);
+    }
+}
+
+/* ---- The picture ---------------------------------------------------------------------------- */
+
+void leaderboard_show(const struct core *core, struct scene_leaderboard *out)
+{
+    const struct game *game = &core->game;
+    const struct pick pick = shown_ranking(core);
+    *out = (struct scene_leaderboard){ .shown = pick.shown };
+    if (!pick.shown) {
+        return;
+    }
+    out->mode = pick.mode;
+    out->period = pick.period;
+    out->shown_s = (float)pick.ticks * CORE_TICK_S;
+    out->left_s = pick.ticks < LEADERBOARD_TICKS
+                      ? (float)(LEADERBOARD_TICKS - pick.ticks) * CORE_TICK_S
+                      : 0.0f;
+    for (uint32_t i = 0; i < RANK_ROWS; i++) {
+        const struct rank_row *row = &game->ranking.row[pick.mode][pick.period][i];
+        out->row[i].caught = row->caught;
+        out->row[i].is_new =
+            game->phase == PHASE_LEADERBOARD && row->round_id == game->name.round_id;
+        out->row[i].seat = row->seat;
+        out->row[i].round_id = row->round_id;
+        memcpy(out->row[i].name, row->name, sizeof out->row[i].name);
+    }
+}

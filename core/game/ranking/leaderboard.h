@@ -1,0 +1,39 @@
+/* leaderboard.h -- the leaderboard screen: after a round with a ranked player, and at intervals in
+ * attract mode. */
+#ifndef KINGYO_CORE_GAME_RANKING_LEADERBOARD_H
+#define KINGYO_CORE_GAME_RANKING_LEADERBOARD_H
+
+#include <stdint.h>
+
+#include "core/game/ranking/ranking.h"
+#include "core/input.h"
+#include "core/output.h"
+#include "core/scene.h"
+
+/* Duration of the leaderboard screen; enough to read ten rows. */
+#define LEADERBOARD_TICKS (9u * CORE_TICK_HZ)
+/* Interval in attract mode; the tank is shown for the rest of it. */
+#define LEADERBOARD_EVERY_TICKS (30u * CORE_TICK_HZ)
+
+/* Best place of a player over all periods; if places are equal, the longer period counts. */
+struct leaderboard_place {
+    uint8_t period; /* enum rank_period */
+    uint8_t place;  /* Place from 1; 0: not ranked. */
+};
+
+struct core;
+
+/* Returns the best place of slot `seat` of the round with ledger id `round_id`. The place is 0 if
+ * the slot is not ranked or `round_id` is 0. */
+struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
+                                                uint32_t round_id, uint8_t seat);
+
+/* Enters the leaderboard phase for the round of the latest name entry. START or a dip starts a
+ * game; OK turns the page. */
+void leaderboard_begin(struct core *core);
+void leaderboard_tick(struct core *core, const struct input *input, struct output *output);
+
+/* Fills `out` with the visible leaderboard, in attract mode too. */
+void leaderboard_show(const struct core *core, struct scene_leaderboard *out);
+
+#endif

@@ -1,0 +1,128 @@
+/* name_keyboard.c -- the letters, their forms and their positions. */
+#include "core/game/ranking/name_keyboard.h"
+
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+
+#define HOLE 0x3000u          /* Full-width space, which marks an empty cell. */
+#define KATAKANA_AFTER 0x60u  /* Offset from a hiragana code point to its katakana. */
+#define KATAKANA_FIRST 0x30a1u
+#define KATAKANA_LAST 0x30f3u
+
+/* The usual order of kana tables and of name entry in arcade games. */
+static const uint16_t letters[ALPHABET_COUNT][NAME_CELLS + 1u] = {
+    [ALPHABET_HIRAGANA] = u"あいうえおはひふへほ"
+                          u"かきくけこまみむめも"
+                          u"さしすせそや　ゆ　よ"
+                          u"たちつてとらりるれろ"
+                          u"なにぬねのわをんー・",
+    [ALPHABET_KATAKANA] = u"アイウエオハヒフヘホ"
+                          u"カキクケコマミムメモ"
+                          u"サシスセソヤ　ユ　ヨ"
+                          u"タチツテトラリルレロ"
+                          u"ナニヌネノワヲンー・",
+    [ALPHABET_LATIN] = u"ABCDEFGHIJ"
+                       u"KLMNOPQRST"
+                       u"UVWXYZ-.!?"
+                       u"0123456789"
+                       u"　　　　　　　　　　",
+};
+
+/* The forms of each letter, side by side. */
+static const uint16_t forms[] =
+    u"あぁ いぃ うぅ えぇ おぉ やゃ ゆゅ よょ わゎ "
+    u"かが きぎ くぐ けげ こご さざ しじ すず せぜ そぞ "
+    u"ただ ちぢ つっづ てで とど はばぱ ひびぴ ふぶぷ へべぺ ほぼぽ";
+
+uint16_t name_letter(uint8_t alphabet, uint32_t cell)
+{
+    CORE_ASSERT(alphabet < ALPHABET_COUNT);
+    CORE_ASSERT(cell < NAME_CELLS);
+    const uint16_t letter = letters[alphabet][cell];
+    return letter == HOLE ? 0u : letter;
+}
+
+static uint16_t changed_kana(uint16_t letter)
+{
+    uint32_t first = 0; /* First index of the letter's group. */
+    for (uint32_t i = 0; forms[i] != 0; i++) {
+        if (forms[i] == ' ') {
+            first = i + 1u;
+        } else if (forms[i] == letter) {
+            const uint16_t next = forms[i + 1u];
+            return next == ' ' || next == 0 ? forms[first] : next;
+        }
+    }
+    return letter;
+}
+
+uint16_t name_changed(uint16_t letter)
+{
+    if ((letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z')) {
+        return letter ^ 0x20u;
+    }
+    if (letter >= KATAKANA_FIRST && letter <= KATAKANA_LAST) {
+        return (uint16_t)(changed_kana((uint16_t)(letter - KATAKANA_AFTER)) + KATAKANA_AFTER);
+    }
+    return changed_kana(letter);
+}
+
+/* Measures that differ between the two canvases. */
+struct measures {
+    float x, y, width, height, pitch_x, pitch_y; /* Position, size and spacing of the cells. */
+    float keys_x, keys_y, key_width, key_height, key_pitch;
+};
+
+static const struct measures wide = {
+    .x = 163.0f, .y = 200.0f, .width = 90.0f, .height = 70.0f, .pitch_x = 96.0f, .pitch_y = 76.0f,
+    .keys_x = 162.0f, .keys_y = 598.0f, .key_width = 224.0f, .key_height = 70.0f,
+    .key_pitch = 244.0f,
+};
+static const struct measures upright_measures = {
+    .x = 30.0f, .y = 470.0f, .width = 74.0f, .height = 96.0f, .pitch_x = 80.0f, .pitch_y = 104.0f,
+    .keys_x = 31.0f, .keys_y = 1030.0f, .key_width = 186.0f, .key_height = 110.0f,
+    .key_pitch = 202.0f,
+};
+
+struct layout_box name_box(int upright, uint8_t alphabet, uint32_t key)
+{
+    const struct measures *m = upright ? &upright_measures : &wide;
+    CORE_ASSERT(key < NAME_KEY_COUNT);
+    if (key >= NAME_CELLS) {
+        return (struct layout_box){ m->keys_x + (float)(key - NAME_CELLS) * m->key_pitch, m->keys_y,
+                                    m->key_width, m->key_height };
+    }
+    if (name_letter(alphabet, key) == 0) {
+        return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
+    }
+    return (struct layout_box){ m->x + (float)(key % NAME_COLUMNS) * m->pitch_x,
+                                m->y + (float)(key / NAME_COLUMNS) * m->pitch_y, m->width,
+                                m->height };
+}
+
+static uint32_t put_letter(uint16_t letter, char *out)
+{
+    if (letter < 0x80u) {
+        out[0] = (char)letter;
+        return 1u;
+    }
+    if (letter < 0x800u) {
+        out[0] = (char)(0xc0u | letter >> 6);
+        out[1] = (char)(0x80u | (letter & 0x3fu));
+        return 2u;
+    }
+    out[0] = (char)(0xe0u | letter >> 12);
+    out[1] = (char)(0x80u | (letter >> 6 & 0x3fu));
+    out[2] = (char)(0x80u | (letter & 0x3fu));
+    return 3u;
+}
+
+void name_spell(const uint16_t *spelt, uint32_t count, char out[LEDGER_NAME_SIZE])
+{
+    CORE_ASSERT(count <= NAME_LETTERS_MAX);
+    uint32_t used = 0;
+    memset(out, 0, LEDGER_NAME_SIZE);
+    for (uint32_t i = 0; i < count; i++) {
+        used += put_letter(spelt[i], out + used);
+    }
+}

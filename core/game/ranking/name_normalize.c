@@ -1,0 +1,122 @@
+/* name_normalize.c -- normalization of width, case, kana and similar characters. */
+#include "core/game/ranking/name_normalize.h"
+
+#define MALFORMED 0xffffu
+#define KATAKANA_AFTER 0x60u /* Offset from a hiragana code point to its katakana. */
+
+/* Returns the number of continuation bytes for letters below U+10000; 3: not a valid first byte. */
+static uint32_t tail_count(uint8_t lead)
+{
+    return lead < 0x80u ? 0u : lead < 0xc2u ? 3u : lead < 0xe0u ? 1u : lead < 0xf0u ? 2u : 3u;
+}
+
+static uint16_t next_letter(const char **at)
+{
+    const uint8_t lead = (uint8_t) * (*at)++;
+    const uint32_t tail = tail_count(lead);
+    if (tail == 3u) {
+        return MALFORMED;
+    }
+    uint32_t letter = tail == 0 ? lead : lead & (0x3fu >> tail);
+    for (uint32_t i = 0; i < tail; i++) {
+        const uint8_t byte = (uint8_t) * *at;
+        if ((byte & 0xc0u) != 0x80u) {
+            return MALFORMED;
+        }
+        letter = letter << 6 | (byte & 0x3fu);
+        (*at)++;
+    }
+    return (uint16_t)letter;
+}
+
+static uint16_t narrowed(uint16_t letter)
+{
+    static const uint16_t kana[] = /* U+FF66 .. U+FF9D, with small kana as normal ones. */
+        u"をあいうえおやゆよつーあいうえおかきくけこさしすせそ"
+        u"たちつてとなにぬねのはひふへほまみむめもやゆよらりるれろわん";
+    if (letter >= 0xff01u && letter <= 0xff5eu) {
+        return (uint16_t)(letter - 0xfee0u);
+    }
+    return letter >= 0xff66u && letter <= 0xff9du ? kana[letter - 0xff66u] : letter;
+}
+
+static uint16_t hiragana(uint16_t letter)
+{
+    static const uint16_t small[] = u"ぁぃぅぇぉっゃゅょゎ";
+    if (letter >= 0x30a1u && letter <= 0x30f4u) {
+        letter = (uint16_t)(letter - KATAKANA_AFTER);
+    }
+    for (uint32_t i = 0; small[i] != 0; i++) {
+        if (small[i] == letter) {
+            return (uint16_t)(letter + 1u); /* The normal kana follows the small one. */
+        }
+    }
+    return letter;
+}
+
+/* Returns the letter that a digit or sign stands for, or the small letter of a capital. `l` becomes
+ * `i` because `l` resembles `I`. */
+static uint16_t stood_for(uint16_t letter)
+{
+    static const char signs[] = "0o1i2z3e4a5s6b7t8b9g@a$s!i|i+tli";
+    if (letter >= 'A' && letter <= 'Z') {
+        letter = (uint16_t)(letter | 0x20u);
+    }
+    for (uint32_t i = 0; signs[i] != 0; i += 2u) {
+        if ((uint16_t)signs[i] == letter) {
+            return (uint16_t)signs[i + 1u];
+        }
+    }
+    return letter;
+}
+
+static int is_latin(uint16_t letter)
+{
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
+}
+
+static int is_kana(uint16_t letter)
+{
+    return letter >= 0x3041u && letter <= 0x3094u;
+}
+
+/* Applies a half-width voicing mark to the previous kana. Returns 1 if `letter` is such a mark. */
+static int voices_last(uint16_t letter, uint16_t *out, uint32_t count)
+{
+    if ((letter != 0xff9eu && letter != 0xff9fu) || count == 0 || !is_kana(out[count - 1u])) {
+        return 0;
+    }
+    out[count - 1u] = (uint16_t)(out[count - 1u] + letter - 0xff9du);
+    return 1;
+}
+
+uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME_NORMALIZE_MAX])
+{
+    uint32_t count = 0, end = 0; /* Number of letters up to the last one that is no decoration. */
+    while (*utf8 != 0 && count < NAME_NORMALIZE_MAX) {
+        const uint16_t raw = next_letter(&utf8);
+        if (voices_last(raw, out, count)) {
+            continue;
+        }
+        const uint16_t letter = hiragana(narrowed(raw));
+        const int is_plain = is_latin(letter) || is_kana(letter);
+        const uint16_t folded = is_kana(letter) ? letter : stood_for(letter);
+        if ((is_latin(folded) || is_kana(folded)) &&
+            (is_plain || count > 0 || ends == NAME_ENDS_KEPT)) {
+            out[count++] = folded;
+        }
+        end = is_plain ? count : end;
+    }
+    return ends == NAME_ENDS_TRIMMED ? end : count;
+}
+
+uint32_t name_normalize_spaces(uint16_t *letters, uint32_t count)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        if (kept == 0 || letters[kept - 1u] != letters[i]) {
+            letters[kept++] = letters[i];
+        }
+    }
+    return kept;
+}

@@ -1,0 +1,90 @@
+/* session.c -- the state that continues across sessions. */
+#include "core/game/session.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/rng.h"
+#include "core/core.h"
+
+void session_request(struct core *core)
+{
+    if (core->game.turn_tick == 0) {
+        core->game.turn_tick = core->tick + SESSION_FADE_TICKS;
+    }
+}
+
+/* Call after `core->tick` was incremented. */
+int session_is_over(const struct core *core)
+{
+    const struct game *game = &core->game;
+    return game->phase == PHASE_ATTRACT && game->turn_tick != 0 && core->tick >= game->turn_tick;
+}
+
+void session_restart(struct core *core)
+{
+    struct core_config *config = &core->config;
+    const struct game *game = &core->game;
+    config->seed = rng_u32((struct rng_key){ config->seed, core->tick, 0, RNG_SESSION });
+    config->session = (struct game_session){
+        .tick = core->tick,
+        .command_count = game->menu.command_count,
+        .edit_save_id = game->lab.save_id,
+        .edit_saved_id = game->lab.saved_id,
+        .ledger = game->ledger,
+        .credit = game->credit,
+        .health_log = game->health_log,
+        .settings_edit = game->settings_edit,
+        .language = language_kept(core),
+    };
+    config->persistent.ledger.last_id = game->ledger.last_id;
+    config->persistent.ledger.balance = game->ledger.balance;
+    config->persistent.ledger.stand = (struct ledger_stand){ 0 }; /* No round is open in attract
+                                                                     mode. */
+    config->persistent.audits = game->audits;
+    config->persistent.ranking = game->ranking;
+    memcpy(config->book.has_edit, game->lab.has_edit, sizeof config->book.has_edit);
+    memcpy(config->book.edits, game->lab.edits, sizeof config->book.edits);
+}
+
+void session_restore(struct game *game, const struct game_session *session)
+{
+    if (session->tick == 0) {
+        return;
+    }
+    game->menu.command_count = session->command_count;
+    game->lab.save_id = session->edit_save_id;
+    game->lab.saved_id = session->edit_saved_id;
+    game->ledger = session->ledger;
+    game->credit = session->credit;
+    game->health_log = session->health_log;
+    game->settings_edit = session->settings_edit;
+    if (session->language.until_tick != 0) {
+        game->language = (uint8_t)session->language.chosen;
+        game->language_until = session->language.until_tick;
+    }
+}
+
+float session_fade(const struct core *core)
+{
+    const struct game *game = &core->game;
+    const uint32_t since = core->tick - core->config.session.tick;
+    const uint32_t ahead = game->turn_tick - core->tick;
+    uint32_t dark = since < SESSION_FADE_TICKS ? SESSION_FADE_TICKS - since : 0u;
+    if (game->turn_tick != 0 && ahead < SESSION_FADE_TICKS && SESSION_FADE_TICKS - ahead > dark) {
+        dark = SESSION_FADE_TICKS - ahead;
+    }
+    return game->phase == PHASE_ATTRACT ? (float)dark / (float)SESSION_FADE_TICKS : 0.0f;
+}
+
+uint64_t session_hash(uint64_t hash, const struct game_session *session, int rules_7)
+{
+    hash = hash_u32(hash, session->tick);
+    hash = hash_u32(hash, session->command_count);
+    hash = hash_u32(hash, session->edit_save_id);
+    hash = hash_u32(hash, session->edit_saved_id);
+    hash = ledger_hash(hash, &session->ledger);
+    hash = credit_hash(hash, &session->credit);
+    hash = health_log_hash(hash, &session->health_log);
+    return language_hash(settings_edit_hash(hash, &session->settings_edit, rules_7),
+                         &session->language);
+}

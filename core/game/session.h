@@ -1,0 +1,62 @@
+/* session.h -- sessions: the periods into which the running time is divided, one recording each.
+ *
+ * A new session begins at each start of attract mode, and after every ten minutes of it. The core
+ * then restarts from its configuration.
+ *
+ * A session starts with the state that core_init() creates from the configuration in the core. The
+ * tank and the seed are fresh; money, ledger, audits, leaderboard, saved graphs and the tick
+ * continue. The configuration and the inputs since then reproduce any round of the session. A round
+ * starts at most ten minutes plus its own waiting time after the session's start. The player sees a
+ * short fade to dark. */
+#ifndef KINGYO_CORE_GAME_SESSION_H
+#define KINGYO_CORE_GAME_SESSION_H
+
+#include <stdint.h>
+
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/health_log.h"
+#include "core/game/language.h"
+#include "core/game/menu/settings_edit.h"
+#include "core/input.h"
+
+/* Longest attract time of a session; a running game is never interrupted. */
+#define SESSION_TICKS_MAX (600u * CORE_TICK_HZ)
+/* Duration of the fade before the restart, and of the fade after it. */
+#define SESSION_FADE_TICKS (CORE_TICK_HZ / 2u)
+
+/* State carried over from the previous session. All zero: the kiosk has just started. */
+struct game_session {
+    uint32_t tick;  /* First tick of this session; 0 at the kiosk's start. */
+    uint32_t command_count, edit_save_id, edit_saved_id; /* Command and edit ids, as in struct
+                                                            menu and struct lab. */
+    struct ledger ledger;
+    struct credit credit;
+    struct health_log health_log;
+    struct settings_edit settings_edit;
+    struct language_choice language;
+};
+
+struct core;
+struct game;
+
+/* Requests a new session. The session starts when the picture is dark, if attract mode is still
+ * active then. */
+void session_request(struct core *core);
+
+/* Returns 1 if the finished tick was the last one of the session. */
+int session_is_over(const struct core *core);
+
+/* Writes the configuration of the next session to core->config. The caller then rebuilds the rest
+ * of `core` as core_init() does. */
+void session_restart(struct core *core);
+
+/* Copies the carried-over state to a fresh game. Does nothing at the kiosk's start. */
+void session_restore(struct game *game, const struct game_session *session);
+
+/* Returns the darkness of the picture, [0, 1]; 1 at the restart. */
+float session_fade(const struct core *core);
+
+uint64_t session_hash(uint64_t hash, const struct game_session *session, int rules_7);
+
+#endif

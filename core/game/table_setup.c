@@ -1,0 +1,158 @@
+/* table_setup.c -- table setup: opens the tank, places the bowls and supplies paper. */
+#include "core/game/table_setup.h"
+
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/base/rng.h"
+#include "core/core.h"
+#include "core/game/control/controller.h"
+#include "core/game/control/parking.h"
+#include "core/game/control/release.h"
+#include "core/game/rules.h"
+
+uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series)
+{
+    return rng_u32(
+        (struct rng_key){ seed, number, index + POI_MAX * (uint32_t)series, RNG_ROUND_SEED });
+}
+
+/* ---- Offer ---------------------------------------------------------------------------------- */
+
+uint8_t table_setup_modes(const struct core_config *config)
+{
+    return config->modes ? config->modes : 1u << MODE_FESTIVAL;
+}
+
+uint8_t table_setup_first_mode(const struct core_config *config)
+{
+    const uint8_t modes = table_setup_modes(config);
+    uint8_t mode = 0;
+    while (!(modes & (1u << mode))) {
+        mode++;
+    }
+    return mode < MODE_COUNT ? mode : (uint8_t)MODE_FESTIVAL;
+}
+
+uint8_t table_setup_preset(const struct core_config *config, uint8_t mode)
+{
+    const uint8_t preset = rules_of(mode)->tank;
+    return preset == RULES_STALLS_TANK ? config->preset : preset;
+}
+
+uint8_t table_setup_grade(const struct core_config *config, uint8_t mode)
+{
+    const uint8_t grade = rules_of(mode)->grade;
+    const uint8_t own = config->grade ? config->grade : GAME_POI_GRADE;
+    const int is_only_mode = table_setup_modes(config) == 1u << mode;
+    return grade && !(config->grade && is_only_mode) ? grade : own;
+}
+
+uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode)
+{
+    return config->round_s ? config->round_s : rules_of(mode)->round_s;
+}
+
+/* ---- Tank and bowls ------------------------------------------------------------------------- */
+
+static uint32_t player_count(const struct core_config *config)
+{
+    return config->players ? config->players : 1u;
+}
+
+static uint32_t fish_count(const struct core_config *config, uint8_t preset)
+{
+    const int is_own = preset == config->preset && config->fish_count != 0;
+    return is_own ? config->fish_count : tank_preset(preset)->fish_count;
+}
+
+/* Returns 1 if the open tank matches the configuration. The operator's menu may have changed the
+ * number of fish or players. */
+static int is_set_up(const struct core *core, uint8_t preset)
+{
+    int is_so = preset == core->tank.preset &&
+                core->tank.fish_count == fish_count(&core->config, preset);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        is_so = is_so && core->bowl[i].present == (i < player_count(&core->config));
+    }
+    return is_so;
+}
+
+static void place_all(struct core *core, const struct tank_preset *preset)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint32_t seed =
+            game_poi_seed(core->config.seed, i, core->game.round_count, GAME_SERIES_ROUND);
+        const uint8_t link = core->poi[i].link;
+        poi_init(&core->poi[i], table_setup_grade(&core->config, core->game.mode),
+                 parking_place(core, i).position_m, seed);
+        core->poi[i].link = link;
+        core->game.hand_pose[i] = parking_place(core, i);
+        core->game.holder[i] = POI_SOURCE_ABSENT; /* The controller takes the poi over from the
+                                                     rest position. */
+        controller_forget_path(&core->game, i);
+        core->bowl[i] = (struct bowl){ 0 };
+        if (i < player_count(&core->config)) {
+            bowl_init(&core->bowl[i], preset->bowl_m[i]);
+        }
+    }
+}
+
+static void open_tank(struct core *core, uint8_t preset, uint32_t seed)
+{
+    struct tank_config config = tank_config_of(preset);
+    config.fish_count = fish_count(&core->config, preset);
+    config.seed = seed;
+    config.bowls = (uint8_t)player_count(&core->config);
+    config.lanes = core->config.lanes;
+    const int opened = tank_open(&core->tank, &config);
+    CORE_ASSERT(opened);
+    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
+        core->tank.fish[i].thought_tick = (uint8_t)core->tick; /* The fish start with the current
+                                                                  tick as their last behavior
+                                                                  tick. */
+    }
+}
+
+void table_setup_open(struct core *core)
+{
+    open_tank(core, core->config.preset, core->config.seed);
+    place_all(core, tank_preset(core->config.preset));
+}
+
+void table_setup_prepare(struct core *core, uint8_t preset)
+{
+    if (is_set_up(core, preset)) {
+        return;
+    }
+    const struct rng_key key = { core->config.seed, core->game.round_count, preset,
+                                 RNG_TANK_SEED };
+    open_tank(core, preset, rng_u32(key));
+    place_all(core, tank_preset(preset));
+}
+
+/* ---- Paper and fish ------------------------------------------------------------------------- */
+
+void table_setup_replace_poi(struct core *core, uint32_t index, uint32_t number,
+                             enum game_series series)
+{
+    struct poi *poi = &core->poi[index];
+    const uint8_t link = poi->link;
+    const struct angles angles = poi->angles;
+    const uint32_t carried_count = poi->carried_count;
+    struct carried_fish carried_fish[POI_CARRIED_MAX];
+    release_all(poi, &core->tank);
+    memcpy(carried_fish, poi->carried_fish, sizeof carried_fish);
+    poi_init(poi, table_setup_grade(&core->config, core->game.mode), poi->position_m,
+             game_poi_seed(core->config.seed, index, number, series));
+    poi->link = link;
+    poi->angles = angles;
+    poi->carried_count = carried_count;
+    memcpy(poi->carried_fish, carried_fish, sizeof carried_fish);
+}
+
+void table_setup_empty_bowls(struct core *core)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        bowl_empty(&core->bowl[i], i, &core->tank);
+    }
+}

@@ -1,0 +1,290 @@
+/* blend_simd.c -- blending of a block of vertices; the SIMD form of blend.c, line by line.
+ *
+ * Both forms agree to the last bit, which test_blend_simd.c checks. A block reads 8 bytes per
+ * vertex and key and 16 bytes per vertex, and writes 24 bytes per vertex. The loop is meant to be
+ * limited by memory rather than by arithmetic (`make bench-morph`). */
+#include "core/morph/blend_simd.h"
+
+#include "core/base/panic.h"
+#include "core/base/simd_vec.h"
+
+_Static_assert(sizeof(struct species_point) == 8 && offsetof(struct species_point, z) == 4,
+               "a key's point is two words");
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "x and z are the words' low halves");
+_Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_vertex, part) == 8 &&
+                   offsetof(struct species_vertex, anchor) == 11 &&
+                   offsetof(struct species_vertex, mask) == 12,
+               "part to masks are two words");
+_Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
+
+/* Vertices to prefetch ahead. The tables are many short streams, which hardware prefetchers detect
+ * late. */
+#define AHEAD 96u
+#define LINE 64u /* Bytes of a cache line. */
+
+/* Data shared by all blocks of a shape. */
+struct blending {
+    const struct species_mesh *mesh;
+    const struct morph_pose *pose;
+    uint32_t key_count;
+    uint8_t key[MORPH_KEY_MAX]; /* Keys with a weight in any curve. */
+    flanes whole[MORPH_KEY_MAX]; /* Weights of these keys for vertices that only the curve of the
+                                    whole fish moves. */
+};
+
+struct point_lanes {
+    struct simd_v3 position, normal;
+};
+
+static inline ilanes load_words(const void *from)
+{
+    ilanes words;
+    MEM_COPY(&words, from, sizeof words);
+    return words;
+}
+
+/* Separate the first and the second words of a block's points. With eight lanes the quads stay
+ * separate, which is cheap and leaves the lanes in the order of lane_vertex. Only masks, anchors
+ * and results depend on that order. */
+#ifdef SIMD_WIDE
+#define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
+#define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
+static const uint8_t lane_vertex[SIMD_LANES] = { 0, 1, 4, 5, 2, 3, 6, 7 };
+#else
+#define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 4, 6)
+#define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 5, 7)
+static const uint8_t lane_vertex[SIMD_LANES] = { 0, 1, 2, 3 };
+#endif
+
+static inline flanes low_half(ilanes words)
+{
+    return __builtin_convertvector((ilanes)((words << 16) >> 16), flanes);
+}
+
+static inline flanes high_half(ilanes words)
+{
+    return __builtin_convertvector((ilanes)(words >> 16), flanes);
+}
+
+/* Returns `t` >= 0 with the sign of x. */
+static inline flanes signed_as(flanes t, flanes x)
+{
+    return (flanes)((ilanes)t ^ ((ilanes)x & INT32_MIN));
+}
+
+/* Computes unfold() of blend.c with negative z. */
+static inline struct simd_v3 unfold_down(ilanes words)
+{
+    const ilanes code = (words >> 16) + 255; /* The code of blend.c minus 127 * 256. */
+    const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
+    const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
+    const flanes down = simd_abs(x) + simd_abs(y) - 127.0f;
+    const flanes t = simd_max(down, simd_splat(0.0f));
+    return simd_v3(x - signed_as(t, x), y - signed_as(t, y), down);
+}
+
+/* Tests whether a block needs only the curve of the whole fish, and whether none of its vertices
+ * has an anchor. */
+struct block {
+    uint32_t plain_masks, plain_anchors;
+    flanes mask[MORPH_CURVE_MAX]; /* Unset if the masks are plain. */
+};
+
+static inline struct block load_block(const struct species_vertex *vertices)
+{
+    uint64_t all = ~(uint64_t)0; /* For each vertex: part, side, flex, anchor, four masks. */
+    struct block block = { 0 };
+    ilanes masks = { 0 };
+    __builtin_prefetch(vertices + AHEAD);
+    __builtin_prefetch(vertices + AHEAD + SIMD_LANES / 2);
+#pragma GCC unroll 8
+    for (int lane = 0; lane < SIMD_LANES; lane++) {
+        uint64_t word;
+        MEM_COPY(&word, &vertices[lane].part, sizeof word);
+        all &= word;
+    }
+    block.plain_masks = (all >> 32 & 255u) == 255u;
+    block.plain_anchors = (all >> 24 & 255u) == 255u;
+    if (!block.plain_masks) {
+        for (int lane = 0; lane < SIMD_LANES; lane++) {
+            int32_t mask;
+            MEM_COPY(&mask, vertices[lane_vertex[lane]].mask, sizeof mask);
+            masks[lane] = mask;
+        }
+#pragma GCC unroll 4
+        for (int curve = 0; curve < (int)MORPH_CURVE_MAX; curve++) {
+            const ilanes mask = (masks >> (8 * curve)) & 255;
+            block.mask[curve] = __builtin_convertvector(mask, flanes);
+        }
+    }
+    return block;
+}
+
+/* Returns the weight of a key in each lane, as vertex_weight(). */
+static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
+{
+    flanes sum = simd_splat(0.0f);
+    if (block->plain_masks) {
+        return b->whole[at];
+    }
+#pragma GCC unroll 4
+    for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+        const float weight = b->pose->weight[curve][b->key[at]];
+        sum = sum + simd_splat(weight) * block->mask[curve];
+    }
+    return simd_select(block->mask[0] == 255.0f, b->whole[at], sum * (1.0f / 255.0f));
+}
+
+static inline struct point_lanes blend_points(const struct blending *b, const struct block *block,
+                                              uint32_t first)
+{
+    const flanes zero = simd_splat(0.0f);
+    struct point_lanes p = { { zero, zero, zero }, { zero, zero, zero } };
+    for (uint32_t at = 0; at < b->key_count; at++) {
+        const struct species_point *points = &b->mesh->points[b->key[at]][first];
+        __builtin_prefetch(points + AHEAD);
+        const ilanes low = load_words(points), high = load_words(points + SIMD_LANES / 2);
+        const ilanes xy = FIRST(low, high), zn = SECOND(low, high);
+        const flanes weight = weigh(b, block, at);
+        const struct simd_v3 counts = simd_v3(low_half(xy), high_half(xy), low_half(zn));
+        const struct simd_v3 facing = unfold_down(zn);
+        p.position = simd_v3_muladd(p.position, counts, weight);
+        p.normal.x = p.normal.x + facing.x * weight;
+        p.normal.y = p.normal.y + facing.y * weight;
+        p.normal.z = p.normal.z - facing.z * weight;
+    }
+    p.position = simd_v3_scale(p.position, simd_splat(b->mesh->reach / 32767.0f));
+    const flanes length = simd_v3_length(p.normal);
+    const ilanes some = length > 1e-9f;
+    const struct simd_v3 unit = simd_v3_scale(p.normal, 1.0f / length);
+    p.normal = simd_v3(simd_select(some, unit.x, zero), simd_select(some, unit.y, simd_splat(1.0f)),
+                       simd_select(some, unit.z, zero));
+    return p;
+}
+
+/* SIMD form of pose_rotate(). */
+static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct simd_v3 a)
+{
+    const struct simd_v3 across = simd_v3_scale(simd_v3_cross(axis, a), simd_splat(2.0f));
+    const struct simd_v3 swung = simd_v3_muladd(a, across, w), on = simd_v3_cross(axis, across);
+    return simd_v3(swung.x + on.x, swung.y + on.y, swung.z + on.z);
+}
+
+static const struct anchor_pose at_rest = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
+
+static inline const struct anchor_pose *anchor_of(const struct blending *b, uint32_t vertex)
+{
+    const uint8_t anchor = b->mesh->vertices[vertex].anchor;
+    if (anchor == ANCHOR_NONE) {
+        return &at_rest;
+    }
+    CORE_ASSERT(anchor < b->mesh->anchor_count);
+    return &b->pose->anchor[anchor];
+}
+
+/* Rotates and moves points by their anchors. Points without an anchor keep their bits: no blended
+ * value is -0, the only value that changes when 0 is added. */
+static inline struct point_lanes carry(const struct blending *b, uint32_t first,
+                                       struct point_lanes p)
+{
+    const struct anchor_pose *anchor[SIMD_LANES];
+    flanes place[4], quat[4], row[2][4];
+    for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
+        anchor[lane] = anchor_of(b, first + lane_vertex[lane]);
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        const struct anchor_pose *beside = anchor[i + (SIMD_LANES - 4)];
+        row[0][i] = simd_load_pair(&anchor[i]->position, &beside->position);
+        row[1][i] = simd_load_pair(&anchor[i]->turn, &beside->turn);
+    }
+    simd_turn(place, row[0][0], row[0][1], row[0][2], row[0][3]);
+    simd_turn(quat, row[1][0], row[1][1], row[1][2], row[1][3]);
+    const struct simd_v3 axis = simd_v3(quat[0], quat[1], quat[2]);
+    const struct simd_v3 at = rotate_axis(axis, quat[3], p.position);
+    return (struct point_lanes){
+        simd_v3(place[0] + at.x, place[1] + at.y, place[2] + at.z),
+        rotate_axis(axis, quat[3], p.normal),
+    };
+}
+
+static inline void store_quad(vec3 *to, const flanes *row, int high)
+{
+#ifdef SIMD_WIDE
+    const fquad quad = high ? __builtin_shufflevector(*row, *row, 4, 5, 6, 7)
+                            : __builtin_shufflevector(*row, *row, 0, 1, 2, 3);
+#else
+    const fquad quad = *row;
+    (void)high;
+#endif
+    MEM_COPY(to, &quad, sizeof quad);
+}
+
+/* Stores LANES consecutive vectors. Rows of four floats are stored three apart, each over the
+ * fourth float of the previous row. One float behind the block is overwritten; a later block or
+ * vertex restores it. */
+static inline void store(vec3 *to, struct simd_v3 a)
+{
+    flanes row[4];
+    simd_turn(row, a.x, a.y, a.z, a.z);
+#pragma GCC unroll 2
+    for (int pair = 0; pair < 2; pair++) { /* Vertices in memory order: see lane_vertex. */
+#pragma GCC unroll 2
+        for (int high = 0; high < SIMD_LANES / 4; high++) {
+            vec3 *at = &to[SIMD_LANES / 2 * pair + 2 * high];
+            store_quad(at, &row[2 * pair], high);
+            store_quad(at + 1, &row[2 * pair + 1], high);
+        }
+    }
+}
+
+static struct blending begin_blending(const struct species_mesh *mesh, uint32_t key_count,
+                                      const struct morph_pose *pose)
+{
+    struct blending b = { .mesh = mesh, .pose = pose };
+    for (uint32_t key = 0; key < key_count; key++) {
+        uint32_t shown = 0;
+        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+            shown |= pose->weight[curve][key] != 0.0f;
+        }
+        if (shown) {
+            b.whole[b.key_count] = simd_splat(pose->weight[0][key]);
+            b.key[b.key_count++] = (uint8_t)key;
+        }
+    }
+    return b;
+}
+
+/* Prefetches the first AHEAD vertices of every stream, which no earlier block has prefetched. */
+static void foresee(const struct blending *b)
+{
+    const uint32_t count = b->mesh->vertex_count < AHEAD ? b->mesh->vertex_count : AHEAD;
+    for (uint32_t first = 0; first < count; first += LINE / sizeof(struct species_point)) {
+        __builtin_prefetch(&b->mesh->vertices[first]);
+        __builtin_prefetch(&b->mesh->vertices[first + LINE / sizeof(struct species_vertex)]);
+        for (uint32_t at = 0; at < b->key_count; at++) {
+            __builtin_prefetch(&b->mesh->points[b->key[at]][first]);
+        }
+    }
+}
+
+uint32_t SIMD_NAME(blend_blocks)(const struct species_mesh *mesh, uint32_t key_count,
+                                 const struct morph_pose *pose, vec3 *positions, vec3 *normals)
+{
+    const struct blending b = begin_blending(mesh, key_count, pose);
+    uint32_t first = 0;
+    foresee(&b);
+    for (; first + SIMD_LANES < mesh->vertex_count; first += SIMD_LANES) {
+        const struct block block = load_block(&mesh->vertices[first]);
+        struct point_lanes p = blend_points(&b, &block, first);
+        if (!block.plain_anchors) {
+            p = carry(&b, first, p);
+        }
+        if (positions) {
+            store(&positions[first], p.position);
+        }
+        if (normals) {
+            store(&normals[first], p.normal);
+        }
+    }
+    return first;
+}

@@ -1,0 +1,19 @@
+/* persistent_state.h -- the persistent state that the store loads at startup and the core continues
+ * from. All zero: nothing was stored. */
+#ifndef KINGYO_CORE_PERSISTENT_STATE_H
+#define KINGYO_CORE_PERSISTENT_STATE_H
+
+#include "core/game/accounting/audits.h"
+#include "core/game/ranking/ranking.h"
+#include "core/ledger.h"
+#include "core/settings.h"
+
+struct persistent_state {
+    struct ledger_start ledger;
+    struct settings settings; /* A value that settings_allows() rejects is replaced by its
+                                 default. */
+    struct audits audits;
+    struct ranking ranking;
+};
+
+#endif

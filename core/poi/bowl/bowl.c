@@ -1,0 +1,159 @@
+/* bowl.c -- the hull of a bowl, its content, and pouring it back. */
+#include "core/poi/bowl/bowl.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/base/physics.h"
+#include "core/base/rng.h"
+#include "core/tank/collision/reentry.h"
+
+#define FREEBOARD_MIN_M 0.002f
+#define ROCK_KG_M2 0.0012f /* Moment of inertia about its centre, with the added mass of water. */
+
+void bowl_init(struct bowl *bowl, vec3 position_m)
+{
+    CORE_ASSERT(v3_is_finite(position_m));
+    memset(bowl, 0, sizeof *bowl);
+    position_m.y = f_clamp(position_m.y, FREEBOARD_MIN_M, 0.5f * BOWL_DEPTH_M);
+    bowl->present = 1;
+    bowl->home_m = bowl->position_m = bowl->before_m = position_m;
+    bowl->water_kg = WATER_KG_M3 * bowl_room_m3(position_m.y) - BOWL_HULL_KG;
+}
+
+float bowl_hull_radius_m(float below_m)
+{
+    const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);
+    return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
+}
+
+/* Integral of pi r^2 from that depth to the bottom. */
+float bowl_room_m3(float below_m)
+{
+    const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);
+    const float left = 2.0f / 3.0f - share + share * share * share / 3.0f;
+    return F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M * BOWL_DEPTH_M * left;
+}
+
+/* Newton's method: the derivative of the volume is the area of the water surface. */
+float bowl_level_m(const struct bowl *bowl)
+{
+    const float wanted_m3 = (bowl->water_kg + bowl->fish_kg) / WATER_KG_M3;
+    float below_m = 0.25f * BOWL_DEPTH_M;
+    for (int i = 0; i < 4; i++) {
+        const float radius_m = f_max(bowl_hull_radius_m(below_m), 0.1f * BOWL_RADIUS_M);
+        below_m += (bowl_room_m3(below_m) - wanted_m3) / (F_PI * radius_m * radius_m);
+        below_m = f_clamp(below_m, 0.0f, BOWL_DEPTH_M);
+    }
+    return below_m;
+}
+
+int bowl_is_full(const struct bowl *bowl)
+{
+    return bowl->fish_count >= BOWL_FISH_MAX || bowl->fish_kg >= BOWL_FISH_KG_MAX;
+}
+
+/* A fish that falls in pushes the bowl and turns it around its centre. */
+static void rock(struct bowl *bowl, vec3 place_m, float kg, vec3 velocity_m_s)
+{
+    const float all_kg = BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg + kg;
+    const vec3 gain_m_s = v3_sub(velocity_m_s, bowl->velocity_m_s);
+    const vec3 arm_m = v3_sub(place_m, bowl->position_m);
+    const float blow = -kg * gain_m_s.y / ROCK_KG_M2;
+    bowl->velocity_m_s = v3_muladd(bowl->velocity_m_s, gain_m_s, kg / all_kg);
+    bowl->heel_x_rad_s += blow * arm_m.x;
+    bowl->heel_z_rad_s += blow * arm_m.z;
+}
+
+void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct fish *fish,
+               vec3 velocity_m_s)
+{
+    CORE_ASSERT(bowl->present);
+    if (bowl_is_full(bowl)) {
+        bowl_empty(bowl, bowl_index, tank);
+    }
+    const float kg = fish_mass_kg(fish->length_m);
+    rock(bowl, fish->position_m, kg, velocity_m_s);
+    fish->gait = GAIT_BOWL;
+    fish->holder = (uint8_t)bowl_index;
+    fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);
+    bowl->fish_kg += kg;
+    bowl->fish_count++;
+}
+
+/* ---- Pouring back --------------------------------------------------------------------------- */
+
+static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
+{
+    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_POUR });
+}
+
+/* Returns a place on a ring around the hull, under water, inside the walls. */
+static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index)
+{
+    const float length_m = tank->fish[index].length_m;
+    const float angle = F_TAU * draw_pour(tank->seed, index, 1);
+    const float away = BOWL_RADIUS_M + length_m * (0.6f + 0.8f * draw_pour(tank->seed, index, 2));
+    const float room_x = 0.5f * (tank->size_m.x - length_m),
+                room_z = 0.5f * (tank->size_m.z - length_m);
+    const float half = 0.5f * tank->fish[index].height_m;
+    const float deep = f_max(half, tank->size_m.y - half - 0.005f);
+    return v3(f_clamp(bowl->position_m.x + away * f_cos(angle), -room_x, room_x),
+              -f_lerp(half, deep, draw_pour(tank->seed, index, 3)),
+              f_clamp(bowl->position_m.z + away * f_sin(angle), -room_z, room_z));
+}
+
+void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
+{
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        struct fish *fish = &tank->fish[i];
+        if (fish->gait == GAIT_BOWL && fish->holder == bowl_index) {
+            fish->position_m = pouring_place(bowl, tank, i);
+            fish->alarm = 0.0f;
+            reentry_begin(tank, fish, v3(0.0f, 0.0f, 0.0f));
+        }
+    }
+    bowl->fish_count = 0;
+    bowl->fish_kg = 0.0f;
+}
+
+/* ---- Interface ------------------------------------------------------------------------------- */
+
+struct obstacle bowl_obstacle(const struct bowl *bowl)
+{
+    return (struct obstacle){
+        .kind = OBSTACLE_BOWL,
+        .centre_m = bowl->position_m,
+        .normal = v3(0.0f, 1.0f, 0.0f),
+        .velocity_m_s = bowl->velocity_m_s,
+        .radius_m = BOWL_RADIUS_M,
+        .depth_m = BOWL_DEPTH_M,
+        .step_m = v3_sub(bowl->position_m, bowl->before_m),
+    };
+}
+
+void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull)
+{
+    if (hull->reaction & REACTION_POSITION) {
+        bowl->position_m = hull->centre_m;
+        bowl->velocity_m_s = hull->velocity_m_s;
+    }
+}
+
+struct angles bowl_angles(const struct bowl *bowl)
+{
+    return (struct angles){ .pitch_rad = bowl->heel_z, .roll_rad = bowl->heel_x };
+}
+
+uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl)
+{
+    const float values[] = { bowl->heel_x,       bowl->heel_z,   bowl->heel_x_rad_s,
+                             bowl->heel_z_rad_s, bowl->water_kg, bowl->fish_kg };
+    hash = hash_u32(hash, bowl->present);
+    hash = hash_vec3(hash, bowl->home_m);
+    hash = hash_vec3(hash, bowl->position_m);
+    hash = hash_vec3(hash, bowl->before_m);
+    hash = hash_vec3(hash, bowl->velocity_m_s);
+    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
+    return hash_u32(hash, bowl->fish_count);
+}

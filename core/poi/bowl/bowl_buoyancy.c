@@ -1,0 +1,231 @@
+/* bowl_buoyancy.c -- buoyancy of the bowls by backward Euler on each axis, which is stable at any
+ * stiffness. */
+#include "core/poi/bowl/bowl_buoyancy.h"
+
+#include "core/base/panic.h"
+#include "core/base/physics.h"
+#include "core/poi/hand_spring.h"
+
+#define MOORING_N_M 2.0f /* A thread that returns the bowl in about two seconds. */
+#define DRAG_N_S_M 1.6f  /* Linear drag of the hull. */
+#define DRAG_N_S2_M2 1.5f /* Quadratic drag of the hull: 1/2 rho 0.6 on 50 cm2. */
+#define ALONG_SHARE 0.5f /* Added mass of water, as a share of the displaced water. */
+#define SPEED_MAX_M_S 0.5f /* Lower than the speed with which a ring slides aside. */
+#define HEAVE_DAMP_N_S_M 5.0f /* A quarter of the critical damping. */
+#define LOAD_KG_MAX 0.710f /* At this load the mouth is 4 mm above the water; any more water
+                              spills. */
+#define MOUTH_MIN_M 0.002f
+#define RIPPLE_MAX_M 0.006f /* Steeper ripples break at the hull. */
+#define HEEL_RAD_S 13.0f    /* The bowl rocks at 2 Hz. */
+#define HEEL_DAMP 0.22f     /* Damping ratio: the bowl is still after a few swings. */
+#define HEEL_MAX 0.14f      /* 8 degrees; at a higher angle the mouth would take in water. */
+#define HEEL_SHARE 0.25f    /* Share of the apparent slope (push over gravity). */
+#define WALL_GAP_M 0.001f
+#define PART_ROUNDS 4u /* Enough for a row of four bowls pushed against a wall. */
+#define TOUCH_M 0.0015f
+#define PUSH_N_MAX 4.0f  /* A higher force would throw the bowl. */
+#define PRESS_N_MAX 0.8f /* Force down on the mouth; sinks the bowl by 5 mm. */
+
+static float load_kg(const struct bowl *bowl)
+{
+    return BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg;
+}
+
+static void spill(struct bowl *bowl)
+{
+    bowl->water_kg = f_max(0.0f, bowl->water_kg - f_max(0.0f, load_kg(bowl) - LOAD_KG_MAX));
+}
+
+/* ---- Pushed by a ring ----------------------------------------------------------------------- */
+
+/* Returns the force of the ring on the hull, from the hand's spring. */
+static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
+{
+    const vec3 none = { 0.0f, 0.0f, 0.0f };
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const vec3 away = v3(poi->position_m.x - bowl->position_m.x, 0.0f,
+                         poi->position_m.z - bowl->position_m.z);
+    const float far = v3_length(away);
+    if (far > BOWL_RADIUS_M + POI_OUTER_RADIUS_M + TOUCH_M) {
+        return none;
+    }
+    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
+    const float low = poi_half_extent_m(axes.up.y), mouth = bowl->position_m.y;
+    const float apart = bowl_hull_radius_m(mouth - poi->position_m.y) +
+                        poi_half_extent_m(v3_dot(axes.up, out));
+    const vec3 hand_n = hand_spring_force_n(poi, &axes);
+    if (far > apart + TOUCH_M || poi->position_m.y + low <= mouth - BOWL_DEPTH_M) {
+        return none;
+    }
+    if (poi->position_m.y - low >= mouth - TOUCH_M) {
+        const int rests = poi->position_m.y - low <= mouth + TOUCH_M;
+        return v3(0.0f, rests ? f_clamp(hand_n.y, -PRESS_N_MAX, 0.0f) : 0.0f, 0.0f);
+    }
+    /* An edge that dips in from above slides along the rim. */
+    const float most_n = poi->position_m.y < mouth ? PUSH_N_MAX : 0.0f;
+    return v3_scale(out, f_clamp(v3_dot(hand_n, out), -most_n, 0.0f));
+}
+
+static vec3 pushes_of(const struct bowl *bowl, const struct poi *pois, const uint8_t *live,
+                      uint32_t poi_count)
+{
+    vec3 sum = { 0.0f, 0.0f, 0.0f };
+    for (uint32_t i = 0; i < poi_count; i++) {
+        if (live[i]) {
+            sum = v3_add(sum, ring_push_on_hull(bowl, &pois[i]));
+        }
+    }
+    return sum;
+}
+
+/* ---- On the water --------------------------------------------------------------------------- */
+
+struct swell { /* State of the water under the hull. */
+    float height_m, slope_x, slope_z;
+};
+
+static struct swell swell_under(const struct bowl *bowl, const struct tank *tank)
+{
+    const float arm_m = 0.7f * BOWL_RADIUS_M, x = bowl->position_m.x, z = bowl->position_m.z;
+    const float left = water_height_m(&tank->water, tank->size_m, x - arm_m, z);
+    const float right = water_height_m(&tank->water, tank->size_m, x + arm_m, z);
+    const float far = water_height_m(&tank->water, tank->size_m, x, z - arm_m);
+    const float near = water_height_m(&tank->water, tank->size_m, x, z + arm_m);
+    return (struct swell){
+        .height_m = f_clamp(0.25f * (left + right + far + near), -RIPPLE_MAX_M, RIPPLE_MAX_M),
+        .slope_x = 0.5f * (right - left) / arm_m,
+        .slope_z = 0.5f * (near - far) / arm_m,
+    };
+}
+
+static float axis_m_s(float kg, float speed_m_s, float force_n, float damping_n_s_m,
+                      float stiffness_n_m)
+{
+    const float dt = CORE_TICK_S;
+    return (kg * speed_m_s + dt * force_n) /
+           (kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
+}
+
+static void move_hull(struct bowl *bowl, const struct swell *swell, vec3 push_n)
+{
+    const float kg = (1.0f + ALONG_SHARE) * load_kg(bowl);
+    const float weight_n = GRAVITY_M_S2 * load_kg(bowl);
+    const vec3 speed = v3(bowl->velocity_m_s.x, 0.0f, bowl->velocity_m_s.z);
+    const float drag = DRAG_N_S_M + DRAG_N_S2_M2 * v3_length(speed);
+    const float home_x = MOORING_N_M * (bowl->home_m.x - bowl->position_m.x);
+    const float home_z = MOORING_N_M * (bowl->home_m.z - bowl->position_m.z);
+    const float wave_x = -weight_n * swell->slope_x, wave_z = -weight_n * swell->slope_z;
+    const vec3 next =
+        v3(axis_m_s(kg, speed.x, push_n.x + home_x + wave_x, drag, MOORING_N_M), 0.0f,
+           axis_m_s(kg, speed.z, push_n.z + home_z + wave_z, drag, MOORING_N_M));
+    const vec3 held = v3_limit(next, SPEED_MAX_M_S);
+    bowl->velocity_m_s.x = held.x;
+    bowl->velocity_m_s.z = held.z;
+}
+
+static void heave(struct bowl *bowl, const struct swell *swell, float press_n)
+{
+    const float freeboard_m = bowl->position_m.y - swell->height_m;
+    const float radius_m = bowl_hull_radius_m(freeboard_m);
+    const float stiffness = WATER_KG_M3 * GRAVITY_M_S2 * F_PI * radius_m * radius_m;
+    const float lift_n = GRAVITY_M_S2 * (WATER_KG_M3 * bowl_room_m3(freeboard_m) - load_kg(bowl));
+    bowl->velocity_m_s.y = axis_m_s((1.0f + ALONG_SHARE) * load_kg(bowl), bowl->velocity_m_s.y,
+                                    lift_n + press_n, HEAVE_DAMP_N_S_M, stiffness);
+}
+
+static void heel(float *at, float *rate_rad_s, float goal)
+{
+    const float w = HEEL_RAD_S, dt = CORE_TICK_S;
+    *rate_rad_s = (*rate_rad_s + dt * w * w * (goal - *at)) /
+                  (1.0f + 2.0f * HEEL_DAMP * w * dt + w * w * dt * dt);
+    *at += dt * *rate_rad_s;
+    if (f_abs(*at) > HEEL_MAX) {
+        *at = f_clamp(*at, -HEEL_MAX, HEEL_MAX);
+        *rate_rad_s = 0.0f;
+    }
+}
+
+/* ---- Walls and bowls ------------------------------------------------------------------------- */
+
+static void stop_at(float *place, float *speed, float room)
+{
+    if (f_abs(*place) > room) {
+        *place = f_clamp(*place, -room, room);
+        *speed = *place > 0.0f ? f_min(*speed, 0.0f) : f_max(*speed, 0.0f);
+    }
+}
+
+static void stay_inside(struct bowl *bowl, const struct tank *tank)
+{
+    const float inset_m = BOWL_RADIUS_M + WALL_GAP_M;
+    stop_at(&bowl->position_m.x, &bowl->velocity_m_s.x, 0.5f * tank->size_m.x - inset_m);
+    stop_at(&bowl->position_m.z, &bowl->velocity_m_s.z, 0.5f * tank->size_m.z - inset_m);
+    if (bowl->position_m.y < MOUTH_MIN_M) {
+        bowl->position_m.y = MOUTH_MIN_M;
+        bowl->velocity_m_s.y = f_max(bowl->velocity_m_s.y, 0.0f);
+    }
+}
+
+/* Separates two bowls that meet; each moves half of the overlap, and both continue at the same
+ * speed. */
+static void keep_apart(struct bowl *a, struct bowl *b)
+{
+    const vec3 way = v3(b->position_m.x - a->position_m.x, 0.0f, b->position_m.z - a->position_m.z);
+    const float deep_m = 2.0f * BOWL_RADIUS_M - v3_length(way);
+    if (deep_m <= 0.0f) {
+        return;
+    }
+    const vec3 out = v3_normalize_or(way, v3(1.0f, 0.0f, 0.0f));
+    const float closing = v3_dot(v3_sub(a->velocity_m_s, b->velocity_m_s), out);
+    a->position_m = v3_muladd(a->position_m, out, -0.5f * deep_m);
+    b->position_m = v3_muladd(b->position_m, out, 0.5f * deep_m);
+    if (closing > 0.0f) {
+        a->velocity_m_s = v3_muladd(a->velocity_m_s, out, -0.5f * closing);
+        b->velocity_m_s = v3_muladd(b->velocity_m_s, out, 0.5f * closing);
+    }
+}
+
+static void keep_all_apart(const struct stall *stall)
+{
+    for (uint32_t i = 0; i < stall->bowl_count; i++) {
+        if (stall->bowls[i].present) {
+            stay_inside(&stall->bowls[i], stall->tank);
+        }
+    }
+    for (uint32_t i = 1; i < stall->bowl_count; i++) {
+        for (uint32_t k = 0; k < i; k++) {
+            if (stall->bowls[i].present && stall->bowls[k].present) {
+                keep_apart(&stall->bowls[k], &stall->bowls[i]);
+            }
+        }
+    }
+}
+
+static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
+{
+    const struct swell swell = swell_under(bowl, tank);
+    const float slope = HEEL_SHARE / (GRAVITY_M_S2 * load_kg(bowl));
+    spill(bowl);
+    move_hull(bowl, &swell, push_n);
+    heave(bowl, &swell, push_n.y);
+    heel(&bowl->heel_x, &bowl->heel_x_rad_s, slope * push_n.x - swell.slope_x);
+    heel(&bowl->heel_z, &bowl->heel_z_rad_s, slope * push_n.z - swell.slope_z);
+    bowl->position_m = v3_muladd(bowl->position_m, bowl->velocity_m_s, CORE_TICK_S);
+}
+
+void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
+                        uint32_t poi_count)
+{
+    CORE_ASSERT(stall->bowl_count <= POI_MAX);
+    CORE_ASSERT(poi_count <= POI_MAX);
+    for (uint32_t i = 0; i < stall->bowl_count; i++) {
+        struct bowl *bowl = &stall->bowls[i];
+        bowl->before_m = bowl->position_m;
+        if (bowl->present) {
+            float_on(bowl, stall->tank, pushes_of(bowl, pois, live, poi_count));
+        }
+    }
+    for (uint32_t round = 0; round < PART_ROUNDS; round++) {
+        keep_all_apart(stall);
+    }
+}

@@ -1,0 +1,245 @@
+/* bowl_fish.c -- fish in a bowl as upright oval capsules that circle around the bowl's centre. */
+#include "core/poi/bowl/bowl_fish.h"
+
+#include "core/base/panic.h"
+#include "core/base/rng.h"
+
+#define ROUND_RAD_S 1.6f /* A lap in about four seconds. */
+#define SETTLE_PER_S 2.0f /* Rate at which a new fish reaches its depth and radius. */
+#define SETTLE_CROWD 0.9f /* Reduction of that rate in a full bowl, which leaves no choice. */
+#define HULL_GAP_M 0.003f
+#define CROWD_KG 0.080f   /* From this weight on all fish circle together. */
+#define SPINE_HALF 0.32f  /* Half the capsule's axis per body length; snout and fin are thin. */
+#define GIRTH 0.40f       /* Radius of the capsule per body width. */
+#define PART_SHARE 0.6f   /* Share of an overlap removed per tick. */
+#define PART_MAX_M 0.0012f /* Largest separation per tick: 14 cm/s. */
+#define CROSSED 0.3f
+#define ENDS 0.45f        /* Distance of snout and tail from the centre, in body lengths. */
+#define SPEED_MAX_M_S 0.22f
+
+static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)
+{
+    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_ROUND });
+}
+
+/* ---- Circling -------------------------------------------------------------------------------- */
+
+/* Returns [0, 1], the share of common motion. In a full bowl a fish that overtakes would swim into
+ * others. */
+static float crowd_of(const struct bowl *bowl)
+{
+    return f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);
+}
+
+struct round { /* The circle that a fish would swim alone. */
+    float below_m, radius_m, rad_s;
+};
+
+/* Returns a circle so deep and wide that snout and tail clear the hull; bowls are wider at the
+ * top. */
+static struct round round_of(const struct fish *fish, uint32_t index, const struct bowl *bowl,
+                             float level_m, uint32_t seed)
+{
+    const float half = 0.5f * fish->height_m, end = ENDS * fish->length_m;
+    const float top = level_m + half, bottom = f_max(top, 0.92f * BOWL_DEPTH_M - half);
+    const float deep = draw_bowl_fish(seed, index, 1), wide = draw_bowl_fish(seed, index, 2);
+    const float below = f_lerp(top, bottom, deep * (0.5f + 0.5f * deep));
+    const float hull = f_max(0.0f, bowl_hull_radius_m(below + half) - HULL_GAP_M);
+    const float reach = f_sqrt(f_max(0.0f, hull * hull - end * end));
+    const float spread = 0.5f * (1.0f - crowd_of(bowl));
+    return (struct round){
+        .below_m = below,
+        .radius_m = reach * f_sqrt(0.04f + 0.96f * wide),
+        .rad_s = ROUND_RAD_S * (1.0f + spread * (2.0f * draw_bowl_fish(seed, index, 4) - 1.0f)),
+    };
+}
+
+static void turn_to(struct fish *fish, vec3 way)
+{
+    const float turn = f_wrap_angle(f_atan2(-way.x, -way.z) - fish->angles.yaw_rad);
+    fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + 0.08f * turn);
+    fish->angles.pitch_rad *= 0.95f;
+    fish->angles.roll_rad *= 0.95f;
+}
+
+static void beat(struct fish *fish, float bend_rad)
+{
+    fish->bend_rad += (bend_rad - fish->bend_rad) * 0.05f;
+    fish->tail_amplitude += (0.7f - fish->tail_amplitude) * 0.05f;
+    fish->tail_beat_hz = 2.0f;
+    fish->tail_phase_rad += F_TAU * fish->tail_beat_hz * CORE_TICK_S;
+    fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
+}
+
+/* Moves the fish along its circle, and toward its depth and radius. */
+static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
+                         const struct round *round)
+{
+    const vec3 at = v3_sub(fish->position_m, bowl->position_m);
+    const float radius_m = f_max(f_sqrt(at.x * at.x + at.z * at.z), 1e-4f);
+    const vec3 out = v3(at.x / radius_m, 0.0f, at.z / radius_m);
+    const vec3 on = v3(-way * out.z, 0.0f, way * out.x);
+    const float along = round->rad_s * f_max(radius_m, 0.01f);
+    const float settle = SETTLE_PER_S * (1.0f - SETTLE_CROWD * crowd_of(bowl));
+    vec3 speed = v3_scale(on, along);
+    speed = v3_muladd(speed, out, settle * (round->radius_m - radius_m));
+    speed.y = settle * (-round->below_m - at.y);
+    speed = v3_limit(speed, SPEED_MAX_M_S);
+    fish->position_m = v3_muladd(fish->position_m, speed, CORE_TICK_S);
+    fish->speed_m_s = along;
+    turn_to(fish, on);
+    beat(fish, -0.25f * way);
+}
+
+/* ---- Separation ------------------------------------------------------------------------------ */
+
+/* Returns the scale of vertical distances. Fish swim upright, so the scale makes their height count
+ * as their width. */
+static float flatten(const struct fish *fish)
+{
+    return fish->width_m / fish->height_m;
+}
+
+struct spine { /* Heading of a fish: horizontal, unit. */
+    float x, z;
+};
+
+static struct spine spine_of(const struct fish *fish)
+{
+    return (struct spine){ -f_sin(fish->angles.yaw_rad), -f_cos(fish->angles.yaw_rad) };
+}
+
+/* Returns the shortest vector from the spine of a to that of b, with scaled heights. */
+static vec3 way_between(const struct fish *a, struct spine on_a, const struct fish *b,
+                        struct spine on_b)
+{
+    const vec3 d = v3_sub(b->position_m, a->position_m);
+    const float ha = SPINE_HALF * a->length_m, hb = SPINE_HALF * b->length_m;
+    const float c = on_a.x * on_b.x + on_a.z * on_b.z;
+    const float da = d.x * on_a.x + d.z * on_a.z, db = d.x * on_b.x + d.z * on_b.z;
+    const float denominator = f_max(1.0f - c * c, 1e-4f);
+    float sa = f_clamp((da - c * db) / denominator, -ha, ha);
+    const float sb = f_clamp(c * sa - db, -hb, hb);
+    sa = f_clamp(c * sb + da, -ha, ha);
+    return v3(d.x + sb * on_b.x - sa * on_a.x, d.y * f_min(flatten(a), flatten(b)),
+              d.z + sb * on_b.z - sa * on_a.z);
+}
+
+static float girths_m(const struct fish *a, const struct fish *b)
+{
+    return GIRTH * (a->width_m + b->width_m);
+}
+
+float bowl_fish_overlap_m(const struct fish *a, const struct fish *b)
+{
+    return girths_m(a, b) - v3_length(way_between(a, spine_of(a), b, spine_of(b)));
+}
+
+static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b, struct spine on_b)
+{
+    const vec3 d = v3_sub(b->position_m, a->position_m);
+    const float girths = girths_m(a, b);
+    const float reach_m = SPINE_HALF * (a->length_m + b->length_m) + 2.0f * girths;
+    if (v3_dot(d, d) >= reach_m * reach_m) {
+        return;
+    }
+    const vec3 way = way_between(a, on_a, b, on_b);
+    const float square = v3_dot(way, way);
+    if (square >= girths * girths) {
+        return;
+    }
+    /* The distance of crossing spines is zero, so their centres give the direction. */
+    const float deep = 1.0f - f_sqrt(square) / girths;
+    const vec3 out = v3_normalize_or(v3_muladd(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
+    const float step_m = f_min(PART_SHARE * deep * girths, PART_MAX_M);
+    a->position_m = v3_muladd(a->position_m, out, -0.5f * step_m);
+    b->position_m = v3_muladd(b->position_m, out, 0.5f * step_m);
+}
+
+static void part_all(struct fish *fish, const fish_index *mine, uint32_t count)
+{
+    struct spine spine[BOWL_FISH_MAX];
+    CORE_ASSERT(count <= BOWL_FISH_MAX);
+    for (uint32_t i = 0; i < count; i++) {
+        spine[i] = spine_of(&fish[mine[i]]);
+        for (uint32_t k = 0; k < i; k++) {
+            separate_bowl_fish(&fish[mine[k]], spine[k], &fish[mine[i]], spine[i]);
+        }
+    }
+}
+
+/* Keeps a fish under the bowl's water, with snout and tail within the hull. */
+static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level_m)
+{
+    const float half = 0.5f * fish->height_m;
+    const float high = level_m + half, low = f_max(BOWL_DEPTH_M - half - HULL_GAP_M, high);
+    vec3 at = v3_sub(fish->position_m, bowl->position_m);
+    at.y = f_clamp(at.y, -low, -high);
+    const vec3 along = v3(ENDS * fish->length_m * f_sin(fish->angles.yaw_rad), 0.0f,
+                          ENDS * fish->length_m * f_cos(fish->angles.yaw_rad));
+    const float hull = f_max(bowl_hull_radius_m(-at.y + 0.5f * half) - HULL_GAP_M, 0.0f);
+    for (int end = -1; end <= 1; end += 2) {
+        const vec3 tip = v3_muladd(at, along, (float)end);
+        const float far = f_sqrt(tip.x * tip.x + tip.z * tip.z);
+        if (far > hull) {
+            const float back = (far - hull) / far;
+            at.x -= back * tip.x;
+            at.z -= back * tip.z;
+        }
+    }
+    fish->position_m = v3_add(bowl->position_m, at);
+}
+
+/* ---- A tick --------------------------------------------------------------------------------- */
+
+/* Writes the fish of this bowl into `mine`; returns their number, at most BOWL_FISH_MAX. */
+static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
+                                 fish_index mine[BOWL_FISH_MAX])
+{
+    uint32_t count = 0;
+    bowl->fish_kg = 0.0f;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        if (fish->gait == GAIT_BOWL && fish->holder == bowl_index && count < BOWL_FISH_MAX) {
+            mine[count++] = (fish_index)i;
+            bowl->fish_kg += fish_mass_kg(fish->length_m);
+        }
+    }
+    return count;
+}
+
+/* Ends the tick of a fish that was at `from_m` before. A new fish sinks in gradually instead of
+ * jumping. */
+static void end_tick(struct fish *fish, const struct bowl *bowl, float level_m, vec3 from_m,
+                     vec3 moved_m)
+{
+    stay_in_hull(fish, bowl, level_m);
+    const vec3 step = v3_limit(v3_sub(fish->position_m, from_m), SPEED_MAX_M_S * CORE_TICK_S);
+    fish->position_m = v3_add(from_m, step);
+    fish->velocity_m_s = v3_scale(v3_add(step, moved_m), (float)CORE_TICK_HZ);
+}
+
+void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
+{
+    fish_index mine[BOWL_FISH_MAX];
+    vec3 from_m[BOWL_FISH_MAX];
+    const vec3 moved_m = v3_sub(bowl->position_m, bowl->before_m);
+    if (!bowl->present || bowl->fish_count == 0) {
+        return;
+    }
+    const uint32_t count = gather_bowl_fish(bowl, bowl_index, tank, mine);
+    const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* All fish of a bowl circle in the same
+                                                              direction. */
+    const float level_m = bowl_level_m(bowl);
+    for (uint32_t i = 0; i < count; i++) {
+        struct fish *fish = &tank->fish[mine[i]];
+        fish->position_m = v3_add(fish->position_m, moved_m);
+        from_m[i] = fish->position_m;
+        const struct round round = round_of(fish, mine[i], bowl, level_m, tank->seed);
+        swim_in_bowl(fish, bowl, way, &round);
+    }
+    part_all(tank->fish, mine, count);
+    for (uint32_t i = 0; i < count; i++) {
+        end_tick(&tank->fish[mine[i]], bowl, level_m, from_m[i], moved_m);
+    }
+}

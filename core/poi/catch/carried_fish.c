@@ -1,0 +1,245 @@
+/* carried_fish.c -- a carried fish: a wet fish on wet paper. */
+#include "core/poi/catch/carried_fish.h"
+
+#include "core/base/hash.h"
+#include "core/base/rng.h"
+#include "core/poi/disc.h"
+#include "core/poi/pose.h"
+
+#define LIE_RAD (80.0f * F_DEG) /* Flat on its side, except for the fins under it. */
+#define LIE_PER_S 8.0f
+#define STICK 0.36f          /* Static friction of skin on wet paper: a fish slides from 20 degrees
+                                on. */
+#define SLIP 0.30f           /* Sliding friction. */
+#define WALL_STICK 0.84f     /* The ring is 3 mm high: a fish rolls over it from 40 degrees on. */
+#define WALL_JUMP_M_S 0.40f  /* Speed at which a fish goes over the ring at any angle. */
+#define WALL_MARGIN_M 0.004f /* Distance from centre to ring when the belly touches the ring. */
+#define SLAP_S 0.020f
+#define SLAP_M_S2_MIN 10.0f /* Force of a slap per body mass, lower limit. */
+#define SLAP_M_S2_MAX 30.0f
+#define SLAP_N_MAX 0.15f
+#define CALM_TAU_S 3.0f   /* Time constant with which a fish tires out of water. */
+#define CALM_HEAD_UP 2.5f /* Factor for a fish with its head up, which tires sooner. */
+#define CALM_CRADLE 1.5f  /* Factor for a fish in a sag of paper that surrounds it. */
+#define CRADLE_M 0.003f   /* Depth of such a sag. */
+#define FLOP_M_S 0.35f    /* Highest speed at which a slap throws the fish; few slaps reach it. */
+#define HOP_S 0.060f      /* A slap of 20 m/s^2 for 20 ms throws a whole body up for 80 ms; a tail
+                             alone lifts it for less. */
+#define HOP_SLIP 0.05f    /* Friction during a hop. */
+#define AGROUND 0.3f      /* Share of unsupported weight above which the fish can slap and the ring
+                             blocks it. */
+#define FOOT_M 0.010f     /* Half of a body's footprint. */
+#define LEAN_MAX 0.25f    /* Limit near the ring, which supports a part of the load beside it. */
+#define SWIM_LENGTHS 4.0f /* Body lengths per second of a fish that swims off while afloat. */
+#define SWIM_PER_S 10.0f  /* Rate at which it reaches that speed. */
+#define VIGOUR_MIN 0.08f  /* A fish never stops slapping completely. */
+
+enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
+
+static float draw_slap(const struct carried_fish *carried, uint32_t seed, uint32_t tick,
+                       uint32_t which)
+{
+    const uint32_t who = carried->fish * DRAW_COUNT + which;
+    return rng_unit((struct rng_key){ seed, tick, who, RNG_SHEET_SLAP });
+}
+
+float carried_fish_half_extent_m(const struct fish *fish, vec3 direction)
+{
+    const float x = 0.5f * fish->width_m * direction.x;
+    const float y = 0.5f * fish->height_m * direction.y;
+    const float z = 0.5f * fish->length_m * direction.z;
+    return f_sqrt(x * x + y * y + z * z);
+}
+
+void carried_fish_tail(const struct carried_fish *carried, float length_m, float *x_m, float *z_m)
+{
+    *x_m = carried->x_m + 0.42f * length_m * f_sin(carried->heading_rad);
+    *z_m = carried->z_m + 0.42f * length_m * f_cos(carried->heading_rad);
+}
+
+/* ---- Slaps ---------------------------------------------------------------------------------- */
+
+static void throw_about(struct carried_fish *carried, float strength, uint32_t seed, uint32_t tick)
+{
+    const float turn = 2.0f * draw_slap(carried, seed, tick, DRAW_TURN) - 1.0f;
+    const float luck = draw_slap(carried, seed, tick, DRAW_FLOP);
+    const float flop = FLOP_M_S * strength * luck * luck * luck;
+    carried->heading_rad = f_wrap_angle(carried->heading_rad + 0.5f * strength * turn);
+    carried->slide_x_m_s -= flop * f_sin(carried->heading_rad + turn);
+    carried->slide_z_m_s -= flop * f_cos(carried->heading_rad + turn);
+}
+
+/* Starts slaps in series at 5 to 10 Hz, with pauses that grow as the fish calms down. */
+static float begin_slap(struct carried_fish *carried, const struct fish *fish, uint32_t seed,
+                        uint32_t tick)
+{
+    const float push =
+        f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw_slap(carried, seed, tick, DRAW_FORCE)) *
+        carried->vigour;
+    const int pause = draw_slap(carried, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * carried->vigour;
+    carried->slap_s = SLAP_S;
+    carried->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
+    carried->slap_d_m = f_lerp(0.002f, 0.005f, draw_slap(carried, seed, tick, DRAW_FOOT));
+    carried->rest_s =
+        f_lerp(0.1f, 0.2f, draw_slap(carried, seed, tick, DRAW_GAP)) + (pause ? 0.5f : 0.0f);
+    carried->hop_s = HOP_S * (0.4f + 0.6f * carried->vigour);
+    throw_about(carried, carried->vigour, seed, tick);
+    return carried->slap_n;
+}
+
+static float slap(struct carried_fish *carried, const struct fish *fish,
+                  const struct paper_surface *ride, float dry, uint32_t seed, uint32_t tick)
+{
+    const float nose_x = -f_sin(carried->heading_rad), nose_z = -f_cos(carried->heading_rad);
+    const float head_up = nose_x * ride->uphill_x + nose_z * ride->uphill_z;
+    const float cradle = f_clamp(ride->belly_m / CRADLE_M, 0.0f, 1.0f);
+    const float tire =
+        (head_up > 0.25f ? CALM_HEAD_UP : 1.0f) * f_lerp(1.0f, CALM_CRADLE, cradle);
+    carried->vigour += (VIGOUR_MIN - carried->vigour) * dry * tire * CORE_TICK_S / CALM_TAU_S;
+    carried->rest_s -= CORE_TICK_S;
+    carried->slap_s = f_max(0.0f, carried->slap_s - CORE_TICK_S);
+    if (carried->rest_s > 0.0f || dry < AGROUND) {
+        return 0.0f;
+    }
+    return begin_slap(carried, fish, seed, tick);
+}
+
+/* ---- Sliding -------------------------------------------------------------------------------- */
+
+/* Returns the slope of the paper under a carried fish toward the centre, per metre of distance.
+ * Under a load on all of the paper the sag is a paraboloid. A single body of force F on a round
+ * membrane of tension T is deepest in the centre as well: F / (2 pi T) ln((a^2 - r^2) / (a
+ * foot)). */
+static float lean_per_m(const struct carried_fish *carried, const struct paper_surface *ride,
+                        float press_n)
+{
+    const float wide = ride->radius_m * ride->radius_m;
+    const float square = f_min(carried->x_m * carried->x_m + carried->z_m * carried->z_m, wide);
+    const float own = 2.0f * press_n * ride->give_per_n / (wide - square + FOOT_M * FOOT_M);
+    return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
+}
+
+/* A fish afloat over the paper swims as in shallow water. */
+static void make_off(struct carried_fish *carried, const struct fish *fish, float afloat)
+{
+    const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
+    const float keep = 1.0f - SWIM_PER_S * afloat * CORE_TICK_S;
+    const float gain_m_s = goal_m_s * (1.0f - keep);
+    carried->slide_x_m_s = carried->slide_x_m_s * keep - gain_m_s * f_sin(carried->heading_rad);
+    carried->slide_z_m_s = carried->slide_z_m_s * keep - gain_m_s * f_cos(carried->heading_rad);
+}
+
+/* Friction is an implicit factor, so friction stops a fish but never reverses it. */
+static void slide(struct carried_fish *carried, const struct fish *fish,
+                  const struct paper_surface *ride, float dry)
+{
+    const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;
+    const float lean = press * lean_per_m(carried, ride, press * fish_mass_kg(fish->length_m));
+    const float pull_x = ride->pull_m_s2.x * dry - lean * carried->x_m;
+    const float pull_z = ride->pull_m_s2.z * dry - lean * carried->z_m;
+    const float pull = f_sqrt(pull_x * pull_x + pull_z * pull_z);
+    const float speed = f_sqrt(carried->slide_x_m_s * carried->slide_x_m_s +
+                               carried->slide_z_m_s * carried->slide_z_m_s);
+    const int hops = carried->hop_s > 0.0f;
+    carried->hop_s = f_max(0.0f, carried->hop_s - CORE_TICK_S);
+    if (!hops && dry > 0.0f && speed < 0.01f && pull <= STICK * press) {
+        carried->slide_x_m_s = carried->slide_z_m_s = 0.0f;
+        return;
+    }
+    const float brake = (hops ? HOP_SLIP : SLIP) * press / f_max(speed, 0.01f);
+    const float keep = 1.0f / (1.0f + CORE_TICK_S * brake);
+    carried->slide_x_m_s = (carried->slide_x_m_s + pull_x * CORE_TICK_S) * keep;
+    carried->slide_z_m_s = (carried->slide_z_m_s + pull_z * CORE_TICK_S) * keep;
+    carried->x_m += carried->slide_x_m_s * CORE_TICK_S;
+    carried->z_m += carried->slide_z_m_s * CORE_TICK_S;
+}
+
+/* The wall of the ring stops a body unless the poi is steep or the body is fast. */
+static void meet_wall(struct carried_fish *carried, const struct paper_surface *ride)
+{
+    const float r = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
+    const float wall = ride->radius_m - WALL_MARGIN_M;
+    if (r < wall || r > ride->radius_m) {
+        return;
+    }
+    const float out_x = carried->x_m / r, out_z = carried->z_m / r;
+    const float pull = out_x * ride->pull_m_s2.x + out_z * ride->pull_m_s2.z;
+    const float rush = out_x * carried->slide_x_m_s + out_z * carried->slide_z_m_s;
+    if (pull > WALL_STICK * -ride->pull_m_s2.y || rush > WALL_JUMP_M_S || rush <= 0.0f) {
+        return;
+    }
+    carried->slide_x_m_s -= rush * out_x;
+    carried->slide_z_m_s -= rush * out_z;
+    carried->x_m = wall * out_x;
+    carried->z_m = wall * out_z;
+}
+
+/* On its side a fish is half its width high; upright, half its height. */
+static void settle_height(struct carried_fish *carried, const struct fish *fish, float dry)
+{
+    const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
+    carried->lie += (dry - carried->lie) * step;
+    const float tilt = LIE_RAD * carried->lie;
+    const float rest = carried_fish_half_extent_m(fish, v3(f_sin(tilt), f_cos(tilt), 0.0f));
+    carried->height_m += (rest - carried->height_m) * f_min(1.0f, 2.0f * step);
+}
+
+float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
+                        const struct paper_surface *ride, float dry, uint32_t seed,
+                        uint32_t key_tick)
+{
+    const float force_n = slap(carried, fish, ride, dry, seed, key_tick);
+    make_off(carried, fish, 1.0f - dry);
+    slide(carried, fish, ride, dry);
+    if (dry > AGROUND) {
+        meet_wall(carried, ride);
+    }
+    settle_height(carried, fish, dry);
+    return force_n;
+}
+
+/* Returns the depth of the paper under a carried fish. */
+static float sunk_m(const struct carried_fish *carried, const struct paper_surface *ride)
+{
+    const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
+    return ride->belly_m * f_max(0.0f, 1.0f - square / (ride->radius_m * ride->radius_m));
+}
+
+void carried_fish_pose(const struct carried_fish *carried, const struct paper_surface *ride,
+                       vec3 poi_m, const struct basis *poi_axes, struct fish *fish)
+{
+    const float sine = f_sin(carried->heading_rad), cosine = f_cos(carried->heading_rad);
+    const float tilt = LIE_RAD * carried->lie;
+    const float across = f_sin(tilt) * (float)carried->side;
+    const vec3 nose = v3(-sine, 0.0f, -cosine);
+    const vec3 back = v3(-cosine * across, f_cos(tilt), sine * across);
+    const struct basis axes =
+        pose_look(vec_basis_to_world(poi_axes, nose), vec_basis_to_world(poi_axes, back));
+    const float over_m = carried->height_m - sunk_m(carried, ride);
+    const vec3 place = vec_basis_to_world(poi_axes, v3(carried->x_m, over_m, carried->z_m));
+    fish->position_m = v3_add(poi_m, place);
+    fish->angles = pose_angles(&axes);
+    const float beat = carried->slap_s > 0.0f ? 1.0f : 0.15f;
+    fish->tail_amplitude += (beat * carried->vigour - fish->tail_amplitude) * 0.3f;
+    fish->tail_phase_rad += F_TAU * 8.0f * CORE_TICK_S * (0.1f + carried->vigour);
+    fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
+    const float bend =
+        carried->slap_s > 0.0f ? (float)carried->side * 4.0f * carried->slap_n : 0.0f;
+    fish->bend_rad += (f_clamp(bend * 6.0f, -0.8f, 0.8f) - fish->bend_rad) * 0.25f;
+}
+
+uint64_t carried_fish_hash(uint64_t hash, const struct carried_fish *carried)
+{
+    const float values[] = { carried->x_m,         carried->z_m,         carried->height_m,
+                             carried->slide_x_m_s, carried->slide_z_m_s, carried->heading_rad,
+                             carried->lie,         carried->vigour,      carried->rest_s,
+                             carried->slap_s,      carried->slap_n,      carried->slap_d_m,
+                             carried->hop_s };
+    hash = hash_u32(hash, carried->fish);
+    hash = hash_u32(hash, carried->state);
+    hash = hash_u32(hash, (uint32_t)(carried->side + 1));
+    hash = hash_u32(hash, carried->walled);
+    hash = hash_u32(hash, carried->clear_ticks);
+    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
+    return hash_vec3(hash, carried->fall_m_s);
+}

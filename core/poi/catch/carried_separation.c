@@ -1,0 +1,163 @@
+/* carried_separation.c -- separation of carried fish, as capsules in the plane of the paper. */
+#include "core/poi/catch/carried_separation.h"
+
+#define SPINE_HALF 0.30f  /* Half the capsule's axis per body length; snout and fin are thin. */
+#define GIRTH 0.36f       /* Radius of the capsule per extent of the body in the plane; bodies
+                             taper. */
+#define PUSH_MAX_M 0.0015f /* Per tick: 0.18 m/s. */
+#define WALL_M 0.004f     /* Distance from centre to ring when the belly touches the ring. */
+#define SQUEEZE 0.5f      /* Overlap, as a share of the clear distance, above which a fish climbs
+                             over the ring. */
+
+struct flat { /* A point or vector in the plane. */
+    float x, z;
+};
+
+struct capsule {
+    struct flat centre, axis; /* `axis` is a unit vector. */
+    float half_m, radius_m;
+};
+
+static struct capsule capsule_of(const struct carried_fish *carried, const struct fish *fish)
+{
+    return (struct capsule){
+        .centre = { carried->x_m, carried->z_m },
+        .axis = { f_sin(carried->heading_rad), f_cos(carried->heading_rad) },
+        .half_m = SPINE_HALF * fish->length_m,
+        .radius_m = GIRTH * f_lerp(fish->width_m, fish->height_m, carried->lie),
+    };
+}
+
+static struct flat capsule_point_at(const struct capsule *capsule, float way_m)
+{
+    return (struct flat){ capsule->centre.x + way_m * capsule->axis.x,
+                          capsule->centre.z + way_m * capsule->axis.z };
+}
+
+/* Returns the vector from a point to the nearest point of a capsule's axis. */
+static struct flat to_axis(struct flat from, const struct capsule *capsule)
+{
+    const float x = from.x - capsule->centre.x, z = from.z - capsule->centre.z;
+    const float way = f_clamp(x * capsule->axis.x + z * capsule->axis.z, -capsule->half_m,
+                              capsule->half_m);
+    const struct flat on = capsule_point_at(capsule, way);
+    return (struct flat){ on.x - from.x, on.z - from.z };
+}
+
+static float square_m2(struct flat way)
+{
+    return way.x * way.x + way.z * way.z;
+}
+
+static int axes_cross(const struct capsule *a, const struct capsule *b)
+{
+    const float cross = a->axis.x * b->axis.z - a->axis.z * b->axis.x;
+    const float x = b->centre.x - a->centre.x, z = b->centre.z - a->centre.z;
+    if (f_abs(cross) < 1e-4f) {
+        return 0; /* Parallel axes: their ends are tested instead. */
+    }
+    const float on_a = (x * b->axis.z - z * b->axis.x) / cross;
+    const float on_b = (x * a->axis.z - z * a->axis.x) / cross;
+    return f_abs(on_a) < a->half_m && f_abs(on_b) < b->half_m;
+}
+
+/* Returns the shortest vector from the axis of a to that of b. For crossing axes it is a minimal
+ * vector from centre to centre, which separates them. */
+static struct flat way_between(const struct capsule *a, const struct capsule *b)
+{
+    struct flat best = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
+    if (axes_cross(a, b)) {
+        const float length = f_max(f_sqrt(square_m2(best)), 1e-6f);
+        return (struct flat){ 1e-6f * best.x / length, 1e-6f * best.z / length };
+    }
+    for (int end = -1; end <= 1; end += 2) {
+        const struct flat out = to_axis(capsule_point_at(a, (float)end * a->half_m), b);
+        const struct flat in = to_axis(capsule_point_at(b, (float)end * b->half_m), a);
+        best = square_m2(out) < square_m2(best) ? out : best;
+        best = square_m2(in) < square_m2(best) ? (struct flat){ -in.x, -in.z } : best;
+    }
+    return best;
+}
+
+static float overlap_m(const struct capsule *a, const struct capsule *b, struct flat *out)
+{
+    const float reach_m = a->half_m + a->radius_m + b->half_m + b->radius_m;
+    const struct flat apart = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
+    if (square_m2(apart) >= reach_m * reach_m) {
+        return -1.0f;
+    }
+    const struct flat way = way_between(a, b);
+    const float length_m = f_sqrt(square_m2(way));
+    *out = length_m > 1e-9f ? (struct flat){ way.x / length_m, way.z / length_m }
+                            : (struct flat){ a->axis.z, -a->axis.x };
+    return a->radius_m + b->radius_m - length_m;
+}
+
+float carried_separation_overlap_m(const struct carried_fish *a, const struct fish *fish_a,
+                                   const struct carried_fish *b, const struct fish *fish_b)
+{
+    const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
+    struct flat unused;
+    return overlap_m(&one, &other, &unused);
+}
+
+/* Pushes a fish aside, but not over the ring unless it is squeezed. */
+static void push_within_ring(struct carried_fish *carried, float x_m, float z_m, int is_squeezed)
+{
+    const float wall_m = POI_RADIUS_M - WALL_M;
+    const float before_m = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
+    carried->x_m += x_m;
+    carried->z_m += z_m;
+    const float now_m = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
+    const float most_m = f_max(before_m, wall_m);
+    if (now_m > most_m && !is_squeezed) {
+        carried->x_m *= most_m / now_m;
+        carried->z_m *= most_m / now_m;
+    }
+}
+
+/* Gives two fish that meet a common speed. */
+static void share_velocity(struct carried_fish *a, struct carried_fish *b, struct flat out,
+                           float share_a)
+{
+    const float closing = (a->slide_x_m_s - b->slide_x_m_s) * out.x +
+                          (a->slide_z_m_s - b->slide_z_m_s) * out.z;
+    if (closing > 0.0f) {
+        a->slide_x_m_s -= share_a * closing * out.x;
+        a->slide_z_m_s -= share_a * closing * out.z;
+        b->slide_x_m_s += (1.0f - share_a) * closing * out.x;
+        b->slide_z_m_s += (1.0f - share_a) * closing * out.z;
+    }
+}
+
+static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
+                             struct carried_fish *b, const struct fish *fish_b)
+{
+    const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
+    struct flat out;
+    const float deep_m = overlap_m(&one, &other, &out);
+    if (deep_m <= 0.0f) {
+        return;
+    }
+    const float mass_a = fish_mass_kg(fish_a->length_m), mass_b = fish_mass_kg(fish_b->length_m);
+    const float share_a = mass_b / (mass_a + mass_b);
+    const float step_m = f_min(0.5f * deep_m, PUSH_MAX_M);
+    const int is_squeezed = deep_m > SQUEEZE * (one.radius_m + other.radius_m);
+    push_within_ring(a, -share_a * step_m * out.x, -share_a * step_m * out.z, is_squeezed);
+    push_within_ring(b, (1.0f - share_a) * step_m * out.x, (1.0f - share_a) * step_m * out.z,
+                     is_squeezed);
+    share_velocity(a, b, out, share_a);
+}
+
+void carried_separation_tick(struct poi *poi, const struct fish *fish)
+{
+    for (uint32_t i = 1; i < poi->carried_count; i++) {
+        struct carried_fish *a = &poi->carried_fish[i];
+        for (uint32_t k = 0; k < i && a->state == CARRIED_LYING; k++) {
+            struct carried_fish *b = &poi->carried_fish[k];
+            if (b->state == CARRIED_LYING) {
+                separate_carried(b, &fish[b->fish], a, &fish[a->fish]);
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+/* carried_support.c -- support test at five points along the body by three across. */
+#include "core/poi/catch/carried_support.h"
+
+#include "core/poi/poi.h"
+
+#define ALONG_STEP 0.18f /* In body lengths: from 0.36 in front of the centre to 0.36 behind it. */
+#define ACROSS 0.30f     /* Share of the girth to either side; a body tapers. */
+
+static int is_borne(const struct sheet *sheet, float x_m, float z_m)
+{
+    const float square = x_m * x_m + z_m * z_m;
+    if (square >= sheet->radius_m * sheet->radius_m) {
+        return square <= POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M;
+    }
+    return sheet_holds(sheet, x_m, z_m);
+}
+
+/* Returns 1 if anything supports one of three points across the body, `along` lengths behind the
+ * centre. */
+static int slice_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                       const struct fish *fish, float along)
+{
+    const float tail_x = f_sin(carried->heading_rad), tail_z = f_cos(carried->heading_rad);
+    const float x = carried->x_m + along * fish->length_m * tail_x;
+    const float z = carried->z_m + along * fish->length_m * tail_z;
+    const float aside = ACROSS * f_lerp(fish->width_m, fish->height_m, carried->lie);
+    return is_borne(sheet, x, z) || is_borne(sheet, x + aside * tail_z, z - aside * tail_x) ||
+           is_borne(sheet, x - aside * tail_z, z + aside * tail_x);
+}
+
+static int half_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                      const struct fish *fish, float way)
+{
+    return slice_holds(sheet, carried, fish, way * ALONG_STEP) ||
+           slice_holds(sheet, carried, fish, 2.0f * way * ALONG_STEP);
+}
+
+int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                          const struct fish *fish)
+{
+    const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
+    if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
+        return 0;
+    }
+    if (sheet->paper_cells == sheet->paper_cells_new) {
+        return 1; /* Intact paper, as in most ticks of a round. */
+    }
+    return slice_holds(sheet, carried, fish, 0.0f) &&
+           (half_holds(sheet, carried, fish, -1.0f) || half_holds(sheet, carried, fish, 1.0f));
+}

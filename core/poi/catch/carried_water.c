@@ -1,0 +1,97 @@
+/* carried_water.c -- carried water: a film and a pool in a tilted bowl, their capacity and their
+ * drainage. */
+#include "core/poi/catch/carried_water.h"
+
+#include "core/base/physics.h"
+
+#define FILM_KG 0.003f       /* Both faces of wet paper: 0.3 mm each. */
+#define FILM_KEEP_KG 0.0008f /* The fibres retain this mass. */
+#define FILM_SLOW 4.0f       /* A thin film drains slower than a pool by this factor. */
+#define DRAIN_TAU_S 0.15f    /* Divided by the sine of the tilt. */
+#define RIM_PER_S 3.3f       /* On a level ring, water above the rim drains all around. */
+#define RIM_SINE 0.1f        /* Sine of the tilt from which it drains at a single place. */
+#define SEEP_TAU_S 15.0f     /* On a level ring, water seeps through wet paper and drips. */
+#define HOLES_PER_S 8.0f     /* A hole of the whole area would drain it in an eighth of a second. */
+#define DROP_KG 0.00005f     /* A drop of 4.6 mm. */
+#define DROPS_MAX 4u         /* Per tick; more drops are a trickle, which is not louder. */
+#define RING_KG 0.0151f      /* Upside down the 3 mm ring is a bowl: pi a^2 times 3 mm. */
+
+/* Returns the capacity of a paraboloid of depth w0. When it is tilted, the lowest point of its rim
+ * cuts off a smaller pool of (1 - a tan / 2 w0)^4 times its volume. */
+static float belly_room_kg(float sag_m, float tangent)
+{
+    const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
+    const float lost = f_min(1.0f, 0.5f * POI_RADIUS_M * tangent / f_max(sag_m, 1e-5f));
+    const float left = (1.0f - lost) * (1.0f - lost);
+    return whole_kg * left * left;
+}
+
+/* Returns the capacity of a tilted drum, whose water surface reaches the lowest point of the wall.
+ * If the surface meets the bottom, the water is a wedge, whose volume is proportional to its length
+ * to the power 3/2. The film is part of the capacity. */
+static float ring_room_kg(float tangent)
+{
+    const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
+    const float wedge = 0.5f / f_max(fall, 0.5f);
+    const float share = fall < 0.5f ? 1.0f - fall : 0.5f * wedge * f_sqrt(wedge);
+    return f_max(0.0f, RING_KG * share - FILM_KG);
+}
+
+float carried_water_room_kg(const struct poi *poi, float up_y)
+{
+    const float level = f_max(f_abs(up_y), 1e-3f);
+    const float tangent = f_sqrt(f_max(0.0f, 1.0f - level * level)) / level;
+    const float room_kg =
+        up_y > 0.0f ? belly_room_kg(f_max(0.0f, poi->sheet.sag_m), tangent) : ring_room_kg(tangent);
+    return sheet_left(&poi->sheet) * room_kg;
+}
+
+/* Returns the rest of `mass_kg` one tick later; all above `keep_kg` drains at `per_s`. */
+static float run_off(float mass_kg, float keep_kg, float per_s)
+{
+    const float more_kg = f_max(0.0f, mass_kg - keep_kg);
+    return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
+}
+
+/* Lets drops fall; nothing drops while the poi is in the water. */
+static void let_drop(struct poi *poi, float lost_kg)
+{
+    poi->drops = 0;
+    if (poi->immersed > 0.0f) {
+        poi->drip_kg = 0.0f;
+        return;
+    }
+    poi->drip_kg += f_max(0.0f, lost_kg);
+    while (poi->drip_kg >= DROP_KG && poi->drops < DROPS_MAX) {
+        poi->drip_kg -= DROP_KG;
+        poi->drops++;
+    }
+}
+
+/* The part of the paper under water has its film and its pool at once; the rest drains. */
+void carried_water_tick(struct poi *poi, float up_y)
+{
+    const float left = sheet_left(&poi->sheet);
+    const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
+    const float room_kg = carried_water_room_kg(poi, up_y);
+    const float tilt_per_s = tilt_sine / DRAIN_TAU_S;
+    const float seep_per_s = 1.0f / SEEP_TAU_S;
+    const float rim_per_s = RIM_PER_S * f_max(0.0f, 1.0f - tilt_sine / RIM_SINE);
+    poi->pool_kg = run_off(poi->pool_kg, room_kg, tilt_per_s + rim_per_s);
+    poi->pool_kg = run_off(poi->pool_kg, 0.0f, seep_per_s + HOLES_PER_S * (1.0f - left));
+    poi->film_kg = run_off(f_min(poi->film_kg, left * FILM_KG), left * FILM_KEEP_KG,
+                           tilt_per_s / FILM_SLOW + seep_per_s);
+    if (poi->immersed > 0.0f) {
+        poi->film_kg = f_max(poi->film_kg, left * FILM_KG * poi->immersed);
+        poi->pool_kg = f_max(poi->pool_kg, room_kg * poi->immersed);
+    }
+    const float before_kg = poi->water_kg;
+    poi->water_kg = poi->film_kg + poi->pool_kg;
+    let_drop(poi, before_kg - poi->water_kg);
+}
+
+float carried_water_m(const struct poi *poi)
+{
+    const float area_m2 = F_PI * POI_RADIUS_M * POI_RADIUS_M;
+    return (1.0f - poi->immersed) * poi->water_kg / (WATER_KG_M3 * area_m2);
+}

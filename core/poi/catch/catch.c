@@ -1,0 +1,320 @@
+/* catch.c -- the life of carried fish: capture, ride, fall and landing. */
+#include "core/poi/catch/catch.h"
+
+#include "core/base/panic.h"
+#include "core/base/physics.h"
+#include "core/poi/catch/capture.h"
+#include "core/poi/catch/carried_load.h"
+#include "core/poi/catch/carried_separation.h"
+#include "core/poi/catch/carried_support.h"
+#include "core/poi/catch/fall.h"
+#include "core/poi/catch/paper_contact.h"
+
+#define SLACK_N_M 1.5f /* Stiffness of wet paper under a single fish. */
+#define LIFT_OFF_M_S2 0.5f  /* A fish pulled from the paper by a higher acceleration flies. */
+#define LAND_M_S 0.2f        /* Wet paper absorbs most of the velocity of an oblique landing. */
+#define SLAP_EVERY_TICKS 8u /* Least interval between two sounds of one kind. */
+#define TEAR_EVERY_TICKS 14u
+
+struct scoop { /* Context of one tick. */
+    struct poi *poi;
+    uint32_t poi_index;
+    const struct stall *stall;
+    struct tank *tank;
+    struct output *output;
+    uint32_t tick;
+    struct basis axes;
+    struct paper_surface ride;
+    float pan;
+    int clear; /* 1 if the whole ring is above the water. */
+    struct catch_result *results;
+};
+
+/* ---- Sounds --------------------------------------------------------------------------------- */
+
+static int time_for(uint32_t *last, uint32_t now, uint32_t every)
+{
+    if (now - *last < every && *last != 0) {
+        return 0;
+    }
+    *last = now;
+    return 1;
+}
+
+static void sound_ring(const struct scoop *scoop)
+{
+    struct poi *poi = scoop->poi;
+    const float gain = f_clamp(0.25f + 0.9f * f_abs(poi->splash_m_s), 0.0f, 1.0f);
+    if (poi->splash_m_s > 0.0f) {
+        output_sound(scoop->output, SOUND_DIP, gain, scoop->pan);
+    } else if (poi->splash_m_s < 0.0f) {
+        output_sound(scoop->output, SOUND_LIFT, gain, scoop->pan);
+    }
+    if (poi->strain.cells_torn > 0 && time_for(&poi->tear_tick, scoop->tick, TEAR_EVERY_TICKS)) {
+        const float torn = f_clamp(0.4f + 0.03f * (float)poi->strain.cells_torn, 0.0f, 1.0f);
+        output_sound(scoop->output, SOUND_TEAR, torn, scoop->pan);
+    }
+}
+
+static void sound_slap(const struct scoop *scoop, float force_n)
+{
+    if (force_n > 0.004f && time_for(&scoop->poi->slap_tick, scoop->tick, SLAP_EVERY_TICKS)) {
+        output_sound(scoop->output, SOUND_SLAP, f_clamp(8.0f * force_n, 0.1f, 1.0f), scoop->pan);
+    }
+}
+
+/* ---- Leaving the poi ------------------------------------------------------------------------ */
+
+static void remove_rider(struct poi *poi, uint32_t which)
+{
+    CORE_ASSERT(which < poi->carried_count);
+    poi->carried_count--;
+    poi->carried_fish[which] = poi->carried_fish[poi->carried_count];
+}
+
+static void let_fall(const struct scoop *scoop, struct carried_fish *carried)
+{
+    const vec3 slide = v3(carried->slide_x_m_s, 0.0f, carried->slide_z_m_s);
+    fall_begin(carried, v3_add(scoop->poi->velocity_m_s, vec_basis_to_world(&scoop->axes, slide)));
+}
+
+/* Returns 1 if a fish in flight meets the paper from above and lies on it again, because the fish
+ * was thrown up or the poi comes up under it. `before_m` is its position of the previous tick. The
+ * axes of the poi are used without rotation, because both fly. */
+static int lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
+                 struct carried_fish *lying)
+{
+    const struct poi *poi = scoop->poi;
+    const struct fish *fish = &scoop->tank->fish[carried->fish];
+    const struct basis was = vec_basis_from_angles(poi->before_angles);
+    const vec3 from = vec_basis_to_body(&was, v3_sub(before_m, poi->before_m));
+    const vec3 to = vec_basis_to_body(&scoop->axes, v3_sub(fish->position_m, poi->position_m));
+    const vec3 speed =
+        vec_basis_to_body(&scoop->axes, v3_sub(carried->fall_m_s, poi->velocity_m_s));
+    if (from.y < 0.0f || to.y >= 0.0f) {
+        return 0;
+    }
+    const vec3 at = v3_lerp(from, to, from.y / (from.y - to.y));
+    *lying = *carried;
+    lying->state = CARRIED_LYING;
+    lying->x_m = at.x;
+    lying->z_m = at.z;
+    lying->height_m = 0.0f;
+    lying->slide_x_m_s = f_clamp(speed.x, -LAND_M_S, LAND_M_S);
+    lying->slide_z_m_s = f_clamp(speed.z, -LAND_M_S, LAND_M_S);
+    return carried_support_holds(&poi->sheet, lying, fish);
+}
+
+/* Advances a fall. Returns 1 if it has ended. */
+static int fall(const struct scoop *scoop, struct carried_fish *carried)
+{
+    const vec3 before_m = scoop->tank->fish[carried->fish].position_m;
+    struct carried_fish lying;
+    uint32_t bowl;
+    switch (fall_tick(carried, scoop->stall, &bowl)) {
+    case FALL_INTO_BOWL:
+        catch_count(carried, scoop->poi_index, bowl, scoop->results);
+        output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
+        return 1;
+    case FALL_INTO_WATER:
+        output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
+        return 1;
+    default:
+        if (carried->state == CARRIED_FALLING && lands(scoop, carried, before_m, &lying)) {
+            *carried = lying;
+            carried_fish_pose(carried, &scoop->ride, scoop->poi->position_m, &scoop->axes,
+                              &scoop->tank->fish[carried->fish]);
+        }
+        return 0;
+    }
+}
+
+/* ---- Lying on the paper ---------------------------------------------------------------------- */
+
+/* Returns the height of the paper's plane at a point of it. */
+static float paper_y(const struct scoop *scoop, float x_m, float z_m)
+{
+    return scoop->poi->position_m.y + x_m * scoop->axes.right.y + z_m * scoop->axes.back.y;
+}
+
+static int floats_off(const struct scoop *scoop, const struct carried_fish *carried,
+                      const struct fish *fish)
+{
+    const float depth = -paper_y(scoop, carried->x_m, carried->z_m);
+    return depth > CAPTURE_FLOAT_SHARE * fish->height_m;
+}
+
+/* Counts the ticks in which the ring is clear of the water with the fish on it, as an umpire judges
+ * a catch. */
+static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
+{
+    if (!scoop->clear) {
+        carried->clear_ticks = 0;
+    } else if (carried->clear_ticks < CARRIED_CLEAR_TICKS) {
+        carried->clear_ticks++;
+    }
+}
+
+/* Advances a lying fish. Returns 1 if it has left the poi. */
+static int ride(struct scoop *scoop, struct carried_fish *carried)
+{
+    struct fish *fish = &scoop->tank->fish[carried->fish];
+    see_ring(scoop, carried);
+    const float dry = carried_load_dryness(scoop->poi, &scoop->axes, carried, fish);
+    sound_slap(scoop,
+               carried_fish_tick(carried, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick));
+    const vec3 before = fish->position_m;
+    carried_fish_pose(carried, &scoop->ride, scoop->poi->position_m, &scoop->axes, fish);
+    fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
+    const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
+    const int leaves = flies || !carried_support_holds(&scoop->poi->sheet, carried, fish);
+    if (floats_off(scoop, carried, fish) || (leaves && dry <= 0.0f)) {
+        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish swims. */
+        return 1;
+    }
+    if (leaves) {
+        let_fall(scoop, carried);
+    }
+    return 0;
+}
+
+static void ride_all(struct scoop *scoop)
+{
+    uint32_t i = 0;
+    carried_separation_tick(scoop->poi, scoop->tank->fish);
+    while (i < scoop->poi->carried_count) {
+        struct carried_fish *carried = &scoop->poi->carried_fish[i];
+        CORE_ASSERT(carried->fish < scoop->tank->fish_count);
+        const int gone =
+            carried->state == CARRIED_LYING ? ride(scoop, carried) : fall(scoop, carried);
+        if (gone) {
+            remove_rider(scoop->poi, i);
+        } else {
+            i++;
+        }
+    }
+}
+
+/* ---- Contact with other fish ----------------------------------------------------------------- */
+
+/* Removes carried fish that other code has moved, for example at a new round. */
+static void forget_strangers(struct scoop *scoop)
+{
+    uint32_t i = 0;
+    while (i < scoop->poi->carried_count) {
+        const struct fish *fish = &scoop->tank->fish[scoop->poi->carried_fish[i].fish];
+        if (fish->gait == GAIT_HELD && fish->holder == scoop->poi_index) {
+            i++;
+        } else {
+            remove_rider(scoop->poi, i);
+        }
+    }
+}
+
+static void try_to_capture(struct scoop *scoop, uint32_t index)
+{
+    struct fish *fish = &scoop->tank->fish[index];
+    if (paper_contact_fish(scoop->poi, &scoop->axes, fish)) {
+        capture_fish(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, index, scoop->tick);
+    } else if (paper_contact_squeezed(scoop->poi, fish)) {
+        capture_slip_off(scoop->poi, scoop->tank, fish);
+    }
+}
+
+/* Frees a ring that fish hold fast: the outermost of them wriggle out over its edge until the ring
+ * moves. The inner fish may still be lifted. */
+static void free_jam(struct scoop *scoop)
+{
+    struct poi *poi = scoop->poi;
+    const int jams = paper_contact_jams(poi);
+    poi->jam_ticks = (uint8_t)(jams ? poi->jam_ticks + (poi->jam_ticks < UINT8_MAX) : 0);
+    for (uint32_t i = 0; i < scoop->tank->fish_count && jams; i++) {
+        struct fish *fish = &scoop->tank->fish[i];
+        if (fish_swims(fish) && paper_contact_releases(poi, &scoop->axes, fish)) {
+            capture_slip_off(poi, scoop->tank, fish);
+        }
+    }
+}
+
+static void meet_all(struct scoop *scoop)
+{
+    for (uint32_t i = 0; i < scoop->tank->fish_count; i++) {
+        struct fish *fish = &scoop->tank->fish[i];
+        if (fish->gait == GAIT_BOWL) {
+            continue;
+        }
+        if (fish->gait != GAIT_HELD) {
+            try_to_capture(scoop, i);
+        } else if (fish->holder == scoop->poi_index && !catch_has_carried(scoop->poi, i)) {
+            fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
+        }
+    }
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+int catch_has_carried(const struct poi *poi, uint32_t fish)
+{
+    for (uint32_t i = 0; i < poi->carried_count; i++) {
+        if (poi->carried_fish[i].fish == fish) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl,
+                 struct catch_result results[POI_MAX])
+{
+    CORE_ASSERT(poi < POI_MAX);
+    CORE_ASSERT(bowl < POI_MAX);
+    results[bowl].bowled++;
+    if (carried->clear_ticks < CARRIED_CLEAR_TICKS) {
+        results[poi].poured++;
+    } else if (carried->walled) {
+        results[poi].walled++;
+    } else {
+        results[bowl].landed++;
+    }
+}
+
+/* Returns the compliance of the paper at the tension due to water and carried fish. */
+static float give_per_n(const struct poi *poi)
+{
+    const struct paper_grade *grade = sheet_grade(poi->sheet.grade);
+    const float tension_n_m = sheet_tension_centre(grade, poi->pressure_pa, POI_RADIUS_M);
+    return 1.0f / (F_TAU * f_max(tension_n_m, SLACK_N_M));
+}
+
+void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, uint32_t tick,
+                struct output *output, struct catch_result results[POI_MAX])
+{
+    CORE_ASSERT(poi_index < POI_MAX);
+    CORE_ASSERT(stall->bowl_count <= POI_MAX);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const vec3 pull = v3_sub(v3(0.0f, -GRAVITY_M_S2, 0.0f), poi->acceleration_m_s2);
+    struct scoop scoop = {
+        .poi = poi,
+        .poi_index = poi_index,
+        .stall = stall,
+        .tank = stall->tank,
+        .output = output,
+        .tick = tick,
+        .axes = axes,
+        .ride = { .pull_m_s2 = vec_basis_to_body(&axes, pull),
+                  .uphill_x = axes.right.y,
+                  .uphill_z = axes.back.y,
+                  .radius_m = POI_RADIUS_M,
+                  .belly_m = poi->sheet.sag_m,
+                  .give_per_n = give_per_n(poi) },
+        .pan = f_clamp(2.0f * poi->position_m.x / stall->tank->size_m.x, -1.0f, 1.0f),
+        .clear = poi->position_m.y > poi_half_extent_m(axes.up.y),
+        .results = results,
+    };
+    forget_strangers(&scoop);
+    sound_ring(&scoop);
+    ride_all(&scoop);
+    meet_all(&scoop);
+    free_jam(&scoop);
+    carried_load_gather(poi, &axes, scoop.ride.pull_m_s2.y, stall->tank->fish);
+}

@@ -1,0 +1,300 @@
+/* sheet.c -- one tick of the paper: loads, stress concentration, tears. */
+#include "core/poi/paper/sheet.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/poi/paper/strain.h"
+#include "core/poi/paper/wetting.h"
+
+#define LOAD_RATIO_MIN 0.25f /* Share of its ultimate tension that paper sustains for half a day. */
+#define WET_LINE_FACTOR 2.5f /* Stress concentration between wet and dry paper, which swell
+                                differently. */
+#define STANDING_FACTOR_WORST (STRAIN_EDGE * WET_LINE_FACTOR)
+#define FOOT_TENSION_MIN_N_M 0.3f /* Tension down to which a footprint is computed; less causes no
+                                     wear. */
+#define SAG_TAU_S 0.03f /* The sag moves water along and cannot jump. */
+
+/* ---- Stress concentration -------------------------------------------------------------------- */
+
+static int has_line(const struct sheet *sheet)
+{
+    return sheet->touched && !sheet->soaked;
+}
+
+static float line_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
+{
+    return 1.0f + (WET_LINE_FACTOR - 1.0f) * wetting_line(sheet, row, column);
+}
+
+/* Raises the ratio of a cell to that beside a tear, if that is higher than the one from membrane,
+ * ring and wet line. */
+static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
+                           uint32_t column)
+{
+    const uint32_t cell = row * SHEET_SIDE + column;
+    const float tip = strain->load[cell] * tear_factor(&strain->map, sheet, row, column);
+    strain->ratio[cell] = f_max(strain->ratio[cell], tip);
+}
+
+/* Raises the ratio along the wet line, multiplied where it meets the ring, then at tears. */
+static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
+{
+    const uint32_t front = tear_front(&strain->map, row);
+    for (uint32_t column = 0; has_line(sheet) && column < SHEET_SIDE; column++) {
+        strain->ratio[row * SHEET_SIDE + column] *= line_factor(sheet, row, column);
+    }
+    for (uint32_t column = 0; front != 0 && column < SHEET_SIDE; column++) {
+        if (front >> column & 1u) {
+            gather_at_tear(strain, sheet, row, column);
+        }
+    }
+}
+
+/* Removes the load of new holes after a tear grew in the row. */
+static void relieve_row(struct strain *strain, uint32_t row)
+{
+    for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+        if (strain->map.hole[row] >> column & 1u) {
+            strain->load[row * SHEET_SIDE + column] = 0.0f;
+            strain->ratio[row * SHEET_SIDE + column] = 0.0f;
+        }
+    }
+}
+
+/* Recomputes the cells beside a changed hole or within a tear's length, which bear more. Stress
+ * beside a growing tear never falls, so the maximum so far is correct. */
+static void regather(struct strain *strain, const struct sheet *sheet, uint32_t changed)
+{
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        if (changed >> row & 1u) {
+            relieve_row(strain, row);
+        }
+    }
+    if (sheet->ideal) {
+        return;
+    }
+    const uint32_t near = changed | changed << 1 | changed << 2 | changed << 3 | changed >> 1 |
+                          changed >> 2 | changed >> 3;
+    _Static_assert(TEAR_REACH == 3u, "as many rows up and down");
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const uint32_t front = near >> row & 1u ? tear_front(&strain->map, row) : 0u;
+        for (uint32_t column = 0; front != 0 && column < SHEET_SIDE; column++) {
+            if (front >> column & 1u) {
+                gather_at_tear(strain, sheet, row, column);
+            }
+        }
+    }
+}
+
+/* ---- Tears ---------------------------------------------------------------------------------- */
+
+/* Opens all cells that are worn through at once. Returns their number. */
+static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t row, uint32_t torn)
+{
+    uint32_t count = 0;
+    strain->map.paper[row] &= ~torn;
+    strain->map.hole[row] |= torn;
+    for (uint32_t column = 0; torn != 0 && column < SHEET_SIDE; column++) {
+        if (torn >> column & 1u) {
+            sheet->state[row * SHEET_SIDE + column] = CELL_HOLE;
+            count++;
+        }
+    }
+    return count;
+}
+
+/* Returns one bit for each row in which a hole grew since `before`. */
+static uint32_t changed_rows(const struct strain *strain, const uint32_t before[SHEET_SIDE])
+{
+    uint32_t changed = 0;
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        changed |= (uint32_t)(strain->map.hole[row] != before[row]) << row;
+    }
+    return changed;
+}
+
+static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
+{
+    const float seconds = CORE_TICK_S / (float)SHEET_STEPS_MAX;
+    uint32_t before[SHEET_SIDE], gone = 0;
+    MEM_COPY(before, strain->map.hole, sizeof before);
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        gone += open_row(strain, sheet, row, strain_wear_4(strain, sheet, row, seconds));
+    }
+    if (gone > 0) {
+        gone += tear_drop_loose(&strain->map, sheet);
+        regather(strain, sheet, changed_rows(strain, before));
+    }
+    return gone;
+}
+
+/* Drops loose paper repeatedly until none is left. */
+static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
+{
+    uint32_t gone = 0, dropped = 1;
+    for (uint32_t sweep = 0; dropped > 0 && sweep < SHEET_SIDE; sweep++) {
+        dropped = tear_drop_loose(&strain->map, sheet);
+        gone += dropped;
+    }
+    for (uint32_t row = 0; gone > 0 && row < SHEET_SIDE; row++) {
+        relieve_row(strain, row);
+    }
+    return gone;
+}
+
+/* Advances the damage. Damage grows evenly under an even load, so only a tick in which paper tears
+ * needs substeps. */
+static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
+{
+    uint32_t torn = 0;
+    int tears = 0;
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        tears |= strain_tears_4(strain, sheet, row, CORE_TICK_S);
+    }
+    for (uint32_t row = 0; !tears && row < SHEET_SIDE; row++) {
+        (void)strain_wear_4(strain, sheet, row, CORE_TICK_S);
+    }
+    for (uint32_t step = 0; tears && step < SHEET_STEPS_MAX; step++) {
+        torn += tear_step(strain, sheet);
+    }
+    torn += torn > 0 ? drop_all(strain, sheet) : 0;
+    CORE_ASSERT(sheet->paper_cells >= torn);
+    sheet->paper_cells -= torn;
+    return torn;
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+static struct footprint footprint(const struct sheet_load *load, float cell_size_m)
+{
+    const float pull = f_abs(load->force_n) / F_TAU;
+    return (struct footprint){ .x_m = load->x_m,
+                               .z_m = load->z_m,
+                               .own_m = 0.5f * load->diameter_m,
+                               .reach_m = f_max(pull / FOOT_TENSION_MIN_N_M, cell_size_m),
+                               .pull_n_m_m = pull };
+}
+
+static void settle_sag(struct sheet *sheet, float pressure_pa)
+{
+    const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
+    const float goal = pressure_pa > 0.0f ? -belly : belly; /* Pressed upward, the paper bulges
+                                                               up. */
+    sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
+}
+
+/* Returns 1 if only a pressure acts that would not even extend a tear. */
+static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
+{
+    const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
+    const float weakest = sheet->strength_min * (sheet->touched ? wettest : grade->dry_n_m);
+    const float factor =
+        sheet->paper_cells < sheet->paper_cells_new ? TEAR_FACTOR_WORST : STANDING_FACTOR_WORST;
+    return factor * centre_n_m < LOAD_RATIO_MIN * weakest;
+}
+
+static struct sheet_events strain_cells(struct sheet *sheet, struct strain *strain)
+{
+    struct sheet_events events = { 0 };
+    strain->map = tear_map_of(sheet);
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const float tension_n_m = strain_row_4(strain, sheet, row);
+        events.tension_max_n_m = f_max(events.tension_max_n_m, tension_n_m);
+        if (!sheet->ideal) {
+            gather_row(strain, sheet, row);
+        }
+    }
+    events.cells_torn = wear_tick(strain, sheet);
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        strain_show_4(strain, sheet, row);
+    }
+    return events;
+}
+
+struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
+                               const struct sheet_load *loads, uint32_t load_count)
+{
+    CORE_ASSERT(load_count <= SHEET_LOAD_MAX);
+    CORE_ASSERT(f_is_finite(pressure_pa));
+    const struct paper_grade *grade = sheet_grade(sheet->grade);
+    const float borne_pa = pressure_pa * sheet_left(sheet);
+    struct strain strain; /* 9 KiB, fully written before it is read. */
+    strain.grade = grade;
+    strain.centre_n_m = sheet_tension_centre(grade, borne_pa, sheet->radius_m);
+    strain.edge_n_m = sheet_tension_edge(grade, borne_pa, sheet->radius_m);
+    strain.cell_m = sheet_cell_m(sheet);
+    strain.load_count = load_count;
+    settle_sag(sheet, pressure_pa);
+    wetting_tick(sheet, wet);
+    if (load_count == 0 && is_calm(sheet, grade, strain.centre_n_m)) {
+        memset(sheet->stress, 0, sizeof sheet->stress);
+        return (struct sheet_events){ .tension_max_n_m = strain.centre_n_m };
+    }
+    for (uint32_t i = 0; i < load_count; i++) {
+        strain.footprints[i] = footprint(&loads[i], strain.cell_m);
+    }
+    return strain_cells(sheet, &strain);
+}
+
+/* ---- Queries --------------------------------------------------------------------------------- */
+
+/* Returns the cell of a point within the ring. If the centre of a cell is beyond the ring, its
+ * sliver belongs to the neighbour toward the centre. */
+static uint32_t cell_at(const struct sheet *sheet, float x_m, float z_m)
+{
+    const float last = (float)(SHEET_SIDE - 1u);
+    const float column = f_floor((x_m + sheet->radius_m) / sheet_cell_m(sheet));
+    const float row = f_floor((z_m + sheet->radius_m) / sheet_cell_m(sheet));
+    uint32_t c = (uint32_t)f_clamp(column, 0.0f, last);
+    uint32_t r = (uint32_t)f_clamp(row, 0.0f, last);
+    if (sheet->state[r * SHEET_SIDE + c] == CELL_OUTSIDE) {
+        if (f_abs(x_m) > f_abs(z_m)) {
+            c = x_m > 0.0f ? c - 1u : c + 1u;
+        } else {
+            r = z_m > 0.0f ? r - 1u : r + 1u;
+        }
+    }
+    return r * SHEET_SIDE + c;
+}
+
+int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
+{
+    if (sheet->paper_cells == 0 || x_m * x_m + z_m * z_m >= sheet->radius_m * sheet->radius_m) {
+        return 0;
+    }
+    return sheet->state[cell_at(sheet, x_m, z_m)] == CELL_PAPER;
+}
+
+float sheet_left(const struct sheet *sheet)
+{
+    return sheet->paper_cells_new > 0 ? (float)sheet->paper_cells / (float)sheet->paper_cells_new
+                                      : 0.0f;
+}
+
+float sheet_hole_m2(const struct sheet *sheet)
+{
+    return (1.0f - sheet_left(sheet)) * F_PI * sheet->radius_m * sheet->radius_m;
+}
+
+uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)
+{
+    hash = hash_u32(hash, sheet->grade);
+    hash = hash_u32(hash, sheet->touched);
+    hash = hash_u32(hash, sheet->soaked);
+    hash = hash_u32(hash, sheet->ideal);
+    hash = hash_float(hash, sheet->radius_m);
+    hash = hash_float(hash, sheet->fibre_x);
+    hash = hash_float(hash, sheet->fibre_z);
+    hash = hash_floats(hash, sheet->wetness, SHEET_CELL_COUNT);
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        hash = hash_u32(hash, sheet->soak_ticks[cell]);
+    }
+    hash = hash_floats(hash, sheet->damage, SHEET_CELL_COUNT);
+    hash = hash_floats(hash, sheet->strength, SHEET_CELL_COUNT);
+    hash = hash_bytes(hash, sheet->state, SHEET_CELL_COUNT);
+    hash = hash_float(hash, sheet->strength_min);
+    hash = hash_u32(hash, sheet->paper_cells);
+    hash = hash_u32(hash, sheet->paper_cells_new);
+    return hash_float(hash, sheet->sag_m);
+}

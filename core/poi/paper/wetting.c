@@ -1,0 +1,95 @@
+/* wetting.c -- wetting of the paper, cell by cell. */
+#include "core/poi/paper/wetting.h"
+
+#define WET_TAU_S 1.0f    /* Time constant with which a cell under water loses its dry strength. */
+#define SOAKED 0.9999f    /* Wetness of the driest cell above which a sheet counts as soaked. */
+#define WICK_M2_S 1.0e-6f /* In-plane wicking: a front of about 1.4 mm after one second,
+                             proportional to sqrt(t). */
+#define SOFTENS_FROM 0.5f /* Drier paper does not soften further. */
+#define LINE_STEP 0.5f    /* Difference of wetness over two cells that counts as a full wet line. */
+
+/* Returns the difference that lets dry paper absorb water from wet paper. */
+static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
+{
+    return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
+}
+
+/* Only the corners of row 0, column 0 and their opposites would lie in the ring, so borders are
+ * skipped; the wicking there is one cell wide. */
+static int is_border(uint32_t row, uint32_t column)
+{
+    return row == 0 || column == 0 || row == SHEET_SIDE - 1u || column == SHEET_SIDE - 1u;
+}
+
+/* Wets the cells under water; wicks water elsewhere. */
+static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
+{
+    const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
+    const float spread = WICK_M2_S * CORE_TICK_S / (sheet_cell_m(sheet) * sheet_cell_m(sheet));
+    float driest = 1.0f;
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
+        if (sheet->state[cell] != CELL_PAPER) {
+            continue;
+        }
+        if (wet.x * sheet_line_m(sheet, column) + wet.z * sheet_line_m(sheet, row) < wet.limit_m) {
+            sheet->wetness[cell] += soak * (1.0f - sheet->wetness[cell]);
+        } else if (!is_border(row, column)) {
+            const float flow = creep(sheet, cell, cell - 1u) + creep(sheet, cell, cell + 1u) +
+                               creep(sheet, cell, cell - SHEET_SIDE) +
+                               creep(sheet, cell, cell + SHEET_SIDE);
+            sheet->wetness[cell] += f_max(0.0f, spread * flow);
+        }
+        driest = f_min(driest, sheet->wetness[cell]);
+    }
+    sheet->soaked = driest >= SOAKED;
+}
+
+/* Returns 1 if any part of the ring may be under the line: cheap, and exact except at the
+ * corners. */
+static int reaches_water(const struct sheet *sheet, struct sheet_wetting wet)
+{
+    return -sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m;
+}
+
+/* Softens wet cells in air as under water, because fibres keep swelling. */
+static void soften(struct sheet *sheet)
+{
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const uint16_t ticks = sheet->soak_ticks[cell];
+        const uint16_t more = sheet->wetness[cell] >= SOFTENS_FROM && ticks < SHEET_SOAK_TICKS;
+        sheet->soak_ticks[cell] = (uint16_t)(ticks + more);
+    }
+}
+
+void wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
+{
+    sheet->touched |= (uint8_t)reaches_water(sheet, wet);
+    if (sheet->touched && !sheet->soaked) {
+        wet_cells(sheet, wet);
+    }
+    if (sheet->touched) {
+        soften(sheet);
+    }
+}
+
+/* Returns the difference of wetness between the cells on both sides of a cell; 0 unless both are
+ * paper. */
+static float step_between(const struct sheet *sheet, uint32_t before, uint32_t after)
+{
+    const int is_paper = sheet->state[before] == CELL_PAPER && sheet->state[after] == CELL_PAPER;
+    return is_paper ? f_abs(sheet->wetness[before] - sheet->wetness[after]) : 0.0f;
+}
+
+float wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column)
+{
+    const uint32_t cell = row * SHEET_SIDE + column, last = SHEET_SIDE - 1u;
+    float step = 0.0f;
+    if (column > 0 && column < last) {
+        step = step_between(sheet, cell - 1u, cell + 1u);
+    }
+    if (row > 0 && row < last) {
+        step = f_max(step, step_between(sheet, cell - SHEET_SIDE, cell + SHEET_SIDE));
+    }
+    return f_min(step / LINE_STEP, 1.0f);
+}

@@ -1,0 +1,104 @@
+/* ring_constraints.c -- constraints of the ring, applied in order; walls are applied last. */
+#include "core/poi/ring_constraints.h"
+
+#define REACH_SIDE_M 0.15f /* Reach beyond the walls, over the rim. */
+#define REACH_HEIGHT_M 0.30f
+#define ASIDE_M_S 0.6f     /* Sliding speed off a bowl's hull. */
+#define FLOOR_GAP_M 0.003f /* The ring is thick, and its paper must not be pinched. */
+
+/* Clamps one coordinate to its limits and stops motion into them. */
+static void clamp_coordinate(float *place, float *speed, float low, float high)
+{
+    if (*place < low) {
+        *place = low;
+        *speed = f_max(*speed, 0.0f);
+    } else if (*place > high) {
+        *place = high;
+        *speed = f_min(*speed, 0.0f);
+    }
+}
+
+/* Returns the distance of a point beyond a room around the origin; <= 0 inside. */
+static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
+{
+    return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);
+}
+
+/* A ring inside the walls stays inside and passes only with its lowest edge above the rim. A ring
+ * beyond the walls, or across the rim, rests on the rim. The previous position of the ring decides
+ * which case applies, not its angles, because a rotation alone must never throw it over a wall. */
+static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
+{
+    const float low = poi_half_extent_m(up.y);
+    const float rim = tank->wall_height_m - tank->size_m.y;
+    const float room_x = 0.5f * tank->size_m.x - poi_half_extent_m(up.x);
+    const float room_z = 0.5f * tank->size_m.z - poi_half_extent_m(up.z);
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    if (at->y - low >= rim) {
+        return;
+    }
+    const float outside = beyond_m(before_m, 0.5f * tank->size_m.x, 0.5f * tank->size_m.z);
+    const float aside = f_max(0.0f, beyond_m(before_m, room_x, room_z));
+    const float under = rim + low - before_m.y;
+    if (outside > 0.0f || (aside > 1e-4f && under < aside)) {
+        clamp_coordinate(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
+    } else {
+        clamp_coordinate(&at->x, &speed->x, -room_x, room_x);
+        clamp_coordinate(&at->z, &speed->z, -room_z, room_z);
+    }
+}
+
+/* From above the ring rests on the mouth, from below under the hull, and from the side it slides
+ * around. */
+static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
+{
+    const float low = poi_half_extent_m(up.y);
+    const float mouth = bowl->position_m.y, bottom = mouth - BOWL_DEPTH_M;
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    const vec3 away = v3(at->x - bowl->position_m.x, 0.0f, at->z - bowl->position_m.z);
+    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
+    const float apart = bowl_hull_radius_m(mouth - at->y) + poi_half_extent_m(v3_dot(up, out));
+    if (!bowl->present || v3_length(away) >= apart || at->y - low >= mouth ||
+        at->y + low <= bottom) {
+        return;
+    }
+    if (before_m.y - low >= mouth - 1e-3f) {
+        clamp_coordinate(&at->y, &speed->y, mouth + low, REACH_HEIGHT_M);
+    } else if (before_m.y + low <= bottom + 1e-3f) {
+        clamp_coordinate(&at->y, &speed->y, -10.0f, bottom - low);
+    } else {
+        const float came_m =
+            at->y < mouth ? f_max(0.0f, -v3_dot(v3_sub(*at, before_m), out)) : 0.0f;
+        const float step = f_min(apart - v3_length(away), came_m + ASIDE_M_S * CORE_TICK_S);
+        const float inward = f_min(v3_dot(*speed, out), 0.0f);
+        *at = v3_muladd(*at, out, step);
+        *speed = v3_muladd(*speed, out, -inward);
+    }
+}
+
+void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
+                   vec3 up)
+{
+    vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
+    const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
+    const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
+    const float floor = poi_half_extent_m(up.y) + FLOOR_GAP_M - tank->size_m.y;
+    yield_to(poi, bowl, before_m, up);
+    clamp_coordinate(&at->y, &speed->y, floor, REACH_HEIGHT_M);
+    yield_to_walls(poi, tank, before_m, up);
+    clamp_coordinate(&at->x, &speed->x, -reach_x, reach_x);
+    clamp_coordinate(&at->z, &speed->z, -reach_z, reach_z);
+}
+
+void poi_constrain_to_bowl(struct poi *poi, const struct bowl *bowl)
+{
+    const vec3 free_m = poi->position_m;
+    yield_to(poi, bowl, poi->before_m, vec_basis_from_angles(poi->angles).up);
+    const vec3 off_m = v3_sub(poi->position_m, free_m);
+    poi->stopped |= v3_dot(off_m, off_m) > 0.0f;
+}
+
+void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl)
+{
+    poi_constrain(poi, tank, bowl, poi->before_m, vec_basis_from_angles(poi->angles).up);
+}

@@ -1,0 +1,97 @@
+/* ring_pairs.c -- contact of two flat discs: overlap, direction of least overlap, separation. */
+#include "core/poi/ring_pairs.h"
+
+#define ASIDE_M_S 0.6f       /* Equal to the speed of a ring that slides off a bowl's hull
+                                (ring_constraints.c). */
+#define PARALLEL 1e-4f       /* Squared sine below which two normals count as parallel. */
+#define GAP_M 0.0002f        /* Gap left between two separated rings. */
+
+/* Two rings in one tick. */
+struct rings {
+    vec3 up_a, up_b;         /* Unit normals. */
+    vec3 apart_m, before_m;  /* Vector between the centres, now and before the tick. */
+};
+
+static float extents_m(const struct rings *rings, vec3 axis)
+{
+    return poi_half_extent_m(v3_dot(rings->up_a, axis)) +
+           poi_half_extent_m(v3_dot(rings->up_b, axis));
+}
+
+/* Returns the overlap along a unit axis; <= 0: apart. */
+static float shared_m(const struct rings *rings, vec3 axis)
+{
+    return extents_m(rings, axis) - f_abs(v3_dot(rings->apart_m, axis));
+}
+
+/* Returns the overlap along a normal that points from the first ring to the second before the tick.
+ * Rings that passed through each other in one tick overlap by more than their thickness. */
+static float shared_through_m(const struct rings *rings, vec3 *normal)
+{
+    const float side = v3_dot(rings->before_m, *normal) < 0.0f ? -1.0f : 1.0f;
+    *normal = v3_scale(*normal, side);
+    return extents_m(rings, *normal) - v3_dot(rings->apart_m, *normal);
+}
+
+/* Returns the direction between the centres within the plane of a normal. */
+static vec3 along_plane(vec3 apart_m, vec3 normal)
+{
+    const vec3 along = v3_muladd(apart_m, normal, -v3_dot(apart_m, normal));
+    return v3_normalize_or(along, normal);
+}
+
+/* Returns 1 if one of the possible separating axes of two discs separates these. */
+static int are_apart(const struct rings *rings)
+{
+    const vec3 edge = v3_cross(rings->up_a, rings->up_b);
+    return shared_m(rings, v3_normalize_or(rings->apart_m, rings->up_a)) <= 0.0f ||
+           shared_m(rings, along_plane(rings->apart_m, rings->up_a)) <= 0.0f ||
+           shared_m(rings, along_plane(rings->apart_m, rings->up_b)) <= 0.0f ||
+           (v3_dot(edge, edge) > PARALLEL &&
+            shared_m(rings, v3_normalize_or(edge, rings->up_a)) <= 0.0f);
+}
+
+/* Moves a ring along unit `out` and removes its speed in the opposite direction. */
+static void move(struct poi *poi, vec3 out, float way_m)
+{
+    const float inward_m_s = f_min(v3_dot(poi->velocity_m_s, out), 0.0f);
+    poi->position_m = v3_muladd(poi->position_m, out, way_m);
+    poi->velocity_m_s = v3_muladd(poi->velocity_m_s, out, -inward_m_s);
+    poi->stopped = 1;
+}
+
+/* Moves a ring sideways, never back, because a hand above another hand would otherwise hold it
+ * forever. */
+static void slide(struct poi *poi, vec3 out, float need_m)
+{
+    const float came_m = f_max(0.0f, -v3_dot(v3_sub(poi->position_m, poi->before_m), out));
+    move(poi, out, f_min(need_m, came_m + ASIDE_M_S * CORE_TICK_S));
+}
+
+int ring_pairs_separate(struct poi *a, struct poi *b)
+{
+    const struct rings rings = {
+        .up_a = vec_basis_from_angles(a->angles).up,
+        .up_b = vec_basis_from_angles(b->angles).up,
+        .apart_m = v3_sub(b->position_m, a->position_m),
+        .before_m = v3_sub(b->before_m, a->before_m),
+    };
+    vec3 normal = rings.up_a, other = rings.up_b;
+    const float through_m = shared_through_m(&rings, &normal);
+    const float other_m = shared_through_m(&rings, &other);
+    if (through_m <= 0.0f || other_m <= 0.0f || are_apart(&rings)) {
+        return 0;
+    }
+    const vec3 flat_m = v3(rings.apart_m.x, 0.0f, rings.apart_m.z);
+    const vec3 aside = v3_normalize_or(flat_m, v3(1.0f, 0.0f, 0.0f));
+    const float need_m = shared_m(&rings, aside) + GAP_M;
+    const float least_m = f_min(through_m, other_m) + GAP_M;
+    slide(a, v3_scale(aside, -1.0f), 0.5f * need_m);
+    slide(b, aside, 0.5f * need_m);
+    if (least_m < need_m) {
+        const vec3 way = through_m < other_m ? normal : other;
+        move(a, v3_scale(way, -1.0f), 0.5f * least_m);
+        move(b, way, 0.5f * least_m);
+    }
+    return 1;
+}

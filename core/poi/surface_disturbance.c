@@ -1,0 +1,79 @@
+/* surface_disturbance.c -- disturbances of the water surface by a poi.
+ *
+ * A ring that cuts the surface presses two points ahead of itself. Each draws a V behind it as soon
+ * as it outruns the ripples, at 0.23 m/s. */
+#include "core/poi/surface_disturbance.h"
+
+#define HEAVE_SHARE 0.5f   /* Share of a disc's vertical motion that the surface above it
+                              follows. */
+#define HEAVE_DEPTH_M 0.03f /* Depth over which that share decays. */
+#define HEAVE_MAX_M 0.003f /* Limit per tick. */
+#define PLUNGE_MAX_M 0.004f
+#define BOW_RADIUS_M 0.012f
+#define BOW_SHARE 0.25f    /* Share of its motion along the surface by which a cutting edge presses
+                              the surface. */
+#define BOW_MAX_M 0.0012f  /* Limit per tick. */
+#define LEVEL_SLOPE 0.15f  /* A ring flatter than 9 degrees has no two cutting points: all of it
+                              enters. */
+#define DROP_RADIUS_M 0.008f
+#define DROP_M 0.0005f
+
+/* Returns the unit vector up the slope of the paper, and the sine of its tilt. */
+static vec3 uphill(vec3 up, float *slope)
+{
+    const vec3 rise = v3_muladd(v3(0.0f, 1.0f, 0.0f), up, -up.y);
+    *slope = v3_length(rise);
+    return v3_normalize_or(rise, v3(0.0f, 0.0f, 0.0f));
+}
+
+/* Presses the surface where the ring's edge passes through it. */
+static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
+{
+    float slope;
+    const vec3 rise = uphill(up, &slope);
+    const vec3 along = v3_cross(up, rise);
+    const float reach = slope > LEVEL_SLOPE ? -poi->position_m.y / (POI_OUTER_RADIUS_M * slope)
+                                            : 1.0f;
+    if (f_abs(reach) >= 1.0f) {
+        return;
+    }
+    const float aside = f_sqrt(1.0f - reach * reach);
+    const vec3 level_m_s = v3(poi->velocity_m_s.x, 0.0f, poi->velocity_m_s.z);
+    const float press = f_min(BOW_SHARE * v3_length(level_m_s) * CORE_TICK_S, BOW_MAX_M);
+    for (int side = -1; side <= 1; side += 2) {
+        const vec3 edge = v3_muladd(v3_scale(rise, reach), along, (float)side * aside);
+        water_press(water, tank_size_m, v3_muladd(poi->position_m, edge, POI_OUTER_RADIUS_M),
+                    BOW_RADIUS_M, press);
+    }
+}
+
+/* Drops fall from the lowest point of the ring, or from the sag of a level ring. */
+static void drip(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
+{
+    float slope;
+    const vec3 rise = uphill(up, &slope);
+    const float off_m = POI_OUTER_RADIUS_M * f_min(1.0f, slope / LEVEL_SLOPE);
+    water_press(water, tank_size_m, v3_muladd(poi->position_m, rise, -off_m), DROP_RADIUS_M,
+                DROP_M * (float)poi->drops);
+}
+
+void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m)
+{
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
+    const float heave_m = HEAVE_SHARE * poi->velocity_m_s.y * CORE_TICK_S;
+    float press_m = 0.0f;
+    if (poi->immersed >= 1.0f) {
+        const float near = f_exp(poi->position_m.y / HEAVE_DEPTH_M);
+        press_m = f_clamp(-heave_m * near, -HEAVE_MAX_M, HEAVE_MAX_M);
+    } else if (poi->immersed > 0.0f) {
+        const float sweep_m = HEAVE_SHARE * v3_length(poi->velocity_m_s) * CORE_TICK_S;
+        press_m = f_clamp(sweep_m - heave_m, -PLUNGE_MAX_M, PLUNGE_MAX_M);
+        cut(poi, water, tank_size_m, up);
+    }
+    if (press_m != 0.0f) {
+        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press_m);
+    }
+    if (poi->drops > 0) {
+        drip(poi, water, tank_size_m, up);
+    }
+}

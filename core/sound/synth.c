@@ -1,0 +1,243 @@
+/* synth.c -- voices: each has a few gliding sines and filtered bursts, and at most one plucked
+ * string.
+ *
+ * Pitch, filter and roughness change on every CONTROL_FRAMES-th frame of a voice's own age, so that
+ * the wave does not depend on the number of frames per call. */
+#include "core/sound/synth.h"
+
+#include "core/base/fmath.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/sound/recipe.h"
+
+#define CONTROL_FRAMES 32u /* 0.67 ms: steps this short are inaudible. */
+#define FRAMES_PER_MS ((float)SYNTH_RATE_HZ / 1000.0f)
+#define FULL_SCALE 32000.0f
+#define FADE_FRAMES 480.0f /* The last 10 ms of a voice fade out to avoid a click. */
+
+/* An active layer, with its parameters in frames. */
+struct drive {
+    const struct layer_recipe *recipe;
+    struct synth_layer *state;
+    uint32_t delay_frames;
+    float attack_per_frame;
+};
+
+/* Returns white noise in [-1, 1) from a linear congruential generator, whose high bits suffice for
+ * water and paper. */
+static float noise_next(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (float)(int32_t)(*state >> 8) * (2.0f / 16777216.0f) - 1.0f;
+}
+
+static uint32_t frames_of(float ms)
+{
+    return (uint32_t)(int32_t)(ms * FRAMES_PER_MS);
+}
+
+/* ---- Layers --------------------------------------------------------------------------------- */
+
+static void control(struct drive *drive, uint32_t *noise)
+{
+    const struct layer_recipe *recipe = drive->recipe;
+    struct synth_layer *state = drive->state;
+    if (recipe->glide_ms > 0.0f) {
+        const float glide_frames = recipe->glide_ms * FRAMES_PER_MS;
+        const float share = 1.0f - f_exp(-(float)CONTROL_FRAMES / glide_frames);
+        state->hz += (recipe->hz_to - state->hz) * share;
+    }
+    state->decay = f_exp(-1.0f / (recipe->decay_ms * FRAMES_PER_MS));
+    state->cutoff = 2.0f * f_sin(F_PI * state->hz / (float)SYNTH_RATE_HZ);
+    state->gate = 1.0f - recipe->roughness * f_abs(noise_next(noise));
+}
+
+static float layer_wave(struct drive *drive, uint32_t *noise)
+{
+    struct synth_layer *state = drive->state;
+    if (drive->recipe->kind == LAYER_TONE) {
+        state->phase += state->hz / (float)SYNTH_RATE_HZ;
+        state->phase -= f_floor(state->phase);
+        return f_sin(F_TAU * state->phase);
+    }
+    state->low += state->cutoff * state->band;
+    const float high = noise_next(noise) - state->low - drive->recipe->damping * state->band;
+    state->band += state->cutoff * high;
+    return state->band * state->gate;
+}
+
+static float layer_next(struct drive *drive, uint32_t age_frames, uint32_t *noise)
+{
+    if (age_frames < drive->delay_frames) {
+        return 0.0f;
+    }
+    const float rise = (float)(age_frames - drive->delay_frames) * drive->attack_per_frame;
+    if (rise >= 1.0f) {
+        drive->state->level *= drive->state->decay;
+    }
+    return layer_wave(drive, noise) * drive->state->level * f_min(rise, 1.0f);
+}
+
+/* ---- String --------------------------------------------------------------------------------- */
+
+/* Karplus-Strong: a burst circulates in a delay line and loses high frequencies on each round. */
+static float string_next(struct synth_voice *voice, const struct sound_recipe *recipe)
+{
+    if (voice->string_count == 0 || voice->age_frames < frames_of(recipe->string_delay_ms)) {
+        return 0.0f;
+    }
+    const uint32_t at = voice->string_at;
+    const uint32_t next = at + 1u < voice->string_count ? at + 1u : 0u;
+    const float wave = voice->string[at];
+    voice->string[at] = recipe->string_keep * 0.5f * (wave + voice->string[next]);
+    voice->string_at = next;
+    return wave * recipe->string_gain;
+}
+
+/* Fills the delay line: noise, smoothed as by a fingertip, without a mean value, which would end as
+ * a thump. */
+static void string_pluck(struct synth_voice *voice, float hz)
+{
+    float mean = 0.0f;
+    float smooth = 0.0f;
+    /* Averaging two neighbours delays by half a frame, so the line is shorter by that amount. */
+    voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz);
+    CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
+    for (uint32_t i = 0; i < voice->string_count; i++) {
+        smooth += 0.5f * (noise_next(&voice->noise) - smooth);
+        voice->string[i] = smooth;
+        mean += smooth / (float)voice->string_count;
+    }
+    for (uint32_t i = 0; i < voice->string_count; i++) {
+        voice->string[i] -= mean;
+    }
+}
+
+/* ---- Voices --------------------------------------------------------------------------------- */
+
+static uint32_t gather_drives(struct synth_voice *voice, const struct sound_recipe *recipe,
+                              struct drive drives[SYNTH_LAYER_MAX])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SYNTH_LAYER_MAX; i++) {
+        const struct layer_recipe *layer = &recipe->layer[i];
+        if (layer->kind != LAYER_NONE) {
+            drives[count++] = (struct drive){
+                .recipe = layer,
+                .state = &voice->layer[i],
+                .delay_frames = frames_of(layer->delay_ms),
+                .attack_per_frame = 1.0f / (layer->attack_ms * FRAMES_PER_MS),
+            };
+        }
+    }
+    return count;
+}
+
+/* Adds up to one control step of a voice to `mix`; returns the number of frames. */
+static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame_count)
+{
+    const struct sound_recipe *recipe = &sound_recipes[voice->sound];
+    const uint32_t length = frames_of(recipe->length_ms);
+    const uint32_t step = CONTROL_FRAMES - voice->age_frames % CONTROL_FRAMES;
+    const uint32_t count = step < frame_count ? step : frame_count;
+    struct drive drives[SYNTH_LAYER_MAX];
+    const uint32_t drive_count = gather_drives(voice, recipe, drives);
+    for (uint32_t d = 0; d < drive_count && step == CONTROL_FRAMES; d++) {
+        control(&drives[d], &voice->noise);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const float fade = f_min((float)(length - voice->age_frames) / FADE_FRAMES, 1.0f);
+        float wave = string_next(voice, recipe);
+        for (uint32_t d = 0; d < drive_count; d++) {
+            wave += layer_next(&drives[d], voice->age_frames, &voice->noise);
+        }
+        mix[2u * i] += wave * fade * voice->left;
+        mix[2u * i + 1u] += wave * fade * voice->right;
+        voice->age_frames++;
+        if (voice->age_frames >= length) {
+            voice->sound = SOUND_NONE;
+            break;
+        }
+    }
+    return count;
+}
+
+static struct synth_voice *free_or_oldest(struct synth *synth)
+{
+    struct synth_voice *oldest = &synth->voice[0];
+    for (uint32_t i = 0; i < SYNTH_VOICE_MAX; i++) {
+        struct synth_voice *voice = &synth->voice[i];
+        if (voice->sound == SOUND_NONE) {
+            return voice;
+        }
+        if (voice->age_frames > oldest->age_frames) {
+            oldest = voice;
+        }
+    }
+    return oldest;
+}
+
+/* Soft clipping: linear at low levels and curved near full scale, so that many sounds at once fit
+ * the sample format. */
+static int16_t to_sample(float x)
+{
+    const float c = f_clamp(x, -3.0f, 3.0f);
+    const float bent = c * (27.0f + c * c) / (27.0f + 9.0f * c * c);
+    return (int16_t)(int32_t)(bent * FULL_SCALE);
+}
+
+/* ---- Public --------------------------------------------------------------------------------- */
+
+void synth_init(struct synth *synth)
+{
+    memset(synth, 0, sizeof *synth);
+}
+
+void synth_play(struct synth *synth, const struct sound_event *event)
+{
+    if (event->sound == SOUND_NONE || event->sound >= SOUND_COUNT) {
+        return;
+    }
+    const struct sound_recipe *recipe = &sound_recipes[event->sound];
+    const float gain = f_clamp(event->gain, 0.0f, 1.0f);
+    const float pan = f_clamp(event->pan, -1.0f, 1.0f);
+    struct synth_voice *voice = free_or_oldest(synth);
+    *voice = (struct synth_voice){ .sound = event->sound, .noise = ++synth->played * 2654435761u };
+    voice->left = gain * f_sqrt(0.5f * (1.0f - pan)); /* Equal power. */
+    voice->right = gain * f_sqrt(0.5f * (1.0f + pan));
+    for (uint32_t i = 0; i < SYNTH_LAYER_MAX; i++) {
+        voice->layer[i].hz = recipe->layer[i].hz_from;
+        voice->layer[i].level = recipe->layer[i].gain;
+    }
+    if (recipe->string_hz > 0.0f) {
+        string_pluck(voice, recipe->string_hz);
+    }
+}
+
+void synth_render(struct synth *synth, int16_t *stereo, uint32_t frame_count)
+{
+    while (frame_count > 0) {
+        float mix[2u * CONTROL_FRAMES] = { 0 };
+        const uint32_t block = frame_count < CONTROL_FRAMES ? frame_count : CONTROL_FRAMES;
+        for (uint32_t v = 0; v < SYNTH_VOICE_MAX; v++) {
+            uint32_t done = 0;
+            while (done < block && synth->voice[v].sound != SOUND_NONE) {
+                done += voice_step(&synth->voice[v], mix + 2u * done, block - done);
+            }
+        }
+        for (uint32_t i = 0; i < 2u * block; i++) {
+            stereo[i] = to_sample(mix[i]);
+        }
+        stereo += 2u * block;
+        frame_count -= block;
+    }
+}
+
+uint32_t synth_voices(const struct synth *synth)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SYNTH_VOICE_MAX; i++) {
+        count += synth->voice[i].sound != SOUND_NONE;
+    }
+    return count;
+}

@@ -1,0 +1,92 @@
+/* burst_coast.c -- the burst-and-coast rhythm of a cruising fish, and the effect of drag. */
+#include "core/tank/behavior/burst_coast.h"
+
+#include "core/base/physics.h"
+#include "core/base/rng.h"
+#include "core/input.h"
+#include "core/tank/behavior/fish_behavior.h"
+#include "core/tank/behavior/gait.h"
+
+/* Both parts of a cycle last a whole number of decision periods, so that a fish that checks its
+ * rhythm once per decision keeps it exactly. */
+#define CYCLE_TICKS_MIN 84u /* 0.7 s, plus up to 0.5 s by individual. */
+#define BEAT_SHARE 0.45f
+#define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* 0.17 s. */
+#define KICK_MAX_RAD (80.0f * F_DEG)
+
+#define COAST_DRAG 0.060f /* Koi, by wetted surface; 0.242 while the tail beats. */
+#define MASS_KG_PER_M3 23.1f      /* Mass per cubed length: 2.9 g at 5 cm, as in fish_mass_kg(). */
+#define ADDED_MASS 0.10f          /* Share of the fish's mass: water that moves along with a slender
+                                     body. */
+#define SURFACE_PER_LENGTH2 0.65f /* Wetted surface, including both sides of the fins. */
+#define GLIDE_LENGTHS                                                                              \
+    (2.0f * (1.0f + ADDED_MASS) * MASS_KG_PER_M3 / (WATER_KG_M3 * SURFACE_PER_LENGTH2 * COAST_DRAG))
+
+/* Returns the cycle of a fish. Each fish has its own rhythm and its own phase. */
+static uint32_t cycle_ticks(const struct fish *fish)
+{
+    return CYCLE_TICKS_MIN + FISH_BEHAVIOR_TICKS * (fish->look >> 10 & 15u);
+}
+
+static uint32_t beat_ticks(uint32_t cycle)
+{
+    return FISH_BEHAVIOR_TICKS * (uint32_t)(BEAT_SHARE * (float)cycle / (float)FISH_BEHAVIOR_TICKS);
+}
+
+static uint32_t ticks_into(const struct fish *fish, uint32_t tick)
+{
+    return (tick + (fish->look >> 14 & 255u)) % cycle_ticks(fish);
+}
+
+int burst_coast_beats(const struct fish *fish, uint32_t tick)
+{
+    return ticks_into(fish, tick) < beat_ticks(cycle_ticks(fish));
+}
+
+int burst_coast_kicks(const struct fish *fish, uint32_t tick)
+{
+    return ticks_into(fish, tick) < KICK_TICKS;
+}
+
+/* The first decision in a beat turns the fish, whichever tick that is. */
+void burst_coast_turn(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    const uint32_t into = ticks_into(fish, around->tick);
+    if (around->params->kick_rad <= 0.0f || fish->gait != GAIT_SWIM ||
+        (float)into * CORE_TICK_S > around->dt_s - 0.5f * CORE_TICK_S) {
+        return;
+    }
+    const struct rng_key key = { around->seed, around->tick - into, index, RNG_FISH_KICK };
+    const float turn_rad = around->params->kick_rad * rng_normal(key);
+    fish->heading_rad =
+        f_wrap_angle(fish->heading_rad + f_clamp(turn_rad, -KICK_MAX_RAD, KICK_MAX_RAD));
+}
+
+float burst_coast_glide_m(float length_m)
+{
+    return GLIDE_LENGTHS * length_m;
+}
+
+/* Returns ln(1 + x) / x within 1e-3 for x up to 1: the share of a glide's distance that drag
+ * leaves. */
+static float glided(float x)
+{
+    return (6.0f + x) / (6.0f + 4.0f * x);
+}
+
+float burst_coast_share(const struct fish *fish, float mean_m_s)
+{
+    const uint32_t cycle = cycle_ticks(fish), beat = beat_ticks(cycle);
+    const float glide_m = burst_coast_glide_m(fish->length_m);
+    const float run_up_s = gait_run_up_s(fish->length_m);
+    const float beat_s = (float)beat * CORE_TICK_S;
+    const float glide_s = (float)(cycle - beat) * CORE_TICK_S;
+    float share = 1.25f;
+    for (int round = 0; round < 3; round++) { /* The share depends only weakly on itself, so three
+                                                 rounds suffice. */
+        const float x = share * mean_m_s * glide_s / glide_m;
+        const float lost = x / (1.0f + x); /* Share of the top speed lost in the glide. */
+        share = (beat_s + glide_s) / (beat_s - lost * run_up_s + glide_s * glided(x));
+    }
+    return share;
+}

@@ -1,0 +1,211 @@
+/* escape.c -- the C-start as a profile over time: turn, bend and thrust. */
+#include "core/tank/behavior/escape.h"
+
+#include "core/base/rng.h"
+#include "core/input.h"
+
+/* Duration of stage 1 and of stage 2: 20 ms for a 5 cm fish, in proportion to the square root of
+ * the length. Stages last whole ticks, so that every C-bend is drawn at its deepest. */
+#define STAGE_S 0.020f
+#define STAGE_LENGTH_M 0.05f
+
+#define TURN_MIN_RAD (60.0f * F_DEG)
+#define TURN_MAX_RAD (120.0f * F_DEG)
+#define STRAY_RAD (45.0f * F_DEG)
+#define PAST_RAD (100.0f * F_DEG) /* A fish that errs swims past the danger, not into it. */
+#define FLIP_BACK_RAD (45.0f * F_DEG) /* The return flip takes back this angle of the turn. */
+#define FLIP_BARRED_RAD (110.0f * F_DEG) /* Return flip if a wall blocks the way ahead. */
+#define FLIP_ON_RAD (90.0f * F_DEG)   /* Or the return flip adds this angle to the turn. */
+
+#define AWAY_CHANCE 0.77f      /* Mirjany et al. 2011: 77 % of open-field starts turn away. */
+#define AWAY_CHANCE_WALL 0.45f /* Design: with a wall behind the fish, most starts turn toward the
+                                  danger. */
+#define WALL_FELT_LENGTHS 2.0f /* A wall within this distance blocks the way. */
+
+/* Curvature of the C-bend per angle of the head's turn. HEAD_SHARE is the part of a curve that lies
+ * in front of the pivot of assets/shaders/fish.vert.glsl. */
+#define BEND_PER_TURN 1.3f
+#define HEAD_SHARE 0.38f
+#define RECOIL 0.4f /* Opposite bend after the flip, as a share of the C-bend. */
+#define RECOIL_STAGES 2.0f /* Stages after the flip until the recoil has decayed. */
+
+#define PEAK_LENGTHS_MIN 8.0f /* Peak speed in body lengths per second. */
+#define PEAK_LENGTHS_MAX 10.0f
+#define PEAK_TIME_S 0.12f  /* From the start to the glide. */
+#define DASH_LENGTHS 2.0f  /* Body lengths per second at which the glide ends. */
+#define DASH_BEAT_MIN_S 0.70f
+#define DASH_SPREAD_S 0.08f
+#define COST 0.010f /* Stamina for the start itself, as for one second of burst. */
+#define REFRACTORY_S 0.5f /* Time after a start in which the fish cannot start again. */
+
+static struct rng_key key(uint32_t index, const struct perception *around, enum rng_purpose purpose)
+{
+    return (struct rng_key){ around->seed, around->tick, index, purpose };
+}
+
+static vec3 escape_direction(float yaw_rad)
+{
+    return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
+}
+
+static float yaw_of(vec3 flat)
+{
+    return f_atan2(-flat.x, -flat.z);
+}
+
+float escape_stage_s(float length_m)
+{
+    const float stage_s = STAGE_S * f_sqrt(length_m / STAGE_LENGTH_M);
+    return CORE_TICK_S * f_max(1.0f, f_floor(stage_s * (float)CORE_TICK_HZ + 0.5f));
+}
+
+/* Returns 1 before `end_s`. Times are sums of ticks, so half a tick of tolerance suffices. */
+static int before(const struct fish *fish, float end_s)
+{
+    return fish->escape_s < end_s - 0.5f * CORE_TICK_S;
+}
+
+enum escape_stage escape_stage(const struct fish *fish)
+{
+    const float stage_s = escape_stage_s(fish->length_m);
+    return fish->gait != GAIT_ESCAPE      ? ESCAPE_NONE
+           : before(fish, stage_s)        ? ESCAPE_BEND
+           : before(fish, 2.0f * stage_s) ? ESCAPE_FLIP
+                                          : ESCAPE_DASH;
+}
+
+int escape_on_path(const struct fish *fish)
+{
+    const float end_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
+    return fish->gait == GAIT_ESCAPE && before(fish, end_s);
+}
+
+/* Returns the distance to a wall along a course on one axis, m. */
+static float room_m(float at_m, float course, float half_m)
+{
+    const float gap_m = course > 0.0f ? half_m - at_m : half_m + at_m;
+    return f_abs(course) > 1e-3f ? f_max(gap_m, 0.0f) / f_abs(course) : 1e3f;
+}
+
+static float open_m(const struct fish *fish, vec3 course, vec3 size_m)
+{
+    return f_min(room_m(fish->position_m.x, course.x, 0.5f * size_m.x),
+                 room_m(fish->position_m.z, course.z, 0.5f * size_m.z));
+}
+
+/* Returns the course, bent along a wall (and a little off the wall) if the wall blocks the
+ * course. */
+static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
+{
+    const float felt_m = WALL_FELT_LENGTHS * fish->length_m;
+    vec3 course = escape_direction(yaw_rad);
+    if (room_m(fish->position_m.x, course.x, 0.5f * size_m.x) < felt_m) {
+        course.x *= -0.3f;
+    }
+    if (room_m(fish->position_m.z, course.z, 0.5f * size_m.z) < felt_m) {
+        course.z *= -0.3f;
+    }
+    return yaw_of(course);
+}
+
+static float nearer(float to_rad, float a_rad, float b_rad)
+{
+    return f_abs(f_wrap_angle(a_rad - to_rad)) < f_abs(f_wrap_angle(b_rad - to_rad)) ? a_rad
+                                                                                     : b_rad;
+}
+
+/* Draws the side, the angle and the final course of the whole start. */
+static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
+{
+    const float yaw_rad = fish->angles.yaw_rad;
+    const vec3 off = v3_sub(fish->position_m, from_m);
+    const float away_rad = f_wrap_angle(yaw_of(v3(off.x, 0.0f, off.z)) - yaw_rad);
+    const float open = open_m(fish, escape_direction(yaw_rad + away_rad), around->size_m) /
+                       (WALL_FELT_LENGTHS * fish->length_m);
+    const float chance = f_lerp(AWAY_CHANCE_WALL, AWAY_CHANCE, f_clamp(open, 0.0f, 1.0f));
+    const int toward = rng_unit(key(index, around, RNG_FISH_ESCAPE)) >= chance;
+    const float side = (away_rad < 0.0f ? -1.0f : 1.0f) * (toward ? -1.0f : 1.0f);
+    const float turn_rad =
+        side * rng_range(key(index, around, RNG_ESCAPE_TURN), TURN_MIN_RAD, TURN_MAX_RAD);
+    const float stray_rad =
+        rng_range(key(index, around, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
+    const float goal_rad = toward ? nearer(turn_rad, away_rad + PAST_RAD, away_rad - PAST_RAD)
+                                  : away_rad + stray_rad;
+    const float course_rad = unbarred_rad(fish, yaw_rad + goal_rad, around->size_m) - yaw_rad;
+    const float rest_rad = side * f_wrap_angle(course_rad - turn_rad);
+    fish->escape_from_rad = yaw_rad;
+    fish->escape_turn_rad = turn_rad;
+    const float back_rad = open < 1.0f ? FLIP_BARRED_RAD : FLIP_BACK_RAD;
+    fish->escape_course_rad = turn_rad + side * f_clamp(rest_rad, -back_rad, FLIP_ON_RAD);
+}
+
+static void enter(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    fish->gait = GAIT_ESCAPE;
+    fish->air = AIR_ENOUGH;
+    fish->gait_left_s =
+        DASH_BEAT_MIN_S + rng_range(key(index, around, RNG_ESCAPE_DURATION), 0.0f, DASH_SPREAD_S);
+    fish->refractory_s = fish->gait_left_s + REFRACTORY_S;
+    fish->avoiding = AVOID_NONE;
+    fish->avoid_left_s = 0.0f;
+    fish->startle = 0;
+    fish->startle_s = 0.0f;
+    fish->drawn_rad = 0.0f; /* Shade attraction ends. */
+    fish->bend_goal_rad = 0.0f;
+}
+
+void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
+{
+    enter(fish, index, around);
+    aim(fish, from_m, index, around);
+    fish->escape_s = -around->dt_s; /* The first tick of the start is the next one. */
+    fish->stamina = f_max(0.0f, fish->stamina - COST);
+}
+
+void escape_dash(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    enter(fish, index, around);
+    fish->escape_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
+    fish->escape_from_rad = fish->angles.yaw_rad;
+    fish->escape_turn_rad = fish->escape_course_rad = 0.0f;
+    fish->heading_rad = fish->angles.yaw_rad;
+}
+
+static float peak_m_s(const struct fish *fish)
+{
+    const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
+    return fish->length_m * (0.8f + 0.2f * fish->stamina) *
+           f_lerp(PEAK_LENGTHS_MIN, PEAK_LENGTHS_MAX, keen);
+}
+
+void escape_tick(struct fish *fish, const struct perception *around)
+{
+    fish->escape_s += around->dt_s;
+    const float stages = (fish->escape_s + around->dt_s) / escape_stage_s(fish->length_m);
+    const float bent = f_clamp(stages, 0.0f, 1.0f);
+    const float flipped = f_clamp(stages - 1.0f, 0.0f, 1.0f);
+    const float recoiled = f_clamp((stages - 2.0f) / RECOIL_STAGES, 0.0f, 1.0f);
+    if (!escape_on_path(fish)) { /* The path of the start has ended: walls may turn the course
+                                    again. */
+        fish->bend_goal_rad = 0.0f;
+        return;
+    }
+    const float curve_rad = BEND_PER_TURN * fish->escape_turn_rad;
+    const float bend_yaw_rad = fish->escape_turn_rad - HEAD_SHARE * curve_rad;
+    const float yaw_rad = f_lerp(bent * bend_yaw_rad, fish->escape_course_rad, flipped);
+    fish->heading_rad = f_wrap_angle(fish->escape_from_rad + yaw_rad);
+    fish->bend_goal_rad = -curve_rad * (bent - (1.0f + RECOIL) * flipped + RECOIL * recoiled);
+    fish->speed_m_s = f_max(fish->speed_m_s, flipped * peak_m_s(fish));
+}
+
+float escape_speed_m_s(const struct fish *fish)
+{
+    return escape_stage(fish) != ESCAPE_DASH ? fish->speed_m_s
+           : before(fish, PEAK_TIME_S)       ? peak_m_s(fish)
+                                             : DASH_LENGTHS * fish->length_m;
+}
+
+int escape_beats(const struct fish *fish)
+{
+    return !before(fish, escape_stage_s(fish->length_m)) && before(fish, PEAK_TIME_S);
+}

@@ -1,0 +1,131 @@
+/* fish_behavior.c -- fish behavior: senses, avoids and decides, in order of urgency. */
+#include "core/tank/behavior/fish_behavior.h"
+
+#include "core/input.h"
+#include "core/tank/behavior/burst_coast.h"
+#include "core/tank/behavior/escape.h"
+#include "core/tank/behavior/gait.h"
+#include "core/tank/behavior/startle.h"
+#include "core/tank/behavior/surface_breathing.h"
+#include "core/tank/behavior/swim.h"
+#include "core/tank/behavior/wall_following.h"
+#include "core/tank/flow.h"
+
+#define DRAWN_TAU_S 0.5f     /* Time constant of the attraction by a shade, so that noses do not
+                                follow every small change. */
+#define PUSH_PER_S 12.0f     /* Decay rate of pushes; a lasting push is followed in full. */
+/* A fish that passes deeper below a bowl than this need not turn. */
+#define HULL_SHUN_DEPTH_M 0.01f
+
+int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around)
+{
+    if ((index + around->tick) % FISH_BEHAVIOR_TICKS == 0 || fish->gait == GAIT_ESCAPE ||
+        fish->falls || fish->position_m.y > -0.5f * fish->width_m) {
+        return 1;
+    }
+    return startle_alert(fish, around);
+}
+
+float fish_behavior_dt_s(const struct fish *fish, uint32_t tick)
+{
+    /* The low bits give the time since the last decision, except for a fish that was carried
+     * meanwhile. */
+    const uint32_t ticks = (uint8_t)(tick - fish->thought_tick);
+    return CORE_TICK_S * f_clamp((float)ticks, 1.0f, (float)FISH_BEHAVIOR_TICKS);
+}
+
+static void shun_bowl(struct swim_avoidance *avoidance, const struct fish *fish,
+                      const struct behavior_params *params, const struct obstacle *bowl)
+{
+    const float half_m = 0.5f * fish->height_m;
+    const float bottom_m = bowl->centre_m.y - bowl->depth_m;
+    if (fish->position_m.y + half_m < bottom_m - HULL_SHUN_DEPTH_M) {
+        return;
+    }
+    const vec3 to =
+        v3(bowl->centre_m.x - fish->position_m.x, 0.0f, bowl->centre_m.z - fish->position_m.z);
+    const vec3 normal = v3_normalize_or(to, v3(1.0f, 0.0f, 0.0f));
+    swim_avoid_add(avoidance, fish, params, normal, v3_length(to) - bowl->radius_m);
+}
+
+/* Turns the fish away from walls and bowls. */
+static void avoidance(struct fish *fish, const struct perception *around)
+{
+    struct swim_avoidance all = { 0 };
+    swim_avoid_walls(&all, fish, around->params, around->size_m);
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        if (around->obstacles[i].kind == OBSTACLE_BOWL) {
+            shun_bowl(&all, fish, around->params, &around->obstacles[i]);
+        }
+    }
+    swim_avoid_turn(fish, &all, around->dt_s);
+}
+
+/* Applies the effects of pois: the flow carries the fish, the fish steps aside, or it is
+ * startled. */
+static void sense_disturbances(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        const struct obstacle *disc = &around->obstacles[i];
+        const vec3 aside_m_s = obstacle_sidestep_m_s(disc, fish->position_m);
+        const vec3 drift_m_s =
+            v3_scale(flow_at(disc, fish->position_m), around->params->flow_share);
+        fish->push_m_s =
+            v3_muladd(fish->push_m_s, v3_add(aside_m_s, drift_m_s), PUSH_PER_S * around->dt_s);
+    }
+    startle_tick(fish, index, around);
+}
+
+/* Returns 1 if the fish responds to shades: not while it escapes or breathes at the surface, and in
+ * a burst only with some behavior parameters. */
+static int responds_to_shade(const struct fish *fish, const struct behavior_params *params)
+{
+    return fish->air == AIR_ENOUGH && (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST ||
+                                       (fish->gait == GAIT_BURST && params->shade_draws_bursts));
+}
+
+/* Applies the attraction of shades to the goals of the gait. A fish that avoids another keeps its
+ * avoiding course at the speed of an attracted fish. */
+static void follow_shade(struct fish *fish, const struct perception *around)
+{
+    const int glides = fish->gait == GAIT_SWIM && fish->beats <= 0.0f;
+    struct shade_course course = { fish->heading_rad,
+                                   glides ? fish->speed_m_s : fish->speed_goal_m_s };
+    float goal_rad = 0.0f;
+    if (responds_to_shade(fish, around->params) &&
+        shade_draw(around->shades, around->shade_count, around->params, fish, &course)) {
+        goal_rad = fish->avoiding == AVOID_YAW
+                       ? 0.0f
+                       : f_wrap_angle(course.heading_rad - fish->heading_rad);
+        swim_resolve_drawn(fish, course.speed_m_s);
+    }
+    const float off_rad = f_wrap_angle(goal_rad - fish->drawn_rad);
+    fish->drawn_rad = f_wrap_angle(
+        fish->drawn_rad + off_rad * f_min(1.0f, around->dt_s / DRAWN_TAU_S));
+}
+
+static void fall(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    escape_dash(fish, index, around);
+    fish->depth_goal_m = -0.6f * around->size_m.y;
+}
+
+void fish_behavior_tick(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    fish->thought_tick = (uint8_t)around->tick;
+    fish->falls = (uint8_t)swim_fall(fish);
+    if (fish->falls) {
+        fall(fish, index, around);
+        return;
+    }
+    sense_disturbances(fish, index, around);
+    gait_tick(fish, index, around);
+    burst_coast_turn(fish, index, around);
+    wall_follow(fish, around);
+    avoidance(fish, around);
+    if (fish->gait == GAIT_ESCAPE) {
+        escape_tick(fish, around);
+    }
+    swim_resolve(fish, around);
+    follow_shade(fish, around);
+}

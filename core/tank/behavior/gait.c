@@ -1,0 +1,211 @@
+/* gait.c -- the choice of gait by stamina, and the resulting speeds. */
+#include "core/tank/behavior/gait.h"
+
+#include "core/base/rng.h"
+#include "core/input.h"
+#include "core/tank/behavior/burst_coast.h"
+#include "core/tank/behavior/escape.h"
+#include "core/tank/behavior/surface_breathing.h"
+
+/* Section 3.2: stamina per second; -1, -0.2 and +0.1 of 100 in the thesis. */
+#define BURST_COST_PER_S 0.010f
+#define SWIM_COST_PER_S 0.002f
+#define REST_GAIN_PER_S 0.001f
+#define BURST_MIN_S 1.0f
+#define BURST_MAX_S 3.0f
+#define STEADY_MIN_S 5.0f /* Duration of a swim and of a rest. */
+#define STEADY_MAX_S 20.0f
+#define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
+
+struct gait_chance gait_chance(float stamina)
+{
+    if (stamina <= 0.0f) {
+        return (struct gait_chance){ 0.0f, 0.0f, 1.0f };
+    }
+    const float tired = 1.0f - stamina;
+    return (struct gait_chance){
+        .burst = 0.1f - tired / 10.0f,                      /* eq. 3.1 */
+        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* eq. 3.2 */
+        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* eq. 3.3 */
+    };
+}
+
+struct gait_chance gait_shares(float stamina)
+{
+    const struct gait_chance chance = gait_chance(stamina);
+    const float burst_s = chance.burst * 0.5f * (BURST_MIN_S + BURST_MAX_S);
+    const float swim_s = chance.swim * 0.5f * (STEADY_MIN_S + STEADY_MAX_S);
+    const float rest_s = chance.rest * 0.5f * (STEADY_MIN_S + STEADY_MAX_S);
+    const float all_s = burst_s + swim_s + rest_s;
+    return (struct gait_chance){ burst_s / all_s, swim_s / all_s, rest_s / all_s };
+}
+
+/* Key of a fish's random draws: the seed, the tick and the fish. */
+struct luck {
+    uint32_t seed, tick, fish;
+};
+
+static struct luck luck_of(uint32_t index, const struct perception *around)
+{
+    return (struct luck){ around->seed, around->tick, index };
+}
+
+static struct rng_key key(struct luck luck, enum rng_purpose purpose)
+{
+    return (struct rng_key){ luck.seed, luck.tick, luck.fish, purpose };
+}
+
+float gait_depth_m(float stamina, float water_depth_m)
+{
+    /* 18, 13, 8 and 3 cm of the thesis' 20 cm. */
+    const float share = stamina >= 0.75f   ? 0.90f
+                        : stamina >= 0.50f ? 0.65f
+                        : stamina >= 0.25f ? 0.40f
+                                           : 0.15f;
+    return -share * water_depth_m;
+}
+
+/* Returns the change of heading. The thesis changes the heading with the gait but gives no amount.
+ * A jump to any of 360 degrees is unlike a fish, so the change has a normal distribution of 45
+ * degrees, and a burst begins with a sharp turn. */
+static float turn_rad(enum fish_gait gait, struct luck luck, const struct behavior_params *params)
+{
+    const float bell = rng_normal(key(luck, RNG_FISH_TURN));
+    if (gait == GAIT_BURST) {
+        const float sharp = rng_range(key(luck, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
+        return bell < 0.0f ? -sharp : sharp;
+    }
+    return bell * (gait == GAIT_SWIM ? params->turn_swim_rad : params->turn_rest_rad);
+}
+
+/* Section 3.6: a fish that is off the depth of its band returns there. */
+static float depth_goal_m(const struct fish *fish, float water_depth_m)
+{
+    const float margin_m = 0.6f * fish->height_m;
+    return f_clamp(gait_depth_m(fish->stamina, water_depth_m) + fish->depth_stray * water_depth_m,
+                   margin_m - water_depth_m, -margin_m);
+}
+
+void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
+                const struct perception *around)
+{
+    const struct luck luck = luck_of(index, around);
+    const struct rng_key time = key(luck, RNG_FISH_DURATION);
+    fish->gait = (uint8_t)gait;
+    fish->gait_left_s =
+        gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
+                           : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck, around->params));
+    fish->depth_stray = around->params->depth_stray * rng_normal(key(luck, RNG_FISH_DEPTH));
+    fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
+}
+
+static void choose_gait(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    if (surface_calls(fish, index, around)) {
+        surface_rise(fish, index, around);
+        return;
+    }
+    const struct luck luck = luck_of(index, around);
+    const struct gait_chance chance = gait_chance(fish->stamina);
+    const float draw = rng_unit(key(luck, RNG_FISH_GAIT));
+    const enum fish_gait gait = draw < chance.burst                 ? GAIT_BURST
+                                : draw < chance.burst + chance.swim ? GAIT_SWIM
+                                                                    : GAIT_REST;
+    gait_enter(fish, gait, index, around);
+}
+
+static float stamina_per_s(uint8_t gait)
+{
+    switch (gait) {
+    case GAIT_BURST:
+        return -BURST_COST_PER_S;
+    case GAIT_SWIM:
+        return -SWIM_COST_PER_S;
+    case GAIT_ESCAPE:
+        return -ESCAPE_COST_PER_S;
+    default:
+        return REST_GAIN_PER_S;
+    }
+}
+
+/* After an escape the fish swims on for a while instead of stopping at once. */
+static void calm_down(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    gait_enter(fish, GAIT_SWIM, index, around);
+    fish->gait_left_s = rng_range(key(luck_of(index, around), RNG_ESCAPE_CALM), 1.0f, 3.0f);
+}
+
+void gait_tick(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * around->dt_s, 0.0f, 1.0f);
+    if (surface_tick(fish, index, around)) {
+        return;
+    }
+    fish->gait_left_s -= around->dt_s;
+    if (fish->gait_left_s <= 0.0f) {
+        if (fish->gait == GAIT_ESCAPE) {
+            calm_down(fish, index, around);
+        } else {
+            choose_gait(fish, index, around);
+        }
+    }
+    if (fish->gait == GAIT_REST || fish->gait == GAIT_SWIM || fish->gait == GAIT_BURST) {
+        fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
+    }
+}
+
+int gait_beats(const struct fish *fish, const struct perception *around)
+{
+    if (fish->gait == GAIT_SWIM) {
+        return !around->params->glides || burst_coast_beats(fish, around->tick);
+    }
+    return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
+}
+
+/* Section 3.3: s = d (0.8 + H / 5), with H / 100 for H, because otherwise a rested fish would swim
+ * at 20.8 d. The result is one body length per second at d = 1. */
+static float able_m_s(const struct fish *fish)
+{
+    return fish->length_m * (0.8f + 0.2f * fish->stamina);
+}
+
+/* Returns the cruise speed. A fish that beats and glides in turn must beat up to more than the mean
+ * speed. A glide has no speed goal. */
+static float cruise_m_s(const struct fish *fish, const struct perception *around)
+{
+    const float mean_m_s = able_m_s(fish) * around->params->swim_speed;
+    if (!around->params->glides) {
+        return mean_m_s;
+    }
+    return burst_coast_beats(fish, around->tick) ? mean_m_s * burst_coast_share(fish, mean_m_s)
+                                                 : 0.0f;
+}
+
+float gait_speed_m_s(const struct fish *fish, const struct perception *around)
+{
+    const struct behavior_params *params = around->params;
+    const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
+    switch (fish->gait) {
+    case GAIT_BURST:
+        return able_m_s(fish) * params->burst_speed;
+    case GAIT_SWIM:
+        return cruise_m_s(fish, around);
+    case GAIT_ESCAPE:
+        return escape_speed_m_s(fish);
+    default:
+        return able_m_s(fish) * params->drift_speed * keen;
+    }
+}
+
+float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *params)
+{
+    return able_m_s(fish) * params->swim_speed_max;
+}
+
+float gait_run_up_s(float length_m)
+{
+    const float log10_length_cm = f_log(100.0f * length_m) * 0.434294482f;
+    /* 1 - exp(-3) is 0.95. The clamp covers fry below 1 cm, whose logarithm is negative. */
+    return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
+}

@@ -1,0 +1,211 @@
+/* startle.c -- senses, alarm, habituation and latency of the startle response. */
+#include "core/tank/behavior/startle.h"
+
+#include "core/base/rng.h"
+#include "core/tank/behavior/escape.h"
+#include "core/tank/behavior/surface_breathing.h"
+#include "core/tank/flow.h"
+
+#define ALARM_FADE_PER_S 0.6f
+#define ALARM_AFTER 0.2f /* Alarm that remains after a start. */
+#define FRIGHT_S 0.12f   /* Time in which a stimulus of strength 1 raises the alarm by 1. */
+#define STRENGTH_MAX 12.0f
+
+/* Vision: an image of 20 (timid) to 30 degrees (bold) that grows by 260 degrees per second. */
+#define SEEN_RAD (20.0f * F_DEG)
+#define SEEN_SPREAD_RAD (10.0f * F_DEG)
+#define GROWTH_RAD_S 4.5f
+#define GROWTH_SPAN_RAD_S 6.5f
+#define IN_AIR_SHARE 0.25f /* Share of a stimulus seen through a rippled surface. */
+
+/* Ear and lateral line. Asa et al.: fish of 1.6 g hear sounds 15 dB fainter than fish of 23.6 g do.
+ * The pressure is 5.6 times lower at a length 2.5 times smaller. */
+#define PUSH_M2_S2 0.005f /* Threshold: a paper that rises under a fish at 0.1 m/s is not felt. */
+#define PUSH_SPAN_M2_S2 0.016f /* Range above the threshold: a rise at 0.15 m/s is felt at once. */
+#define WAKE_SHARE 0.5f
+#define LENGTH_M 0.05f
+#define LINE_THICKNESS 0.07f /* Image height of an edge-on disc per diameter: its ring. */
+
+#define GULPING_LATE 1.5f /* A gulping fish responds half again as late. */
+
+#define THRESHOLD 0.45f /* Threshold of the timidest fish; the boldest has twice this value. */
+#define THRESHOLD_MAX 0.95f
+#define HABIT_STEP 0.25f /* Share of the distance to full habituation per start. Full habituation
+                            doubles the threshold. */
+#define HABIT_FADE_S 60.0f
+#define HABIT_NONE 1e-3f
+
+/* A disc that moves within this distance of its rim makes a fish decide in every tick. At this
+ * distance it is seen at 21 degrees. The pressure of its water is felt farther away only above 1
+ * m/s, and no farther than in proportion to that speed. */
+#define ALERT_M 0.20f
+#define ALERT_M_S 0.05f
+
+static float boldness(const struct fish *fish)
+{
+    return (float)(fish->look >> 3 & 31u) / 31.0f;
+}
+
+float startle_threshold(const struct fish *fish)
+{
+    const float bears = THRESHOLD * (1.0f + boldness(fish)) * (1.0f + fish->habit);
+    return f_min(THRESHOLD_MAX, surface_nerve(fish) * bears);
+}
+
+struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
+{
+    const vec3 to = v3_sub(eye_m, disc->centre_m);
+    const float distance_m = f_max(v3_length(to), 0.2f * disc->radius_m);
+    const vec3 toward = v3_scale(to, 1.0f / distance_m);
+    const float face = f_max(f_abs(v3_dot(toward, disc->normal)), LINE_THICKNESS);
+    const float half_m = disc->radius_m * f_sqrt(face); /* Radius of the circle with the same
+                                                           area. */
+    const float closing_m_s = v3_dot(obstacle_goes_m_s(disc), toward);
+    return (struct startle_view){
+        .size_rad = 2.0f * f_atan2(half_m, distance_m),
+        .growth_rad_s = 2.0f * half_m * closing_m_s / (half_m * half_m + distance_m * distance_m),
+    };
+}
+
+/* Returns the pressure at a point, m^2/s^2. The water behind a disc follows as a wake, more slowly
+ * than the water pushed ahead. */
+static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
+{
+    const float ahead = v3_dot(disc->velocity_m_s, v3_sub(point_m, disc->centre_m));
+    return (ahead < 0.0f ? WAKE_SHARE : 1.0f) * flow_push_m2_s2(disc, point_m);
+}
+
+struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struct fish *fish)
+{
+    const struct startle_view view = startle_view(disc, fish->position_m);
+    const int large = view.size_rad > SEEN_RAD + SEEN_SPREAD_RAD * boldness(fish);
+    const float clear = disc->centre_m.y > 0.0f ? IN_AIR_SHARE : 1.0f;
+    const float keen = LENGTH_M / f_max(fish->length_m, 0.2f * LENGTH_M);
+    const float push = keen * push_m2_s2(disc, fish->position_m);
+    const float seen = large ? clear * (view.growth_rad_s - GROWTH_RAD_S) / GROWTH_SPAN_RAD_S : 0;
+    const float felt = (push - PUSH_M2_S2) / PUSH_SPAN_M2_S2;
+    const float most = f_clamp(f_max(seen, felt), 0.0f, STRENGTH_MAX);
+    return (struct startle_stimulus){
+        .cause = most <= 0.0f   ? STARTLE_NONE
+                 : felt >= seen ? STARTLE_PRESSURE
+                                : STARTLE_LOOM,
+        .alarm_per_s = most / FRIGHT_S,
+    };
+}
+
+/* Returns the nerve latency of each cause, s. The alarm of a shadow takes up to 4 ticks to grow
+ * (shade.c), and a start begins at the nearest tick. The time from the shadow to the start is
+ * therefore 67 to 150 ms. */
+static float nerves_s(enum startle_cause cause, struct rng_key key)
+{
+    switch (cause) {
+    case STARTLE_LOOM:
+        return rng_range(key, 0.060f, 0.150f);
+    case STARTLE_SHADOW:
+        return rng_range(key, 0.063f, 0.115f);
+    default:
+        return rng_range(key, 0.008f, 0.015f);
+    }
+}
+
+static float latency_s(const struct fish *fish, enum startle_cause cause, uint32_t index,
+                       const struct perception *around)
+{
+    const struct rng_key key = { around->seed, around->tick, index, RNG_STARTLE_LATENCY };
+    const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
+    return late * nerves_s(cause, key);
+}
+
+/* Begins a latency, or shortens it: a pressure stimulus overtakes a visual stimulus whose latency
+ * still runs. */
+static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
+                    const struct perception *around)
+{
+    const float wait_s = latency_s(fish, cause, index, around);
+    if (fish->startle == STARTLE_NONE || wait_s < fish->startle_s) {
+        fish->startle = (uint8_t)cause;
+        fish->startle_from_m = from_m;
+        fish->startle_s = wait_s;
+    }
+}
+
+void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, float alarm,
+                   uint32_t index, const struct perception *around)
+{
+    const int waits_by_ear = fish->startle == STARTLE_PRESSURE;
+    fish->alarm = f_min(1.0f, fish->alarm + alarm);
+    if (alarm > 0.0f && fish->gait != GAIT_ESCAPE && fish->refractory_s <= 0.0f && !waits_by_ear &&
+        (fish->startle == STARTLE_NONE || cause == STARTLE_PRESSURE) &&
+        fish->alarm > startle_threshold(fish)) {
+        startle(fish, cause, from_m, index, around);
+    }
+}
+
+static void wait(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    const vec3 from_m = fish->startle_from_m;
+    fish->startle_s -= around->dt_s;
+    if (fish->startle_s > 0.5f * around->dt_s || surface_ducks(fish)) {
+        return; /* Waits for the tick nearest to the moment, or until the snout is under water. */
+    }
+    fish->alarm = ALARM_AFTER;
+    fish->habit += HABIT_STEP * (1.0f - fish->habit);
+    escape_start(fish, from_m, index, around);
+}
+
+static void sense_shades(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    for (uint32_t i = 0; i < around->shade_count; i++) {
+        const struct shade *shade = &around->shades[i];
+        const float alarm = shade_alarm(shade, around->params, fish->position_m, around->dt_s);
+        const vec3 from_m = v3(shade->cast.x_m, fish->position_m.y, shade->cast.z_m);
+        startle_alarm(fish, STARTLE_SHADOW, from_m, alarm, index, around);
+    }
+}
+
+/* Cheap test: returns 0 only where startle_of_disc() is zero. */
+static int disturbs(const struct obstacle *disc, const struct fish *fish)
+{
+    const vec3 off = v3_sub(disc->centre_m, fish->position_m);
+    const float reach_m = disc->radius_m + ALERT_M;
+    const vec3 goes_m_s = obstacle_goes_m_s(disc);
+    const float square_m2_s2 = v3_dot(goes_m_s, goes_m_s);
+    return disc->kind == OBSTACLE_DISC && square_m2_s2 > ALERT_M_S * ALERT_M_S &&
+           v3_dot(off, off) < reach_m * reach_m * f_max(1.0f, square_m2_s2);
+}
+
+void startle_tick(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    if (!around->params->escapes) {
+        return;
+    }
+    fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * around->dt_s);
+    fish->habit = fish->habit < HABIT_NONE ? 0.0f
+                                           : fish->habit * (1.0f - around->dt_s / HABIT_FADE_S);
+    fish->refractory_s = f_max(0.0f, fish->refractory_s - around->dt_s);
+    if (fish->startle != STARTLE_NONE) {
+        wait(fish, index, around);
+    }
+    sense_shades(fish, index, around);
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        const struct obstacle *disc = &around->obstacles[i];
+        if (disturbs(disc, fish)) {
+            const struct startle_stimulus stimulus = startle_of_disc(disc, fish);
+            startle_alarm(fish, stimulus.cause, disc->centre_m, stimulus.alarm_per_s * around->dt_s,
+                          index, around);
+        }
+    }
+}
+
+int startle_alert(const struct fish *fish, const struct perception *around)
+{
+    if (fish->gait == GAIT_ESCAPE || fish->startle != STARTLE_NONE || fish->alarm > 0.0f) {
+        return 1;
+    }
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        if (disturbs(&around->obstacles[i], fish)) {
+            return 1;
+        }
+    }
+    return 0;
+}

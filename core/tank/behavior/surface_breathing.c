@@ -1,0 +1,259 @@
+/* surface_breathing.c -- surface breathing: rise, gulp, dive. Each stage ends at a body position,
+ * not after a time. */
+#include "core/tank/behavior/surface_breathing.h"
+
+#include "core/base/rng.h"
+#include "core/input.h"
+#include "core/tank/behavior/gait.h"
+
+/* Aquatic surface respiration begins between 0.8 and 5 kPa of oxygen and soon takes most of the
+ * time. For goldfish the range is 3 to 5 kPa, 1.2 to 2 mg/L. */
+#define CHANCE_HALF_MG_L 1.8f
+#define CHANCE_WIDTH_MG_L 0.25f
+#define TIRED_MG_L 0.4f     /* Difference between a fresh and an exhausted fish. */
+#define STIFLE_MG_L 4.0f    /* Below this concentration the water costs stamina; see
+                               law.stifle_per_s. */
+#define TIRED_BELOW 0.25f   /* Section 3.6: the stamina band in which the thesis' fish gulp. */
+
+#define NOSE_OUT_M 0.002f
+#define FILM_M 0.003f       /* Depth of the mouth down to which it is in the film. */
+#define NEAR_LENGTHS 0.45f  /* The fish pitches up if its nose is within this distance of the
+                               surface. */
+#define SNOUT_M 0.003f      /* The fish is at the surface once its back would break the surface in a
+                               moment. */
+#define PITCH_MIN (35.0f * F_DEG)
+#define PITCH_SPREAD (15.0f * F_DEG)
+#define NOD_RAD (5.0f * F_DEG)
+#define CLIMB_MAX_M_S 0.03f
+#define CLIMB_GAIN_PER_S 3.0f
+#define BOB_M_S 0.012f      /* Amplitude of half a millimetre, because a climb takes effect
+                               slowly. */
+#define DUCK_M_S 0.06f
+#define DUCK_HASTE 8.0f
+#define DIVE_PITCH (-14.0f * F_DEG)
+#define RISE_SHARE 0.6f     /* Share of the speed of a swimming fish; at the surface the fish hardly
+                               drifts. */
+#define DRIFT_SHARE 0.16f
+#define NERVE 1.6f
+#define GULP_TICKS_MIN 76u  /* 0.63 s, plus up to 0.26 s by individual: 67 to 95 gulps per
+                               minute. */
+#define GAPE_SHARE 0.55f    /* Share of a gulp during which the mouth is open. */
+
+float surface_chance(float oxygen_mg_l, float stamina)
+{
+    const float half_mg_l = CHANCE_HALF_MG_L + TIRED_MG_L * (0.5f - stamina);
+    return 1.0f / (1.0f + f_exp((oxygen_mg_l - half_mg_l) / CHANCE_WIDTH_MG_L));
+}
+
+static float draw_surface(uint32_t index, const struct perception *around, enum rng_purpose purpose)
+{
+    return rng_unit((struct rng_key){ around->seed, around->tick, index, purpose });
+}
+
+int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around)
+{
+    return around->params->air_by_oxygen && draw_surface(index, around, RNG_FISH_AIR) <
+                                                surface_chance(around->oxygen_mg_l, fish->stamina);
+}
+
+static float nose_m(const struct fish *fish)
+{
+    return fish->position_m.y + 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
+}
+
+static float top_m(const struct fish *fish)
+{
+    const struct box box = fish_box(fish);
+    return fish->position_m.y + box_extent_m(&box).y;
+}
+
+int surface_breathes(const struct fish *fish)
+{
+    return fish->gait == GAIT_SURFACE && fish->air == AIR_GULPS && nose_m(fish) > -FILM_M;
+}
+
+static float own_pitch_rad(const struct fish *fish)
+{
+    return PITCH_MIN + PITCH_SPREAD * (float)(fish->look >> 5 & 15u) / 15.0f;
+}
+
+static uint32_t gulp_ticks(const struct fish *fish)
+{
+    return GULP_TICKS_MIN + (fish->look >> 17 & 31u);
+}
+
+static uint32_t gulp_phase(const struct fish *fish, uint32_t tick)
+{
+    return (tick + (fish->look >> 9 & 127u)) % gulp_ticks(fish);
+}
+
+float surface_gulp(const struct fish *fish, uint32_t tick)
+{
+    return surface_breathes(fish)
+               ? (float)(gulp_phase(fish, tick) + 1u) / (float)gulp_ticks(fish)
+               : 0.0f;
+}
+
+float surface_gape(const struct fish *fish, uint32_t tick)
+{
+    const float open = f_min(surface_gulp(fish, tick) / GAPE_SHARE, 1.0f);
+    return 0.5f - 0.5f * f_cos(F_TAU * open);
+}
+
+int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s)
+{
+    return surface_breathes(fish) &&
+           (float)gulp_phase(fish, tick) < dt_s * (float)CORE_TICK_HZ - 0.5f;
+}
+
+/* Begins a bout. While the fish gulps, `gait_left_s` is the rest of the bout, and only time with
+ * the mouth in the film counts. */
+static void begin_bout(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    const struct behavior_params *params = around->params;
+    fish->gait_left_s =
+        f_lerp(params->gulp_min_s, params->gulp_max_s, draw_surface(index, around, RNG_FISH_GULP));
+}
+
+void surface_rise(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    fish->gait = GAIT_SWIM;
+    fish->air = AIR_RISES;
+    begin_bout(fish, index, around);
+}
+
+static int is_up(const struct fish *fish)
+{
+    return top_m(fish) > -SNOUT_M;
+}
+
+void surface_stage(struct fish *fish, const struct behavior_params *params)
+{
+    fish->gait = is_up(fish) ? GAIT_SURFACE : GAIT_SWIM;
+    fish->air = is_up(fish) ? AIR_GULPS : AIR_RISES;
+    fish->gait_left_s = params->gulp_max_s;
+}
+
+int surface_ducks(struct fish *fish)
+{
+    if (fish->gait != GAIT_SURFACE || top_m(fish) <= 0.0f) {
+        return 0;
+    }
+    fish->air = AIR_DUCKS;
+    return 1;
+}
+
+float surface_nerve(const struct fish *fish)
+{
+    return fish->air == AIR_GULPS ? NERVE : 1.0f;
+}
+
+/* Changes the stamina: gain at the film, loss in bad water. */
+static void breathe(struct fish *fish, const struct perception *around)
+{
+    const struct behavior_params *params = around->params;
+    const float lack = f_max(0.0f, 1.0f - around->oxygen_mg_l / STIFLE_MG_L);
+    const float per_s =
+        surface_breathes(fish) ? params->gulp_gain_per_s : -params->stifle_per_s * lack;
+    fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
+}
+
+/* In a living tank the bout repeats as long as the oxygen is low. The thesis' fish is full after
+ * its 3 s and dives. */
+static void gulp(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    if (surface_breathes(fish)) {
+        fish->gait_left_s -= around->dt_s;
+    }
+    if (fish->gait_left_s > 0.0f) {
+        return;
+    }
+    if (surface_calls(fish, index, around)) {
+        begin_bout(fish, index, around);
+    } else {
+        fish->air = AIR_DIVES;
+    }
+}
+
+/* Ends surface breathing: the fish is under water and swims off with a gait of normal duration. */
+static void leave_surface(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    fish->air = AIR_ENOUGH;
+    gait_enter(fish, GAIT_SWIM, index, around);
+}
+
+int surface_tick(struct fish *fish, uint32_t index, const struct perception *around)
+{
+    const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
+    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish meanwhile and it is back in
+                                                   the water. */
+        fish->air = AIR_ENOUGH;
+    }
+    breathe(fish, around);
+    if (fish->air == AIR_ENOUGH && fish->gait != GAIT_ESCAPE && !around->params->air_by_oxygen &&
+        fish->stamina < TIRED_BELOW) {
+        surface_rise(fish, index, around);
+    }
+    switch (fish->air) {
+    case AIR_RISES:
+        if (is_up(fish)) {
+            fish->gait = GAIT_SURFACE;
+            fish->air = AIR_GULPS;
+        }
+        return 1;
+    case AIR_GULPS:
+        gulp(fish, index, around);
+        return 1;
+    case AIR_DIVES:
+    case AIR_DUCKS:
+        if (top_m(fish) <= 0.0f) {
+            leave_surface(fish, index, around);
+        }
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+static void resolve_rise(struct fish *fish)
+{
+    const float pitch_rad = own_pitch_rad(fish);
+    const float goal_m = NOSE_OUT_M - 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
+    const float off_m = goal_m - fish->position_m.y;
+    const int near = nose_m(fish) > -NEAR_LENGTHS * fish->length_m;
+    fish->depth_goal_m = goal_m;
+    fish->speed_goal_m_s *= near ? DRIFT_SHARE : RISE_SHARE;
+    fish->climb_goal_m_s = f_clamp(CLIMB_GAIN_PER_S * off_m, -CLIMB_MAX_M_S, CLIMB_MAX_M_S);
+    fish->pitch_goal_rad = near ? pitch_rad : f_min(fish->pitch_goal_rad, pitch_rad);
+}
+
+/* Sets the pitch and climb goals so that the fish nods and bobs with every gulp. */
+static void resolve_gulp(struct fish *fish, uint32_t tick)
+{
+    const float turn = F_TAU * (float)gulp_phase(fish, tick) / (float)gulp_ticks(fish);
+    fish->pitch_goal_rad = own_pitch_rad(fish) + NOD_RAD * f_sin(turn);
+    fish->climb_goal_m_s =
+        f_clamp(fish->climb_goal_m_s + BOB_M_S * f_cos(turn), -CLIMB_MAX_M_S, CLIMB_MAX_M_S);
+}
+
+void surface_resolve(struct fish *fish, const struct perception *around)
+{
+    switch (fish->air) {
+    case AIR_RISES:
+        resolve_rise(fish);
+        break;
+    case AIR_GULPS:
+        fish->speed_goal_m_s = around->params->swim_speed * fish->length_m;
+        resolve_rise(fish);
+        resolve_gulp(fish, around->tick);
+        break;
+    case AIR_DIVES:
+    case AIR_DUCKS:
+        fish->haste = fish->air == AIR_DUCKS ? DUCK_HASTE : 1.0f;
+        fish->climb_goal_m_s = fish->air == AIR_DUCKS ? -DUCK_M_S : -CLIMB_MAX_M_S;
+        fish->pitch_goal_rad = DIVE_PITCH;
+        break;
+    default:
+        break;
+    }
+}

@@ -1,0 +1,200 @@
+/* swim.c -- converts the decisions of a fish into goals with bounded rates, so that every path is a
+ * smooth arc. */
+#include "core/tank/behavior/swim.h"
+
+#include "core/tank/behavior/avoid.h"
+#include "core/tank/behavior/burst_coast.h"
+#include "core/tank/behavior/escape.h"
+#include "core/tank/behavior/gait.h"
+#include "core/tank/behavior/surface_breathing.h"
+#include "core/tank/behavior/swim_rates.h"
+
+/* Limits of the yaw rate by gait (design; the thesis gives none). */
+#define TURN_RATE_REST (45.0f * F_DEG)
+#define TURN_RATE_SWIM (180.0f * F_DEG)
+#define TURN_RATE_KICK (500.0f * F_DEG)
+#define TURN_RATE_BURST (720.0f * F_DEG)
+#define TURN_RATE_ESCAPE (1500.0f * F_DEG)
+#define TURN_RATE_START (4500.0f * F_DEG) /* 60 to 120 degrees of the head in 20 ms. */
+
+#define NOTHING_M_S 1e-9f
+#define SHUN_TAU_S 0.05f
+
+#define CLIMB_MAX_M_S 0.03f
+#define CLIMB_GAIN_PER_S 0.6f
+#define PITCH_MAX (24.0f * F_DEG)
+#define DASH_HASTE 8.0f   /* A dash reaches its full turning rate after 15 ms. */
+#define START_TAU_S 0.03f /* A start reaches full speed when a swimmer has hardly begun. */
+#define DASH_OUT_TAU_S 0.25f
+#define RUN_OUT_TAU_S 0.20f /* Time constant from burst speed down to swimming speed. */
+
+/* Returns exp(-dt / tau) within 1e-4 for dt up to tau: the share of a difference that remains. */
+static float kept(float dt_s, float tau_s)
+{
+    const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
+    return (even - 0.5f * x) / (even + 0.5f * x);
+}
+
+void swim_avoid_add(struct swim_avoidance *avoidance, const struct fish *fish,
+                    const struct behavior_params *params, vec3 normal, float gap_m)
+{
+    const float range_m = (params->wall_per_length + 0.05f) * fish->length_m +
+                          params->wall_within_s * fish->speed_m_s;
+    const float free_m = gap_m - 0.45f * fish->length_m;
+    if (free_m >= range_m) {
+        return;
+    }
+    const float weight = 1.0f - f_max(free_m / range_m, 0.0f);
+    avoidance->into = v3_muladd(avoidance->into, normal, weight);
+    avoidance->weight = f_max(avoidance->weight, weight);
+}
+
+void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
+                      const struct behavior_params *params, vec3 size_m)
+{
+    const vec3 p = fish->position_m;
+    const float near_x = 0.5f * size_m.x - f_abs(p.x), near_z = 0.5f * size_m.z - f_abs(p.z);
+    swim_avoid_add(avoidance, fish, params, v3(p.x < 0.0f ? -1.0f : 1.0f, 0.0f, 0.0f), near_x);
+    swim_avoid_add(avoidance, fish, params, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
+}
+
+/* Turns the heading: the component into the surface fades, then points slightly away from it. */
+void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s)
+{
+    if (avoidance->weight <= 0.0f) {
+        return;
+    }
+    const vec3 normal = v3_normalize_or(avoidance->into, v3(1.0f, 0.0f, 0.0f));
+    const float x = -f_sin(fish->heading_rad), z = -f_cos(fish->heading_rad);
+    const float into = x * normal.x + z * normal.z;
+    const float along = x * -normal.z + z * normal.x;
+    if (into < -0.15f) {
+        return;
+    }
+    /* For a head-on course the fish chooses a side and keeps it. */
+    const float own_side = fish->look & 1u ? 1.0f : -1.0f;
+    const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : own_side;
+    const float new_into = into - (into + 0.15f) * avoidance->weight;
+    const float new_along = along + side * avoidance->weight * 0.5f * f_max(into, 0.0f);
+    const float gx = new_into * normal.x - new_along * normal.z;
+    const float gz = new_into * normal.z + new_along * normal.x;
+    const float off_rad = f_wrap_angle(f_atan2(-gx, -gz) - fish->heading_rad);
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
+}
+
+/* Returns 1 if a C-start turns at its full rate. Beside other fish even a C-start turns slower. */
+static int starts_freely(const struct fish *fish)
+{
+    return fish->room >= 1.0f && escape_on_path(fish);
+}
+
+/* Returns 1 if the fish turns at the rate of a kick. Beside other fish it turns at a rate that lets
+ * them move away. */
+static int kicks(const struct fish *fish, const struct perception *around)
+{
+    return around->params->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
+           fish->avoiding == AVOID_NONE && fish->room >= 1.0f &&
+           burst_coast_kicks(fish, around->tick);
+}
+
+static float turn_rate_max_rad_s(const struct fish *fish, const struct perception *around)
+{
+    switch (fish->gait) {
+    case GAIT_ESCAPE:
+        return starts_freely(fish) ? TURN_RATE_START : TURN_RATE_ESCAPE;
+    case GAIT_BURST:
+        return TURN_RATE_BURST;
+    case GAIT_SWIM:
+        return kicks(fish, around) ? TURN_RATE_KICK : TURN_RATE_SWIM;
+    default:
+        return TURN_RATE_REST;
+    }
+}
+
+static float climb_goal_m_s(const struct fish *fish)
+{
+    const float off_m = fish->depth_goal_m - fish->position_m.y;
+    const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
+    if (fish->avoiding == AVOID_PITCH) {
+        return fish->avoid_turn * CLIMB_MAX_M_S;
+    }
+    return avoid_holds_depth(fish) ? 0.0f
+                                   : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
+}
+
+/* Returns the share kept during acceleration. The run-up depends on the length alone, so its value
+ * is cached for all gaits except the escape. */
+static float speed_up_keep(const struct fish *fish)
+{
+    const float start_keep = kept(DT, START_TAU_S);
+    if (fish->gait == GAIT_ESCAPE) {
+        return start_keep;
+    }
+    const int known = fish->speed_up_keep > 0.0f && fish->speed_up_keep != start_keep;
+    return known ? fish->speed_up_keep : kept(DT, gait_run_up_s(fish->length_m));
+}
+
+/* Returns the share kept during deceleration. A slowing fish loses 63 % of the difference in each
+ * of these times. */
+static float slow_keep(const struct fish *fish, const struct behavior_params *params)
+{
+    if (fish->gait == GAIT_ESCAPE) {
+        return kept(DT, DASH_OUT_TAU_S);
+    }
+    const int runs_out =
+        fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
+    if (params->glides && fish->gait == GAIT_SWIM &&
+        !runs_out) { /* Drag: dv/dt = -v^2 / distance. */
+        return kept(DT, burst_coast_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
+    }
+    return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);
+}
+
+/* Sets tiny pushes to zero. A value that decays forever ends in denormal numbers, over which
+ * processors take ten times as long and which some flush to zero. Here a nanometre per second is
+ * zero everywhere. */
+static void come_to_rest(struct fish *fish)
+{
+    if (v3_dot(fish->push_m_s, fish->push_m_s) < NOTHING_M_S * NOTHING_M_S) {
+        fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
+    }
+    if (fish->speed_m_s < NOTHING_M_S) {
+        fish->speed_m_s = 0.0f;
+    }
+    if (f_abs(fish->climb_m_s) < NOTHING_M_S) {
+        fish->climb_m_s = 0.0f;
+    }
+}
+
+void swim_resolve(struct fish *fish, const struct perception *around)
+{
+    come_to_rest(fish);
+    const int starts = fish->gait == GAIT_ESCAPE;
+    fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
+    fish->speed_goal_m_s = gait_speed_m_s(fish, around);
+    fish->speed_up_keep = speed_up_keep(fish);
+    fish->slow_keep = slow_keep(fish, around->params);
+    fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish, around);
+    fish->haste = starts_freely(fish)           ? HASTE_START
+                  : starts                      ? DASH_HASTE
+                  : fish->avoiding == AVOID_YAW ? around->params->swerve_haste
+                  : kicks(fish, around)         ? BURST_COAST_KICK_HASTE
+                                                : 1.0f;
+    fish->climb_goal_m_s = climb_goal_m_s(fish);
+    /* The nose follows the course; a fish that hangs still hardly tilts. */
+    const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
+    fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
+    if (starts) { /* Nothing ahead brakes a start. */
+        fish->brake = 1.0f;
+    } else { /* Also resets the bend of a fish that was scooped during its start. */
+        fish->bend_goal_rad = 0.0f;
+    }
+    surface_resolve(fish, around);
+}
+
+void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s)
+{
+    fish->beats = speed_goal_m_s > fish->speed_m_s ? 1.0f : 0.0f;
+    fish->speed_goal_m_s = speed_goal_m_s;
+    fish->turn_rate_max_rad_s = f_max(fish->turn_rate_max_rad_s, TURN_RATE_SWIM);
+}

@@ -1,0 +1,214 @@
+/* swim_move.c -- executes the goals of a fish: one tick of one fish, and of all fish by SIMD
+ * blocks.
+ *
+ * swim_simd.c gives the same bits for a block of fish. */
+#include "core/tank/behavior/swim.h"
+
+#include "core/base/physics.h"
+#include "core/tank/behavior/gait.h"
+#include "core/tank/behavior/swim_rates.h"
+#include "core/tank/behavior/swim_simd.h"
+
+static float ease(float from, float to, float tau_s)
+{
+    return from + (to - from) * f_min(1.0f, DT / tau_s);
+}
+
+/* Returns the share of a difference that a fish covers in a tick, higher with haste. */
+static float hasten(const struct fish *fish, float tau_s)
+{
+    return f_min(1.0f, fish->haste * (DT / tau_s));
+}
+
+static void turn_fish(struct fish *fish, const struct behavior_params *params)
+{
+    const float error_rad =
+        f_wrap_angle(fish->heading_rad + fish->drawn_rad - fish->angles.yaw_rad);
+    /* The limit also holds for a C-start beside other fish, because the long tail would otherwise
+     * swing through them. */
+    const float rate_max = fish->turn_rate_max_rad_s * fish->room;
+    const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);
+    fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
+    fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + fish->yaw_rate_rad_s * DT);
+    const float bank_rad =
+        params->banks ? f_clamp(BANK_PER_RAD_S * fish->yaw_rate_rad_s, -BANK_MAX_RAD, BANK_MAX_RAD)
+                      : 0.0f;
+    fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, BANK_TAU_S);
+}
+
+static void speed_up_or_glide(struct fish *fish)
+{
+    const float goal_m_s = fish->speed_goal_m_s * fish->brake;
+    const float slow_keep = f_lerp(BRAKE_KEEP, fish->slow_keep, fish->brake);
+    const float keep = goal_m_s > fish->speed_m_s ? fish->speed_up_keep : slow_keep;
+    fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, keep);
+}
+
+/* Returns half the diagonal of the box: the largest motion of a corner per radian of rotation. */
+static float radius_m(const struct fish *fish)
+{
+    return 0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m));
+}
+
+/* Returns the speed limit of all motion (section 3.3): climb and push cannot add to it or to the
+ * rest of a burst. Only a startled fish that dives from the surface may be faster. */
+static float speed_max_m_s(const struct fish *fish, const struct behavior_params *params)
+{
+    return f_max(gait_speed_max_m_s(fish, params), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));
+}
+
+float swim_move(struct fish *fish, const struct behavior_params *params)
+{
+    const struct angles before = fish->angles;
+    turn_fish(fish, params);
+    fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
+    fish->angles.pitch_rad =
+        f_lerp(fish->angles.pitch_rad, fish->pitch_goal_rad, hasten(fish, PITCH_TAU_S));
+    speed_up_or_glide(fish);
+    const vec3 own_m_s = { -f_sin(fish->angles.yaw_rad) * fish->speed_m_s, fish->climb_m_s,
+                           -f_cos(fish->angles.yaw_rad) * fish->speed_m_s };
+    const vec3 velocity = v3_limit(v3_add(own_m_s, fish->push_m_s), speed_max_m_s(fish, params));
+    fish->position_m = v3_muladd(fish->position_m, velocity, DT);
+    const float turned_rad = f_abs(fish->yaw_rate_rad_s * DT) +
+                             f_abs(fish->angles.pitch_rad - before.pitch_rad) +
+                             f_abs(fish->angles.roll_rad - before.roll_rad);
+    return v3_length(velocity) * DT + radius_m(fish) * turned_rad;
+}
+
+int swim_fall(struct fish *fish)
+{
+    const float half_m = 0.5f * fish->height_m;
+    if (fish->position_m.y < -0.55f * fish->length_m) { /* No pose of the fish reaches the
+                                                           surface. */
+        return 0;
+    }
+    const struct box box = fish_box(fish);
+    const float emerged_m = fish->position_m.y + box_extent_m(&box).y;
+    if (emerged_m <= (fish->falls ? 0.0f : fish_emerges_m(fish))) { /* A falling fish must be
+                                                                       completely under water. */
+        return 0;
+    }
+    const float wet = f_clamp((half_m - fish->position_m.y) / (2.0f * half_m), 0.0f, 1.0f);
+    vec3 v = fish->velocity_m_s;
+    v.y -= GRAVITY_M_S2 * (1.0f - wet) * DT;
+    v = v3_scale(v, 1.0f - f_min(0.9f, 12.0f * wet * DT)); /* Water stops the fish within one
+                                                              length. */
+    v.y = wet > 0.5f ? f_min(v.y, -0.12f) : v.y;           /* The fish swims down. */
+    fish->position_m = v3_muladd(fish->position_m, v, DT);
+    fish->velocity_m_s = v;
+    fish->angles.roll_rad = ease(fish->angles.roll_rad, 0.0f, 0.15f);
+    fish->angles.pitch_rad = ease(fish->angles.pitch_rad, -10.0f * F_DEG, 0.2f);
+    fish->speed_m_s = 0.0f;
+    fish->climb_m_s = v.y;
+    return 1;
+}
+
+static float beat_hz(float lengths_per_s)
+{
+    return lengths_per_s < BEAT_FAST_LENGTHS_PER_S
+               ? f_max(BEAT_MIN_HZ, lengths_per_s / BEAT_LENGTHS)
+               : 4.0f / 3.0f * (lengths_per_s + 1.0f);
+}
+
+/* Returns the stroke width. The tail trails in a glide. */
+static float stroke(float hz, float beats)
+{
+    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
+    const float wider = f_clamp(per_hz * (hz - BEAT_MIN_HZ), 0.0f, 1.0f - STROKE_SLOW);
+    return beats > 0.0f ? STROKE_SLOW + wider : STROKE_GLIDE + STROKE_TRAIL * wider;
+}
+
+/* Reduces the speed of a fish that is blocked, so that it does not keep swimming against the
+ * obstacle. */
+static void lose_blocked_speed(struct fish *fish, vec3 forward)
+{
+    const vec3 flat = v3(forward.x, 0.0f, forward.z);
+    const vec3 ahead = v3_scale(flat, 1.0f / v3_length(flat)); /* The vector is never zero, because
+                                                                  no fish stands on its nose. */
+    const float true_m_s = f_max(0.0f, v3_dot(v3_sub(fish->velocity_m_s, fish->push_m_s), ahead));
+    if (true_m_s < fish->speed_m_s) {
+        fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, BLOCKED_SHARE);
+    }
+}
+
+void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
+{
+    fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
+    lose_blocked_speed(fish, forward);
+    const float along_m_s = v3_length(v3_sub(fish->velocity_m_s, v3_scale(fish->push_m_s, 0.5f)));
+    const float hz = beat_hz(along_m_s / fish->length_m);
+    fish->tail_beat_hz = f_lerp(fish->tail_beat_hz, hz, hasten(fish, TAIL_TAU_S));
+    fish->tail_amplitude = f_lerp(fish->tail_amplitude, stroke(fish->tail_beat_hz, fish->beats),
+                                  hasten(fish, STROKE_TAU_S));
+    const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
+    fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
+    const float arc_rad = f_clamp(BEND_PER_RAD_S * fish->yaw_rate_rad_s, -1.0f, 1.0f);
+    const float bend_rad = fish->bend_goal_rad + (fish->haste < HASTE_START ? arc_rad : 0.0f);
+    fish->bend_rad = f_lerp(fish->bend_rad, bend_rad, hasten(fish, BEND_TAU_S));
+}
+
+/* ---- All fish of a tank --------------------------------------------------------------------- */
+
+static struct body make_body(const struct fish *fish, float space)
+{
+    const struct box box = fish_box(fish);
+    return body_of(&box, space * fish->length_m);
+}
+
+static uint32_t width_of(uint32_t lanes)
+{
+    return lanes == 8u ? 8u : 4u;
+}
+
+/* Returns 1 if `width` fish from `first` on all swim, so that the SIMD code may process the
+ * block. */
+static int is_block(const struct shoal *shoal, uint32_t first, uint32_t width)
+{
+    if (shoal->count - first < width) {
+        return 0;
+    }
+    int all = 1;
+    for (uint32_t i = first; i < first + width; i++) {
+        all &= fish_swims(&shoal->fish[i]) & !shoal->fish[i].falls;
+    }
+    return all;
+}
+
+void swim_move_all(const struct shoal *shoal, uint32_t lanes)
+{
+    const uint32_t width = width_of(lanes);
+    for (uint32_t i = 0; i < shoal->count;) {
+        struct fish *fish = &shoal->fish[i];
+        if (is_block(shoal, i, width)) {
+            SIMD_PICK(lanes, swim_move_block)(shoal, i);
+            i += width;
+            continue;
+        }
+        if (fish_swims(fish)) {
+            shoal->way_m[i] += fish->falls ? SWIM_FAR_M : swim_move(fish, shoal->params);
+            shoal->body[i] = make_body(fish, shoal->space);
+        }
+        i++;
+    }
+}
+
+void swim_settle_all(const struct shoal *shoal, uint32_t lanes)
+{
+    const uint32_t width = width_of(lanes);
+    for (uint32_t i = 0; i < shoal->count;) {
+        struct fish *fish = &shoal->fish[i];
+        const struct body *body = &shoal->body[i];
+        if (is_block(shoal, i, width)) {
+            SIMD_PICK(lanes, swim_settle_block)(shoal, i);
+            i += width;
+            continue;
+        }
+        if (fish_swims(fish)) {
+            shoal->way_m[i] += v3_length(v3_sub(body->centre_m, fish->position_m));
+            fish->position_m = body->centre_m;
+            swim_settle(fish, v3_sub(body->centre_m, shoal->before_m[i]),
+                        v3_scale(body->back, -1.0f));
+        }
+        i++;
+    }
+}

@@ -1,0 +1,232 @@
+/* swim_simd.c -- motion of a block of fish; the SIMD form of swim_move.c, line by line.
+ *
+ * Both forms agree to the last bit, which test_swim_simd.c checks over random fish. */
+#include "core/tank/behavior/swim_simd.h"
+
+#include "core/base/simd_vec.h"
+#include "core/tank/behavior/swim_rates.h"
+
+/* The quads at the start of struct fish; QUAD_HOLDS() verifies the members of each. */
+enum quad {
+    QUAD_PLACE,  /* position_m, speed_m_s */
+    QUAD_ANGLES, /* angles, yaw_rate_rad_s */
+    QUAD_PUSH,   /* push_m_s, climb_m_s */
+    QUAD_COURSE, /* heading_rad, drawn_rad, brake, room */
+    QUAD_PACE,   /* speed_goal_m_s, speed_up_keep, slow_keep, turn_rate_max_rad_s */
+    QUAD_ORDERS, /* haste, climb_goal_m_s, pitch_goal_rad, beats */
+    QUAD_SIZE,   /* length_m, height_m, width_m, stamina */
+    QUAD_TRUE,   /* velocity_m_s, bend_rad */
+    QUAD_TAIL,   /* tail_phase_rad, tail_beat_hz, tail_amplitude, bend_goal_rad */
+};
+
+#define QUAD_HOLDS(quad, first, last)                                                              \
+    _Static_assert(offsetof(struct fish, first) == 16u * (quad) &&                                 \
+                       offsetof(struct fish, last) == 16u * (quad) + 12u,                          \
+                   #first " to " #last " are no quad")
+QUAD_HOLDS(QUAD_PLACE, position_m, speed_m_s);
+QUAD_HOLDS(QUAD_ANGLES, angles, yaw_rate_rad_s);
+QUAD_HOLDS(QUAD_PUSH, push_m_s, climb_m_s);
+QUAD_HOLDS(QUAD_COURSE, heading_rad, room);
+QUAD_HOLDS(QUAD_PACE, speed_goal_m_s, turn_rate_max_rad_s);
+QUAD_HOLDS(QUAD_ORDERS, haste, beats);
+QUAD_HOLDS(QUAD_SIZE, length_m, stamina);
+QUAD_HOLDS(QUAD_TRUE, velocity_m_s, bend_rad);
+QUAD_HOLDS(QUAD_TAIL, tail_phase_rad, bend_goal_rad);
+
+static inline void load_fish_quad(flanes column[4], const struct fish *fish, enum quad quad)
+{
+    simd_load_quads(column, (const char *)fish + 16u * quad, sizeof *fish);
+}
+
+static inline void store(struct fish *fish, enum quad quad, const flanes column[4])
+{
+    simd_store_quads((char *)fish + 16u * quad, sizeof *fish, column);
+}
+
+static inline void store_body(struct body *body, uint32_t quad, struct simd_v3 v, flanes w)
+{
+    const flanes column[4] = { v.x, v.y, v.z, w };
+    simd_store_quads((char *)body + 16u * quad, sizeof *body, column);
+}
+
+static inline flanes ease(flanes from, flanes to, float tau_s)
+{
+    return from + (to - from) * f_min(1.0f, DT / tau_s);
+}
+
+static inline flanes hasten(flanes haste, float tau_s)
+{
+    return simd_min(simd_splat(1.0f), haste * (DT / tau_s));
+}
+
+static inline flanes clamp_magnitude(flanes x, float most)
+{
+    return simd_clamp(x, simd_splat(-most), simd_splat(most));
+}
+
+struct turned {
+    flanes yaw_rad, pitch_rad, roll_rad, yaw_rate_rad_s;
+};
+
+static inline struct turned turn_quad(const flanes angles[4], const flanes course[4],
+                                      flanes rate_max, const flanes commands[4], int banks)
+{
+    const flanes haste = commands[0];
+    const flanes error_rad = simd_wrap_angle(course[0] + course[1] - angles[0]);
+    const flanes wanted = simd_clamp(TURN_GAIN_PER_S * haste * error_rad, -rate_max, rate_max);
+    const flanes rate = simd_lerp(angles[3], wanted, hasten(haste, TURN_TAU_S));
+    const flanes bank_rad =
+        banks ? clamp_magnitude(BANK_PER_RAD_S * rate, BANK_MAX_RAD) : simd_splat(0.0f);
+    return (struct turned){
+        .yaw_rad = simd_wrap_angle(angles[0] + rate * DT),
+        .pitch_rad = simd_lerp(angles[1], commands[2], hasten(haste, PITCH_TAU_S)),
+        .roll_rad = ease(angles[2], bank_rad, BANK_TAU_S),
+        .yaw_rate_rad_s = rate,
+    };
+}
+
+static inline flanes speed_up_or_glide(flanes speed_m_s, flanes brake, const flanes pace[4])
+{
+    const flanes goal_m_s = pace[0] * brake;
+    const flanes slow_keep = simd_lerp(simd_splat(BRAKE_KEEP), pace[2], brake);
+    const flanes keep = simd_select(goal_m_s > speed_m_s, pace[1], slow_keep);
+    return simd_lerp(goal_m_s, speed_m_s, keep);
+}
+
+static inline void make_body(struct body *body, struct simd_v3 centre, struct simd_basis axes,
+                             const flanes size[4], float space)
+{
+    store_body(body, 0, centre, 0.5f * size[2]);
+    store_body(body, 1, axes.right, 0.5f * size[1]);
+    store_body(body, 2, axes.up, 0.5f * size[0]);
+    store_body(body, 3, axes.back, space * size[0]);
+}
+
+/* Returns the largest distance that a corner moved: with the centre and by rotation around it. */
+static inline flanes way_m(struct simd_v3 velocity, const struct turned *t, const flanes angles[4],
+                           const flanes size[4])
+{
+    const flanes turned_rad = simd_abs(t->yaw_rate_rad_s * DT) +
+                              simd_abs(t->pitch_rad - angles[1]) +
+                              simd_abs(t->roll_rad - angles[2]);
+    const struct simd_v3 whole = { size[2], size[1], size[0] };
+    return simd_v3_length(velocity) * DT + 0.5f * simd_v3_length(whole) * turned_rad;
+}
+
+void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
+{
+    struct fish *fish = &shoal->fish[first];
+    const struct behavior_params *params = shoal->params;
+    flanes place[4], angles[4], push[4], course[4], pace[4], commands[4], size[4];
+    load_fish_quad(place, fish, QUAD_PLACE);
+    load_fish_quad(angles, fish, QUAD_ANGLES);
+    load_fish_quad(push, fish, QUAD_PUSH);
+    load_fish_quad(course, fish, QUAD_COURSE);
+    load_fish_quad(pace, fish, QUAD_PACE);
+    load_fish_quad(commands, fish, QUAD_ORDERS);
+    load_fish_quad(size, fish, QUAD_SIZE);
+
+    const struct turned t = turn_quad(angles, course, pace[3] * course[3], commands, params->banks);
+    const flanes climb_m_s = ease(push[3], commands[1], CLIMB_TAU_S);
+    const flanes speed_m_s = speed_up_or_glide(place[3], course[2], pace);
+    const struct simd_sin_cos yaw = simd_sin_cos(t.yaw_rad);
+    const flanes able_m_s = size[0] * (0.8f + 0.2f * size[3]);
+    const flanes most_m_s =
+        simd_max(able_m_s * params->swim_speed_max, simd_max(speed_m_s, simd_abs(climb_m_s)));
+    const struct simd_v3 all = { -yaw.sin * speed_m_s + push[0], climb_m_s + push[1],
+                                 -yaw.cos * speed_m_s + push[2] };
+    const struct simd_v3 velocity = simd_v3_limit(all, most_m_s);
+    const struct simd_v3 centre =
+        simd_v3_muladd(simd_v3(place[0], place[1], place[2]), velocity, simd_splat(DT));
+
+    store(fish, QUAD_PLACE, (flanes[4]){ centre.x, centre.y, centre.z, speed_m_s });
+    store(fish, QUAD_ANGLES,
+          (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
+    store(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
+    make_body(&shoal->body[first], centre,
+              simd_basis(yaw, simd_sin_cos(t.pitch_rad), simd_sin_cos(t.roll_rad)), size,
+              shoal->space);
+    float *way = &shoal->way_m[first];
+    simd_store(way, simd_load(way) + way_m(velocity, &t, angles, size));
+}
+
+static inline flanes beat_hz(flanes lengths_per_s)
+{
+    const flanes slow = simd_max(simd_splat(BEAT_MIN_HZ), lengths_per_s / BEAT_LENGTHS);
+    const flanes fast = 4.0f / 3.0f * (lengths_per_s + 1.0f);
+    return simd_select(lengths_per_s < BEAT_FAST_LENGTHS_PER_S, slow, fast);
+}
+
+static inline flanes stroke(flanes hz, flanes beats)
+{
+    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
+    const flanes wider =
+        simd_clamp(per_hz * (hz - BEAT_MIN_HZ), simd_splat(0.0f), simd_splat(1.0f - STROKE_SLOW));
+    return simd_select(beats > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider);
+}
+
+/* Returns the horizontal unit vector ahead, from a body's `back`. */
+static inline struct simd_v3 flat_ahead(const flanes back[4])
+{
+    const struct simd_v3 flat = { -back[0], simd_splat(0.0f), -back[2] };
+    return simd_v3_scale(flat, 1.0f / simd_v3_length(flat));
+}
+
+static inline flanes lose_blocked_speed(flanes speed_m_s, struct simd_v3 own_m_s,
+                                        struct simd_v3 ahead)
+{
+    const flanes true_m_s = simd_max(simd_splat(0.0f), simd_v3_dot(own_m_s, ahead));
+    return simd_select(true_m_s < speed_m_s,
+                       simd_lerp(speed_m_s, true_m_s, simd_splat(BLOCKED_SHARE)), speed_m_s);
+}
+
+/* Returns the bend: toward its goal, and along the arc of the turn unless the fish is in a
+ * C-start. */
+static inline flanes bend(flanes bend_rad, flanes goal_rad, flanes yaw_rate_rad_s, flanes haste)
+{
+    const flanes arc_rad = clamp_magnitude(BEND_PER_RAD_S * yaw_rate_rad_s, 1.0f);
+    const flanes wanted_rad =
+        goal_rad + simd_select(haste < HASTE_START, arc_rad, simd_splat(0.0f));
+    return simd_lerp(bend_rad, wanted_rad, hasten(haste, BEND_TAU_S));
+}
+
+void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
+{
+    struct fish *fish = &shoal->fish[first];
+    const struct body *body = &shoal->body[first];
+    flanes place[4], angles[4], pushed[4], commands[4], size[4], still[4], tail[4];
+    flanes centre[4], back[4], before[4];
+    load_fish_quad(place, fish, QUAD_PLACE);
+    load_fish_quad(angles, fish, QUAD_ANGLES);
+    load_fish_quad(pushed, fish, QUAD_PUSH);
+    load_fish_quad(commands, fish, QUAD_ORDERS);
+    load_fish_quad(size, fish, QUAD_SIZE);
+    load_fish_quad(still, fish, QUAD_TRUE);
+    load_fish_quad(tail, fish, QUAD_TAIL);
+    simd_load_quads(centre, body, sizeof *body);
+    simd_load_quads(back, (const char *)body + 48u, sizeof *body);
+    simd_load_quads(before, &shoal->before_m[first], sizeof shoal->before_m[0]);
+
+    const struct simd_v3 push = { pushed[0], pushed[1], pushed[2] };
+    const struct simd_v3 moved_m = { centre[0] - before[0], centre[1] - before[1],
+                                     centre[2] - before[2] };
+    const struct simd_v3 v = simd_v3_scale(moved_m, simd_splat(1.0f / DT));
+    const flanes speed_m_s = lose_blocked_speed(place[3], simd_v3_sub(v, push), flat_ahead(back));
+    const struct simd_v3 drift = simd_v3_scale(push, simd_splat(0.5f));
+    const flanes along_m_s = simd_v3_length(simd_v3_sub(v, drift));
+    const flanes hz =
+        simd_lerp(tail[1], beat_hz(along_m_s / size[0]), hasten(commands[0], TAIL_TAU_S));
+    const flanes amplitude =
+        simd_lerp(tail[2], stroke(hz, commands[3]), hasten(commands[0], STROKE_TAU_S));
+    const flanes phase = tail[0] + F_TAU * hz * DT;
+    const flanes bend_rad = bend(still[3], tail[3], angles[3], commands[0]);
+
+    const struct simd_v3 shoved_m = { centre[0] - place[0], centre[1] - place[1],
+                                      centre[2] - place[2] };
+    float *way = &shoal->way_m[first];
+    simd_store(way, simd_load(way) + simd_v3_length(shoved_m));
+    store(fish, QUAD_PLACE, (flanes[4]){ centre[0], centre[1], centre[2], speed_m_s });
+    store(fish, QUAD_TRUE, (flanes[4]){ v.x, v.y, v.z, bend_rad });
+    store(fish, QUAD_TAIL,
+          (flanes[4]){ simd_select(phase >= F_TAU, phase - F_TAU, phase), hz, amplitude, tail[3] });
+}

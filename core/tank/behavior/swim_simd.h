@@ -1,0 +1,19 @@
+/* swim_simd.h -- swim_move() and swim_settle() for LANES fish at once; see core/base/simd.h. */
+#ifndef KINGYO_CORE_TANK_BEHAVIOR_SWIM_SIMD_H
+#define KINGYO_CORE_TANK_BEHAVIOR_SWIM_SIMD_H
+
+#include "core/base/simd.h"
+#include "core/tank/behavior/swim.h"
+
+SIMD_BEGIN
+/* Moves the block that begins at `first` and updates its bodies. All fish of the block swim and
+ * none falls. */
+void swim_move_block_4(const struct shoal *shoal, uint32_t first);
+void swim_move_block_8(const struct shoal *shoal, uint32_t first);
+
+/* Moves each fish of the block to its body and settles it. */
+void swim_settle_block_4(const struct shoal *shoal, uint32_t first);
+void swim_settle_block_8(const struct shoal *shoal, uint32_t first);
+SIMD_END
+
+#endif

@@ -1,0 +1,207 @@
+/* box.c -- the separating-axis test; the cosines between both frames are computed once per test. */
+#include "core/tank/collision/box.h"
+
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+
+#define PARALLEL 1e-6f /* Squared length of a cross product below which two edges count as
+                          parallel. */
+
+struct frame {
+    vec3 axis[3];
+    float half[3];
+};
+
+static struct frame frame_of(const struct box *box)
+{
+    return (struct frame){
+        .axis = { box->axes.right, box->axes.up, box->axes.back },
+        .half = { box->half_m.x, box->half_m.y, box->half_m.z },
+    };
+}
+
+/* The best axis of those tried so far. */
+struct verdict {
+    float gap_m, space_m;
+    int axis; /* Axis index as in box_axis(). */
+};
+
+static inline void try_axis(struct verdict *verdict, float gap_m, float margins_m, int axis)
+{
+    verdict->space_m = f_max(verdict->space_m, gap_m - margins_m);
+    if (gap_m > verdict->gap_m) {
+        verdict->gap_m = gap_m;
+        verdict->axis = axis;
+    }
+}
+
+/* Box b relative to box a. The rows are computed when an axis first needs them. */
+struct view_of_b {
+    const struct box *a, *b;
+    vec3 way; /* Vector from the centre of a to the centre of b. */
+    float margin_a_m, margin_b_m;
+    float half_a[3], half_b[3];
+    float cosine[3][3], size[3][3]; /* Cosines of a's axes against b's, and their magnitudes. */
+    float d[3];                     /* `way` in the frame of a. */
+};
+
+static inline vec3 axis_of(const struct basis *axes, int index)
+{
+    return index == 0 ? axes->right : index == 1 ? axes->up : axes->back;
+}
+
+static inline void fill_row(struct view_of_b *view, int i)
+{
+    const vec3 axis = axis_of(&view->a->axes, i);
+    float *c = view->cosine[i], *m = view->size[i];
+    view->d[i] = v3_dot(view->way, axis);
+    c[0] = v3_dot(axis, view->b->axes.right);
+    c[1] = v3_dot(axis, view->b->axes.up);
+    c[2] = v3_dot(axis, view->b->axes.back);
+    m[0] = f_abs(c[0]);
+    m[1] = f_abs(c[1]);
+    m[2] = f_abs(c[2]);
+}
+
+static inline int try_face_of_a(struct verdict *verdict, struct view_of_b *view, int i)
+{
+    fill_row(view, i);
+    const float *m = view->size[i], *hb = view->half_b;
+    const float halves_m = view->half_a[i] + (m[0] * hb[0] + m[1] * hb[1] + m[2] * hb[2]);
+    try_axis(verdict, f_abs(view->d[i]) - halves_m,
+             view->margin_a_m + view->margin_b_m * (m[0] + m[1] + m[2]), i);
+    return verdict->space_m > 0.0f;
+}
+
+static inline int try_face_of_b(struct verdict *verdict, const struct view_of_b *view, int j)
+{
+    const float m[3] = { view->size[0][j], view->size[1][j], view->size[2][j] };
+    const float *ha = view->half_a, *d = view->d;
+    const float offset_m =
+        d[0] * view->cosine[0][j] + d[1] * view->cosine[1][j] + d[2] * view->cosine[2][j];
+    const float halves_m = view->half_b[j] + (m[0] * ha[0] + m[1] * ha[1] + m[2] * ha[2]);
+    try_axis(verdict, f_abs(offset_m) - halves_m,
+             view->margin_b_m + view->margin_a_m * (m[0] + m[1] + m[2]), 3 + j);
+    return verdict->space_m > 0.0f;
+}
+
+/* Tries the cross product of edge i of a and edge j of b. Dividing by the length of the cross
+ * product gives true distances. Nearly parallel edges have no usable cross product and are skipped,
+ * because the face normals already cover that case. */
+static inline int try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
+{
+    static const int after[3] = { 1, 2, 0 }, before[3] = { 2, 0, 1 };
+    const int p = after[i], q = before[i], r = after[j], s = before[j];
+    const float(*c)[3] = view->cosine, (*m)[3] = view->size;
+    const float *ha = view->half_a, *hb = view->half_b;
+    const float square = c[p][j] * c[p][j] + c[q][j] * c[q][j];
+    if (square <= PARALLEL) {
+        return 0;
+    }
+    const float offset_m = f_abs(view->d[q] * c[p][j] - view->d[p] * c[q][j]);
+    const float halves_m =
+        ha[p] * m[q][j] + ha[q] * m[p][j] + hb[r] * m[i][s] + hb[s] * m[i][r];
+    const float margins_m =
+        view->margin_a_m * (m[q][j] + m[p][j]) + view->margin_b_m * (m[i][s] + m[i][r]);
+    const float length = f_sqrt(square);
+    try_axis(verdict, (offset_m - halves_m) / length, margins_m / length, 6 + 3 * i + j);
+    return verdict->space_m > 0.0f;
+}
+
+vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t which)
+{
+    CORE_ASSERT(which < 15u);
+    const int axis = which;
+    vec3 along = axis < 3 ? axis_of(a, axis) : axis_of(b, axis - 3);
+    if (axis >= 6) {
+        const vec3 cross = v3_cross(axis_of(a, (axis - 6) / 3), axis_of(b, axis % 3));
+        along = v3_normalize_or(cross, a->up);
+    }
+    return v3_dot(along, way) < 0.0f ? v3_scale(along, -1.0f) : along;
+}
+
+/* Tries the sides first, then nose and tail, because this order separates most nearby fish
+ * soonest. */
+static int are_apart(struct verdict *verdict, struct view_of_b *view)
+{
+    static const int order[3] = { 0, 2, 1 };
+    int apart = 0;
+    for (int k = 0; k < 3 && !apart; k++) {
+        apart = try_face_of_a(verdict, view, order[k]);
+    }
+    for (int k = 0; k < 3 && !apart; k++) {
+        apart = try_face_of_b(verdict, view, order[k]);
+    }
+    for (int k = 0; k < 9 && !apart; k++) {
+        apart = try_edges(verdict, view, k / 3, k % 3);
+    }
+    return apart;
+}
+
+struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
+{
+    struct view_of_b view;
+    struct verdict verdict = { -1e9f, -1e9f, 0 };
+    view.a = a;
+    view.b = b;
+    view.way = v3_sub(b->centre_m, a->centre_m);
+    view.margin_a_m = margin_a_m;
+    view.margin_b_m = margin_b_m;
+    MEM_COPY(view.half_a, &a->half_m, sizeof view.half_a);
+    MEM_COPY(view.half_b, &b->half_m, sizeof view.half_b);
+    const int apart = are_apart(&verdict, &view);
+    const uint8_t which = (uint8_t)verdict.axis;
+    const vec3 none = { 0.0f, 0.0f, 0.0f };
+    return (struct box_gap){
+        verdict.gap_m,
+        verdict.space_m,
+        apart ? none : box_axis(&a->axes, &b->axes, view.way, which),
+        which,
+    };
+}
+
+float box_depth_m(const struct box *a, const struct box *b)
+{
+    return f_max(0.0f, -box_gap(a, 0.0f, b, 0.0f).body_m);
+}
+
+static float shadow_m(const struct frame *frame, vec3 axis)
+{
+    return f_abs(v3_dot(frame->axis[0], axis)) * frame->half[0] +
+           f_abs(v3_dot(frame->axis[1], axis)) * frame->half[1] +
+           f_abs(v3_dot(frame->axis[2], axis)) * frame->half[2];
+}
+
+vec3 box_extent_m(const struct box *box)
+{
+    return box_upright_m(box->axes.right, box->axes.up, box->axes.back, box->half_m);
+}
+
+/* Seen along the rod the box is a hexagon and the rod is a disc. The normals of the hexagon's sides
+ * are the box axes crossed with the rod. */
+vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m)
+{
+    const struct frame frame = frame_of(box);
+    const vec3 none = { 0.0f, 0.0f, 0.0f };
+    const vec3 d = v3_sub(box->centre_m, point_m);
+    float least_m = 1e9f;
+    vec3 move = none;
+    for (int i = 0; i < 3; i++) {
+        const vec3 side = v3_cross(frame.axis[i], along);
+        const float length = v3_length(side);
+        if (length < 1e-3f) { /* The rod is parallel to this axis; the other two axes suffice. */
+            continue;
+        }
+        const vec3 normal = v3_scale(side, 1.0f / length);
+        const float offset = v3_dot(d, normal);
+        const float depth_m = shadow_m(&frame, normal) + radius_m - f_abs(offset);
+        if (depth_m <= 0.0f) {
+            return none;
+        }
+        if (depth_m < least_m) {
+            least_m = depth_m;
+            move = v3_scale(normal, offset < 0.0f ? -depth_m : depth_m);
+        }
+    }
+    return move;
+}

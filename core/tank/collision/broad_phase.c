@@ -1,0 +1,207 @@
+/* broad_phase.c -- the bodies of all fish, and how long the pairs found by a broad-phase query stay
+ * valid. */
+#include "core/tank/collision/broad_phase.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/input.h"
+#include "core/tank/behavior/swim.h"
+
+#define REACH_SPARE_M 0.0035f /* Margin beyond 1.2 times the present motion; covers most starts and
+                                 turns. */
+#define REACH_SPARE 1.2f
+#define AGAIN_MAX 8u /* Fish queried one by one; for more fish a full query is as cheap. */
+#define RADIUS_PER_LENGTH 0.55f /* Half the diagonal of a body of 5 x 2 x 1. */
+
+float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
+                        const struct behavior_params *params)
+{
+    float volume_m3 = 0.0f;
+    for (uint32_t i = 0; i < fish_count; i++) {
+        const float both_m = 2.0f * params->space_per_length * fish[i].length_m;
+        volume_m3 += (fish[i].length_m + both_m) * (fish[i].height_m + both_m) *
+                     (fish[i].width_m + both_m);
+    }
+    const float fill = volume_m3 / (tank_size_m.x * tank_size_m.y * tank_size_m.z);
+    if (fill <= params->space_fill_max) {
+        return params->space_per_length;
+    }
+    const float share = f_clamp(f_exp(f_log(params->space_fill_max / fill) / 3.0f), 0.2f, 1.0f);
+    return share * params->space_per_length;
+}
+
+/* Returns 1 if the body stands out of the water. The cheap sphere test rejects most bodies
+ * first. */
+static int is_airborne(const struct body *body, float emerges_m)
+{
+    const float y = body->centre_m.y;
+    return y + body->half_x_m + body->half_y_m + body->half_z_m > emerges_m &&
+           y + body_extent_m(body).y > emerges_m;
+}
+
+void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish, uint32_t fish_count)
+{
+    CORE_ASSERT(fish_count <= TANK_FISH_MAX);
+    broad_phase->count = fish_count;
+    for (uint32_t i = 0; i < fish_count; i++) {
+        broad_phase->flags[i] = 0;
+        broad_phase->play_m[i] = 0.5f * BROAD_PHASE_CONTACT_M;
+        if (!fish_swims(&fish[i])) {
+            broad_phase->way_m[i] = SWIM_FAR_M; /* Invalid until a query has seen this fish swim. */
+        } else {
+            broad_phase->flags[i] = BODY_SWIMMING;
+            broad_phase->flags[i] |=
+                fish[i].falls || is_airborne(&broad_phase->body[i], fish_emerges_m(&fish[i]))
+                    ? BODY_AIRBORNE
+                    : 0u;
+            broad_phase->flags[i] |= fish[i].gait == GAIT_SURFACE ? BODY_GULPING : 0u;
+        }
+    }
+}
+
+void broad_phase_gather(struct broad_phase *broad_phase, const struct fish *fish,
+                        uint32_t fish_count, float space)
+{
+    CORE_ASSERT(fish_count <= TANK_FISH_MAX);
+    for (uint32_t i = 0; i < fish_count; i++) {
+        if (fish_swims(&fish[i])) {
+            const struct box box = fish_box(&fish[i]);
+            broad_phase->body[i] = body_of(&box, space * fish[i].length_m);
+        }
+    }
+    broad_phase_mark(broad_phase, fish, fish_count);
+}
+
+float broad_phase_reach_m(const struct fish *fish)
+{
+    const float pace_m_s = fish->speed_m_s + f_abs(fish->climb_m_s) + v3_length(fish->push_m_s) +
+                           f_abs(fish->yaw_rate_rad_s) * RADIUS_PER_LENGTH * fish->length_m;
+    return REACH_SPARE * (float)BROAD_PHASE_UPDATE_TICKS * CORE_TICK_S * pace_m_s + REACH_SPARE_M;
+}
+
+void broad_phase_sync(struct broad_phase *broad_phase, struct fish *fish)
+{
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        const vec3 moved = v3_sub(broad_phase->body[i].centre_m, fish[i].position_m);
+        if (broad_phase->flags[i] & BODY_SWIMMING && v3_dot(moved, moved) > 0.0f) {
+            broad_phase->way_m[i] += v3_length(moved);
+            fish[i].position_m = broad_phase->body[i].centre_m;
+        }
+    }
+}
+
+static int is_beyond(const struct broad_phase *broad_phase, uint32_t i)
+{
+    const int swims = broad_phase->flags[i] & BODY_SWIMMING;
+    return swims && broad_phase->way_m[i] > broad_phase->reach_m[i] - broad_phase->play_m[i];
+}
+
+int broad_phase_is_stale(const struct broad_phase *broad_phase)
+{
+    int farther = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        farther |= is_beyond(broad_phase, i);
+    }
+    return farther;
+}
+
+static void drop_contacts_of(struct broad_phase *broad_phase, uint32_t fish)
+{
+    uint32_t kept = 0;
+    for (uint32_t c = 0; c < broad_phase->near_count; c++) {
+        const struct contact contact = broad_phase->contact[c];
+        broad_phase->contact[kept] = contact;
+        kept += contact.a != fish && contact.b != fish;
+    }
+    broad_phase->near_count = kept;
+    broad_phase->touch_count = kept;
+}
+
+/* Lists the pair if it could touch before the next query of either fish. The gap is computed from
+ * the position that the other fish had at its last query. */
+static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t other)
+{
+    const struct body *a = &broad_phase->body[fish], *b = &broad_phase->body[other];
+    const float way_m = broad_phase->way_m[other];
+    const float left_m = f_max(broad_phase->reach_m[other] - way_m, 0.0f);
+    const vec3 d = v3_sub(b->centre_m, a->centre_m);
+    const float near_m = broad_phase->reach_m[fish] + left_m + a->half_x_m + a->half_y_m +
+                         a->half_z_m + b->half_x_m + b->half_y_m + b->half_z_m;
+    if (v3_dot(d, d) > near_m * near_m) {
+        return;
+    }
+    const struct box box_a = body_box(a), box_b = body_box(b);
+    const struct box_gap gap = box_gap(&box_a, broad_phase->reach_m[fish], &box_b, left_m);
+    if (gap.space_m <= 0.0f && gap.body_m < broad_phase->reach_m[fish] + left_m) {
+        CORE_ASSERT(broad_phase->near_count < broad_phase_contact_max(broad_phase));
+        broad_phase->contact[broad_phase->near_count++] =
+            (struct contact){ (fish_index)fish, (fish_index)other, gap.body_m + way_m };
+        broad_phase->touch_count = broad_phase->near_count;
+    }
+}
+
+static void see_again(struct broad_phase *broad_phase, const struct fish *fish, uint32_t index)
+{
+    drop_contacts_of(broad_phase, index);
+    broad_phase->way_m[index] = 0.0f;
+    broad_phase->reach_m[index] = broad_phase->play_m[index] + broad_phase_reach_m(&fish[index]);
+    for (uint32_t other = 0; other < broad_phase->count; other++) {
+        if (other != index && (broad_phase->flags[other] & BODY_SWIMMING)) {
+            meet_again(broad_phase, index, other);
+        }
+    }
+}
+
+int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish)
+{
+    fish_index beyond[AGAIN_MAX];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        if (is_beyond(broad_phase, i)) {
+            if (count == AGAIN_MAX) {
+                return 0;
+            }
+            beyond[count++] = (fish_index)i;
+        }
+    }
+    if (broad_phase->touch_count + count * broad_phase->count >
+        broad_phase_contact_max(broad_phase)) {
+        return 0;
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        see_again(broad_phase, fish, beyond[k]);
+    }
+    broad_phase_select_contacts(broad_phase);
+    return 1;
+}
+
+void broad_phase_select_contacts(struct broad_phase *broad_phase)
+{
+    uint32_t count = 0;
+    for (uint32_t c = 0; c < broad_phase->near_count; c++) {
+        const struct contact contact = broad_phase->contact[c];
+        const float ways_m = broad_phase->way_m[contact.a] + broad_phase->way_m[contact.b];
+        const float plays_m = broad_phase->play_m[contact.a] + broad_phase->play_m[contact.b];
+        const int swim =
+            broad_phase->flags[contact.a] & broad_phase->flags[contact.b] & BODY_SWIMMING;
+        if (swim && contact.gap_m - ways_m < plays_m) {
+            broad_phase->contact[c] = broad_phase->contact[count];
+            broad_phase->contact[count++] = contact;
+        }
+    }
+    broad_phase->contact_count = count;
+}
+
+uint64_t broad_phase_hash(uint64_t hash, const struct broad_phase *broad_phase)
+{
+    hash = hash_u32(hash, broad_phase->near_count);
+    hash = hash_u32(hash, broad_phase->touch_count);
+    for (uint32_t c = 0; c < broad_phase->near_count; c++) {
+        hash = hash_u32(hash, broad_phase->contact[c].a);
+        hash = hash_u32(hash, broad_phase->contact[c].b);
+        hash = hash_float(hash, broad_phase->contact[c].gap_m);
+    }
+    hash = hash_floats(hash, broad_phase->way_m, broad_phase->count);
+    return hash_floats(hash, broad_phase->reach_m, broad_phase->count);
+}

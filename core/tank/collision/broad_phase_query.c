@@ -1,0 +1,225 @@
+/* broad_phase_query.c -- one broad-phase query: advice to each fish about its neighbours, and the
+ * contact list. */
+#include "core/tank/collision/broad_phase.h"
+
+#include "core/base/rng.h"
+#include "core/tank/behavior/swim.h"
+
+#define ROOM_GAP_M 0.005f /* Gap that a tail sweeps in a few ticks of a hard turn. */
+#define ROOM_MIN 0.2f
+#define FETCH_AHEAD 8u /* Pairs to prefetch ahead: testing a few pairs takes as long as one memory
+                          access. */
+
+static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
+{
+    if (advice->kind != MEET_NONE &&
+        (kept->kind == MEET_NONE || advice->contact_s < kept->contact_s)) {
+        *kept = *advice;
+    }
+}
+
+static vec3 forward_of(const struct body *body)
+{
+    return v3_scale(body->back, -1.0f);
+}
+
+static struct avoid_party party_of(const struct body *body, const struct fish *fish,
+                                   uint32_t index)
+{
+    return (struct avoid_party){
+        .position_m = body->centre_m,
+        .forward = forward_of(body),
+        .speed_m_s = fish->speed_m_s,
+        .length_m = 2.0f * body->half_z_m,
+        .height_m = 2.0f * body->half_y_m,
+        .index = (fish_index)index,
+        .avoiding = fish->avoiding,
+        .avoid_kind = fish->avoid_kind,
+        .avoid_with = fish->avoid_with,
+        .avoid_since = fish->avoid_since,
+    };
+}
+
+/* Applies the full push to the side and half of it along the body, so that a fish pushed from
+ * behind does not shoot ahead. */
+static void push_apart(struct neighbours *neighbours, vec3 forward, vec3 axis, float speed_m_s)
+{
+    const float along = v3_dot(axis, forward);
+    const vec3 push = v3_muladd(axis, forward, -0.5f * along);
+    neighbours->push_m_s = v3_muladd(neighbours->push_m_s, push, speed_m_s);
+}
+
+static void leave_out(struct broad_phase *broad_phase, const struct contact *contact)
+{
+    broad_phase->flags[contact->a] |= BODY_UNLISTED;
+    broad_phase->flags[contact->b] |= BODY_UNLISTED;
+}
+
+/* Adds a contact. If the list is full, each further pair takes a random slot or none (reservoir
+ * sampling), so that every pair has the same chance and none waits for long. */
+static void list_contact(struct broad_phase *broad_phase, struct contact contact, uint32_t seed,
+                         uint32_t tick)
+{
+    const uint32_t most = broad_phase_contact_max(broad_phase);
+    uint32_t place = broad_phase->touch_count++;
+    if (place >= most) {
+        place = rng_u32((struct rng_key){ seed, tick, place, RNG_CONTACT_LOT }) % (place + 1u);
+        leave_out(broad_phase, place < most ? &broad_phase->contact[place] : &contact);
+    }
+    if (place < most) {
+        broad_phase->contact[place] = contact;
+        broad_phase->near_count = broad_phase->touch_count < most ? broad_phase->touch_count : most;
+    }
+}
+
+/* Context of one query. */
+struct snapshot {
+    struct broad_phase *broad_phase;
+    const struct fish *fish;
+    const struct perception *around;
+    int contacts_only;
+};
+
+static void meet_pair(const struct snapshot *look, const struct narrow_phase_pair *found)
+{
+    struct broad_phase *broad_phase = look->broad_phase;
+    const struct perception *around = look->around;
+    const struct body *a = &broad_phase->body[found->a], *b = &broad_phase->body[found->b];
+    struct neighbours *ca = &broad_phase->neighbours[found->a],
+                      *cb = &broad_phase->neighbours[found->b];
+    const struct avoid_party pa = party_of(a, &look->fish[found->a], found->a),
+                             pb = party_of(b, &look->fish[found->b], found->b);
+    const struct avoid_pair advice =
+        avoid_meet(&pa, &pb, found->gap_m, around->params, around->seed, around->tick);
+    take_advice(&ca->advice, &advice.a);
+    take_advice(&cb->advice, &advice.b);
+    ca->brake = f_min(ca->brake, advice.brake_a);
+    cb->brake = f_min(cb->brake, advice.brake_b);
+    const float room = f_clamp(found->gap_m / ROOM_GAP_M, ROOM_MIN, 1.0f);
+    ca->room = f_min(ca->room, room);
+    cb->room = f_min(cb->room, room);
+    const float length_m = 2.0f * f_min(a->half_z_m, b->half_z_m);
+    const float apart_m_s = avoid_repulsion_m_s(found->gap_m, length_m);
+    if (apart_m_s > 0.0f) {
+        const vec3 axis = narrow_phase_axis(a, b, found->axis);
+        push_apart(ca, pa.forward, axis, -apart_m_s);
+        push_apart(cb, pb.forward, axis, apart_m_s);
+    }
+}
+
+static void take_found(const struct snapshot *look, const struct narrow_phase_pair *found)
+{
+    struct broad_phase *broad_phase = look->broad_phase;
+    if (found->spaces && !look->contacts_only && !look->around->ball_spaces) {
+        meet_pair(look, found);
+    }
+    broad_phase->overlap_count += found->gap_m < 0.0f;
+    if (found->gap_m < broad_phase->reach_m[found->a] + broad_phase->reach_m[found->b]) {
+        const struct contact contact = { (fish_index)found->a, (fish_index)found->b,
+                                         found->gap_m };
+        list_contact(broad_phase, contact, look->around->seed, look->around->tick);
+    }
+}
+
+/* Prefetches a fish: in a big tank, neighbours lie far apart in memory and outside every cache. */
+static void fetch_fish(const struct snapshot *look, uint32_t index)
+{
+    __builtin_prefetch(&look->fish[index].speed_m_s);
+    __builtin_prefetch(&look->fish[index].avoid_since);
+    __builtin_prefetch(&look->broad_phase->body[index]);
+    __builtin_prefetch(&look->broad_phase->neighbours[index], 1);
+}
+
+static void fetch(const struct snapshot *look, const struct narrow_phase_pair *found)
+{
+    fetch_fish(look, found->a);
+    fetch_fish(look, found->b);
+}
+
+static void seek(const struct snapshot *look, const struct narrow_phase_query *of, int ahead)
+{
+    struct broad_phase *broad_phase = look->broad_phase;
+    broad_phase->touch_count = 0;
+    broad_phase->near_count = 0;
+    broad_phase->overlap_count = 0;
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        broad_phase->flags[i] &= (uint8_t)~BODY_UNLISTED;
+        if (!look->contacts_only) {
+            broad_phase->neighbours[i] = (struct neighbours){ .brake = 1.0f, .room = 1.0f };
+        }
+        broad_phase->reach_m[i] =
+            broad_phase->play_m[i] + (ahead ? broad_phase_reach_m(&look->fish[i]) : 0.0f);
+        broad_phase->way_m[i] = broad_phase->flags[i] & BODY_SWIMMING ? 0.0f : SWIM_FAR_M;
+    }
+    narrow_phase_begin(&broad_phase->narrow_phase, of);
+    for (uint32_t count;
+         narrow_phase_next(&broad_phase->narrow_phase, of, broad_phase->found, &count);) {
+        for (uint32_t f = 0; f < count; f++) {
+            if (f + FETCH_AHEAD < count) {
+                fetch(look, &broad_phase->found[f + FETCH_AHEAD]);
+            }
+            take_found(look, &broad_phase->found[f]);
+        }
+    }
+}
+
+static float ball_m(const struct body *body)
+{
+    const float m = body->margin_m;
+    return v3_length(v3(body->half_x_m + m, body->half_y_m + m, body->half_z_m + m));
+}
+
+/* Compares the personal spaces as balls, the alternative that the thesis rejected in section
+ * 3.4. Tests each fish against each other fish, because it serves comparison only, not a running
+ * stall. */
+static void meet_balls(const struct snapshot *look)
+{
+    const struct broad_phase *broad_phase = look->broad_phase;
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            const struct body *a = &broad_phase->body[j], *b = &broad_phase->body[i];
+            const vec3 way = v3_sub(b->centre_m, a->centre_m);
+            const float both_m = ball_m(a) + ball_m(b);
+            if ((broad_phase->flags[i] & broad_phase->flags[j] & BODY_SWIMMING) &&
+                v3_dot(way, way) < both_m * both_m) {
+                const struct box box_a = body_box(a), box_b = body_box(b);
+                const struct box_gap gap = box_gap(&box_a, 1.0f, &box_b, 1.0f);
+                const struct narrow_phase_pair found = {
+                    .a = j,
+                    .b = i,
+                    .gap_m = gap.body_m,
+                    .axis = gap.which,
+                };
+                meet_pair(look, &found);
+            }
+        }
+    }
+}
+
+void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish,
+                        struct broad_phase_search how, const struct perception *around)
+{
+    const struct snapshot look = { broad_phase, fish, around, how.contacts_only };
+    const struct narrow_phase_query of = {
+        .body = broad_phase->body,
+        .flags = broad_phase->flags,
+        .reach_m = broad_phase->reach_m,
+        .count = broad_phase->count,
+        .which = BODY_SWIMMING,
+        .search = how.search,
+        .lanes = how.lanes,
+        .bodies_only = how.contacts_only,
+        .width_m = around->size_m.x,
+        .breadth_m = around->size_m.z,
+    };
+    seek(&look, &of, 1);
+    if (broad_phase->touch_count >
+        broad_phase_contact_max(broad_phase)) { /* Overfull: list the nearest contacts only and
+                                                   query again soon. */
+        seek(&look, &of, 0);
+    }
+    if (around->ball_spaces && !how.contacts_only) {
+        meet_balls(&look);
+    }
+    broad_phase_select_contacts(broad_phase);
+}

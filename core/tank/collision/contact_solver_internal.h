@@ -1,0 +1,78 @@
+/* contact_solver_internal.h -- internals of the contact solver, shared by contact_solver.c and
+ * penetration_check.c only. */
+#ifndef KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
+#define KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
+
+#include "core/tank/collision/contact_solver.h"
+#include "core/tank/collision/ring_contact.h"
+
+#define SOLVER_ROUNDING_M 1e-6f /* Rounding error by which the same pose may seem deeper. */
+
+/* Context of one substep of a tick. */
+struct solver_step {
+    struct contact_solver *solver;
+    struct broad_phase *broad_phase;
+    const struct solver_context *place;
+};
+
+/* Returns the position to which a fish may revert: that at the start of the substep. */
+static inline vec3 contact_before_m(const struct solver_step *all, uint32_t index)
+{
+    const struct contact_solver *solver = all->solver;
+    return solver->station == 0 ? solver->began_m[index] : solver->step_began_m[index];
+}
+
+/* Returns the body in the pose to which it may revert. Bodies rotate in the first substep only. */
+static inline struct body contact_body_before(const struct solver_step *all, uint32_t index)
+{
+    const struct contact_solver *solver = all->solver;
+    struct body body = all->broad_phase->body[index];
+    body.centre_m = contact_before_m(all, index);
+    if (solver->station == 0) {
+        const struct basis axes = vec_basis_from_angles(solver->began_angles[index]);
+        body.right = axes.right;
+        body.up = axes.up;
+        body.back = axes.back;
+    }
+    return body;
+}
+
+/* Returns 1 if the motion of both bodies since the query leaves more than `apart_m` of their gap,
+ * so that the gap need not be measured. */
+static inline int contact_is_apart(const struct solver_step *all, const struct contact *contact,
+                                   float apart_m)
+{
+    const float *way_m = all->broad_phase->way_m;
+    return contact->gap_m - (way_m[contact->a] + way_m[contact->b]) > apart_m;
+}
+
+static inline int contact_is_clear(const struct obstacle *obstacle, const struct body *body,
+                                   const struct body *before)
+{
+    vec3 unused;
+    return ring_excess_m(obstacle, body, before, SOLVER_FREE_M, &unused) <= SOLVER_ROUNDING_M;
+}
+
+/* Returns the largest distance that any point of a body moves by rotation alone. */
+static inline float contact_sweep_m(const struct solver_step *all, uint32_t index)
+{
+    const struct angles now = all->place->fish[index].angles,
+                        was = all->solver->began_angles[index];
+    const float yaw_rad = f_abs(now.yaw_rad - was.yaw_rad);
+    const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) +
+                           f_abs(now.pitch_rad - was.pitch_rad) +
+                           f_abs(now.roll_rad - was.roll_rad);
+    const struct body *body = &all->broad_phase->body[index];
+    return all->solver->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
+}
+
+/* Returns the centre that keeps the body of this fish within walls, floor and surface. Defined in
+ * contact_solver.c. */
+vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body);
+
+/* Runs the penetration check after the pushes. A fish too deep in another fish or in an obstacle
+ * reverts or moves along with the obstacle, or the obstacle reacts, until none is too deep.
+ * `is_parted`: 1 if the pushes left no two fish overlapping. Defined in penetration_check.c. */
+void penetration_check(const struct solver_step *all, int is_parted);
+
+#endif

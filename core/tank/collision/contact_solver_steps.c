@@ -1,0 +1,93 @@
+/* contact_solver_steps.c -- the division of a tick into substeps, and the end of a tick. */
+#include "core/base/panic.h"
+#include "core/input.h"
+#include "core/tank/collision/contact_solver.h"
+
+#define STATION_M 0.003f        /* Largest motion of an obstacle per substep; ring and fish together
+                                   are four times as thick. */
+#define STATIONS_MAX 6u         /* Reached at 2.1 m/s; a faster hand makes longer substeps. */
+
+void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
+                          uint32_t fish_count)
+{
+    for (uint32_t i = 0; i < fish_count; i++) {
+        solver->began_m[i] = fish[i].position_m;
+        solver->began_angles[i] = fish[i].angles;
+    }
+}
+
+uint32_t contact_solver_substep_count(struct contact_solver *solver,
+                                      const struct solver_context *place)
+{
+    float longest_m = 0.0f;
+    for (uint32_t o = 0; o < place->obstacle_count; o++) {
+        struct obstacle *obstacle = &place->obstacles[o];
+        const vec3 from_m = v3_sub(obstacle->centre_m, obstacle->step_m);
+        solver->course[o] = (struct course){ from_m, obstacle->step_m, obstacle->turned };
+        longest_m = f_max(longest_m, v3_length(obstacle->step_m));
+    }
+    solver->reverted_count = 0;
+    solver->reverts_angles = 0;
+    solver->substep_count = 1u + (uint32_t)f_min(longest_m / STATION_M, (float)(STATIONS_MAX - 1u));
+    return solver->substep_count;
+}
+
+/* The first substep contains the whole rotation. */
+void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
+                            const struct solver_context *place, uint32_t station)
+{
+    solver->station = station;
+    for (uint32_t o = 0; o < place->obstacle_count; o++) {
+        struct obstacle *obstacle = &place->obstacles[o];
+        if (station == 0) {
+            obstacle->centre_m = solver->course[o].from_m;
+        } else {
+            obstacle->turned = 0;
+        }
+        obstacle->step_m = v3_scale(solver->course[o].step_m, 1.0f / (float)solver->substep_count);
+        obstacle->centre_m = v3_add(obstacle->centre_m, obstacle->step_m);
+        obstacle->reaction_count = 0;
+    }
+    if (station > 0) {
+        broad_phase_sync(broad_phase, place->fish);
+        for (uint32_t i = 0; i < broad_phase->count; i++) {
+            solver->step_began_m[i] = place->fish[i].position_m;
+        }
+    }
+}
+
+void contact_solver_write_back(const struct broad_phase *broad_phase, struct fish *fish)
+{
+    for (uint32_t i = 0; i < broad_phase->count; i++) {
+        if (broad_phase->flags[i] & BODY_SWIMMING) {
+            fish[i].position_m = broad_phase->body[i].centre_m;
+        }
+    }
+}
+
+/* Sets the step of the obstacle to that of the whole tick, for code that needs the obstacle's
+ * previous position (reentry.c). */
+static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
+{
+    obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
+    obstacle->turned = course->turned && !(obstacle->reaction & REACTION_ROTATION);
+    if (obstacle->reaction & REACTION_POSITION) {
+        const vec3 lost_m = v3_sub(course->step_m, obstacle->step_m);
+        obstacle->velocity_m_s = v3_muladd(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);
+    }
+}
+
+void contact_solver_end(struct contact_solver *solver, const struct broad_phase *broad_phase,
+                        const struct solver_context *place)
+{
+    for (uint32_t i = 0; i < broad_phase->count && solver->reverts_angles; i++) {
+        if (broad_phase->flags[i] & BODY_REVERTED) {
+            CORE_ASSERT(broad_phase->flags[i] & BODY_SWIMMING);
+            place->fish[i].angles = solver->began_angles[i];
+            place->fish[i].yaw_rate_rad_s = 0.0f;
+        }
+    }
+    for (uint32_t o = 0; o < place->obstacle_count; o++) {
+        lose_blocked_step(&place->obstacles[o], &solver->course[o]);
+    }
+}

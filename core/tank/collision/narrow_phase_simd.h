@@ -1,0 +1,56 @@
+/* narrow_phase_simd.h -- the inner loops of the pair search, once for four lanes and once for
+ * eight.
+ *
+ * Only narrow_phase.c calls them. Lists that SIMD code reads have room for SIMD_LANES_MAX extra
+ * entries, which hold some valid entry. */
+#ifndef KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
+#define KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
+
+#include "core/tank/collision/narrow_phase.h"
+
+/* Items or pairs to prefetch ahead; covers the latency of memory. */
+#define NARROW_PHASE_PREFETCH (2u * SIMD_LANES)
+
+/* Writes the positions of the `count` > 0 members in their order (pairs->x_m, z_m). Returns the
+ * radius of the largest ball in which one of them is found. */
+#define NARROW_PHASE_MEASURE(name)                                                                 \
+    float name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,             \
+               const fish_index *member, uint32_t count)
+
+/* Writes the cell of each of `count` positions, from pairs->x_m and z_m. */
+#define NARROW_PHASE_CELLS(name) void name(struct narrow_phase *narrow_phase, uint32_t count)
+
+/* Writes all columns in the order of the cells. */
+#define NARROW_PHASE_COLUMNS(name)                                                                 \
+    void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
+
+/* Writes the next near pairs; pairs->near_count is 0 after the last pair. */
+#define NARROW_PHASE_NEAR(name)                                                                    \
+    void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
+
+/* Keeps the near pairs that all fifteen axes leave. Returns their number. */
+#define NARROW_PHASE_BOXES(name)                                                                   \
+    uint32_t name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,          \
+                  struct narrow_phase_pair *found)
+
+/* Inner loop of narrow_phase_gaps(). */
+#define NARROW_PHASE_GAPS(name)                                                                    \
+    void name(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,   \
+              float *gap_m)
+
+SIMD_BEGIN
+NARROW_PHASE_MEASURE(narrow_phase_measure_4);
+NARROW_PHASE_CELLS(narrow_phase_cells_4);
+NARROW_PHASE_COLUMNS(narrow_phase_columns_4);
+NARROW_PHASE_NEAR(narrow_phase_near_4);
+NARROW_PHASE_BOXES(narrow_phase_boxes_4);
+NARROW_PHASE_GAPS(narrow_phase_gaps_4);
+NARROW_PHASE_MEASURE(narrow_phase_measure_8);
+NARROW_PHASE_CELLS(narrow_phase_cells_8);
+NARROW_PHASE_COLUMNS(narrow_phase_columns_8);
+NARROW_PHASE_NEAR(narrow_phase_near_8);
+NARROW_PHASE_BOXES(narrow_phase_boxes_8);
+NARROW_PHASE_GAPS(narrow_phase_gaps_8);
+SIMD_END
+
+#endif

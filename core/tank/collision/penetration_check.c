@@ -1,0 +1,234 @@
+/* penetration_check.c -- the penetration check: resolves the overlaps that the contact solver could
+ * not separate. */
+#include "core/base/panic.h"
+#include "core/tank/collision/contact_solver_internal.h"
+
+#define PILE 2u /* Overlaps per fish; fish that were free never reach this number in a tick. */
+#define ROUNDS_SPARE 256u /* Extra rounds in which only pois react: eight reactions of each of eight
+                             pois at most, and the last check. */
+
+static int points_are_equal(vec3 a, vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static int is_inside(const struct solver_step *all, uint32_t index, const struct body *body)
+{
+    return points_are_equal(contact_kept_inside_m(all, index, body), body->centre_m);
+}
+
+static float pair_depth_m(const struct body *a, const struct body *b)
+{
+    const struct box box_a = body_box(a), box_b = body_box(b);
+    return box_depth_m(&box_a, &box_b);
+}
+
+static float pair_allowed_m(const struct solver_step *all, uint32_t a, uint32_t b)
+{
+    const struct body was_a = contact_body_before(all, a), was_b = contact_body_before(all, b);
+    return f_max(SOLVER_FREE_M, pair_depth_m(&was_a, &was_b));
+}
+
+/* Marks a fish that turns back. Only the first substep counts; in later substeps the fish loses
+ * just a push. */
+static void note_turned_back(const struct solver_step *all, uint32_t index)
+{
+    if (all->solver->station == 0) {
+        all->broad_phase->flags[index] |= BODY_REVERTED;
+        all->solver->reverts_angles = 1;
+        all->broad_phase->way_m[index] += contact_sweep_m(all, index);
+    }
+}
+
+static void put_back(const struct solver_step *all, uint32_t index, uint32_t round)
+{
+    CORE_ASSERT(all->solver->result[index] != SOLVER_REVERTED);
+    all->solver->reverted_count++;
+    all->broad_phase->body[index] = contact_body_before(all, index);
+    all->solver->result[index] = SOLVER_REVERTED;
+    all->solver->fresh_round[index] = (uint16_t)(round + 1u);
+    note_turned_back(all, index);
+}
+
+/* If the contact list is full, the unlisted contacts are unknown. Each fish with an unlisted
+ * contact keeps its pose from the start of the substep. All kept poses are free of each other, and
+ * the list covers the remaining fish. List slots are drawn in each tick, so some fish always move.
+ * A pile that was staged overlapping is only separated. Returns the number of fish held. */
+static uint32_t hold_unlisted(const struct solver_step *all)
+{
+    const struct broad_phase *broad_phase = all->broad_phase;
+    const int is_full = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
+    uint32_t held = 0;
+    for (uint32_t i = 0; i < broad_phase->count && is_full; i++) {
+        if (broad_phase->flags[i] & BODY_UNLISTED &&
+            broad_phase->overlap_count <= PILE * broad_phase->count) {
+            put_back(all, i, 0);
+            held++;
+        }
+    }
+    return held;
+}
+
+/* Returns 1 if the fish moved in this round or the previous one, so that its pairs must be checked
+ * again. */
+static int is_fresh(const struct contact_solver *solver, uint32_t index, uint32_t round)
+{
+    return round == 0 || solver->fresh_round[index] >= round;
+}
+
+/* Moves a fish along with an obstacle from its pose at the start of the substep. Fish moved along
+ * with the same obstacle cannot come nearer to the obstacle. Returns 0 and leaves the fish if walls
+ * leave no room, or if the distance exceeds the limit of a substep that the query covers. */
+static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint32_t round)
+{
+    struct contact_solver *solver = all->solver;
+    struct body body = contact_body_before(all, index);
+    const vec3 from_m = body.centre_m;
+    body.centre_m = ring_carry_m(&all->place->obstacles[o], from_m);
+    const float way_m = v3_length(v3_sub(body.centre_m, from_m));
+    const uint8_t result = solver->result[index];
+    if (result == SOLVER_REVERTED || result >= SOLVER_CARRIED ||
+        way_m > solver->step_max_m[index] || !is_inside(all, index, &body)) {
+        return 0;
+    }
+    all->broad_phase->body[index] = body;
+    solver->result[index] = (uint8_t)(SOLVER_CARRIED + o);
+    solver->fresh_round[index] = (uint16_t)(round + 1u);
+    note_turned_back(all, index);
+    return 1;
+}
+
+/* Carries a fish that an obstacle presses into another fish, because it would only be pressed
+ * again. */
+static int carry_pressed(const struct solver_step *all, uint32_t index, uint32_t round)
+{
+    const uint8_t result = all->solver->result[index];
+    return result >= SOLVER_PRESSED && result < SOLVER_CARRIED &&
+           carry(all, index, (uint32_t)result - SOLVER_PRESSED, round);
+}
+
+/* Carries the other fish along if it is in the way of a carried fish. */
+static int carry_too(const struct solver_step *all, uint32_t carried, uint32_t other,
+                     uint32_t round)
+{
+    const uint8_t result = all->solver->result[carried];
+    return result >= SOLVER_CARRIED && carry(all, other, (uint32_t)result - SOLVER_CARRIED, round);
+}
+
+/* Reverts one of two fish with too much penetration, namely the fish whose revert suffices. If
+ * either would suffice, reverts the fish that moved farther. */
+static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t b, float allowed_m,
+                            uint32_t round)
+{
+    const struct contact_solver *solver = all->solver;
+    const struct body *now = all->broad_phase->body;
+    const int pressed = carry_pressed(all, a, round) + carry_pressed(all, b, round);
+    if (pressed > 0 || carry_too(all, a, b, round) || carry_too(all, b, a, round)) {
+        return;
+    }
+    const struct body was_a = contact_body_before(all, a), was_b = contact_body_before(all, b);
+    const int can_a = solver->result[a] != SOLVER_REVERTED,
+              can_b = solver->result[b] != SOLVER_REVERTED;
+    const int frees_a = can_a && pair_depth_m(&was_a, &now[b]) <= allowed_m;
+    const int frees_b = can_b && pair_depth_m(&now[a], &was_b) <= allowed_m;
+    if (frees_a && frees_b) {
+        const float way_a_m = v3_length(v3_sub(now[a].centre_m, was_a.centre_m));
+        const float way_b_m = v3_length(v3_sub(now[b].centre_m, was_b.centre_m));
+        put_back(all, way_a_m >= way_b_m ? a : b, round);
+        return;
+    }
+    if (can_a && !frees_b) {
+        put_back(all, a, round);
+    }
+    if (can_b && !frees_a) {
+        put_back(all, b, round);
+    }
+}
+
+static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
+{
+    const struct broad_phase *broad_phase = all->broad_phase;
+    const struct contact_solver *solver = all->solver;
+    uint32_t guilty = 0;
+    for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
+        const uint32_t a = broad_phase->contact[c].a, b = broad_phase->contact[c].b;
+        const int as_parted = solver->fresh_round[a] == 0 && solver->fresh_round[b] == 0;
+        if ((!is_fresh(solver, a, round) && !is_fresh(solver, b, round)) ||
+            (as_parted && contact_is_apart(all, &broad_phase->contact[c], 0.0f))) {
+            continue;
+        }
+        const float depth_m = pair_depth_m(&broad_phase->body[a], &broad_phase->body[b]);
+        if (depth_m > SOLVER_FREE_M &&
+            (solver->result[a] != SOLVER_REVERTED || solver->result[b] != SOLVER_REVERTED)) {
+            const float allowed_m = pair_allowed_m(all, a, b);
+            if (depth_m > allowed_m) {
+                choose_reverted(all, a, b, allowed_m, round);
+                guilty++;
+            }
+        }
+    }
+    return guilty;
+}
+
+/* Resolves penetration with an obstacle. A fish that ran into the obstacle reverts. A fish that the
+ * obstacle ran into is carried along, because a revert would not help. If there is no room either,
+ * the obstacle reacts, unless it has reacted as often as it may. Returns 1 if anything changed. */
+static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o, vec3 out,
+                       float excess_m, uint32_t round)
+{
+    struct contact_solver *solver = all->solver;
+    struct obstacle *obstacle = &all->place->obstacles[o];
+    const struct body before = contact_body_before(all, index);
+    const int can = solver->result[index] != SOLVER_REVERTED;
+    if (can && contact_is_clear(obstacle, &before, &before)) {
+        put_back(all, index, round);
+        return 1;
+    }
+    if (carry(all, index, o, round)) {
+        return 1;
+    }
+    if (ring_apply_reaction(obstacle, out, excess_m)) {
+        solver->reaction_round[o] = (uint16_t)(round + 1u);
+        return 1;
+    }
+    if (can) {
+        put_back(all, index, round);
+    }
+    return can;
+}
+
+static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
+{
+    const struct contact_solver *solver = all->solver;
+    uint32_t changes = 0;
+    for (uint32_t k = 0; k < solver->beside_count; k++) {
+        const uint32_t i = solver->beside[k];
+        for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
+            if (!is_fresh(solver, i, round) && solver->reaction_round[o] < round) {
+                continue;
+            }
+            vec3 out;
+            const struct body before = contact_body_before(all, i);
+            const float excess_m =
+                ring_excess_m(&all->place->obstacles[o], &all->broad_phase->body[i], &before,
+                              SOLVER_FREE_M, &out);
+            if (excess_m > SOLVER_ROUNDING_M) {
+                changes += (uint32_t)settle_with(all, i, o, out, excess_m, round);
+            }
+        }
+    }
+    return changes;
+}
+
+/* Each round carries or reverts a fish, or makes a poi react. Each fish can be carried once and
+ * reverted once, even after it was carried. Each poi can react a few times. */
+void penetration_check(const struct solver_step *all, int is_parted)
+{
+    const int is_known = hold_unlisted(all) == 0 && is_parted;
+    uint32_t guilty = 1;
+    for (uint32_t round = 0; guilty > 0; round++) {
+        CORE_ASSERT(round <= 2u * all->broad_phase->count + ROUNDS_SPARE);
+        guilty = round == 0 && is_known ? 0 : judge_pairs(all, round);
+        guilty += judge_obstacles(all, round);
+    }
+}

@@ -1,0 +1,266 @@
+/* shape_tests.c -- distances between a box and a ring or hull, by search along the curve within
+ * reach of the box. */
+#include "core/tank/collision/shape_tests.h"
+
+#define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish fits between two
+                           points. */
+#define RING_HALVINGS 7 /* Refines the point to a thirtieth of a millimetre along the ring. */
+#define HULL_SWEEPS 8   /* Coordinate descent over three coordinates; the box of a fish needs five
+                           sweeps. */
+
+static float sign_of(float value)
+{
+    return value < 0.0f ? -1.0f : 1.0f;
+}
+
+/* Returns the normal of the face nearest to a point inside a box; `q` is the distance to each face
+ * (<= 0). */
+static vec3 nearest_face(vec3 p, vec3 q)
+{
+    if (q.x >= q.y && q.x >= q.z) {
+        return v3(sign_of(p.x), 0.0f, 0.0f);
+    }
+    return q.y >= q.z ? v3(0.0f, sign_of(p.y), 0.0f) : v3(0.0f, 0.0f, sign_of(p.z));
+}
+
+float shape_touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
+{
+    const vec3 p = vec_basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
+    const vec3 q =
+        v3(f_abs(p.x) - box->half_m.x, f_abs(p.y) - box->half_m.y, f_abs(p.z) - box->half_m.z);
+    const vec3 beyond = v3(sign_of(p.x) * f_max(q.x, 0.0f), sign_of(p.y) * f_max(q.y, 0.0f),
+                           sign_of(p.z) * f_max(q.z, 0.0f));
+    const float outside_m = v3_length(beyond);
+    const float inside_m = f_min(f_max(q.x, f_max(q.y, q.z)), 0.0f);
+    const vec3 way = outside_m > 0.0f ? v3_scale(beyond, 1.0f / outside_m) : nearest_face(p, q);
+    *out = vec_basis_to_world(&box->axes, way);
+    return outside_m + inside_m;
+}
+
+/* ---- Ring ----------------------------------------------------------------------------------- */
+
+/* A direction in the plane of a ring, as cosine and sine of the angle from its east. The angle
+ * itself is never computed. */
+struct turn {
+    float cos, sin;
+};
+
+/* Cosines of k / RING_POINTS of a turn, for half a turn. A sine is the cosine of a quarter turn
+ * less. */
+static const float ring_cos[RING_POINTS / 2 + 1] = {
+    1.0f,           0.995184727f,  0.98078528f,   0.956940336f,  0.923879533f,  0.881921264f,
+    0.831469612f,   0.773010453f,  0.707106781f,  0.634393284f,  0.555570233f,  0.471396737f,
+    0.382683432f,   0.290284677f,  0.195090322f,  0.0980171403f, 0.0f,          -0.0980171403f,
+    -0.195090322f,  -0.290284677f, -0.382683432f, -0.471396737f, -0.555570233f, -0.634393284f,
+    -0.707106781f,  -0.773010453f, -0.831469612f, -0.881921264f, -0.923879533f, -0.956940336f,
+    -0.98078528f,   -0.995184727f, -1.0f,
+};
+
+/* Successive halvings of the angle between two points. */
+static const struct turn ring_halving[RING_HALVINGS] = {
+    { 0.998795456f, 0.0490676743f },  { 0.999698819f, 0.0245412285f },
+    { 0.999924702f, 0.0122715383f },  { 0.999981175f, 0.00613588465f },
+    { 0.999995294f, 0.00306795676f }, { 0.999998823f, 0.00153398019f },
+    { 0.999999706f, 0.000766990319f },
+};
+
+static struct turn turn_by(struct turn turn, struct turn more, float side)
+{
+    return (struct turn){ turn.cos * more.cos - side * turn.sin * more.sin,
+                          turn.sin * more.cos + side * turn.cos * more.sin };
+}
+
+/* The circle in the frame of the box. */
+struct circle {
+    vec3 centre_m;    /* Centre of the circle relative to the centre of the box, along the axes of
+                         the box. */
+    vec3 east, north; /* Vectors of the circle's radius: toward the box, and perpendicular to
+                         that. */
+    vec3 half_m;      /* Half sizes of the box. */
+};
+
+static vec3 circle_point(const struct circle *circle, struct turn turn)
+{
+    return v3_muladd(v3_muladd(circle->centre_m, circle->east, turn.cos), circle->north, turn.sin);
+}
+
+/* Returns the signed distance, as shape_touch_point_m(). */
+static float circle_distance_m(const struct circle *circle, struct turn turn)
+{
+    const vec3 p = circle_point(circle, turn), half = circle->half_m;
+    const vec3 q = v3(f_abs(p.x) - half.x, f_abs(p.y) - half.y, f_abs(p.z) - half.z);
+    const vec3 beyond = v3(f_max(q.x, 0.0f), f_max(q.y, 0.0f), f_max(q.z, 0.0f));
+    const float square = v3_dot(beyond, beyond);
+    return square > 0.0f ? f_sqrt(square) : f_max(q.x, f_max(q.y, q.z));
+}
+
+/* Point of the ring nearest to the box, or deepest in it. */
+struct nearest {
+    struct turn turn;
+    float distance_m;
+};
+
+static void try_turn(struct nearest *best, const struct circle *circle, struct turn turn)
+{
+    const float distance_m = circle_distance_m(circle, turn);
+    if (distance_m < best->distance_m) {
+        *best = (struct nearest){ turn, distance_m };
+    }
+}
+
+/* Refines the point of least distance by halving the step. From a convex box the distance along a
+ * chord has one minimum, and so short an arc deviates from its chord by 0.05 mm. */
+static struct nearest close_in(struct nearest best, const struct circle *circle)
+{
+    for (int k = 0; k < RING_HALVINGS; k++) {
+        const struct turn about = best.turn;
+        try_turn(&best, circle, turn_by(about, ring_halving[k], -1.0f));
+        try_turn(&best, circle, turn_by(about, ring_halving[k], 1.0f));
+    }
+    return best;
+}
+
+/* Returns the number of steps from east, in both directions, that cover all points within `reach_m`
+ * of the box's centre. The centre lies `in_plane_m` to the east of the ring's centre and `away_m`
+ * from it in total. */
+static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
+{
+    const float least =
+        away_m * away_m + middle_m * middle_m - reach_m * reach_m; /* Law of cosines. */
+    int steps = 1;
+    while (steps < RING_POINTS / 2 && 2.0f * middle_m * in_plane_m * ring_cos[steps] > least) {
+        steps++;
+    }
+    return steps;
+}
+
+static struct turn turn_of(int step)
+{
+    const int size = step < 0 ? -step : step;
+    const int quarter = RING_POINTS / 4;
+    const float sine = ring_cos[size < quarter ? quarter - size : size - quarter];
+    return (struct turn){ ring_cos[size], step < 0 ? -sine : sine };
+}
+
+/* Finds the nearest point. A box can be near two parts of the ring at once, and a second minimum
+ * that is slightly worse at the coarse points may be the better one after refinement. Every coarse
+ * minimum is therefore refined. */
+static struct nearest nearest_on(const struct circle *circle, int window, float maybe_m)
+{
+    struct nearest best = { { 1.0f, 0.0f }, SHAPE_TOUCH_FAR_M };
+    const int last = window < RING_POINTS / 2 ? window : RING_POINTS / 2 - 1;
+    float before_m = SHAPE_TOUCH_FAR_M;
+    float here_m = circle_distance_m(circle, turn_of(-window));
+    for (int step = -window; step <= last; step++) {
+        const float after_m =
+            step < last ? circle_distance_m(circle, turn_of(step + 1)) : SHAPE_TOUCH_FAR_M;
+        if (here_m < maybe_m && here_m <= before_m && here_m <= after_m) {
+            const struct nearest coarse = { turn_of(step), here_m };
+            const struct nearest fine = close_in(coarse, circle);
+            best = fine.distance_m < best.distance_m ? fine : best;
+        }
+        before_m = here_m;
+        here_m = after_m;
+    }
+    return best;
+}
+
+/* Handles a ring that passes right through a box. It has no nearest face: only a move perpendicular
+ * to the ring clears it, and there a straight rod approximates the ring. */
+static struct touch pierced(const struct ring *ring, const struct box *box, vec3 point_m, vec3 out)
+{
+    const vec3 along = v3_cross(ring->normal, v3_scale(v3_sub(point_m, ring->centre_m),
+                                                       1.0f / ring->middle_m));
+    const vec3 move = box_clear_rod(box, point_m, along, ring->tube_m);
+    return (struct touch){ -v3_length(move), v3_normalize_or(move, out) };
+}
+
+static struct touch touch_near(const struct ring *ring, const struct box *box,
+                               const struct circle *circle, const struct nearest *at)
+{
+    const vec3 point_m =
+        v3_add(box->centre_m, vec_basis_to_world(&box->axes, circle_point(circle, at->turn)));
+    vec3 toward;
+    const float gap_m = shape_touch_point_m(box, point_m, &toward) - ring->tube_m;
+    const vec3 out = v3_scale(toward, -1.0f);
+    return at->distance_m < 0.0f ? pierced(ring, box, point_m, out) : (struct touch){ gap_m, out };
+}
+
+struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
+{
+    const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, 1.0f, 0.0f } };
+    const vec3 d = v3_sub(box->centre_m, ring->centre_m);
+    const float off_plane_m = v3_dot(d, ring->normal);
+    const vec3 in_plane = v3_muladd(d, ring->normal, -off_plane_m);
+    const float in_plane_m = v3_length(in_plane);
+    const float aside_m = in_plane_m - ring->middle_m;
+    const float reach_m = v3_length(box->half_m) + ring->tube_m;
+    if (off_plane_m * off_plane_m + aside_m * aside_m > reach_m * reach_m) {
+        return far;
+    }
+    const vec3 n = ring->normal;
+    const vec3 other = f_abs(n.x) < 0.7f ? v3(1.0f, 0.0f, 0.0f) : v3(0.0f, 0.0f, 1.0f);
+    const vec3 east = v3_normalize_or(in_plane, v3_normalize_or(v3_cross(n, other), n));
+    const float middle_m = ring->middle_m;
+    const struct circle circle = {
+        .centre_m = vec_basis_to_body(&box->axes, v3_scale(d, -1.0f)),
+        .east = vec_basis_to_body(&box->axes, v3_scale(east, middle_m)),
+        .north = vec_basis_to_body(&box->axes, v3_scale(v3_cross(n, east), middle_m)),
+        .half_m = box->half_m,
+    };
+    const int window = window_of(in_plane_m, v3_length(d), middle_m, reach_m);
+    const float maybe_m = ring->tube_m + middle_m * F_TAU / (float)RING_POINTS;
+    const struct nearest at = nearest_on(&circle, window, maybe_m);
+    return at.distance_m < SHAPE_TOUCH_FAR_M ? touch_near(ring, box, &circle, &at) : far;
+}
+
+/* ---- Hull ----------------------------------------------------------------------------------- */
+
+static float part_of(vec3 v, int i)
+{
+    return i == 0 ? v.x : i == 1 ? v.y : v.z;
+}
+
+/* Returns the point of the box that lies deepest in an ellipsoid. There |S (c + R u)| is least,
+ * with S the inverse half axes and u within the half sizes. Each of the three coordinates is
+ * optimised in turn. */
+static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
+{
+    const vec3 axis[3] = { box->axes.right, box->axes.up, box->axes.back };
+    vec3 column[3], at = v3(centre.x * inverse.x, centre.y * inverse.y, centre.z * inverse.z);
+    float u[3] = { 0.0f, 0.0f, 0.0f };
+    for (int i = 0; i < 3; i++) {
+        column[i] =
+            v3(axis[i].x * inverse.x, axis[i].y * inverse.y, axis[i].z * inverse.z);
+    }
+    for (int sweep = 0; sweep < HULL_SWEEPS; sweep++) {
+        for (int i = 0; i < 3; i++) {
+            const float half = part_of(box->half_m, i);
+            const float free = u[i] - v3_dot(column[i], at) / v3_dot(column[i], column[i]);
+            const float next = f_clamp(free, -half, half);
+            at = v3_muladd(at, column[i], next - u[i]);
+            u[i] = next;
+        }
+    }
+    return v3_muladd(v3_muladd(v3_muladd(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
+}
+
+/* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is accurate near its skin. */
+struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
+{
+    const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, -1.0f, 0.0f } };
+    const vec3 d = v3_sub(box->centre_m, hull->mouth_m);
+    const float reach_m = hull->radius_m + v3_length(box->half_m);
+    if (v3_dot(d, d) > reach_m * reach_m) {
+        return far;
+    }
+    const vec3 inverse = v3(1.0f / hull->radius_m, 1.0f / hull->depth_m, 1.0f / hull->radius_m);
+    const vec3 p = deepest_point(box, d, inverse);
+    const vec3 s = v3(p.x * inverse.x, p.y * inverse.y, p.z * inverse.z);
+    const vec3 gradient = v3(s.x * inverse.x, s.y * inverse.y, s.z * inverse.z);
+    const float k = v3_length(s), steep = v3_length(gradient);
+    const vec3 out = v3_normalize_or(gradient, far.out);
+    /* The direction is down and aside, never up into the bowl. */
+    const vec3 away = v3_normalize_or(v3(out.x, f_min(out.y, 0.0f), out.z), far.out);
+    return (struct touch){ steep > 0.0f ? (k - 1.0f) * k / steep : -hull->depth_m, away };
+}

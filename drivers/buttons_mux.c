@@ -1,0 +1,77 @@
+/* buttons_mux.c -- polls every part and merges the samples. */
+#include "drivers/buttons_mux.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/base/panic.h"
+
+int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part)
+{
+    CORE_ASSERT(part.ops);
+    if (join->part_count == BUTTONS_MUX_MAX) {
+        return -1;
+    }
+    join->part[join->part_count++] = part;
+    return 0;
+}
+
+static void buttons_mux_merge(struct button_sample *sum, const struct button_sample *part)
+{
+    sum->held |= part->held;
+    sum->pressed |= part->pressed;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        sum->coin_count[line] += part->coin_count[line];
+    }
+    sum->raw |= part->raw;
+    for (uint32_t line = 0; line < HAL_LINE_COUNT; line++) {
+        sum->line[line].edges += part->line[line].edges;
+        sum->line[line].faults += part->line[line].faults;
+    }
+    sum->faults += part->faults;
+    sum->missing |= part->missing;
+    sum->quit |= part->quit;
+    sum->full_screen |= part->full_screen;
+}
+
+/* Returns HAL_OK if any part exists. A part that fails still contributes its sample. */
+static int join_poll(void *self, struct button_sample *out)
+{
+    const struct buttons_mux *join = self;
+    int result = HAL_ERR_ABSENT;
+    *out = (struct button_sample){ 0 };
+    for (uint32_t i = 0; i < join->part_count; i++) {
+        struct button_sample part = { 0 };
+        if (join->part[i].ops->poll(join->part[i].self, &part) != HAL_ERR_ABSENT) {
+            result = HAL_OK;
+        }
+        buttons_mux_merge(out, &part);
+    }
+    return result;
+}
+
+/* Joins the descriptions. Equal lines in a row, such as those of four controllers, are written
+ * once. */
+static const char *join_describe(void *self)
+{
+    struct buttons_mux *join = self;
+    const char *before = "";
+    size_t length = 0;
+    join->text[0] = '\0';
+    for (uint32_t i = 0; i < join->part_count && length + 1 < sizeof join->text; i++) {
+        const char *line = join->part[i].ops->describe(join->part[i].self);
+        if (line[0] && strcmp(line, before) != 0) {
+            before = line;
+            snprintf(join->text + length, sizeof join->text - length, "%s%s", length ? "; " : "",
+                     line);
+            length = strlen(join->text);
+        }
+    }
+    return join->text;
+}
+
+struct hal_buttons buttons_mux_device(struct buttons_mux *join)
+{
+    static const struct hal_buttons_ops ops = { .poll = join_poll, .describe = join_describe };
+    return (struct hal_buttons){ .ops = &ops, .self = join };
+}

@@ -1,0 +1,160 @@
+/* gamepad_poi.c -- implements the poi, fan and button devices of a game pad. */
+#include "drivers/gamepad/gamepad_poi.h"
+
+#include <SDL.h>
+
+#include "core/base/panic.h"
+
+#define RUMBLE_MS 250           /* The motors stop after this time if the kiosk hangs. */
+#define RUMBLE_AGAIN_NS 100000000ull
+#define RUMBLE_STEP 2048        /* Smallest change that a thumb can feel, of 65,535. */
+
+int gamepad_poi_is_present(void *self)
+{
+    struct gamepad *pad = self;
+    gamepads_poll(pad->gamepads);
+    return pad->controller != NULL;
+}
+
+static int pad_open(void *self)
+{
+    struct gamepad *pad = self;
+    return gamepad_poi_is_present(pad) ? HAL_OK
+           : pad->gamepads->is_open    ? (int)HAL_ERR_GONE
+                                       : (int)HAL_ERR_ABSENT;
+}
+
+static int pad_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct gamepad *pad = self;
+    gamepads_poll(pad->gamepads);
+    if (!pad->controller) {
+        return HAL_ERR_GONE;
+    }
+    return (int)gamepad_queue_pop(&pad->track, gamepads_now_ns(pad->gamepads), out, max);
+}
+
+static uint32_t apart(uint16_t a, uint16_t b)
+{
+    return a > b ? (uint32_t)(a - b) : (uint32_t)(b - a);
+}
+
+/* Sets the motor levels when they change, and again before the pad would stop them. */
+static int pad_set_force(void *self, const struct poi_force *force)
+{
+    struct gamepad *pad = self;
+    if (!pad->controller || pad->cannot_rumble) {
+        return HAL_ERR_ABSENT;
+    }
+    const struct gamepad_rumble rumble = gamepad_decoder_rumble(force);
+    const uint64_t now = gamepads_now_ns(pad->gamepads);
+    const int hums = rumble.slow > 0 || rumble.fast > 0;
+    const int is_other = apart(rumble.slow, pad->rumble.slow) >= RUMBLE_STEP ||
+                         apart(rumble.fast, pad->rumble.fast) >= RUMBLE_STEP ||
+                         (!hums && (pad->rumble.slow > 0 || pad->rumble.fast > 0));
+    if (!is_other && !(hums && now - pad->rumble_ns >= RUMBLE_AGAIN_NS)) {
+        return HAL_OK;
+    }
+    pad->rumble = rumble;
+    pad->rumble_ns = now;
+    const int failed =
+        SDL_GameControllerRumble(pad->controller, rumble.slow, rumble.fast, hums ? RUMBLE_MS : 0);
+    return failed ? (int)HAL_ERR_IO : (int)HAL_OK;
+}
+
+static void pad_set_view(void *self, const struct view *view,
+                         const struct display_settings *display_settings)
+{
+    struct gamepad *pad = self;
+    (void)display_settings; /* A stick refers to the water, not to the screen. */
+    pad->gamepads->view = *view;
+    gamepad_decoder_set_view(&pad->track.hand, view);
+}
+
+static const char *pad_describe(void *self)
+{
+    const struct gamepad *pad = self;
+    return pad->text;
+}
+
+static int gamepad_poi_fan_open(void *self)
+{
+    const struct gamepad *pad = self;
+    return pad->controller ? (int)HAL_OK : (int)HAL_ERR_GONE;
+}
+
+static int gamepad_poi_fan_poll(void *self, struct shade_input *out)
+{
+    struct gamepad *pad = self;
+    if (!pad->controller) {
+        return HAL_ERR_GONE;
+    }
+    *out = gamepad_decoder_fan(&pad->track.hand, gamepads_now_ns(pad->gamepads));
+    return HAL_OK;
+}
+
+static const char *gamepad_poi_fan_describe(void *self)
+{
+    (void)self;
+    return "a pad's left stick while its left shoulder button is held";
+}
+
+struct hal_poi gamepad_poi_device(struct gamepads *gamepads, uint32_t index)
+{
+    static const struct hal_poi_ops ops = {
+        .open = pad_open,
+        .poll = pad_poll,
+        .set_force = pad_set_force,
+        .set_view = pad_set_view,
+        .describe = pad_describe,
+    };
+    CORE_ASSERT(index < GAMEPADS_MAX);
+    return (struct hal_poi){ .ops = &ops, .self = &gamepads->pad[index] };
+}
+
+struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index)
+{
+    static const struct hal_fan_ops ops = {
+        .open = gamepad_poi_fan_open,
+        .poll = gamepad_poi_fan_poll,
+        .describe = gamepad_poi_fan_describe,
+    };
+    CORE_ASSERT(index < GAMEPADS_MAX);
+    return (struct hal_fan){ .ops = &ops, .self = &gamepads->pad[index] };
+}
+
+/* Merges the buttons of all pads. A pad without a slot can also press START. */
+static int gamepad_poi_buttons_poll(void *self, struct button_sample *out)
+{
+    struct gamepads *gamepads = self;
+    int result = HAL_ERR_ABSENT;
+    gamepads_poll(gamepads);
+    *out = (struct button_sample){ 0 };
+    for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
+        struct gamepad *pad = &gamepads->pad[i];
+        struct button_sample own = { 0 };
+        if (!pad->controller) {
+            continue;
+        }
+        gamepad_queue_buttons(&pad->track, &own);
+        out->held |= own.held;
+        out->pressed |= own.pressed;
+        result = HAL_OK;
+    }
+    return result;
+}
+
+static const char *buttons_describe(void *self)
+{
+    const struct gamepads *gamepads = self;
+    return gamepads->text;
+}
+
+struct hal_buttons gamepad_poi_buttons(struct gamepads *gamepads)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = gamepad_poi_buttons_poll,
+        .describe = buttons_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = gamepads };
+}

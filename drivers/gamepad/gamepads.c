@@ -1,0 +1,336 @@
+/* gamepads.c -- game pad hot-plug, and SDL's controller events as pad reports. */
+#include "drivers/gamepad/gamepads.h"
+
+#include <SDL.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/usb/usb_sysfs.h"
+
+#define EVENT_BATCH 64
+
+_Static_assert(GAMEPAD_SOUTH == 1u << SDL_CONTROLLER_BUTTON_A, "");
+_Static_assert(GAMEPAD_EAST == 1u << SDL_CONTROLLER_BUTTON_B, "");
+_Static_assert(GAMEPAD_WEST == 1u << SDL_CONTROLLER_BUTTON_X, "");
+_Static_assert(GAMEPAD_NORTH == 1u << SDL_CONTROLLER_BUTTON_Y, "");
+_Static_assert(GAMEPAD_BACK == 1u << SDL_CONTROLLER_BUTTON_BACK, "");
+_Static_assert(GAMEPAD_START == 1u << SDL_CONTROLLER_BUTTON_START, "");
+_Static_assert(GAMEPAD_STICK_RIGHT == 1u << SDL_CONTROLLER_BUTTON_RIGHTSTICK, "");
+_Static_assert(GAMEPAD_SHOULDER_LEFT == 1u << SDL_CONTROLLER_BUTTON_LEFTSHOULDER, "");
+_Static_assert(GAMEPAD_SHOULDER_RIGHT == 1u << SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, "");
+_Static_assert(GAMEPAD_UP == 1u << SDL_CONTROLLER_BUTTON_DPAD_UP, "");
+_Static_assert(GAMEPAD_DOWN == 1u << SDL_CONTROLLER_BUTTON_DPAD_DOWN, "");
+_Static_assert(GAMEPAD_LEFT == 1u << SDL_CONTROLLER_BUTTON_DPAD_LEFT, "");
+_Static_assert(GAMEPAD_RIGHT == 1u << SDL_CONTROLLER_BUTTON_DPAD_RIGHT, "");
+_Static_assert(GAMEPAD_LEAD_X == (int)SDL_CONTROLLER_AXIS_LEFTX, "");
+_Static_assert(GAMEPAD_LEAD_Y == (int)SDL_CONTROLLER_AXIS_LEFTY, "");
+_Static_assert(GAMEPAD_TILT_X == (int)SDL_CONTROLLER_AXIS_RIGHTX, "");
+_Static_assert(GAMEPAD_TILT_Y == (int)SDL_CONTROLLER_AXIS_RIGHTY, "");
+_Static_assert(GAMEPAD_TRIGGER_LEFT == (int)SDL_CONTROLLER_AXIS_TRIGGERLEFT, "");
+_Static_assert(GAMEPAD_TRIGGER_RIGHT == (int)SDL_CONTROLLER_AXIS_TRIGGERRIGHT, "");
+
+uint64_t gamepads_now_ns(const struct gamepads *gamepads)
+{
+    return gamepads->clock.ops->now_ns(gamepads->clock.self);
+}
+
+/* ---- Hot-plug -------------------------------------------------------------------------------- */
+
+static struct gamepad *pad_of(struct gamepads *gamepads, int32_t instance)
+{
+    for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
+        if (gamepads->pad[i].controller && gamepads->pad[i].instance == instance) {
+            return &gamepads->pad[i];
+        }
+    }
+    return NULL;
+}
+
+static int was(const struct gamepad *pad, const char *guid, const char *serial)
+{
+    return pad->was_here && strcmp(pad->guid, guid) == 0 && strcmp(pad->serial, serial) == 0;
+}
+
+/* Returns a free place: the pad's former one, else one never used, else any. Returns null if all
+ * are in use. */
+static struct gamepad *place_for(struct gamepads *gamepads, const char *guid, const char *serial)
+{
+    struct gamepad *unused = NULL;
+    struct gamepad *any = NULL;
+    for (uint32_t i = GAMEPADS_MAX; i-- > 0;) {
+        struct gamepad *pad = &gamepads->pad[i];
+        if (pad->controller) {
+            continue;
+        }
+        if (was(pad, guid, serial)) {
+            return pad;
+        }
+        any = pad;
+        unused = pad->was_here ? unused : pad;
+    }
+    return unused ? unused : any;
+}
+
+static void begin_pad(struct gamepad *pad)
+{
+    const char *name = SDL_GameControllerName(pad->controller);
+    pad->now = (struct gamepad_report){ 0 };
+    pad->was_here = 1;
+    pad->rumble = (struct gamepad_rumble){ 0 };
+    pad->cannot_rumble = SDL_GameControllerHasRumble(pad->controller) == SDL_FALSE;
+    gamepad_queue_init(&pad->track, &pad->gamepads->view, gamepads_now_ns(pad->gamepads));
+    snprintf(pad->text, sizeof pad->text, "pad: %.80s%s (left stick leads, A dips)",
+             name ? name : "of no name", pad->cannot_rumble ? "" : ", rumbles");
+}
+
+/* Enables the motion sensors of a pad that has them. */
+static void begin_motion(struct gamepad *pad)
+{
+    static const SDL_SensorType types[] = { SDL_SENSOR_GYRO, SDL_SENSOR_ACCEL };
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+        if (SDL_GameControllerHasSensor(pad->controller, types[i])) {
+            SDL_GameControllerSetSensorEnabled(pad->controller, types[i], SDL_TRUE);
+        }
+    }
+}
+
+int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
+                         const char *serial)
+{
+    for (uint32_t i = 0; i < gamepads->bar_count; i++) {
+        const struct gamepad_exclusion *bar = &gamepads->bar[i];
+        if (bar->vendor == vendor && bar->product == product &&
+            (!bar->serial[0] || !serial[0] || !strcmp(bar->serial, serial))) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Reads the ids of a pad that is not opened yet. */
+static void look_at(int32_t device_index, struct gamepad *out)
+{
+    const char *node = SDL_JoystickPathForIndex(device_index);
+    out->vendor = SDL_JoystickGetDeviceVendor(device_index);
+    out->product = SDL_JoystickGetDeviceProduct(device_index);
+    usb_sysfs_node_serial("/sys", node ? node : "", out->usb_serial);
+}
+
+/* Opens a new pad. When all places are in use the pad is ignored until it is plugged in again. */
+static void plug_in(struct gamepads *gamepads, int32_t device_index)
+{
+    char guid[GAMEPAD_GUID_SIZE];
+    char serial[sizeof gamepads->pad[0].serial] = "";
+    struct gamepad seen = { 0 };
+    if (!SDL_IsGameController(device_index) ||
+        pad_of(gamepads, SDL_JoystickGetDeviceInstanceID(device_index))) {
+        return;
+    }
+    look_at(device_index, &seen);
+    if (gamepads_is_excluded(gamepads, seen.vendor, seen.product, seen.usb_serial)) {
+        return;
+    }
+    SDL_GameController *controller = SDL_GameControllerOpen(device_index);
+    if (!controller) {
+        return;
+    }
+    const char *said = SDL_GameControllerGetSerial(controller);
+    SDL_Joystick *joystick = SDL_GameControllerGetJoystick(controller);
+    SDL_JoystickGetGUIDString(SDL_JoystickGetGUID(joystick), guid, (int)sizeof guid);
+    snprintf(serial, sizeof serial, "%.31s", said ? said : "");
+    struct gamepad *pad = place_for(gamepads, guid, serial);
+    if (!pad) {
+        SDL_GameControllerClose(controller);
+        return;
+    }
+    memcpy(pad->guid, guid, sizeof guid);
+    memcpy(pad->serial, serial, sizeof serial);
+    memcpy(pad->usb_serial, seen.usb_serial, sizeof seen.usb_serial);
+    pad->vendor = seen.vendor;
+    pad->product = seen.product;
+    pad->controller = controller;
+    pad->instance = SDL_JoystickInstanceID(joystick);
+    begin_pad(pad);
+    begin_motion(pad);
+}
+
+static void pull_out(struct gamepads *gamepads, int32_t instance)
+{
+    struct gamepad *pad = pad_of(gamepads, instance);
+    if (pad) {
+        SDL_GameControllerClose(pad->controller);
+        pad->controller = NULL;
+    }
+}
+
+/* ---- Events ---------------------------------------------------------------------------------- */
+
+static void gamepads_queue_report(struct gamepad *pad, uint64_t time_ns)
+{
+    pad->now.time_ns = time_ns;
+    gamepad_queue_push(&pad->track, &pad->now);
+    pad->now.has_turn = pad->now.has_weight = 0;
+}
+
+static void move_axis(struct gamepads *gamepads, const SDL_ControllerAxisEvent *event,
+                      uint64_t time_ns)
+{
+    struct gamepad *pad = pad_of(gamepads, event->which);
+    if (pad && event->axis < GAMEPAD_AXIS_COUNT) {
+        pad->now.axis[event->axis] = event->value;
+        gamepads_queue_report(pad, time_ns);
+    }
+}
+
+static void press(struct gamepads *gamepads, const SDL_ControllerButtonEvent *event,
+                  uint64_t time_ns)
+{
+    struct gamepad *pad = pad_of(gamepads, event->which);
+    if (pad && event->button < 32) {
+        const uint32_t bit = 1u << event->button;
+        pad->now.buttons = event->state == SDL_PRESSED ? pad->now.buttons | bit
+                                                       : pad->now.buttons & ~bit;
+        gamepads_queue_report(pad, time_ns);
+    }
+}
+
+static void sense(struct gamepads *gamepads, const SDL_ControllerSensorEvent *event,
+                  uint64_t time_ns)
+{
+    struct gamepad *pad = pad_of(gamepads, event->which);
+    const vec3 data = v3(event->data[0], event->data[1], event->data[2]);
+    if (pad && event->sensor == SDL_SENSOR_GYRO) {
+        pad->now.has_turn = 1;
+        pad->now.turn_rad_s = data;
+        gamepads_queue_report(pad, time_ns);
+    } else if (pad && event->sensor == SDL_SENSOR_ACCEL) {
+        pad->now.has_weight = 1;
+        pad->now.weight_m_s2 = data;
+        gamepads_queue_report(pad, time_ns);
+    }
+}
+
+static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *event, uint64_t time_ns)
+{
+    switch (event->type) {
+    case SDL_CONTROLLERDEVICEADDED:
+        plug_in(gamepads, event->cdevice.which);
+        break;
+    case SDL_CONTROLLERDEVICEREMOVED:
+        pull_out(gamepads, event->cdevice.which);
+        break;
+    case SDL_CONTROLLERAXISMOTION:
+        move_axis(gamepads, &event->caxis, time_ns);
+        break;
+    case SDL_CONTROLLERBUTTONDOWN:
+    case SDL_CONTROLLERBUTTONUP:
+        press(gamepads, &event->cbutton, time_ns);
+        break;
+    case SDL_CONTROLLERSENSORUPDATE:
+        sense(gamepads, &event->csensor, time_ns);
+        break;
+    default: /* Events of the joystick API repeat the controller events. */
+        break;
+    }
+}
+
+/* Processes all pending events. SDL stamps events with the time of pumping, so they are spread
+ * evenly over the time since the last call. */
+void gamepads_poll(struct gamepads *gamepads)
+{
+    SDL_Event events[EVENT_BATCH];
+    const uint64_t now = gamepads_now_ns(gamepads);
+    int taken;
+    if (!gamepads->is_open) {
+        return;
+    }
+    do {
+        const uint64_t span_ns = now - gamepads->pumped_ns;
+        taken = SDL_PeepEvents(events, EVENT_BATCH, SDL_GETEVENT, SDL_JOYAXISMOTION,
+                               SDL_FINGERDOWN - 1);
+        for (int i = 0; i < taken; i++) {
+            gamepads_take_event(gamepads, &events[i],
+                                gamepads->pumped_ns +
+                                    span_ns * (uint64_t)(i + 1) / (uint64_t)taken);
+        }
+        gamepads->pumped_ns = taken > 0 ? now : gamepads->pumped_ns;
+    } while (taken == EVENT_BATCH);
+    gamepads->pumped_ns = now;
+}
+
+/* ---- Start and stop -------------------------------------------------------------------------- */
+
+void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const struct view *view)
+{
+    *gamepads = (struct gamepads){ .clock = clock, .view = *view };
+    for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
+        gamepads->pad[i].gamepads = gamepads;
+        gamepad_queue_init(&gamepads->pad[i].track, view, 0);
+    }
+}
+
+static void hint_at_bars(const struct gamepads *gamepads)
+{
+    char list[GAMEPADS_EXCLUSION_MAX * sizeof "0x0000/0x0000,"] = "";
+    for (uint32_t i = 0; i < gamepads->bar_count; i++) {
+        const size_t length = strlen(list);
+        if (gamepads->bar[i].serial[0]) {
+            continue;
+        }
+        snprintf(list + length, sizeof list - length, "0x%04x/0x%04x,", gamepads->bar[i].vendor,
+                 gamepads->bar[i].product);
+    }
+    SDL_SetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES, list);
+}
+
+void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion *bar,
+                      uint32_t count)
+{
+    const uint32_t kept = count < GAMEPADS_EXCLUSION_MAX ? count : GAMEPADS_EXCLUSION_MAX;
+    if (kept == gamepads->bar_count && memcmp(gamepads->bar, bar, kept * sizeof *bar) == 0) {
+        return;
+    }
+    memcpy(gamepads->bar, bar, kept * sizeof *bar);
+    gamepads->bar_count = kept;
+    hint_at_bars(gamepads);
+    for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
+        const struct gamepad *pad = &gamepads->pad[i];
+        if (pad->controller &&
+            gamepads_is_excluded(gamepads, pad->vendor, pad->product, pad->usb_serial)) {
+            pull_out(gamepads, pad->instance);
+        }
+    }
+}
+
+int gamepads_open(struct gamepads *gamepads, const char *database)
+{
+    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+    hint_at_bars(gamepads);
+    if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0) {
+        snprintf(gamepads->text, sizeof gamepads->text, "no pads: SDL: %.100s", SDL_GetError());
+        return HAL_ERR_ABSENT;
+    }
+    if (database) {
+        SDL_GameControllerAddMappingsFromFile(database); /* A missing file is not an error. */
+    }
+    gamepads->is_open = 1;
+    gamepads->pumped_ns = gamepads_now_ns(gamepads);
+    for (int i = 0; i < SDL_NumJoysticks(); i++) {
+        plug_in(gamepads, i);
+    }
+    return HAL_OK;
+}
+
+void gamepads_close(struct gamepads *gamepads)
+{
+    for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
+        if (gamepads->pad[i].controller) {
+            SDL_GameControllerClose(gamepads->pad[i].controller);
+            gamepads->pad[i].controller = NULL;
+        }
+    }
+    if (gamepads->is_open) {
+        SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+        gamepads->is_open = 0;
+    }
+}

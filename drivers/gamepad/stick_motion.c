@@ -1,0 +1,195 @@
+/* stick_motion.c -- integrates the velocity of sticks into a pose. */
+#include "drivers/gamepad/stick_motion.h"
+
+#include "drivers/pointer/pointer_fan.h"
+
+#define PUSH_TAU_S 0.07f  /* Smooths the flicks of a thumb to the motion of an arm. */
+#define TWIST_TAU_S 0.06f /* The same as the wheel's tilt in pointer_poi.c. */
+/* Largest integration step; small enough that the step size does not matter. */
+#define STEP_MAX_S 0.008f
+#define GAP_MAX_S 1.0f    /* After a longer pause of the calls the poi has not moved. */
+
+/* Share of half the image's width and height that the poi may reach from the middle. */
+#define SEEN 0.94f
+#define VIEW_ASPECT (16.0f / 9.0f)
+
+/* The ring leans into its motion, as in pointer_poi.c. */
+#define LEAN_RAD_PER_M_S (28.0f * F_DEG)
+#define LEAN_MAX_RAD (20.0f * F_DEG)
+
+#define LEVEL_FROM_M 0.03f /* Distance from the hover height at which LEVEL slows down. */
+
+#define LAP_M 0.35f /* Distance beyond the near edge at which the fan rests. */
+
+static float stick_motion_share_of(float value)
+{
+    return f_is_finite(value) ? f_clamp(value, -1.0f, 1.0f) : 0.0f;
+}
+
+static vec3 shares_of(vec3 v)
+{
+    return v3(stick_motion_share_of(v.x), stick_motion_share_of(v.y), stick_motion_share_of(v.z));
+}
+
+static vec3 kept_within(vec3 v, vec3 low, vec3 high)
+{
+    return v3(f_clamp(v.x, low.x, high.x), f_clamp(v.y, low.y, high.y),
+              f_clamp(v.z, low.z, high.z));
+}
+
+/* Limits a position to the visible part at its height. A higher ring appears farther up in the
+ * image and can move less far before it leaves the image. */
+static vec3 seen_m(const struct stick_motion *fly, vec3 at_m)
+{
+    const float height = f_clamp(
+        (at_m.y - STICK_MOTION_LOW_M) / (STICK_MOTION_HIGH_M - STICK_MOTION_LOW_M), 0.0f, 1.0f);
+    return kept_within(at_m, v3_lerp(fly->low_m[0], fly->low_m[1], height),
+                       v3_lerp(fly->high_m[0], fly->high_m[1], height));
+}
+
+static void look_at_height(struct stick_motion *fly, uint32_t index, float height_m)
+{
+    const struct view *view = &fly->view;
+    const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, height_m);
+    const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, height_m);
+    const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, height_m);
+    fly->low_m[index] = v3(-f_abs(right.x), STICK_MOTION_LOW_M, f_min(far.z, near.z));
+    fly->high_m[index] = v3(f_abs(right.x), STICK_MOTION_HIGH_M, f_max(far.z, near.z));
+}
+
+void stick_motion_set_view(struct stick_motion *fly, const struct view *view)
+{
+    fly->view = *view;
+    look_at_height(fly, 0, STICK_MOTION_LOW_M);
+    look_at_height(fly, 1, STICK_MOTION_HIGH_M);
+    fly->place_m = seen_m(fly, fly->place_m);
+}
+
+void stick_motion_init(struct stick_motion *fly, const struct view *view)
+{
+    *fly = (struct stick_motion){ .place_m = { 0.0f, DIP_HOVER_M, 0.0f } };
+    dip_init(&fly->dip);
+    stick_motion_set_view(fly, view);
+}
+
+/* Returns the ring's height over the still water: the flight height minus the depth of the dip. */
+static float height_m(const struct stick_motion *fly, uint64_t time_ns)
+{
+    return fly->place_m.y - DIP_HOVER_M + dip_at(&fly->dip, time_ns).height_m;
+}
+
+static float pace_m_s(float at_m)
+{
+    return f_lerp(STICK_MOTION_WATER_M_S, STICK_MOTION_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
+}
+
+/* Applies a response curve: the cubic part makes small deflections fine. */
+static float eased(float push)
+{
+    return push * (0.35f + 0.65f * push * push);
+}
+
+static vec3 wanted_m_s(const struct stick_motion *fly, uint64_t time_ns)
+{
+    const vec3 push = fly->report.push;
+    const float pace = pace_m_s(height_m(fly, time_ns));
+    if (fly->report.buttons & POINTER_FAN) {
+        return v3(0.0f, 0.0f, 0.0f);
+    }
+    const float climb = fly->report.buttons & POINTER_LEVEL
+                            ? stick_motion_share_of((DIP_HOVER_M - fly->place_m.y) / LEVEL_FROM_M)
+                            : eased(push.y);
+    return v3(pace * eased(push.x), STICK_MOTION_HEIGHT_M_S * climb, pace * eased(push.z));
+}
+
+static void lead_fan(struct stick_motion *fly, float dt_s)
+{
+    const vec3 push = fly->report.push;
+    const int fans = (fly->report.buttons & POINTER_FAN) != 0;
+    const float swing = dt_s / POINTER_FAN_SWING_S;
+    if (fans) {
+        const vec3 way = v3(eased(push.x), 0.0f, eased(push.z));
+        const vec3 led = v3_muladd(fly->shade_m, way, STICK_MOTION_AIR_M_S * dt_s);
+        fly->shade_m = seen_m(fly, led);
+    }
+    fly->swing = f_clamp(fly->swing + (fans ? swing : -swing), 0.0f, 1.0f);
+}
+
+static void fly_step(struct stick_motion *fly, uint64_t time_ns, float dt_s)
+{
+    const vec3 goal = wanted_m_s(fly, time_ns);
+    fly->speed_m_s = v3_lerp(fly->speed_m_s, goal, 1.0f - f_exp(-dt_s / PUSH_TAU_S));
+    const vec3 next = v3_muladd(fly->place_m, fly->speed_m_s, dt_s);
+    fly->place_m = seen_m(fly, next);
+    const vec3 twist = v3_scale(fly->report.twist, STICK_MOTION_TILT_MAX_RAD);
+    fly->twist_rad = v3_lerp(fly->twist_rad, twist, 1.0f - f_exp(-dt_s / TWIST_TAU_S));
+    lead_fan(fly, dt_s);
+}
+
+static void fly_to_time(struct stick_motion *fly, uint64_t time_ns)
+{
+    if (time_ns <= fly->time_ns) {
+        return;
+    }
+    float left_s = (float)(time_ns - fly->time_ns) * 1e-9f;
+    if (fly->time_ns == 0 || left_s > GAP_MAX_S) {
+        left_s = 0.0f;
+    }
+    while (left_s > 0.0f) {
+        const float dt_s = f_min(left_s, STEP_MAX_S);
+        left_s -= dt_s;
+        fly_step(fly, time_ns - (uint64_t)(left_s * 1e9f), dt_s);
+    }
+    fly->time_ns = time_ns;
+}
+
+void stick_motion_report(struct stick_motion *fly, const struct stick_report *report)
+{
+    fly_to_time(fly, report->time_ns);
+    const uint32_t changed = fly->report.buttons ^ report->buttons;
+    fly->report = *report;
+    fly->report.push = shares_of(report->push);
+    fly->report.twist = shares_of(report->twist);
+    if (changed & POINTER_DIP) {
+        dip_begin(&fly->dip, fly->time_ns, (report->buttons & POINTER_DIP) != 0);
+    }
+    if ((changed & report->buttons & POINTER_FAN) && fly->swing <= 0.0f) {
+        fly->shade_m = fly->place_m;
+    }
+}
+
+/* Moves the ring away from the player along the line of sight as it goes down. The slanted ring
+ * then moves more edge-on through the water. */
+static vec3 slid_m(const struct stick_motion *fly, float down_m)
+{
+    const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);
+    const float slope = sight.y < -0.1f ? f_clamp(sight.z / sight.y, 0.0f, 1.5f) : 0.0f;
+    return v3(0.0f, -down_m, -slope * down_m);
+}
+
+struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns)
+{
+    fly_to_time(fly, time_ns);
+    const struct dip_state stroke = dip_at(&fly->dip, fly->time_ns);
+    const vec3 along = v3(fly->speed_m_s.x, 0.0f, fly->speed_m_s.z);
+    const vec3 lean = v3_limit(v3_scale(along, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
+    const float slant = dip_slant_rad(stroke.speed_m_s);
+    return (struct poi_target){
+        .position_m = v3_add(fly->place_m, slid_m(fly, DIP_HOVER_M - stroke.height_m)),
+        .angles = { .yaw_rad = fly->twist_rad.y,
+                    .pitch_rad = fly->twist_rad.x - slant - lean.z,
+                    .roll_rad = fly->twist_rad.z - lean.x },
+    };
+}
+
+struct shade_input stick_motion_fan(struct stick_motion *fly, uint64_t time_ns)
+{
+    fly_to_time(fly, time_ns);
+    const float share = f_smoothstep(0.0f, 1.0f, fly->swing);
+    return (struct shade_input){
+        .present = fly->swing > 0.0f,
+        .x_m = fly->shade_m.x,
+        .z_m = f_lerp(fly->high_m[0].z + LAP_M, fly->shade_m.z, share),
+        .radius_m = POINTER_FAN_RADIUS_M,
+    };
+}

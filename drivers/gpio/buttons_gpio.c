@@ -1,0 +1,160 @@
+/* buttons_gpio.c -- converts the reader's counters to HAL samples, and HAL commands to reader
+ * commands. */
+#include "drivers/gpio/buttons_gpio.h"
+
+#include <string.h>
+
+/* Button of each input line; 0 for coins. */
+static const uint32_t button_of[GPIO_INPUT_COUNT] = {
+    [GPIO_START] = INPUT_START,     [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
+    [GPIO_OK] = INPUT_OK,           [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,
+    [GPIO_TILT] = INPUT_TILT,       [GPIO_COIN] = 0,          [GPIO_COIN2] = 0,
+    [GPIO_COIN3] = 0,               [GPIO_DOOR] = INPUT_DOOR,
+};
+
+static uint32_t buttons_of(uint32_t roles)
+{
+    uint32_t buttons = 0;
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        buttons |= roles & 1u << i ? button_of[i] : 0u;
+    }
+    return buttons;
+}
+
+/* Returns the index of a role among HAL_LINE_COUNT lines. */
+static uint32_t line_of(uint32_t role)
+{
+    uint32_t line = 0;
+    if (gpio_role_is_coin((enum gpio_role)role)) {
+        return INPUT_BUTTON_COUNT + role - GPIO_COIN;
+    }
+    while (button_of[role] >> line != 1u) {
+        line++;
+    }
+    return line;
+}
+
+/* Fills the raw level, edge count and faults of every line, for the operator's test page. */
+static void sample_lines(struct gpio_thread *reader, struct button_sample *out)
+{
+    const uint32_t raw = atomic_load(&reader->raw);
+    for (uint32_t role = 0; role < GPIO_INPUT_COUNT; role++) {
+        const uint32_t line = line_of(role);
+        out->raw |= raw & 1u << role ? 1u << line : 0u;
+        out->line[line] = (struct line_sample){
+            .edges = atomic_exchange(&reader->edges[role], 0),
+            .faults = atomic_exchange(&reader->line_faults[role], 0),
+        };
+    }
+}
+
+static int buttons_gpio_poll(void *self, struct button_sample *out)
+{
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
+    /* Read before `held`, because the reader stores `held` first. */
+    const uint32_t pressed = atomic_exchange(&reader->pressed, 0);
+    const uint32_t missing = atomic_load(&reader->missing);
+    *out = (struct button_sample){
+        .pressed = buttons_of(pressed),
+        .held = buttons_of(atomic_load(&reader->held)),
+        .faults = atomic_exchange(&reader->faults, 0),
+        .missing = buttons_of(missing),
+    };
+    sample_lines(reader, out);
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        out->coin_count[line] = atomic_exchange(&reader->coins[line], 0);
+        out->missing |= missing & 1u << (GPIO_COIN + line) ? HAL_MISSING_COIN << line : 0u;
+    }
+    return HAL_OK;
+}
+
+static const char *buttons_gpio_describe(void *self)
+{
+    struct buttons_gpio *gpio = self;
+    pthread_mutex_lock(&gpio->reader.mutex);
+    memcpy(gpio->text, gpio->reader.text, sizeof gpio->text);
+    pthread_mutex_unlock(&gpio->reader.mutex);
+    return gpio->text;
+}
+
+void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE])
+{
+    pthread_mutex_lock(&gpio->reader.mutex);
+    memcpy(out, gpio->reader.why[role], HAL_TEXT_SIZE);
+    pthread_mutex_unlock(&gpio->reader.mutex);
+}
+
+static int is_wired(const struct gpio_thread *reader, enum hal_switch which)
+{
+    return reader->wires[GPIO_INPUT_COUNT + which].wired;
+}
+
+static int buttons_gpio_set(void *self, enum hal_switch which, int active)
+{
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
+    const uint32_t bit = 1u << (GPIO_INPUT_COUNT + which);
+    if (!is_wired(reader, which)) {
+        return HAL_ERR_ABSENT;
+    }
+    if (active) {
+        atomic_fetch_or(&reader->wanted, bit);
+    } else {
+        atomic_fetch_and(&reader->wanted, ~bit);
+    }
+    return HAL_OK;
+}
+
+static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
+{
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
+    if (!is_wired(reader, which)) {
+        return HAL_ERR_ABSENT;
+    }
+    atomic_fetch_add(&reader->pulses[which], count);
+    return HAL_OK;
+}
+
+/* Returns requested and unfinished pulses. `pulses` is read first, because the reader adds to
+ * `pending` before it subtracts from `pulses`. */
+static uint32_t buttons_gpio_pending(void *self, enum hal_switch which)
+{
+    struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
+    const uint32_t asked = atomic_load(&reader->pulses[which]);
+    return asked + atomic_load(&reader->pending[which]);
+}
+
+int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
+                       const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
+{
+    gpio_thread_open(&gpio->reader, lines, wires, clock);
+    const int result = gpio_thread_start(&gpio->reader);
+    if (result != HAL_OK) {
+        gpio_thread_close(&gpio->reader);
+    }
+    return result;
+}
+
+void buttons_gpio_stop(struct buttons_gpio *gpio)
+{
+    gpio_thread_stop(&gpio->reader);
+}
+
+struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = buttons_gpio_poll,
+        .describe = buttons_gpio_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = gpio };
+}
+
+struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio)
+{
+    static const struct hal_switches_ops ops = {
+        .set = buttons_gpio_set,
+        .pulse = buttons_gpio_pulse,
+        .pending = buttons_gpio_pending,
+        .describe = buttons_gpio_describe,
+    };
+    return (struct hal_switches){ .ops = &ops, .self = gpio };
+}

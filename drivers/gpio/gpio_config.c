@@ -1,0 +1,260 @@
+/* gpio_config.c -- parses wiring texts and fills in defaults. */
+#include "drivers/gpio/gpio_config.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/gpio/gpio_config_token.h"
+
+#define COIN_DEBOUNCE_US 3000u  /* Coin switches bounce for 1 to 3 ms. */
+#define COIN_MIN_US 15000u      /* Shortest common pulse: 25 ms - 20 %, less 5 ms of bounce. */
+#define COIN_MAX_US 250000u     /* Longest common pulse: 200 ms + 20 %, rounded up. */
+#define PULSE_ON_US 100000u     /* Electromechanical meters do five to ten steps a second. */
+#define PULSE_OFF_US 100000u
+
+/* Name and default debounce time of each role. */
+static const struct {
+    const char *name;
+    uint32_t debounce_us;
+} roles[GPIO_ROLE_COUNT] = {
+    [GPIO_START] = { "start", 5000 }, /* Microswitches bounce for 1 to 5 ms; a frame has 16 ms. */
+    [GPIO_LEFT] = { "left", 5000 },
+    [GPIO_RIGHT] = { "right", 5000 },
+    [GPIO_OK] = { "ok", 5000 },
+    /* Rarely used, so a slow response is better than an accidental press. */
+    [GPIO_TEST] = { "test", 20000 },
+    [GPIO_SERVICE] = { "service", 20000 },
+    [GPIO_TILT] = { "tilt", 2000 }, /* A tilt pendulum touches its ring for a few milliseconds. */
+    [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
+    [GPIO_COIN2] = { "coin2", COIN_DEBOUNCE_US },
+    [GPIO_COIN3] = { "coin3", COIN_DEBOUNCE_US },
+    [GPIO_DOOR] = { "door", 50000 },      /* A door switch rattles. */
+    [GPIO_START_LAMP] = { "start-lamp", 0 },
+    [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
+    [GPIO_TICKET] = { "ticket", 0 },
+    [GPIO_COIN_COUNTER] = { "coin-counter", 0 },
+};
+
+__attribute__((format(printf, 2, 3))) static bool gpio_config_error(char why[HAL_TEXT_SIZE],
+                                                                    const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(why, HAL_TEXT_SIZE, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+const char *gpio_role_name(enum gpio_role role)
+{
+    return role < GPIO_ROLE_COUNT ? roles[role].name : "";
+}
+
+static int folded(char letter)
+{
+    return letter == '_' ? '-' : tolower((unsigned char)letter);
+}
+
+enum gpio_role gpio_role_find(const char *name, size_t length)
+{
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        size_t i = 0;
+        while (i < length && roles[role].name[i] && folded(name[i]) == roles[role].name[i]) {
+            i++;
+        }
+        if (i == length && !roles[role].name[i]) {
+            return role;
+        }
+    }
+    return GPIO_ROLE_COUNT;
+}
+
+/* ---- One wire ------------------------------------------------------------------------------- */
+
+static bool copies_name(struct gpio_config_token word, char out[GPIO_TEXT_SIZE])
+{
+    if (word.length == 0 || word.length >= GPIO_TEXT_SIZE) {
+        return false;
+    }
+    memcpy(out, word.at, word.length);
+    out[word.length] = '\0';
+    return true;
+}
+
+/* Parses NAME, or CHIP:OFFSET if only digits follow the last colon. */
+static bool reads_line(struct gpio_config_token word, struct gpio_wire *wire)
+{
+    const char *colon = word.length ? memrchr(word.at, ':', word.length) : NULL;
+    if (colon) {
+        const size_t length = (size_t)(colon - word.at);
+        struct gpio_config_token digits = { colon + 1, word.length - length - 1u };
+        if (gpio_config_token_parse_number(&digits, UINT16_MAX, &wire->offset) &&
+            digits.length == 0) {
+            return copies_name((struct gpio_config_token){ word.at, length }, wire->chip);
+        }
+        wire->offset = 0;
+    }
+    return copies_name(word, wire->name);
+}
+
+static bool reads_level_or_bias(struct gpio_config_token word, struct gpio_wire *wire,
+                                bool *has_bias)
+{
+    static const char *const biases[] = {
+        [GPIO_BIAS_AS_IS] = "as-is",
+        [GPIO_BIAS_UP] = "up",
+        [GPIO_BIAS_DOWN] = "down",
+        [GPIO_BIAS_OFF] = "float",
+    };
+    if (gpio_config_token_is(word, "low") || gpio_config_token_is(word, "high")) {
+        wire->active_low = gpio_config_token_is(word, "low");
+        return true;
+    }
+    for (uint8_t i = 0; i < sizeof biases / sizeof biases[0]; i++) {
+        if (gpio_config_token_is(word, biases[i])) {
+            wire->bias = i;
+            *has_bias = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Parses a time that is valid for the role; other times are rejected. */
+static bool reads_timing(struct gpio_config_token word, enum gpio_role role, struct gpio_wire *wire)
+{
+    if (gpio_config_token_parse_off(&word, "debounce=")) {
+        return gpio_role_is_input(role) && gpio_config_token_parse_time(word, &wire->debounce_us);
+    }
+    if (gpio_config_token_parse_off(&word, "window=")) {
+        return gpio_role_is_coin(role) &&
+               gpio_config_token_parse_times(word, '-', &wire->pulse_min_us, &wire->pulse_max_us) &&
+               wire->pulse_min_us < wire->pulse_max_us;
+    }
+    return gpio_config_token_parse_off(&word, "pulse=") && !gpio_role_is_input(role) &&
+           gpio_config_token_parse_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
+}
+
+/* Writes why a word is invalid. */
+static bool refuse_word(struct gpio_config_token word, enum gpio_role role, char why[HAL_TEXT_SIZE])
+{
+    const char *name = roles[role].name, *at = word.at;
+    const int length = (int)(word.length < 30 ? word.length : 30);
+    if (gpio_role_is_coin(role) && gpio_config_token_parse_off(&word, "window=")) {
+        return gpio_config_error(
+            why,
+            "%s: '%.*s': a window is a shortest pulse and a longer one, of 1us to "
+            "10s: window=15ms-250ms",
+            name, length, at);
+    }
+    if (gpio_role_is_input(role) && gpio_config_token_parse_off(&word, "debounce=")) {
+        return gpio_config_error(why, "%s: '%.*s': a time of 1us to 10s is wanted: debounce=5ms",
+                                 name, length, at);
+    }
+    return gpio_config_error(why, "%s: '%.*s' is none of low high up down float as-is%s", name,
+                             length, at,
+                             gpio_role_is_coin(role)    ? " debounce=3ms window=15ms-250ms"
+                             : gpio_role_is_input(role) ? " debounce=5ms"
+                                                        : " pulse=100ms/100ms");
+}
+
+bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
+                    char why[HAL_TEXT_SIZE])
+{
+    struct gpio_config_token rest = { text, strlen(text) };
+    if (!memchr(text, '=', rest.length)) {
+        return gpio_config_error(why, "ROLE=LINE is wanted, as in start=BTN_START");
+    }
+    const struct gpio_config_token name = gpio_config_token_split(&rest, '=');
+    const enum gpio_role role = gpio_role_find(name.at, name.length);
+    if (role == GPIO_ROLE_COUNT) {
+        return gpio_config_error(
+            why,
+            "'%.*s' is no role: start left right ok test service tilt coin coin2 "
+            "coin3 door start-lamp coin-lockout ticket coin-counter",
+            (int)(name.length < 20 ? name.length : 20), name.at);
+    }
+    const bool rests = gpio_role_is_input(role) || gpio_role_begins_active(role);
+    struct gpio_wire wire = { .wired = 1, .active_low = rests };
+    bool has_bias = !rests;
+    const struct gpio_config_token line = gpio_config_token_split(&rest, ',');
+    if (!reads_line(line, &wire)) {
+        return gpio_config_error(why,
+                                 "%s: a line's name or CHIP:OFFSET is wanted, of 1 to %u letters",
+                                 roles[role].name, GPIO_TEXT_SIZE - 1u);
+    }
+    while (rest.length > 0) {
+        const struct gpio_config_token word = gpio_config_token_split(&rest, ',');
+        if (!reads_level_or_bias(word, &wire, &has_bias) && !reads_timing(word, role, &wire)) {
+            return refuse_word(word, role, why);
+        }
+    }
+    if (!has_bias) { /* An undriven input is released, and the undriven coin lock is locked. */
+        const bool is_up = gpio_role_is_input(role) == (wire.active_low != 0);
+        wire.bias = is_up ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
+    }
+    wires[role] = gpio_wire_filled(&wire, role);
+    return true;
+}
+
+/* ---- Wires ---------------------------------------------------------------------------------- */
+
+static void gpio_config_set_default(uint32_t *value, uint32_t own)
+{
+    *value = *value ? *value : own;
+}
+
+struct gpio_wire gpio_wire_filled(const struct gpio_wire *wire, enum gpio_role role)
+{
+    struct gpio_wire filled = *wire;
+    gpio_config_set_default(&filled.debounce_us, roles[role].debounce_us);
+    if (gpio_role_is_coin(role)) {
+        gpio_config_set_default(&filled.pulse_min_us, COIN_MIN_US);
+        gpio_config_set_default(&filled.pulse_max_us, COIN_MAX_US);
+    } else if (!gpio_role_is_input(role)) {
+        gpio_config_set_default(&filled.pulse_on_us, PULSE_ON_US);
+        gpio_config_set_default(&filled.pulse_off_us, PULSE_OFF_US);
+    }
+    return filled;
+}
+
+uint32_t gpio_config_count(const struct gpio_wire wires[GPIO_ROLE_COUNT])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
+        count += wires[i].wired != 0;
+    }
+    return count;
+}
+
+void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE])
+{
+    if (wire->name[0]) {
+        snprintf(out, GPIO_WIRE_TEXT_SIZE, "%s", wire->name);
+    } else {
+        snprintf(out, GPIO_WIRE_TEXT_SIZE, "%s:%u", wire->chip, wire->offset);
+    }
+}
+
+static bool is_same_line(const struct gpio_wire *a, const struct gpio_wire *b)
+{
+    return a->wired && b->wired && strcmp(a->name, b->name) == 0 &&
+           strcmp(a->chip, b->chip) == 0 && a->offset == b->offset;
+}
+
+bool gpio_config_agrees(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE])
+{
+    for (enum gpio_role a = 0; a < GPIO_ROLE_COUNT; a++) {
+        for (enum gpio_role b = a + 1; b < GPIO_ROLE_COUNT; b++) {
+            if (is_same_line(&wires[a], &wires[b])) {
+                char line[GPIO_WIRE_TEXT_SIZE];
+                gpio_wire_text(&wires[a], line);
+                return gpio_config_error(why, "%s and %s are both on %s: one line, one role",
+                                         gpio_role_name(a), gpio_role_name(b), line);
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,54 @@
+/* gpio_config.h -- parses the wiring of a cabinet, such as "start=BTN_START" or
+ * "coin=pinctrl-bcm2711:17".
+ *
+ *     ROLE=LINE[,WORD...]
+ *
+ * ROLE is one of start, left, right, ok, test, service, tilt, coin, coin2, coin3, door,
+ * start-lamp, coin-lockout, ticket and coin-counter. LINE is the line's name, or CHIP:OFFSET
+ * with the chip's label. A time is a whole number with us, ms or s. WORD is one of:
+ *
+ *     low, high          the level that means pressed, lit or locked. The default is low for
+ *                        inputs and coin-lockout, and high for other outputs.
+ *     up, down, float,   the bias. The default of an input is its released level, that of
+ *     as-is              coin-lockout the locked level, and that of other outputs as-is.
+ *     debounce=5ms       the time that a level must be stable
+ *     window=15ms-250ms  the width of a coin pulse
+ *     pulse=100ms/100ms  the pulse of an output and the pause after it.
+ *
+ * coin-lockout drives a coil that admits coins while it has current. When the kiosk ends for any
+ * reason, most chips turn the released line into an input. Only the bias then drives it, so a
+ * lock that rests open would accept uncounted coins. Pure. */
+#ifndef KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H
+#define KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H
+
+#include "drivers/gpio/gpio_lines.h"
+
+/* Limit of all times; no button, coin or meter needs more than 10 s. */
+#define GPIO_TIME_US_MAX 10000000u
+
+/* Returns the name of a role in wiring, logs and tables, such as "coin-lockout". */
+const char *gpio_role_name(enum gpio_role role);
+
+/* Returns the role with this name of `length` bytes, or GPIO_ROLE_COUNT. '_' equals '-', and
+ * case is ignored. */
+enum gpio_role gpio_role_find(const char *name, size_t length);
+
+/* Parses `text` and replaces the wire of its role, with all times set. Returns false and leaves
+ * `wires` unchanged on an error; `why` then names the faulty word. */
+bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
+                    char why[HAL_TEXT_SIZE]);
+
+/* Returns false if two roles use the same line, which `why` names. */
+bool gpio_config_agrees(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE]);
+
+/* Returns the number of wired roles. */
+uint32_t gpio_config_count(const struct gpio_wire wires[GPIO_ROLE_COUNT]);
+
+/* Writes the name of a line for messages: "BTN_START" or "gpio-sim.0:4". */
+#define GPIO_WIRE_TEXT_SIZE (2u * GPIO_TEXT_SIZE + 12u)
+void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE]);
+
+/* Returns the wire with default times in place of times of 0. */
+struct gpio_wire gpio_wire_filled(const struct gpio_wire *wire, enum gpio_role role);
+
+#endif

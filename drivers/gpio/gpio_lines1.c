@@ -1,0 +1,152 @@
+/* gpio_lines1.c -- the backend for libgpiod 1.6, which uses the kernel's first GPIO interface.
+ *
+ * Each input line has its own descriptor and a queue of 16 edges. When the queue is full, the
+ * kernel drops further edges without a report, and edges have no sequence numbers. A loss is
+ * therefore inferred if the queue was full and the next edge has the direction that the line
+ * already had. */
+#include <gpiod.h>
+#include <string.h>
+
+#include "drivers/gpio/gpio_backend.h"
+#include "drivers/gpio/gpio_chips.h"
+
+#define QUEUE_SIZE 16u /* Size of LINEEVENT's kfifo in the kernel's gpiolib-cdev.c. */
+#define NS_PER_S 1000000000ull
+
+static struct held {
+    /* Null if the line is not held. Each line opens its chip separately. */
+    struct gpiod_chip *chip;
+    struct gpiod_line *line;
+    uint8_t active;          /* Level after the last edge. */
+    uint8_t was_full;        /* 1 if the last read found the queue full. */
+} lines[GPIO_ROLE_COUNT];
+
+/* ---- Requesting lines ----------------------------------------------------------------------- */
+
+static bool open_chip(enum gpio_role role, const char *path)
+{
+    lines[role].chip = gpiod_chip_open(path);
+    return lines[role].chip != NULL;
+}
+
+static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
+{
+    struct held *held = &lines[role];
+    if (wire->chip[0] && strcmp(gpiod_chip_label(held->chip), wire->chip) != 0) {
+        return false;
+    }
+    if (wire->name[0]) {
+        held->line = gpiod_chip_find_line(held->chip, wire->name);
+    } else if (wire->offset < gpiod_chip_num_lines(held->chip)) {
+        held->line = gpiod_chip_get_line(held->chip, wire->offset);
+    }
+    return held->line != NULL;
+}
+
+static void gpio_lines1_release(enum gpio_role role)
+{
+    gpiod_chip_close(lines[role].chip); /* Closing the chip releases its line. */
+    lines[role] = (struct held){ 0 };
+}
+
+static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
+{
+    static const int bias_flags[] = {
+        [GPIO_BIAS_AS_IS] = 0,
+        [GPIO_BIAS_UP] = GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP,
+        [GPIO_BIAS_DOWN] = GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN,
+        [GPIO_BIAS_OFF] = GPIOD_LINE_REQUEST_FLAG_BIAS_DISABLE,
+    };
+    const struct gpiod_line_request_config config = {
+        .consumer = "kingyo",
+        .request_type = !gpio_role_is_input(role) ? GPIOD_LINE_REQUEST_DIRECTION_OUTPUT
+                        : has_edges               ? GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES
+                                                  : GPIOD_LINE_REQUEST_DIRECTION_INPUT,
+        .flags = bias_flags[wire->bias] |
+                 (wire->active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0),
+    };
+    struct held *held = &lines[role];
+    const int failed = gpiod_line_request(held->line, &config, gpio_role_begins_active(role));
+    held->active = !failed && has_edges && gpiod_line_get_value(held->line) == 1;
+    return failed;
+}
+
+static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
+{
+    const char *name = gpiod_line_consumer(lines[role].line);
+    gpio_dev_text(out, name);
+}
+
+/* ---- Edges ---------------------------------------------------------------------------------- */
+
+static int edges_fd(enum gpio_role role)
+{
+    return gpiod_line_event_get_fd(lines[role].line);
+}
+
+static struct gpio_edge edge_of(struct held *held, enum gpio_role role,
+                                const struct gpiod_line_event *event)
+{
+    const uint8_t active = event->event_type == GPIOD_LINE_EVENT_RISING_EDGE;
+    const struct gpio_edge edge = {
+        .time_ns = (uint64_t)event->ts.tv_sec * NS_PER_S + (uint64_t)event->ts.tv_nsec,
+        .role = (uint8_t)role,
+        .active = active,
+        .lost_before = held->was_full && active == held->active,
+    };
+    held->active = active;
+    held->was_full = 0;
+    return edge;
+}
+
+static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
+{
+    struct gpiod_line_event events[QUEUE_SIZE];
+    struct held *held = &lines[role];
+    const uint32_t wanted = max < QUEUE_SIZE ? max : QUEUE_SIZE;
+    const int count = gpiod_line_event_read_fd_multiple(edges_fd(role), events, wanted);
+    for (int i = 0; i < count; i++) {
+        out[i] = edge_of(held, role, &events[i]);
+    }
+    held->was_full |= count == (int)QUEUE_SIZE;
+    return count;
+}
+
+/* ---- Levels --------------------------------------------------------------------------------- */
+
+static int get(enum gpio_role role)
+{
+    return gpiod_line_get_value(lines[role].line);
+}
+
+static int gpio_lines1_set(enum gpio_role role, int active)
+{
+    return gpiod_line_set_value(lines[role].line, active != 0);
+}
+
+/* Returns 0, because the first interface cannot debounce. */
+static int debounces(enum gpio_role role)
+{
+    (void)role;
+    return 0;
+}
+
+struct gpio_lines gpio_lines_device(void)
+{
+    static const struct gpio_backend_ops ops = {
+        .open_chip = open_chip,
+        .find_line = find_line,
+        .request = request,
+        .consumer = consumer,
+        .edges_fd = edges_fd,
+        .read_edges = read_edges,
+        .get = get,
+        .set = gpio_lines1_set,
+        .debounces = debounces,
+        .release = gpio_lines1_release,
+        .tell_chip = gpio_chips_list,
+        .version = gpiod_version_string,
+    };
+    static struct gpio_backend backend;
+    return gpio_backend_device(&backend, &ops);
+}

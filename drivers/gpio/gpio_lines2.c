@@ -1,0 +1,216 @@
+/* gpio_lines2.c -- the backend for libgpiod 2.x, which uses the kernel's second GPIO interface.
+ *
+ * Each line is a separate request with its own queue, so that a bouncing line cannot fill the
+ * queue of another line. Edges are numbered, so losses are exact. The kernel can debounce. */
+#include <errno.h>
+#include <gpiod.h>
+#include <string.h>
+
+#include "drivers/gpio/gpio_backend.h"
+#include "drivers/gpio/gpio_chips.h"
+
+#define QUEUE_SIZE GPIO_EDGES_MAX /* Requested size; the kernel's default is 16 for each line. */
+
+static struct held {
+    struct gpiod_chip *chip;                /* Null if the line is not held. */
+    unsigned int offset;
+    struct gpiod_line_request *request;     /* Null if the line was not requested yet. */
+    struct gpiod_edge_event_buffer *buffer; /* Buffer of an input with edge detection. */
+    uint32_t seen;                          /* Number of the last edge; 0: none yet. */
+    uint8_t debounces;                      /* 1 if the kernel debounces the line. */
+} lines[GPIO_ROLE_COUNT];
+
+/* ---- Finding lines -------------------------------------------------------------------------- */
+
+static bool open_chip(enum gpio_role role, const char *path)
+{
+    lines[role].chip = gpiod_chip_open(path);
+    return lines[role].chip != NULL;
+}
+
+static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
+{
+    struct gpiod_chip *chip = lines[role].chip;
+    struct gpiod_chip_info *info = gpiod_chip_get_info(chip);
+    int offset = -1;
+    if (!info) {
+        return false;
+    }
+    if (!wire->chip[0] || strcmp(gpiod_chip_info_get_label(info), wire->chip) == 0) {
+        offset = wire->name[0] ? gpiod_chip_get_line_offset_from_name(chip, wire->name)
+                 : wire->offset < gpiod_chip_info_get_num_lines(info) ? (int)wire->offset
+                                                                      : -1;
+    }
+    gpiod_chip_info_free(info);
+    lines[role].offset = (unsigned int)offset;
+    return offset >= 0;
+}
+
+/* ---- Requesting lines ----------------------------------------------------------------------- */
+
+static void gpio_lines2_release(enum gpio_role role)
+{
+    struct held *held = &lines[role];
+    if (held->request) {
+        gpiod_line_request_release(held->request);
+    }
+    if (held->buffer) {
+        gpiod_edge_event_buffer_free(held->buffer);
+    }
+    gpiod_chip_close(held->chip);
+    *held = (struct held){ 0 };
+}
+
+/* Returns true for lines whose transition times do not matter. The kernel stamps debounced edges
+ * when its work queue runs, in steps of 4 ms and late on a busy machine. On an emulated machine,
+ * coin pulses of 40 ms became 15 to 75 ms. Edges without kernel debouncing have exact time
+ * stamps. */
+static bool kernel_may_debounce(enum gpio_role role)
+{
+    return !gpio_role_is_coin(role) && role != GPIO_TILT;
+}
+
+static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *wire,
+                  enum gpio_role role, bool has_edges)
+{
+    static const enum gpiod_line_bias biases[] = {
+        [GPIO_BIAS_AS_IS] = GPIOD_LINE_BIAS_AS_IS,
+        [GPIO_BIAS_UP] = GPIOD_LINE_BIAS_PULL_UP,
+        [GPIO_BIAS_DOWN] = GPIOD_LINE_BIAS_PULL_DOWN,
+        [GPIO_BIAS_OFF] = GPIOD_LINE_BIAS_DISABLED,
+    };
+    const bool is_input = gpio_role_is_input(role);
+    gpiod_line_settings_set_active_low(settings, wire->active_low != 0);
+    int failed = gpiod_line_settings_set_bias(settings, biases[wire->bias]);
+    failed |= gpiod_line_settings_set_direction(
+        settings, is_input ? GPIOD_LINE_DIRECTION_INPUT : GPIOD_LINE_DIRECTION_OUTPUT);
+    if (has_edges) {
+        failed |= gpiod_line_settings_set_edge_detection(settings, GPIOD_LINE_EDGE_BOTH);
+        failed |= gpiod_line_settings_set_event_clock(settings, GPIOD_LINE_CLOCK_MONOTONIC);
+        gpiod_line_settings_set_debounce_period_us(
+            settings, kernel_may_debounce(role) ? wire->debounce_us : 0);
+    } else if (!is_input) {
+        failed |= gpiod_line_settings_set_output_value(
+            settings, gpio_role_begins_active(role) ? GPIOD_LINE_VALUE_ACTIVE
+                                                    : GPIOD_LINE_VALUE_INACTIVE);
+    }
+    return failed;
+}
+
+/* Requests a line. Returns null on an error and sets errno. */
+static struct gpiod_line_request *request_line(const struct held *held,
+                                               const struct gpio_wire *wire, enum gpio_role role,
+                                               bool has_edges)
+{
+    struct gpiod_line_settings *settings = gpiod_line_settings_new();
+    struct gpiod_line_config *config = gpiod_line_config_new();
+    struct gpiod_request_config *words = gpiod_request_config_new();
+    struct gpiod_line_request *got = NULL;
+    if (settings && config && words && set_up(settings, wire, role, has_edges) == 0 &&
+        gpiod_line_config_add_line_settings(config, &held->offset, 1, settings) == 0) {
+        gpiod_request_config_set_consumer(words, "kingyo");
+        gpiod_request_config_set_event_buffer_size(words, QUEUE_SIZE);
+        got = gpiod_chip_request_lines(held->chip, words, config);
+    }
+    const int error = errno;
+    gpiod_request_config_free(words);
+    gpiod_line_config_free(config);
+    gpiod_line_settings_free(settings);
+    errno = error;
+    return got;
+}
+
+static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
+{
+    struct held *held = &lines[role];
+    if (has_edges && !held->buffer) {
+        held->buffer = gpiod_edge_event_buffer_new(GPIO_EDGES_MAX);
+        if (!held->buffer) {
+            return -1;
+        }
+    }
+    held->request = request_line(held, wire, role, has_edges);
+    held->debounces = has_edges && kernel_may_debounce(role) && wire->debounce_us > 0;
+    return held->request ? 0 : -1;
+}
+
+static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
+{
+    struct gpiod_line_info *info = gpiod_chip_get_line_info(lines[role].chip, lines[role].offset);
+    const char *name = info ? gpiod_line_info_get_consumer(info) : NULL;
+    gpio_dev_text(out, name);
+    gpiod_line_info_free(info);
+}
+
+/* ---- Edges ---------------------------------------------------------------------------------- */
+
+static int edges_fd(enum gpio_role role)
+{
+    return gpiod_line_request_get_fd(lines[role].request);
+}
+
+static struct gpio_edge edge_of(struct held *held, enum gpio_role role,
+                                struct gpiod_edge_event *event)
+{
+    const uint32_t number = (uint32_t)gpiod_edge_event_get_line_seqno(event);
+    const struct gpio_edge edge = {
+        .time_ns = gpiod_edge_event_get_timestamp_ns(event),
+        .role = (uint8_t)role,
+        .active = gpiod_edge_event_get_event_type(event) == GPIOD_EDGE_EVENT_RISING_EDGE,
+        .lost_before = number - held->seen - 1u, /* The kernel counts from 1. */
+    };
+    held->seen = number;
+    return edge;
+}
+
+static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
+{
+    struct held *held = &lines[role];
+    const int count = gpiod_line_request_read_edge_events(held->request, held->buffer, max);
+    for (int i = 0; i < count; i++) {
+        out[i] = edge_of(held, role,
+                         gpiod_edge_event_buffer_get_event(held->buffer, (unsigned long)i));
+    }
+    return count;
+}
+
+/* ---- Levels --------------------------------------------------------------------------------- */
+
+static int get(enum gpio_role role)
+{
+    const enum gpiod_line_value value =
+        gpiod_line_request_get_value(lines[role].request, lines[role].offset);
+    return value == GPIOD_LINE_VALUE_ERROR ? -1 : value == GPIOD_LINE_VALUE_ACTIVE;
+}
+
+static int gpio_lines2_set(enum gpio_role role, int active)
+{
+    return gpiod_line_request_set_value(
+        lines[role].request, lines[role].offset,
+        active ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE);
+}
+
+static int debounces(enum gpio_role role)
+{
+    return lines[role].debounces;
+}
+
+struct gpio_lines gpio_lines_device(void)
+{
+    static const struct gpio_backend_ops ops = {
+        .open_chip = open_chip,
+        .find_line = find_line,
+        .request = request,
+        .consumer = consumer,
+        .edges_fd = edges_fd,
+        .read_edges = read_edges,
+        .get = get,
+        .set = gpio_lines2_set,
+        .debounces = debounces,
+        .release = gpio_lines2_release,
+        .tell_chip = gpio_chips_list,
+        .version = gpiod_api_version,
+    };
+    static struct gpio_backend backend;
+    return gpio_backend_device(&backend, &ops);
+}

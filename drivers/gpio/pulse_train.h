@@ -1,0 +1,27 @@
+/* pulse_train.h -- generates a sequence of pulses for a meter or a ticket dispenser. Pure.
+ *
+ * A pulse and the pause after it have at least their nominal length. If the caller is late, a
+ * pulse becomes longer, but pulses are never lost or merged. */
+#ifndef KINGYO_DRIVERS_GPIO_PULSE_TRAIN_H
+#define KINGYO_DRIVERS_GPIO_PULSE_TRAIN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct pulse_train {
+    uint64_t on_ns, off_ns;
+    uint64_t until_ns; /* End of the current pulse or pause. */
+    uint32_t left;     /* Pulses that have not started. */
+    bool on;
+};
+
+/* Adds `count` pulses. The sum saturates at UINT32_MAX. */
+void pulse_train_add(struct pulse_train *train, uint32_t count);
+
+/* Returns the level of the output from `now_ns` on. */
+bool pulse_train_at(struct pulse_train *train, uint64_t now_ns);
+
+/* Returns when the level changes next, or UINT64_MAX if no pulse is left. */
+uint64_t pulse_train_due_ns(const struct pulse_train *train);
+
+#endif

@@ -1,0 +1,314 @@
+/* controller_manager.c -- executes the operator's controller commands and reports the device
+ * list. */
+#include "drivers/hid/controller_manager.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void controller_manager_init(struct controller_manager *manager, struct hid_device_list device_list,
+                             struct hid_mapping_store *book, struct poi_hid *const seats[POI_MAX])
+{
+    memset(manager, 0, sizeof *manager);
+    manager->device_list = device_list;
+    manager->book = book;
+    manager->learn_seat = POI_MAX;
+    memcpy(manager->seat, seats, sizeof manager->seat);
+}
+
+/* ---- Learning ------------------------------------------------------------------------------- */
+
+static struct poi_hid *learning_seat(const struct controller_manager *manager)
+{
+    return manager->learn_seat < POI_MAX ? manager->seat[manager->learn_seat] : NULL;
+}
+
+static void show_report(void *self, const struct hid_raw *raw)
+{
+    struct controller_manager *manager = self;
+    hid_learn_report(&manager->learn, raw);
+}
+
+static void leave_seat(struct controller_manager *manager)
+{
+    struct poi_hid *seat = learning_seat(manager);
+    if (seat) {
+        poi_hid_set_observer(seat, (struct hid_watch){ 0 });
+    }
+    manager->learn_seat = POI_MAX;
+    manager->learn_waits = manager->keeps = manager->writes = 0;
+}
+
+static void fail_learning(struct controller_manager *manager)
+{
+    leave_seat(manager);
+    manager->learn.step = LEARN_FAILED;
+}
+
+static int is_kind(const struct hid_identity *one, const struct hid_identity *other)
+{
+    return one->vendor == other->vendor && one->product == other->product &&
+           strcmp(one->serial, other->serial) == 0;
+}
+
+/* Releases a controller that only learning had chosen and whose mapping was not kept. Repeated
+ * at the next poll while the device list is busy. */
+static void give_back(struct controller_manager *manager)
+{
+    const struct hid_row *row = &manager->row[manager->learn_row];
+    manager->gives_back =
+        manager->gives_back && is_kind(&row->identity, &manager->learn_identity) &&
+        manager->device_list.ops->release(manager->device_list.self, manager->learn_row) ==
+            HAL_ERR_BUSY;
+}
+
+/* Ends learning. The controller continues to play with `map`, or, if `map` is null, with the
+ * mapping that it has without learning. */
+static void stop_learning(struct controller_manager *manager, const struct hid_mapping *map)
+{
+    struct poi_hid *seat = learning_seat(manager);
+    if (seat) {
+        poi_hid_remap(seat, map);
+    }
+    leave_seat(manager);
+    manager->learn.step = LEARN_NONE;
+}
+
+static void end_learning(struct controller_manager *manager)
+{
+    const int plays_on = manager->learn.step == LEARN_NOT_SAVED || manager->writes;
+    stop_learning(manager, plays_on ? &manager->learn.map : NULL);
+    give_back(manager);
+}
+
+/* Ends a running learning procedure and starts one for `row`. Restarting the same row preserves
+ * gives_back. */
+static void begin_anew(struct controller_manager *manager, uint32_t row)
+{
+    const int again = manager->learn.step != LEARN_NONE && manager->learn_row == row;
+    if (again) {
+        stop_learning(manager, NULL);
+    } else if (manager->learn.step != LEARN_NONE) {
+        end_learning(manager);
+    }
+    manager->gives_back =
+        manager->row[row].state == CONTROLLER_FREE || (again && manager->gives_back);
+    manager->learn_row = (uint8_t)row;
+    manager->learn_identity = manager->row[row].identity;
+}
+
+static int begin_learning(struct controller_manager *manager, uint32_t row)
+{
+    begin_anew(manager, row);
+    const int result = manager->row[row].state == CONTROLLER_ACTIVE
+                           ? HAL_OK
+                           : manager->device_list.ops->choose(manager->device_list.self, row);
+    if (result != HAL_OK) {
+        manager->gives_back = 0;
+        fail_learning(manager);
+        return result;
+    }
+    /* The menu shows "keep still" while the controller is being attached. */
+    manager->learn.step = LEARN_REST;
+    manager->learn.report_count = 0;
+    manager->learn_waits = 1;
+    return HAL_OK;
+}
+
+static int controller_manager_is_same(const struct hid_identity *one,
+                                      const struct hid_identity *other)
+{
+    return is_kind(one, other) && strcmp(one->port, other->port) == 0;
+}
+
+/* Continues learning when the frame loop has opened the controller's slot, which takes up to one
+ * second. */
+static void sit_down(struct controller_manager *manager)
+{
+    const struct hid_row *row = &manager->row[manager->learn_row];
+    struct poi_hid *seat = row->seat < POI_MAX ? manager->seat[row->seat] : NULL;
+    if (row->state == CONTROLLER_DENIED || row->state == CONTROLLER_UNSUPPORTED ||
+        row->state == CONTROLLER_NONE) {
+        fail_learning(manager);
+        return;
+    }
+    if (!seat || !seat->is_open ||
+        !controller_manager_is_same(&seat->face.identity, &row->identity)) {
+        return;
+    }
+    manager->learn_waits = 0;
+    manager->learn_seat = row->seat;
+    /* Some devices report their serial number only after they are opened. */
+    manager->learn_identity = row->identity;
+    hid_learn_begin(&manager->learn, &seat->face);
+    if (manager->learn.step == LEARN_FAILED) {
+        leave_seat(manager);
+        return;
+    }
+    poi_hid_set_observer(seat, (struct hid_watch){ .report = show_report, .self = manager });
+}
+
+static void go_on(struct controller_manager *manager)
+{
+    struct poi_hid *seat = learning_seat(manager);
+    if (!seat) {
+        return; /* Not attached yet, so there is no step to finish. */
+    }
+    hid_learn_next(&manager->learn);
+    if (manager->learn.step == LEARN_TRY) {
+        poi_hid_set_observer(seat, (struct hid_watch){ 0 });
+        if (!poi_hid_remap(seat, &manager->learn.map)) {
+            poi_hid_remap(seat, NULL);
+            fail_learning(manager);
+        }
+    } else if (manager->learn.step == LEARN_FAILED) {
+        leave_seat(manager);
+    }
+}
+
+/* Ends learning only after the file is on the card, so that the operator may then switch the
+ * kiosk off safely. */
+static void watch_writing(struct controller_manager *manager)
+{
+    const int result = hid_mapping_store_result(manager->book);
+    if (result == HAL_OK) {
+        stop_learning(manager, &manager->learn.map);
+    } else if (result != HAL_ERR_BUSY) {
+        manager->writes = 0;
+        manager->learn.step = LEARN_NOT_SAVED;
+    }
+}
+
+static int controller_manager_save_mapping(struct controller_manager *manager)
+{
+    const struct poi_hid *seat = learning_seat(manager);
+    if (!seat || (manager->learn.step != LEARN_TRY && manager->learn.step != LEARN_NOT_SAVED)) {
+        return HAL_ERR_IO;
+    }
+    const int result =
+        hid_mapping_store_put(manager->book, &seat->face.identity, &manager->learn.map);
+    manager->learn.step = result == HAL_OK || result == HAL_ERR_BUSY ? LEARN_TRY : LEARN_NOT_SAVED;
+    manager->gives_back = 0;
+    manager->keeps = result == HAL_ERR_BUSY;
+    manager->writes = result == HAL_OK;
+    if (manager->writes) {
+        watch_writing(manager);
+    }
+    return result == HAL_ERR_BUSY ? HAL_OK : result;
+}
+
+/* ---- Commands ------------------------------------------------------------------------------- */
+
+static void controller_manager_forget_mapping(struct controller_manager *manager)
+{
+    manager->forgets =
+        hid_mapping_store_forget(manager->book, &manager->forget_identity) == HAL_ERR_BUSY;
+}
+
+static int controller_manager_release(struct controller_manager *manager, uint32_t row)
+{
+    if (manager->learn.step != LEARN_NONE && manager->learn_row == row) {
+        stop_learning(manager, NULL);
+        manager->gives_back = 0; /* The row is released below in any case. */
+    }
+    if (manager->row[row].state != CONTROLLER_NONE) {
+        manager->forget_identity = manager->row[row].identity;
+        controller_manager_forget_mapping(manager);
+    }
+    return manager->device_list.ops->release(manager->device_list.self, row);
+}
+
+static int hid_desk_command(void *self, const struct controller_command *order)
+{
+    struct controller_manager *manager = self;
+    if (order->row >= CONTROLLER_MAX) {
+        return HAL_ERR_ABSENT;
+    }
+    switch (order->kind) {
+    case COMMAND_CHOOSE:
+        manager->gives_back &= order->row != manager->learn_row;
+        return manager->device_list.ops->choose(manager->device_list.self, order->row);
+    case COMMAND_RELEASE:
+        return controller_manager_release(manager, order->row);
+    case COMMAND_LEARN:
+        return begin_learning(manager, order->row);
+    case COMMAND_LEARN_NEXT:
+        go_on(manager);
+        return HAL_OK;
+    case COMMAND_LEARN_KEEP:
+        return controller_manager_save_mapping(manager);
+    case COMMAND_LEARN_END:
+        end_learning(manager);
+        return HAL_OK;
+    default:
+        return HAL_OK;
+    }
+}
+
+/* ---- Device list ---------------------------------------------------------------------------- */
+
+/* Advances learning once for each poll. Learning fails if the controller is unplugged, because
+ * an incomplete recording cannot be used. */
+static void watch_learning(struct controller_manager *manager)
+{
+    const struct poi_hid *seat = learning_seat(manager);
+    if (manager->learn_waits) {
+        sit_down(manager);
+    } else if (seat && !seat->is_open && !manager->writes) {
+        fail_learning(manager);
+    }
+    if (manager->keeps) {
+        controller_manager_save_mapping(manager);
+    } else if (manager->writes) {
+        watch_writing(manager);
+    }
+    if (manager->gives_back && manager->learn.step == LEARN_NONE) {
+        give_back(manager);
+    }
+}
+
+static int hid_desk_poll(void *self, struct controller_status *out)
+{
+    struct controller_manager *manager = self;
+    manager->device_list.ops->rows(manager->device_list.self, manager->row);
+    watch_learning(manager);
+    if (manager->forgets) {
+        controller_manager_forget_mapping(manager);
+    }
+    memset(out, 0, sizeof *out);
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        out->state[i] = manager->row[i].state;
+    }
+    out->learn_step = manager->learn.step;
+    out->learn_row = manager->learn.step == LEARN_NONE ? 0u : manager->learn_row;
+    out->learn_progress = manager->learn_waits ? 0u : hid_learn_progress(&manager->learn);
+    return HAL_OK;
+}
+
+static const char *hid_desk_name(void *self, uint32_t row)
+{
+    struct controller_manager *manager = self;
+    if (row >= CONTROLLER_MAX || manager->row[row].state == CONTROLLER_NONE) {
+        return "";
+    }
+    const struct hid_identity *who = &manager->row[row].identity;
+    snprintf(manager->name, sizeof manager->name, "%04x:%04x %.*s%s%.9s", who->vendor, who->product,
+             hid_text_fit(who->name, 24), who->name, who->port[0] ? ", " : "", who->port);
+    return manager->name;
+}
+
+static const char *hid_desk_describe(void *self)
+{
+    const struct controller_manager *manager = self;
+    return manager->device_list.ops->describe(manager->device_list.self);
+}
+
+struct hal_controllers controller_manager_device(struct controller_manager *manager)
+{
+    static const struct hal_controllers_ops ops = {
+        .poll = hid_desk_poll,
+        .name = hid_desk_name,
+        .command = hid_desk_command,
+        .describe = hid_desk_describe,
+    };
+    return (struct hal_controllers){ .ops = &ops, .self = manager };
+}

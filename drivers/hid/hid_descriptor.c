@@ -1,0 +1,288 @@
+/* hid_descriptor.c -- parses a descriptor in one pass.
+ *
+ * Global and Local items set the parser's state, and each Input item adds a group from that
+ * state. */
+#include "drivers/hid/hid_descriptor.h"
+
+#include <string.h>
+
+#include "drivers/hid/hid_globals.h"
+#include "drivers/hid/hid_item.h"
+
+enum main_tag { MAIN_INPUT = 8, MAIN_COLLECTION = 10, MAIN_END_COLLECTION = 12 };
+
+enum local_tag { LOCAL_USAGE = 0, LOCAL_USAGE_MIN = 1, LOCAL_USAGE_MAX = 2, LOCAL_DELIMITER = 10 };
+
+#define COLLECTION_APPLICATION 1u
+
+struct reader {
+    struct hid_descriptor *out;
+    struct hid_global_stack globals;
+    /* Application collection in force at each nesting depth. */
+    hid_usage application[HID_DEPTH_MAX + 1u];
+    uint32_t depth;
+    uint32_t range_first; /* The usages of the current main item start here in out->range. */
+    hid_usage usage_min;
+    uint8_t has_usage_min;
+    uint8_t in_delimiter, alternatives; /* Only the first usage of a delimited set is used. */
+};
+
+/* ---- Usages --------------------------------------------------------------------------------- */
+
+/* Combines a usage of one or two bytes with the usage page in force at that item. */
+static hid_usage whole_usage(const struct reader *reader, const struct hid_item *item)
+{
+    const uint32_t page = reader->globals.now.usage_page;
+    return item->size == 4 ? item->data : page << 16 | item->data;
+}
+
+static enum hid_error add_range(struct reader *reader, hid_usage first, hid_usage last)
+{
+    struct hid_descriptor *out = reader->out;
+    if (first >> 16 != last >> 16) {
+        return HID_ERR_USAGE_PAGES;
+    }
+    if (first > last) {
+        return HID_ERR_USAGE_RANGE;
+    }
+    if (out->range_count == HID_RANGE_MAX) {
+        return HID_ERR_RANGES;
+    }
+    uint32_t place = 0;
+    if (out->range_count > reader->range_first) {
+        const struct hid_range *before = &out->range[out->range_count - 1u];
+        place = before->place + (before->last - before->first) + 1u;
+    }
+    out->range[out->range_count++] = (struct hid_range){ first, last, place };
+    return HID_OK;
+}
+
+static enum hid_error delimit(struct reader *reader, uint32_t opens)
+{
+    if ((opens != 0) == (reader->in_delimiter != 0)) {
+        return HID_ERR_DELIMITER;
+    }
+    reader->in_delimiter = opens != 0;
+    reader->alternatives = 0;
+    return HID_OK;
+}
+
+static enum hid_error end_usage_range(struct reader *reader, const struct hid_item *item)
+{
+    const hid_usage last = whole_usage(reader, item);
+    /* A maximum of four bytes contains the page of both ends. A maximum without a minimum counts
+     * from 0. */
+    const hid_usage first = reader->has_usage_min ? reader->usage_min : last & 0xffff0000u;
+    reader->has_usage_min = 0;
+    return add_range(reader, first, last);
+}
+
+static enum hid_error read_local(struct reader *reader, const struct hid_item *item)
+{
+    if (item->tag == LOCAL_DELIMITER) {
+        return delimit(reader, item->data);
+    }
+    const int names_usage = item->tag == LOCAL_USAGE || item->tag == LOCAL_USAGE_MAX;
+    if (reader->in_delimiter && names_usage && reader->alternatives++ > 0) {
+        return HID_OK;
+    }
+    switch (item->tag) {
+    case LOCAL_USAGE:
+        return add_range(reader, whole_usage(reader, item), whole_usage(reader, item));
+    case LOCAL_USAGE_MIN:
+        reader->usage_min = whole_usage(reader, item);
+        reader->has_usage_min = 1;
+        return HID_OK;
+    case LOCAL_USAGE_MAX:
+        return end_usage_range(reader, item);
+    default: /* Designators and strings do not affect the layout. */
+        return HID_OK;
+    }
+}
+
+/* ---- Main items ----------------------------------------------------------------------------- */
+
+static enum hid_error open_collection(struct reader *reader, uint32_t kind)
+{
+    const struct hid_descriptor *out = reader->out;
+    if (reader->depth == HID_DEPTH_MAX) {
+        return HID_ERR_DEPTH;
+    }
+    const hid_usage named =
+        out->range_count > reader->range_first ? out->range[reader->range_first].first : 0;
+    const hid_usage around = reader->application[reader->depth];
+    reader->depth++;
+    reader->application[reader->depth] = kind == COLLECTION_APPLICATION ? named : around;
+    return HID_OK;
+}
+
+static enum hid_error close_collection(struct reader *reader)
+{
+    if (reader->depth == 0) {
+        return HID_ERR_NO_COLLECTION;
+    }
+    reader->depth--;
+    return HID_OK;
+}
+
+static struct hid_group group_of(const struct reader *reader, uint32_t flags)
+{
+    const struct hid_globals *now = &reader->globals.now;
+    struct hid_group group = {
+        .application = reader->application[reader->depth],
+        .report_id = now->report_id,
+        .bit_offset = reader->out->report_bits[now->report_id],
+        .bit_size = now->report_size,
+        .count = now->report_count,
+        .flags = flags,
+        .logical_min = hid_limit_min(now->logical_min),
+        .physical_min = hid_limit_min(now->physical_min),
+        .unit_exponent = now->unit_exponent,
+        .unit = now->unit,
+        .range_first = (uint16_t)reader->range_first,
+        .range_count = (uint16_t)(reader->out->range_count - reader->range_first),
+    };
+    group.logical_max = hid_limit_max(now->logical_max, group.logical_min);
+    group.physical_max = hid_limit_max(now->physical_max, group.physical_min);
+    return group;
+}
+
+static enum hid_error add_input(struct reader *reader, uint32_t flags)
+{
+    struct hid_descriptor *out = reader->out;
+    const struct hid_globals *now = &reader->globals.now;
+    const uint32_t used = out->report_bits[now->report_id];
+    const uint64_t bits = (uint64_t)now->report_size * now->report_count;
+    if (bits > HID_REPORT_BITS_MAX - used) {
+        return HID_ERR_REPORT_SIZE;
+    }
+    const struct hid_group group = group_of(reader, flags);
+    out->report_bits[now->report_id] = used + (uint32_t)bits;
+    if (bits == 0 || group.range_count == 0) {
+        return HID_OK; /* The item has no bits, or its bits are padding. */
+    }
+    if (now->report_size > HID_FIELD_BITS_MAX) {
+        return HID_ERR_FIELD_SIZE;
+    }
+    if (out->group_count == HID_GROUP_MAX) {
+        return HID_ERR_GROUPS;
+    }
+    if (now->report_count > HID_FIELD_MAX - out->field_count) {
+        return HID_ERR_FIELDS;
+    }
+    out->field_count += now->report_count;
+    out->group[out->group_count++] = group;
+    return HID_OK;
+}
+
+static enum hid_error do_main(struct reader *reader, const struct hid_item *item)
+{
+    if (reader->in_delimiter) {
+        return HID_ERR_DELIMITER; /* Delimiters must be closed before the main item. */
+    }
+    switch (item->tag) {
+    case MAIN_INPUT:
+        return reader->has_usage_min ? HID_ERR_USAGE_ALONE : add_input(reader, item->data);
+    case MAIN_COLLECTION:
+        return open_collection(reader, item->data);
+    case MAIN_END_COLLECTION:
+        return close_collection(reader);
+    default: /* Output, Feature and reserved tags are skipped. */
+        return HID_OK;
+    }
+}
+
+/* Clears the Local state after any main item. Usages that no group uses are removed. */
+static void forget_locals(struct reader *reader)
+{
+    struct hid_descriptor *out = reader->out;
+    const struct hid_group *last = out->group_count ? &out->group[out->group_count - 1u] : NULL;
+    out->range_count = last ? (uint32_t)last->range_first + last->range_count : 0;
+    reader->range_first = out->range_count;
+    reader->has_usage_min = 0;
+}
+
+static enum hid_error read_main(struct reader *reader, const struct hid_item *item)
+{
+    const enum hid_error error = do_main(reader, item);
+    if (error == HID_OK) {
+        forget_locals(reader);
+    }
+    return error;
+}
+
+/* ---- Items ---------------------------------------------------------------------------------- */
+
+static enum hid_error read_global(struct reader *reader, const struct hid_item *item)
+{
+    const enum hid_error error = hid_globals_take(&reader->globals, item);
+    reader->out->has_report_ids |= reader->globals.now.report_id > 0;
+    return error;
+}
+
+static enum hid_error read_item(struct reader *reader, const struct hid_item *item)
+{
+    switch (item->type) {
+    case HID_ITEM_MAIN:
+        return read_main(reader, item);
+    case HID_ITEM_GLOBAL:
+        return read_global(reader, item);
+    case HID_ITEM_LOCAL:
+        return read_local(reader, item);
+    default: /* Long and reserved items are skipped. */
+        return HID_OK;
+    }
+}
+
+static enum hid_error hid_descriptor_fail(struct hid_descriptor *out, enum hid_error error,
+                                          size_t offset)
+{
+    out->error = error;
+    out->error_offset = offset;
+    return error;
+}
+
+enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *bytes, size_t size)
+{
+    struct reader reader = { .out = out };
+    /* The lists behind it have 61 KB and need no clearing. */
+    memset(out, 0, offsetof(struct hid_descriptor, group));
+    if (size > HID_DESCRIPTOR_SIZE_MAX) {
+        return hid_descriptor_fail(out, HID_ERR_TOO_LONG, HID_DESCRIPTOR_SIZE_MAX);
+    }
+    for (size_t offset = 0; offset < size;) {
+        struct hid_item item;
+        const size_t taken = hid_item_read(&item, bytes, size, offset);
+        const enum hid_error error = taken ? read_item(&reader, &item) : HID_ERR_CUT_OFF;
+        if (error) {
+            return hid_descriptor_fail(out, error, offset);
+        }
+        offset += taken;
+    }
+    return reader.depth > 0 ? hid_descriptor_fail(out, HID_ERR_OPEN_COLLECTION, size) : HID_OK;
+}
+
+const char *hid_error_text(enum hid_error error)
+{
+    static const char *const texts[HID_ERR_COUNT] = {
+        [HID_OK] = "fine",
+        [HID_ERR_TOO_LONG] = "longer than 65535 bytes",
+        [HID_ERR_CUT_OFF] = "ends within an item",
+        [HID_ERR_OPEN_COLLECTION] = "ends within a collection",
+        [HID_ERR_NO_COLLECTION] = "End Collection without a collection",
+        [HID_ERR_DEPTH] = "more than 32 collections within each other",
+        [HID_ERR_PUSH] = "more than 8 pushes without a pop",
+        [HID_ERR_POP] = "a pop without a push",
+        [HID_ERR_REPORT_ID] = "a report id that is not 1 .. 255",
+        [HID_ERR_FIELD_SIZE] = "a field of more than 256 bits",
+        [HID_ERR_REPORT_SIZE] = "a report of more than 65536 bits",
+        [HID_ERR_GROUPS] = "more than 512 Input items",
+        [HID_ERR_RANGES] = "more than 2048 usages",
+        [HID_ERR_FIELDS] = "more than 65536 fields",
+        [HID_ERR_USAGE_RANGE] = "a usage range that ends before it begins",
+        [HID_ERR_USAGE_PAGES] = "a usage range from one page to another",
+        [HID_ERR_USAGE_ALONE] = "a usage range that begins and never ends",
+        [HID_ERR_DELIMITER] = "delimiters that are nested, or not in pairs",
+    };
+    return (unsigned)error < HID_ERR_COUNT ? texts[error] : "unknown error";
+}

@@ -1,0 +1,40 @@
+/* hid_globals.h -- the state of Global items with its Push and Pop stack (HID 1.11, section
+ * 6.2.2.7).
+ *
+ * A private part of hid_descriptor.c. */
+#ifndef KINGYO_DRIVERS_HID_HID_GLOBALS_H
+#define KINGYO_DRIVERS_HID_HID_GLOBALS_H
+
+#include "drivers/hid/hid_descriptor.h"
+#include "drivers/hid/hid_item.h"
+
+/* Raw data of a minimum or maximum. A maximum is signed only if its minimum is negative, which
+ * is not known before the Input item. */
+struct hid_limit {
+    uint32_t data;
+    uint8_t size;
+};
+
+struct hid_globals {
+    uint16_t usage_page;
+    struct hid_limit logical_min, logical_max, physical_min, physical_max;
+    int32_t unit_exponent;
+    uint32_t unit, report_size, report_count;
+    uint8_t report_id; /* 0: no report id has been declared yet. */
+};
+
+struct hid_global_stack {
+    struct hid_globals now, pushed[HID_PUSH_MAX];
+    uint32_t pushed_count;
+};
+
+/* Applies one Global item. Returns HID_OK, or the error of Push, Pop or Report ID. */
+enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item);
+
+/* Returns a minimum, which is always signed. */
+int64_t hid_limit_min(struct hid_limit limit);
+
+/* Returns a maximum, which is signed only if its minimum `min` is negative. */
+int64_t hid_limit_max(struct hid_limit limit, int64_t min);
+
+#endif

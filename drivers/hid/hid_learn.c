@@ -1,0 +1,189 @@
+/* hid_learn.c -- records the range of every field in every learning step. */
+#include "drivers/hid/hid_learn.h"
+
+#include <string.h>
+
+#include "core/base/fmath.h"
+#include "drivers/hid/hid_mapping_infer.h"
+
+#define REST_NS 1000000000ull  /* Duration of LEARN_REST at which its progress is complete. */
+#define REST_REPORTS 8u        /* Reports that are needed for that as well. */
+
+/* ---- Fields --------------------------------------------------------------------------------- */
+
+static void add_fields(struct hid_learn *learn, uint32_t group_index)
+{
+    const struct hid_group *group = &learn->descriptor.group[group_index];
+    if ((group->flags & HID_CONSTANT) || !(group->flags & HID_VARIABLE) || group->bit_size > 32u ||
+        hid_mapping_infer_high(group) <= group->logical_min) {
+        return;
+    }
+    for (uint32_t i = 0; i < group->count && learn->field_count < LEARN_FIELD_MAX; i++) {
+        learn->field[learn->field_count++] =
+            (struct learn_field){ .group = (uint16_t)group_index, .index = (uint16_t)i };
+    }
+}
+
+static void begin_step(struct hid_learn *learn, enum learn_step step)
+{
+    learn->step = (uint8_t)step;
+    learn->report_count = 0;
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        struct learn_field *field = &learn->field[i];
+        if (hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field))) {
+            field->now = 0;
+        }
+        field->low[step] = field->high[step] = field->now;
+    }
+}
+
+void hid_learn_begin(struct hid_learn *learn, const struct hid_device_info *face)
+{
+    const uint32_t size =
+        face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
+    memset(learn, 0, sizeof *learn);
+    learn->step = LEARN_FAILED;
+    if (hid_descriptor_read(&learn->descriptor, face->descriptor, size) != HID_OK ||
+        hid_mapping_has_keyboard(&learn->descriptor)) {
+        return;
+    }
+    hid_mapping_choose(&learn->offered, &face->identity, &learn->descriptor);
+    for (uint32_t i = 0; i < learn->descriptor.group_count; i++) {
+        add_fields(learn, i);
+    }
+    if (learn->field_count > 0) {
+        begin_step(learn, LEARN_REST);
+    }
+}
+
+/* ---- Recording ------------------------------------------------------------------------------ */
+
+static void hear_rest(struct learn_field *field, int64_t value)
+{
+    if (!field->rested || value < field->rest_low) {
+        field->rest_low = value;
+    }
+    if (!field->rested || value > field->rest_high) {
+        field->rest_high = value;
+    }
+    field->rested = 1;
+}
+
+static void hear_field(struct hid_learn *learn, struct learn_field *field,
+                       struct hid_report report)
+{
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
+    const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);
+    const int relative = hid_mapping_infer_is_relative(group);
+    field->now = relative ? field->now + value : value;
+    /* A field that is reported only when it changes has its first value as its rest value. */
+    if (!field->heard) {
+        field->heard = 1;
+        field->rest_low = field->rest_high = relative ? 0 : value;
+        field->low[learn->step] = field->high[learn->step] = field->rest_low;
+    }
+    if (learn->step == LEARN_REST && !relative) {
+        hear_rest(field, value);
+    }
+    if (field->now < field->low[learn->step]) {
+        field->low[learn->step] = field->now;
+    }
+    if (field->now > field->high[learn->step]) {
+        field->high[learn->step] = field->now;
+    }
+}
+
+static void hear_key(struct hid_learn *learn, uint32_t group_index, hid_usage usage)
+{
+    const uint8_t rested = learn->step != LEARN_DIP;
+    for (uint32_t i = 0; i < learn->key_count; i++) {
+        if (learn->key[i].group == group_index && learn->key[i].usage == usage) {
+            learn->key[i].rested |= rested;
+            return;
+        }
+    }
+    if (learn->key_count < LEARN_KEY_MAX) {
+        learn->key[learn->key_count++] =
+            (struct learn_key){ .group = (uint16_t)group_index, .rested = rested, .usage = usage };
+    }
+}
+
+static void hear_arrays(struct hid_learn *learn, int report_id, struct hid_report report)
+{
+    const struct hid_descriptor *descriptor = &learn->descriptor;
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        const struct hid_group *group = &descriptor->group[i];
+        if ((group->flags & (HID_VARIABLE | HID_CONSTANT)) || group->report_id != report_id ||
+            group->bit_size > 32u || group->count > HID_ARRAY_MAX) {
+            continue;
+        }
+        for (uint32_t j = 0; j < group->count; j++) {
+            const hid_usage usage =
+                hid_selected(descriptor, group, hid_field_value(descriptor, group, j, report));
+            if (usage & 0xffffu) { /* Usage 0 of a page means that no key is pressed. */
+                hear_key(learn, i, usage);
+            }
+        }
+    }
+}
+
+void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw)
+{
+    const struct hid_report report = { .bytes = raw->bytes, .size = raw->size };
+    if (learn->step < LEARN_REST || learn->step > LEARN_DIP || raw->size == 0 ||
+        raw->size > HID_REPORT_MAX || !hid_report_is_whole(&learn->descriptor, report)) {
+        return;
+    }
+    const int id = hid_report_id(&learn->descriptor, report);
+    learn->begun_ns = learn->report_count == 0 ? raw->time_ns : learn->begun_ns;
+    learn->now_ns = raw->time_ns;
+    learn->report_count++;
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        if (hid_mapping_infer_group(learn, &learn->field[i])->report_id == id) {
+            hear_field(learn, &learn->field[i], report);
+        }
+    }
+    hear_arrays(learn, id, report);
+}
+
+/* ---- Next step ------------------------------------------------------------------------------ */
+
+void hid_learn_next(struct hid_learn *learn)
+{
+    if (learn->step < LEARN_REST || learn->step > LEARN_DIP) {
+        return;
+    }
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        learn->field[i].end[learn->step] = learn->field[i].now;
+    }
+    if (learn->step < LEARN_DIP) {
+        begin_step(learn, (enum learn_step)(learn->step + 1));
+        return;
+    }
+    learn->step = hid_mapping_infer_map(learn) ? LEARN_TRY : LEARN_FAILED;
+}
+
+/* ---- Progress ------------------------------------------------------------------------------- */
+
+static float rest_share(const struct hid_learn *learn)
+{
+    const float seconds = (float)(learn->now_ns - learn->begun_ns) / (float)REST_NS;
+    const float reports = (float)learn->report_count / (float)REST_REPORTS;
+    return learn->report_count == 0 ? 0.0f : f_min(1.0f, f_min(seconds, reports));
+}
+
+uint8_t hid_learn_progress(const struct hid_learn *learn)
+{
+    switch (learn->step) {
+    case LEARN_REST:
+        return (uint8_t)(255.0f * rest_share(learn));
+    case LEARN_LEFT:
+    case LEARN_RIGHT:
+    case LEARN_FAR:
+    case LEARN_NEAR:
+    case LEARN_DIP:
+        return (uint8_t)(255.0f * hid_mapping_infer_clarity(learn));
+    default:
+        return 0;
+    }
+}

@@ -1,0 +1,316 @@
+/* hid_mapping_infer.c -- finds the fields that moved farthest and binds them. */
+#include "drivers/hid/hid_mapping_infer.h"
+
+#include "core/base/fmath.h"
+#include "drivers/hid/hid_mapping_auto.h"
+
+#define NOISE_MAX 0.20f   /* Largest noise at rest as a share of a field's range. */
+#define WAY_MIN 0.12f     /* Smallest travel of an axis as a share of its range. */
+#define PRESS_MIN 0.30f   /* Smallest travel of the dip control as a share of its range. */
+#define CLEAR_WAY 0.4f    /* Travel that counts as fully clear, as a share of the range. */
+#define VENDOR_WORTH 0.5f /* Weight of a vendor-defined field, which must move twice as far. */
+#define STEP_WAY 100.0f   /* Travel of a relative field that counts as its range, in counts. */
+#define MIDDLE_SHARE 0.2f /* A stick returns to within this share of its range around its rest. */
+#define DEAD_SHARE 0.08f
+#define PAGE_OF(usage) ((usage) >> 16)
+#define PAGE_VENDOR 0xff00u
+
+const struct hid_group *hid_mapping_infer_group(const struct hid_learn *learn,
+                                                const struct learn_field *field)
+{
+    return &learn->descriptor.group[field->group];
+}
+
+int hid_mapping_infer_is_relative(const struct hid_group *group)
+{
+    return (group->flags & HID_RELATIVE) && group->application != USAGE_MULTI_AXIS;
+}
+
+int64_t hid_mapping_infer_high(const struct hid_group *group)
+{
+    const uint32_t bits = group->bit_size - (group->logical_min < 0);
+    const int64_t most = ((int64_t)1 << bits) - 1;
+    return group->logical_max < most && group->bit_size > 1 ? group->logical_max : most;
+}
+
+static float span_of(const struct hid_group *group)
+{
+    return hid_mapping_infer_is_relative(group)
+               ? STEP_WAY
+               : (float)(hid_mapping_infer_high(group) - group->logical_min);
+}
+
+/* ---- Evaluating the recording --------------------------------------------------------------- */
+
+static int64_t rest_of(const struct learn_field *field)
+{
+    return (field->rest_low + field->rest_high) / 2;
+}
+
+/* Returns the larger deflection from rest in a step, with its sign. */
+static int64_t way_in(const struct learn_field *field, enum learn_step step)
+{
+    const int64_t down = field->low[step] - rest_of(field);
+    const int64_t up = field->high[step] - rest_of(field);
+    return up >= -down ? up : down;
+}
+
+static float worth_of(const struct hid_learn *learn, const struct learn_field *field)
+{
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
+    const float noise = (float)(field->rest_high - field->rest_low) / span_of(group);
+    const hid_usage usage = hid_usage_at(&learn->descriptor, group, field->index);
+    if (!field->heard || noise > NOISE_MAX) {
+        return 0.0f;
+    }
+    return PAGE_OF(usage) >= PAGE_VENDOR ? VENDOR_WORTH : 1.0f;
+}
+
+static float hid_mapping_infer_share_of(const struct hid_learn *learn,
+                                        const struct learn_field *field, int64_t way)
+{
+    const float share = f_abs((float)way) / span_of(hid_mapping_infer_group(learn, field));
+    return f_min(share, 1.0f) * worth_of(learn, field);
+}
+
+/* Deflections in one step and in the opposite direction in the other step; both are 0 if the
+ * field did not do this. At the start of a step the controller can still be where the last step
+ * ended, which must not count as travel of this step. */
+struct ways {
+    int64_t there, back;
+};
+
+static struct ways ways_of(const struct learn_field *field, enum learn_step one,
+                           enum learn_step other)
+{
+    const int64_t rest = rest_of(field);
+    const struct ways down_up = { field->low[one] - rest, field->high[other] - rest };
+    const struct ways up_down = { field->high[one] - rest, field->low[other] - rest };
+    const int64_t first = -down_up.there < down_up.back ? -down_up.there : down_up.back;
+    const int64_t second = up_down.there < -up_down.back ? up_down.there : -up_down.back;
+    return first <= 0 && second <= 0 ? (struct ways){ 0 } : first >= second ? down_up : up_down;
+}
+
+static float axis_share(const struct hid_learn *learn, const struct learn_field *field,
+                        enum learn_step one, enum learn_step other)
+{
+    const struct ways ways = ways_of(field, one, other);
+    const int is_wide = hid_mapping_infer_group(learn, field)->bit_size >= 4;
+    return is_wide ? f_min(hid_mapping_infer_share_of(learn, field, ways.there),
+                           hid_mapping_infer_share_of(learn, field, ways.back))
+                   : 0.0f;
+}
+
+static const struct learn_field *best_axis(const struct hid_learn *learn, enum learn_step one,
+                                           enum learn_step other,
+                                           const struct learn_field *not_this)
+{
+    const struct learn_field *best = NULL;
+    float best_share = WAY_MIN;
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        const struct learn_field *field = &learn->field[i];
+        const float share = axis_share(learn, field, one, other);
+        if (field != not_this && share > best_share) {
+            best = field;
+            best_share = share;
+        }
+    }
+    return best;
+}
+
+static float press_share(const struct hid_learn *learn, const struct learn_field *field)
+{
+    return hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field))
+               ? 0.0f
+               : hid_mapping_infer_share_of(learn, field, way_in(field, LEARN_DIP));
+}
+
+static const struct learn_field *best_press(const struct hid_learn *learn,
+                                            const struct learn_field *x,
+                                            const struct learn_field *z)
+{
+    const struct learn_field *best = NULL;
+    float best_share = PRESS_MIN;
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        const struct learn_field *field = &learn->field[i];
+        if (field != x && field != z && press_share(learn, field) > best_share) {
+            best = field;
+            best_share = press_share(learn, field);
+        }
+    }
+    return best;
+}
+
+static const struct learn_key *best_key(const struct hid_learn *learn)
+{
+    for (uint32_t i = 0; i < learn->key_count; i++) {
+        if (!learn->key[i].rested) {
+            return &learn->key[i];
+        }
+    }
+    return NULL;
+}
+
+float hid_mapping_infer_clarity(const struct hid_learn *learn)
+{
+    float best = 0.0f;
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        const struct learn_field *field = &learn->field[i];
+        const enum learn_step step = (enum learn_step)learn->step;
+        const int counts =
+            step == LEARN_DIP || hid_mapping_infer_group(learn, field)->bit_size >= 4;
+        best = counts ? f_max(best, hid_mapping_infer_share_of(learn, field, way_in(field, step)))
+                      : best;
+    }
+    return best_key(learn) ? 1.0f : f_min(1.0f, best / CLEAR_WAY);
+}
+
+/* ---- Building the mapping ------------------------------------------------------------------- */
+
+static struct hid_binding binding_of(const struct hid_learn *learn,
+                                     const struct learn_field *field, enum hid_role role)
+{
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
+    return (struct hid_binding){
+        .role = (uint8_t)role,
+        .report_id = group->report_id,
+        .bit_offset = group->bit_offset + field->index * group->bit_size,
+        .bit_size = (uint8_t)group->bit_size,
+        .is_signed = group->logical_min < 0,
+    };
+}
+
+/* Returns 1 if the field belongs to a stick, which returns to its center when released; a pen
+ * does not. The declared application takes precedence over the observed motion. */
+static int is_stick(const struct hid_learn *learn, const struct learn_field *field,
+                    enum learn_step one, enum learn_step other)
+{
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
+    const float near = MIDDLE_SHARE * span_of(group);
+    switch (group->application) {
+    case USAGE_JOYSTICK:
+    case USAGE_GAMEPAD:
+    case USAGE_MULTI_AXIS:
+        return 1;
+    case USAGE_MOUSE:
+    case USAGE_DIGITIZER:
+    case USAGE_PEN:
+    case USAGE_TOUCH_SCREEN:
+    case USAGE_TOUCH_PAD:
+        return 0;
+    default:
+        return f_abs((float)(field->end[one] - rest_of(field))) < near &&
+               f_abs((float)(field->end[other] - rest_of(field))) < near;
+    }
+}
+
+static void bind_axis(struct hid_learn *learn, const struct learn_field *field,
+                      enum hid_role role, enum learn_step one, enum learn_step other)
+{
+    const struct hid_group *group = hid_mapping_infer_group(learn, field);
+    const struct ways ways = ways_of(field, one, other);
+    struct hid_binding binding = binding_of(learn, field, role);
+    if (hid_mapping_infer_is_relative(group)) {
+        binding.manner = HID_BINDING_STEP;
+        binding.full = ways.back > 0 ? 1 : -1;
+    } else if (is_stick(learn, field, one, other)) {
+        binding.manner = HID_BINDING_RATE;
+        binding.rest = rest_of(field);
+        binding.full = rest_of(field) + ways.back;
+        binding.dead = (int64_t)(DEAD_SHARE * f_abs((float)ways.back)) +
+                       (field->rest_high - field->rest_low);
+    } else {
+        binding.manner = HID_BINDING_POSITION;
+        binding.rest = rest_of(field) + ways.there;
+        binding.full = rest_of(field) + ways.back;
+    }
+    hid_mapping_auto_bits(&learn->map, binding);
+}
+
+static void bind_press(struct hid_learn *learn, const struct learn_field *field)
+{
+    struct hid_binding binding = binding_of(learn, field, HID_ROLE_DIP);
+    binding.manner = HID_BINDING_PRESS;
+    binding.rest = rest_of(field);
+    binding.full = rest_of(field) + way_in(field, LEARN_DIP);
+    hid_mapping_auto_bits(&learn->map, binding);
+}
+
+static void bind_key(struct hid_learn *learn, const struct learn_key *key)
+{
+    const struct hid_group *group = &learn->descriptor.group[key->group];
+    hid_mapping_auto_bits(&learn->map, (struct hid_binding){
+                                           .role = HID_ROLE_DIP,
+                                           .manner = HID_BINDING_PRESS,
+                                           .report_id = group->report_id,
+                                           .bit_offset = group->bit_offset,
+                                           .bit_size = (uint8_t)group->bit_size,
+                                           .usage = key->usage,
+                                           .full = 1,
+                                       });
+}
+
+static int is_taken(const struct hid_mapping *map, const struct hid_binding *binding)
+{
+    for (uint32_t i = 0; i < map->count; i++) {
+        const struct hid_binding *taken = &map->binding[i];
+        if (taken->report_id == binding->report_id && taken->bit_offset == binding->bit_offset &&
+            taken->usage == binding->usage) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Returns 1 if an in-range bit was not set while axes moved. Some pens never report their range
+ * or report it inverted, although a pen that moved an axis was in range. */
+static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
+{
+    for (uint32_t i = 0; i < learn->field_count; i++) {
+        const struct learn_field *field = &learn->field[i];
+        const struct hid_binding own = binding_of(learn, field, HID_ROLE_IN_RANGE);
+        if (own.report_id == binding->report_id && own.bit_offset == binding->bit_offset) {
+            return field->end[LEARN_LEFT] != binding->full ||
+                   field->end[LEARN_NEAR] != binding->full;
+        }
+    }
+    return 1;
+}
+
+/* Adds offered bindings that were not demonstrated, such as menu buttons and the rotations of a
+ * second stick. */
+static void keep_offered(struct hid_learn *learn)
+{
+    for (uint32_t i = 0; i < learn->offered.count; i++) {
+        const struct hid_binding *binding = &learn->offered.binding[i];
+        const int was_shown = binding->role == HID_ROLE_X || binding->role == HID_ROLE_Y ||
+                              binding->role == HID_ROLE_Z || binding->role == HID_ROLE_DIP;
+        const int is_false = binding->role == HID_ROLE_IN_RANGE && never_said(learn, binding);
+        if (!was_shown && !is_false && !is_taken(&learn->map, binding)) {
+            hid_mapping_auto_bits(&learn->map, *binding);
+        }
+    }
+}
+
+int hid_mapping_infer_map(struct hid_learn *learn)
+{
+    const struct learn_field *x = best_axis(learn, LEARN_LEFT, LEARN_RIGHT, NULL);
+    const struct learn_field *z = best_axis(learn, LEARN_FAR, LEARN_NEAR, x);
+    const struct learn_field *press = best_press(learn, x, z);
+    const struct learn_key *key = press ? NULL : best_key(learn);
+    if (!x || !z || (!press && !key)) {
+        return 0;
+    }
+    learn->map = (struct hid_mapping){ .source = HID_MAPPING_LEARNED };
+    bind_axis(learn, x, HID_ROLE_X, LEARN_LEFT, LEARN_RIGHT);
+    bind_axis(learn, z, HID_ROLE_Z, LEARN_FAR, LEARN_NEAR);
+    learn->map.style =
+        learn->map.binding[0].manner == HID_BINDING_RATE ? HID_STYLE_FLY : HID_STYLE_POINTER;
+    if (press) {
+        bind_press(learn, press);
+    } else {
+        bind_key(learn, key);
+    }
+    keep_offered(learn);
+    return hid_mapping_is_sound(&learn->map, &learn->descriptor);
+}

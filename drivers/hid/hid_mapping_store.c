@@ -1,0 +1,295 @@
+/* hid_mapping_store.c -- the mapping store in memory, and the thread that writes its files. */
+#include "drivers/hid/hid_mapping_store.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "drivers/hid/hid_mapping_store_file.h"
+#include "drivers/hid/hid_mapping_store_text.h"
+
+#define FOLDER "pois"
+#define SUFFIX ".poi"
+
+struct complaints {
+    void (*complain)(void *self, const char *line);
+    void *self;
+    uint32_t count;
+};
+
+static void complain(struct complaints *to, const char *path, int line, const char *what)
+{
+    char text[HID_MAPPING_STORE_PATH_SIZE + 256u + HAL_TEXT_SIZE + 32u], number[16] = "";
+    if (line > 0) {
+        snprintf(number, sizeof number, ":%d", line);
+    }
+    snprintf(text, sizeof text, "%s%s: %s", path, number, what);
+    to->count++;
+    if (to->complain) {
+        to->complain(to->self, text);
+    }
+}
+
+/* ---- Reading the files ---------------------------------------------------------------------- */
+
+static struct hid_mapping_store_entry *entry_of(struct hid_mapping_store *store, uint16_t vendor,
+                                                uint16_t product, const char *serial)
+{
+    for (uint32_t i = 0; i < store->count; i++) {
+        struct hid_mapping_store_entry *entry = &store->entry[i];
+        if (entry->vendor == vendor && entry->product == product &&
+            strcmp(entry->serial, serial) == 0) {
+            return entry;
+        }
+    }
+    return NULL;
+}
+
+static void read_entry(struct hid_mapping_store *store, const char *path, struct complaints *to)
+{
+    char text[HID_MAPPING_STORE_TEXT_SIZE], why[HAL_TEXT_SIZE];
+    struct hid_mapping_store_entry entry;
+    const int error = hid_mapping_store_file_read(path, text);
+    const int bad_line = error ? 0 : hid_mapping_store_read(&entry, text, why);
+    if (error || bad_line) {
+        complain(to, path, bad_line, error ? strerror(error) : why);
+        return;
+    }
+    struct hid_mapping_store_entry *known =
+        entry_of(store, entry.vendor, entry.product, entry.serial);
+    if (known) {
+        *known = entry;
+    } else if (store->count < HID_MAPPING_STORE_MAX) {
+        store->entry[store->count++] = entry;
+    } else {
+        complain(to, path, 0, "more learned controllers than the book holds");
+    }
+}
+
+static int is_ours(const char *name)
+{
+    const size_t length = strlen(name), suffix = sizeof SUFFIX - 1u;
+    return length > suffix && strcmp(name + length - suffix, SUFFIX) == 0;
+}
+
+static void read_folder(struct hid_mapping_store *store, struct complaints *to)
+{
+    char path[HID_MAPPING_STORE_PATH_SIZE + 256u];
+    DIR *folder = opendir(store->folder);
+    const struct dirent *file;
+    if (!folder) {
+        if (errno != ENOENT) {
+            complain(to, store->folder, 0, strerror(errno));
+        }
+        return;
+    }
+    while ((file = readdir(folder)) != NULL) {
+        if (is_ours(file->d_name)) {
+            snprintf(path, sizeof path, "%s/%s", store->folder, file->d_name);
+            read_entry(store, path, to);
+        }
+    }
+    closedir(folder);
+}
+
+/* ---- Writer thread -------------------------------------------------------------------------- */
+
+static int do_job(const char *folder, const struct hid_mapping_store_job *job)
+{
+    int error = 0;
+    if (mkdir(folder, 0755) != 0 && errno != EEXIST) {
+        return errno;
+    }
+    if (job->text[0]) {
+        error = hid_mapping_store_file_replace(job->path, job->text);
+    } else if (unlink(job->path) != 0 && errno != ENOENT) {
+        error = errno;
+    }
+    return error ? error : hid_mapping_store_file_sync(folder);
+}
+
+static void say_failed(const struct complaints *to, const struct hid_mapping_store_job *job,
+                       int error)
+{
+    char text[HID_MAPPING_STORE_PATH_SIZE + HAL_TEXT_SIZE];
+    snprintf(text, sizeof text, "%s: %s; what was %s holds until the kiosk ends", job->path,
+             strerror(error), job->text[0] ? "learned" : "forgotten");
+    if (to->complain) {
+        to->complain(to->self, text);
+    }
+}
+
+static void *write_down(void *self)
+{
+    struct hid_mapping_store *store = self;
+    pthread_mutex_lock(&store->lock);
+    while (!store->stops || store->has_job) {
+        if (!store->has_job) {
+            pthread_cond_wait(&store->changed, &store->lock);
+            continue;
+        }
+        /* `job` is not changed before has_job is cleared. */
+        const struct hid_mapping_store_job job = store->job;
+        const struct complaints to = { .complain = store->tell, .self = store->tell_self };
+        pthread_mutex_unlock(&store->lock);
+        const int error = do_job(store->folder, &job);
+        if (error) {
+            say_failed(&to, &job, error);
+        }
+        pthread_mutex_lock(&store->lock);
+        store->has_job = 0;
+        store->written_count += !error;
+        store->failed_count += error != 0;
+        store->last_failed = error != 0;
+    }
+    pthread_mutex_unlock(&store->lock);
+    return NULL;
+}
+
+int hid_mapping_store_result(struct hid_mapping_store *store)
+{
+    pthread_mutex_lock(&store->lock);
+    const int result = store->has_job ? HAL_ERR_BUSY : store->last_failed ? HAL_ERR_IO : HAL_OK;
+    pthread_mutex_unlock(&store->lock);
+    return result;
+}
+
+void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
+                                      void (*tell)(void *self, const char *line), void *self)
+{
+    pthread_mutex_lock(&store->lock);
+    store->tell = tell;
+    store->tell_self = self;
+    pthread_mutex_unlock(&store->lock);
+}
+
+/* Passes a write, or with `forget` a deletion, to the writer thread. Must only be called while
+ * no job is pending. */
+static int give_job(struct hid_mapping_store *store, const struct hid_mapping_store_entry *entry,
+                    int forget)
+{
+    char name[HID_MAPPING_STORE_NAME_SIZE];
+    if (!store->has_thread) {
+        return store->folder[0] ? HAL_ERR_IO : HAL_OK;
+    }
+    hid_mapping_store_name(entry, name);
+    pthread_mutex_lock(&store->lock);
+    const int length =
+        snprintf(store->job.path, sizeof store->job.path, "%s/%s", store->folder, name);
+    store->job.text[0] = '\0';
+    const int error = (size_t)length >= sizeof store->job.path ||
+                      (!forget && hid_mapping_store_write(entry, store->job.text) != 0);
+    store->has_job = !error;
+    pthread_cond_signal(&store->changed);
+    pthread_mutex_unlock(&store->lock);
+    return error ? HAL_ERR_IO : HAL_OK;
+}
+
+/* ---- Public functions ----------------------------------------------------------------------- */
+
+uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *data,
+                                void (*complain_to)(void *self, const char *line), void *self)
+{
+    struct complaints to = { .complain = complain_to, .self = self };
+    memset(store, 0, sizeof *store);
+    pthread_mutex_init(&store->lock, NULL);
+    pthread_cond_init(&store->changed, NULL);
+    if (!data) {
+        return 0;
+    }
+    const int length = snprintf(store->folder, sizeof store->folder, "%s/" FOLDER, data);
+    if ((size_t)length >= sizeof store->folder) {
+        complain(&to, data, 0, "a path too long to keep learned controllers in");
+        return to.count;
+    }
+    read_folder(store, &to);
+    store->has_thread = pthread_create(&store->thread, NULL, write_down, store) == 0;
+    if (!store->has_thread) {
+        complain(&to, store->folder, 0, "no thread to write with: what is learned is not kept");
+    }
+    return to.count;
+}
+
+const struct hid_mapping *hid_mapping_store_find(const struct hid_mapping_store *store,
+                                                 const struct hid_identity *identity)
+{
+    for (uint32_t i = 0; i < store->count; i++) {
+        const struct hid_mapping_store_entry *entry = &store->entry[i];
+        if (entry->vendor == identity->vendor && entry->product == identity->product &&
+            strcmp(entry->serial, identity->serial) == 0) {
+            return &entry->map;
+        }
+    }
+    return NULL;
+}
+
+int hid_mapping_store_put(struct hid_mapping_store *store, const struct hid_identity *identity,
+                          const struct hid_mapping *map)
+{
+    if (hid_mapping_store_result(store) == HAL_ERR_BUSY) {
+        return HAL_ERR_BUSY;
+    }
+    struct hid_mapping_store_entry *entry =
+        entry_of(store, identity->vendor, identity->product, identity->serial);
+    if (!entry) {
+        if (store->count == HID_MAPPING_STORE_MAX) {
+            return HAL_ERR_IO;
+        }
+        entry = &store->entry[store->count++];
+        *entry = (struct hid_mapping_store_entry){ .vendor = identity->vendor,
+                                                   .product = identity->product };
+        memcpy(entry->serial, identity->serial, sizeof entry->serial);
+    }
+    entry->map = *map;
+    return give_job(store, entry, 0);
+}
+
+int hid_mapping_store_forget(struct hid_mapping_store *store, const struct hid_identity *identity)
+{
+    if (hid_mapping_store_result(store) == HAL_ERR_BUSY) {
+        return HAL_ERR_BUSY;
+    }
+    struct hid_mapping_store_entry *entry =
+        entry_of(store, identity->vendor, identity->product, identity->serial);
+    if (!entry) {
+        return HAL_OK;
+    }
+    const int result = give_job(store, entry, 1);
+    *entry = store->entry[--store->count];
+    return result;
+}
+
+static void hid_mapping_store_select(void *self, const struct hid_device_info *face,
+                                     const struct hid_descriptor *descriptor,
+                                     struct hid_mapping *out)
+{
+    const struct hid_mapping_store *store = self;
+    const struct hid_mapping *learned = hid_mapping_store_find(store, &face->identity);
+    if (learned && hid_mapping_is_sound(learned, descriptor)) {
+        *out = *learned;
+    } else {
+        hid_mapping_choose(out, &face->identity, descriptor);
+    }
+}
+
+struct hid_mapper hid_mapping_store_mapper(struct hid_mapping_store *store)
+{
+    return (struct hid_mapper){ .choose = hid_mapping_store_select, .self = store };
+}
+
+void hid_mapping_store_close(struct hid_mapping_store *store)
+{
+    if (store->has_thread) {
+        pthread_mutex_lock(&store->lock);
+        store->stops = 1;
+        pthread_cond_signal(&store->changed);
+        pthread_mutex_unlock(&store->lock);
+        pthread_join(store->thread, NULL);
+        store->has_thread = 0;
+    }
+    pthread_cond_destroy(&store->changed);
+    pthread_mutex_destroy(&store->lock);
+}

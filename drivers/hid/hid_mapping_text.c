@@ -1,0 +1,219 @@
+/* hid_mapping_text.c -- writes a mapping as one line of text, and parses it.
+ *
+ *   learned fly x=rate:1:u8@0:128..255~12 dip=press:1:u1@37:0..1 ok=press:0:u8@16:0..1/00070028
+ *
+ * The first words are the source, the style and the optional flags "trembles" and "feels". Each
+ * further word is a binding with the syntax role=manner:report:bits@offset:rest..full. Optional
+ * suffixes are ~dead for a dead zone and /usage for an element of an array. */
+#include "drivers/hid/hid_mapping.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const source_words[] = { "none", "own", "known", "offered", "learned" };
+static const char *const style_words[] = { "none", "pose", "pointer", "fly" };
+static const char *const manner_words[] = { "place", "rate", "step", "press", "hat" };
+static const char *const role_words[] = {
+    "none", "x",   "y",        "z",        "pitch", "yaw",  "roll",  "tilt", "dip",
+    "level", "fan", "in-range", "sequence", "start", "left", "right", "ok",   "hat",
+};
+
+#define COUNT(words) ((uint32_t)(sizeof words / sizeof words[0]))
+_Static_assert(COUNT(role_words) == HID_ROLE_COUNT, "every role has a word");
+_Static_assert(COUNT(manner_words) == HID_BINDING_KIND_COUNT, "every manner has a word");
+_Static_assert(COUNT(source_words) == HID_MAPPING_LEARNED + 1, "every source has a word");
+_Static_assert(COUNT(style_words) == HID_STYLE_FLY + 1, "every style has a word");
+
+#define WORD_SIZE 96u
+
+/* ---- Writing -------------------------------------------------------------------------------- */
+
+static int write_binding(const struct hid_binding *binding, char *text, size_t size)
+{
+    char dead[24] = "", usage[16] = "";
+    if (binding->dead) {
+        snprintf(dead, sizeof dead, "~%" PRId64, binding->dead);
+    }
+    if (binding->usage) {
+        snprintf(usage, sizeof usage, "/%08" PRIx32, binding->usage);
+    }
+    return snprintf(text, size, " %s=%s:%u:%c%u@%" PRIu32 ":%" PRId64 "..%" PRId64 "%s%s",
+                    role_words[binding->role], manner_words[binding->manner], binding->report_id,
+                    binding->is_signed ? 's' : 'u', binding->bit_size, binding->bit_offset,
+                    binding->rest, binding->full, dead, usage);
+}
+
+int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_SIZE])
+{
+    if (map->source >= COUNT(source_words) || map->style >= COUNT(style_words) ||
+        map->count > HID_BINDING_MAX) {
+        return -1;
+    }
+    int used = snprintf(text, HID_MAPPING_TEXT_SIZE, "%s %s%s%s", source_words[map->source],
+                        style_words[map->style], map->trembles ? " trembles" : "",
+                        map->feels ? " feels" : "");
+    for (uint32_t i = 0; i < map->count; i++) {
+        const struct hid_binding *binding = &map->binding[i];
+        if (binding->role >= HID_ROLE_COUNT || binding->manner >= HID_BINDING_KIND_COUNT) {
+            return -1;
+        }
+        used += write_binding(binding, text + used, HID_MAPPING_TEXT_SIZE - (size_t)used);
+        if ((uint32_t)used >= HID_MAPPING_TEXT_SIZE) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+/* ---- Reading -------------------------------------------------------------------------------- */
+
+static int hid_mapping_text_fail(char error[HAL_TEXT_SIZE], const char *what, const char *word)
+{
+    snprintf(error, HAL_TEXT_SIZE, "%s: '%.60s'", what, word);
+    return -1;
+}
+
+static int index_of(const char *const *words, uint32_t count, const char *word)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (strcmp(words[i], word) == 0) {
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+/* Copies the next word and advances `*text` behind it. Returns 1, 0 at the end, or -1 if the
+ * word is longer than `word`. */
+static int next_word(const char **text, char word[WORD_SIZE])
+{
+    const char *at = *text + strspn(*text, " \t");
+    const size_t length = strcspn(at, " \t");
+    if (length >= WORD_SIZE) {
+        return -1;
+    }
+    memcpy(word, at, length);
+    word[length] = '\0';
+    *text = at + length;
+    return length > 0;
+}
+
+/* Parses a number of `low` .. `high` that is followed by `end`, and advances `*at` behind `end`.
+ * Returns 1, or 0 on a syntax or range error. */
+static int read_number(const char **at, int base, int64_t low, int64_t high, const char *end,
+                       int64_t *out)
+{
+    char *stop = NULL;
+    const char first = **at;
+    if (first != '-' && !(first >= '0' && first <= '9') &&
+        !(base == 16 && first >= 'a' && first <= 'f')) {
+        return 0;
+    }
+    const long long value = strtoll(*at, &stop, base);
+    const size_t length = strlen(end);
+    if (strncmp(stop, end, length) != 0 || value < low || value > high) {
+        return 0;
+    }
+    *at = stop + length;
+    *out = value;
+    return 1;
+}
+
+/* Parses the optional parts "~dead" and "/usage", which must end the word. */
+static int read_tail(const char *at, struct hid_binding *out)
+{
+    int64_t value;
+    if (*at == '~') {
+        at++;
+        if (!read_number(&at, 10, 1, HID_VALUE_MAX, "", &value)) {
+            return 0;
+        }
+        out->dead = value;
+    }
+    if (*at == '/') {
+        at++;
+        if (!read_number(&at, 16, 1, UINT32_MAX, "", &value)) {
+            return 0;
+        }
+        out->usage = (hid_usage)value;
+    }
+    return *at == '\0';
+}
+
+static int read_field(const char *at, struct hid_binding *out)
+{
+    int64_t report, bits, offset;
+    if (!read_number(&at, 10, 0, 255, ":", &report) || (*at != 's' && *at != 'u')) {
+        return 0;
+    }
+    out->is_signed = *at++ == 's';
+    if (!read_number(&at, 10, 1, 32, "@", &bits) ||
+        !read_number(&at, 10, 0, HID_REPORT_BITS_MAX, ":", &offset) ||
+        !read_number(&at, 10, -HID_VALUE_MAX, HID_VALUE_MAX, "..", &out->rest) ||
+        !read_number(&at, 10, -HID_VALUE_MAX, HID_VALUE_MAX, "", &out->full)) {
+        return 0;
+    }
+    out->report_id = (uint8_t)report;
+    out->bit_size = (uint8_t)bits;
+    out->bit_offset = (uint32_t)offset;
+    return read_tail(at, out);
+}
+
+static int read_binding(char *word, struct hid_binding *out)
+{
+    char *manner = strchr(word, '=');
+    char *field = manner ? strchr(manner, ':') : NULL;
+    if (!field) {
+        return 0;
+    }
+    *manner++ = '\0';
+    *field++ = '\0';
+    const int role = index_of(role_words, COUNT(role_words), word);
+    const int how = index_of(manner_words, COUNT(manner_words), manner);
+    *out = (struct hid_binding){ .role = (uint8_t)role, .manner = (uint8_t)how };
+    return role > 0 && how >= 0 && read_field(field, out);
+}
+
+static int hid_mapping_text_read_words(struct hid_mapping *out, const char *text,
+                                       char error[HAL_TEXT_SIZE])
+{
+    char word[WORD_SIZE], kept[WORD_SIZE];
+    int more;
+    while ((more = next_word(&text, word)) > 0) {
+        memcpy(kept, word, sizeof kept);
+        if (strcmp(word, "trembles") == 0) {
+            out->trembles = 1;
+        } else if (strcmp(word, "feels") == 0) {
+            out->feels = 1;
+        } else if (out->count == HID_BINDING_MAX) {
+            return hid_mapping_text_fail(error, "more bindings than a map holds", kept);
+        } else if (!read_binding(word, &out->binding[out->count])) {
+            return hid_mapping_text_fail(error, "not role=manner:report:bits@offset:rest..full",
+                                         kept);
+        } else {
+            out->count++;
+        }
+    }
+    return more < 0 ? hid_mapping_text_fail(error, "a word too long", text) : 0;
+}
+
+int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_TEXT_SIZE])
+{
+    char word[WORD_SIZE] = "";
+    memset(out, 0, sizeof *out);
+    const int source =
+        next_word(&text, word) > 0 ? index_of(source_words, COUNT(source_words), word) : -1;
+    if (source <= 0) {
+        return hid_mapping_text_fail(error, "begins with no word for where a map is from", word);
+    }
+    const int style =
+        next_word(&text, word) > 0 ? index_of(style_words, COUNT(style_words), word) : -1;
+    if (style <= 0) {
+        return hid_mapping_text_fail(error, "no style of play behind its source", word);
+    }
+    out->source = (uint8_t)source;
+    out->style = (uint8_t)style;
+    return hid_mapping_text_read_words(out, text, error);
+}

@@ -1,0 +1,264 @@
+/* poi_hid.c -- decodes the reports of a port for the frame loop. */
+#include "drivers/hid/poi_hid.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/hid/poi_report.h"
+
+#define HEARD_MAX (HID_REPORTS_MAX + 1u) /* Reports in one frame: a full queue and the newest. */
+
+void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
+                  struct hid_mapper mapper, const struct view *view)
+{
+    memset(poi, 0, sizeof *poi);
+    poi->port = port;
+    poi->clock = clock;
+    poi->mapper = mapper;
+    poi->view = *view;
+    snprintf(poi->text, sizeof poi->text, "controller not opened yet");
+}
+
+void poi_hid_set_observer(struct poi_hid *poi, struct hid_watch watch)
+{
+    poi->watch = watch;
+}
+
+static uint64_t poi_now_ns(const struct poi_hid *poi)
+{
+    return poi->clock.ops->now_ns(poi->clock.self);
+}
+
+/* ---- Attached controller -------------------------------------------------------------------- */
+
+static const char *source_text(uint8_t source)
+{
+    static const char *const texts[] = {
+        [HID_MAPPING_NONE] = "cannot be a poi as it is: learn it in the operator's menu",
+        [HID_MAPPING_OWN] = "our own poi",
+        [HID_MAPPING_KNOWN] = "a known controller",
+        [HID_MAPPING_AUTO] = "played by what it offers",
+        [HID_MAPPING_LEARNED] = "played as learned",
+    };
+    return texts[source <= HID_MAPPING_LEARNED ? source : HID_MAPPING_NONE];
+}
+
+static void say_who(struct poi_hid *poi, uint8_t source)
+{
+    const struct hid_identity *who = &poi->face.identity;
+    const char *name = who->name[0] ? who->name : "controller";
+    snprintf(poi->text, sizeof poi->text, "%04x:%04x %.*s%s%.24s: %s", who->vendor, who->product,
+             hid_text_fit(name, 40), name, who->port[0] ? " at port " : "", who->port,
+             source_text(source));
+}
+
+static void choose_map(struct poi_hid *poi, struct hid_mapping *out)
+{
+    const struct hid_device_info *face = &poi->face;
+    /* Only scratch memory here, because hid_pose_decoder_init() parses it again. */
+    struct hid_descriptor *descriptor = &poi->hand.descriptor;
+    const uint32_t size =
+        face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
+    hid_descriptor_read(descriptor, face->descriptor, size);
+    if (poi->mapper.choose) {
+        poi->mapper.choose(poi->mapper.self, face, descriptor, out);
+    } else {
+        hid_mapping_choose(out, &face->identity, descriptor);
+    }
+}
+
+int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map)
+{
+    struct hid_mapping chosen;
+    if (!poi->is_open) {
+        return 0;
+    }
+    if (map) {
+        chosen = *map;
+    } else {
+        choose_map(poi, &chosen);
+    }
+    poi->plays = hid_pose_decoder_init(&poi->hand, &poi->face, &chosen, &poi->view) == 0;
+    say_who(poi, poi->plays ? chosen.source : (uint8_t)HID_MAPPING_NONE);
+    return poi->plays;
+}
+
+static int poi_hid_open(void *self)
+{
+    struct poi_hid *poi = self;
+    const int result = poi->port.ops->open(poi->port.self, &poi->face);
+    poi->is_open = result == HAL_OK;
+    poi->plays = 0;
+    if (!poi->is_open) {
+        snprintf(poi->text, sizeof poi->text, "%s", poi->port.ops->describe(poi->port.self));
+        return result;
+    }
+    poi_hid_remap(poi, NULL);
+    return HAL_OK;
+}
+
+/* ---- Samples -------------------------------------------------------------------------------- */
+
+/* The caller's sample buffer for one poll. */
+struct basket {
+    struct poi_sample *out;
+    uint32_t count, max;
+};
+
+/* Appends a sample. In a full buffer the newest sample is replaced, because the last pose must
+ * arrive. */
+static void poi_hid_add_sample(struct basket *basket, const struct poi_sample *sample)
+{
+    basket->count -= basket->count == basket->max;
+    basket->out[basket->count++] = *sample;
+}
+
+static void poi_hid_decode_raw(struct poi_hid *poi, const struct hid_raw *raw,
+                               struct basket *basket)
+{
+    struct poi_sample sample;
+    if (poi->watch.report) {
+        poi->watch.report(poi->watch.self, raw);
+    }
+    if (poi->plays && hid_pose_decoder_report(&poi->hand, raw) &&
+        hid_pose_decoder_sample(&poi->hand, raw->time_ns, &sample)) {
+        sample.was_stamped = 1;
+        poi_hid_add_sample(basket, &sample);
+    }
+}
+
+/* Returns 1 for pointers and sticks, whose pose changes between reports and is valid without
+ * reports. An absolute pose is sampled only by its reports. */
+static int goes_on(const struct poi_hid *poi)
+{
+    return poi->is_open && poi->plays && poi->hand.map.style != HID_STYLE_POSE;
+}
+
+/* Decodes all queued reports even if there is room for fewer samples, since a remainder would
+ * delay the next frames too. Reports from before unplugging are still returned. HAL_ERR_GONE
+ * follows in the next poll. */
+static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct poi_hid *poi = self;
+    struct basket basket = { .out = out, .max = max };
+    struct poi_sample now;
+    struct hid_raw raw;
+    if (!poi->is_open) {
+        return HAL_ERR_GONE;
+    }
+    for (uint32_t taken = 0; taken < HEARD_MAX; taken++) {
+        const int result = poi->port.ops->take(poi->port.self, &raw);
+        if (result == HAL_ERR_GONE) {
+            poi->is_open = 0;
+            snprintf(poi->text, sizeof poi->text, "%s", poi->port.ops->describe(poi->port.self));
+            return basket.count > 0 ? (int)basket.count : HAL_ERR_GONE;
+        }
+        if (result <= 0) {
+            break;
+        }
+        poi_hid_decode_raw(poi, &raw, &basket);
+    }
+    if (goes_on(poi) && hid_pose_decoder_sample(&poi->hand, poi_now_ns(poi), &now)) {
+        poi_hid_add_sample(&basket, &now);
+    }
+    return (int)basket.count;
+}
+
+static int poi_hid_set_force(void *self, const struct poi_force *force)
+{
+    struct poi_hid *poi = self;
+    uint8_t bytes[POI_FEEL_SIZE];
+    if (!poi->is_open || !poi->plays || !poi->hand.map.feels) {
+        return HAL_ERR_ABSENT;
+    }
+    poi_feel_encode(force, poi->feel_sequence, bytes);
+    const int result = poi->port.ops->send(poi->port.self, bytes, sizeof bytes);
+    if (result == HAL_OK) {
+        poi->feel_sequence++;
+    }
+    return result;
+}
+
+static void poi_hid_set_view(void *self, const struct view *view,
+                             const struct display_settings *display_settings)
+{
+    struct poi_hid *poi = self;
+    (void)display_settings; /* The pose refers to the water, not to the screen. */
+    poi->view = *view;
+    hid_pose_decoder_set_view(&poi->hand, view);
+}
+
+static const char *poi_hid_describe(void *self)
+{
+    const struct poi_hid *poi = self;
+    return poi->text;
+}
+
+/* ---- Fan and buttons ------------------------------------------------------------------------ */
+
+static int poi_hid_fan_open(void *self)
+{
+    (void)self;
+    return HAL_OK; /* A controller without a fan button never activates the fan. */
+}
+
+static int poi_hid_fan_poll(void *self, struct shade_input *out)
+{
+    struct poi_hid *poi = self;
+    *out = poi->is_open && poi->plays ? hid_pose_decoder_fan(&poi->hand, poi_now_ns(poi))
+                                      : (struct shade_input){ 0 };
+    return HAL_OK;
+}
+
+static const char *poi_hid_fan_describe(void *self)
+{
+    (void)self;
+    return "the controller's fan button";
+}
+
+static int poi_hid_buttons_poll(void *self, struct button_sample *out)
+{
+    struct poi_hid *poi = self;
+    *out = (struct button_sample){ 0 };
+    if (poi->is_open && poi->plays) {
+        hid_pose_decoder_buttons(&poi->hand, out);
+    }
+    return HAL_OK;
+}
+
+static const char *buttons_describe(void *self)
+{
+    const struct poi_hid *poi = self;
+    return poi->is_open && poi->plays ? "the controller's own buttons" : "";
+}
+
+struct hal_poi poi_hid_device(struct poi_hid *poi)
+{
+    static const struct hal_poi_ops ops = {
+        .open = poi_hid_open,
+        .poll = poi_hid_poll,
+        .set_force = poi_hid_set_force,
+        .set_view = poi_hid_set_view,
+        .describe = poi_hid_describe,
+    };
+    return (struct hal_poi){ .ops = &ops, .self = poi };
+}
+
+struct hal_fan poi_hid_fan(struct poi_hid *poi)
+{
+    static const struct hal_fan_ops ops = {
+        .open = poi_hid_fan_open,
+        .poll = poi_hid_fan_poll,
+        .describe = poi_hid_fan_describe,
+    };
+    return (struct hal_fan){ .ops = &ops, .self = poi };
+}
+
+struct hal_buttons poi_hid_buttons(struct poi_hid *poi)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = poi_hid_buttons_poll,
+        .describe = buttons_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = poi };
+}

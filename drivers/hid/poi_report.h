@@ -1,0 +1,60 @@
+/* poi_report.h -- the two reports of our own poi, byte by byte: pose and force feedback.
+ *
+ * Pure: no device, no clock. Numbers are two's complement in little-endian order. A 16-bit field
+ * ranges from -32767 to 32767, so that its range is symmetric; -32768 means no value.
+ *
+ *   input, id 1, 15 bytes                     output, id 2, 17 bytes
+ *    0      id                                 0      id
+ *    1      sequence, 0 .. 255, wraps           1      sequence, wraps
+ *    2.. 7  X Y Z: +-1 m, world axes            2.. 7  force X Y Z: +-POI_FORCE_N_MAX
+ *    8..13  Rx Ry Rz: +-pi, pitch yaw roll      8..13  torque X Y Z: +-POI_TORQUE_N_M_MAX
+ *   14      buttons, enum poi_button           14..16  drag, slap, tear: 0 .. 255 is 0 .. 1
+ *
+ * poi_descriptor.c declares the format to the host. */
+#ifndef KINGYO_DRIVERS_HID_POI_REPORT_H
+#define KINGYO_DRIVERS_HID_POI_REPORT_H
+
+#include <stdint.h>
+
+#include "core/output.h"
+
+#define POI_REPORT_ID 1u
+#define POI_REPORT_SIZE 15u
+#define POI_REPORT_REACH_M 1.0f /* Range of a position, with a step of 31 um. */
+#define POI_FEEL_ID 2u
+#define POI_FEEL_SIZE 17u
+
+/* Keys on the handle of a poi; HID's Button 1 is bit 0. The other bits are free for vendors. */
+enum poi_button {
+    POI_BUTTON_OK = 1u << 0, /* Under the thumb, the main button for other programs. */
+    POI_BUTTON_START = 1u << 1,
+    POI_BUTTON_LEFT = 1u << 2,
+    POI_BUTTON_RIGHT = 1u << 3,
+    POI_BUTTON_FAN = 1u << 4, /* While held, the controller moves the fan. */
+};
+
+/* Content of an input report. Angles are within +-pi, as in struct angles. */
+struct poi_report {
+    struct poi_target target;
+    uint8_t buttons;  /* enum poi_button bits that are down. */
+    uint8_t sequence; /* Incremented by each report; a gap means lost reports. */
+};
+
+/* Parses `size` bytes. Returns 1, or 0 for another id, another length, or a coordinate without a
+ * value (the sensor lost its marker); `out` is then unchanged. */
+int poi_report_decode(const uint8_t *bytes, uint32_t size, struct poi_report *out);
+
+/* Writes a report. Values out of range are clamped; values that are not finite become "no
+ * value". */
+void poi_report_encode(const struct poi_report *report, uint8_t bytes[POI_REPORT_SIZE]);
+
+/* Writes a force feedback report. Values out of range are clamped; values that are not finite
+ * become 0, so that no motor is driven by them. Halves are rounded away from 0 in both
+ * directions. */
+void poi_feel_encode(const struct poi_force *force, uint8_t sequence, uint8_t bytes[POI_FEEL_SIZE]);
+
+/* Parses a force feedback report, for the device and its simulated twin. Returns 0 on the same
+ * errors as poi_report_decode(). `sequence` may be null. */
+int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence);
+
+#endif

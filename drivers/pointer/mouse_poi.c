@@ -1,0 +1,269 @@
+/* mouse_poi.c -- converts SDL's mouse and finger events to pointer reports for the decoder. */
+#include "drivers/pointer/mouse_poi.h"
+
+#include <SDL.h>
+#include <stdio.h>
+
+#define EVENT_BATCH 64
+#define CREEP_PX 24.0f /* More than a bump against the table moves a mouse. */
+
+void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
+                    uint32_t width, uint32_t height, uint32_t heeds)
+{
+    *mouse = (struct mouse_poi){
+        .clock = clock,
+        .heeds = (uint8_t)heeds,
+        .report = {
+            .x_px = 0.5f * (float)width,
+            .y_px = 0.5f * (float)height,
+            .width_px = width,
+            .height_px = height,
+        },
+    };
+    pointer_poi_init(&mouse->pointer, view);
+    pointer_fan_init(&mouse->fan, view);
+    snprintf(mouse->text, sizeof mouse->text, "mouse not opened yet");
+}
+
+static uint64_t mouse_now_ns(const struct mouse_poi *mouse)
+{
+    return mouse->clock.ops->now_ns(mouse->clock.self);
+}
+
+/* Observes F, while the button driver removes key events from the queue. The key code is used
+ * rather than the scan code, so it is the key labelled F. */
+static int watch_key(void *self, SDL_Event *event)
+{
+    struct mouse_poi *mouse = self;
+    if ((event->type == SDL_KEYDOWN || event->type == SDL_KEYUP) &&
+        event->key.keysym.sym == SDLK_f) {
+        mouse->fan_key = event->type == SDL_KEYDOWN;
+    }
+    return 0;
+}
+
+static int poi_mouse_open(void *self)
+{
+    struct mouse_poi *mouse = self;
+    if (!SDL_WasInit(SDL_INIT_VIDEO)) {
+        snprintf(mouse->text, sizeof mouse->text,
+                 "no mouse: there is no window for it to move over");
+        return HAL_ERR_ABSENT;
+    }
+    SDL_ShowCursor(SDL_DISABLE); /* The poi serves as the cursor. */
+    static const char *const names[] = { "", "mouse", "touch screen", "mouse or touch screen" };
+    const char *video = SDL_GetCurrentVideoDriver();
+    snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->heeds & 3u],
+             video ? video : "?");
+    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_FILTER_TOUCH ? "0" : "1");
+    mouse->last_poll_ns = mouse_now_ns(mouse);
+    SDL_DelEventWatch(watch_key, mouse); /* Removed first, so that reopening adds it only once. */
+    SDL_AddEventWatch(watch_key, mouse);
+    return HAL_OK;
+}
+
+/* Reads the window's size. Without a window system a touch event has no window; the current GL
+ * window is then used. */
+static void learn_window(struct pointer_report *report, uint32_t window_id)
+{
+    SDL_Window *named = SDL_GetWindowFromID(window_id);
+    SDL_Window *window = named ? named : SDL_GL_GetCurrentWindow();
+    int width = 0;
+    int height = 0;
+    if (window) {
+        SDL_GetWindowSize(window, &width, &height);
+    }
+    if (width > 0 && height > 0) {
+        report->width_px = (uint32_t)width;
+        report->height_px = (uint32_t)height;
+    }
+}
+
+static uint32_t button_bit(uint8_t sdl_button)
+{
+    return sdl_button == SDL_BUTTON_LEFT    ? POINTER_DIP
+           : sdl_button == SDL_BUTTON_RIGHT ? POINTER_LEVEL
+                                            : 0u;
+}
+
+static void take_mouse(struct mouse_poi *mouse, const SDL_Event *event)
+{
+    struct pointer_report *report = &mouse->report;
+    switch (event->type) {
+    case SDL_MOUSEMOTION:
+        learn_window(report, event->motion.windowID);
+        report->x_px = (float)event->motion.x;
+        report->y_px = (float)event->motion.y;
+        break;
+    case SDL_MOUSEBUTTONDOWN:
+        mouse->mouse_buttons |= button_bit(event->button.button);
+        break;
+    case SDL_MOUSEBUTTONUP:
+        mouse->mouse_buttons &= ~button_bit(event->button.button);
+        break;
+    case SDL_MOUSEWHEEL:
+        report->wheel_notches = event->wheel.direction == SDL_MOUSEWHEEL_FLIPPED
+                                    ? -event->wheel.preciseY
+                                    : event->wheel.preciseY;
+        break;
+    default:
+        break;
+    }
+}
+
+static void take_finger(struct mouse_poi *mouse, const SDL_TouchFingerEvent *finger)
+{
+    const struct touch_event event = {
+        .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
+                          : finger->type == SDL_FINGERUP ? TOUCH_UP
+                                                         : TOUCH_MOVE),
+        .id = finger->fingerId, /* The time is in the pointer report. */
+        .x = finger->x,
+        .y = finger->y,
+    };
+    struct pointer_report *report = &mouse->report;
+    if (touch_fingers_take(&mouse->fingers, &event)) {
+        learn_window(report, finger->windowID);
+        touch_fingers_point(&mouse->fingers, report);
+    }
+}
+
+/* Records use after CREEP_PX of motion, because a window that opens under a resting pointer
+ * causes a motion event. */
+static void notice_use(struct mouse_poi *mouse, const SDL_Event *event)
+{
+    const int is_motion = event->type == SDL_MOUSEMOTION;
+    mouse->crept_px += is_motion ? f_abs((float)event->motion.xrel) +
+                                       f_abs((float)event->motion.yrel)
+                                 : CREEP_PX;
+    if (mouse->crept_px >= CREEP_PX) {
+        mouse->used_ns = mouse_now_ns(mouse);
+        mouse->crept_px = 0.0f;
+    }
+}
+
+int mouse_poi_is_used(void *self)
+{
+    const struct mouse_poi *mouse = self;
+    return mouse->used_ns > 0 && mouse_now_ns(mouse) - mouse->used_ns < POINTER_USED_NS;
+}
+
+static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event)
+{
+    const int is_finger = event->type >= SDL_FINGERDOWN;
+    const uint32_t heed = is_finger ? POINTER_FILTER_TOUCH : POINTER_FILTER_MOUSE;
+    if (mouse->heeds & heed) {
+        notice_use(mouse, event);
+    }
+    mouse->report.wheel_notches = 0.0f;
+    if (is_finger && (mouse->heeds & POINTER_FILTER_TOUCH)) {
+        take_finger(mouse, &event->tfinger);
+    } else if (!is_finger && (mouse->heeds & POINTER_FILTER_MOUSE)) {
+        take_mouse(mouse, event);
+    }
+    mouse->report.buttons = (mouse->report.buttons & POINTER_FAN) | mouse->mouse_buttons |
+                            (mouse->fingers.dips ? (uint32_t)POINTER_DIP : 0u);
+}
+
+/* Passes the pointer report to the fan and the poi. */
+static int tell_hands(struct mouse_poi *mouse)
+{
+    const struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->display_settings);
+    pointer_fan_report(&mouse->fan, &seen);
+    return pointer_poi_report(&mouse->pointer, &seen);
+}
+
+/* Applies the state of F. The key has no position among the mouse events, so it counts from the
+ * next poll. */
+static void take_fan_key(struct mouse_poi *mouse, uint64_t now_ns)
+{
+    const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;
+    if ((mouse->report.buttons & POINTER_FAN) != fan) {
+        mouse->report.buttons = (mouse->report.buttons & ~(uint32_t)POINTER_FAN) | fan;
+        mouse->report.wheel_notches = 0.0f;
+        mouse->report.time_ns = now_ns;
+        tell_hands(mouse);
+    }
+}
+
+static struct poi_sample sample_at(struct mouse_poi *mouse, uint64_t time_ns)
+{
+    return (struct poi_sample){
+        .time_ns = time_ns,
+        .target = pointer_poi_target(&mouse->pointer, time_ns),
+    };
+}
+
+/* Processes events and writes a sample for each. SDL stamps a batch with the time of pumping, so
+ * the reports are spread evenly over the time since the last poll. The last element of out[]
+ * stays free for the caller. */
+static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t last, uint64_t now_ns,
+                            struct poi_sample *out, uint32_t max)
+{
+    SDL_Event events[EVENT_BATCH];
+    uint32_t count = 0;
+    int taken;
+    do {
+        taken = SDL_PeepEvents(events, EVENT_BATCH, SDL_GETEVENT, first, last);
+        for (int i = 0; i < taken; i++) {
+            const uint64_t span_ns = now_ns - mouse->last_poll_ns;
+            mouse_poi_take_event(mouse, &events[i]);
+            mouse->report.time_ns =
+                mouse->last_poll_ns + span_ns * (uint64_t)(i + 1) / (uint64_t)taken;
+            if (tell_hands(mouse) && count + 1 < max) {
+                out[count++] = sample_at(mouse, mouse->report.time_ns);
+            }
+        }
+        mouse->last_poll_ns = taken > 0 ? now_ns : mouse->last_poll_ns;
+    } while (taken == EVENT_BATCH);
+    return count;
+}
+
+/* Processes all events. The last sample is at the current time, because a dip continues between
+ * events and a resting pointer is still valid. */
+static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct mouse_poi *mouse = self;
+    const uint64_t now_ns = mouse_now_ns(mouse);
+    uint32_t count = take_events(mouse, SDL_FINGERDOWN, SDL_FINGERMOTION, now_ns, out, max);
+    count += take_events(mouse, SDL_MOUSEMOTION, SDL_MOUSEWHEEL, now_ns, out + count, max - count);
+    mouse->last_poll_ns = now_ns;
+    take_fan_key(mouse, now_ns);
+    if (count < max) {
+        out[count++] = sample_at(mouse, now_ns);
+    }
+    return (int)count;
+}
+
+static void poi_mouse_set_view(void *self, const struct view *view,
+                               const struct display_settings *display_settings)
+{
+    struct mouse_poi *mouse = self;
+    mouse->pointer.view = mouse->fan.view = *view;
+    mouse->display_settings = *display_settings;
+}
+
+static int poi_mouse_set_force(void *self, const struct poi_force *force)
+{
+    (void)self;
+    (void)force;
+    return HAL_ERR_ABSENT; /* A mouse has no force feedback. */
+}
+
+static const char *poi_mouse_describe(void *self)
+{
+    const struct mouse_poi *mouse = self;
+    return mouse->text;
+}
+
+struct hal_poi mouse_poi_device(struct mouse_poi *mouse)
+{
+    static const struct hal_poi_ops ops = {
+        .open = poi_mouse_open,
+        .poll = poi_mouse_poll,
+        .set_force = poi_mouse_set_force,
+        .set_view = poi_mouse_set_view,
+        .describe = poi_mouse_describe,
+    };
+    return (struct hal_poi){ .ops = &ops, .self = mouse };
+}

@@ -1,0 +1,166 @@
+/* pointer_poi.c -- turns two axes and buttons into a pose. */
+#include "drivers/pointer/pointer_poi.h"
+
+/* Smooths the notches of the wheel: the tilt reaches its goal in about three time constants. */
+#define TILT_TAU_S 0.06f
+
+/* Lean of the ring with speed, because a fast arm cannot keep a ring in its plane. The lean is
+ * below 3 degrees at 0.1 m/s; at 1 m/s the paper takes the full pressure of the water. */
+#define LEAN_RAD_PER_M_S (28.0f * F_DEG)
+#define LEAN_MAX_RAD (20.0f * F_DEG)
+/* Smooths the velocity, because whole pixels at 60 Hz make steps of 0.04 m/s. */
+#define LEAN_TAU_S 0.06f
+
+/* Time of the return under the pointer, slow enough not to damage the paper. */
+#define BACK_S 0.30f
+#define BACK_S_PER_WIDTH 0.9f /* Additional time for one width of the window. */
+/* Height from which the ring is clear of the water and returns at full pace. */
+#define BACK_FREE_M 0.025f
+#define BACK_UNDER_WATER 0.12f /* Share of that pace under water, because the paper would tear. */
+
+static float seconds_between(uint64_t from_ns, uint64_t to_ns)
+{
+    return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
+}
+
+static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
+{
+    const float dt = seconds_between(pointer->time_ns, time_ns);
+    const float left = f_exp(-f_min(dt / TILT_TAU_S, 50.0f));
+    pointer->tilt_rad = f_lerp(pointer->tilt_goal_rad, pointer->tilt_rad, left);
+    const float dry = f_smoothstep(0.0f, BACK_FREE_M, dip_at(&pointer->dip, time_ns).height_m);
+    pointer->back_done_s += dt * f_lerp(BACK_UNDER_WATER, 1.0f, dry);
+    if (time_ns > pointer->time_ns) {
+        pointer->time_ns = time_ns;
+    }
+}
+
+/* Estimates the pointer's velocity over the still water, without the dip. The velocity is reset
+ * after a pause of more than one second. */
+static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
+{
+    const float dt = seconds_between(pointer->hand_ns, pointer->time_ns);
+    if (pointer->hand_ns == 0 || dt > 1.0f) {
+        pointer->hand_m_s = v3(0.0f, 0.0f, 0.0f);
+    } else if (dt > 0.0f) {
+        const vec3 speed = v3_scale(v3_sub(hand_m, pointer->hand_m), 1.0f / dt);
+        const vec3 along = v3(speed.x, 0.0f, speed.z);
+        pointer->hand_m_s = v3_lerp(pointer->hand_m_s, along, dt / (dt + LEAN_TAU_S));
+    } else {
+        return; /* No time has passed since the last sample. */
+    }
+    pointer->hand_m = hand_m;
+    pointer->hand_ns = pointer->time_ns;
+}
+
+void pointer_poi_init(struct pointer_poi *pointer, const struct view *view)
+{
+    *pointer = (struct pointer_poi){
+        .view = *view,
+        .aspect = 16.0f / 9.0f,
+    };
+    dip_init(&pointer->dip);
+}
+
+int pointer_report_is_usable(const struct pointer_report *report)
+{
+    return f_is_finite(report->x_px) && f_is_finite(report->y_px) &&
+           f_is_finite(report->wheel_notches) && report->width_px > 0 && report->height_px > 0;
+}
+
+struct pointer_report pointer_report_on(const struct pointer_report *report,
+                                        const struct display_settings *display_settings)
+{
+    struct pointer_report on = *report;
+    if (pointer_report_is_usable(report)) {
+        const struct display_transform transform = display_transform_of(
+            display_settings, (float)report->width_px, (float)report->height_px);
+        display_to_picture(&transform, &on.x_px, &on.y_px);
+        on.width_px = (uint32_t)transform.width;
+        on.height_px = (uint32_t)transform.height;
+    }
+    return on;
+}
+
+/* Returns the remaining share of the return, smooth at both ends. */
+static float lag_left(const struct pointer_poi *pointer)
+{
+    return pointer->back_s > 0.0f
+               ? 1.0f - f_smoothstep(0.0f, pointer->back_s, pointer->back_done_s)
+               : 0.0f;
+}
+
+/* Stops the poi at its current position if `waits` is set, and otherwise starts its return to
+ * (x, y). */
+static void wait_or_come_back(struct pointer_poi *pointer, float x, float y, int waits)
+{
+    const float left = lag_left(pointer);
+    const float at_x = pointer->ndc_x + left * pointer->lag_x;
+    const float at_y = pointer->ndc_y + left * pointer->lag_y;
+    if (waits) {
+        pointer->ndc_x = at_x;
+        pointer->ndc_y = at_y;
+        pointer->back_s = 0.0f;
+        return;
+    }
+    pointer->lag_x = at_x - x;
+    pointer->lag_y = at_y - y;
+    pointer->back_done_s = 0.0f;
+    pointer->back_s = BACK_S + BACK_S_PER_WIDTH * 0.5f *
+                                   f_sqrt(pointer->lag_x * pointer->lag_x +
+                                          pointer->lag_y * pointer->lag_y);
+}
+
+int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report)
+{
+    if (!pointer_report_is_usable(report)) {
+        return 0;
+    }
+    move_to_time(pointer, report->time_ns);
+    const float width = (float)report->width_px;
+    const float height = (float)report->height_px;
+    pointer->aspect = width / height;
+    const float x = f_clamp(2.0f * report->x_px / width - 1.0f, -1.0f, 1.0f);
+    const float y = f_clamp(1.0f - 2.0f * report->y_px / height, -1.0f, 1.0f);
+    const uint32_t changed = pointer->buttons ^ report->buttons;
+    if (changed & POINTER_FAN) {
+        wait_or_come_back(pointer, x, y, (report->buttons & POINTER_FAN) != 0);
+    }
+    if (!(report->buttons & POINTER_FAN)) {
+        pointer->ndc_x = x;
+        pointer->ndc_y = y;
+    }
+    pointer->buttons = report->buttons;
+    if (changed & POINTER_DIP) {
+        dip_begin(&pointer->dip, pointer->time_ns, (report->buttons & POINTER_DIP) != 0);
+    }
+    const float turn = report->wheel_notches * POINTER_TILT_STEP_RAD;
+    pointer->tilt_goal_rad =
+        f_clamp(pointer->tilt_goal_rad + turn, -POINTER_TILT_MAX_RAD, POINTER_TILT_MAX_RAD);
+    if (changed & report->buttons & POINTER_LEVEL) {
+        pointer->tilt_goal_rad = 0.0f;
+    }
+    return 1;
+}
+
+struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_ns)
+{
+    move_to_time(pointer, time_ns);
+    const struct dip_state stroke = dip_at(&pointer->dip, pointer->time_ns);
+    const float slant = dip_slant_rad(stroke.speed_m_s);
+    const float left = lag_left(pointer);
+    const float x = pointer->ndc_x + left * pointer->lag_x;
+    const float y = pointer->ndc_y + left * pointer->lag_y;
+    const vec3 hand_m =
+        view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
+    pointer_poi_update_speed(pointer,
+                             view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
+    const vec3 lean = v3_limit(v3_scale(pointer->hand_m_s, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
+    const float pitch_max_rad = POINTER_TILT_MAX_RAD + DIP_SLANT_MAX_RAD;
+    return (struct poi_target){
+        .position_m = hand_m,
+        .angles.pitch_rad =
+            f_clamp(pointer->tilt_rad - slant - lean.z, -pitch_max_rad, pitch_max_rad),
+        .angles.roll_rad = -lean.x,
+    };
+}

@@ -1,0 +1,88 @@
+/* touch_fingers.c -- tracks the leader and the number of fingers. */
+#include "drivers/pointer/touch_fingers.h"
+
+#include "core/base/fmath.h"
+
+static uint32_t touch_fingers_find(const struct touch_fingers *fingers, int64_t id)
+{
+    uint32_t i = 0;
+    while (i < fingers->count && fingers->id[i] != id) {
+        i++;
+    }
+    return i;
+}
+
+static int lead(struct touch_fingers *fingers, const struct touch_event *event)
+{
+    const float x = f_clamp(event->x, 0.0f, 1.0f);
+    const float y = f_clamp(event->y, 0.0f, 1.0f);
+    const int is_new = !fingers->has_place || x != fingers->x || y != fingers->y;
+    fingers->x = x;
+    fingers->y = y;
+    fingers->has_place = 1;
+    return is_new;
+}
+
+static int move(struct touch_fingers *fingers, const struct touch_event *event)
+{
+    return fingers->has_leader && fingers->leader == event->id ? lead(fingers, event) : 0;
+}
+
+static int put_down(struct touch_fingers *fingers, const struct touch_event *event)
+{
+    if (touch_fingers_find(fingers, event->id) < fingers->count) {
+        return move(fingers, event); /* The event of its lifting was lost. */
+    }
+    if (fingers->count == TOUCH_FINGER_MAX) {
+        return 0;
+    }
+    fingers->id[fingers->count++] = event->id;
+    if (fingers->count == 1) {
+        fingers->leader = event->id;
+        fingers->has_leader = 1;
+        lead(fingers, event);
+    }
+    fingers->start_pressed |= fingers->count == TOUCH_START_FINGERS;
+    return 1;
+}
+
+static int lift(struct touch_fingers *fingers, const struct touch_event *event)
+{
+    const uint32_t place = touch_fingers_find(fingers, event->id);
+    if (place == fingers->count) {
+        return 0;
+    }
+    move(fingers, event);
+    fingers->has_leader &= fingers->leader != event->id;
+    fingers->id[place] = fingers->id[--fingers->count];
+    return 1;
+}
+
+int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *event)
+{
+    if (!f_is_finite(event->x) || !f_is_finite(event->y)) {
+        return 0;
+    }
+    const int changed = event->kind == TOUCH_DOWN ? put_down(fingers, event)
+                        : event->kind == TOUCH_UP ? lift(fingers, event)
+                                                  : move(fingers, event);
+    fingers->dips = fingers->count >= TOUCH_DIP_FINGERS;
+    return changed;
+}
+
+void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_report *report)
+{
+    if (fingers->has_place) {
+        report->x_px = fingers->x * (float)report->width_px;
+        report->y_px = fingers->y * (float)report->height_px;
+    }
+    report->buttons = fingers->dips ? report->buttons | (uint32_t)POINTER_DIP
+                                    : report->buttons & ~(uint32_t)POINTER_DIP;
+}
+
+int touch_fingers_start(struct touch_fingers *fingers)
+{
+    const int pressed = fingers->start_pressed;
+    fingers->start_pressed = 0;
+    return pressed;
+}

@@ -1,0 +1,238 @@
+/* gpio_lines_sim.c -- the simulated line device and its time. */
+#include "drivers/sim/gpio_lines_sim.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/sim/gpio_sim_kernel.h"
+
+#define NS_PER_MS 1000000u
+
+/* ---- Time ----------------------------------------------------------------------------------- */
+
+void gpio_lines_sim_pass(struct gpio_lines_sim *sim, uint64_t ns)
+{
+    const uint64_t until_ns = sim->now_ns + ns;
+    while (gpio_sim_advance(sim, until_ns)) {
+    }
+    sim->now_ns = until_ns;
+}
+
+static bool has_edges(const struct gpio_lines_sim *sim)
+{
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        if (sim->lines[i].count > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* ---- The device ----------------------------------------------------------------------------- */
+
+static void gpio_lines_sim_open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire,
+                                     enum gpio_role role, char why[HAL_TEXT_SIZE])
+{
+    if (sim->chip_is_away) {
+        snprintf(why, HAL_TEXT_SIZE, "%u: the chip is away", role);
+    } else if (sim->held_by_others & 1u << role) {
+        snprintf(why, HAL_TEXT_SIZE, "%u is held by 'another'", role);
+    } else {
+        sim->held |= 1u << role;
+        sim->outputs[role] = gpio_role_begins_active(role);
+        sim->rests[role] = (wire->bias == GPIO_BIAS_UP) != (wire->active_low != 0);
+    }
+    if (gpio_role_is_input(role)) {
+        sim->lines[role].last = sim->lines[role].level;
+    }
+}
+
+static int sim_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
+                    char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
+{
+    struct gpio_lines_sim *sim = self;
+    sim->open_count++;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        why[role][0] = '\0';
+        if (wires[role].wired && !(sim->held & 1u << role)) {
+            gpio_lines_sim_open_line(sim, &wires[role], role, why[role]);
+        }
+    }
+    return sim->chip_is_away ? HAL_ERR_ABSENT : (int)sim->held;
+}
+
+static struct gpio_edge gpio_lines_sim_take_edge(struct gpio_lines_sim *sim, enum gpio_role role,
+                                                 bool was_full)
+{
+    struct gpio_sim_line *line = &sim->lines[role];
+    const uint32_t at = line->first++ % GPIO_SIM_QUEUE_MAX;
+    line->count--;
+    const uint32_t number = line->queue[at].number;
+    const uint8_t active = line->queue[at].active;
+    const struct gpio_edge edge = {
+        .time_ns = line->queue[at].time_ns,
+        .role = (uint8_t)role,
+        .active = active,
+        .lost_before = sim->is_numbered ? number - line->seen - 1u
+                                        : (uint32_t)(was_full && active == line->last),
+    };
+    line->seen = number;
+    line->last = active;
+    return edge;
+}
+
+/* Reads a line's queue. A queue that was full may have lost edges, like in gpio_lines1.c. */
+static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct gpio_edge *out,
+                         uint32_t max)
+{
+    struct gpio_sim_line *line = &sim->lines[role];
+    const bool is_full = line->count == sim->queue_size;
+    uint32_t count = 0;
+    while (line->count > 0 && count < max) {
+        out[count] = gpio_lines_sim_take_edge(sim, role, line->was_full && count == 0);
+        count++;
+    }
+    if (count > 0) {
+        line->was_full = is_full;
+    }
+    return count;
+}
+
+static int sim_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms)
+{
+    struct gpio_lines_sim *sim = self;
+    const uint64_t until_ns = sim->now_ns + timeout_ms * (uint64_t)NS_PER_MS;
+    while (!sim->went && !has_edges(sim) && gpio_sim_advance(sim, until_ns)) {
+    }
+    if (sim->went) {
+        sim->went = false;
+        return HAL_ERR_GONE;
+    }
+    uint32_t count = 0;
+    for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
+        count += take_all(sim, role, out + count, max - count);
+    }
+    if (count == 0) {
+        sim->now_ns = until_ns;
+    }
+    return (int)count;
+}
+
+static int sim_level(void *self, enum gpio_role role)
+{
+    const struct gpio_lines_sim *sim = self;
+    if (!(sim->held & 1u << role)) {
+        return HAL_ERR_GONE;
+    }
+    return gpio_role_is_input(role) ? sim->lines[role].level : sim->outputs[role];
+}
+
+static int sim_set(void *self, enum gpio_role role, int active)
+{
+    struct gpio_lines_sim *sim = self;
+    if (!(sim->held & 1u << role)) {
+        return HAL_ERR_GONE;
+    }
+    sim->outputs[role] = active != 0;
+    sim->sets[sim->set_count++ % GPIO_SIM_SETS_MAX] = (struct gpio_sim_set){
+        .time_ns = sim->now_ns,
+        .role = (uint8_t)role,
+        .active = active != 0,
+    };
+    return HAL_OK;
+}
+
+static int sim_debounces(void *self, enum gpio_role role)
+{
+    const struct gpio_lines_sim *sim = self;
+    (void)role;
+    return sim->kernel_debounces;
+}
+
+static int sim_list(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
+                    void *context)
+{
+    const struct gpio_lines_sim *sim = self;
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
+        struct gpio_line_info info = {
+            .device = "gpiochip0",
+            .chip = "memory",
+            .offset = i,
+            .used = (sim->held | sim->held_by_others) >> i & 1u,
+            .is_output = !gpio_role_is_input(i),
+        };
+        snprintf(info.consumer, sizeof info.consumer, "%s",
+                 sim->held_by_others & 1u << i ? "another" : sim->held & 1u << i ? "kingyo" : "");
+        tell(context, &info);
+    }
+    return GPIO_ROLE_COUNT;
+}
+
+static void sim_close(void *self)
+{
+    struct gpio_lines_sim *sim = self;
+    /* Released outputs become inputs, as on most chips. */
+    memcpy(sim->outputs, sim->rests, sizeof sim->outputs);
+    sim->held = 0;
+}
+
+static const char *sim_describe(void *self)
+{
+    (void)self;
+    return "lines of memory";
+}
+
+struct gpio_lines gpio_lines_sim_device(struct gpio_lines_sim *sim)
+{
+    static const struct gpio_lines_ops ops = {
+        .open = sim_open,
+        .wait = sim_wait,
+        .level = sim_level,
+        .set = sim_set,
+        .debounces = sim_debounces,
+        .list = sim_list,
+        .close = sim_close,
+        .describe = sim_describe,
+    };
+    return (struct gpio_lines){ .ops = &ops, .self = sim };
+}
+
+static uint64_t gpio_lines_sim_now_ns(void *self)
+{
+    const struct gpio_lines_sim *sim = self;
+    return sim->now_ns;
+}
+
+struct hal_clock gpio_lines_sim_clock(struct gpio_lines_sim *sim)
+{
+    static const struct hal_clock_ops ops = { .now_ns = gpio_lines_sim_now_ns };
+    return (struct hal_clock){ .ops = &ops, .self = sim };
+}
+
+/* ---- Scripts -------------------------------------------------------------------------------- */
+
+static bool next_of_events(void *self, struct gpio_sim_event *out)
+{
+    struct gpio_sim_events *events = self;
+    if (events->next == events->count) {
+        return false;
+    }
+    *out = events->events[events->next++];
+    return true;
+}
+
+struct gpio_sim_script gpio_lines_sim_events_script(struct gpio_sim_events *events)
+{
+    return (struct gpio_sim_script){ .next = next_of_events, .self = events };
+}
+
+void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script script, uint32_t seed)
+{
+    memset(sim, 0, sizeof *sim);
+    sim->queue_size = GPIO_SIM_QUEUE_MAX;
+    sim->is_numbered = 1;
+    sim->seed = seed ? seed : 1u; /* A xorshift generator would stay at 0. */
+    sim->script = script;
+    sim->now_ns = 1u; /* Time 0 is reserved, because busy_until_ns 0 means idle. */
+    sim->has_next = script.next && script.next(script.self, &sim->next_event);
+}

@@ -1,0 +1,213 @@
+/* storage_sim.c -- a store in memory with selectable faults. */
+#include "drivers/sim/storage_sim.h"
+
+#include <string.h>
+
+static int storage_sim_open(void *self)
+{
+    (void)self;
+    return HAL_OK;
+}
+
+static int storage_sim_load(void *self, struct persistent_state *out)
+{
+    const struct storage_sim *sim = self;
+    *out = sim->memory;
+    return HAL_OK;
+}
+
+static int storage_sim_store_replay(void *self, uint32_t round_id, const uint8_t *bytes,
+                                    size_t size)
+{
+    struct storage_sim *sim = self;
+    if (sim->replay == NULL) {
+        return HAL_ERR_ABSENT;
+    }
+    if (size > sim->replay_room) {
+        return HAL_ERR_IO;
+    }
+    memcpy(sim->replay, bytes, size);
+    sim->replay_id = round_id;
+    sim->replay_size = size;
+    return HAL_OK;
+}
+
+static int is_replay_done(struct storage_sim *sim)
+{
+    sim->replay_polls_left -= sim->replay_polls_left > 0;
+    return sim->replay_polls_left == 0;
+}
+
+static uint32_t storage_sim_stored_replay_id(void *self)
+{
+    struct storage_sim *sim = self;
+    return is_replay_done(sim) ? sim->replay_id : 0;
+}
+
+static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
+                                    struct ledger_entry *round)
+{
+    struct storage_sim *sim = self;
+    if (sim->replay == NULL) {
+        return HAL_ERR_ABSENT;
+    }
+    sim->replay_asked_id = round_id;
+    *round = round_id == sim->round.id ? sim->round : (struct ledger_entry){ 0 };
+    if (round_id == sim->replay_id && size >= sim->replay_size) {
+        memcpy(bytes, sim->replay, sim->replay_size);
+    }
+    return HAL_OK;
+}
+
+static int storage_sim_replay_fetched(void *self)
+{
+    struct storage_sim *sim = self;
+    const int is_there = sim->replay_id != 0 && sim->replay_asked_id == sim->replay_id;
+    return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_ABSENT;
+}
+
+static int storage_sim_append(void *self, const struct ledger_entry *entry)
+{
+    struct storage_sim *sim = self;
+    if (sim->busy_left > 0) {
+        sim->busy_left--;
+        sim->refused_count++;
+        return HAL_ERR_BUSY;
+    }
+    if (sim->fail_left > 0) {
+        sim->fail_left--;
+        sim->refused_count++;
+        return HAL_ERR_IO;
+    }
+    sim->entry = *entry;
+    if (entry->kind == LEDGER_ROUND) {
+        sim->record = entry->round;
+        sim->round = *entry;
+    }
+    sim->accepted_count++;
+    sim->polls_since = 0;
+    return HAL_OK;
+}
+
+static uint32_t storage_sim_saved_id(void *self)
+{
+    struct storage_sim *sim = self;
+    return sim->polls_since++ >= sim->delay_polls ? sim->entry.id : 0;
+}
+
+/* Uses the same fault counters as for entries. */
+static int storage_sim_store_edit(void *self, const struct graph_edit_record *edit)
+{
+    struct storage_sim *sim = self;
+    if (sim->busy_left > 0) {
+        sim->busy_left--;
+        return HAL_ERR_BUSY;
+    }
+    sim->edit_failed = sim->fail_left > 0;
+    if (sim->edit_failed) {
+        sim->fail_left--;
+        return HAL_ERR_IO;
+    }
+    sim->edit = *edit;
+    return HAL_OK;
+}
+
+static uint32_t storage_sim_stored_edit_id(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->edit.id;
+}
+
+static int storage_sim_edits_failed(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->edit_failed;
+}
+
+static int storage_sim_is_healthy(void *self)
+{
+    return !storage_sim_edits_failed(self);
+}
+
+static const char *storage_sim_describe(void *self)
+{
+    (void)self;
+    return "simulated store";
+}
+
+static uint32_t storage_sim_refused_count(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->write_refused_count;
+}
+
+static int storage_sim_has_replay(void *self, uint32_t round_id)
+{
+    (void)self;
+    (void)round_id;
+    return 0;
+}
+
+static uint32_t storage_sim_close(void *self)
+{
+    (void)self;
+    return 0;
+}
+
+static int storage_sim_wants_restart(void *self)
+{
+    const struct storage_sim *sim = self;
+    return sim->wants_restart;
+}
+
+static int storage_sim_merge_offline(void *self, const struct balance_change *step,
+                                     const struct ledger_entry *entries, uint32_t count)
+{
+    struct storage_sim *sim = self;
+    if (sim->late_polls_left > 0) {
+        return HAL_ERR_BUSY;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        audits_note(&sim->late, &entries[i]);
+    }
+    sim->late_purse.units += step->to.units - step->from.units;
+    sim->late_purse.bonus_units += step->to.bonus_units - step->from.bonus_units;
+    sim->late_purse.paid += step->to.paid - step->from.paid;
+    sim->late_purse.service += step->to.service - step->from.service;
+    sim->late_purse.unlogged += step->to.unlogged - step->from.unlogged;
+    sim->late_polls_left = sim->late_polls;
+    return HAL_OK;
+}
+
+static int storage_sim_offline_merged(void *self)
+{
+    struct storage_sim *sim = self;
+    sim->late_polls_left -= sim->late_polls_left > 0;
+    return sim->late_polls_left == 0 ? HAL_OK : HAL_ERR_BUSY;
+}
+
+struct hal_storage storage_sim_device(struct storage_sim *sim)
+{
+    static const struct hal_storage_ops ops = {
+        .open = storage_sim_open,
+        .load = storage_sim_load,
+        .append = storage_sim_append,
+        .store_replay = storage_sim_store_replay,
+        .stored_replay_id = storage_sim_stored_replay_id,
+        .fetch_replay = storage_sim_fetch_replay,
+        .replay_fetched = storage_sim_replay_fetched,
+        .has_replay = storage_sim_has_replay,
+        .saved_id = storage_sim_saved_id,
+        .store_edit = storage_sim_store_edit,
+        .stored_edit_id = storage_sim_stored_edit_id,
+        .edits_failed = storage_sim_edits_failed,
+        .refused_count = storage_sim_refused_count,
+        .is_healthy = storage_sim_is_healthy,
+        .wants_restart = storage_sim_wants_restart,
+        .merge_offline = storage_sim_merge_offline,
+        .offline_merged = storage_sim_offline_merged,
+        .describe = storage_sim_describe,
+        .close = storage_sim_close,
+    };
+    return (struct hal_storage){ .ops = &ops, .self = sim };
+}

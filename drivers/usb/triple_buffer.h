@@ -1,0 +1,53 @@
+/* triple_buffer.h -- a lock-free triple buffer for the newest value from one thread to another.
+ *
+ * The owner has three slots. The writer uses one slot, the reader another, and the third holds
+ * the value in between. An unread value is overwritten. The reader only ever sees the newest
+ * value. */
+#ifndef KINGYO_DRIVERS_USB_TRIPLE_BUFFER_H
+#define KINGYO_DRIVERS_USB_TRIPLE_BUFFER_H
+
+#include <stdatomic.h>
+#include <stdint.h>
+
+#define TRIPLE_BUFFER_SLOTS 3u
+/* Flag beside the index of the middle slot: the value was not read yet. */
+#define TRIPLE_BUFFER_FRESH 4u
+
+struct triple_buffer {
+    uint32_t writing;   /* Slot index, used only by the writer. */
+    uint32_t reading;   /* Slot index, used only by the reader. */
+    atomic_uint middle;
+};
+
+/* Initializes the buffer. Until the first post the reader sees slot 1, which the owner has
+ * filled. */
+static inline void triple_buffer_init(struct triple_buffer *mail)
+{
+    mail->writing = 0u;
+    mail->reading = 1u;
+    atomic_init(&mail->middle, 2u);
+}
+
+/* For the writer: publishes slot `mail->writing` and selects another slot for the next value.
+ * Returns 1 if the previous value was never read. */
+static inline int triple_buffer_post(struct triple_buffer *mail)
+{
+    const unsigned old = atomic_exchange_explicit(
+        &mail->middle, mail->writing | TRIPLE_BUFFER_FRESH, memory_order_acq_rel);
+    mail->writing = old & (TRIPLE_BUFFER_FRESH - 1u);
+    return (old & TRIPLE_BUFFER_FRESH) != 0;
+}
+
+/* For the reader: makes slot `mail->reading` the newest value. Returns 1 if the value is new. */
+static inline int triple_buffer_fetch(struct triple_buffer *mail)
+{
+    if (!(atomic_load_explicit(&mail->middle, memory_order_relaxed) & TRIPLE_BUFFER_FRESH)) {
+        return 0;
+    }
+    const unsigned old =
+        atomic_exchange_explicit(&mail->middle, mail->reading, memory_order_acq_rel);
+    mail->reading = old & (TRIPLE_BUFFER_FRESH - 1u);
+    return 1;
+}
+
+#endif

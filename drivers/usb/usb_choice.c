@@ -1,0 +1,308 @@
+/* usb_choice.c -- rules, verdicts and slots of USB controllers. */
+#include "drivers/usb/usb_choice.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/hid/hid_mapping.h"
+#include "drivers/hid/poi_descriptor.h"
+
+/* ---- Keys ----------------------------------------------------------------------------------- */
+
+static int read_id(const char *text, uint16_t *out)
+{
+    unsigned value = 0;
+    for (int i = 0; i < 4; i++) {
+        if (!isxdigit((unsigned char)text[i])) {
+            return -1;
+        }
+        const int c = tolower((unsigned char)text[i]);
+        value = value * 16u + (unsigned)(c <= '9' ? c - '0' : c - 'a' + 10);
+    }
+    *out = (uint16_t)value;
+    return 0;
+}
+
+int usb_key_read(struct usb_key *out, const char *text)
+{
+    struct usb_key key = { 0 };
+    const size_t length = strlen(text);
+    if (length < 9u || read_id(text, &key.vendor) || text[4] != ':' ||
+        read_id(text + 5, &key.product)) {
+        return -1;
+    }
+    if (length > 9u) {
+        const size_t serial = length - 10u;
+        if (text[9] != ':' || serial == 0u || serial >= sizeof key.serial) {
+            return -1;
+        }
+        memcpy(key.serial, text + 10, serial);
+    }
+    *out = key;
+    return 0;
+}
+
+void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE])
+{
+    snprintf(text, USB_KEY_TEXT_SIZE, "%04x:%04x%s%s", key->vendor, key->product,
+             key->serial[0] ? ":" : "", key->serial);
+}
+
+struct usb_key usb_key_of(const struct hid_identity *identity)
+{
+    struct usb_key key = { .vendor = identity->vendor, .product = identity->product };
+    snprintf(key.serial, sizeof key.serial, "%s", identity->serial);
+    return key;
+}
+
+/* ---- Rules ---------------------------------------------------------------------------------- */
+
+static int is_same_key(const struct usb_key *a, const struct usb_key *b)
+{
+    return a->vendor == b->vendor && a->product == b->product && !strcmp(a->serial, b->serial);
+}
+
+static void forget_wish(struct usb_choice *choice, uint32_t index)
+{
+    choice->wish_count--;
+    memmove(&choice->wish[index], &choice->wish[index + 1u],
+            (choice->wish_count - index) * sizeof choice->wish[0]);
+}
+
+void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, int plays, int kept)
+{
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        const struct usb_request *old = &choice->wish[i];
+        if (is_same_key(&old->key, key)) {
+            kept |= old->kept && !old->plays == !plays;
+            forget_wish(choice, i);
+            break;
+        }
+    }
+    if (choice->wish_count == USB_REQUEST_MAX) {
+        forget_wish(choice, 0u);
+    }
+    choice->wish[choice->wish_count++] =
+        (struct usb_request){ .key = *key, .plays = plays != 0, .kept = kept != 0 };
+}
+
+int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE])
+{
+    struct usb_key key;
+    char text[USB_CHOICE_LINE_SIZE + 2u];
+    const size_t length = strcspn(line, "\r\n");
+    const size_t blank = strspn(line, " \t");
+    if (blank >= length || line[blank] == '#') {
+        return 0;
+    }
+    if (length >= sizeof text) {
+        snprintf(error, USB_ERROR_SIZE, "a line is too long");
+        return -1;
+    }
+    snprintf(text, sizeof text, "%.*s", (int)length, line);
+    const int plays = strncmp(text, "plays ", 6u) == 0;
+    if (!plays && strncmp(text, "rests ", 6u) != 0) {
+        snprintf(error, USB_ERROR_SIZE, "a line begins with neither 'plays' nor 'rests'");
+        return -1;
+    }
+    if (usb_key_read(&key, text + 6)) {
+        snprintf(error, USB_ERROR_SIZE, "'%.40s' is no VVVV:PPPP or VVVV:PPPP:SERIAL", text + 6);
+        return -1;
+    }
+    usb_choice_request(choice, &key, plays, 1);
+    return 0;
+}
+
+int usb_choice_line(const struct usb_choice *choice, uint32_t index,
+                    char line[USB_CHOICE_LINE_SIZE])
+{
+    char text[USB_KEY_TEXT_SIZE];
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        const struct usb_request *wish = &choice->wish[i];
+        if (wish->kept && index-- == 0u) {
+            usb_key_write(&wish->key, text);
+            snprintf(line, USB_CHOICE_LINE_SIZE, "%s %s", wish->plays ? "plays" : "rests", text);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        if (choice->wish[i].plays) {
+            out[count++] = choice->wish[i].key;
+        }
+    }
+    return count;
+}
+
+/* Returns the most specific rule for a controller, or null if there is none. */
+static const struct usb_request *find_wish(const struct usb_choice *choice,
+                                           const struct hid_identity *identity)
+{
+    const struct usb_request *found = NULL;
+    for (uint32_t i = 0; i < choice->wish_count; i++) {
+        const struct usb_request *wish = &choice->wish[i];
+        if (wish->key.vendor != identity->vendor || wish->key.product != identity->product) {
+            continue;
+        }
+        if (!wish->key.serial[0]) {
+            found = found ? found : wish;
+        } else if (!strcmp(wish->key.serial, identity->serial)) {
+            return wish;
+        }
+    }
+    return found;
+}
+
+/* ---- Verdicts ------------------------------------------------------------------------------- */
+
+/* Returns 1 for applications that cannot control a poi, by the HID Usage Tables. These are
+ * keyboards, keypads, system controls, media keys, telephones, monitors, power supplies, bar
+ * code scanners, scales, card readers, and FIDO security keys. */
+static int is_keys(hid_usage application)
+{
+    const uint32_t page = application >> 16, id = application & 0xffffu;
+    return (page == 0x01u && (id == 0x06u || id == 0x07u || id == 0x80u)) || page == 0x0bu ||
+           page == 0x0cu || (page >= 0x80u && page <= 0x8eu) || page == 0xf1d0u;
+}
+
+/* Returns LEARNABLE if any field belongs to another application than keys, KEYS if all belong to
+ * keys, or NOTHING if there are no fields. */
+static enum usb_kind kind_by_fields(const struct hid_descriptor *descriptor)
+{
+    uint32_t keys = 0, others = 0;
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        const struct hid_group *group = &descriptor->group[i];
+        if (group->range_count > 0 && !(group->flags & HID_CONSTANT)) {
+            *(is_keys(group->application) ? &keys : &others) += 1u;
+        }
+    }
+    return others > 0 ? USB_KIND_LEARNABLE : keys > 0 ? USB_KIND_KEYS : USB_KIND_NOTHING;
+}
+
+void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32_t size,
+                     struct hid_descriptor *scratch)
+{
+    subject->kind = USB_KIND_UNKNOWN;
+    subject->worth = 0;
+    if (size == 0u) {
+        return;
+    }
+    if (hid_descriptor_read(scratch, bytes, size) != HID_OK) {
+        subject->kind = USB_KIND_NOTHING;
+        return;
+    }
+    subject->worth = (uint8_t)hid_mapping_score(subject->identity, scratch);
+    subject->kind = (uint8_t)(poi_descriptor_is(bytes, size)      ? USB_KIND_OWN
+                              : hid_mapping_has_keyboard(scratch) ? USB_KIND_KEYS
+                              : subject->worth > 0                ? USB_KIND_HAND
+                                                                  : kind_by_fields(scratch));
+}
+
+static int is_bench(const struct hid_identity *identity)
+{
+    return identity->vendor == USB_BENCH_VENDOR && identity->product == USB_BENCH_PRODUCT;
+}
+
+enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
+                                     const struct usb_candidate *subject)
+{
+    if (subject->is_boot_keyboard || subject->kind == USB_KIND_NOTHING ||
+        subject->kind == USB_KIND_KEYS) {
+        return USB_BARRED;
+    }
+    const struct usb_request *wish = find_wish(choice, subject->identity);
+    if (wish && !wish->plays) {
+        return USB_FREE;
+    }
+    if (subject->kind == USB_KIND_UNKNOWN) {
+        return wish || is_bench(subject->identity) ? USB_ASK : USB_FREE;
+    }
+    return wish || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
+}
+
+static uint32_t rank_of(const struct usb_choice *choice, const struct usb_candidate *subject)
+{
+    switch (usb_choice_evaluate(choice, subject)) {
+    case USB_PLAYS:
+        return subject->kind == USB_KIND_LEARNABLE ? 2u : 4u;
+    case USB_ASK:
+        return 3u;
+    case USB_FREE:
+        return 1u;
+    default:
+        return 0u;
+    }
+}
+
+int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
+                         const struct usb_candidate *b)
+{
+    const uint32_t rank = rank_of(choice, a), other = rank_of(choice, b);
+    return rank != other         ? rank > other
+           : a->kind != b->kind   ? a->kind > b->kind
+           : a->worth != b->worth ? a->worth > b->worth
+                                  : a->identity->interface_number < b->identity->interface_number;
+}
+
+/* ---- Slots ---------------------------------------------------------------------------------- */
+
+uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_identity *b)
+{
+    if (a->vendor != b->vendor || a->product != b->product) {
+        return 0u;
+    }
+    const int same_port = !strcmp(a->port, b->port);
+    const int same_serial = !strcmp(a->serial, b->serial);
+    if (a->serial[0] && same_serial) {
+        return same_port ? 4u : 3u; /* Several cheap devices can have the same serial number. */
+    }
+    if (same_port) {
+        return 2u; /* A replacement was plugged into the same port. */
+    }
+    return same_serial ? 1u : 0u; /* Same product without a serial number, at another port. */
+}
+
+/* Returns the vacant slot whose last controller is most similar to `identity`. Returns POI_MAX
+ * if only the product matches and several slots match equally. */
+static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
+{
+    uint32_t best = POI_MAX, most = 0u, equals = 0u;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint32_t likeness = place[i].was_taken && !place[i].is_taken
+                                      ? usb_choice_similarity(&place[i].identity, identity)
+                                      : 0u;
+        if (likeness > most) {
+            best = i;
+            most = likeness;
+            equals = 0u;
+        } else if (likeness > 0u && likeness == most) {
+            equals++;
+        }
+    }
+    return most == 1u && equals > 0u ? POI_MAX : best;
+}
+
+uint32_t usb_choice_slot(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
+{
+    const uint32_t own = own_seat(place, identity);
+    if (own < POI_MAX) {
+        return own;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!place[i].was_taken) {
+            return i;
+        }
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!place[i].is_taken && !place[i].is_held) {
+            return i;
+        }
+    }
+    return POI_MAX;
+}

@@ -1,0 +1,279 @@
+/* usb_event_thread.c -- the main loop of the event thread. */
+#include "drivers/usb/usb_event_thread.h"
+
+#include <errno.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#define NS_PER_MS 1000000ull
+#define IDLE_MS 1000               /* Longest wait in ms of an idle thread. */
+#define BUSY_MS 50                 /* Longest wait in ms while an output report is in flight. */
+#define LAST_WAIT_NS 2000000000ull /* Limit for transfers to return when the kiosk ends. */
+
+uint64_t usb_event_thread_now_ns(const struct usb_event_thread *usb_thread)
+{
+    return usb_thread->clock.ops->now_ns(usb_thread->clock.self);
+}
+
+void usb_event_thread_wake(void *self)
+{
+    const struct usb_event_thread *usb_thread = self;
+    const uint64_t one = 1;
+    /* The descriptor is nonblocking; if it is full, the thread is already woken. */
+    const ssize_t written = write(usb_thread->wake_fd, &one, sizeof one);
+    (void)written;
+}
+
+/* ---- Waiting -------------------------------------------------------------------------------- */
+
+static void LIBUSB_CALL on_fd_added(int fd, short events, void *self)
+{
+    (void)fd;
+    (void)events;
+    ((struct usb_event_thread *)self)->fds_changed = 1;
+}
+
+static void LIBUSB_CALL on_fd_removed(int fd, void *self)
+{
+    (void)fd;
+    ((struct usb_event_thread *)self)->fds_changed = 1;
+}
+
+static void list_fds(struct usb_event_thread *usb_thread)
+{
+    const struct libusb_pollfd **list = libusb_get_pollfds(usb_thread->context);
+    usb_thread->fds_changed = 0;
+    usb_thread->fd[0] = (struct pollfd){ .fd = usb_thread->wake_fd, .events = POLLIN };
+    usb_thread->fd_count = 1;
+    for (uint32_t i = 0; list && list[i] && usb_thread->fd_count < USB_FD_MAX; i++) {
+        usb_thread->fd[usb_thread->fd_count++] =
+            (struct pollfd){ .fd = list[i]->fd, .events = list[i]->events };
+    }
+    libusb_free_pollfds(list);
+}
+
+static int is_sending(const struct usb_event_thread *usb_thread)
+{
+    int sending = 0;
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        sending |= usb_thread->link[i].out.is_submitted;
+    }
+    return sending;
+}
+
+static int wait_ms(const struct usb_event_thread *usb_thread)
+{
+    const uint64_t due_ns = usb_event_thread_due_ns(usb_thread),
+                   now_ns = usb_event_thread_now_ns(usb_thread);
+    const uint64_t left_ms = due_ns <= now_ns ? 0 : (due_ns - now_ns) / NS_PER_MS + 1u;
+    const uint64_t most_ms = is_sending(usb_thread) ? BUSY_MS : IDLE_MS;
+    return (int)(left_ms < most_ms ? left_ms : most_ms);
+}
+
+/* Waits for events and lets libusb handle them. libusb's callbacks run here, and also inside
+ * usb_device_open(), because libusb handles events while it waits for a request. Therefore
+ * callbacks only record results and queue reports, and never change the table. */
+static void wait_and_handle(struct usb_event_thread *usb_thread)
+{
+    struct timeval at_once = { 0, 0 };
+    uint64_t count;
+    if (usb_thread->fds_changed) {
+        list_fds(usb_thread);
+    }
+    if (poll(usb_thread->fd, usb_thread->fd_count, wait_ms(usb_thread)) > 0 &&
+        (usb_thread->fd[0].revents & POLLIN)) {
+        const ssize_t got = read(usb_thread->wake_fd, &count, sizeof count);
+        (void)got;
+    }
+    libusb_handle_events_timeout_completed(usb_thread->context, &at_once, NULL);
+}
+
+/* ---- Thread --------------------------------------------------------------------------------- */
+
+/* Called by libusb, where requests to a device and closing a device are forbidden. */
+static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device,
+                                  libusb_hotplug_event event, void *self)
+{
+    (void)context;
+    (void)device;
+    (void)event;
+    ((struct usb_event_thread *)self)->bus_changed = 1;
+    return 0;
+}
+
+/* Registers for hot-plug before the first comparison, so that no device is missed between them. */
+static void watch_bus(struct usb_event_thread *usb_thread)
+{
+    const int events = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
+    usb_thread->has_hotplug =
+        libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) &&
+        libusb_hotplug_register_callback(usb_thread->context, events, LIBUSB_HOTPLUG_NO_FLAGS,
+                                         LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY,
+                                         LIBUSB_HOTPLUG_MATCH_ANY, on_hotplug, usb_thread,
+                                         &usb_thread->hotplug) == LIBUSB_SUCCESS;
+    usb_thread->bus_changed = 1;
+}
+
+static void one_round(struct usb_event_thread *usb_thread)
+{
+    usb_event_thread_handle_commands(usb_thread);
+    usb_event_thread_compare(usb_thread);
+    usb_event_thread_service(usb_thread);
+    usb_event_thread_publish(usb_thread);
+    wait_and_handle(usb_thread);
+}
+
+static int is_open(const struct usb_event_thread *usb_thread)
+{
+    int open = 0;
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        open |= usb_thread->link[i].state != USB_TRANSFERS_NONE;
+    }
+    return open;
+}
+
+/* Cancels all transfers, waits for them, and closes all devices. */
+static void close_all(struct usb_event_thread *usb_thread)
+{
+    usb_thread->compare_ns = UINT64_MAX;
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (usb_thread->entry[i].device.device) {
+            usb_event_thread_detach(usb_thread, &usb_thread->entry[i], 0);
+            usb_device_remove(&usb_thread->entry[i].device);
+        }
+    }
+    const uint64_t end_ns = usb_event_thread_now_ns(usb_thread) + LAST_WAIT_NS;
+    for (;;) {
+        for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+            usb_transfers_service(&usb_thread->link[i]);
+        }
+        if (!is_open(usb_thread) || usb_event_thread_now_ns(usb_thread) > end_ns) {
+            return;
+        }
+        wait_and_handle(usb_thread);
+    }
+}
+
+/* Raises the thread's priority for accurate time stamps, if the process may (root, or
+ * LimitRTPRIO= of the service). The thread needs only some microseconds for each report. */
+static void hurry(void)
+{
+    const struct sched_param first = { .sched_priority = 1 };
+    /* If permission is denied, the normal priority remains. */
+    pthread_setschedparam(pthread_self(), SCHED_RR, &first);
+}
+
+static void *usb_event_thread_main(void *self)
+{
+    struct usb_event_thread *usb_thread = self;
+    pthread_setname_np(pthread_self(), "usb");
+    hurry();
+    libusb_set_pollfd_notifiers(usb_thread->context, on_fd_added, on_fd_removed, usb_thread);
+    watch_bus(usb_thread);
+    while (!atomic_load(&usb_thread->stop)) {
+        one_round(usb_thread);
+    }
+    if (usb_thread->has_hotplug) {
+        libusb_hotplug_deregister_callback(usb_thread->context, usb_thread->hotplug);
+    }
+    close_all(usb_thread);
+    libusb_set_pollfd_notifiers(usb_thread->context, NULL, NULL, NULL);
+    return NULL;
+}
+
+/* ---- Start and stop ------------------------------------------------------------------------- */
+
+static int make_links(struct usb_event_thread *usb_thread)
+{
+    int error = 0;
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        error |= usb_transfers_init(&usb_thread->link[i], usb_thread->clock);
+    }
+    return error;
+}
+
+static void free_links(struct usb_event_thread *usb_thread)
+{
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        usb_transfers_free(&usb_thread->link[i]);
+    }
+}
+
+static void init(struct usb_event_thread *usb_thread)
+{
+    device_table_init(&usb_thread->rows);
+    usb_device_list_init(&usb_thread->device_list, usb_event_thread_wake, usb_thread);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        usb_slot_init(&usb_thread->seat[i], usb_event_thread_wake, usb_thread);
+    }
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        usb_thread->entry[i].device.device = NULL;
+    }
+    usb_thread->fds_changed = usb_thread->rows_changed = 1;
+    atomic_store(&usb_thread->stop, 0);
+    /* Published before the thread starts, because other drivers read the chosen controllers
+     * first. */
+    usb_event_thread_publish(usb_thread);
+    usb_thread->rows_changed = 1;
+}
+
+/* Signals that a fault in the thread itself raises. */
+static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+
+/* Starts the thread with all other signals blocked, because the main thread handles them. */
+static int start_thread(struct usb_event_thread *usb_thread)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
+        /* A blocked fault signal would end the process without a trace. */
+        sigdelset(&all, panics[i]);
+    }
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    const int error = pthread_create(&usb_thread->thread, NULL, usb_event_thread_main, usb_thread);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return error;
+}
+
+int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEXT_SIZE])
+{
+    init(usb_thread);
+    usb_thread->wake_fd = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+    if (usb_thread->wake_fd < 0) {
+        snprintf(why, HAL_TEXT_SIZE, "no USB: %s", strerror(errno));
+        return -1;
+    }
+    const int error = libusb_init(&usb_thread->context);
+    if (error) {
+        snprintf(why, HAL_TEXT_SIZE, "no USB: libusb says %s; is /dev/bus/usb there?",
+                 libusb_error_name(error));
+        close(usb_thread->wake_fd);
+        return -1;
+    }
+    if (make_links(usb_thread) || start_thread(usb_thread)) {
+        snprintf(why, HAL_TEXT_SIZE, "no USB: no memory for it");
+        free_links(usb_thread);
+        libusb_exit(usb_thread->context);
+        close(usb_thread->wake_fd);
+        return -1;
+    }
+    return 0;
+}
+
+/* Stops the thread. If a transfer never returned from the kernel, libusb and the link's memory
+ * are leaked. Freeing memory under a transfer in flight would be worse. */
+void usb_event_thread_end(struct usb_event_thread *usb_thread)
+{
+    atomic_store(&usb_thread->stop, 1);
+    usb_event_thread_wake(usb_thread);
+    pthread_join(usb_thread->thread, NULL);
+    if (!is_open(usb_thread)) {
+        free_links(usb_thread);
+        libusb_exit(usb_thread->context);
+    }
+    close(usb_thread->wake_fd);
+}

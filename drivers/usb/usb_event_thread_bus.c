@@ -1,0 +1,272 @@
+/* usb_event_thread_bus.c -- compares the bus with the table, executes commands, and publishes the
+ * result. */
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/usb/usb_choice_file.h"
+#include "drivers/usb/usb_event_thread.h"
+
+#define NS_PER_MS 1000000ull
+/* Time after which even devices on slow hubs are configured. */
+#define SETTLE_NS (2000u * NS_PER_MS)
+#define AGAIN_NS (100u * NS_PER_MS)
+#define NO_HOTPLUG_NS (1000u * NS_PER_MS) /* Interval of comparisons without hot-plug support. */
+
+/* ---- Comparison ----------------------------------------------------------------------------- */
+
+static struct usb_device_entry *find_entry(struct usb_event_thread *usb_thread,
+                                           const libusb_device *device)
+{
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (usb_thread->entry[i].device.device == device) {
+            return &usb_thread->entry[i];
+        }
+    }
+    return NULL;
+}
+
+/* Removes a device from the table. The row of a lost controller stays while its slot is held. */
+static void part(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+{
+    usb_event_thread_detach(usb_thread, entry, 1);
+    if (entry->row < CONTROLLER_MAX && usb_thread->rows.row[entry->row].state != CONTROLLER_LOST) {
+        device_table_clear(&usb_thread->rows, entry->row);
+    }
+    usb_thread->rows_changed = 1;
+    usb_device_remove(&entry->device);
+}
+
+/* Returns an empty entry. If the table is full, a device that may play replaces a barred one.
+ * Returns null if there is no room. */
+static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
+                                          enum usb_verdict verdict)
+{
+    struct usb_device_entry *room = find_entry(usb_thread, NULL);
+    for (uint32_t i = 0; !room && verdict > USB_BARRED && i < USB_DEVICE_MAX; i++) {
+        if (usb_thread->entry[i].device.verdict == USB_BARRED &&
+            usb_thread->entry[i].link == USB_INDEX_NONE) {
+            room = &usb_thread->entry[i];
+            part(usb_thread, room);
+        }
+    }
+    return room;
+}
+
+/* Assigns a row. If the row belonged to an entry whose device was lost, that entry gets a new
+ * row later. */
+static void give_row(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+{
+    entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
+                                    entry->device.verdict == USB_BARRED);
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (&usb_thread->entry[i] != entry && usb_thread->entry[i].row == entry->row) {
+            usb_thread->entry[i].row = USB_INDEX_NONE;
+        }
+    }
+    usb_thread->rows_changed = 1;
+}
+
+static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
+{
+    const struct usb_evaluation judge = { .sysfs = usb_thread->sysfs,
+                                          .choice = &usb_thread->choice,
+                                          .scratch = &usb_thread->scratch };
+    struct usb_device met;
+    if (usb_device_add(&met, device, &judge)) {
+        return;
+    }
+    struct usb_device_entry *entry = find_room(usb_thread, met.verdict);
+    if (!entry) {
+        usb_device_remove(&met);
+        return;
+    }
+    const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
+    *entry = (struct usb_device_entry){ .device = met,
+                                        .is_seen = 1,
+                                        .link = USB_INDEX_NONE,
+                                        .seat = USB_INDEX_NONE,
+                                        .drains = USB_INDEX_NONE,
+                                        .met_ns = now_ns,
+                                        .due_ns = now_ns };
+    give_row(usb_thread, entry);
+}
+
+/* Removes missing devices before it adds new ones, so that a replugged controller finds its slot
+ * vacant. */
+static void compare(struct usb_event_thread *usb_thread)
+{
+    libusb_device **list;
+    const ssize_t count = libusb_get_device_list(usb_thread->context, &list);
+    if (count < 0) {
+        return; /* No memory; the next change triggers another attempt. */
+    }
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        usb_thread->entry[i].is_seen = 0;
+    }
+    for (ssize_t i = 0; i < count; i++) {
+        struct usb_device_entry *entry = find_entry(usb_thread, list[i]);
+        if (entry) {
+            entry->is_seen = 1;
+        }
+    }
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (usb_thread->entry[i].device.device && !usb_thread->entry[i].is_seen) {
+            part(usb_thread, &usb_thread->entry[i]);
+        }
+    }
+    for (ssize_t i = 0; i < count; i++) {
+        if (!find_entry(usb_thread, list[i])) {
+            meet(usb_thread, list[i]);
+        }
+    }
+    libusb_free_device_list(list, 1);
+}
+
+/* Compares the bus with the table when that is due. A device is announced before the kernel has
+ * configured it, and it has no interfaces until then. No event reports the configuration.
+ * Therefore the comparison repeats until SETTLE_NS after the last change. */
+void usb_event_thread_compare(struct usb_event_thread *usb_thread)
+{
+    const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
+    if (usb_thread->bus_changed) {
+        usb_thread->bus_changed = 0;
+        usb_thread->settled_ns = now_ns + SETTLE_NS;
+    } else if (now_ns < usb_thread->compare_ns) {
+        return;
+    }
+    compare(usb_thread);
+    usb_thread->compare_ns = now_ns < usb_thread->settled_ns ? now_ns + AGAIN_NS
+                             : usb_thread->has_hotplug       ? UINT64_MAX
+                                                             : now_ns + NO_HOTPLUG_NS;
+}
+
+/* ---- Commands ------------------------------------------------------------------------------- */
+
+/* Releases the slot and the row that were held for a lost controller. */
+static void usb_event_thread_bus_release(struct usb_event_thread *usb_thread,
+                                         const struct hid_identity *identity)
+{
+    const uint32_t row = device_table_find(&usb_thread->rows, identity);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (usb_thread->place[i].was_taken && !usb_thread->place[i].is_taken &&
+            usb_choice_similarity(&usb_thread->place[i].identity, identity) >= 2u) {
+            usb_thread->place[i].was_taken = 0;
+        }
+    }
+    if (row < CONTROLLER_MAX && usb_thread->rows.row[row].state == CONTROLLER_LOST) {
+        device_table_clear(&usb_thread->rows, row);
+    }
+}
+
+/* Stores the choices. A file that could not be read is not overwritten, because it contains
+ * other choices. */
+static void keep_choices(struct usb_event_thread *usb_thread)
+{
+    char text[HAL_TEXT_SIZE];
+    const int error =
+        usb_thread->is_unread ? 0 : usb_choice_save(&usb_thread->choice, usb_thread->choices_path);
+    if ((usb_thread->is_unread || error) && usb_thread->tell) {
+        snprintf(text, sizeof text, "%.60s: %s%.30s; the choice holds for today",
+                 usb_thread->choices_path,
+                 usb_thread->is_unread ? "is not written over" : "cannot write: ",
+                 error ? strerror(-error) : "");
+        usb_thread->tell(usb_thread->tell_self, text);
+    }
+}
+
+/* Executes a command. If the product has no serial numbers, the rule applies to all its devices,
+ * but devices that already play continue. */
+static void obey(struct usb_event_thread *usb_thread, const struct usb_command *order)
+{
+    const struct usb_key key = usb_key_of(&order->identity);
+    usb_choice_request(&usb_thread->choice, &key, order->plays, 1);
+    keep_choices(usb_thread);
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        struct usb_device_entry *entry = &usb_thread->entry[i];
+        if (!entry->device.device) {
+            continue;
+        }
+        const int is_meant =
+            usb_choice_similarity(&entry->device.face.identity, &order->identity) >= 2u;
+        if (is_meant && !order->plays) {
+            usb_event_thread_detach(usb_thread, entry, 0);
+            usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
+        }
+        entry->due_ns =
+            entry->link == USB_INDEX_NONE ? usb_event_thread_now_ns(usb_thread) : entry->due_ns;
+        entry->failures = 0;
+    }
+    if (!order->plays) {
+        usb_event_thread_bus_release(usb_thread, &order->identity);
+    }
+    usb_thread->rows_changed = 1;
+}
+
+void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread)
+{
+    struct usb_command order;
+    while (usb_device_list_take_command(&usb_thread->device_list, &order)) {
+        obey(usb_thread, &order);
+    }
+}
+
+/* ---- Messages ------------------------------------------------------------------------------- */
+
+static void write_trouble(const struct usb_device_entry *entry, char text[HAL_TEXT_SIZE])
+{
+    const struct hid_identity *who = &entry->device.face.identity;
+    static const char *const remedies[] = {
+        [USB_DENIED] = "may not be opened: install board/udev/70-kingyo.rules "
+                       "(kingyoctl doctor writes its line)",
+        [USB_HELD] = "is held by another program: end that",
+        [USB_BROKEN] = "does not answer: replug it",
+    };
+    snprintf(text, HAL_TEXT_SIZE, "%04x:%04x at USB port %s %s", who->vendor, who->product,
+             who->port, remedies[entry->trouble]);
+}
+
+/* Returns 1 if the trouble needs the operator. A device that was just unplugged does not. */
+static int is_in_the_way(const struct usb_device_entry *entry)
+{
+    return entry->trouble != USB_FINE && entry->trouble != USB_AWAY;
+}
+
+void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
+                                   struct usb_device_entry *entry)
+{
+    char text[HAL_TEXT_SIZE];
+    if (usb_thread->tell && is_in_the_way(entry) && entry->trouble != entry->told_trouble) {
+        write_trouble(entry, text);
+        usb_thread->tell(usb_thread->tell_self, text);
+    }
+    entry->told_trouble = entry->trouble;
+}
+
+static void tell_count(const struct usb_event_thread *usb_thread, char text[HAL_TEXT_SIZE])
+{
+    uint32_t here = 0, playing = 0;
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        const struct usb_device_entry *entry = &usb_thread->entry[i];
+        here += entry->device.device && entry->device.verdict != USB_BARRED;
+        playing += entry->device.device && entry->link != USB_INDEX_NONE;
+    }
+    snprintf(text, HAL_TEXT_SIZE, "libusb: %u controller%s, %u of them play%s", here,
+             here == 1 ? "" : "s", playing,
+             usb_thread->has_hotplug ? "" : "; no hot-plug, looked for once a second");
+}
+
+void usb_event_thread_publish(struct usb_event_thread *usb_thread)
+{
+    if (!usb_thread->rows_changed) {
+        return;
+    }
+    usb_thread->rows_changed = 0;
+    tell_count(usb_thread, usb_thread->rows.text);
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (usb_thread->entry[i].device.device && is_in_the_way(&usb_thread->entry[i])) {
+            write_trouble(&usb_thread->entry[i], usb_thread->rows.text);
+        }
+    }
+    usb_thread->rows.wanted_count = usb_choice_wanted(&usb_thread->choice, usb_thread->rows.wanted);
+    usb_device_list_publish(&usb_thread->device_list, &usb_thread->rows);
+}

@@ -1,0 +1,263 @@
+/* usb_event_thread_slots.c -- the event thread's device table: opens, attaches and closes
+ * controllers. */
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/usb/usb_event_thread.h"
+
+#define NS_PER_S 1000000000ull
+#define SOON_NS (NS_PER_S / 10u)
+/* Retry interval; permissions and other programs change at human speed. */
+#define RETRY_NS (2u * NS_PER_S)
+/* Longest retry interval. The interval doubles with each failure, because an attempt blocks the
+ * thread for seconds and other devices wait. */
+#define RETRY_NS_MAX (60u * NS_PER_S)
+/* Limit of the count: the retry intervals are 2, 4, 8, 16 and 32 s, and then the longest. */
+#define FAILURES_MAX 6u
+#define SETTLE_NS (2u * NS_PER_S)  /* Time in which a driver binds and the udev rules run. */
+/* Time for which the slot of an unplugged controller is held. A round can wait equally long for
+ * its controller. */
+#define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
+
+static struct usb_evaluation judge_of(struct usb_event_thread *usb_thread)
+{
+    return (struct usb_evaluation){
+        .sysfs = usb_thread->sysfs,
+        .choice = &usb_thread->choice,
+        .scratch = &usb_thread->scratch,
+    };
+}
+
+void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
+                                 struct usb_device_entry *entry, uint8_t state)
+{
+    if (entry->row >= CONTROLLER_MAX) { /* No row was free when the device was added. */
+        entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
+                                        state == CONTROLLER_UNSUPPORTED);
+    }
+    if (entry->row < CONTROLLER_MAX) {
+        struct hid_row *row = &usb_thread->rows.row[entry->row];
+        row->identity = entry->device.face.identity;
+        row->state = state;
+        row->seat = (uint8_t)(entry->seat < POI_MAX ? entry->seat : POI_MAX);
+        usb_thread->rows_changed = 1;
+    }
+}
+
+/* ---- Slots ---------------------------------------------------------------------------------- */
+
+void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
+                             int is_gone)
+{
+    if (entry->link == USB_INDEX_NONE) {
+        return;
+    }
+    usb_transfers_drain(&usb_thread->link[entry->link], is_gone);
+    usb_thread->place[entry->seat].is_taken = 0;
+    usb_thread->lost_ns[entry->seat] = usb_event_thread_now_ns(usb_thread);
+    usb_event_thread_update_row(usb_thread, entry, CONTROLLER_LOST);
+    entry->drains = entry->link;
+    entry->link = entry->seat = USB_INDEX_NONE;
+    entry->due_ns = usb_event_thread_now_ns(usb_thread) + SOON_NS;
+}
+
+static uint32_t find_seat(struct usb_event_thread *usb_thread, const struct hid_identity *identity)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        usb_thread->place[i].is_held =
+            usb_event_thread_now_ns(usb_thread) - usb_thread->lost_ns[i] < HOLD_NS;
+    }
+    return usb_choice_slot(usb_thread->place, identity);
+}
+
+static uint32_t find_link(const struct usb_event_thread *usb_thread)
+{
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        if (usb_thread->link[i].state == USB_TRANSFERS_NONE) {
+            return i;
+        }
+    }
+    return USB_INDEX_NONE;
+}
+
+/* Clears the row of a lost controller whose slot a different controller gets. */
+static void forget_former(struct usb_event_thread *usb_thread, const struct usb_device_entry *entry,
+                          uint32_t seat)
+{
+    const struct usb_place *place = &usb_thread->place[seat];
+    const uint32_t row =
+        place->was_taken ? device_table_find(&usb_thread->rows, &place->identity) : CONTROLLER_MAX;
+    if (row < CONTROLLER_MAX && row != entry->row &&
+        usb_thread->rows.row[row].state == CONTROLLER_LOST) {
+        device_table_clear(&usb_thread->rows, row);
+    }
+}
+
+/* Detaches links that are still closing from this slot. */
+static void clear_seat(struct usb_event_thread *usb_thread, uint32_t seat)
+{
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        if (usb_thread->link[i].seat == &usb_thread->seat[seat]) {
+            usb_transfers_detach(&usb_thread->link[i]);
+        }
+    }
+}
+
+static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
+                    libusb_device_handle *handle, uint32_t seat, uint32_t link)
+{
+    forget_former(usb_thread, entry, seat);
+    clear_seat(usb_thread, seat);
+    usb_thread->place[seat] = (struct usb_place){ .was_taken = 1,
+                                                  .is_taken = 1,
+                                                  .identity = entry->device.face.identity };
+    entry->seat = seat;
+    entry->link = link;
+    usb_slot_attach(&usb_thread->seat[seat], &entry->device.face);
+    usb_transfers_begin(&usb_thread->link[link], handle, &entry->device.pipe,
+                        &usb_thread->seat[seat]);
+    usb_event_thread_update_row(usb_thread, entry, CONTROLLER_ACTIVE);
+}
+
+/* ---- Examining and opening ------------------------------------------------------------------ */
+
+/* Returns 1 if the controller had a slot and is only lost. */
+static int was_here(const struct usb_event_thread *usb_thread, const struct usb_device_entry *entry)
+{
+    return entry->row < CONTROLLER_MAX && usb_thread->rows.row[entry->row].state == CONTROLLER_LOST;
+}
+
+static uint64_t retry_ns(const struct usb_device_entry *entry)
+{
+    const uint32_t doublings = entry->failures > 0u ? entry->failures - 1u : 0u;
+    const uint64_t wait_ns = RETRY_NS << doublings;
+    return wait_ns < RETRY_NS_MAX ? wait_ns : RETRY_NS_MAX;
+}
+
+static void say_trouble(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+{
+    usb_event_thread_report_fault(usb_thread, entry);
+    const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
+    usb_event_thread_update_row(usb_thread, entry,
+                                (uint8_t)(is_denied                     ? CONTROLLER_DENIED
+                                          : was_here(usb_thread, entry) ? CONTROLLER_LOST
+                                                                        : CONTROLLER_FREE));
+    entry->due_ns = usb_event_thread_now_ns(usb_thread) + retry_ns(entry);
+}
+
+static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+{
+    const struct usb_evaluation judge = judge_of(usb_thread);
+    const uint32_t seat = find_seat(usb_thread, &entry->device.face.identity);
+    const uint32_t link = find_link(usb_thread);
+    libusb_device_handle *handle;
+    if (seat >= POI_MAX || link == USB_INDEX_NONE) {
+        usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
+        entry->due_ns = usb_event_thread_now_ns(usb_thread) + RETRY_NS;
+        return;
+    }
+    entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
+    entry->failures = (uint8_t)(entry->trouble != USB_BROKEN      ? 0u
+                                : entry->failures < FAILURES_MAX ? entry->failures + 1u
+                                                                 : FAILURES_MAX);
+    if (handle) {
+        entry->told_trouble = USB_FINE;
+        seat_it(usb_thread, entry, handle, seat, link);
+    } else if (entry->trouble != USB_FINE) {
+        say_trouble(usb_thread, entry);
+    } else {
+        entry->due_ns =
+            usb_event_thread_now_ns(usb_thread); /* The descriptor changed the verdict. */
+    }
+}
+
+/* Returns when to examine a device again. /sys shows no descriptor until a driver binds the
+ * device, and after SETTLE_NS none will bind. */
+static uint64_t next_look_ns(const struct usb_event_thread *usb_thread,
+                             const struct usb_device_entry *entry)
+{
+    const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
+    return entry->device.kind == USB_KIND_UNKNOWN && now_ns - entry->met_ns < SETTLE_NS
+               ? now_ns + SOON_NS
+               : UINT64_MAX;
+}
+
+static void look_at(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+{
+    const struct usb_evaluation judge = judge_of(usb_thread);
+    usb_device_refresh(&entry->device, &judge);
+    entry->due_ns = next_look_ns(usb_thread, entry);
+    if (entry->device.verdict <= USB_FREE) {
+        entry->trouble = entry->told_trouble = USB_FINE;
+    }
+    switch (entry->device.verdict) {
+    case USB_BARRED:
+        usb_event_thread_update_row(usb_thread, entry, CONTROLLER_UNSUPPORTED);
+        break;
+    case USB_FREE:
+        usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
+        break;
+    default:
+        open_it(usb_thread, entry);
+    }
+}
+
+/* Returns 1 while the old handle is open, since its interface cannot be claimed again until
+ * then. */
+static int is_draining(const struct usb_event_thread *usb_thread,
+                       const struct usb_device_entry *entry)
+{
+    return entry->drains != USB_INDEX_NONE &&
+           usb_thread->link[entry->drains].state == USB_TRANSFERS_DRAINING;
+}
+
+/* Detaches the device of a failed link, and closes the link at once if all transfers have
+ * returned. */
+static void unseat_link(struct usb_event_thread *usb_thread, uint32_t link)
+{
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        struct usb_device_entry *entry = &usb_thread->entry[i];
+        if (entry->device.device && entry->link == link) {
+            usb_event_thread_detach(usb_thread, entry, usb_thread->link[link].is_gone);
+        }
+    }
+    usb_transfers_service(&usb_thread->link[link]);
+}
+
+void usb_event_thread_service(struct usb_event_thread *usb_thread)
+{
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        struct usb_device_entry *entry = &usb_thread->entry[i];
+        if (!entry->device.device) {
+            continue;
+        }
+        if (entry->link != USB_INDEX_NONE) {
+            usb_transfers_send(&usb_thread->link[entry->link]);
+        } else if (!is_draining(usb_thread, entry) &&
+                   usb_event_thread_now_ns(usb_thread) >= entry->due_ns) {
+            look_at(usb_thread, entry);
+        }
+    }
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        if (usb_transfers_service(&usb_thread->link[i])) {
+            unseat_link(usb_thread, i);
+        }
+    }
+}
+
+uint64_t usb_event_thread_due_ns(const struct usb_event_thread *usb_thread)
+{
+    uint64_t due_ns = usb_thread->compare_ns;
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        const struct usb_device_entry *entry = &usb_thread->entry[i];
+        if (entry->device.device && entry->link == USB_INDEX_NONE &&
+            !is_draining(usb_thread, entry) && entry->due_ns < due_ns) {
+            due_ns = entry->due_ns;
+        }
+    }
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        const uint64_t link_ns = usb_transfers_due_ns(&usb_thread->link[i]);
+        due_ns = link_ns < due_ns ? link_ns : due_ns;
+    }
+    return due_ns;
+}

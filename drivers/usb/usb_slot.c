@@ -1,0 +1,169 @@
+/* usb_slot.c -- attaches controllers to a slot and passes reports in both directions. */
+#include "drivers/usb/usb_slot.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void usb_slot_init(struct usb_slot *seat, void (*wake)(void *self), void *wake_self)
+{
+    memset(seat, 0, sizeof *seat);
+    report_ring_init(&seat->ring);
+    triple_buffer_init(&seat->mail);
+    seat->wake = wake;
+    seat->wake_self = wake_self;
+}
+
+/* ---- Event thread --------------------------------------------------------------------------- */
+
+void usb_slot_attach(struct usb_slot *seat, const struct hid_device_info *face)
+{
+    const uint32_t generation = atomic_load_explicit(&seat->generation, memory_order_relaxed) + 1u;
+    struct usb_attachment *attachment = &seat->attachment[seat->mail.writing];
+    attachment->generation = generation;
+    attachment->face = *face;
+    triple_buffer_post(&seat->mail);
+    atomic_store_explicit(&seat->generation, generation, memory_order_release);
+}
+
+void usb_slot_detach(struct usb_slot *seat)
+{
+    atomic_fetch_add_explicit(&seat->generation, 1u, memory_order_release);
+}
+
+void usb_slot_report(struct usb_slot *seat, uint64_t now_ns, const uint8_t *bytes, uint32_t size)
+{
+    if (size == 0u) {
+        return; /* An empty packet of a USB gadget is not a report. */
+    }
+    if (size > HID_REPORT_MAX) {
+        report_ring_lose(&seat->ring);
+        return;
+    }
+    seat->last_ns = now_ns > seat->last_ns ? now_ns : seat->last_ns;
+    report_ring_push(&seat->ring, atomic_load_explicit(&seat->generation, memory_order_relaxed),
+                     seat->last_ns, bytes, size);
+}
+
+uint32_t usb_slot_outgoing(struct usb_slot *seat)
+{
+    if (atomic_load_explicit(&seat->outgoing, memory_order_acquire) != USB_OUT_READY) {
+        return 0u;
+    }
+    if (seat->out_generation != atomic_load_explicit(&seat->generation, memory_order_relaxed)) {
+        usb_slot_sent(seat); /* The report was meant for the previous controller. */
+        return 0u;
+    }
+    atomic_store_explicit(&seat->outgoing, USB_OUT_SUBMITTED, memory_order_relaxed);
+    return seat->out_size;
+}
+
+void usb_slot_sent(struct usb_slot *seat)
+{
+    atomic_store_explicit(&seat->outgoing, USB_OUT_NONE, memory_order_release);
+}
+
+/* ---- Frame loop ----------------------------------------------------------------------------- */
+
+static uint32_t generation_now(struct usb_slot *seat)
+{
+    return atomic_load_explicit(&seat->generation, memory_order_acquire);
+}
+
+static int port_open(void *self, struct hid_device_info *out)
+{
+    struct usb_slot *seat = self;
+    if (seat->is_never) {
+        return HAL_ERR_ABSENT;
+    }
+    const uint32_t generation = generation_now(seat);
+    triple_buffer_fetch(&seat->mail);
+    const struct usb_attachment *attachment = &seat->attachment[seat->mail.reading];
+    if (!(generation & 1u) || attachment->generation != generation) {
+        return HAL_ERR_GONE; /* No controller, or it changed during this call. */
+    }
+    *out = attachment->face;
+    seat->opened = generation;
+    seat->identity = attachment->face.identity;
+    return HAL_OK;
+}
+
+/* Drops reports of earlier controllers. Returns the oldest report of the current or a later one,
+ * or null. */
+static const struct report_ring_slot *newest_sitting(struct usb_slot *seat)
+{
+    const struct report_ring_slot *slot = report_ring_peek(&seat->ring);
+    while (slot && slot->generation < seat->opened) {
+        report_ring_drop(&seat->ring);
+        slot = report_ring_peek(&seat->ring);
+    }
+    return slot;
+}
+
+static int port_take(void *self, struct hid_raw *out)
+{
+    struct usb_slot *seat = self;
+    if (seat->is_never) {
+        return HAL_ERR_ABSENT;
+    }
+    /* Read first, because all reports of earlier generations are then in the queue. */
+    const uint32_t generation = generation_now(seat);
+    const struct report_ring_slot *slot = newest_sitting(seat);
+    if (slot && slot->generation == seat->opened) {
+        out->time_ns = slot->raw.time_ns;
+        out->size = slot->raw.size;
+        memcpy(out->bytes, slot->raw.bytes, slot->raw.size);
+        report_ring_drop(&seat->ring);
+        return 1;
+    }
+    return seat->opened != 0u && generation == seat->opened ? 0 : HAL_ERR_GONE;
+}
+
+static int port_send(void *self, const uint8_t *bytes, uint32_t size)
+{
+    struct usb_slot *seat = self;
+    if (seat->opened == 0u || generation_now(seat) != seat->opened) {
+        return HAL_ERR_GONE;
+    }
+    if (size == 0u || size > HID_REPORT_MAX) {
+        return HAL_ERR_IO;
+    }
+    if (atomic_load_explicit(&seat->outgoing, memory_order_acquire) != USB_OUT_NONE) {
+        return HAL_ERR_BUSY;
+    }
+    memcpy(seat->out_bytes, bytes, size);
+    seat->out_size = size;
+    seat->out_generation = seat->opened;
+    atomic_store_explicit(&seat->outgoing, USB_OUT_READY, memory_order_release);
+    seat->wake(seat->wake_self);
+    return HAL_OK;
+}
+
+static uint32_t port_lost_count(void *self)
+{
+    return report_ring_lost(&((struct usb_slot *)self)->ring);
+}
+
+static const char *port_describe(void *self)
+{
+    struct usb_slot *seat = self;
+    const struct hid_identity *who = &seat->identity;
+    if (seat->opened == 0u || generation_now(seat) != seat->opened) {
+        snprintf(seat->text, sizeof seat->text, "no controller on USB yet");
+    } else {
+        snprintf(seat->text, sizeof seat->text, "%04x:%04x %.60s (USB port %s)", who->vendor,
+                 who->product, who->name, who->port);
+    }
+    return seat->text;
+}
+
+struct hid_port usb_slot_port(struct usb_slot *seat)
+{
+    static const struct hid_port_ops ops = {
+        .open = port_open,
+        .take = port_take,
+        .send = port_send,
+        .lost_count = port_lost_count,
+        .describe = port_describe,
+    };
+    return (struct hid_port){ .ops = &ops, .self = seat };
+}

@@ -1,0 +1,132 @@
+/* usb_sysfs.c -- reads small files under /sys/bus/usb/devices. */
+#include "drivers/usb/usb_sysfs.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/base/printable.h"
+
+#define PATH_SIZE 512u
+
+/* Reads at most `size` bytes of a file. Returns the number of bytes, or 0 if the file cannot be
+ * read. */
+static uint32_t usb_sysfs_read_file(const char *path, void *out, uint32_t size)
+{
+    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0) {
+        return 0u;
+    }
+    uint32_t count = 0;
+    while (count < size) {
+        const ssize_t got = read(fd, (uint8_t *)out + count, size - count);
+        if (got <= 0) {
+            break;
+        }
+        count += (uint32_t)got;
+    }
+    close(fd);
+    return count;
+}
+
+/* Removes the last UTF-8 character if it is incomplete. */
+static void drop_cut_character(char *text, size_t length)
+{
+    size_t lead = length;
+    while (lead > 0 && length - lead < 3u && ((unsigned char)text[lead - 1u] & 0xc0u) == 0x80u) {
+        lead--;
+    }
+    if (lead > 0 && (unsigned char)text[lead - 1u] >= 0xc2u &&
+        printable_utf8_size(text + lead - 1u) == 0u) {
+        text[lead - 1u] = '\0';
+    }
+}
+
+void usb_sysfs_clean_text(char text[HID_TEXT_SIZE])
+{
+    size_t length = strnlen(text, HID_TEXT_SIZE - 1u);
+    text[length] = '\0';
+    while (length > 0 && (text[length - 1u] == ' ' || text[length - 1u] == '\n')) {
+        text[--length] = '\0';
+    }
+    drop_cut_character(text, length);
+    printable(text);
+}
+
+void usb_sysfs_text(const char *root, const char *port, const char *name,
+                    char out[HID_TEXT_SIZE])
+{
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/bus/usb/devices/%s/%s", root, port, name);
+    const uint32_t size = usb_sysfs_read_file(path, out, HID_TEXT_SIZE - 1u);
+    out[size] = '\0';
+    usb_sysfs_clean_text(out);
+}
+
+/* Removes the last component of a path. Returns 0 if there is none left. */
+static int climb(char *path)
+{
+    char *slash = strrchr(path, '/');
+    if (!slash || slash == path) {
+        return 0;
+    }
+    *slash = '\0';
+    return 1;
+}
+
+/* Finds the device's folder, which is the first parent of the node's folder with a file
+ * idVendor. */
+void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE])
+{
+    char link[PATH_SIZE], folder[PATH_MAX], path[PATH_MAX + 16u];
+    const char *slash = strrchr(node, '/');
+    const char *name = slash ? slash + 1 : node;
+    const char *class = strncmp(name, "hidraw", 6u) == 0 ? "hidraw" : "input";
+    out[0] = '\0';
+    snprintf(link, sizeof link, "%s/class/%s/%.64s", root, class, name);
+    if (!name[0] || !realpath(link, folder)) {
+        return;
+    }
+    while (climb(folder)) {
+        snprintf(path, sizeof path, "%s/idVendor", folder);
+        if (access(path, F_OK) == 0) {
+            snprintf(path, sizeof path, "%s/serial", folder);
+            out[usb_sysfs_read_file(path, out, HID_TEXT_SIZE - 1u)] = '\0';
+            usb_sysfs_clean_text(out);
+            return;
+        }
+    }
+}
+
+/* Returns 1 for a folder of the HID driver, which is named BUS:VENDOR:PRODUCT.NUMBER with bus 3
+ * for USB. */
+static int is_hid_folder(const char *name)
+{
+    return strlen(name) == 19u && strncmp(name, "0003:", 5u) == 0 && name[9] == ':' &&
+           name[14] == '.';
+}
+
+uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t configuration,
+                              uint8_t interface_number, uint8_t out[HID_DESCRIPTOR_MAX])
+{
+    char folder[PATH_SIZE], path[PATH_SIZE + 64u];
+    const struct dirent *entry;
+    uint32_t size = 0;
+    snprintf(folder, sizeof folder, "%s/bus/usb/devices/%s:%u.%u", root, port, configuration,
+             interface_number);
+    DIR *dir = opendir(folder);
+    while (dir && size == 0u && (entry = readdir(dir))) {
+        if (is_hid_folder(entry->d_name)) {
+            snprintf(path, sizeof path, "%s/%.32s/report_descriptor", folder, entry->d_name);
+            size = usb_sysfs_read_file(path, out, HID_DESCRIPTOR_MAX);
+        }
+    }
+    if (dir) {
+        closedir(dir);
+    }
+    return size;
+}

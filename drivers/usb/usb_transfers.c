@@ -1,0 +1,277 @@
+/* usb_transfers.c -- submits and completes the transfers of one controller. */
+#include "drivers/usb/usb_transfers.h"
+
+#include <string.h>
+
+#define RETRY_NS 10000000ull /* Delay after an error, longer than a glitch on the cable. */
+
+static uint64_t usb_transfers_now_ns(const struct usb_transfers *link)
+{
+    return link->clock.ops->now_ns(link->clock.self);
+}
+
+/* ---- Memory --------------------------------------------------------------------------------- */
+
+static int init_flight(struct usb_transfer_slot *transfer_slot, struct usb_transfers *link)
+{
+    transfer_slot->link = link;
+    transfer_slot->transfer = libusb_alloc_transfer(0);
+    return transfer_slot->transfer ? 0 : -1;
+}
+
+int usb_transfers_init(struct usb_transfers *link, struct hal_clock clock)
+{
+    memset(link, 0, sizeof *link);
+    link->clock = clock;
+    int error = init_flight(&link->out, link);
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
+        error |= init_flight(&link->in[i], link);
+    }
+    return error;
+}
+
+void usb_transfers_free(struct usb_transfers *link)
+{
+    libusb_free_transfer(link->out.transfer);
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
+        libusb_free_transfer(link->in[i].transfer);
+    }
+}
+
+/* ---- Input reports -------------------------------------------------------------------------- */
+
+/* Records an error. NO_DEVICE sets is_gone instead, because other transfers and hot-plug report
+ * it too. */
+static void note_error(struct usb_transfers *link, int error)
+{
+    if (error == LIBUSB_ERROR_NO_DEVICE) {
+        link->is_gone = 1;
+        return;
+    }
+    link->error_count++;
+    link->retry_ns = usb_transfers_now_ns(link) + RETRY_NS;
+}
+
+static void submit(struct usb_transfer_slot *transfer_slot)
+{
+    const int error = libusb_submit_transfer(transfer_slot->transfer);
+    transfer_slot->is_submitted = error == LIBUSB_SUCCESS;
+    transfer_slot->is_due = error != LIBUSB_SUCCESS;
+    if (error) {
+        note_error(transfer_slot->link, error);
+    }
+}
+
+/* Evaluates a returned transfer. Returns 1 if it may be submitted again at once. */
+static int read_status(struct usb_transfers *link, const struct libusb_transfer *transfer)
+{
+    switch (transfer->status) {
+    case LIBUSB_TRANSFER_COMPLETED:
+        link->error_count = 0;
+        usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
+                        (uint32_t)transfer->actual_length);
+        return 1;
+    case LIBUSB_TRANSFER_OVERFLOW: /* More bytes than declared; the report is lost. */
+        usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
+                        HID_REPORT_MAX + 1u);
+        note_error(link, LIBUSB_ERROR_OVERFLOW);
+        return 0;
+    case LIBUSB_TRANSFER_NO_DEVICE:
+        note_error(link, LIBUSB_ERROR_NO_DEVICE);
+        return 0;
+    case LIBUSB_TRANSFER_STALL:
+        link->has_halted = 1;
+        note_error(link, LIBUSB_ERROR_PIPE);
+        return 0;
+    case LIBUSB_TRANSFER_CANCELLED: /* clear_halt() has cancelled the transfer. */
+        return 0;
+    default: /* A transmission error, or the first sign that the cable is being unplugged. */
+        note_error(link, LIBUSB_ERROR_IO);
+        return 0;
+    }
+}
+
+/* Accepts a report that was completed before the end. Cancelled transfers contain none. */
+static void take_last(struct usb_transfers *link, const struct libusb_transfer *transfer)
+{
+    if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
+        usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
+                        (uint32_t)transfer->actual_length);
+    }
+}
+
+static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
+{
+    struct usb_transfer_slot *transfer_slot = transfer->user_data;
+    struct usb_transfers *link = transfer_slot->link;
+    transfer_slot->is_submitted = 0;
+    if (link->state != USB_TRANSFERS_LIVE) {
+        take_last(link, transfer);
+        return;
+    }
+    if (read_status(link, transfer) && !link->is_gone) {
+        submit(transfer_slot);
+    } else {
+        transfer_slot->is_due = 1;
+    }
+}
+
+/* Returns the transfer size: whole packets, so that no packet overflows, and one report at most,
+ * so that no report is delayed until the next. */
+static int transfer_size(const struct usb_pipe *pipe)
+{
+    const uint32_t packet = pipe->in_packet_size;
+    const uint32_t packets = pipe->report_size_max ? (pipe->report_size_max + packet - 1u) / packet
+                                                   : 1u;
+    const uint32_t size = packets * packet;
+    return (int)(size <= USB_TRANSFER_MAX ? size : USB_TRANSFER_MAX / packet * packet);
+}
+
+void usb_transfers_begin(struct usb_transfers *link, libusb_device_handle *handle,
+                         const struct usb_pipe *pipe, struct usb_slot *seat)
+{
+    link->state = USB_TRANSFERS_LIVE;
+    link->is_gone = link->has_halted = link->has_left = 0;
+    link->error_count = 0;
+    link->retry_ns = 0;
+    link->handle = handle;
+    link->pipe = *pipe;
+    link->seat = seat;
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
+        struct usb_transfer_slot *transfer_slot = &link->in[i];
+        libusb_fill_interrupt_transfer(transfer_slot->transfer, handle, pipe->in_endpoint,
+                                       transfer_slot->buffer, transfer_size(pipe), on_report,
+                                       transfer_slot, 0);
+        submit(transfer_slot);
+    }
+}
+
+/* ---- Closing -------------------------------------------------------------------------------- */
+
+/* Cancels a transfer. libusb returns NOT_FOUND if the transfer has just completed, which needs
+ * no handling. */
+static void cancel(struct usb_transfer_slot *transfer_slot)
+{
+    transfer_slot->is_due = 0;
+    if (transfer_slot->is_submitted) {
+        libusb_cancel_transfer(transfer_slot->transfer);
+    }
+}
+
+void usb_transfers_drain(struct usb_transfers *link, int is_gone)
+{
+    if (link->state != USB_TRANSFERS_LIVE) {
+        return;
+    }
+    link->state = USB_TRANSFERS_DRAINING;
+    link->is_gone |= is_gone != 0;
+    link->leave_ns = usb_transfers_now_ns(link) + USB_DETACH_MS * 1000000ull;
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
+        cancel(&link->in[i]);
+    }
+    cancel(&link->out);
+}
+
+void usb_transfers_detach(struct usb_transfers *link)
+{
+    if (link->state == USB_TRANSFERS_DRAINING && !link->has_left) {
+        link->has_left = 1;
+        usb_slot_detach(link->seat);
+    }
+}
+
+static int is_submitted(const struct usb_transfers *link)
+{
+    int flying = link->out.is_submitted;
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
+        flying |= link->in[i].is_submitted;
+    }
+    return flying;
+}
+
+/* Closes the device. Releasing the interface attaches the kernel driver again if there is one. */
+static void close_link(struct usb_transfers *link)
+{
+    libusb_release_interface(link->handle, link->pipe.interface_number);
+    libusb_close(link->handle);
+    link->handle = NULL;
+    link->state = USB_TRANSFERS_NONE;
+}
+
+/* Clears a halt after all transfers have returned. Returns 1 when the halt was cleared. */
+static int clear_halt(struct usb_transfers *link)
+{
+    int flying = 0;
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
+        flying |= link->in[i].is_submitted;
+        if (link->in[i].is_submitted) {
+            libusb_cancel_transfer(link->in[i].transfer);
+        }
+    }
+    if (flying) {
+        return 0;
+    }
+    link->has_halted = 0;
+    if (libusb_clear_halt(link->handle, link->pipe.in_endpoint) == LIBUSB_ERROR_NO_DEVICE) {
+        link->is_gone = 1;
+    }
+    return 1;
+}
+
+static void submit_again(struct usb_transfers *link)
+{
+    if (link->has_halted && !clear_halt(link)) {
+        return;
+    }
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT && !link->is_gone; i++) {
+        if (link->in[i].is_due) {
+            submit(&link->in[i]);
+        }
+    }
+}
+
+static int is_due(const struct usb_transfers *link)
+{
+    int due = 0;
+    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
+        due |= link->in[i].is_due;
+    }
+    return due;
+}
+
+/* Detaches the slot before closing, because closing can take a long time. */
+static void tend_draining(struct usb_transfers *link)
+{
+    const int flying = is_submitted(link);
+    if (!flying || usb_transfers_now_ns(link) >= link->leave_ns) {
+        usb_transfers_detach(link);
+    }
+    if (!flying) {
+        close_link(link);
+    }
+}
+
+int usb_transfers_service(struct usb_transfers *link)
+{
+    if (link->state == USB_TRANSFERS_DRAINING) {
+        tend_draining(link);
+    }
+    if (link->state != USB_TRANSFERS_LIVE) {
+        return 0;
+    }
+    if (link->is_gone || link->error_count >= USB_ERRORS_MAX) {
+        return 1;
+    }
+    if (is_due(link) && usb_transfers_now_ns(link) >= link->retry_ns) {
+        submit_again(link);
+    }
+    return 0;
+}
+
+uint64_t usb_transfers_due_ns(const struct usb_transfers *link)
+{
+    if (link->state == USB_TRANSFERS_DRAINING && !link->has_left) {
+        return link->leave_ns;
+    }
+    return link->state == USB_TRANSFERS_LIVE && is_due(link) ? link->retry_ns : UINT64_MAX;
+}

@@ -1,0 +1,187 @@
+/* hid_rows.c -- prints descriptors with one row per field and reports with one row per value. */
+#include "platform/ctl/devices/hid_rows.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "platform/ctl/devices/hid_file.h"
+#include "platform/os/print.h"
+
+/* Longest line in characters. A report of 8 KiB is 16 KiB of hex text. */
+#define LINE_SIZE 65536
+#define REPORT_SIZE_MAX 16384u
+
+static void print_usage(hid_usage usage)
+{
+    printf("%04x:%04x", usage >> 16, usage & 0xffffu);
+}
+
+/* ---- Subcommand describe --------------------------------------------------------------------- */
+
+static void print_ranges(const struct hid_descriptor *descriptor, const struct hid_group *group)
+{
+    for (uint32_t i = 0; i < group->range_count; i++) {
+        const struct hid_range *range = &descriptor->range[group->range_first + i];
+        fputs(i > 0 ? "," : "", stdout);
+        print_usage(range->first);
+        if (range->last != range->first) {
+            putchar('-');
+            print_usage(range->last);
+        }
+    }
+}
+
+static void describe_field(const struct hid_descriptor *descriptor, const char *id,
+                           const struct hid_group *group, uint32_t index)
+{
+    const int is_variable = (group->flags & HID_VARIABLE) != 0;
+    print_part(stdout, "%s", id);
+    putchar('\t');
+    print_usage(group->application);
+    printf("\t%u\t%u\t%u\t%03x\t%s\t%s\t%s\t%s\t", group->report_id,
+           group->bit_offset + index * group->bit_size, group->bit_size, group->flags,
+           group->flags & HID_CONSTANT ? "const" : "data", is_variable ? "var" : "array",
+           group->flags & HID_RELATIVE ? "rel" : "abs",
+           group->flags & HID_NULL_STATE ? "null" : "-");
+    if (is_variable) {
+        print_usage(hid_usage_at(descriptor, group, index));
+    } else {
+        print_ranges(descriptor, group);
+    }
+    printf("\t%" PRId64 "\t%" PRId64 "\t%" PRId64 "\t%" PRId64 "\t%d\t%08x\n", group->logical_min,
+           group->logical_max, group->physical_min, group->physical_max, group->unit_exponent,
+           group->unit);
+}
+
+void hid_rows_describe(const struct hid_descriptor *descriptor, const char *id)
+{
+    puts("id\tapplication\treport_id\tbit_offset\tbit_size\tflags_hex\tdata_const\tvar_array"
+         "\tabs_rel\tnull\tusage\tlogical_min\tlogical_max\tphysical_min\tphysical_max"
+         "\tunit_exponent\tunit_hex");
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        for (uint32_t index = 0; index < descriptor->group[i].count; index++) {
+            describe_field(descriptor, id, &descriptor->group[i], index);
+        }
+    }
+}
+
+/* ---- Subcommand decode ----------------------------------------------------------------------- */
+
+static void print_value(const struct hid_descriptor *descriptor, const struct hid_group *group,
+                        uint32_t index, struct hid_report report)
+{
+    const int64_t value = hid_field_value(descriptor, group, index, report);
+    const int is_array = !(group->flags & HID_VARIABLE);
+    const int out = value < group->logical_min || value > group->logical_max;
+    const hid_usage usage = is_array ? hid_selected(descriptor, group, value)
+                                     : hid_usage_at(descriptor, group, index);
+    printf("\t%u\t%u\t%u\t", group->report_id, group->bit_offset + index * group->bit_size,
+           group->bit_size);
+    if (usage) {
+        print_usage(usage);
+    } else {
+        putchar('-');
+    }
+    printf("\t%" PRId64 "\t%s", value,
+           is_array ? (out ? "array,out_of_logical_range" : "array")
+                    : (out ? "out_of_logical_range" : "-"));
+}
+
+void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, const char *seq,
+                     struct hid_report report, const char *tail)
+{
+    if (!hid_report_is_whole(descriptor, report)) {
+        return;
+    }
+    const int report_id = hid_report_id(descriptor, report);
+    for (uint32_t i = 0; i < descriptor->group_count; i++) {
+        const struct hid_group *group = &descriptor->group[i];
+        const int is_shown = group->report_id == report_id && !(group->flags & HID_CONSTANT) &&
+                             group->bit_size <= 32u;
+        for (uint32_t index = 0; is_shown && index < group->count; index++) {
+            print_part(stdout, "%s", id);
+            printf("\t%s", seq);
+            print_value(descriptor, group, index, report);
+            fputs(tail, stdout);
+        }
+    }
+}
+
+/* ---- Files of reports ------------------------------------------------------------------------ */
+
+static enum exit_code hid_rows_error(const char *path, unsigned row, const char *what)
+{
+    print_error("kingyoctl hid: %s: line %u: %s", path, row, what);
+    return EXIT_BAD_DATA;
+}
+
+/* Progress of decoding the rows of a file that have the id of the descriptor. */
+struct decoded {
+    const struct hid_descriptor *descriptor;
+    const char *id, *path;
+    uint32_t reports, whole; /* Number of reports with this id (`reports`), and how many of these
+                                are as long as declared (`whole`). */
+};
+
+/* Decodes one row of a file of reports. Rows with another id are skipped. The header is printed
+ * before the first matching row, so that nothing is printed if the file cannot be read. */
+static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
+{
+    line[strcspn(line, "\r\n")] = '\0';
+    char *rest = line;
+    const char *row_id = strsep(&rest, "\t");
+    const char *seq = strsep(&rest, "\t");
+    char *hex = strsep(&rest, "\t");
+    const int is_header = row == 1 && strcmp(row_id, "id") == 0;
+    if (is_header || strcmp(row_id, of->id) != 0) {
+        return EXIT_OK;
+    }
+    const size_t length = hex ? strlen(hex) : 0;
+    const long size = hex && length <= 2u * REPORT_SIZE_MAX ? hid_from_hex((uint8_t *)hex, length)
+                                                            : HID_NOT_HEX;
+    if (size < 0) {
+        return hid_rows_error(of->path, row, "the third column is not a report in hex");
+    }
+    const struct hid_report report = { (const uint8_t *)hex, (size_t)size };
+    if (of->reports++ == 0) {
+        puts(HID_VALUE_HEADER);
+    }
+    of->whole += hid_report_is_whole(of->descriptor, report) != 0;
+    hid_rows_values(of->descriptor, of->id, seq, report, "\n");
+    return EXIT_OK;
+}
+
+/* Returns the exit code for a decoded file. Ids are compared with the descriptor's file name, so
+ * that a file without a matching row most likely has a wrong name. */
+static enum exit_code hid_rows_check_id(const struct decoded *of)
+{
+    if (of->reports == 0) {
+        puts(HID_VALUE_HEADER);
+        print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
+                            "name", of->path, of->id);
+        return EXIT_NOT_SO;
+    }
+    if (of->whole == 0) {
+        print_error("kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
+                            "declares", of->path, of->id, of->reports);
+        return EXIT_NOT_SO;
+    }
+    return EXIT_OK;
+}
+
+enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const char *id, FILE *file,
+                               const char *path)
+{
+    static char line[LINE_SIZE];
+    struct decoded of = { .descriptor = descriptor, .id = id, .path = path };
+    enum exit_code code = EXIT_OK;
+    for (unsigned row = 1; code == EXIT_OK && fgets(line, sizeof line, file); row++) {
+        code = strchr(line, '\n') || feof(file)
+                   ? decode_row(&of, line, row)
+                   : hid_rows_error(path, row, "longer than 65534 bytes, or no text");
+    }
+    if (code == EXIT_OK && ferror(file)) {
+        return hid_file_print_error(path);
+    }
+    return code == EXIT_OK ? hid_rows_check_id(&of) : code;
+}

@@ -1,0 +1,262 @@
+/* lines.c -- the command `kingyoctl lines`.
+ *
+ * Lists the GPIO lines, shows events on configured lines and tests outputs. */
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drivers/gpio/gpio_config.h"
+#include "platform/ctl/devices/lines_show.h"
+#include "platform/ctl/lib/ctl.h"
+#include "platform/os/clock.h"
+#include "platform/os/number.h"
+#include "platform/os/print.h"
+
+#define SECONDS_MAX 86400u
+
+/* Seconds for which an output is set without --seconds, for example to check a lamp. */
+#define SET_SECONDS 3u
+#define PULSES_MAX 1000u   /* Most pulses for the test of a meter. */
+#define NS_PER_S 1000000000ull
+
+static const char name[] = "lines";
+static struct buttons_gpio gpio;
+static volatile sig_atomic_t is_stopped;
+
+/* Arguments of a subcommand. */
+struct request {
+    struct gpio_wire wires[GPIO_ROLE_COUNT];
+    enum gpio_role role;    /* Role of the last line on the command line. */
+    uint32_t seconds;       /* Duration in seconds. 0 means that --seconds is absent. */
+    const char *word;       /* Last argument: "on", "off" or a number of pulses. Null if absent. */
+};
+
+static void stop(int signal_number)
+{
+    (void)signal_number;
+    is_stopped = 1;
+}
+
+static void end_at_signals(void)
+{
+    const struct sigaction action = { .sa_handler = stop };
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+}
+
+/* ---- Command line ---------------------------------------------------------------------------- */
+
+static enum exit_code lines_read_wire(struct request *request, const char *text)
+{
+    char why[HAL_TEXT_SIZE];
+    if (!gpio_wire_read(text, request->wires, why) || !gpio_config_agrees(request->wires, why)) {
+        return ctl_usage(name, "%s", why);
+    }
+    request->role = gpio_role_find(text, (size_t)(strchr(text, '=') - text));
+    return EXIT_OK;
+}
+
+static enum exit_code lines_read_words(struct request *request, int argc, const char *const *argv)
+{
+    for (int i = 0; i < argc; i++) {
+        if (strcmp(argv[i], "--seconds") == 0) {
+            const char *value = i + 1 < argc ? argv[++i] : NULL;
+            if (!number_parse(value, 1, SECONDS_MAX, &request->seconds)) {
+                return ctl_usage(name, "--seconds wants a number from 1 to %u", SECONDS_MAX);
+            }
+        } else if (strchr(argv[i], '=')) {
+            const enum exit_code code = lines_read_wire(request, argv[i]);
+            if (code != EXIT_OK) {
+                return code;
+            }
+        } else if (argv[i][0] == '-' || request->word) {
+            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
+        } else {
+            request->word = argv[i];
+        }
+    }
+    return EXIT_OK;
+}
+
+/* ---- GPIO lines ------------------------------------------------------------------------------ */
+
+/* Returns whether every configured line was opened. Prints the reason for each line that was
+ * not. */
+static int has_all(const struct gpio_thread *reader)
+{
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
+        if (reader->why[i][0]) {
+            print_error("kingyoctl lines: %s: %s", gpio_role_name((enum gpio_role)i),
+                        reader->why[i]);
+        }
+    }
+    return (uint32_t)__builtin_popcount(reader->had) == gpio_config_count(reader->wires);
+}
+
+static enum exit_code open_lines(const struct request *request)
+{
+    gpio_thread_open(&gpio.reader, gpio_lines_device(), request->wires, clock_device());
+    if (!has_all(&gpio.reader)) {
+        gpio_thread_close(&gpio.reader);
+        return EXIT_IO;
+    }
+    end_at_signals();
+    return EXIT_OK;
+}
+
+static uint64_t lines_now_ns(void)
+{
+    const struct hal_clock clock = clock_device();
+    return clock.ops->now_ns(clock.self);
+}
+
+/* Services the lines until `until_ns`, a signal, or a write error on standard output. */
+static void step_until(uint64_t until_ns, struct lines_show *show)
+{
+    while (!is_stopped && !ferror(stdout) && lines_now_ns() < until_ns) {
+        gpio_thread_step(&gpio.reader);
+        if (show) {
+            lines_show_rows(show, stdout);
+            fflush(stdout);
+        }
+    }
+}
+
+/* ---- Subcommands ----------------------------------------------------------------------------- */
+
+static enum exit_code run_list(const struct request *request)
+{
+    if (gpio_config_count(request->wires) > 0 || request->word || request->seconds) {
+        return ctl_usage(name, "list wants no words");
+    }
+    return lines_list(gpio_lines_device(), stdout);
+}
+
+static enum exit_code run_watch(const struct request *request)
+{
+    if (gpio_config_count(request->wires) == 0 || request->word) {
+        return ctl_usage(name, "watch wants ROLE=LINE, once or more");
+    }
+    const enum exit_code code = open_lines(request);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct hal_switches switches = buttons_gpio_switches(&gpio);
+    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0); /* The lockout is released if it is
+                                                              configured, so that the coin acceptor
+                                                              accepts coins. */
+    struct lines_show show = lines_show_begin(&gpio.reader);
+    puts("seconds\trole\twhat");
+    fflush(stdout);
+    step_until(request->seconds ? lines_now_ns() + request->seconds * NS_PER_S : UINT64_MAX, &show);
+    gpio_thread_close(&gpio.reader);
+    return EXIT_OK;
+}
+
+/* Checks that the request names exactly one output and has a value. Returns EXIT_OK or
+ * EXIT_USAGE. */
+static enum exit_code open_output(const struct request *request, const char *wanted)
+{
+    if (gpio_config_count(request->wires) != 1 || !request->word) {
+        return ctl_usage(name, "ROLE=LINE and %s are wanted", wanted);
+    }
+    if (gpio_role_is_input(request->role)) {
+        return ctl_usage(name, "%s is a button: only start-lamp, coin-lockout, ticket and "
+                               "coin-counter are switched", gpio_role_name(request->role));
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code run_set(const struct request *request)
+{
+    const char wanted[] = "'on' or 'off'";
+    enum exit_code code = open_output(request, wanted);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const int is_on = strcmp(request->word, "on") == 0;
+    if (!is_on && strcmp(request->word, "off") != 0) {
+        return ctl_usage(name, "%s is wanted, not '%.40s'", wanted, request->word);
+    }
+    code = open_lines(request);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct hal_switches switches = buttons_gpio_switches(&gpio);
+    switches.ops->set(switches.self, (enum hal_switch)(request->role - GPIO_INPUT_COUNT), is_on);
+    const uint32_t seconds = request->seconds ? request->seconds : SET_SECONDS;
+    step_until(lines_now_ns() + seconds * NS_PER_S, NULL);
+    gpio_thread_close(&gpio.reader);
+    return EXIT_OK;
+}
+
+static enum exit_code run_pulse(const struct request *request)
+{
+    uint32_t count = 0;
+    enum exit_code code = open_output(request, "a count");
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (!number_parse(request->word, 1, PULSES_MAX, &count)) {
+        return ctl_usage(name, "pulse wants a count from 1 to %u, not '%.40s'", PULSES_MAX,
+                         request->word);
+    }
+    code = open_lines(request);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct hal_switches switches = buttons_gpio_switches(&gpio);
+    const enum hal_switch which = (enum hal_switch)(request->role - GPIO_INPUT_COUNT);
+    switches.ops->set(switches.self, which, 0); /* The output is switched off first, so that the
+                                                   pulses start at the idle level. */
+    switches.ops->pulse(switches.self, which, count);
+    do {
+        gpio_thread_step(&gpio.reader);
+    } while (!is_stopped && atomic_load(&gpio.reader.owed) > 0);
+    const uint32_t owed = atomic_load(&gpio.reader.owed);
+    gpio_thread_close(&gpio.reader);
+    printf("%u pulses on %s\n", count - owed, gpio_role_name(request->role));
+    return owed == 0 ? EXIT_OK : EXIT_NOT_SO;
+}
+
+static enum exit_code run(int argc, const char *const *argv)
+{
+    static const struct {
+        const char *word;
+        enum exit_code (*run)(const struct request *request);
+    } subcommands[] = {
+        { "list", run_list }, { "watch", run_watch }, { "set", run_set }, { "pulse", run_pulse },
+    };
+    struct request request = { 0 };
+    if (argc == 0) {
+        return ctl_usage(name, "list, watch, set or pulse is wanted; --help says more");
+    }
+    for (size_t i = 0; i < sizeof subcommands / sizeof subcommands[0]; i++) {
+        if (strcmp(argv[0], subcommands[i].word) == 0) {
+            const enum exit_code code = lines_read_words(&request, argc - 1, argv + 1);
+            return code != EXIT_OK ? code : subcommands[i].run(&request);
+        }
+    }
+    return ctl_usage(name, "'%.60s' is none of list, watch, set, pulse", argv[0]);
+}
+
+const struct ctl_command ctl_lines = {
+    .name = name,
+    .summary = "GPIO lines: which there are, what buttons and coins do, lamps and meters by hand",
+    .usage =
+        "  kingyoctl lines list                       every line of every chip, and who holds it\n"
+        "  kingyoctl lines watch ROLE=LINE... [--seconds N]\n"
+        "                                             presses, coins with their widths, faults\n"
+        "  kingyoctl lines set ROLE=LINE on|off [--seconds N]\n"
+        "                                             for N seconds (3); then the line is let go\n"
+        "  kingyoctl lines pulse ROLE=LINE COUNT      steps a meter, asks for tickets\n"
+        "\n"
+        "ROLE: start left right ok test service tilt coin coin2 coin3 door, start-lamp\n"
+        "coin-lockout ticket coin-counter. LINE: a line's name, or CHIP:OFFSET by the chip's\n"
+        "label; behind it, after commas: low high up down float as-is debounce=5ms\n"
+        "window=15ms-250ms pulse=100ms/100ms.\n"
+        "Exit code 74: a line could not be had. A line that the kiosk holds is the kiosk's: end\n"
+        "it first.\n",
+    .run = run,
+};

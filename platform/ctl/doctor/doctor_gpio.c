@@ -1,0 +1,170 @@
+/* doctor_gpio.c -- the check of GPIO chips and configured lines.
+ *
+ * Checks whether each configured line exists, is free and has a unique name. Uses linux/gpio.h
+ * directly, because the kernel reports the consumer of a line without requesting that line. */
+#include "platform/ctl/doctor/doctor_gpio.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/gpio.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "drivers/gpio/gpio_config.h"
+#include "drivers/gpio/gpio_dev.h"
+#include "platform/ctl/doctor/doctor.h"
+
+/* ---- Reading the lines ----------------------------------------------------------------------- */
+
+static void doctor_gpio_read_lines(int file, const struct gpiochip_info *chip,
+                                   struct gpio_census *census)
+{
+    for (uint32_t offset = 0; offset < chip->lines; offset++) {
+        struct gpio_v2_line_info line = { .offset = offset };
+        if (ioctl(file, GPIO_V2_GET_LINEINFO_IOCTL, &line)) {
+            continue;
+        }
+        if (census->count == GPIO_CENSUS_MAX) {
+            census->more++;
+            continue;
+        }
+        struct gpio_seen *seen = &census->line[census->count++];
+        *seen = (struct gpio_seen){
+            .offset = offset,
+            .is_used = (line.flags & GPIO_V2_LINE_FLAG_USED) != 0,
+        };
+        snprintf(seen->chip, sizeof seen->chip, "%.31s", chip->label);
+        snprintf(seen->name, sizeof seen->name, "%.31s", line.name);
+        snprintf(seen->consumer, sizeof seen->consumer, "%.31s", line.consumer);
+    }
+}
+
+static void read_chip(struct doctor *doctor, const char *path, struct gpio_census *census)
+{
+    char whole[OPTIONS_PATH_MAX + 64u];
+    struct gpiochip_info chip = { .lines = 0 };
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    const int file = open(whole, O_RDWR | O_CLOEXEC);
+    const int error = file < 0                                       ? errno
+                      : ioctl(file, GPIO_GET_CHIPINFO_IOCTL, &chip) ? errno
+                                                                     : 0;
+    if (error) {
+        doctor_state(doctor_find(doctor, "gpio", DOCTOR_LOOK, "%s", path), "%s", strerror(error));
+    } else {
+        doctor_gpio_read_lines(file, &chip, census);
+        doctor_state(doctor_find(doctor, "gpio", DOCTOR_FINE, "%s", path), "%s, %u lines",
+                     chip.label, chip.lines);
+    }
+    if (file >= 0) {
+        close(file);
+    }
+}
+
+static void look_at_chip(struct doctor *doctor, const char *path, struct gpio_census *census)
+{
+    const int error = doctor_may_use(doctor, path);
+    if (!error) {
+        read_chip(doctor, path, census);
+        return;
+    }
+    const bool is_needed = doctor->options.line_count > 0;
+    struct doctor_finding *finding =
+        doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_LOOK, "%s", path);
+    doctor_state(finding, "%s may not open it: %s", doctor->user.name, strerror(error));
+    doctor_todo_access(doctor, finding, path,
+                       "sudo cp board/udev/*.rules /etc/udev/rules.d/, then sudo udevadm control "
+                       "--reload && sudo udevadm trigger");
+}
+
+static uint32_t look_at_chips(struct doctor *doctor, struct gpio_census *census)
+{
+    struct gpio_dev_walk walk = { .root = doctor->root };
+    while (gpio_dev_next(&walk)) {
+        look_at_chip(doctor, walk.path, census);
+    }
+    return walk.count;
+}
+
+/* ---- Configured lines ------------------------------------------------------------------------ */
+
+static bool is_meant(const struct gpio_wire *wire, const struct gpio_seen *seen)
+{
+    return wire->name[0] ? strcmp(wire->name, seen->name) == 0
+                         : strcmp(wire->chip, seen->chip) == 0 && wire->offset == seen->offset;
+}
+
+/* Fills a finding for the line `seen`, which is one of `places` matching lines. If two chips have
+ * the same label, only the names of their lines distinguish the chips. */
+static void look_at_found(struct doctor_finding *finding, const struct gpio_wire *wire,
+                          const struct gpio_seen *seen, uint32_t places)
+{
+    if (places > 1u && !wire->name[0]) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "%u chips have that label", places);
+        doctor_todo(finding, "name it by its line's name, if it has one: kingyoctl lines list");
+    } else if (places > 1u) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "%u lines are called so", places);
+        doctor_todo(finding, "name it by its chip: %s:%u", seen->chip, seen->offset);
+    } else if (seen->is_used && strcmp(seen->consumer, "kingyo") != 0) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "held by '%s'", seen->consumer);
+        doctor_todo(finding, "end that program, or remove the overlay or driver of that name");
+    } else {
+        doctor_state(finding, "on %s, line %u%s", seen->chip, seen->offset,
+                     seen->is_used ? ", held by the running kiosk" : ", free");
+    }
+}
+
+void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct gpio_wire *wire,
+                      const struct gpio_census *census)
+{
+    char line[GPIO_WIRE_TEXT_SIZE];
+    const struct gpio_seen *found = NULL;
+    uint32_t places = 0;
+    for (uint32_t i = 0; i < census->count; i++) {
+        if (is_meant(wire, &census->line[i])) {
+            found = found ? found : &census->line[i];
+            places++;
+        }
+    }
+    gpio_wire_text(wire, line);
+    struct doctor_finding *finding =
+        doctor_find(doctor, "line", DOCTOR_FINE, "%s on %s", gpio_role_name(role), line);
+    if (found) {
+        look_at_found(finding, wire, found, places);
+        return;
+    }
+    finding->level = DOCTOR_WRONG;
+    doctor_state(finding, "no chip that may be opened has it");
+    doctor_todo(finding, "kingyoctl lines list shows those there are: mend --line %s=...",
+                gpio_role_name(role));
+}
+
+void doctor_gpio(struct doctor *doctor)
+{
+    static struct gpio_census census;
+    struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
+    char why[HAL_TEXT_SIZE];
+    census.count = census.more = 0;
+    if (look_at_chips(doctor, &census) == 0) {
+        const bool is_needed = doctor->options.line_count > 0;
+        struct doctor_finding *none =
+            doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_FINE, "chips");
+        doctor_state(none, "this machine has no GPIO: buttons are keys, coins are '5'");
+        if (is_needed) {
+            doctor_todo(none, "enable the GPIO driver, or take the --line options away");
+        }
+    }
+    for (uint32_t i = 0; i < doctor->options.line_count; i++) {
+        (void)gpio_wire_read(doctor->options.line[i], wires, why); /* The option parser has already
+                                                                      validated these texts. */
+    }
+    for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (wires[role].wired) {
+            doctor_gpio_wire(doctor, (enum gpio_role)role, &wires[role], &census);
+        }
+    }
+}

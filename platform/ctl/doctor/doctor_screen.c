@@ -1,0 +1,140 @@
+/* doctor_screen.c -- the check of graphics cards, video connectors, sound cards and sound
+ * outputs. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/board.h"
+#include "platform/ctl/doctor/doctor.h"
+#include "platform/os/regular_file.h"
+
+/* Adds a finding for a node that the kiosk opens itself. If the user has no access, the finding
+ * contains the command that gives access. */
+static void look_at_node(struct doctor *doctor, const char *part, const char *path,
+                         const char *group)
+{
+    char join[DOCTOR_TEXT];
+    const int error = doctor_may_use(doctor, path);
+    struct doctor_finding *finding =
+        doctor_find(doctor, part, error ? DOCTOR_WRONG : DOCTOR_FINE, "%s", path);
+    if (!error) {
+        doctor_state(finding, "%s may use it", doctor->user.name);
+        return;
+    }
+    snprintf(join, sizeof join, "sudo usermod -aG %s %s, then log in again or restart the kiosk",
+             group, doctor->user.name);
+    doctor_state(finding, "%s may not use it: %s", doctor->user.name, strerror(error));
+    doctor_todo_access(doctor, finding, path, join);
+}
+
+static void look_at_nodes(struct doctor *doctor, const char *part, const char *folder,
+                          const char *prefix, const char *group)
+{
+    struct doctor_names nodes;
+    char path[160];
+    doctor_list(doctor, folder, prefix, &nodes);
+    for (uint32_t i = 0; i < nodes.count; i++) {
+        snprintf(path, sizeof path, "%s/%s", folder, nodes.name[i]);
+        look_at_node(doctor, part, path, group);
+    }
+}
+
+/* ---- Screens --------------------------------------------------------------------------------- */
+
+/* Adds a finding for each video connector, for example "card1-HDMI-A-1". Returns the number of
+ * connectors with a screen. */
+static uint32_t look_at_sockets(struct doctor *doctor)
+{
+    struct doctor_names sockets;
+    uint32_t connected = 0;
+    doctor_list(doctor, "/sys/class/drm", "card", &sockets);
+    for (uint32_t i = 0; i < sockets.count; i++) {
+        char status[32], mode[32];
+        doctor_line(doctor, status, sizeof status, "/sys/class/drm/%s/status", sockets.name[i]);
+        doctor_line(doctor, mode, sizeof mode, "/sys/class/drm/%s/modes", sockets.name[i]);
+        if (status[0]) {
+            doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "%s", sockets.name[i]),
+                         "%s%s%s", status, mode[0] ? ", " : "", mode);
+            connected += strcmp(status, "connected") == 0;
+        }
+    }
+    return connected;
+}
+
+bool doctor_under_a_desktop(const struct doctor *doctor)
+{
+    return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
+}
+
+/* Checks whether a window can be opened. The check is made only for this machine and the current
+ * user. */
+static void try_screen(struct doctor *doctor)
+{
+    char why[HAL_TEXT_SIZE] = "";
+    const bool has_screen = board_has_screen(why, sizeof why) != 0;
+    struct doctor_finding *finding =
+        doctor_find(doctor, "display", has_screen ? DOCTOR_FINE : DOCTOR_WRONG, "the kiosk's");
+    doctor_state(finding, "%s", has_screen ? "opens here and now" : why);
+    if (!has_screen) {
+        doctor_todo(finding, "plug a screen in, or start from a desktop; without one the kiosk "
+                             "only writes pictures");
+    }
+}
+
+void doctor_screen(struct doctor *doctor)
+{
+    const uint32_t connected = look_at_sockets(doctor);
+    if (doctor_under_a_desktop(doctor)) {
+        doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "desktop"), "%s",
+                     getenv("WAYLAND_DISPLAY") ? getenv("WAYLAND_DISPLAY") : getenv("DISPLAY"));
+    } else {
+        look_at_nodes(doctor, "display", "/dev/dri", "card", "video");
+        look_at_nodes(doctor, "display", "/dev/dri", "renderD", "render");
+    }
+    if (!doctor->root[0]) {
+        try_screen(doctor);
+    } else if (connected == 0) {
+        struct doctor_finding *none = doctor_find(doctor, "display", DOCTOR_WRONG, "screens");
+        doctor_state(none, "no screen is plugged in");
+        doctor_todo(none, "plug one in and switch it on");
+    }
+}
+
+/* ---- Sound ----------------------------------------------------------------------------------- */
+
+/* Adds a finding for each sound card. A card has a line such as " 0 [PCH ]: HDA-Intel - HDA Intel
+ * PCH", followed by a line with its location. */
+static uint32_t look_at_cards(struct doctor *doctor)
+{
+    char path[OPTIONS_PATH_MAX + 64u], line[DOCTOR_TEXT];
+    uint32_t count = 0;
+    snprintf(path, sizeof path, "%s/proc/asound/cards", doctor->root);
+    FILE *file = regular_file_open(path, REGULAR_FILE_KERNEL_SIZE_MAX);
+    while (file && fgets(line, sizeof line, file)) {
+        unsigned number;
+        const char *name = strstr(line, "]: ");
+        if (sscanf(line, " %u [", &number) == 1 && name) {
+            line[strcspn(line, "\n")] = '\0';
+            doctor_state(doctor_find(doctor, "sound", DOCTOR_FINE, "card %u", number), "%s",
+                         name + 3);
+            count++;
+        }
+    }
+    if (file) {
+        fclose(file);
+    }
+    return count;
+}
+
+void doctor_sound(struct doctor *doctor)
+{
+    if (look_at_cards(doctor) == 0) {
+        struct doctor_finding *none = doctor_find(doctor, "sound", DOCTOR_LOOK, "cards");
+        doctor_state(none, "there is none: the stall is silent");
+        doctor_todo(none, "plug one in, or enable the board's own (on a Raspberry Pi: "
+                          "dtparam=audio=on)");
+        return;
+    }
+    look_at_nodes(doctor, "sound", "/dev/snd", "pcm", "audio");
+}

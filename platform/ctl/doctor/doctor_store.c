@@ -1,0 +1,271 @@
+/* doctor_store.c -- the check of the data folder, the database and the stored controller
+ * mappings. */
+#include <dirent.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <time.h>
+
+#include <sqlite3.h>
+
+#include "drivers/hid/hid_mapping_store_text.h"
+#include "platform/ctl/doctor/doctor.h"
+#include "platform/os/regular_file.h"
+#include "platform/store/sqlite/sql.h"
+#include "platform/store/storage.h"
+#include "platform/system_health.h"
+
+/* Free space in MiB below which doctor warns. The space holds the database twice, with a replay of
+ * each ranked round. */
+#define ROOM_MIB 64u
+#define PATH_ROOM (OPTIONS_PATH_MAX + 400u)
+
+/* ---- Data folder ----------------------------------------------------------------------------- */
+
+static void look_at_room(struct doctor *doctor, const char *path)
+{
+    struct statvfs about;
+    if (statvfs(path, &about)) {
+        return;
+    }
+    const uint64_t mib = (uint64_t)about.f_bavail * about.f_frsize / 1048576u;
+    struct doctor_finding *finding =
+        doctor_find(doctor, "store", mib < ROOM_MIB ? DOCTOR_LOOK : DOCTOR_FINE, "room");
+    doctor_state(finding, "%" PRIu64 " MiB are free", mib);
+    if (mib < ROOM_MIB) {
+        doctor_todo(finding, "make room on that card: %u MiB at least", ROOM_MIB);
+    }
+}
+
+/* Returns whether the file system of `path` is mounted read-only. The mode of a folder does not
+ * show this. */
+static int is_read_only(const char *path)
+{
+    struct statvfs about;
+    return statvfs(path, &about) == 0 && (about.f_flag & ST_RDONLY) != 0;
+}
+
+/* Adds a finding for the data folder. Returns 0 if the kiosk's user may use the folder, or an
+ * errno. */
+static int look_at_folder(struct doctor *doctor, const char *path)
+{
+    const int error = is_read_only(path) ? EROFS : doctor_may_use(doctor, doctor->options.data);
+    struct doctor_finding *finding = doctor_find(doctor, "store", DOCTOR_FINE, "%s", path);
+    if (error == ENOENT) {
+        doctor_state(finding, "is not there yet: the kiosk makes it at its first start");
+    } else if (error == EROFS) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "lies on what can only be read: nothing is kept, no coin is taken");
+        doctor_todo(finding, "look into /run/kingyo-data and 'findmnt %.300s'; a card that became "
+                             "so by itself is to be replaced", doctor->options.data);
+    } else if (error) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "%s may not write there: %s", doctor->user.name, strerror(error));
+        doctor_todo(finding, "sudo chown -R %s '%.400s'", doctor->user.name, doctor->options.data);
+    } else {
+        doctor_state(finding, "%s may write there", doctor->user.name);
+    }
+    return error;
+}
+
+/* ---- Database -------------------------------------------------------------------------------- */
+
+/* Hours after which a backup is reported as old. The kiosk makes a backup at each program start
+ * and every hour. */
+#define BACKUP_OLD_H 48
+
+static int64_t count_of(struct ledger_file *file, const char *sql)
+{
+    int64_t count = 0;
+    return sql_number(file->db, sql, &count) == SQLITE_OK ? count : 0;
+}
+
+static void say_whole(struct doctor_finding *finding, struct ledger_file *file)
+{
+    const struct ledger_start *ledger = &file->content.memory.ledger;
+    doctor_state(finding,
+                 "whole, version %d: %u entries of %u starts, %" PRId64 " rounds, %" PRId64
+                 " replays",
+                 LEDGER_FILE_VERSION, ledger->last_id, ledger->boots,
+                 count_of(file, "SELECT count(*) FROM rounds"),
+                 count_of(file, "SELECT count(*) FROM replays"));
+}
+
+static void say_why_not(struct doctor *doctor, struct doctor_finding *finding, int code,
+                        const char *path)
+{
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
+        doctor_state(finding, "another program writes to it right now");
+    } else if (code == SQLITE_SCHEMA) {
+        doctor_state(finding, "of an earlier version: brought up to date at the next start");
+    } else if (code == LEDGER_FILE_NEWER) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "a later Kingyo wrote it: this one keeps nothing");
+        doctor_todo(finding, "install that version again, or put a backup in the file's place");
+    } else if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "damaged: %.200s", ledger_file_error(code));
+        doctor_todo(finding, "restart the stall: it will set the file aside and go on from its "
+                             "backup, with what can still be read");
+    } else {
+        finding->level = DOCTOR_WRONG;
+        doctor_state(finding, "cannot be opened: %.200s", ledger_file_error(code));
+        doctor_todo(finding, "sudo chown %s '%s'", doctor->user.name, path);
+    }
+}
+
+static void look_at_database(struct doctor *doctor, const char *folder)
+{
+    char path[PATH_ROOM];
+    struct stat about;
+    struct ledger_file file;
+    snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE);
+    struct doctor_finding *finding = doctor_find(doctor, "database", DOCTOR_FINE, "%s", path);
+    if (stat(path, &about)) {
+        doctor_state(finding, "is not there yet: nothing was kept");
+        return;
+    }
+    int code = ledger_file_inspect(&file, path);
+    code = code == SQLITE_OK ? ledger_check(file.db) : code;
+    if (code == SQLITE_OK) {
+        say_whole(finding, &file);
+    } else {
+        say_why_not(doctor, finding, code, path);
+    }
+    ledger_file_close(&file);
+}
+
+static void look_at_backup(struct doctor *doctor, const char *folder)
+{
+    char path[PATH_ROOM];
+    struct stat about;
+    snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE STORAGE_BACKUP_SUFFIX);
+    if (stat(path, &about)) {
+        return; /* A kiosk that has never run has no backup. */
+    }
+    const int64_t hours = ((int64_t)time(NULL) - about.st_mtime) / 3600;
+    struct doctor_finding *finding = doctor_find(
+        doctor, "backup", hours < BACKUP_OLD_H ? DOCTOR_FINE : DOCTOR_LOOK, "%s", path);
+    doctor_state(finding, "%" PRId64 " h old, %" PRId64 " KiB", hours,
+                 (int64_t)about.st_size / 1024);
+    if (hours >= BACKUP_OLD_H) {
+        doctor_todo(finding, "nothing, if the stall was closed so long; else make room on the card "
+                             "and look at its log");
+    }
+}
+
+static const struct {
+    const char *state, *todo;
+} asides[] = {
+    [SYSTEM_HEALTH_QUARANTINE_DAMAGED] = { "was damaged, and set aside",
+                                           "compare the books (kingyoctl audits) with the meter; "
+                                           "then remove "
+                                           "it. If there are several, replace the card" },
+    [SYSTEM_HEALTH_QUARANTINE_MISSING] = { "kingyo.db was missing, and made anew of what could be "
+                                           "read",
+                                           "compare the books (kingyoctl audits) with the meter; "
+                                           "then remove "
+                                           "this note" },
+    [SYSTEM_HEALTH_QUARANTINE_LEFT] = { "is the database from before a start that left a part out, "
+                                        "because of "
+                                        "panics",
+                                        "send the log and panic-*.kgr; kingyoctl backup --restore "
+                                        "goes back "
+                                        "to it. Then remove it" },
+    [SYSTEM_HEALTH_QUARANTINE_OTHER] = { "is of another list or not a regular file, and was set "
+                                         "aside",
+                                         "remove it, or put it back beside the kingyo.db it "
+                                         "belongs to" },
+};
+
+/* Adds a finding for each quarantined file. Such a file stays in the data folder until the operator
+ * removes it. */
+static void look_at_damaged(struct doctor *doctor, const char *folder)
+{
+    DIR *list = opendir(folder);
+    const struct dirent *entry;
+    while (list && (entry = readdir(list))) {
+        const enum system_health_quarantine aside = system_health_quarantine_of(entry->d_name);
+        if (aside != SYSTEM_HEALTH_QUARANTINE_NONE) {
+            struct doctor_finding *finding =
+                doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, entry->d_name);
+            doctor_state(
+                finding, "%s%s", asides[aside].state,
+                system_health_is_seen(folder, entry->d_name) ? "; the operator has seen that" : "");
+            doctor_todo(finding, "%s", asides[aside].todo);
+        }
+    }
+    if (list) {
+        closedir(list);
+    }
+}
+
+/* ---- Stored controller mappings -------------------------------------------------------------- */
+
+static void look_at_poi(struct doctor *doctor, const char *path)
+{
+    static char text[HID_MAPPING_STORE_TEXT_SIZE];
+    static struct hid_mapping_store_entry entry;
+    char why[HAL_TEXT_SIZE] = "";
+    FILE *file = regular_file_open(path, sizeof text - 1u);
+    const size_t size = file ? fread(text, 1, sizeof text - 1u, file) : 0;
+    const int error = !file || ferror(file) ? errno : 0;
+    if (file) {
+        fclose(file);
+    }
+    text[size] = '\0';
+    const int line = error ? 0 : hid_mapping_store_read(&entry, text, why);
+    if (!error && line == 0) {
+        doctor_state(doctor_find(doctor, "learned", DOCTOR_FINE, "%04x:%04x %s", entry.vendor,
+                                 entry.product, entry.serial),
+                     "%u motions and buttons", entry.map.count);
+        return;
+    }
+    struct doctor_finding *finding = doctor_find(doctor, "learned", DOCTOR_LOOK, "%s", path);
+    if (error) {
+        doctor_state(finding, "%s", regular_file_error(error));
+    } else {
+        doctor_state(finding, "line %d: %s", line, why);
+    }
+    doctor_todo(finding, "remove it, and learn that controller again in the operator's menu");
+}
+
+static void look_at_pois(struct doctor *doctor, const char *data)
+{
+    char path[PATH_ROOM];
+    snprintf(path, sizeof path, "%s/pois", data);
+    DIR *folder = opendir(path);
+    const struct dirent *entry;
+    while (folder && (entry = readdir(folder))) {
+        const char *dot = strrchr(entry->d_name, '.');
+        if (dot && strcmp(dot, ".poi") == 0) {
+            snprintf(path, sizeof path, "%s/pois/%.255s", data, entry->d_name);
+            look_at_poi(doctor, path);
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+}
+
+void doctor_store(struct doctor *doctor)
+{
+    char path[OPTIONS_PATH_MAX + 64u];
+    if (!doctor->options.data[0]) {
+        struct doctor_finding *none = doctor_find(doctor, "store", DOCTOR_WRONG, "data folder");
+        doctor_state(none, "nowhere: neither --data nor HOME is set, so nothing is kept");
+        doctor_todo(none, "start the kiosk with --data FOLDER");
+        return;
+    }
+    snprintf(path, sizeof path, "%s%s", doctor->root, doctor->options.data);
+    if (look_at_folder(doctor, path) == 0) {
+        look_at_room(doctor, path);
+        look_at_database(doctor, path);
+        look_at_backup(doctor, path);
+        look_at_damaged(doctor, path);
+        look_at_pois(doctor, path);
+    }
+}

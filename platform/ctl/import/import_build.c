@@ -1,0 +1,355 @@
+/* import_build.c -- builds the mesh tables of the core from oriented key shapes.
+ *
+ * Vertices that are equal in every key shape are merged. A fin that is a single sheet gets a second
+ * side. Body coordinates (u along the body, v around it) are computed from the vertex positions,
+ * because paint and the trailing of fins need them. Imported meshes use no anchors, so that each
+ * vertex position comes only from the key shapes. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/morph/morph.h"
+#include "platform/ctl/import/import_options.h"
+
+#define BUCKETS 262144u /* Size of the hash table: four times the number of vertices. */
+#define PI 3.14159265f
+
+/* A triangle corner of the new mesh. Corners with equal content become one vertex. */
+struct corner {
+    int16_t at[MORPH_KEY_MAX][3];
+    float u, v;
+    uint8_t part, side;
+    uint8_t unused[2]; /* Always zero. Corners are compared as bytes, so that the struct must have
+                          no padding. */
+};
+_Static_assert(sizeof(struct corner) == 6 * MORPH_KEY_MAX + 12, "corners have no padding");
+
+struct builder {
+    const struct import_mesh *mesh;
+    struct mesh_tables *tables;
+    struct species_mesh *out;
+    char *why;
+    float reach;
+    uint32_t key; /* Key shape from which body coordinates are computed: the last one. */
+    struct corner corners[MESH_VERTEX_MAX];
+    uint32_t place[MESH_VERTEX_MAX]; /* Index of the first vertex of the same part at the same
+                                        position. */
+    uint32_t buckets[BUCKETS];       /* Vertex index + 1, or 0 for an empty bucket. */
+    struct part_box {
+        vec3 low, high;
+        bool used;
+    } boxes[PART_COUNT][SIDE_LEFT + 1];
+};
+
+static enum species_side import_build_side_of(const struct builder *b, enum species_part part,
+                                              uint32_t t)
+{
+    const struct import_mesh *m = b->mesh;
+    float x = 0.0f;
+    if (part != PART_EYE && part != PART_PECTORAL && part != PART_PELVIC) {
+        return SIDE_MIDDLE;
+    }
+    for (uint32_t k = 0; k < 3; k++) {
+        x += m->positions[0][m->triangles[t][k]].x; /* In key shape 0, both eyes of a flatfish are
+                                                       still on their own sides. */
+    }
+    return x >= 0.0f ? SIDE_RIGHT : SIDE_LEFT;
+}
+
+static enum species_part part_of(const struct builder *b, uint32_t t)
+{
+    return import_part(b->mesh->group_names[b->mesh->groups[t]]);
+}
+
+static void measure_parts(struct builder *b)
+{
+    for (uint32_t t = 0; t < b->mesh->triangle_count; t++) {
+        const enum species_part part = part_of(b, t);
+        struct part_box *box = &b->boxes[part][import_build_side_of(b, part, t)];
+        for (uint32_t k = 0; k < 3; k++) {
+            const vec3 p = b->mesh->positions[b->key][b->mesh->triangles[t][k]];
+            box->low = box->used ? v3(fminf(box->low.x, p.x), fminf(box->low.y, p.y),
+                                      fminf(box->low.z, p.z))
+                                 : p;
+            box->high = box->used ? v3(fmaxf(box->high.x, p.x), fmaxf(box->high.y, p.y),
+                                       fmaxf(box->high.z, p.z))
+                                  : p;
+            box->used = true;
+        }
+    }
+}
+
+static float share(float x, float low, float high)
+{
+    return high > low ? f_clamp((x - low) / (high - low), 0.0f, 1.0f) : 0.0f;
+}
+
+/* Computes the body coordinates u and v (core/morph/species.h) from a position alone. */
+static void coordinates(const struct builder *b, enum species_part part, enum species_side side,
+                        vec3 p, struct corner *out)
+{
+    const struct part_box *box = &b->boxes[part][side];
+    const vec3 middle = v3_scale(v3_add(box->low, box->high), 0.5f);
+    const float along = share(p.z, box->low.z, box->high.z);
+    if (part == PART_BODY) {
+        const float turn = atan2f(p.x - middle.x, p.y - middle.y) / (2.0f * PI);
+        out->u = along;
+        out->v = turn < 0.0f ? turn + 1.0f : turn;
+    } else if (part == PART_EYE) {
+        const vec3 out_of = v3(side == SIDE_RIGHT ? 1.0f : -1.0f, 0.0f, 0.0f);
+        const vec3 from = v3_normalize_or(v3_sub(p, middle), out_of);
+        out->u = acosf(f_clamp(v3_dot(from, out_of), -1.0f, 1.0f)) / (0.5f * PI);
+        out->v = side == SIDE_RIGHT ? 0.25f : 0.75f;
+    } else if (part == PART_TAIL) {
+        out->u = 1.0f - share(p.y, box->low.y, box->high.y);
+        out->v = along;
+    } else {
+        const float reach = fmaxf(fabsf(box->low.y), fabsf(box->high.y));
+        const float root = fmaxf(fmaxf(box->low.y, -box->high.y), 0.0f);
+        const bool paired = side != SIDE_MIDDLE;
+        const float far = fmaxf(fabsf(box->low.x), fabsf(box->high.x));
+        out->u = along;
+        out->v = paired ? share(fabsf(p.x), fminf(fabsf(box->low.x), fabsf(box->high.x)), far)
+                        : share(fabsf(p.y), root, reach);
+    }
+}
+
+static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
+{
+    const struct import_mesh *m = b->mesh;
+    const uint32_t vertex = m->triangles[t][k];
+    struct corner corner = { .part = (uint8_t)part_of(b, t) };
+    corner.side = (uint8_t)import_build_side_of(b, part_of(b, t), t);
+    for (uint32_t key = 0; key < m->key_count; key++) {
+        const vec3 p = m->positions[key][vertex];
+        corner.at[key][0] = morph_count(p.x, b->reach);
+        corner.at[key][1] = morph_count(p.y, b->reach);
+        corner.at[key][2] = morph_count(p.z, b->reach);
+    }
+    if (m->is_ours && m->has_uv) {
+        corner.u = f_clamp(m->uv[vertex][0], -2.0f, 4.0f);
+        corner.v = f_clamp(m->uv[vertex][1], -2.0f, 4.0f);
+    } else {
+        coordinates(b, part_of(b, t), (enum species_side)corner.side, m->positions[b->key][vertex],
+                    &corner);
+    }
+    return corner;
+}
+
+/* Unwraps v of a body triangle that crosses the seam at v = 1. The corners after the seam get v
+ * above 1. */
+static void unwrap(struct corner corner[3])
+{
+    float low = 1.0f, high = 0.0f;
+    for (uint32_t k = 0; k < 3; k++) {
+        low = fminf(low, corner[k].v);
+        high = fmaxf(high, corner[k].v);
+    }
+    for (uint32_t k = 0; k < 3 && corner[0].part == PART_BODY && high - low > 0.5f; k++) {
+        corner[k].v += corner[k].v < 0.5f ? 1.0f : 0.0f;
+    }
+}
+
+static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *out)
+{
+    const uint8_t *bytes = (const uint8_t *)corner;
+    uint32_t hash = 2166136261u;
+    for (size_t i = 0; i < sizeof *corner; i++) {
+        hash = (hash ^ bytes[i]) * 16777619u;
+    }
+    uint32_t at = hash % BUCKETS;
+    for (; b->buckets[at] != 0; at = (at + 1) % BUCKETS) {
+        if (memcmp(&b->corners[b->buckets[at] - 1], corner, sizeof *corner) == 0) {
+            *out = b->buckets[at] - 1;
+            return true;
+        }
+    }
+    if (b->out->vertex_count == MESH_VERTEX_MAX) {
+        snprintf(b->why, IMPORT_WHY_SIZE,
+                 "vertices: more than %u; reduce the model, or fit a template to it (--fit)",
+                 MESH_VERTEX_MAX);
+        return false;
+    }
+    *out = b->out->vertex_count++;
+    b->buckets[at] = *out + 1;
+    b->corners[*out] = *corner;
+    b->tables->vertices[*out] = (struct species_vertex){
+        .u = corner->u, .v = corner->v, .part = corner->part, .side = corner->side,
+        .anchor = ANCHOR_NONE, .mask = { 255 },
+        .flex = corner->part < PART_TAIL ? 0
+                                         : (uint8_t)(255.0f * f_clamp(corner->v, 0.0f, 1.0f)),
+    };
+    for (uint32_t key = 0; key < b->mesh->key_count; key++) {
+        b->tables->points[key][*out] = (struct species_point){
+            corner->at[key][0], corner->at[key][1], corner->at[key][2], 0
+        };
+    }
+    return true;
+}
+
+static bool add_triangle(struct builder *b, uint32_t x, uint32_t y, uint32_t z)
+{
+    if (x == y || y == z || z == x) {
+        return true; /* The triangle is degenerate because two of its corners were merged. */
+    }
+    if (b->out->index_count + 3 > MESH_INDEX_MAX) {
+        snprintf(b->why, IMPORT_WHY_SIZE, "triangles: more than %u; reduce the model",
+                 MESH_INDEX_MAX / 3u);
+        return false;
+    }
+    uint16_t *index = &b->tables->indices[b->out->index_count];
+    index[0] = (uint16_t)x;
+    index[1] = (uint16_t)y;
+    index[2] = (uint16_t)z;
+    b->out->index_count += 3;
+    return true;
+}
+
+static bool add_triangles(struct builder *b)
+{
+    for (uint32_t t = 0; t < b->mesh->triangle_count; t++) {
+        struct corner corner[3];
+        uint32_t vertex[3];
+        for (uint32_t k = 0; k < 3; k++) {
+            corner[k] = corner_of(b, t, k);
+        }
+        if (!b->mesh->is_ours) {
+            unwrap(corner);
+        }
+        for (uint32_t k = 0; k < 3; k++) {
+            if (!vertex_of(b, &corner[k], &vertex[k])) {
+                return false;
+            }
+        }
+        if (!add_triangle(b, vertex[0], vertex[1], vertex[2])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Finds the vertices at equal positions. A texture seam separates vertices, but the surface is
+ * continuous there. */
+static void find_places(struct builder *b)
+{
+    for (uint32_t i = 0; i < b->out->vertex_count; i++) {
+        b->place[i] = i;
+        for (uint32_t j = 0; j < i && b->place[i] == i; j++) {
+            if (b->corners[i].part == b->corners[j].part &&
+                memcmp(b->corners[i].at, b->corners[j].at, sizeof b->corners[i].at) == 0) {
+                b->place[i] = b->place[j];
+            }
+        }
+    }
+}
+
+static bool has_edge(const struct builder *b, uint32_t from, uint32_t to)
+{
+    for (uint32_t i = 0; i < b->out->index_count; i += 3) {
+        const uint16_t *t = &b->tables->indices[i];
+        for (uint32_t k = 0; k < 3; k++) {
+            if (b->place[t[k]] == from && b->place[t[(k + 1) % 3]] == to) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Gives each fin that is an open sheet a second side. An open sheet has an edge that no triangle
+ * traverses in the opposite direction. Closed fins are not changed. */
+static bool give_sheets_a_second_side(struct builder *b)
+{
+    bool open[PART_COUNT] = { false };
+    const uint32_t index_count = b->out->index_count;
+    for (uint32_t i = 0; i < index_count; i += 3) {
+        const uint16_t *t = &b->tables->indices[i];
+        const uint8_t part = b->tables->vertices[t[0]].part;
+        for (uint32_t k = 0; k < 3 && part >= PART_TAIL && !open[part]; k++) {
+            open[part] = !has_edge(b, b->place[t[(k + 1) % 3]], b->place[t[k]]);
+        }
+    }
+    for (uint32_t i = 0; i < index_count; i += 3) {
+        const uint16_t *t = &b->tables->indices[i];
+        if (open[b->tables->vertices[t[0]].part] && !add_triangle(b, t[0], t[2], t[1])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Computes vertex normals, weighted by triangle area. If the two sides of a sheet disagree, the
+ * side added first determines the direction. */
+static void make_normals(struct builder *b, uint32_t index_count)
+{
+    static vec3 sums[MESH_VERTEX_MAX];
+    for (uint32_t key = 0; key < b->mesh->key_count; key++) {
+        memset(sums, 0, sizeof sums);
+        for (uint32_t i = 0; i < index_count; i += 3) {
+            const uint16_t *t = &b->tables->indices[i];
+            const vec3 a = morph_position(b->out, key, t[0]);
+            const vec3 normal = v3_cross(v3_sub(morph_position(b->out, key, t[1]), a),
+                                         v3_sub(morph_position(b->out, key, t[2]), a));
+            for (uint32_t k = 0; k < 3; k++) {
+                vec3 *sum = &sums[b->place[t[k]]];
+                const float side = v3_dot(*sum, normal) < 0.0f &&
+                                   b->tables->vertices[t[k]].part >= PART_TAIL ? -1.0f : 1.0f;
+                *sum = v3_muladd(*sum, normal, side);
+            }
+        }
+        for (uint32_t i = 0; i < b->out->vertex_count; i++) {
+            b->tables->points[key][i].normal = morph_fold_normal(
+                v3_normalize_or(sums[b->place[i]], v3(0.0f, 1.0f, 0.0f)));
+        }
+    }
+}
+
+static bool choose_reach(struct builder *b)
+{
+    float far = 0.0f;
+    for (uint32_t key = 0; key < b->mesh->key_count; key++) {
+        for (uint32_t i = 0; i < b->mesh->vertex_count; i++) {
+            const vec3 p = b->mesh->positions[key][i];
+            far = fmaxf(far, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
+        }
+    }
+    b->reach = far < 1.0f ? 1.0f : far < 2.0f ? 2.0f : 4.0f;
+    if (!(far < 4.0f)) {
+        snprintf(b->why, IMPORT_WHY_SIZE, "size: a vertex lies %g lengths off", (double)far);
+    }
+    return far < 4.0f;
+}
+
+enum exit_code import_build(const struct import_mesh *mesh, struct species_slot *slot,
+                            struct import_report *report, char why[IMPORT_WHY_SIZE])
+{
+    static struct builder b;
+    struct species_mesh *near = &slot->species.lod[0];
+    memset(&b, 0, sizeof b);
+    b.mesh = mesh;
+    b.tables = &slot->tables[0];
+    b.out = near;
+    b.why = why;
+    b.key = mesh->key_count - 1;
+    if (!choose_reach(&b)) {
+        return EXIT_BAD_DATA;
+    }
+    *near = (struct species_mesh){ .reach = b.reach, .vertices = b.tables->vertices,
+                                   .anchors = b.tables->anchors, .indices = b.tables->indices };
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        near->points[key] = b.tables->points[key];
+    }
+    measure_parts(&b);
+    if (!add_triangles(&b)) {
+        return EXIT_BAD_DATA;
+    }
+    find_places(&b);
+    const uint32_t index_count = near->index_count;
+    if (!give_sheets_a_second_side(&b)) {
+        return EXIT_BAD_DATA;
+    }
+    make_normals(&b, index_count);
+    report->joined_count =
+        mesh->vertex_count > near->vertex_count ? mesh->vertex_count - near->vertex_count : 0;
+    return EXIT_OK;
+}

@@ -1,0 +1,265 @@
+/* import_flat.c -- opens a scene with assimp and reads the metadata of the file. */
+#include "platform/ctl/import/import_flat.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#ifdef HAS_ASSIMP
+
+#include <assimp/cimport.h>
+#include <assimp/metadata.h>
+#include <assimp/postprocess.h>
+#include <dlfcn.h>
+
+#include "platform/ctl/import/import_flat_internal.h"
+
+
+/* Library names to load, in order. The first is the soname of the version whose headers this
+ * program was built with. */
+static const char *const libraries[] = { "libassimp.so.5", "libassimp.so" };
+
+struct assimp {
+    const struct aiScene *(*read)(const char *path, unsigned int flags);
+    const char *(*error)(void);
+    void (*release)(const struct aiScene *scene);
+    void (*attach)(const struct aiLogStream *log);
+    void (*detach)(void);
+};
+
+/* Loads a function of the library. The bytes are copied because C does not convert an object
+ * pointer to a function pointer, and POSIX guarantees equal representations. */
+static bool import_flat_load_symbol(void *library, const char *name, void *function)
+{
+    void *const symbol = dlsym(library, name);
+    memcpy(function, &symbol, sizeof symbol);
+    return symbol != NULL;
+}
+
+static bool load(struct assimp *assimp)
+{
+    void *library = NULL;
+    for (size_t i = 0; !library && i < sizeof libraries / sizeof libraries[0]; i++) {
+        library = dlopen(libraries[i], RTLD_NOW | RTLD_LOCAL);
+    }
+    if (!library) {
+        return false;
+    }
+    return import_flat_load_symbol(library, "aiImportFile", &assimp->read) &&
+           import_flat_load_symbol(library, "aiGetErrorString", &assimp->error) &&
+           import_flat_load_symbol(library, "aiReleaseImport", &assimp->release) &&
+           import_flat_load_symbol(library, "aiAttachLogStream", &assimp->attach) &&
+           import_flat_load_symbol(library, "aiDetachAllLogStreams", &assimp->detach);
+}
+
+bool import_flat_is_available(void)
+{
+    return true;
+}
+
+bool import_can_flatten(char why[IMPORT_WHY_SIZE])
+{
+    struct assimp assimp;
+    if (!load(&assimp)) {
+        snprintf(why, IMPORT_WHY_SIZE, "libassimp is not here, and it reads all but .obj and .txt "
+                                       "(on Debian: apt install libassimp-dev)");
+        return false;
+    }
+    return true;
+}
+
+bool import_flat_error(struct flattening *f, const char *text)
+{
+    snprintf(f->why, IMPORT_WHY_SIZE, "%s", text);
+    return false;
+}
+
+static bool made_by_us(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+    for (uint32_t i = 0; data && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, "SourceAsset_Generator") == 0 &&
+            data->mValues[i].mType == AI_AISTRING) {
+            const struct aiString *name = data->mValues[i].mData;
+            return strncmp(name->data, "kingyo", 6) == 0 || strncmp(name->data, "Kingyo", 6) == 0;
+        }
+    }
+    return false;
+}
+
+/* ---- Metadata of key shapes in our own files ------------------------------------------------- */
+
+static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, const char *key)
+{
+    for (uint32_t i = 0; data && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, key) == 0) {
+            return &data->mValues[i];
+        }
+    }
+    return NULL;
+}
+
+/* Returns a number of the metadata, or 0 if the key is absent. The importer stores a whole number
+ * as an integer, even if the number is a real value. */
+static float number_of(const struct aiMetadata *data, const char *key)
+{
+    const struct aiMetadataEntry *entry = entry_of(data, key);
+    return !entry                      ? 0.0f
+           : entry->mType == AI_DOUBLE ? (float)*(const double *)entry->mData
+           : entry->mType == AI_FLOAT  ? *(const float *)entry->mData
+           : entry->mType == AI_UINT64 ? (float)*(const uint64_t *)entry->mData
+           : entry->mType == AI_INT32  ? (float)*(const int32_t *)entry->mData
+                                       : 0.0f;
+}
+
+/* Returns the metadata entry of the first node that has the key, or null. */
+static const struct aiMetadataEntry *find_extra(const struct flattening *f, const char *key)
+{
+    const struct aiMetadataEntry *entry = NULL;
+    for (uint32_t i = 0; !entry && i < f->standing.node_count; i++) {
+        entry = entry_of(f->standing.nodes[i].node->mMetaData, key);
+    }
+    return entry;
+}
+
+static uint8_t measure_of(const struct flattening *f)
+{
+    static const char *const names[] = { "TL", "SL", "FL", "DW" };
+    const struct aiMetadataEntry *entry = find_extra(f, "measure");
+    for (uint8_t i = 0; entry && entry->mType == AI_AISTRING && i < 4; i++) {
+        if (strcmp(((const struct aiString *)entry->mData)->data, names[i]) == 0) {
+            return i;
+        }
+    }
+    return MEASURE_TOTAL;
+}
+
+/* Returns a whole number of the metadata, clamped to [0, max]. A missing entry gives 0. */
+static uint32_t whole_of(const struct aiMetadata *data, const char *key, float max)
+{
+    return (uint32_t)fminf(fmaxf(number_of(data, key), 0.0f), max);
+}
+
+static void read_coat(const struct aiMetadata *data, struct species_coat *coat)
+{
+    const float colour = 16777215.0f; /* 0xffffff. */
+    *coat = (struct species_coat){ .back = whole_of(data, "back", colour),
+                                   .flank = whole_of(data, "flank", colour),
+                                   .belly = whole_of(data, "belly", colour),
+                                   .fin = whole_of(data, "fin", colour),
+                                   .iris = whole_of(data, "iris", colour),
+                                   .clear = (uint8_t)whole_of(data, "clear", 255.0f),
+                                   .shine = (uint8_t)whole_of(data, "shine", 255.0f) };
+}
+
+static void read_life(struct flattening *f)
+{
+    struct import_mesh *m = f->mesh;
+    const struct aiMetadataEntry *keys = find_extra(f, "keys");
+    const struct aiMetadata *list = keys && keys->mType == AI_AIMETADATA ? keys->mData : NULL;
+    if (!list || list->mNumProperties != m->key_count) {
+        return;
+    }
+    m->has_coats = true;
+    for (uint32_t key = 0; key < m->key_count; key++) {
+        const struct aiMetadata *life =
+            list->mValues[key].mType == AI_AIMETADATA ? list->mValues[key].mData : NULL;
+        const struct aiMetadataEntry *name = entry_of(life, "name");
+        if (name && name->mType == AI_AISTRING) {
+            const struct aiString *text = name->mData;
+            snprintf(m->key_names[key], IMPORT_NAME_SIZE, "%.40s", text->data);
+        }
+        m->ages_days[key] = number_of(life, "age_days");
+        m->lengths_m[key] = number_of(life, "length_m");
+        m->has_coats = m->has_coats && entry_of(life, "back");
+        read_coat(life, &m->coats[key]);
+    }
+    m->has_life = true;
+    m->measure = measure_of(f);
+}
+
+static bool refuse_scene(struct flattening *f, const char *text)
+{
+    snprintf(f->why, IMPORT_WHY_SIZE, "%.110s", text);
+    for (char *c = f->why; *c; c++) {
+        *c = *c >= ' ' && *c < 127 ? *c : ' '; /* The message quotes the file, so that unprintable
+                                                  characters are possible. */
+    }
+    return false;
+}
+
+/* Log callback. assimp drops faces whose vertex indices are out of range and reports them only in
+ * its log. */
+static void listen(const char *line, char *heard)
+{
+    if (strstr(line, "out-of-range indices")) {
+        *heard = 1;
+    }
+}
+
+static bool flatten(struct flattening *f)
+{
+    struct import_mesh *mesh = f->mesh;
+    if (!f->scene->mRootNode || f->scene->mNumMeshes == 0) {
+        return import_flat_error(f, "no mesh");
+    }
+    mesh->is_ours = made_by_us(f->scene);
+    if (!import_keys_choose(f) || !import_keys_read_weights(f)) {
+        return false;
+    }
+    if (!import_nodes_fill(&f->standing, f->scene)) {
+        return import_flat_error(f, "more than 4096 nodes");
+    }
+    memcpy(mesh->scales, f->standing.scales, sizeof mesh->scales);
+    read_life(f);
+    return import_shapes_add_meshes(f) &&
+           (mesh->triangle_count > 0 || import_flat_error(f, "no triangles"));
+}
+
+bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
+{
+    static struct flattening f;
+    struct assimp assimp;
+    memset(&f, 0, sizeof f);
+    f.mesh = mesh;
+    f.why = why;
+    if (!load(&assimp)) {
+        return import_flat_error(&f, "libassimp is gone");
+    }
+    char dropped = 0;
+    const struct aiLogStream log = { listen, &dropped };
+    assimp.attach(&log);
+    f.scene = assimp.read(path, aiProcess_Triangulate);
+    assimp.detach();
+    if (!f.scene) {
+        return refuse_scene(&f, assimp.error());
+    }
+    const bool good =
+        dropped ? import_flat_error(&f, "a triangle that names a vertex that is not there")
+                : flatten(&f);
+    assimp.release(f.scene);
+    return good;
+}
+
+#else /* Built without assimp. */
+
+bool import_flat_is_available(void)
+{
+    return false;
+}
+
+bool import_can_flatten(char why[IMPORT_WHY_SIZE])
+{
+    snprintf(why, IMPORT_WHY_SIZE, "this kingyoctl was built without assimp, which reads all but "
+                                   ".obj and .txt (on Debian: apt install libassimp-dev, build)");
+    return false;
+}
+
+bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE])
+{
+    (void)path;
+    (void)mesh;
+    return !import_can_flatten(why) && false;
+}
+
+#endif

@@ -1,0 +1,246 @@
+/* import_keys.c -- selects the key shapes of a scene, their order and their graph. */
+#include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
+
+#ifdef HAS_ASSIMP
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/import/import_flat_internal.h"
+
+/* Tolerance in file units. A target that moves no vertex farther equals the base. */
+#define SAME 1e-7f
+
+static vec3 vector(const struct aiVector3D *a)
+{
+    return v3(a->x, a->y, a->z);
+}
+
+static void add_weights(const struct aiMeshMorphKey *moment, float share, float out[TARGET_MAX])
+{
+    for (uint32_t i = 0; i < moment->mNumValuesAndWeights; i++) {
+        if (moment->mValues[i] < TARGET_MAX) {
+            out[moment->mValues[i]] += share * (float)moment->mWeights[i];
+        }
+    }
+}
+
+/* Interpolates linearly between the keyframes before and after the time of the key shape. */
+void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
+                            uint32_t key, float out[TARGET_MAX])
+{
+    const double time = import_nodes_time(&f->standing, key);
+    uint32_t i = 0;
+    while (i + 1 < channel->mNumKeys && channel->mKeys[i + 1].mTime <= time) {
+        i++;
+    }
+    const struct aiMeshMorphKey *from = &channel->mKeys[i];
+    const bool last = i + 1 == channel->mNumKeys;
+    const double span = last ? 1.0 : from[1].mTime - from->mTime;
+    const double share = last || !(span > 0.0) ? 0.0 : fmax((time - from->mTime) / span, 0.0);
+    add_weights(from, (float)(1.0 - share), out);
+    if (!last) {
+        add_weights(from + 1, (float)share, out);
+    }
+}
+
+/* Returns the mesh with the fewest morph targets, or null if no mesh has targets. This mesh
+ * determines the number and the names of the key shapes. */
+static const struct aiMesh *plainest(const struct flattening *f)
+{
+    const struct aiMesh *plain = NULL;
+    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = f->scene->mMeshes[i];
+        if (mesh->mNumAnimMeshes > 0 && (!plain || mesh->mNumAnimMeshes < plain->mNumAnimMeshes)) {
+            plain = mesh;
+        }
+    }
+    return plain;
+}
+
+/* Returns whether the key shapes must be sampled from the animation. Sampling is needed if joints
+ * or moving nodes change the shapes, or if meshes have different numbers of targets. */
+static bool needs_sampling(const struct flattening *f)
+{
+    bool more = import_nodes_moves(f->scene);
+    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = f->scene->mMeshes[i];
+        more = more || mesh->mNumBones > 0 ||
+               (mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count);
+    }
+    return more && f->scene->mNumAnimations > 0 &&
+           f->scene->mAnimations[0]->mNumMorphMeshChannels > 0;
+}
+
+static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
+{
+    if (!target->mVertices || target->mNumVertices != mesh->mNumVertices) {
+        return !target->mVertices;
+    }
+    for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
+        const vec3 d = v3_sub(vector(&mesh->mVertices[i]), vector(&target->mVertices[i]));
+        if (!(fabsf(d.x) <= SAME && fabsf(d.y) <= SAME && fabsf(d.z) <= SAME)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Returns whether the first morph target repeats the base shape in every mesh. Some programs write
+ * such files. */
+static bool base_comes_twice(const struct flattening *f)
+{
+    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = f->scene->mMeshes[i];
+        if (mesh->mNumAnimMeshes > 0 && !is_base(mesh, mesh->mAnimMeshes[0])) {
+            return false;
+        }
+    }
+    return f->target_count > 0;
+}
+
+static const struct aiMeshMorphAnim *first_weights(const struct flattening *f)
+{
+    const struct aiAnimation *animation =
+        f->scene->mNumAnimations > 0 ? f->scene->mAnimations[0] : NULL;
+    return animation && animation->mNumMorphMeshChannels > 0 ? animation->mMorphMeshChannels[0]
+                                                             : NULL;
+}
+
+/* Returns the weight of a target at a keyframe. The weight of the base is 1 minus the sum of the
+ * target weights. */
+static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
+{
+    double sum = 0.0, own = 0.0;
+    for (uint32_t i = 0; i < moment->mNumValuesAndWeights; i++) {
+        sum += moment->mWeights[i];
+        own += moment->mValues[i] == target ? moment->mWeights[i] : 0.0;
+    }
+    /* Rounding may make the weight of the base slightly negative. */
+    return target != KEY_BASE ? own : sum > 1.0 && sum < 1.0 + 1e-5 ? 0.0 : 1.0 - sum;
+}
+
+/* Returns the mean animation time of a shape, weighted by the shape's weight. */
+static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
+{
+    double sum = 0.0, when = 0.0;
+    for (uint32_t i = 0; i < channel->mNumKeys; i++) {
+        const double before = i > 0 ? channel->mKeys[i].mTime - channel->mKeys[i - 1].mTime : 0.0;
+        const double after = i + 1 < channel->mNumKeys
+                                 ? channel->mKeys[i + 1].mTime - channel->mKeys[i].mTime
+                                 : 0.0;
+        const double weight = weight_of(&channel->mKeys[i], target) * (before + after);
+        sum += weight;
+        when += weight * channel->mKeys[i].mTime;
+    }
+    return sum > 0.0 ? when / sum : 0.0;
+}
+
+/* Sorts the key shapes by their mean animation time. Without an animation, the base is the youngest
+ * key shape. */
+static void order_keys(struct flattening *f)
+{
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    double season[MORPH_KEY_MAX];
+    for (uint32_t i = 0; channel && i < f->mesh->key_count; i++) {
+        const uint8_t target = f->key_target[i];
+        const double when = season_of(channel, target);
+        uint32_t at = i;
+        for (; at > 0 && season[at - 1] > when; at--) {
+            season[at] = season[at - 1];
+            f->key_target[at] = f->key_target[at - 1];
+        }
+        season[at] = when;
+        f->key_target[at] = target;
+    }
+}
+
+static void name_key(struct flattening *f, const struct aiMesh *plain, uint32_t key,
+                     uint32_t target)
+{
+    const bool named = plain && target < plain->mNumAnimMeshes;
+    snprintf(f->mesh->key_names[key], IMPORT_NAME_SIZE, "%.40s",
+             named ? plain->mAnimMeshes[target]->mName.data : f->mesh->is_ours ? "last" : "base");
+}
+
+/* Returns the target with the greatest weight at the time of a key shape, or KEY_BASE. */
+static uint32_t most_shown(const struct flattening *f, uint32_t key)
+{
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    float weights[TARGET_MAX] = { 0 }, base = 1.0f;
+    uint32_t most = KEY_BASE;
+    import_keys_weights_at(f, channel, key, weights);
+    for (uint32_t t = 0; t < f->target_count; t++) {
+        base -= weights[t];
+    }
+    for (uint32_t t = 0; t < f->target_count; t++) {
+        if (weights[t] > base) {
+            base = weights[t];
+            most = t;
+        }
+    }
+    return most;
+}
+
+bool import_keys_choose(struct flattening *f)
+{
+    const struct aiMesh *plain = plainest(f);
+    f->target_count = plain ? plain->mNumAnimMeshes : 0;
+    f->sampled = needs_sampling(f);
+    const bool twice = !f->sampled && base_comes_twice(f);
+    const uint32_t count = f->target_count + (twice ? 0u : 1u);
+    if (count > MORPH_KEY_MAX) {
+        return import_flat_error(f, "more than 7 morph targets");
+    }
+    f->mesh->key_count = f->standing.key_count = count;
+    for (uint32_t key = 0; key < count; key++) {
+        f->key_target[key] = twice ? (uint8_t)key : key == 0 ? KEY_BASE : (uint8_t)(key - 1);
+    }
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    if (channel && channel->mNumKeys > 0) {
+        f->standing.begin = channel->mKeys[0].mTime;
+        f->standing.end = channel->mKeys[channel->mNumKeys - 1].mTime;
+    }
+    if (!f->sampled && !twice) {
+        order_keys(f);
+    }
+    for (uint32_t key = 0; key < count; key++) {
+        name_key(f, plain, key, f->sampled ? most_shown(f, key) : f->key_target[key]);
+    }
+    return true;
+}
+
+/* Copies the animation of the weights, which becomes the graph, if key shapes are morph targets.
+ * Returns false after import_flat_error(). */
+bool import_keys_read_weights(struct flattening *f)
+{
+    struct import_mesh *m = f->mesh;
+    const struct aiMeshMorphAnim *channel = first_weights(f);
+    if (!channel || f->sampled || f->target_count == 0) {
+        return true;
+    }
+    if (channel->mNumKeys > IMPORT_TIME_MAX) {
+        return import_flat_error(f, "an animation of more than 4096 moments");
+    }
+    for (uint32_t i = 0; i < channel->mNumKeys; i++) {
+        const struct aiMeshMorphKey *moment = &channel->mKeys[i];
+        bool base_is_a_key = false;
+        for (uint32_t key = 0; key < m->key_count; key++) {
+            m->weights[i][key] = (float)weight_of(moment, f->key_target[key]);
+            base_is_a_key = base_is_a_key || f->key_target[key] == KEY_BASE;
+        }
+        if (!base_is_a_key) {
+            m->weights[i][0] += (float)weight_of(moment, KEY_BASE);
+        }
+        m->times[i] = (float)moment->mTime;
+    }
+    m->time_count = channel->mNumKeys;
+    return true;
+}
+
+#else
+
+typedef int import_keys_without_assimp; /* An empty translation unit is not valid C. */
+
+#endif

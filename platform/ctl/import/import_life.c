@@ -1,0 +1,377 @@
+/* import_life.c -- sets names, ages, lengths, growth curves and colours of an imported species. */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/morph/morph.h"
+#include "platform/ctl/import/import_options.h"
+
+#define DAYS_PER_YEAR 365.25
+#define KEY_DAYS 30.0       /* Days between two key shapes if no age is given. */
+
+/* Asymptotic length relative to the length of the last key shape, if no growth is given. */
+#define GROWN 1.05
+#define FADE_YEAR 0.3f
+
+/* Largest growth coefficient per year, for a fish that is fully grown within one year. */
+#define K_MAX 5.0
+#define SAME_SIZE 0.01f
+#define UNSET 255u
+
+static enum exit_code import_life_error(char why[IMPORT_WHY_SIZE], const char *text)
+{
+    snprintf(why, IMPORT_WHY_SIZE, "%s", text);
+    return EXIT_BAD_DATA;
+}
+
+/* Converts a name of another program to a valid species name: "Shape Key.001" becomes
+ * shape_key_001. */
+static void tame(const char *from, uint32_t key, char out[SPECIES_NAME_SIZE])
+{
+    uint32_t length = 0;
+    memset(out, 0, SPECIES_NAME_SIZE);
+    for (; *from && length + 1 < SPECIES_NAME_SIZE; from++) {
+        const char c = (char)tolower((unsigned char)*from);
+        const bool fits = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (fits) {
+            out[length++] = c;
+        } else if (length > 0 && out[length - 1] != '_') {
+            out[length++] = '_';
+        }
+    }
+    if (length == 0) {
+        snprintf(out, SPECIES_NAME_SIZE, "key_%u", key);
+    }
+}
+
+static void name_keys(const struct import_mesh *mesh, const struct import_options *plan,
+                      struct species_card *card)
+{
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        if (plan->name_count > 0) {
+            memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
+            continue;
+        }
+        tame(mesh->key_names[key], key, card->key_names[key]);
+        for (uint32_t other = 0; other < key; other++) {
+            if (strcmp(card->key_names[key], card->key_names[other]) == 0) {
+                memset(card->key_names[key], 0, SPECIES_NAME_SIZE);
+                snprintf(card->key_names[key], SPECIES_NAME_SIZE, "key_%u", key);
+            }
+        }
+    }
+}
+
+/* Sets the lengths of the key shapes. The first available source is used: the plan, the file,
+ * `like`, the sizes of the shapes. Returns false if only the sizes are available and all sizes are
+ * equal. */
+static bool set_lengths(const struct import_mesh *mesh, const struct import_options *plan,
+                        const struct import_report *report, struct species_card *card)
+{
+    float least = INFINITY, most = 0.0f;
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        least = fminf(least, report->size[key]);
+        most = fmaxf(most, report->size[key]);
+    }
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        card->key_length_m[key] =
+            plan->length_count > 0 ? (float)(1e-3 * plan->lengths_mm[key])
+            : mesh->has_life       ? mesh->lengths_m[key]
+            : plan->like           ? plan->like->card.key_length_m[key]
+                                   : (float)((double)report->size[key] * plan->unit_m);
+    }
+    return plan->length_count > 0 || mesh->has_life || plan->like ||
+           most > least * (1.0f + SAME_SIZE);
+}
+
+static void set_growth(const struct import_options *plan, struct species_card *card)
+{
+    struct growth *g = &card->growth;
+    const uint32_t last = card->key_count - 1u;
+    if (plan->growth_count > 0) {
+        *g = (struct growth){ .length_inf_m = (float)(1e-3 * plan->growth[0]),
+                              .k_per_year = (float)plan->growth[1],
+                              .t0_year = (float)plan->growth[2],
+                              .fade_year = (float)plan->growth[4],
+                              .point_count = 1,
+                              .points = { { 0.0f, (float)(1e-3 * plan->growth[3]) } } };
+        return;
+    }
+    /* The growth curve passes through the measured key shapes and continues smoothly after the last
+     * one. */
+    *g = (struct growth){ .length_inf_m = (float)(GROWN * (double)card->key_length_m[last]),
+                          .fade_year = FADE_YEAR };
+    const double grown_years = (double)card->key_age_days[last] / DAYS_PER_YEAR;
+    const double k_years = -log(1.0 - 1.0 / GROWN); /* Product of K and the years between t0 and the
+                                                       age at which the fish has the length of the
+                                                       last key shape. */
+    g->k_per_year = (float)fmin(k_years / fmax(grown_years, 0.01), K_MAX);
+    g->t0_year = (float)(grown_years - k_years / (double)g->k_per_year);
+    if (card->key_age_days[0] > 0.0f) {
+        g->points[g->point_count++] = (struct growth_point){ 0.0f, card->key_length_m[0] };
+    }
+    for (uint32_t key = 0; key <= last; key++) {
+        g->points[g->point_count++] =
+            (struct growth_point){ card->key_age_days[key], card->key_length_m[key] };
+    }
+}
+
+/* Sets the ages of the key shapes and the growth that agrees with them. The first available source
+ * is used: ages of the plan, growth of the plan, the file, `like`, a default of one month between
+ * key shapes. */
+static void set_ages(const struct import_mesh *mesh, const struct import_options *plan,
+                     struct species_card *card)
+{
+    const bool by_growth = plan->age_count == 0 && plan->growth_count > 0;
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        card->key_age_days[key] = plan->age_count > 0      ? (float)plan->ages_days[key]
+                                  : mesh && mesh->has_life ? mesh->ages_days[key]
+                                  : plan->like             ? plan->like->card.key_age_days[key]
+                                                           : (float)(KEY_DAYS * key);
+    }
+    set_growth(plan, card);
+    for (uint32_t key = 0; key < card->key_count && by_growth; key++) {
+        card->key_age_days[key] = growth_age_days(&card->growth, card->key_length_m[key]);
+    }
+}
+
+/* Returns whether ages or lengths come from a source other than `like`. */
+static bool has_own_life(const struct import_mesh *mesh, const struct import_options *plan)
+{
+    return !plan->like || (mesh && mesh->has_life) || plan->length_count > 0 ||
+           plan->age_count > 0 || plan->growth_count > 0;
+}
+
+/* Returns the greatest difference between the animation and the straight line between two of its
+ * keyframes. `*at` is the keyframe with that difference. */
+static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to, uint32_t *at)
+{
+    float worst = 0.0f;
+    const float span = mesh->times[to] - mesh->times[from];
+    for (uint32_t i = from + 1; i < to; i++) {
+        const float t = (mesh->times[i] - mesh->times[from]) / span;
+        for (uint32_t key = 0; key < mesh->key_count; key++) {
+            const float line = mesh->weights[from][key] * (1.0f - t) + mesh->weights[to][key] * t;
+            const float off = fabsf(mesh->weights[i][key] - line);
+            if (off > worst) {
+                worst = off;
+                *at = i;
+            }
+        }
+    }
+    return worst;
+}
+
+/* Copies the weights of a keyframe and scales their sum to 1. Files contain rounded weights, but a
+ * graph needs exact ones. */
+static void take_weights(const float from[MORPH_KEY_MAX], float to[MORPH_KEY_MAX])
+{
+    double sum = 0.0;
+    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+        sum += (double)from[key];
+    }
+    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+        to[key] = (float)((double)from[key] / sum);
+    }
+}
+
+/* Approximates the animation by knots of the graph. Starts with both ends and repeatedly adds the
+ * keyframe with the greatest error. */
+static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
+                       struct import_report *report)
+{
+    uint32_t chosen[GRAPH_KNOT_MAX] = { 0, mesh->time_count - 1 }, count = 2;
+    float worst = 1.0f;
+    while (count < GRAPH_KNOT_MAX && worst > 1e-4f) {
+        uint32_t gap = 0, where = 0;
+        worst = 0.0f;
+        for (uint32_t i = 0; i + 1 < count; i++) {
+            uint32_t at = chosen[i];
+            const float off = farthest(mesh, chosen[i], chosen[i + 1], &at);
+            if (off > worst) {
+                worst = off;
+                gap = i;
+                where = at;
+            }
+        }
+        if (worst > 1e-4f) {
+            memmove(&chosen[gap + 2], &chosen[gap + 1], (count - gap - 1) * sizeof chosen[0]);
+            chosen[gap + 1] = where;
+            count++;
+        }
+    }
+    report->graph_error = 0.0f;
+    const float begin = mesh->times[0], span = mesh->times[mesh->time_count - 1] - begin;
+    *graph = (struct graph){ .knot_count = (uint8_t)count, .line = GRAPH_STRAIGHT };
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t unused;
+        struct graph_knot *knot = &graph->knots[i];
+        knot->progress = i + 1 == count ? 1.0f : (mesh->times[chosen[i]] - begin) / span;
+        take_weights(mesh->weights[chosen[i]], knot->weight);
+        if (i + 1 < count) {
+            report->graph_error =
+                fmaxf(report->graph_error, farthest(mesh, chosen[i], chosen[i + 1], &unused));
+        }
+    }
+    report->knot_count = count;
+}
+
+static void set_graph(const struct import_mesh *mesh, const struct import_options *plan,
+                      struct species_card *card, struct import_report *report)
+{
+    card->curve_count = 1;
+    memset(card->curve_names, 0, sizeof card->curve_names);
+    memcpy(card->curve_names[0], "whole", sizeof "whole");
+    if (plan->template_id != TEMPLATE_OWN) {
+        template_graph(&card->curves[0], (enum graph_template)plan->template_id, card->key_count,
+                       SIMULTANEOUS_PEAK);
+    } else if (mesh->time_count >= 2) {
+        draw_graph(mesh, &card->curves[0], report);
+    } else if (!plan->like) {
+        template_graph(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count, SIMULTANEOUS_PEAK);
+    }
+}
+
+/* Computes the mean colour of a part's vertices at a height: 0 is the lowest third, 1 the middle, 2
+ * the highest. */
+static bool mean_colour(const struct import_mesh *mesh, enum species_part part, int third,
+                        uint32_t *out)
+{
+    uint64_t sum[3] = { 0, 0, 0 }, count = 0;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const enum species_part its = import_part(mesh->group_names[mesh->groups[i]]);
+        if (part == PART_TAIL ? its < PART_TAIL : its != part) {
+            continue;
+        }
+        const uint32_t vertex = mesh->triangles[i][0];
+        const float y = mesh->positions[0][vertex].y;
+        const int height = y < -0.04f ? 0 : y > 0.04f ? 2 : 1;
+        if (third < 0 || height == third) {
+            for (int c = 0; c < 3; c++) {
+                sum[c] += mesh->colours[vertex] >> (16 - 8 * c) & 255u;
+            }
+            count++;
+        }
+    }
+    *out = count == 0 ? 0
+                      : (uint32_t)(sum[0] / count) << 16 | (uint32_t)(sum[1] / count) << 8 |
+                            (uint32_t)(sum[2] / count);
+    return count > 0;
+}
+
+static void set_coats(const struct import_mesh *mesh, const struct import_options *plan,
+                      struct species *species)
+{
+    struct species_coat coat = { .back = 0x3b4a52, .flank = 0x8a979c, .belly = 0xe6e4da,
+                                 .fin = 0x7d8a90, .iris = 0xc9b26a, .shine = 90 };
+    uint32_t colour;
+    if (plan->like) {
+        memcpy(species->coats, plan->like->coats, sizeof species->coats);
+        return;
+    }
+    if (mesh->has_coats && plan->colour_count == 0) {
+        memcpy(species->coats, mesh->coats, sizeof species->coats);
+        return;
+    }
+    if (mesh->has_colours) {
+        coat.back = mean_colour(mesh, PART_BODY, 2, &colour) ? colour : coat.back;
+        coat.flank = mean_colour(mesh, PART_BODY, 1, &colour) ? colour : coat.flank;
+        coat.belly = mean_colour(mesh, PART_BODY, 0, &colour) ? colour : coat.belly;
+        coat.fin = mean_colour(mesh, PART_TAIL, -1, &colour) ? colour : coat.fin;
+        coat.iris = mean_colour(mesh, PART_EYE, -1, &colour) ? colour : coat.iris;
+    }
+    if (plan->colour_count > 0) {
+        coat.back = plan->colours[0];
+        coat.flank = plan->colours[1];
+        coat.belly = plan->colours[2];
+        coat.fin = plan->colours[3];
+        coat.iris = plan->colours[4];
+    }
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        species->coats[key] = coat;
+    }
+}
+
+static bool counts_agree(uint32_t key_count, const struct import_options *plan,
+                         char why[IMPORT_WHY_SIZE])
+{
+    const struct {
+        const char *what;
+        uint32_t count;
+    } lists[] = { { "--names", plan->name_count },
+                  { "--lengths-mm", plan->length_count },
+                  { "--ages-days", plan->age_count },
+                  { "--like", plan->like ? plan->like->card.key_count : 0 } };
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+        if (lists[i].count > 0 && lists[i].count != key_count) {
+            snprintf(why, IMPORT_WHY_SIZE, "%s: %u, and there are %u shapes", lists[i].what,
+                     lists[i].count, key_count);
+            return false;
+        }
+    }
+    return true;
+}
+
+static void set_id(const struct import_options *plan, struct species_card *card)
+{
+    memset(card->id, 0, sizeof card->id);
+    snprintf(card->id, sizeof card->id, "%s", plan->id);
+}
+
+enum exit_code import_fitted_life(const struct import_options *plan, struct species_card *card,
+                                  char why[IMPORT_WHY_SIZE])
+{
+    if (!counts_agree(card->key_count, plan, why)) {
+        return EXIT_BAD_DATA;
+    }
+    set_id(plan, card);
+    for (uint32_t key = 0; key < plan->name_count; key++) {
+        memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
+    }
+    for (uint32_t key = 0; key < plan->length_count; key++) {
+        card->key_length_m[key] = (float)(1e-3 * plan->lengths_mm[key]);
+    }
+    if (has_own_life(NULL, plan)) {
+        set_ages(NULL, plan, card);
+        card->scale_knot_count = 0; /* The knots of the template's growth scale are valid only for
+                                       the template's lengths. */
+    }
+    return EXIT_OK;
+}
+
+enum exit_code import_life(const struct import_mesh *mesh, const struct import_options *plan,
+                           struct species_slot *slot, struct import_report *report,
+                           char why[IMPORT_WHY_SIZE])
+{
+    struct species_card *card = &slot->species.card;
+    if (!counts_agree(mesh->key_count, plan, why)) {
+        return EXIT_BAD_DATA;
+    }
+    if (plan->like) {
+        *card = plan->like->card;
+    } else {
+        card->thesis_key[1] = (uint8_t)(mesh->key_count / 2u);
+        card->thesis_key[2] = (uint8_t)(mesh->key_count - 1u);
+        card->thesis_template = TEMPLATE_PAIRWISE;
+    }
+    set_id(plan, card);
+    card->key_count = (uint8_t)mesh->key_count;
+    card->measure = plan->measure;
+    card->motion = plan->motion != UNSET ? plan->motion : plan->like ? card->motion : MOTION_TAIL;
+    card->form = plan->form != UNSET ? plan->form : plan->like ? card->form : FORM_FUSIFORM;
+    if (!plan->like || plan->name_count > 0) {
+        name_keys(mesh, plan, card);
+    }
+    if (!set_lengths(mesh, plan, report, card)) {
+        return import_life_error(why, "lengths: all shapes are one size; say --lengths-mm A,B,C");
+    }
+    if (has_own_life(mesh, plan)) {
+        set_ages(mesh, plan, card);
+        card->scale_knot_count = 0; /* The knots of the growth scale of `like` are valid only for
+                                       the lengths of `like`. */
+    }
+    set_graph(mesh, plan, card, report);
+    set_coats(mesh, plan, &slot->species);
+    return EXIT_OK;
+}

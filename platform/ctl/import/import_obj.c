@@ -1,0 +1,296 @@
+/* import_obj.c -- a strict parser of Wavefront OBJ: vertices, texture coordinates, faces and group
+ * names.
+ *
+ * The parser skips normals because they are recomputed. Materials, smoothing groups, lines and
+ * points are skipped because they do not change the shape. */
+#include "platform/ctl/import/import_mesh.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/printable.h"
+#include "platform/species/text_file.h"
+
+#define LINE_SIZE 4096 /* Longest line in characters. A face with 300 corners fits. */
+#define CORNER_MAX 256
+
+struct obj {
+    struct import_mesh *mesh;
+    uint32_t key;
+    const char *path;
+    char *why;
+    uint32_t line;
+    uint32_t vertex_count, uv_count, triangle_count;
+    uint8_t group;
+    float uv[IMPORT_VERTEX_MAX][2]; /* Texture coordinates in the order of the `vt` lines. */
+};
+
+__attribute__((format(printf, 2, 3))) static bool import_obj_error(struct obj *o,
+                                                                   const char *format, ...)
+{
+    char text[IMPORT_WHY_SIZE / 2];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    printable(text);
+    snprintf(o->why, IMPORT_WHY_SIZE, "%.80s:%u: %s", o->path, o->line, text);
+    return false;
+}
+
+/* Parses up to `count` numbers at `text`. Returns how many numbers were found, or -1 after
+ * import_obj_error(). */
+static int numbers(struct obj *o, const char *text, float *out, int count)
+{
+    for (int i = 0; i < count; i++) {
+        char *end = NULL;
+        const float value = strtof(text, &end);
+        if (end == text) {
+            return i;
+        }
+        if (!(fabsf(value) <= IMPORT_REACH_MAX)) {
+            const char *word = text + strspn(text, " \t");
+            const size_t length = strcspn(word, " \t\r\n");
+            import_obj_error(o, "'%.*s' is no number from %g to %g",
+                             (int)(length < 20 ? length : 20), word, -(double)IMPORT_REACH_MAX,
+                             (double)IMPORT_REACH_MAX);
+            return -1;
+        }
+        out[i] = value;
+        text = end;
+    }
+    return count;
+}
+
+static uint32_t packed_colour(const float rgb[3])
+{
+    uint32_t colour = 0;
+    for (int i = 0; i < 3; i++) {
+        colour = colour << 8 | (uint32_t)(fminf(fmaxf(rgb[i], 0.0f), 1.0f) * 255.0f + 0.5f);
+    }
+    return colour;
+}
+
+static bool read_vertex(struct obj *o, const char *text)
+{
+    float x[6];
+    const int count = numbers(o, text, x, 6);
+    if (count < 3) {
+        return count < 0 ? false : import_obj_error(o, "a vertex has three numbers");
+    }
+    const uint32_t limit = o->key == 0 ? IMPORT_VERTEX_MAX : o->mesh->vertex_count;
+    if (o->vertex_count == limit) {
+        return import_obj_error(o, "more than %u vertices%s", limit,
+                                o->key == 0 ? "" : ", which the first shape has");
+    }
+    o->mesh->positions[o->key][o->vertex_count] = v3(x[0], x[1], x[2]);
+    if (o->key == 0) {
+        o->mesh->colours[o->vertex_count] = count == 6 ? packed_colour(x + 3) : 0x808080u;
+        o->mesh->has_colours |= count == 6;
+    }
+    o->vertex_count++;
+    return true;
+}
+
+static bool read_uv(struct obj *o, const char *text)
+{
+    if (o->uv_count == IMPORT_VERTEX_MAX) {
+        return import_obj_error(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
+    }
+    const int count = numbers(o, text, o->uv[o->uv_count], 2);
+    if (count < 2) {
+        return count < 0 ? false : import_obj_error(o, "a texture coordinate has two numbers");
+    }
+    o->uv_count++;
+    return true;
+}
+
+/* Converts an index of OBJ, which counts from 1, or backward from the newest element if negative.
+ * Returns false if no such element exists. */
+static bool index_of(long number, uint32_t count, uint32_t *out)
+{
+    const long index = number > 0 ? number - 1 : (long)count + number;
+    *out = (uint32_t)index;
+    return number != 0 && index >= 0 && index < (long)count;
+}
+
+/* Parses one corner: "v", "v/vt", "v//vn" or "v/vt/vn". */
+static bool read_corner(struct obj *o, const char *word, uint32_t *out)
+{
+    char *end = NULL;
+    uint32_t uv;
+    errno = 0;
+    const long vertex = strtol(word, &end, 10);
+    if (end == word || errno != 0 || !index_of(vertex, o->vertex_count, out)) {
+        return import_obj_error(o, "corner '%.30s' names no vertex above this line", word);
+    }
+    if (end[0] == '/' && end[1] != '/') {
+        if (!index_of(strtol(end + 1, NULL, 10), o->uv_count, &uv)) {
+            return import_obj_error(o, "corner '%.30s' names no texture coordinate above this line",
+                                    word);
+        }
+        if (o->key == 0) {
+            memcpy(o->mesh->uv[*out], o->uv[uv], sizeof o->uv[uv]);
+            o->mesh->has_uv = true;
+        }
+    }
+    return true;
+}
+
+static bool add_triangle(struct obj *o, uint32_t a, uint32_t b, uint32_t c)
+{
+    struct import_mesh *m = o->mesh;
+    const uint32_t corner[3] = { a, b, c };
+    const uint32_t limit = o->key == 0 ? IMPORT_TRIANGLE_MAX : m->triangle_count;
+    if (o->triangle_count == limit) {
+        return import_obj_error(o, "more than %u triangles%s", limit,
+                                o->key == 0 ? "" : ", which the first shape has");
+    }
+    if (o->key == 0) {
+        memcpy(m->triangles[o->triangle_count], corner, sizeof corner);
+        m->groups[o->triangle_count] = o->group;
+    } else if (memcmp(m->triangles[o->triangle_count], corner, sizeof corner) != 0) {
+        return import_obj_error(o, "this face joins other vertices than in the first shape");
+    }
+    o->triangle_count++;
+    return true;
+}
+
+static bool read_face(struct obj *o, char *text)
+{
+    uint32_t corner[CORNER_MAX], count = 0;
+    char *rest = NULL;
+    for (char *word = strtok_r(text, " \t\r\n", &rest); word;
+         word = strtok_r(NULL, " \t\r\n", &rest)) {
+        if (count == CORNER_MAX) {
+            return import_obj_error(o, "a face of more than %d corners", CORNER_MAX);
+        }
+        if (!read_corner(o, word, &corner[count++])) {
+            return false;
+        }
+    }
+    if (count < 3) {
+        return import_obj_error(o, "a face has three corners");
+    }
+    for (uint32_t i = 2; i < count; i++) {
+        if (!add_triangle(o, corner[0], corner[i - 1], corner[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Parses a group name. Only the groups of the first key shape are used. The group names of further
+ * key shapes may differ. */
+static bool read_group(struct obj *o, char *text)
+{
+    struct import_mesh *m = o->mesh;
+    const char *name = strtok(text, "\r\n");
+    if (o->key > 0) {
+        return true;
+    }
+    char cut[IMPORT_NAME_SIZE];
+    snprintf(cut, sizeof cut, "%s", name ? name + strspn(name, " \t") : "");
+    for (o->group = 0; o->group < m->group_count; o->group++) {
+        if (strcmp(cut, m->group_names[o->group]) == 0) {
+            return true;
+        }
+    }
+    if (m->group_count == IMPORT_GROUP_MAX) {
+        return import_obj_error(o, "more than %u groups", IMPORT_GROUP_MAX);
+    }
+    memcpy(m->group_names[m->group_count++], cut, sizeof cut);
+    return true;
+}
+
+static bool import_obj_read_line(struct obj *o, char *text)
+{
+    char *word = text + strspn(text, " \t");
+    if (strncmp(word, "v ", 2) == 0 || strncmp(word, "v\t", 2) == 0) {
+        return read_vertex(o, word + 2);
+    }
+    if (strncmp(word, "vt ", 3) == 0) {
+        return read_uv(o, word + 3);
+    }
+    if (strncmp(word, "f ", 2) == 0) {
+        return read_face(o, word + 2);
+    }
+    if (strncmp(word, "g ", 2) == 0 || strncmp(word, "o ", 2) == 0) {
+        return read_group(o, word + 2);
+    }
+    return true;
+}
+
+static bool check_whole(struct obj *o)
+{
+    struct import_mesh *m = o->mesh;
+    if (o->vertex_count == 0 || o->triangle_count == 0) {
+        return import_obj_error(o, "no %s", o->vertex_count == 0 ? "vertices" : "faces");
+    }
+    if (o->key == 0) {
+        m->vertex_count = o->vertex_count;
+        m->triangle_count = o->triangle_count;
+    } else if (o->vertex_count != m->vertex_count || o->triangle_count != m->triangle_count) {
+        return import_obj_error(
+            o, "%u vertices and %u triangles, and the first shape has %u and %u", o->vertex_count,
+            o->triangle_count, m->vertex_count, m->triangle_count);
+    }
+    m->key_count = o->key + 1;
+    m->scales[o->key] = 1.0f;
+    return true;
+}
+
+static bool read_all(struct obj *o, FILE *file)
+{
+    static char text[LINE_SIZE];
+    enum text_file_line got = text_file_line(file, text, sizeof text);
+    for (; got != TEXT_FILE_END; got = text_file_line(file, text, sizeof text)) {
+        o->line++;
+        if (got != TEXT_FILE_LINE) {
+            return got == TEXT_FILE_LONG
+                       ? import_obj_error(o, "the line is longer than %d", LINE_SIZE - 2)
+                       : import_obj_error(o, "a zero byte, and this is to be a text");
+        }
+        if (!import_obj_read_line(o, text)) {
+            return false;
+        }
+    }
+    return ferror(file) ? import_obj_error(o, "cannot be read further") : check_whole(o);
+}
+
+/* Clears the data that all key shapes share. Called for the first key shape. */
+static void import_obj_begin(struct import_mesh *mesh)
+{
+    mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
+    memset(mesh->uv, 0, sizeof mesh->uv);
+    mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
+    mesh->has_life = mesh->has_coats = false;
+    mesh->group_count = 1; /* Faces before the first group line belong to a group with an empty
+                              name. */
+    mesh->group_names[0][0] = '\0';
+}
+
+enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,
+                          char why[IMPORT_WHY_SIZE])
+{
+    static struct obj o;
+    char cannot[TEXT_FILE_WHY_SIZE];
+    FILE *file;
+    const enum text_file_open opened = text_file_open(path, IMPORT_FILE_MAX, &file, cannot);
+    if (opened != TEXT_FILE_OPEN) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
+        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+    }
+    o = (struct obj){ .mesh = mesh, .key = key, .path = path, .why = why };
+    if (key == 0) {
+        import_obj_begin(mesh);
+    }
+    const bool good = read_all(&o, file);
+    const bool broken = ferror(file) != 0;
+    fclose(file);
+    return good ? EXIT_OK : broken ? EXIT_IO : EXIT_BAD_DATA;
+}

@@ -1,0 +1,231 @@
+/* import_orient.c -- finds the direction of the head, the up axis and the length of an imported
+ * fish. */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/import/import_options.h"
+
+/* Share of the length. If the body's centre is nearer than this to the middle of its extent,
+ * head and tail are indistinguishable. */
+#define UNCLEAR_SHARE 0.015
+
+/* Ratio of length to width. Below this ratio the front axis is ambiguous, as for a ray seen from
+ * above. */
+#define SQUARE_RATIO 1.15
+
+/* Share of the body's height around the body's middle that contains the shortest rays of a
+ * forked tail. */
+#define MIDDLE_SHARE 0.1f
+
+/* Tolerance of the size of our own meshes. Their rings and rays only approximate the exact
+ * measure. */
+#define OURS_OFF 0.1f
+
+const char *const import_axis_names[AXIS_NONE] = { "+x", "+y", "+z", "-x", "-y", "-z" };
+
+enum species_part import_part(const char *group)
+{
+    /* clang-format off */
+    static const struct {
+        const char *word;
+        enum species_part part;
+    } words[] = {
+        { "finlets_upper", PART_FINLET_UPPER }, { "finlets_lower", PART_FINLET_LOWER },
+        { "finlet_upper", PART_FINLET_UPPER }, { "finlet_lower", PART_FINLET_LOWER },
+        { "dorsal_2", PART_DORSAL_2 },         { "dorsal2", PART_DORSAL_2 },
+        { "dorsal", PART_DORSAL },             { "anal", PART_ANAL },
+        { "pectoral", PART_PECTORAL },         { "pelvic", PART_PELVIC },
+        { "ventral", PART_PELVIC },            { "tail", PART_TAIL },
+        { "caudal", PART_TAIL },               { "eye", PART_EYE },
+    };
+    /* clang-format on */
+    char lower[IMPORT_NAME_SIZE] = "";
+    for (size_t i = 0; i + 1 < sizeof lower && group[i]; i++) {
+        lower[i] = (char)tolower((unsigned char)group[i]);
+    }
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (strstr(lower, words[i].word)) {
+            return words[i].part;
+        }
+    }
+    return PART_BODY;
+}
+
+static float import_orient_along(vec3 p, uint32_t axis)
+{
+    const float x[3] = { p.x, p.y, p.z };
+    return axis < AXIS_MINUS_X ? x[axis] : -x[axis - AXIS_MINUS_X];
+}
+
+static vec3 axis_vector(uint32_t axis)
+{
+    const float sign = axis < AXIS_MINUS_X ? 1.0f : -1.0f;
+    const uint32_t which = axis % AXIS_MINUS_X;
+    return v3(which == AXIS_X ? sign : 0.0f, which == AXIS_Y ? sign : 0.0f,
+              which == AXIS_Z ? sign : 0.0f);
+}
+
+struct extent {
+    float low, high;
+};
+
+/* Returns the extent along `axis` of the vertices that triangles use. If `body` is true, only
+ * triangles of the body count. */
+static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uint32_t axis,
+                               bool body)
+{
+    struct extent e = { INFINITY, -INFINITY };
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        if (body && import_part(mesh->group_names[mesh->groups[i]]) != PART_BODY) {
+            continue;
+        }
+        for (uint32_t k = 0; k < 3; k++) {
+            const float x = import_orient_along(mesh->positions[key][mesh->triangles[i][k]], axis);
+            e.low = fminf(e.low, x);
+            e.high = fmaxf(e.high, x);
+        }
+    }
+    return e;
+}
+
+/* Returns the mean of the triangle centres along `axis`, weighted by area. Uses only the eyes if
+ * the file names them, and then sets `*eyes`. */
+static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *eyes)
+{
+    const uint32_t key = mesh->key_count - 1;
+    double sum[2] = { 0.0, 0.0 }, area[2] = { 0.0, 0.0 };
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const uint32_t *t = mesh->triangles[i];
+        const vec3 a = mesh->positions[key][t[0]], b = mesh->positions[key][t[1]],
+                   c = mesh->positions[key][t[2]];
+        const enum species_part part = import_part(mesh->group_names[mesh->groups[i]]);
+        const double weight = (double)v3_length(v3_cross(v3_sub(b, a), v3_sub(c, a)));
+        const double middle =
+            ((double)import_orient_along(a, axis) + (double)import_orient_along(b, axis) +
+             (double)import_orient_along(c, axis)) /
+            3.0;
+        if (part == PART_BODY || part == PART_EYE) {
+            sum[part == PART_EYE] += weight * middle;
+            area[part == PART_EYE] += weight;
+        }
+    }
+    *eyes = area[1] > 0.0;
+    return area[*eyes] > 0.0 ? sum[*eyes] / area[*eyes] : 0.0;
+}
+
+/* Finds the axis that the snout points along. The head is found by the eyes, or by the thicker half
+ * of the body: fish are thicker before their middle than behind it. */
+static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *front,
+                       char why[IMPORT_WHY_SIZE])
+{
+    const uint32_t key = mesh->key_count - 1;
+    const uint32_t one = (up + 1) % 3, two = (up + 2) % 3;
+    const struct extent a = extent_of(mesh, key, one, false);
+    const struct extent b = extent_of(mesh, key, two, false);
+    const double length_a = (double)a.high - (double)a.low;
+    const double length_b = (double)b.high - (double)b.low;
+    const struct extent c = extent_of(mesh, key, up, false);
+    if ((double)c.high - (double)c.low > SQUARE_RATIO * fmax(length_a, length_b)) {
+        snprintf(why, IMPORT_WHY_SIZE, "front: longest along %s, where its back would be; say "
+                                       "--up AXIS", import_axis_names[up]);
+        return false;
+    }
+    if (fmax(length_a, length_b) < SQUARE_RATIO * fmin(length_a, length_b)) {
+        snprintf(why, IMPORT_WHY_SIZE, "front: nearly as wide as long; say --front AXIS");
+        return false;
+    }
+    const uint32_t axis = length_a > length_b ? one : two;
+    const struct extent e = length_a > length_b ? a : b;
+    bool eyes;
+    const double off = middle_along(mesh, axis, &eyes) - 0.5 * ((double)e.low + (double)e.high);
+    if (fabs(off) < UNCLEAR_SHARE * fmax(length_a, length_b)) {
+        snprintf(why, IMPORT_WHY_SIZE, "front: head and tail look alike; say --front AXIS");
+        return false;
+    }
+    *front = (uint8_t)(off > 0.0 ? axis : axis + AXIS_MINUS_X);
+    return true;
+}
+
+static void import_orient_rotate(struct import_mesh *mesh, uint32_t front, uint32_t up)
+{
+    const vec3 z = v3_scale(axis_vector(front), -1.0f), y = axis_vector(up), x = v3_cross(y, z);
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            vec3 *p = &mesh->positions[key][i];
+            *p = v3(v3_dot(*p, x), v3_dot(*p, y), v3_dot(*p, z));
+        }
+    }
+}
+
+/* Returns the z coordinate of the tail's fork: the farthest point of the body and of the tail's
+ * middle rays. */
+static float fork_of(const struct import_mesh *mesh, uint32_t key)
+{
+    const struct extent y = extent_of(mesh, key, AXIS_Y, true);
+    float far = -INFINITY;
+    for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        const uint32_t t = i / 3;
+        const vec3 p = mesh->positions[key][mesh->triangles[t][i % 3]];
+        const enum species_part part = import_part(mesh->group_names[mesh->groups[t]]);
+        const float off = fabsf(p.y - 0.5f * (y.low + y.high));
+        if (part == PART_BODY || (part == PART_TAIL && off < MIDDLE_SHARE * (y.high - y.low))) {
+            far = fmaxf(far, p.z);
+        }
+    }
+    return far;
+}
+
+static float size_of(const struct import_mesh *mesh, uint32_t key, uint8_t measure)
+{
+    const struct extent e = extent_of(mesh, key, measure == MEASURE_DISC ? AXIS_X : AXIS_Z,
+                                      measure == MEASURE_STANDARD);
+    return (measure == MEASURE_FORK ? fork_of(mesh, key) : e.high) - e.low;
+}
+
+/* Moves the snout to z = -0.5 and the body's middle to x = y = 0, and scales `size` to 1. */
+static void import_orient_normalize(struct import_mesh *mesh, uint32_t key, float size)
+{
+    const struct extent x = extent_of(mesh, key, AXIS_X, true);
+    const struct extent y = extent_of(mesh, key, AXIS_Y, true);
+    const struct extent z = extent_of(mesh, key, AXIS_Z, false);
+    const vec3 from = v3(0.5f * (x.low + x.high), 0.5f * (y.low + y.high), z.low);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        vec3 *p = &mesh->positions[key][i];
+        *p = v3_scale(v3_sub(*p, from), 1.0f / size);
+        p->z -= 0.5f;
+    }
+}
+
+enum exit_code import_orient(struct import_mesh *mesh, const struct import_options *plan,
+                             struct import_report *report, char why[IMPORT_WHY_SIZE])
+{
+    report->front = mesh->is_ours && plan->front == AXIS_NONE ? AXIS_Z : plan->front;
+    if (report->front == AXIS_NONE && !find_front(mesh, plan->up % 3, &report->front, why)) {
+        return EXIT_BAD_DATA;
+    }
+    if (report->front % 3 == plan->up % 3) {
+        snprintf(why, IMPORT_WHY_SIZE, "front: %s, and up is %s; say --front and --up",
+                 import_axis_names[report->front], import_axis_names[plan->up]);
+        return EXIT_BAD_DATA;
+    }
+    import_orient_rotate(mesh, report->front, plan->up);
+    bool is_settled = mesh->is_ours; /* A mesh that kingyoctl wrote already has our size and
+                                        position. */
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        report->size[key] = size_of(mesh, key, plan->measure);
+        if (!(report->size[key] > 1e-6f)) {
+            snprintf(why, IMPORT_WHY_SIZE, "%.40s: has no length", mesh->key_names[key]);
+            return EXIT_BAD_DATA;
+        }
+        is_settled = is_settled && fabsf(report->size[key] - 1.0f) < OURS_OFF;
+    }
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        if (!is_settled) {
+            import_orient_normalize(mesh, key, report->size[key]);
+        }
+        report->size[key] *= mesh->scales[key];
+    }
+    return EXIT_OK;
+}

@@ -1,0 +1,246 @@
+/* import_scene.c -- reads glTF and other scene formats with assimp in a child process.
+ *
+ * Importers of many formats are large, and hostile files may crash them. Therefore this program
+ * does not link assimp. A child process with limited memory and CPU time loads it and writes the
+ * mesh to shared memory. The parent then validates the mesh like any untrusted file. A crash of
+ * the child costs only one error line. A build without assimp's headers refuses scenes with a
+ * message. */
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "core/base/printable.h"
+#include "platform/ctl/import/import_flat.h"
+#include "platform/species/text_file.h"
+
+#define MEMORY_MAX (1024ull * 1024ull * 1024ull)
+#define CPU_MAX_S 20
+#define WAIT_MAX_MS 30000
+#define WAIT_STEP_MS 5
+
+/* The address sanitizer reserves terabytes of address space, so that no memory limit can be set. */
+#if defined(__has_feature)
+#define SANITIZED __has_feature(address_sanitizer)
+#elif defined(__SANITIZE_ADDRESS__)
+#define SANITIZED 1
+#else
+#define SANITIZED 0
+#endif
+
+struct shared {
+    struct import_mesh mesh;
+    char why[IMPORT_WHY_SIZE];
+    int done; /* 1 after a successful import. 0 means that `why` is the reason, which may be
+                 empty. */
+};
+
+/* Reads the scene in the child process and never returns. The parent sees only the shared memory
+ * and the exit status. */
+static _Noreturn void read_in_child(struct shared *shared, const char *path)
+{
+    const struct rlimit time = { CPU_MAX_S, CPU_MAX_S }, cores = { 0, 0 };
+    static const int fatal[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU };
+    for (size_t i = 0; i < sizeof fatal / sizeof fatal[0]; i++) {
+        signal(fatal[i], SIG_DFL); /* The default action ends the child, and the parent reports the
+                                      failure. Inherited handlers must not run. */
+    }
+    setrlimit(RLIMIT_CPU, &time);
+    setrlimit(RLIMIT_CORE, &cores);
+    const struct rlimit memory = { MEMORY_MAX, MEMORY_MAX };
+    if (!SANITIZED) {
+        setrlimit(RLIMIT_AS, &memory);
+    }
+    shared->done = import_flatten(path, &shared->mesh, shared->why);
+    _exit(0);
+}
+
+static bool wait_for(pid_t child, int *status)
+{
+    const struct timespec step = { .tv_nsec = WAIT_STEP_MS * 1000000L };
+    for (int ms = 0; ms < WAIT_MAX_MS; ms += WAIT_STEP_MS) {
+        if (waitpid(child, status, WNOHANG) == child) {
+            return true;
+        }
+        nanosleep(&step, NULL);
+    }
+    kill(child, SIGKILL);
+    waitpid(child, status, 0);
+    return false;
+}
+
+static bool is_terminated(const char *text, size_t size)
+{
+    return memchr(text, 0, size) != NULL;
+}
+
+static bool vet_counts(const struct import_mesh *m)
+{
+    bool good = m->measure <= MEASURE_DISC && m->key_count >= 1 &&
+                m->key_count <= MORPH_KEY_MAX && m->vertex_count >= 3 &&
+                m->vertex_count <= IMPORT_VERTEX_MAX && m->triangle_count >= 1 &&
+                m->triangle_count <= IMPORT_TRIANGLE_MAX && m->group_count >= 1 &&
+                m->group_count <= IMPORT_GROUP_MAX && m->time_count <= IMPORT_TIME_MAX;
+    for (uint32_t i = 0; good && i < m->key_count; i++) {
+        good = is_terminated(m->key_names[i], IMPORT_NAME_SIZE);
+    }
+    for (uint32_t i = 0; good && i < m->group_count; i++) {
+        good = is_terminated(m->group_names[i], IMPORT_NAME_SIZE);
+    }
+    return good;
+}
+
+static bool vet_shapes(const struct import_mesh *m)
+{
+    for (uint32_t key = 0; key < m->key_count; key++) {
+        for (uint32_t i = 0; i < m->vertex_count; i++) {
+            const vec3 p = m->positions[key][i];
+            if (!(fabsf(p.x) <= IMPORT_REACH_MAX && fabsf(p.y) <= IMPORT_REACH_MAX &&
+                  fabsf(p.z) <= IMPORT_REACH_MAX)) {
+                return false;
+            }
+        }
+    }
+    for (uint32_t i = 0; i < m->vertex_count; i++) {
+        if (!(isfinite(m->uv[i][0]) && isfinite(m->uv[i][1]))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool vet_triangles(const struct import_mesh *m)
+{
+    for (uint32_t i = 0; i < m->triangle_count; i++) {
+        const uint32_t *t = m->triangles[i];
+        if (t[0] >= m->vertex_count || t[1] >= m->vertex_count || t[2] >= m->vertex_count ||
+            m->groups[i] >= m->group_count) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Checks that times rise and that the weights at each keyframe are >= 0 and sum to 1, as the graph
+ * requires. `*where` is the last keyframe checked. */
+static bool vet_weights(const struct import_mesh *m, uint32_t *where)
+{
+    for (uint32_t i = 0; i < m->time_count; i++) {
+        float sum = 0.0f;
+        *where = i;
+        if (!isfinite(m->times[i]) || (i > 0 && !(m->times[i] > m->times[i - 1]))) {
+            return false;
+        }
+        for (uint32_t key = 0; key < m->key_count; key++) {
+            if (!(m->weights[i][key] >= 0.0f)) {
+                return false;
+            }
+            sum += m->weights[i][key];
+        }
+        if (!(fabsf(sum - 1.0f) <= 1e-4f)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const char *import_validate(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 2])
+{
+    uint32_t moment = 0;
+    if (!vet_counts(m)) {
+        return "no shape, or more than may be";
+    }
+    if (!vet_shapes(m)) {
+        return "a coordinate that is no number or beyond 1e6";
+    }
+    if (!vet_triangles(m)) {
+        return "a triangle that names a vertex that is not there";
+    }
+    if (!vet_weights(m, &moment)) {
+        snprintf(room, IMPORT_WHY_SIZE / 2,
+                 "the animation's moment %u: weights that are negative or sum to more than 1",
+                 moment);
+        return room;
+    }
+    return NULL;
+}
+
+static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct shared *shared,
+                                             const char *path, pid_t child,
+                                             char why[IMPORT_WHY_SIZE])
+{
+    char room[IMPORT_WHY_SIZE / 2];
+    int status = 0;
+    if (!wait_for(child, &status)) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: not read within %d s", path, WAIT_MAX_MS / 1000);
+        return EXIT_BAD_DATA;
+    }
+    shared->why[IMPORT_WHY_SIZE - 1] = '\0';
+    printable(shared->why);
+    if (!WIFEXITED(status) || !shared->done) {
+        const bool told = WIFEXITED(status) && shared->why[0];
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %.110s", path,
+                 told ? shared->why : "damaged: the importer gave up on it");
+        return EXIT_BAD_DATA;
+    }
+    memcpy(mesh, &shared->mesh, sizeof *mesh); /* The mesh is copied before validation, so that no
+                                                  other process can change it afterwards. */
+    const char *fault = import_validate(mesh, room);
+    if (fault) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, fault);
+        return EXIT_BAD_DATA;
+    }
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        printable(mesh->key_names[key]); /* Error messages quote the name of a key shape. */
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code check_file(const char *path, char why[IMPORT_WHY_SIZE])
+{
+    char cannot[TEXT_FILE_WHY_SIZE];
+    FILE *file;
+    const enum text_file_open opened = text_file_open(path, IMPORT_FILE_MAX, &file, cannot);
+    if (opened != TEXT_FILE_OPEN) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
+        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+    }
+    fclose(file);
+    return EXIT_OK;
+}
+
+enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why[IMPORT_WHY_SIZE])
+{
+    enum exit_code code = check_file(path, why);
+    char missing[IMPORT_WHY_SIZE];
+    if (code == EXIT_OK && !import_can_flatten(missing)) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.60s: %.130s", path, missing);
+        code = EXIT_NOT_SO;
+    }
+    if (code != EXIT_OK) {
+        return code;
+    }
+    struct shared *shared = mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE,
+                                 MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    const pid_t child = shared == MAP_FAILED ? -1 : fork();
+    if (child == 0) {
+        read_in_child(shared, path);
+    }
+    if (child < 0) {
+        snprintf(why, IMPORT_WHY_SIZE, "no process to read with: %s", strerror(errno));
+        code = EXIT_IO;
+    } else {
+        code = import_scene_read_file(mesh, shared, path, child, why);
+    }
+    if (shared != MAP_FAILED) {
+        munmap(shared, sizeof *shared);
+    }
+    return code;
+}

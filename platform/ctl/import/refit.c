@@ -1,0 +1,388 @@
+/* refit.c -- fits one key to a mesh: the warp, the attraction to the surface, and the
+ * relaxation. */
+#include <math.h>
+#include <string.h>
+
+#include "core/morph/morph.h"
+#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/refit.h"
+
+#define ROUNDS 24u
+/* Gauss-Seidel sweeps for each round. Neighbours then agree to a thousandth. */
+#define SWEEPS 30u
+/* Weight of an edge relative to the pull of a vertex in the first round. */
+#define STIFF_FIRST 20.0f
+/* Weight of an edge relative to the pull of a vertex in the last round. */
+#define STIFF_LAST 0.15f
+/* Weight of the pull from a vertex of the mesh on the nearest vertex of the template. */
+#define BACK_PULL 0.5f
+/* Maximum number of mesh vertices that pull. A larger mesh is sampled evenly. */
+#define BACK_MAX 6000u
+#define EDGE_MAX (3u * MESH_INDEX_MAX)
+/* Greatest pull distance as a share of the length. A vertex is not attracted to a surface farther
+ * away. */
+#define FAR_SHARE 0.30f
+
+/* One level of detail during the fit. Coinciding vertices of a part share one place. */
+struct fitting {
+    const struct species_mesh *mesh;
+    const struct refit_tree *tree;
+    bool parted; /* True if the mesh names its parts as the template does. */
+    uint32_t place[MESH_VERTEX_MAX];
+    vec3 rest[MESH_VERTEX_MAX], now[MESH_VERTEX_MAX];
+    vec3 pull[MESH_VERTEX_MAX];
+    float weight[MESH_VERTEX_MAX];
+    /* Neighbours of each place: the index of the first neighbour, and the list of neighbours. */
+    uint32_t first[MESH_VERTEX_MAX + 1], other[EDGE_MAX];
+};
+
+static struct refit_tree target_tree, fitted_tree;
+static struct fitting fit;
+
+static void find_places(const vec3 *positions)
+{
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        fit.place[i] = i;
+        for (uint32_t j = 0; j < i && fit.place[i] == i; j++) {
+            const vec3 d = v3_sub(positions[i], positions[j]);
+            if (fit.mesh->vertices[i].part == fit.mesh->vertices[j].part &&
+                fit.mesh->vertices[i].side == fit.mesh->vertices[j].side && v3_dot(d, d) < 1e-12f) {
+                fit.place[i] = fit.place[j];
+            }
+        }
+    }
+}
+
+/* Lists the edges of each place, from both ends. An edge occurs once for each triangle that has the
+ * edge. */
+static void find_edges(void)
+{
+    static uint32_t fill[MESH_VERTEX_MAX];
+    const struct species_mesh *mesh = fit.mesh;
+    memset(fit.first, 0, sizeof fit.first);
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        fit.first[fit.place[mesh->indices[i]] + 1] += 2;
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        fit.first[i + 1] += fit.first[i];
+        fill[i] = fit.first[i];
+    }
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        const uint32_t t = i - i % 3, at = fit.place[mesh->indices[i]];
+        fit.other[fill[at]++] = fit.place[mesh->indices[t + (i + 1) % 3]];
+        fit.other[fill[at]++] = fit.place[mesh->indices[t + (i + 2) % 3]];
+    }
+}
+
+static uint8_t part_at(uint32_t vertex)
+{
+    return fit.parted ? fit.mesh->vertices[vertex].part : (uint8_t)REFIT_TREE_ANY_PART;
+}
+
+static void refit_draw(uint32_t place, vec3 toward, float weight)
+{
+    fit.pull[place] = v3_muladd(fit.pull[place], toward, weight);
+    fit.weight[place] += weight;
+}
+
+static void draw_to_surface(void)
+{
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        vec3 at;
+        if (fit.place[i] == i &&
+            refit_tree_nearest(fit.tree, fit.now[i], part_at(i), &at) < FAR_SHARE * FAR_SHARE) {
+            refit_draw(i, at, 1.0f);
+        }
+    }
+}
+
+/* Adds the pull of the mesh's own vertices on the nearest template vertices. Without this pull,
+ * rims and tips of a sheet would stay too short. */
+static void draw_from_mesh(const struct import_mesh *mesh)
+{
+    const uint32_t step = mesh->triangle_count / BACK_MAX + 1u;
+    for (uint32_t t = 0; t < mesh->triangle_count; t += step) {
+        const enum species_part part = import_part(mesh->group_names[mesh->groups[t]]);
+        const vec3 q = mesh->positions[0][mesh->triangles[t][t % 3]];
+        float best = FAR_SHARE * FAR_SHARE;
+        uint32_t nearest = MESH_VERTEX_MAX;
+        for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+            const vec3 d = v3_sub(fit.now[i], q);
+            if (fit.place[i] == i && v3_dot(d, d) < best &&
+                (!fit.parted || fit.mesh->vertices[i].part == part)) {
+                best = v3_dot(d, d);
+                nearest = i;
+            }
+        }
+        if (nearest < MESH_VERTEX_MAX) {
+            refit_draw(nearest, q, BACK_PULL);
+        }
+    }
+    /* Limits the weight so that many mesh vertices at one place count as one vertex. */
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        if (fit.weight[i] > 1.0f + BACK_PULL) {
+            const float less = (1.0f + BACK_PULL) / fit.weight[i];
+            fit.pull[i] = v3_scale(fit.pull[i], less);
+            fit.weight[i] *= less;
+        }
+    }
+}
+
+/* Moves each place to the balance of its pull and its edges, which resist any change from their
+ * rest shape. */
+static void refit_relax(float stiff)
+{
+    for (uint32_t sweep = 0; sweep < SWEEPS; sweep++) {
+        for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+            const uint32_t edges = fit.first[i + 1] - fit.first[i];
+            if (fit.place[i] != i || edges == 0) {
+                continue;
+            }
+            vec3 sum = fit.pull[i];
+            const float each = stiff / (float)edges;
+            for (uint32_t e = fit.first[i]; e < fit.first[i + 1]; e++) {
+                const uint32_t j = fit.other[e];
+                const vec3 wish = v3_add(fit.now[j], v3_sub(fit.rest[i], fit.rest[j]));
+                sum = v3_muladd(sum, wish, each);
+            }
+            fit.now[i] = v3_scale(sum, 1.0f / (fit.weight[i] + stiff));
+        }
+    }
+}
+
+static void share_places(void)
+{
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        fit.now[i] = fit.now[fit.place[i]];
+    }
+}
+
+static void run_rounds(const struct import_mesh *mesh)
+{
+    for (uint32_t round = 0; round < ROUNDS; round++) {
+        const float t = (float)round / (float)(ROUNDS - 1u);
+        memset(fit.pull, 0, sizeof fit.pull);
+        memset(fit.weight, 0, sizeof fit.weight);
+        draw_to_surface();
+        draw_from_mesh(mesh);
+        refit_relax(STIFF_FIRST * powf(STIFF_LAST / STIFF_FIRST, t));
+        share_places();
+        memcpy(fit.rest, fit.now, sizeof fit.rest); /* The bent shape becomes the new rest shape. */
+    }
+}
+
+/* ---- Writing to the tables ------------------------------------------------------------------ */
+
+static void make_normals(vec3 *normals)
+{
+    memset(normals, 0, MESH_VERTEX_MAX * sizeof *normals);
+    for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
+        const uint16_t *t = &fit.mesh->indices[i];
+        const vec3 normal =
+            v3_cross(v3_sub(fit.now[t[1]], fit.now[t[0]]), v3_sub(fit.now[t[2]], fit.now[t[0]]));
+        for (uint32_t k = 0; k < 3; k++) {
+            vec3 *sum = &normals[fit.place[t[k]]];
+            const bool sheet = fit.mesh->vertices[t[k]].part >= PART_TAIL;
+            *sum = v3_muladd(*sum, normal, sheet && v3_dot(*sum, normal) < 0.0f ? -1.0f : 1.0f);
+        }
+    }
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        normals[i] = v3_normalize_or(normals[fit.place[i]], v3(0.0f, 1.0f, 0.0f));
+    }
+}
+
+static void put_point(struct species_slot *slot, uint32_t lod, uint32_t key, uint32_t vertex,
+                      vec3 position, vec3 normal)
+{
+    const float reach = slot->species.lod[lod].reach;
+    slot->tables[lod].points[key][vertex] =
+        (struct species_point){ morph_count(position.x, reach), morph_count(position.y, reach),
+                                morph_count(position.z, reach), morph_fold_normal(normal) };
+}
+
+/* Writes the skin first, because parts that follow the skin need its final place. */
+static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
+{
+    static vec3 normals[MESH_VERTEX_MAX];
+    static struct morph_pose pose;
+    const struct species_mesh *mesh = &slot->species.lod[lod];
+    make_normals(normals);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (mesh->vertices[i].anchor == ANCHOR_NONE) {
+            put_point(slot, lod, key, i, fit.now[i], normals[i]);
+        }
+    }
+    morph_key_pose(mesh, slot->species.card.key_count, key, &pose);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const uint8_t anchor = mesh->vertices[i].anchor;
+        if (anchor != ANCHOR_NONE) {
+            const struct anchor_pose *at = &pose.anchor[anchor];
+            put_point(slot, lod, key, i,
+                      pose_rotate_inverse(at->turn, v3_sub(fit.now[i], at->position)),
+                      pose_rotate_inverse(at->turn, normals[i]));
+        }
+    }
+}
+
+/* ---- Error of the fit ----------------------------------------------------------------------- */
+
+struct tally {
+    double sum, squares;
+    float max;
+    uint32_t count;
+};
+
+static void count_gap(struct tally *tally, float gap)
+{
+    tally->sum += (double)gap;
+    tally->squares += (double)gap * (double)gap;
+    tally->max = fmaxf(tally->max, gap);
+    tally->count++;
+}
+
+static struct refit_error error_of(const struct tally *tally)
+{
+    const double n = fmax((double)tally->count, 1.0);
+    return (struct refit_error){ (float)(tally->sum / n), (float)sqrt(tally->squares / n),
+                                 tally->max };
+}
+
+/* Measures the distance at every vertex of both surfaces that a triangle uses. */
+static void refit_measure_error(const struct import_mesh *mesh, struct refit_result *result)
+{
+    static bool seen[IMPORT_VERTEX_MAX];
+    struct tally to = { 0 }, from = { 0 };
+    vec3 at;
+    fitted_tree.triangle_count = 0;
+    for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
+        const uint16_t *t = &fit.mesh->indices[i];
+        refit_tree_add(&fitted_tree, fit.now[t[0]], fit.now[t[1]], fit.now[t[2]],
+                       fit.mesh->vertices[t[0]].part);
+    }
+    refit_tree_build(&fitted_tree);
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        count_gap(&to, sqrtf(refit_tree_nearest(fit.tree, fit.now[i], REFIT_TREE_ANY_PART, &at)));
+    }
+    memset(seen, 0, sizeof seen);
+    for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        const uint32_t vertex = mesh->triangles[i / 3][i % 3];
+        if (!seen[vertex]) {
+            const vec3 q = mesh->positions[0][vertex];
+            count_gap(&from, sqrtf(refit_tree_nearest(&fitted_tree, q, REFIT_TREE_ANY_PART, &at)));
+            seen[vertex] = true;
+        }
+    }
+    result->to_mesh = error_of(&to);
+    result->from_mesh = error_of(&from);
+}
+
+/* Pairs the mesh's landmarks with the same landmarks of the template. `from` receives the places on
+ * the template and `to` the places on the mesh. Returns the number of pairs. */
+static uint32_t pair_marks(const struct refit_marks *marks, const vec3 *positions, vec3 *from,
+                           vec3 *to)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < marks->count; i++) {
+        if (refit_marks_of_template(fit.mesh, positions, marks->marks[i].name, &from[count])) {
+            to[count++] = marks->marks[i].place;
+        }
+    }
+    return count;
+}
+
+static void refit_begin(const struct species_slot *slot, uint32_t lod, uint32_t key,
+                        const struct import_mesh *mesh)
+{
+    static struct morph_pose pose;
+    fit.mesh = &slot->species.lod[lod];
+    fit.tree = &target_tree;
+    fit.parted = false;
+    for (uint32_t i = 0; i < mesh->group_count; i++) {
+        fit.parted = fit.parted || import_part(mesh->group_names[i]) != PART_BODY;
+    }
+    morph_key_pose(fit.mesh, slot->species.card.key_count, key, &pose);
+    morph_shape(fit.mesh, slot->species.card.key_count, &pose, fit.now, NULL);
+    find_places(fit.now);
+    find_edges();
+}
+
+/* Stretches the far mesh from the snout to its measured length. The far mesh has few vertices, and
+ * each vertex is moved to the mean of its pulls, so the fit ends slightly short of the tips. */
+static void stretch_to_measure(uint8_t refit_measure_error)
+{
+    const bool across = refit_measure_error == MEASURE_DISC;
+    float low = INFINITY, high = -INFINITY;
+    if (refit_measure_error != MEASURE_TOTAL && !across) {
+        return;
+    }
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        const float x = across ? fit.now[i].x : fit.now[i].z;
+        low = fminf(low, x);
+        high = fmaxf(high, x);
+    }
+    const float factor = 1.0f / fmaxf(high - low, 0.5f);
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        if (across) {
+            fit.now[i].x *= factor;
+        } else {
+            fit.now[i].z = -0.5f + (fit.now[i].z - low) * factor;
+        }
+    }
+}
+
+static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
+                    const struct import_mesh *mesh, const struct refit_marks *marks,
+                    struct refit_result *result)
+{
+    vec3 from[REFIT_MARKS_MAX], to[REFIT_MARKS_MAX];
+    refit_begin(slot, lod, key, mesh);
+    const uint32_t count = pair_marks(marks, fit.now, from, to);
+    refit_marks_warp(from, to, count, fit.now, fit.mesh->vertex_count);
+    memcpy(fit.rest, fit.now, sizeof fit.rest);
+    run_rounds(mesh);
+    if (lod > 0) {
+        stretch_to_measure(slot->species.card.measure);
+    }
+    write_points(slot, lod, key);
+    if (lod == 0) {
+        refit_measure_error(mesh, result);
+        result->mark_max = 0.0f;
+        const uint32_t pairs = pair_marks(marks, fit.now, from, to);
+        for (uint32_t i = 0; i < pairs; i++) {
+            result->mark_max = fmaxf(result->mark_max, v3_length(v3_sub(from[i], to[i])));
+        }
+    }
+}
+
+/* Finds the landmark that lies farthest from the mesh. */
+static void find_stray(const struct refit_marks *marks, struct refit_result *result)
+{
+    result->stray = "";
+    result->stray_gap = 0.0f;
+    for (uint32_t i = 0; i < marks->count; i++) {
+        vec3 at;
+        const float gap = sqrtf(
+            refit_tree_nearest(&target_tree, marks->marks[i].place, REFIT_TREE_ANY_PART, &at));
+        if (gap > result->stray_gap) {
+            result->stray = marks->marks[i].name;
+            result->stray_gap = gap;
+        }
+    }
+}
+
+void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh *mesh,
+               const struct refit_marks *marks, struct refit_result *result)
+{
+    target_tree.triangle_count = 0;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const uint32_t *t = mesh->triangles[i];
+        refit_tree_add(&target_tree, mesh->positions[0][t[0]], mesh->positions[0][t[1]],
+                       mesh->positions[0][t[2]],
+                       (uint8_t)import_part(mesh->group_names[mesh->groups[i]]));
+    }
+    refit_tree_build(&target_tree);
+    find_stray(marks, result);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        fit_lod(slot, lod, key, mesh, marks, result);
+    }
+}

@@ -1,0 +1,172 @@
+/* refit_tree.c -- a tree of bounding boxes around the triangles of a surface. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "platform/ctl/import/refit.h"
+
+#define LEAF_MAX 4u
+/* Maximum depth of the search stack. A binary tree of 131,072 triangles is about 18 levels deep. */
+#define DEPTH_MAX 64u
+
+void refit_tree_add(struct refit_tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part)
+{
+    if (tree->triangle_count < REFIT_TREE_TRIANGLE_MAX) {
+        tree->triangles[tree->triangle_count++] = (struct refit_tree_triangle){ { a, b, c }, part };
+    }
+}
+
+static float middle(const struct refit_tree_triangle *t, int axis)
+{
+    const float *a = &t->corner[0].x, *b = &t->corner[1].x, *c = &t->corner[2].x;
+    return a[axis] + b[axis] + c[axis];
+}
+
+static int by_x(const void *a, const void *b)
+{
+    const float x = middle(a, 0), y = middle(b, 0);
+    return (x > y) - (x < y);
+}
+
+static int by_y(const void *a, const void *b)
+{
+    const float x = middle(a, 1), y = middle(b, 1);
+    return (x > y) - (x < y);
+}
+
+static int by_z(const void *a, const void *b)
+{
+    const float x = middle(a, 2), y = middle(b, 2);
+    return (x > y) - (x < y);
+}
+
+static vec3 least(vec3 a, vec3 b)
+{
+    return v3(fminf(a.x, b.x), fminf(a.y, b.y), fminf(a.z, b.z));
+}
+
+static vec3 most(vec3 a, vec3 b)
+{
+    return v3(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z));
+}
+
+static void bound(const struct refit_tree *tree, struct refit_tree_node *node)
+{
+    node->low = v3(INFINITY, INFINITY, INFINITY);
+    node->high = v3(-INFINITY, -INFINITY, -INFINITY);
+    for (uint32_t i = node->first; i < node->first + node->count; i++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            node->low = least(node->low, tree->triangles[i].corner[k]);
+            node->high = most(node->high, tree->triangles[i].corner[k]);
+        }
+    }
+}
+
+/* A range of triangles that is still to be split, and the branch whose second child the range
+ * becomes. */
+struct range {
+    uint32_t first, count, parent;
+};
+
+void refit_tree_build(struct refit_tree *tree)
+{
+    struct range waiting[DEPTH_MAX] = { { 0, tree->triangle_count, UINT32_MAX } };
+    uint32_t depth = 1;
+    tree->node_count = 0;
+    while (depth > 0) {
+        const struct range range = waiting[--depth];
+        const uint32_t index = tree->node_count++;
+        struct refit_tree_node *node = &tree->nodes[index];
+        if (range.parent != UINT32_MAX) {
+            tree->nodes[range.parent].first = index;
+        }
+        *node = (struct refit_tree_node){ .first = range.first, .count = range.count };
+        bound(tree, node);
+        if (range.count <= LEAF_MAX) {
+            continue;
+        }
+        const vec3 size = v3_sub(node->high, node->low);
+        qsort(&tree->triangles[range.first], range.count, sizeof tree->triangles[0],
+              size.x >= size.y && size.x >= size.z ? by_x
+              : size.y >= size.z                   ? by_y
+                                                   : by_z);
+        const uint32_t half = range.count / 2;
+        node->count = 0;
+        waiting[depth++] = (struct range){ range.first + half, range.count - half, index };
+        waiting[depth++] = (struct range){ range.first, half, UINT32_MAX };
+    }
+}
+
+/* Returns the point of a triangle nearest to `p`, by the region of the triangle's plane in which
+ * `p` projects. */
+static vec3 on_triangle(const struct refit_tree_triangle *t, vec3 p)
+{
+    const vec3 a = t->corner[0], b = t->corner[1], c = t->corner[2];
+    const vec3 ab = v3_sub(b, a), ac = v3_sub(c, a), ap = v3_sub(p, a);
+    const float d1 = v3_dot(ab, ap), d2 = v3_dot(ac, ap);
+    if (d1 <= 0.0f && d2 <= 0.0f) {
+        return a;
+    }
+    const vec3 bp = v3_sub(p, b), cp = v3_sub(p, c);
+    const float d3 = v3_dot(ab, bp), d4 = v3_dot(ac, bp);
+    const float d5 = v3_dot(ab, cp), d6 = v3_dot(ac, cp);
+    if (d3 >= 0.0f && d4 <= d3) {
+        return b;
+    }
+    if (d6 >= 0.0f && d5 <= d6) {
+        return c;
+    }
+    const float vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+    if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f && d1 > d3) {
+        return v3_muladd(a, ab, d1 / (d1 - d3));
+    }
+    if (vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f && d2 > d6) {
+        return v3_muladd(a, ac, d2 / (d2 - d6));
+    }
+    const float along = d4 - d3, back = d5 - d6;
+    if (va <= 0.0f && along >= 0.0f && back >= 0.0f && along + back > 0.0f) {
+        return v3_muladd(b, v3_sub(c, b), along / (along + back));
+    }
+    const float sum = va + vb + vc;
+    return sum > 0.0f ? v3_muladd(v3_muladd(a, ab, vb / sum), ac, vc / sum) : a;
+}
+
+static float distance2(vec3 a, vec3 b)
+{
+    const vec3 d = v3_sub(a, b);
+    return v3_dot(d, d);
+}
+
+static float to_box2(const struct refit_tree_node *node, vec3 p)
+{
+    return distance2(p, least(most(p, node->low), node->high));
+}
+
+float refit_tree_nearest(const struct refit_tree *tree, vec3 from, uint8_t part, vec3 *place)
+{
+    uint32_t waiting[DEPTH_MAX] = { 0 }, depth = tree->node_count > 0 ? 1 : 0;
+    float best = INFINITY;
+    while (depth > 0) {
+        const uint32_t index = waiting[--depth];
+        const struct refit_tree_node *node = &tree->nodes[index];
+        if (to_box2(node, from) >= best) {
+            continue;
+        }
+        for (uint32_t i = node->first; i < node->first + node->count; i++) {
+            const struct refit_tree_triangle *t = &tree->triangles[i];
+            const vec3 at = on_triangle(t, from);
+            const float far = distance2(from, at);
+            if (far < best && (part == REFIT_TREE_ANY_PART || part == t->part)) {
+                best = far;
+                *place = at;
+            }
+        }
+        if (node->count == 0 && tree->triangle_count > 0) {
+            const uint32_t left = index + 1, right = node->first;
+            const bool left_first =
+                to_box2(&tree->nodes[left], from) < to_box2(&tree->nodes[right], from);
+            waiting[depth++] = left_first ? right : left;
+            waiting[depth++] = left_first ? left : right;
+        }
+    }
+    return best;
+}

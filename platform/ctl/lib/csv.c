@@ -1,0 +1,259 @@
+/* csv.c -- the CSV reader.
+ *
+ * Reads one line at a time. The header line gives the order of the columns, and each row gives
+ * their values. */
+#include "platform/ctl/lib/csv.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "platform/ctl/lib/user_file.h"
+#include "platform/os/number.h"
+#include "platform/os/print.h"
+
+#define FIELD_SHOWN 40 /* Characters of an invalid value that an error message quotes. */
+#define LIST_MAX 256u
+
+static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF, encoded in
+                                                         UTF-8. */
+
+static enum exit_code refuse_line(const struct csv *csv, const char *what)
+{
+    print_error("%s: %s: line %u: %s", csv->speaker, csv->path, csv->line, what);
+    return EXIT_BAD_DATA;
+}
+
+enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *format, ...)
+{
+    char words[PRINT_LINE_MAX];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    print_error("%s: %s: line %u, column %u (%s): %s", csv->speaker, csv->path, csv->line,
+                csv->field_of[index], csv->columns[index].name, words);
+    return EXIT_BAD_DATA;
+}
+
+static int is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/* Removes the byte-order mark that some editors write. Otherwise the mark would become part of the
+ * first column name. */
+static void drop_byte_order_mark(char *text)
+{
+    const size_t length = sizeof byte_order_mark - 1u;
+    if (strncmp(text, byte_order_mark, length) == 0) {
+        memmove(text, text + length, strlen(text + length) + 1u);
+    }
+}
+
+/* Reads the next line that is not empty into csv->text. Sets `*is_end` to 1 if there is no such
+ * line. */
+static enum exit_code csv_next_line(struct csv *csv, int *is_end)
+{
+    *is_end = 0;
+    for (;;) {
+        csv->line++;
+        if (!fgets(csv->text, sizeof csv->text, csv->file)) {
+            *is_end = 1;
+            if (ferror(csv->file)) {
+                return user_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
+            }
+            return EXIT_OK;
+        }
+        const size_t length = strlen(csv->text);
+        if (length == sizeof csv->text - 1 && csv->text[length - 1] != '\n') {
+            return refuse_line(csv, "is longer than any line of numbers");
+        }
+        if (csv->line == 1) {
+            drop_byte_order_mark(csv->text);
+        }
+        size_t blank = 0;
+        while (is_blank(csv->text[blank])) {
+            blank++;
+        }
+        if (csv->text[blank] != '\0') {
+            return EXIT_OK;
+        }
+    }
+}
+
+/* Returns the next field of `*rest` without the white space around it, or null after the last
+ * field. Advances `*rest`. */
+static char *cut_field(char **rest)
+{
+    char *field = *rest;
+    if (!field) {
+        return NULL;
+    }
+    char *comma = strchr(field, ',');
+    *rest = comma ? comma + 1 : NULL;
+    char *end = comma ? comma : field + strlen(field);
+    while (end > field && is_blank(end[-1])) {
+        end--;
+    }
+    *end = '\0';
+    while (is_blank(*field)) {
+        field++;
+    }
+    return field;
+}
+
+/* Appends a word to a comma-separated list. */
+static void list_word(char list[LIST_MAX], const char *word)
+{
+    const size_t used = strlen(list);
+    snprintf(list + used, LIST_MAX - used, "%s%s", used ? ", " : "", word);
+}
+
+static enum exit_code refuse_name(const struct csv *csv, const char *name, uint32_t number)
+{
+    char list[LIST_MAX] = "";
+    for (uint32_t i = 0; i < csv->column_count; i++) {
+        list_word(list, csv->columns[i].name);
+    }
+    print_error("%s: %s: line %u, column %u: '%.*s' is none of %s", csv->speaker, csv->path,
+                csv->line, number, FIELD_SHOWN, name, list);
+    return EXIT_BAD_DATA;
+}
+
+static enum exit_code take_name(struct csv *csv, const char *name, uint32_t number)
+{
+    for (uint32_t i = 0; i < csv->column_count; i++) {
+        if (strcmp(name, csv->columns[i].name) == 0) {
+            if (csv->field_of[i]) {
+                return csv_error(csv, i, "is there twice");
+            }
+            csv->field_of[i] = number;
+            return EXIT_OK;
+        }
+    }
+    return refuse_name(csv, name, number);
+}
+
+static enum exit_code read_head(struct csv *csv)
+{
+    int is_end;
+    const enum exit_code code = csv_next_line(csv, &is_end);
+    if (code != EXIT_OK || is_end) {
+        return code != EXIT_OK ? code : refuse_line(csv, "is empty: a head of columns is missing");
+    }
+    char *rest = csv->text;
+    for (char *name = cut_field(&rest); name; name = cut_field(&rest)) {
+        const enum exit_code right = take_name(csv, name, ++csv->field_count);
+        if (right != EXIT_OK) {
+            return right;
+        }
+    }
+    for (uint32_t i = 0; i < csv->column_count; i++) {
+        if (!csv->field_of[i] && !csv->columns[i].may_miss) {
+            print_error("%s: %s: line %u: the column %s is missing", csv->speaker, csv->path,
+                        csv->line, csv->columns[i].name);
+            return EXIT_BAD_DATA;
+        }
+    }
+    return EXIT_OK;
+}
+
+enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
+                        const struct csv_column *columns, uint32_t column_count)
+{
+    *csv = (struct csv){
+        .speaker = speaker, .path = path, .columns = columns, .column_count = column_count
+    };
+    const enum exit_code code = user_file_open(speaker, path, CSV_SIZE_MAX, &csv->file);
+    return code == EXIT_OK ? read_head(csv) : code;
+}
+
+int csv_has(const struct csv *csv, uint32_t index)
+{
+    return csv->field_of[index] != 0;
+}
+
+static enum exit_code read_word(const struct csv *csv, uint32_t index, const char *text,
+                                double *value)
+{
+    char list[LIST_MAX] = "";
+    const char *const *words = csv->columns[index].words;
+    for (uint32_t i = 0; words[i]; i++) {
+        if (strcmp(text, words[i]) == 0) {
+            *value = (double)i;
+            return EXIT_OK;
+        }
+        list_word(list, words[i]);
+    }
+    return csv_error(csv, index, "'%.*s' is none of %s", FIELD_SHOWN, text, list);
+}
+
+static enum exit_code read_value(const struct csv *csv, uint32_t index, const char *text,
+                                 double *value)
+{
+    const struct csv_column *column = &csv->columns[index];
+    if (column->unread) {
+        return EXIT_OK;
+    }
+    if (column->words) {
+        return read_word(csv, index, text, value);
+    }
+    if (!number_parse_decimal(text, column->min, column->max, value)) {
+        return csv_error(csv, index, "'%.*s' is not a number from %g to %g", FIELD_SHOWN, text,
+                         column->min, column->max);
+    }
+    return EXIT_OK;
+}
+
+/* Returns the index of the column at position `number` of the file. The header must have that
+ * position. */
+static uint32_t column_at(const struct csv *csv, uint32_t number)
+{
+    uint32_t index = 0;
+    while (csv->field_of[index] != number) {
+        index++;
+    }
+    return index;
+}
+
+static enum exit_code refuse_surplus(const struct csv *csv, const char *text)
+{
+    print_error("%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns",
+                csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, text,
+                csv->field_count);
+    return EXIT_BAD_DATA;
+}
+
+enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
+{
+    const enum exit_code code = csv_next_line(csv, is_end);
+    if (code != EXIT_OK || *is_end) {
+        return code;
+    }
+    for (uint32_t i = 0; i < csv->column_count; i++) {
+        values[i] = csv->columns[i].otherwise;
+    }
+    char *rest = csv->text;
+    for (uint32_t number = 1; number <= csv->field_count; number++) {
+        const uint32_t index = column_at(csv, number);
+        const char *text = cut_field(&rest);
+        if (!text) {
+            return csv_error(csv, index, "is missing: the line ends before it");
+        }
+        const enum exit_code right = read_value(csv, index, text, &values[index]);
+        if (right != EXIT_OK) {
+            return right;
+        }
+    }
+    const char *surplus = cut_field(&rest);
+    return surplus ? refuse_surplus(csv, surplus) : EXIT_OK;
+}
+
+void csv_close(struct csv *csv)
+{
+    if (csv->file) {
+        fclose(csv->file);
+        csv->file = NULL;
+    }
+}

@@ -1,0 +1,261 @@
+/* raster.c -- rasterizes triangles: coverage by edge functions, and depth order for each sample. */
+#include "platform/ctl/lib/raster.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/panic.h"
+
+#define SAMPLE_COUNT 16u
+#define PILE_MAX 32u /* Maximum number of layers of one sample, more than a fish has. */
+/* Remaining light below which deeper layers are invisible: half a step of 256 grey levels. */
+#define HIDDEN 0.002f
+#define LAYERS_AT_FIRST 65536u
+
+/* Sixteen sample positions, in sixteenths of a pixel from the centre. No two positions share a row
+ * or a column, so edges near the axes have sixteen grey levels and not four. */
+static const int8_t sample_at[SAMPLE_COUNT][2] = {
+    { 1, 1 },  { -1, -3 }, { -3, 2 },  { 4, -1 }, { -5, -2 }, { 2, 5 },  { 5, 3 }, { 3, -5 },
+    { -2, 6 }, { 0, -7 },  { -4, -6 }, { -6, 4 }, { -8, 0 },  { 7, -4 }, { 6, 7 }, { -7, -8 },
+};
+
+struct edge {
+    /* Coefficients of the edge function. A point is inside if dx * x + dy * y + at > 0. */
+    float dx, dy, at;
+    /* True if points exactly on the edge belong to this triangle. The value is true for only one of
+     * two triangles that share the edge. */
+    bool owns;
+};
+
+static vec3 sample_offset(uint32_t s)
+{
+    return v3((float)sample_at[s][0] / 16.0f, (float)sample_at[s][1] / 16.0f, 0.0f);
+}
+
+bool raster_open(struct raster *raster, uint32_t width, uint32_t height)
+{
+    CORE_ASSERT(width >= 1 && width <= CANVAS_SIDE_MAX);
+    CORE_ASSERT(height >= 1 && height <= CANVAS_SIDE_MAX);
+    *raster = (struct raster){ .width = width, .height = height, .layer_room = LAYERS_AT_FIRST };
+    raster->top = calloc((size_t)width * height, sizeof *raster->top);
+    raster->layers = malloc(raster->layer_room * sizeof *raster->layers);
+    return raster->top && raster->layers;
+}
+
+void raster_close(struct raster *raster)
+{
+    free(raster->top);
+    free(raster->layers);
+    *raster = (struct raster){ 0 };
+}
+
+static void raster_push(struct raster *raster, uint32_t x, uint32_t y, struct raster_layer layer)
+{
+    if (raster->layer_count == raster->layer_room) {
+        struct raster_layer *more =
+            realloc(raster->layers, 2u * raster->layer_room * sizeof *raster->layers);
+        if (!more) {
+            raster->failed = true;
+            return;
+        }
+        raster->layers = more;
+        raster->layer_room *= 2u;
+    }
+    uint32_t *top = &raster->top[(size_t)y * raster->width + x];
+    layer.below = *top;
+    raster->layers[raster->layer_count++] = layer;
+    *top = (uint32_t)raster->layer_count;
+}
+
+/* ---- Coverage -------------------------------------------------------------------------------- */
+
+/* Computes an edge function. With y down, the function is positive inside of corners that appear
+ * counter-clockwise. The value is computed from the same end in both directions of the edge. The
+ * two triangles that share the edge therefore get the same number with opposite signs. */
+static struct edge edge_of(vec3 a, vec3 b)
+{
+    const bool swap = a.x > b.x || (a.x == b.x && a.y > b.y);
+    const vec3 from = swap ? b : a, to = swap ? a : b;
+    const float sign = swap ? -1.0f : 1.0f;
+    const float dx = to.y - from.y, dy = from.x - to.x;
+    struct edge e = { .dx = sign * dx, .dy = sign * dy };
+    e.at = -sign * (dx * from.x + dy * from.y);
+    e.owns = e.dx > 0.0f || (e.dx == 0.0f && e.dy > 0.0f);
+    return e;
+}
+
+static float edge_at(const struct edge *e, float x, float y)
+{
+    return e->dx * x + e->dy * y + e->at;
+}
+
+struct triangle {
+    struct edge edges[3]; /* Edges opposite corner 0, 1 and 2. */
+    float double_area;
+    float depth_dx, depth_dy, depth_at; /* Coefficients of the depth plane through the corners. */
+};
+
+static bool triangle_of(const vec3 c[3], struct triangle *t)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        t->edges[i] = edge_of(c[(i + 1) % 3], c[(i + 2) % 3]);
+    }
+    t->double_area = edge_at(&t->edges[0], c[0].x, c[0].y);
+    if (!(t->double_area > 1e-6f)) {
+        return false;
+    }
+    t->depth_dx = t->depth_dy = t->depth_at = 0.0f;
+    for (uint32_t i = 0; i < 3; i++) {
+        const float share = c[i].z / t->double_area;
+        t->depth_dx += t->edges[i].dx * share;
+        t->depth_dy += t->edges[i].dy * share;
+        t->depth_at += t->edges[i].at * share;
+    }
+    return true;
+}
+
+/* Returns the mask of the samples of the pixel at (x, y) that lie inside, and computes their mean
+ * position. */
+static uint16_t cover(const struct triangle *t, float x, float y, vec3 *mean)
+{
+    uint16_t samples = 0;
+    float count = 0.0f;
+    *mean = v3(0.0f, 0.0f, 0.0f);
+    for (uint32_t s = 0; s < SAMPLE_COUNT; s++) {
+        const vec3 offset = sample_offset(s);
+        bool inside = true;
+        for (uint32_t i = 0; i < 3; i++) {
+            const float side = edge_at(&t->edges[i], x + offset.x, y + offset.y);
+            inside = inside && (side > 0.0f || (side == 0.0f && t->edges[i].owns));
+        }
+        if (inside) {
+            samples |= (uint16_t)(1u << s);
+            *mean = v3_add(*mean, offset);
+            count += 1.0f;
+        }
+    }
+    *mean = v3(x + mean->x / f_max(count, 1.0f), y + mean->y / f_max(count, 1.0f), 0.0f);
+    return samples;
+}
+
+static void draw_pixel(struct raster *raster, const struct triangle *t, uint32_t x, uint32_t y,
+                       struct raster_skin skin)
+{
+    const float centre_x = (float)x + 0.5f, centre_y = (float)y + 0.5f;
+    vec3 at;
+    const uint16_t samples = cover(t, centre_x, centre_y, &at);
+    if (samples == 0) {
+        return;
+    }
+    float part[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        part[i] = edge_at(&t->edges[i], at.x, at.y) / t->double_area;
+    }
+    const struct raster_colour colour = skin.look(skin.triangle, part);
+    raster_push(raster, x, y,
+                (struct raster_layer){
+                    .colour = colour.colour,
+                    .hides = colour.hides,
+                    .depth = t->depth_dx * centre_x + t->depth_dy * centre_y + t->depth_at,
+                    .depth_dx = t->depth_dx,
+                    .depth_dy = t->depth_dy,
+                    .samples = samples,
+                });
+}
+
+static uint32_t pixel_before(float x, uint32_t limit)
+{
+    return (uint32_t)f_clamp(floorf(x - 0.5f), 0.0f, (float)limit);
+}
+
+static uint32_t pixel_behind(float x, uint32_t limit)
+{
+    return (uint32_t)f_clamp(ceilf(x + 0.5f), 0.0f, (float)limit);
+}
+
+void raster_triangle(struct raster *raster, const vec3 c[3], struct raster_skin skin)
+{
+    struct triangle t;
+    if (!triangle_of(c, &t)) {
+        return;
+    }
+    const float left = f_min(c[0].x, f_min(c[1].x, c[2].x));
+    const float right = f_max(c[0].x, f_max(c[1].x, c[2].x));
+    const float top = f_min(c[0].y, f_min(c[1].y, c[2].y));
+    const float bottom = f_max(c[0].y, f_max(c[1].y, c[2].y));
+    const uint32_t x_end = pixel_behind(right, raster->width);
+    const uint32_t y_end = pixel_behind(bottom, raster->height);
+    for (uint32_t y = pixel_before(top, raster->height); y < y_end; y++) {
+        for (uint32_t x = pixel_before(left, raster->width); x < x_end; x++) {
+            draw_pixel(raster, &t, x, y, skin);
+        }
+    }
+}
+
+/* ---- Order ----------------------------------------------------------------------------------- */
+
+struct pile {
+    const struct raster_layer *layers[PILE_MAX]; /* Layers, nearest first. */
+    float depth[PILE_MAX];
+    uint32_t count;
+};
+
+static void pile_add(struct pile *pile, const struct raster_layer *layer, float depth)
+{
+    if (pile->count == PILE_MAX && pile->depth[PILE_MAX - 1u] >= depth) {
+        return; /* The pile is full, and the layer lies behind all others. */
+    }
+    uint32_t at = pile->count < PILE_MAX ? pile->count++ : PILE_MAX - 1u;
+    while (at > 0 && pile->depth[at - 1] < depth) {
+        pile->layers[at] = pile->layers[at - 1];
+        pile->depth[at] = pile->depth[at - 1];
+        at--;
+    }
+    pile->layers[at] = layer;
+    pile->depth[at] = depth;
+}
+
+static vec3 sample_colour(const struct raster *raster, uint32_t top, uint32_t s, vec3 behind)
+{
+    const vec3 offset = sample_offset(s);
+    struct pile pile;
+    pile.count = 0;
+    for (uint32_t i = top; i != 0; i = raster->layers[i - 1].below) {
+        const struct raster_layer *layer = &raster->layers[i - 1];
+        if (layer->samples >> s & 1u) {
+            pile_add(&pile, layer,
+                     layer->depth + layer->depth_dx * offset.x + layer->depth_dy * offset.y);
+        }
+    }
+    vec3 colour = v3(0.0f, 0.0f, 0.0f);
+    float open = 1.0f;
+    for (uint32_t i = 0; i < pile.count && open > HIDDEN; i++) {
+        colour = v3_muladd(colour, pile.layers[i]->colour, open * pile.layers[i]->hides);
+        open *= 1.0f - pile.layers[i]->hides;
+    }
+    return v3_muladd(colour, behind, open);
+}
+
+bool raster_finish(struct raster *raster, struct canvas *canvas, uint32_t left, uint32_t top)
+{
+    CORE_ASSERT(left + raster->width <= canvas->width);
+    CORE_ASSERT(top + raster->height <= canvas->height);
+    for (uint32_t y = 0; y < raster->height; y++) {
+        for (uint32_t x = 0; x < raster->width; x++) {
+            const uint32_t newest = raster->top[(size_t)y * raster->width + x];
+            if (newest == 0) {
+                continue;
+            }
+            vec3 *pixel = &canvas->pixels[(size_t)(top + y) * canvas->width + left + x];
+            vec3 sum = v3(0.0f, 0.0f, 0.0f);
+            for (uint32_t s = 0; s < SAMPLE_COUNT; s++) {
+                sum = v3_add(sum, sample_colour(raster, newest, s, *pixel));
+            }
+            *pixel = v3_scale(sum, 1.0f / SAMPLE_COUNT);
+        }
+    }
+    memset(raster->top, 0, (size_t)raster->width * raster->height * sizeof *raster->top);
+    raster->layer_count = 0;
+    return !raster->failed;
+}

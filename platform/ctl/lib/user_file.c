@@ -1,0 +1,25 @@
+/* user_file.c -- implements user_file.h. */
+#include "platform/ctl/lib/user_file.h"
+
+#include <errno.h>
+
+#include "platform/os/print.h"
+#include "platform/os/regular_file.h"
+
+enum exit_code user_file_error(const char *speaker, const char *path, uint32_t size_max, int error)
+{
+    if (error == EFBIG) {
+        const int in_kib = size_max < 1u << 20;
+        print_error("%s: %s: is larger than %u %s", speaker, path, size_max >> (in_kib ? 10 : 20),
+                    in_kib ? "KiB" : "MiB");
+        return EXIT_BAD_DATA;
+    }
+    print_error("%s: %s: %s", speaker, path, regular_file_error(error));
+    return EXIT_IO;
+}
+
+enum exit_code user_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out)
+{
+    *out = regular_file_open(path, size_max);
+    return *out ? EXIT_OK : user_file_error(speaker, path, size_max, errno);
+}

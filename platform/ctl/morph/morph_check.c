@@ -1,0 +1,266 @@
+/* morph_check.c -- `kingyoctl morph check`, which measures whether a species grows without
+ * errors. */
+#include <stdio.h>
+
+#include "platform/ctl/morph/morph_options.h"
+#include "platform/ctl/morph/morph_survey.h"
+#include "platform/species/reader.h"
+
+static const char command[] = "check";
+
+enum column { NEAR, FAR, ORDINARY, COLUMNS };
+static const char *const column_names[COLUMNS] = { "near", "far", "ordinary" };
+
+struct check_plan {
+    struct morph_options pick;
+    uint32_t steps;
+    bool as_json;
+    const struct species *ordinary;
+    struct morph_rig ordinary_rig;
+    struct morph_survey survey[COLUMNS];
+};
+
+/* One value of a survey and its limit. */
+struct row {
+    const char *title, *key;
+    float (*value)(const struct morph_survey *survey);
+    /* Returns the place of the worst value. A null pointer means that the value has no place. */
+    const struct finding *(*where)(const struct morph_survey *survey);
+    const char *format;
+    /* Factor from the measured to the printed value. A value of 100 prints a share in percent. */
+    double scale;
+    double limit; /* Limit in the printed unit. */
+    enum { AT_MOST, AT_LEAST, TOLD_ONLY } rule;
+};
+
+#define FIGURE(name, expression)                                                                   \
+    static float value_##name(const struct morph_survey *s)                                        \
+    {                                                                                              \
+        return (float)(expression);                                                                \
+    }
+#define FINDING(name)                                                                              \
+    FIGURE(name, s->name.value)                                                                    \
+    static const struct finding *where_##name(const struct morph_survey *s)                        \
+    {                                                                                              \
+        return &s->name;                                                                           \
+    }
+
+FIGURE(sum_error, s->sum_error)
+FIGURE(weight_min, s->weight_min)
+FIGURE(drawn_sum_error, s->drawn_sum_error)
+FIGURE(drawn_weight_min, s->drawn_weight_min)
+FIGURE(flipped_skin, s->flipped_skin)
+FIGURE(flipped_fins, s->flipped_fins)
+FIGURE(moments_open, s->moments_open)
+FIGURE(keys_alone, s->keys_alone)
+FIGURE(dorsal_root, s->dorsal_root.from_chord)
+FIGURE(eye_right, s->eye_right.from_chord)
+FIGURE(eye_left, s->eye_left.from_chord)
+FINDING(key_error)
+FINDING(body_in_body)
+FINDING(fin_in_body)
+FINDING(eye_in_body)
+FINDING(pupil_in_body)
+FINDING(eye_in_eye)
+FINDING(fin_in_eye)
+FINDING(root_off_skin)
+FINDING(volume_dip)
+FINDING(size_error)
+FIGURE(moments_not_older, s->moments_not_older)
+FINDING(progress_lost)
+FINDING(length_lost)
+FINDING(off_growth)
+
+#define OF(name) #name, value_##name, NULL
+#define FOUND(name) #name, value_##name, where_##name
+
+static const struct row rows[] = {
+    { "keys' sizes: off one another, %", FOUND(size_error), "%.3f", 100.0, 1.0, AT_MOST },
+    { "length off the growth curve, %", FOUND(off_growth), "%.3f", 100.0, 2.0, AT_MOST },
+    { "moments at which age does not rise", OF(moments_not_older), "%.0f", 1.0, 0.0, AT_MOST },
+    { "age leads to another progress, by", FOUND(progress_lost), "%.1e", 1.0, 1e-3, AT_MOST },
+    { "length leads to another length, %", FOUND(length_lost), "%.3f", 100.0, 0.1, AT_MOST },
+    { "weights: sum is off 1 by", OF(sum_error), "%.1e", 1.0, 1e-6, AT_MOST },
+    { "weights: least", OF(weight_min), "%.4f", 1.0, 0.0, AT_LEAST },
+    { "weights of drawings: sum is off 1 by", OF(drawn_sum_error), "%.1e", 1.0, 2e-6, AT_MOST },
+    { "weights of drawings: least", OF(drawn_weight_min), "%.4f", 1.0, 0.0, TOLD_ONLY },
+    { "keys shown alone", OF(keys_alone), "%.0f", 1.0, 0.0, TOLD_ONLY },
+    { "key, where shown alone, missed by", FOUND(key_error), "%.1e", 1.0, 0.0, AT_MOST },
+    { "triangles turned over: body, eyes", OF(flipped_skin), "%.0f", 1.0, 0.0, AT_MOST },
+    { "triangles turned over: fins", OF(flipped_fins), "%.0f", 1.0, 0.0, AT_MOST },
+    { "moments at which the body has a hole", OF(moments_open), "%.0f", 1.0, 0.0, AT_MOST },
+    { "skin folded into itself, % of length", FOUND(body_in_body), "%.3f", 100.0, 0.0, AT_MOST },
+    { "fin deeper than its root, % of length", FOUND(fin_in_body), "%.3f", 100.0, 0.05, AT_MOST },
+    { "fin in an eye, % of length", FOUND(fin_in_eye), "%.3f", 100.0, 0.0, AT_MOST },
+    { "eye in the head, % of length", FOUND(eye_in_body), "%.3f", 100.0, 0.0, AT_MOST },
+    { "pupil in the head, % of length", FOUND(pupil_in_body), "%.3f", 100.0, 0.0, AT_MOST },
+    { "eye in the other eye, % of length", FOUND(eye_in_eye), "%.3f", 100.0, 0.0, AT_MOST },
+    { "fin root off the skin, % of length", FOUND(root_off_skin), "%.3f", 100.0, 0.0, TOLD_ONLY },
+    { "volume below the lesser key's, %", FOUND(volume_dip), "%.3f", 100.0, 2.0, AT_MOST },
+    { "dorsal root's path off its chord", OF(dorsal_root), "%.5f", 1.0, 0.0, TOLD_ONLY },
+    { "right eye's path off its chord", OF(eye_right), "%.5f", 1.0, 0.0, TOLD_ONLY },
+    { "left eye's path off its chord", OF(eye_left), "%.5f", 1.0, 0.0, TOLD_ONLY },
+};
+#define ROWS (sizeof rows / sizeof rows[0])
+
+static double told(const struct row *row, const struct morph_survey *survey)
+{
+    return (double)row->value(survey) * row->scale;
+}
+
+static bool is_so(const struct row *row, const struct morph_survey *survey)
+{
+    const double value = told(row, survey);
+    return row->rule == TOLD_ONLY ||
+           (row->rule == AT_MOST ? value <= row->limit : value >= row->limit);
+}
+
+static bool is_good(const struct morph_survey *survey)
+{
+    bool good = true;
+    for (size_t i = 0; i < ROWS; i++) {
+        good = good && is_so(&rows[i], survey);
+    }
+    return good;
+}
+
+static const struct species_mesh *mesh_of(const struct check_plan *plan, enum column column)
+{
+    return column == ORDINARY ? &plan->ordinary->lod[0] : &plan->pick.fish->lod[column];
+}
+
+/* Prints a place, for example "at progress 0.431, vertex 312 (eye)". */
+static void print_where(const struct check_plan *plan, enum column column, const struct finding *at)
+{
+    printf(" at progress %.4f", (double)at->progress);
+    if (at->vertex != MORPH_SURVEY_NOWHERE) {
+        const uint8_t part = mesh_of(plan, column)->vertices[at->vertex].part;
+        printf(", vertex %u (%s)", at->vertex, part_names[part]);
+    }
+}
+
+static void print_number(const struct row *row, const struct morph_survey *survey)
+{
+    char text[32];
+    snprintf(text, sizeof text, row->format, told(row, survey));
+    printf(" %10s", text);
+}
+
+static void print_faults(const struct check_plan *plan, enum column column)
+{
+    for (size_t i = 0; i < ROWS; i++) {
+        const struct morph_survey *survey = &plan->survey[column];
+        if (!is_so(&rows[i], survey)) {
+            printf("not so (%s): %s", column_names[column], rows[i].title);
+            print_number(&rows[i], survey);
+            if (rows[i].where) {
+                print_where(plan, column, rows[i].where(survey));
+            } else if (rows[i].value == value_flipped_skin || rows[i].value == value_flipped_fins) {
+                printf(", first at progress %.4f", (double)survey->flipped_at);
+            } else if (rows[i].value == value_moments_not_older) {
+                printf(", first at progress %.4f", (double)survey->age_stands_at);
+            }
+            putchar('\n');
+        }
+    }
+}
+
+static void morph_check_print_text(const struct check_plan *plan)
+{
+    const struct species_card *card = &plan->pick.fish->card;
+    printf("%s: %u keys, %u curves, %u moments; %u vertices near, %u far\n", card->id,
+           card->key_count, card->curve_count, plan->steps + 1u,
+           plan->pick.fish->lod[0].vertex_count, plan->pick.fish->lod[1].vertex_count);
+    printf("%-38s %10s %10s %10s   must be\n", "", column_names[NEAR], column_names[FAR],
+           column_names[ORDINARY]);
+    for (size_t i = 0; i < ROWS; i++) {
+        printf("%-38s", rows[i].title);
+        for (int column = 0; column < COLUMNS; column++) {
+            print_number(&rows[i], &plan->survey[column]);
+        }
+        if (rows[i].rule != TOLD_ONLY) {
+            printf("   %s %g", rows[i].rule == AT_MOST ? "<=" : ">=", rows[i].limit);
+        }
+        putchar('\n');
+    }
+    print_faults(plan, NEAR);
+    print_faults(plan, FAR);
+}
+
+static void print_json(const struct check_plan *plan, bool good)
+{
+    printf("{\"species\": \"%s\", \"moments\": %u, \"good\": %s", plan->pick.fish->card.id,
+           plan->steps + 1u, good ? "true" : "false");
+    for (int column = 0; column < COLUMNS; column++) {
+        const struct morph_survey *survey = &plan->survey[column];
+        printf(",\n \"%s\": {\"good\": %s", column_names[column],
+               is_good(survey) ? "true" : "false");
+        for (size_t i = 0; i < ROWS; i++) {
+            printf(", \"%s\": %.9g", rows[i].key, (double)rows[i].value(survey));
+            if (rows[i].where && rows[i].value(survey) > 0.0f) {
+                printf(", \"%s_at\": %.6f", rows[i].key, (double)rows[i].where(survey)->progress);
+            }
+        }
+        putchar('}');
+    }
+    puts("}");
+}
+
+static enum exit_code morph_check_run(int argc, const char *const *argv)
+{
+    static struct check_plan plan;
+    plan = (struct check_plan){ .steps = 1000 };
+    const struct morph_option options[] = {
+        { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
+        { .name = "--json", .flag = &plan.as_json },
+    };
+    const enum exit_code code =
+        morph_options_read(&plan.pick, command, MORPH_REQUIRES_CURVES, options,
+                           sizeof options / sizeof options[0], argc, argv);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    plan.ordinary = morph_options_ordinary(&plan.pick, &plan.ordinary_rig);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        morph_survey(plan.pick.fish, &plan.pick.rig, lod, plan.steps, &plan.survey[lod]);
+    }
+    morph_survey(plan.ordinary, &plan.ordinary_rig, 0, plan.steps, &plan.survey[ORDINARY]);
+    const bool good = is_good(&plan.survey[NEAR]) && is_good(&plan.survey[FAR]);
+    if (plan.as_json) {
+        print_json(&plan, good);
+    } else {
+        morph_check_print_text(&plan);
+    }
+    return good ? EXIT_OK : EXIT_NOT_SO;
+}
+
+const struct morph_command ctl_morph_check = {
+    .name = command,
+    .words = "SPECIES|FILE [--template T] [--thesis] [--steps N] [--json]",
+    .summary = "whether it grows without a flaw, in figures, the ordinary morph's beside them",
+    .usage =
+        "  --steps N     moments but one, 1 to 100000; 1000 otherwise\n"
+        "  --json        the same as JSON; shares there are not percent\n"
+        "\nnear and far are the two levels of detail, ordinary is the near fish morphed straight\n"
+        "from its first key to its last. Lengths are of the body's own length.\n\n"
+        "What counts, and what is by design:\n"
+        "  sizes         all keys are one long as the species measures it (size is a curve of its\n"
+        "                own), snout at one place\n"
+        "  length, age   older at every moment; as long as the growth curve says, but for a size\n"
+        "                drawn by hand; each leads back to the other\n"
+        "  turned over   a triangle of body or eye that faces inward; a fin's that faces back at\n"
+        "                once, for one that turns step by step does not count\n"
+        "  a hole        without a closed body nothing can be told to be inside of it\n"
+        "  skin folded   a point just outside the body's skin that is inside the body; told is\n"
+        "                the way out along its normal\n"
+        "  fin           it is rooted in the body, and lies in it whole before it has grown: told\n"
+        "                is how much deeper than the root of its own ray a point is. Fins against\n"
+        "                fins do not count: they are sheets that the water bends\n"
+        "  eye           a ball half sunk in the skin: what shows of it counts, in the head (the\n"
+        "                middle half, the pupil, apart) and in the other eye; its seat does not\n"
+        "  volume        of the body, one long, against the lesser of the two keys around\n"
+        "  weights       the graph's must be at least 0; where shapes are solved so that the fish\n"
+        "                passes through every drawing, the drawings' own may be less\n"
+        "\nExit status 1 when something is not so.\n",
+    .run = morph_check_run,
+};

@@ -1,0 +1,108 @@
+/* morph_flips.c -- counts flipped triangles. A skin triangle is flipped if it faces inward. A fin
+ * triangle is flipped if it faces the opposite way from one moment to the next.
+ *
+ * A fin may turn by a large angle between two moments without an error, because a hatchling's fin
+ * unfolds. Where a fin triangle has turned by more than a right angle, the interval is therefore
+ * sampled finely. A correct fin turns in small steps, but a flipped triangle reverses in a single
+ * step. The count is thus the same for many moments and for few. */
+#include "platform/ctl/morph/morph_walk.h"
+
+#define AREA_MIN 1e-9f /* Twice the area below which a triangle has no defined direction. */
+/* Height, in quantization steps of the mesh tables, below which rounding decides where a triangle
+ * faces. */
+#define THIN_COUNTS 4.0f
+/* Distance between two moments of the fine sampling, as a share of a life. */
+#define CLOSELY 4e-5f
+
+static vec3 face_of(const struct morph_walk *w, uint32_t triangle)
+{
+    const uint16_t *c = &w->mesh->indices[3u * triangle];
+    return v3_cross(v3_sub(w->positions[c[1]], w->positions[c[0]]),
+                    v3_sub(w->positions[c[2]], w->positions[c[0]]));
+}
+
+static bool is_thin(const struct morph_walk *w, uint32_t triangle, vec3 face)
+{
+    const uint16_t *c = &w->mesh->indices[3u * triangle];
+    float longest = 0.0f;
+    for (uint32_t i = 0; i < 3; i++) {
+        const vec3 edge = v3_sub(w->positions[c[(i + 1u) % 3u]], w->positions[c[i]]);
+        longest = f_max(longest, v3_length(edge));
+    }
+    return v3_length(face) <= longest * THIN_COUNTS * w->mesh->reach / 32767.0f;
+}
+
+static void mark_flipped(struct morph_walk *w, uint32_t triangle, uint32_t *count)
+{
+    if (!w->flipped[triangle]) {
+        w->flipped[triangle] = true;
+        w->out->flipped_at =
+            w->out->flipped_skin + w->out->flipped_fins == 0 ? w->progress : w->out->flipped_at;
+        (*count)++;
+    }
+}
+
+static void measure_skin(struct morph_walk *w, uint32_t triangle, vec3 face)
+{
+    const uint16_t *c = &w->mesh->indices[3u * triangle];
+    const vec3 outward = v3_add(w->normals[c[0]], v3_add(w->normals[c[1]], w->normals[c[2]]));
+    if (v3_length(face) >= AREA_MIN && v3_dot(face, outward) < 0.0f) {
+        mark_flipped(w, triangle, &w->out->flipped_skin);
+    }
+}
+
+static bool is_fin(const struct morph_walk *w, uint32_t triangle)
+{
+    return w->mesh->vertices[w->mesh->indices[3u * triangle]].part >= PART_TAIL;
+}
+
+static void shape_at(struct morph_walk *w, float progress)
+{
+    morph_pose(w->rig, w->mesh, progress, &w->pose);
+    morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
+}
+
+/* Examines one step of the fin triangles that may be flipped. */
+static void morph_flips_check_step(struct morph_walk *w)
+{
+    for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {
+        const vec3 face = face_of(w, t);
+        if (w->doubtful[t] && !is_thin(w, t, face)) {
+            if (v3_dot(face, w->facing[t]) < 0.0f) {
+                mark_flipped(w, t, &w->out->flipped_fins);
+            }
+            w->facing[t] = face;
+        }
+    }
+}
+
+static void look_closely(struct morph_walk *w)
+{
+    const float till = w->progress, from = w->before;
+    const uint32_t steps = 1u + (uint32_t)((till - from) / CLOSELY);
+    for (uint32_t i = 1; i <= steps; i++) {
+        w->progress = i == steps ? till : f_lerp(from, till, (float)i / (float)steps);
+        shape_at(w, w->progress);
+        morph_flips_check_step(w);
+    }
+}
+
+void morph_flips_measure(struct morph_walk *w)
+{
+    bool any = false;
+    for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {
+        const vec3 face = face_of(w, t);
+        w->doubtful[t] = false;
+        if (!is_fin(w, t)) {
+            measure_skin(w, t, face);
+        } else if (!is_thin(w, t, face)) {
+            w->doubtful[t] = !w->flipped[t] && v3_dot(face, w->facing[t]) < 0.0f;
+            w->facing[t] = w->doubtful[t] ? w->facing[t] : face;
+            any = any || w->doubtful[t];
+        }
+    }
+    if (any) {
+        look_closely(w);
+    }
+    w->before = w->progress;
+}

@@ -1,0 +1,252 @@
+/* morph_options.c -- reads the options, opens the species, and then applies the options to the
+ * species. */
+#include "platform/ctl/morph/morph_options.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/os/number.h"
+
+#define LENGTH_SAMPLES 1000u
+/* Tolerance for a value outside the range, because a rounded value that was printed may be entered
+ * again. */
+#define ROUNDED 1e-3
+
+static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
+                                                            "simultaneous", "smooth" };
+
+/* Options as written, before the species is known. */
+struct words {
+    const char *template_id;
+    const char *place[3]; /* Values in the order of place_options. */
+};
+
+enum place { PLACE_PROGRESS, PLACE_AGE_DAYS, PLACE_LENGTH_MM };
+
+static const struct {
+    const char *name;
+    double min, max;
+} place_options[3] = {
+    { "--progress", 0.0, 1.0 },
+    { "--age-days", 0.0, 14610.0 },      /* 40 years, as in core/morph/growth.c. */
+    { "--length-mm", 1e-3, 10000.0 },
+};
+
+const char *morph_template_name(enum graph_template template_id)
+{
+    return template_names[template_id];
+}
+
+/* ---- Options -------------------------------------------------------------------------------- */
+
+static enum exit_code take_own(const char *command, const struct morph_option *option,
+                               const char *value)
+{
+    if (option->flag) {
+        *option->flag = true;
+        return EXIT_OK;
+    }
+    if (option->text) {
+        *option->text = value;
+        return value && *value ? EXIT_OK : morph_usage(command, "%s needs a value", option->name);
+    }
+    if (option->count
+            ? number_parse(value, (uint32_t)option->min, (uint32_t)option->max, option->count)
+            : number_parse_decimal(value, option->min, option->max, option->number)) {
+        return EXIT_OK;
+    }
+    return morph_usage(command, "%s: '%.40s' is not a %snumber from %.10g to %.10g", option->name,
+                       value ? value : "", option->count ? "whole " : "", option->min, option->max);
+}
+
+static enum exit_code take_template(struct morph_options *pick, const char *command,
+                                    const char *value)
+{
+    for (enum graph_template i = TEMPLATE_OWN; value && i < TEMPLATE_COUNT; i++) {
+        if (strcmp(value, template_names[i]) == 0) {
+            pick->template_id = i;
+            return EXIT_OK;
+        }
+    }
+    return morph_usage(command,
+                       "--template: '%.40s' is not own, ordinary, pairwise, simultaneous "
+                       "or smooth",
+                       value ? value : "");
+}
+
+/* Parses one option and its value. Sets `*used` to the number of words that were read, or to 0 if
+ * the option is unknown. */
+static enum exit_code take_shared(struct morph_options *pick, struct words *words,
+                                  const char *command, enum morph_requirement asks,
+                                  const char *option, const char *value, int *used)
+{
+    *used = 2;
+    if ((asks & MORPH_REQUIRES_CURVES) && strcmp(option, "--template") == 0) {
+        return take_template(pick, command, value);
+    }
+    for (size_t i = 0; (asks & MORPH_REQUIRES_PLACE) && i < 3; i++) {
+        if (strcmp(option, place_options[i].name) == 0) {
+            words->place[i] = value ? value : "";
+            return EXIT_OK;
+        }
+    }
+    *used = 1;
+    if ((asks & MORPH_REQUIRES_CURVES) && strcmp(option, "--thesis") == 0) {
+        pick->thesis = true;
+        return EXIT_OK;
+    }
+    *used = 0;
+    return EXIT_OK;
+}
+
+static enum exit_code take_word(struct morph_options *pick, const char *command, const char *word)
+{
+    if (word[0] == '-') {
+        return morph_usage(command, "unknown option '%.100s'; --help lists them", word);
+    }
+    if (pick->word) {
+        return morph_usage(command, "'%.100s' is one species too many", word);
+    }
+    pick->word = word;
+    return *word ? EXIT_OK : morph_usage(command, "a species has a name");
+}
+
+/* ---- Curves --------------------------------------------------------------------------------- */
+
+/* Applies --thesis and --template to the drawn species. */
+static void settle_curves(struct morph_options *pick)
+{
+    static struct straight_memory memory;
+    static struct species made;
+    pick->fish = pick->drawn;
+    if (pick->thesis) {
+        straight_thesis(pick->drawn, &memory, &made);
+        pick->fish = &made;
+    } else if (pick->template_id == TEMPLATE_ORDINARY) {
+        straight_species(pick->drawn, &memory, &made);
+        pick->fish = &made;
+    }
+    morph_rig_init(&pick->rig, &pick->fish->card, pick->template_id);
+}
+
+const struct species *morph_options_ordinary(const struct morph_options *pick,
+                                             struct morph_rig *rig)
+{
+    static struct straight_memory memory;
+    static struct species made;
+    straight_species(pick->fish, &memory, &made);
+    morph_rig_init(rig, &made.card, TEMPLATE_ORDINARY);
+    return &made;
+}
+
+/* ---- Place ---------------------------------------------------------------------------------- */
+
+void morph_options_lengths(const struct species_card *card, float *min, float *max)
+{
+    *min = *max = life_length_m(card, 0.0f);
+    for (uint32_t i = 1; i <= LENGTH_SAMPLES; i++) {
+        const float length_m = life_length_m(card, (float)i / (float)LENGTH_SAMPLES);
+        *min = f_min(*min, length_m);
+        *max = f_max(*max, length_m);
+    }
+    for (uint32_t i = 0; i < card->scale_knot_count; i++) {
+        *min = f_min(*min, card->scale_knots[i].length_m);
+        *max = f_max(*max, card->scale_knots[i].length_m);
+    }
+}
+
+/* Rejects a moment before the first key or after the last key, because no key is drawn there. For
+ * example, a fish of 22 days is not shown as a fish of one day. */
+static enum exit_code check_drawn(const struct species_card *card, enum place place, double asked,
+                                  const char *command)
+{
+    float from = card->key_age_days[0], to = card->key_age_days[card->key_count - 1u];
+    if (place == PLACE_PROGRESS) {
+        return EXIT_OK;
+    }
+    if (place == PLACE_LENGTH_MM) {
+        morph_options_lengths(card, &from, &to);
+        from *= 1e3f;
+        to *= 1e3f;
+    }
+    if (asked >= (double)from * (1.0 - ROUNDED) && asked <= (double)to * (1.0 + ROUNDED)) {
+        return EXIT_OK;
+    }
+    return morph_usage(command,
+                       "%s: %.10g is outside the drawn life: %s is drawn from %.6g to "
+                       "%.6g %s",
+                       place_options[place].name, asked, card->id, (double)from, (double)to,
+                       place == PLACE_AGE_DAYS ? "days" : "mm");
+}
+
+static enum exit_code settle_place(struct morph_options *pick, const struct words *words,
+                                   const char *command)
+{
+    const struct species_card *card = &pick->fish->card;
+    for (size_t i = 0; i < 3; i++) {
+        double value;
+        if (!words->place[i]) {
+            continue;
+        }
+        if (pick->has_place) {
+            return morph_usage(command, "--progress, --age-days and --length-mm: one of them");
+        }
+        if (!number_parse_decimal(words->place[i], place_options[i].min, place_options[i].max,
+                                  &value)) {
+            return morph_usage(command, "%s: '%.40s' is not a number from %.10g to %.10g",
+                               place_options[i].name, words->place[i], place_options[i].min,
+                               place_options[i].max);
+        }
+        const enum exit_code code = check_drawn(card, (enum place)i, value, command);
+        if (code != EXIT_OK) {
+            return code;
+        }
+        pick->has_place = true;
+        pick->progress = i == PLACE_PROGRESS   ? (float)value
+                         : i == PLACE_AGE_DAYS ? life_progress(card, (float)value)
+                                               : morph_progress(card, (float)(1e-3 * value));
+    }
+    return EXIT_OK;
+}
+
+/* ---- The whole command line ----------------------------------------------------------------- */
+
+static enum exit_code take_any(struct morph_options *pick, struct words *words, const char *command,
+                               enum morph_requirement asks, const struct morph_option *options,
+                               size_t option_count, const char *word, const char *value, int *used)
+{
+    const enum exit_code code = take_shared(pick, words, command, asks, word, value, used);
+    if (*used > 0) {
+        return code;
+    }
+    *used = 1;
+    for (size_t i = 0; i < option_count; i++) {
+        if (strcmp(word, options[i].name) == 0) {
+            *used = options[i].flag ? 1 : 2;
+            return take_own(command, &options[i], value);
+        }
+    }
+    return take_word(pick, command, word);
+}
+
+enum exit_code morph_options_read(struct morph_options *pick, const char *command,
+                                  enum morph_requirement asks, const struct morph_option *options,
+                                  size_t option_count, int argc, const char *const *argv)
+{
+    struct words words = { 0 };
+    int used = 1;
+    *pick = (struct morph_options){ .template_id = TEMPLATE_OWN };
+    for (int i = 0; i < argc; i += used) {
+        const enum exit_code code = take_any(pick, &words, command, asks, options, option_count,
+                                             argv[i], i + 1 < argc ? argv[i + 1] : NULL, &used);
+        if (code != EXIT_OK) {
+            return code;
+        }
+    }
+    const enum exit_code code = morph_options_open(pick, command);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    settle_curves(pick);
+    return settle_place(pick, &words, command);
+}

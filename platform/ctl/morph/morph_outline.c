@@ -1,0 +1,212 @@
+/* morph_outline.c -- draws the triangles that face the viewer, as one filled path for each layer. A
+ * path that is filled once shows no seams, and a drawing program can still edit the path. */
+#include "platform/ctl/morph/morph_outline.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/key_colour.h"
+
+/* Distance in body lengths below which two vertices are joined. The distance is less than a
+ * quantization step of the mesh tables. */
+#define JOIN_LENGTHS 1e-5f
+
+/* Layers in drawing order, from back to front. */
+enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
+
+const char *morph_outline_key_colour(const struct species_card *card, uint32_t key)
+{
+    static char colours[MORPH_KEY_MAX][8];
+    snprintf(colours[key], sizeof colours[key], "#%06x",
+             key_colour(card->key_count, key) & 0xffffffu);
+    return colours[key];
+}
+
+void morph_outline_words(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
+{
+    memcpy(out, name, SPECIES_NAME_SIZE);
+    for (char *c = strchr(out, '_'); c; c = strchr(c, '_')) {
+        *c = ' ';
+    }
+}
+
+void morph_outline_title(char out[SPECIES_NAME_SIZE], const char name[SPECIES_NAME_SIZE])
+{
+    morph_outline_words(out, name);
+    if (out[0] >= 'a' && out[0] <= 'z') {
+        out[0] = (char)(out[0] - 'a' + 'A');
+    }
+}
+
+enum morph_outline_view morph_outline_view_of(const struct species_card *card)
+{
+    return card->form == FORM_DEPRESSED ? MORPH_OUTLINE_TOP : MORPH_OUTLINE_SIDE;
+}
+
+/* Returns a body point in view axes: right, up and toward the viewer. */
+static vec3 seen(enum morph_outline_view view, vec3 p)
+{
+    switch (view) {
+    case MORPH_OUTLINE_SIDE:
+        return v3(p.z, p.y, -p.x);
+    case MORPH_OUTLINE_FRONT:
+        return v3(-p.x, p.y, -p.z);
+    default:
+        return v3(p.z, p.x, p.y);
+    }
+}
+
+void morph_outline_project(const struct morph_outline *outline, vec3 p, double *x, double *y)
+{
+    const vec3 s = seen(outline->view, p);
+    *x = outline->x + outline->length_px * (double)s.x;
+    *y = outline->y - outline->length_px * (double)s.y;
+}
+
+static enum layer layer_of(uint8_t part, float toward)
+{
+    switch (part) {
+    case PART_BODY:
+        return LAYER_BODY;
+    case PART_EYE:
+        return LAYER_EYES;
+    case PART_PECTORAL:
+    case PART_PELVIC:
+        return toward < 0.0f ? LAYER_FAR_FINS : LAYER_NEAR_FINS;
+    default:
+        return LAYER_MEDIAN_FINS;
+    }
+}
+
+/* Returns whether the view hides a layer. Eyes behind the body are hidden. In the side view these
+ * are the eyes beyond the middle plane. The front view also hides the median fins, which are seen
+ * edge-on there. */
+static bool is_hidden(const struct morph_outline *outline, enum layer layer, float toward)
+{
+    if (outline->view == MORPH_OUTLINE_FRONT) {
+        return layer == LAYER_MEDIAN_FINS;
+    }
+    return layer == LAYER_EYES && outline->view == MORPH_OUTLINE_SIDE && toward < 0.0f;
+}
+
+/* Returns whether the triangle at `corner` belongs to the layer and faces the viewer. */
+static bool is_seen(const struct morph_outline *outline, const vec3 *positions,
+                    const uint16_t *corner, enum layer layer)
+{
+    const struct species_mesh *mesh = &outline->species->lod[0];
+    const vec3 a = seen(outline->view, positions[corner[0]]);
+    const vec3 b = seen(outline->view, positions[corner[1]]);
+    const vec3 c = seen(outline->view, positions[corner[2]]);
+    const float toward = a.z + b.z + c.z;
+    const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return area > 0.0f && layer_of(mesh->vertices[corner[0]].part, toward) == layer &&
+           !is_hidden(outline, layer, toward);
+}
+
+static void put_point(struct svg *svg, const struct morph_outline *outline, char verb, vec3 p)
+{
+    double x, y;
+    morph_outline_project(outline, p, &x, &y);
+    svg_put(svg, "%c%.1f %.1f", verb, x, y);
+}
+
+static void draw_layer(struct svg *svg, const struct morph_outline *outline, const vec3 *positions,
+                       enum layer layer)
+{
+    const struct species_mesh *mesh = &outline->species->lod[0];
+    const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
+    const bool dark = layer == LAYER_EYES && outline->opacity > 0.5;
+    svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"", dark ? SVG_INK : outline->colour,
+            outline->opacity * (fins ? 0.55 : 1.0));
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+        if (is_seen(outline, positions, &mesh->indices[i], layer)) {
+            for (uint32_t j = 0; j < 3; j++) {
+                put_point(svg, outline, j == 0 ? 'M' : 'L', positions[mesh->indices[i + j]]);
+            }
+            svg_put(svg, "Z");
+        }
+    }
+    svg_put(svg, "\"/>\n");
+}
+
+/* Joins vertices at the same place for the contour, so that the body's texture seam is not an edge
+ * of the contour. */
+static void join(const struct species_mesh *mesh, const vec3 *positions,
+                 uint16_t joined[MESH_VERTEX_MAX])
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        uint32_t first = 0;
+        while (v3_length(v3_sub(positions[first], positions[i])) > JOIN_LENGTHS) {
+            first++;
+        }
+        joined[i] = (uint16_t)first;
+    }
+}
+
+/* Draws each edge that belongs to a visible triangle and to no other visible triangle on its other
+ * side. */
+static void draw_contour(struct svg *svg, const struct morph_outline *outline,
+                         const vec3 *positions, const uint16_t *joined, enum layer layer)
+{
+    /* True if a visible triangle has the edge. The first index is the start vertex and the second
+     * index the end vertex. */
+    static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX];
+    const struct species_mesh *mesh = &outline->species->lod[0];
+    const uint16_t *at = mesh->indices;
+    memset(has, 0, sizeof has);
+    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+        for (uint32_t j = 0; is_seen(outline, positions, &at[i], layer) && j < 3; j++) {
+            has[joined[at[i + j]]][joined[at[i + (j + 1) % 3]]] = 1;
+        }
+    }
+    svg_put(svg,
+            "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" "
+            "stroke-opacity=\"0.7\" stroke-linecap=\"round\" d=\"",
+            outline->colour, outline->line_px);
+    for (uint32_t from = 0; from < mesh->vertex_count; from++) {
+        for (uint32_t to = 0; to < mesh->vertex_count; to++) {
+            if (has[from][to] && !has[to][from]) {
+                put_point(svg, outline, 'M', positions[from]);
+                put_point(svg, outline, 'L', positions[to]);
+            }
+        }
+    }
+    svg_put(svg, "\"/>\n");
+}
+
+static void blend(const struct morph_outline *outline, vec3 positions[MESH_VERTEX_MAX])
+{
+    static struct morph_pose pose;
+    const struct species *species = outline->species;
+    morph_pose(outline->rig, &species->lod[0], outline->progress, &pose);
+    morph_shape(&species->lod[0], species->card.key_count, &pose, positions, NULL);
+}
+
+void morph_outline_measure(const struct morph_outline *outline, double low[2], double high[2])
+{
+    static vec3 positions[MESH_VERTEX_MAX];
+    blend(outline, positions);
+    for (uint32_t i = 0; i < outline->species->lod[0].vertex_count; i++) {
+        double at[2];
+        morph_outline_project(outline, positions[i], &at[0], &at[1]);
+        for (int axis = 0; axis < 2; axis++) {
+            low[axis] = fmin(low[axis], at[axis]);
+            high[axis] = fmax(high[axis], at[axis]);
+        }
+    }
+}
+
+void morph_outline_draw(struct svg *svg, const struct morph_outline *outline)
+{
+    static vec3 positions[MESH_VERTEX_MAX];
+    static uint16_t joined[MESH_VERTEX_MAX];
+    blend(outline, positions);
+    join(&outline->species->lod[0], positions, joined);
+    for (enum layer layer = LAYER_FAR_FINS; layer < LAYERS; layer++) {
+        draw_layer(svg, outline, positions, layer);
+        if (outline->line_px > 0.0) {
+            draw_contour(svg, outline, positions, joined, layer);
+        }
+    }
+}

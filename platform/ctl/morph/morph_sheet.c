@@ -1,0 +1,214 @@
+/* morph_sheet.c -- lays out portraits on a page. Single frames are in morph_frames.c. */
+#include "platform/ctl/morph/morph_sheet.h"
+
+#include <stdio.h>
+
+#include "platform/ctl/lib/caption.h"
+#include "platform/ctl/morph/morph_sheet_internal.h"
+
+#define PAGE_WIDTH 2400.0f
+#define MARGIN 48.0f
+#define HEAD_HEIGHT 132.0f
+#define CELL_FILL 0.86f      /* Share of a cell's width that the longest fish fills. */
+#define GAP 14.0f            /* Space above and below a fish, pixels. */
+/* Maximum number of keys in a row. More keys use more rows, so that each key stays large enough to
+ * examine. */
+#define KEY_COLUMNS_MAX 4u
+#define KEY_WORDS_PX 24.0f
+#define BETWEEN_WORDS_PX 15.0f
+
+#define PAPER 0xf2f1ecu
+
+/* The layout that all cells of one width share. */
+struct layout {
+    uint32_t columns;
+    float cell_width, scale_px, words_px;
+    float band_height[VIEW_COUNT], water_height, height;
+};
+
+struct page {
+    const struct morph_options *pick;
+    struct canvas canvas;
+    struct fish_preview_bounds bounds[VIEW_COUNT]; /* Bounds over all stages, for each view. */
+    struct layout keys, betweens;
+    bool failed;
+};
+
+/* Static because the object is too large for a stack. Only one portrait exists at a time. */
+static struct fish_preview portrait;
+
+/* ---- The page -------------------------------------------------------------------------------- */
+
+static struct layout plan(const struct page *page, uint32_t columns, float words_px)
+{
+    struct layout layout = { .columns = columns,
+                             .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
+                             .words_px = words_px };
+    /* Greatest extent of all views. The vertical extent counts too, because a maker's fish may be
+     * higher than it is long. */
+    float most = 0.0f;
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        const struct fish_preview_bounds *b = &page->bounds[view];
+        most = f_max(most, f_max(b->right - b->left, b->high - b->low));
+    }
+    layout.scale_px = layout.cell_width * CELL_FILL / most;
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        layout.band_height[view] =
+            (page->bounds[view].high - page->bounds[view].low) * layout.scale_px + 2.0f * GAP;
+        layout.water_height += layout.band_height[view];
+    }
+    layout.height = layout.water_height + 6.2f * words_px + GAP;
+    return layout;
+}
+
+/* The fraction of a pixel is passed to the raster, because the corner of a raster is a whole
+ * pixel. */
+static void draw_view(struct page *page, enum fish_preview_view view, struct canvas_box box,
+                      float scale_px)
+{
+    const struct fish_preview_bounds *b = &page->bounds[view];
+    struct raster raster;
+    if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
+        page->failed = true;
+    } else {
+        fish_preview_draw(&portrait, view, morph_sheet_middle(b->left, b->right),
+                          morph_sheet_middle(b->low, b->high), scale_px, &raster);
+        page->failed |=
+            !raster_finish(&raster, &page->canvas, (uint32_t)box.left, (uint32_t)box.top);
+    }
+    raster_close(&raster);
+}
+
+static void draw_words(struct page *page, const struct layout *layout, float x, float y,
+                       const char *title, float progress)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    const float length_m = life_length_m(card, progress), size = layout->words_px;
+    char name[CAPTION_WORDS_SIZE], age[CAPTION_WORDS_SIZE], length[CAPTION_WORDS_SIZE];
+    char words[2 * CAPTION_WORDS_SIZE + 8];
+    float weights[MORPH_KEY_MAX];
+    graph_weights(&page->pick->rig.curves[0], card->key_count, progress, weights);
+    caption_weights(&page->canvas,
+                    (struct canvas_box){ x - 0.43f * layout->cell_width, y + 0.5f * size,
+                                         0.86f * layout->cell_width, 0.3f * size },
+                    card->key_count, weights);
+    caption_bar(&page->canvas, x, y + 1.6f * size, 0.4f * layout->cell_width,
+                layout->scale_px / length_m, size);
+    caption_age(age, life_age_days(card, progress));
+    caption_length(length, length_m);
+    caption_name(name, title);
+    snprintf(words, sizeof words, "%s%s%s", name, title[0] ? ": " : "", age);
+    canvas_words(&page->canvas, x, y + 4.3f * size, size, ALIGN_CENTRE, CAPTION_INK, words);
+    snprintf(words, sizeof words, "%s %s", caption_measure(card), length);
+    canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, CAPTION_SOFT_INK, words);
+}
+
+/* Draws one stage: the views in the water and the texts below them. */
+static void draw_stage(struct page *page, const struct layout *layout, uint32_t column, float top,
+                       const char *title, float progress)
+{
+    const float left = MARGIN + (float)column * layout->cell_width;
+    float y = top;
+    fish_preview_pose(&portrait, page->pick->fish, &page->pick->rig, progress);
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        draw_view(page, (enum fish_preview_view)view,
+                  (struct canvas_box){ left, y, layout->cell_width, layout->band_height[view] },
+                  layout->scale_px);
+        y += layout->band_height[view];
+    }
+    draw_words(page, layout, left + 0.5f * layout->cell_width, top + layout->water_height, title,
+               progress);
+}
+
+static void draw_water(struct page *page, const struct layout *layout, float top, uint32_t columns)
+{
+    const struct canvas_box water = { MARGIN, top, (float)columns * layout->cell_width,
+                                      layout->water_height };
+    canvas_fill(&page->canvas, water, MORPH_SHEET_WATER_ABOVE, MORPH_SHEET_WATER_BELOW);
+}
+
+static void draw_head(struct page *page)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    char from[CAPTION_WORDS_SIZE], to[CAPTION_WORDS_SIZE], words[256];
+    caption_name(words, card->id);
+    canvas_words(&page->canvas, MARGIN, 70.0f, 54.0f, ALIGN_LEFT, CAPTION_INK, words);
+    caption_length(from, card->key_length_m[0]);
+    caption_length(to, card->key_length_m[card->key_count - 1u]);
+    snprintf(words, sizeof words, "%u keys, %s %s to %s, curves: %s%s", card->key_count,
+             caption_measure(card), from, to, morph_template_name(page->pick->template_id),
+             page->pick->thesis ? ", the 2005 thesis' own method" : "");
+    canvas_words(&page->canvas, MARGIN, 108.0f, 24.0f, ALIGN_LEFT, CAPTION_SOFT_INK, words);
+    canvas_words(&page->canvas, PAGE_WIDTH - MARGIN, 108.0f, 20.0f, ALIGN_RIGHT, CAPTION_SOFT_INK,
+                 "from its left, from above, aslant");
+}
+
+static void draw_keys(struct page *page, float top)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    for (uint32_t i = 0; i < card->key_count; i++) {
+        const float down = (float)(i / page->keys.columns) * page->keys.height;
+        const uint32_t left = card->key_count - i;
+        if (i % page->keys.columns == 0) {
+            draw_water(page, &page->keys, top + down,
+                       left < page->keys.columns ? left : page->keys.columns);
+        }
+        draw_stage(page, &page->keys, i % page->keys.columns, top + down, card->key_names[i],
+                   (float)i / (float)(card->key_count - 1u));
+    }
+}
+
+static void draw_betweens(struct page *page, uint32_t from, float top)
+{
+    const struct species_card *card = &page->pick->fish->card;
+    const float steps = (float)(MORPH_SHEET_BETWEEN + 1u);
+    char first[CAPTION_WORDS_SIZE], second[CAPTION_WORDS_SIZE], words[2 * CAPTION_WORDS_SIZE + 8];
+    caption_name(first, card->key_names[from]);
+    caption_name(second, card->key_names[from + 1u]);
+    snprintf(words, sizeof words, "%s to %s", first, second);
+    canvas_words(&page->canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, CAPTION_INK, words);
+    draw_water(page, &page->betweens, top, MORPH_SHEET_BETWEEN);
+    for (uint32_t i = 0; i < MORPH_SHEET_BETWEEN; i++) {
+        const float at = (float)from + (float)(i + 1u) / steps;
+        draw_stage(page, &page->betweens, i, top, "", at / (float)(card->key_count - 1u));
+    }
+}
+
+static uint32_t key_rows(const struct morph_options *pick)
+{
+    return (pick->fish->card.key_count + KEY_COLUMNS_MAX - 1u) / KEY_COLUMNS_MAX;
+}
+
+static void draw_page(struct page *page)
+{
+    const struct canvas_box paper = { 0.0f, 0.0f, (float)page->canvas.width,
+                                      (float)page->canvas.height };
+    float top = HEAD_HEIGHT;
+    canvas_fill(&page->canvas, paper, PAPER, PAPER);
+    draw_head(page);
+    draw_keys(page, top);
+    top += (float)key_rows(page->pick) * page->keys.height + MARGIN;
+    for (uint32_t i = 0; i + 1u < page->pick->fish->card.key_count; i++) {
+        draw_betweens(page, i, top);
+        top += page->betweens.height + MARGIN;
+    }
+}
+
+enum exit_code morph_sheet_write(const struct morph_options *pick, const char *path)
+{
+    struct page page = { .pick = pick };
+    const uint32_t strips = pick->fish->card.key_count - 1u, rows = key_rows(pick);
+    morph_sheet_measure(&portrait, pick, page.bounds);
+    page.keys = plan(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
+    page.betweens = plan(&page, MORPH_SHEET_BETWEEN, BETWEEN_WORDS_PX);
+    const float height = HEAD_HEIGHT + (float)rows * page.keys.height +
+                         (float)strips * (page.betweens.height + MARGIN) + MARGIN;
+    if (!canvas_open(&page.canvas, (uint32_t)PAGE_WIDTH, (uint32_t)height)) {
+        return morph_sheet_no_memory();
+    }
+    draw_page(&page);
+    const enum exit_code code =
+        page.failed ? morph_sheet_no_memory() : morph_sheet_write_picture(&page.canvas, path);
+    canvas_close(&page.canvas);
+    return code;
+}

@@ -1,0 +1,137 @@
+/* audits.c -- the command `kingyoctl audits`.
+ *
+ * Prints the operator's audit counters as a table or as JSON. */
+#include <stdio.h>
+
+#include "core/game/rules.h"
+#include "platform/ctl/operator/books.h"
+
+static const char name[] = "audits";
+#define HOURS 24u
+#define DAYS 7u
+
+/* ---- Output as a table ----------------------------------------------------------------------- */
+
+static void print_named(const struct audits *audits, uint32_t begin, uint32_t end)
+{
+    char key[AUDIT_NAME_SIZE];
+    for (uint32_t id = begin; id < end; id++) {
+        audits_name(id, key);
+        printf("  %-20s %10u\n", key, audits->count[id]);
+    }
+}
+
+/* Prints the mean `sum` / `count`, or "-" if `count` is 0. */
+static void print_mean(const char *what, uint32_t sum, uint32_t count, const char *unit)
+{
+    if (count == 0) {
+        printf("  %-20s %10s\n", what, "-");
+    } else {
+        printf("  %-20s %10.1f %s\n", what, (double)sum / count, unit);
+    }
+}
+
+static void print_means(const struct audits *audits)
+{
+    const uint32_t *count = audits->count;
+    uint32_t plays = 0;
+    for (uint32_t i = 0; i < MODE_COUNT * AUDIT_GRADES; i++) {
+        plays += count[AUDIT_PLAYS + i];
+    }
+    print_mean("fish a player", count[AUDIT_CAUGHT], count[AUDIT_PLAYERS], "");
+    print_mean("time a round", count[AUDIT_PLAY_S], plays, "s");
+    print_mean("a paper's life", count[AUDIT_PAPER_LIFE_S], count[AUDIT_PAPERS_TORN], "s");
+}
+
+static void print_plays(const struct audits *audits)
+{
+    printf("\nrounds by paper");
+    for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
+        printf("%s No. %u", grade == 0 ? "        " : "    ", grade + SHEET_GRADE_MIN);
+    }
+    putchar('\n');
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        printf("  %-17s", rules_of((uint8_t)mode)->name);
+        for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
+            printf(" %9u", audits->count[AUDIT_PLAYS + mode * AUDIT_GRADES + grade]);
+        }
+        putchar('\n');
+    }
+}
+
+static void print_times(const struct audits *audits)
+{
+    static const char *const days[DAYS] = { "Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun" };
+    puts("\nrounds by hour");
+    for (uint32_t hour = 0; hour < HOURS; hour++) {
+        printf("%s%02u:%6u%s", hour % 6u == 0 ? "  " : "   ", hour,
+               audits->count[AUDIT_HOUR + hour], hour % 6u == 5u ? "\n" : "");
+    }
+    puts("\nrounds by weekday");
+    for (uint32_t day = 0; day < DAYS; day++) {
+        printf("%s%s%6u", day == 0 ? "  " : "  ", days[day], audits->count[AUDIT_WEEKDAY + day]);
+    }
+    putchar('\n');
+}
+
+static void audits_print_text(const struct persistent_state *memory)
+{
+    const struct audits *audits = &memory->audits;
+    printf("%u entries, start %u; in the machine: paid credits %u, service credits %u,"
+           " units %u, tickets owed %u\n",
+           memory->ledger.last_id, memory->ledger.boots, memory->ledger.balance.paid,
+           memory->ledger.balance.service, memory->ledger.balance.units,
+           memory->ledger.balance.tickets);
+    puts("\nmoney");
+    print_named(audits, 0, AUDIT_PLAYS_PAID);
+    print_named(audits, AUDIT_TICKETS_OUT, AUDIT_TICKETS_OUT + 1u);
+    puts("\nplay");
+    print_named(audits, AUDIT_PLAYS_PAID, AUDIT_PLAYS);
+    print_means(audits);
+    print_plays(audits);
+    print_times(audits);
+    puts("\nmachine");
+    print_named(audits, AUDIT_BOOTS, AUDIT_TICKETS_OUT);
+}
+
+/* ---- Output as JSON -------------------------------------------------------------------------- */
+
+static void print_json(const struct persistent_state *memory)
+{
+    const struct ledger_start *ledger = &memory->ledger;
+    char key[AUDIT_NAME_SIZE];
+    printf("{\"entries\": %u, \"start\": %u, \"paid\": %u, \"service\": %u, \"units\": %u,"
+           " \"tickets_owed\": %u,\n"
+           " \"audits\": {",
+           ledger->last_id, ledger->boots, ledger->balance.paid, ledger->balance.service,
+           ledger->balance.units, ledger->balance.tickets);
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        audits_name(id, key);
+        printf("%s\n  \"%s\": %u", id == 0 ? "" : ",", key, memory->audits.count[id]);
+    }
+    puts("\n }}");
+}
+
+static enum exit_code audits_run(int argc, const char *const *argv)
+{
+    struct books_words words = { 0 };
+    struct ledger_file file;
+    for (int i = 0; i < argc; i++) {
+        if (!books_take(&words, argc, argv, &i)) {
+            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
+        }
+    }
+    const enum exit_code code = books_open(name, &words, &file);
+    if (code == EXIT_OK) {
+        (words.as_json ? print_json : audits_print_text)(&file.content.memory);
+        ledger_file_close(&file);
+    }
+    return code;
+}
+
+const struct ctl_command ctl_audits = {
+    .name = name,
+    .summary = "the operator's books: what was earned, played and broken",
+    .usage = "  kingyoctl audits [--data DIR] [--json]\n\n" BOOKS_USAGE,
+    .run = audits_run,
+};

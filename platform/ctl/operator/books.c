@@ -1,0 +1,135 @@
+/* books.c -- finds the ledger database and opens it for commands that only read. */
+#include "platform/ctl/operator/books.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <sqlite3.h>
+
+#include "platform/os/print.h"
+#include "platform/store/sqlite/sql.h"
+#include "platform/store/storage.h"
+
+static const char service_folder[] = "/var/lib/kingyo";
+
+int books_take(struct books_words *words, int argc, const char *const *argv, int *at)
+{
+    if (strcmp(argv[*at], "--json") == 0) {
+        words->as_json = 1;
+        return 1;
+    }
+    if (strcmp(argv[*at], "--data") == 0 && *at + 1 < argc) {
+        words->data = argv[++*at];
+        return 1;
+    }
+    return 0;
+}
+
+/* Returns 0 if `path` exists, or errno. EACCES is common because most users may not enter the
+ * folder of the system service. */
+static int look_for(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) ? errno : 0;
+}
+
+void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
+{
+    char own[DIRECTORY_PATH_MAX];
+    const char *folder = words->data ? words->data : service_folder;
+    snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, folder);
+    directory_default_data(own);
+    if (!words->data && look_for(path) == ENOENT && own[0]) {
+        snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, own);
+    }
+}
+
+int books_is_same(const char *one, const char *other)
+{
+    struct stat a, b;
+    return stat(one, &a) == 0 && stat(other, &b) == 0 && a.st_dev == b.st_dev &&
+           a.st_ino == b.st_ino;
+}
+
+/* Distinguishes a database of Kingyo's first version from the database of another program. A low
+ * version number is not enough because any program may write one. The first version is recognized
+ * by two columns of its table `rounds`.
+ *
+ * Returns SQLITE_OK for such a database, SQLITE_NOTFOUND for any other database, or an SQLite error
+ * code. */
+static int look_at_old(const char *path)
+{
+    static const char ours[] =
+        "SELECT count(*) = 2 FROM pragma_table_info('rounds') WHERE name IN ('number', 'id')";
+    sqlite3 *db = NULL;
+    int64_t is_ours = 0;
+    int code = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db);
+    code = code == SQLITE_OK ? sql_number(db, ours, &is_ours) : code;
+    sqlite3_close(db);
+    return code == SQLITE_OK && !is_ours ? SQLITE_NOTFOUND : code;
+}
+
+int books_check_copy(const char *path, struct ledger_start *out)
+{
+    struct ledger_file file;
+    *out = (struct ledger_start){ 0 };
+    const int code = ledger_file_inspect(&file, path);
+    if (code == SQLITE_OK) {
+        *out = file.content.memory.ledger;
+        ledger_file_close(&file);
+    }
+    return code == SQLITE_SCHEMA ? look_at_old(path) : code;
+}
+
+int books_tell_foreign(const char *command, const char *path, const char *advice)
+{
+    struct ledger_foreign foreign;
+    sqlite3 *db = NULL;
+    const int has_foreign = sql_open(path, SQLITE_OPEN_READONLY, NULL, &db) == SQLITE_OK &&
+                            ledger_schema_foreign(db, &foreign);
+    sqlite3_close(db);
+    if (has_foreign) {
+        print_error("kingyoctl %s: %s: holds the %s '%s', %s; %s", command, path, foreign.type,
+                    foreign.name,
+                    foreign.is_changed ? "whose definition is not Kingyo's"
+                                       : "which is not Kingyo's",
+                    advice);
+    }
+    return has_foreign;
+}
+
+static enum exit_code books_print_error(const char *command, const char *path, int code)
+{
+    if (code == SQLITE_CORRUPT &&
+        books_tell_foreign(command, path, "the stall replaces the file when it starts")) {
+        return EXIT_BAD_DATA;
+    }
+    const char *why = code == SQLITE_SCHEMA    ? "an earlier Kingyo wrote it: start the stall once"
+                      : code == SQLITE_NOTADB  ? "is no database"
+                      : code == SQLITE_CORRUPT ? "is damaged: the stall replaces it when it starts"
+                                               : ledger_file_error(code);
+    print_error("kingyoctl %s: %s: %s", command, path, why);
+    return code == SQLITE_SCHEMA || code == SQLITE_NOTADB || code == SQLITE_CORRUPT ||
+                   code == LEDGER_FILE_NEWER
+               ? EXIT_BAD_DATA
+               : EXIT_IO;
+}
+
+enum exit_code books_open(const char *command, const struct books_words *words,
+                          struct ledger_file *out)
+{
+    char path[BOOKS_PATH_SIZE];
+    books_path(words, path);
+    const int error = look_for(path);
+    if (error) {
+        print_error("kingyoctl %s: %s: %s", command, path,
+                    error == ENOENT   ? "is not there; --data says where else"
+                    : error == EACCES ? "you may not look there: ask with sudo"
+                                      : strerror(error));
+        return EXIT_IO;
+    }
+    const int code = ledger_file_inspect(out, path);
+    return code == SQLITE_OK ? EXIT_OK : books_print_error(command, path, code);
+}

@@ -1,0 +1,68 @@
+/* config.c -- the command `kingyoctl config`.
+ *
+ * Validates kingyo.conf with the kiosk's parser, or prints a template of the file. */
+#include "platform/config/config_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/ctl/lib/ctl.h"
+#include "platform/os/print.h"
+#include "platform/os/regular_file.h"
+
+static const char name[] = "config";
+static uint32_t warning_count;
+
+static void config_warn(const char *line)
+{
+    print_error("%s", line); /* The line has the form FILE:LINE: MESSAGE, which editors and
+                                compilers use. */
+    warning_count++;
+}
+
+static enum exit_code config_check_file(const char *path)
+{
+    static struct options options; /* Static because its paths and GPIO wiring are too large for the
+                                      stack. */
+    options = (struct options){ 0 };
+    warning_count = 0;
+    const int failed = config_file_read(&options, path, config_warn);
+    if (failed) {
+        print_error("kingyoctl config: %s: %s", path, regular_file_error(-failed));
+        return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
+    }
+    if (warning_count > 0) {
+        return EXIT_NOT_SO;
+    }
+    print_line(stdout, "%s: every line is used", path);
+    return EXIT_OK;
+}
+
+static enum exit_code print_defaults(void)
+{
+    config_file_print_defaults(stdout);
+    return EXIT_OK;
+}
+
+static enum exit_code config_run(int argc, const char *const *argv)
+{
+    if (argc >= 1 && argc <= 2 && strcmp(argv[0], "check") == 0) {
+        return config_check_file(argc == 2 ? argv[1] : CONFIG_FILE_DEFAULT);
+    }
+    if (argc == 1 && strcmp(argv[0], "defaults") == 0) {
+        return print_defaults();
+    }
+    return ctl_usage(name, "check [FILE] or defaults is wanted; --help says more");
+}
+
+const struct ctl_command ctl_config = {
+    .name = name,
+    .summary = "the configuration file: what is wrong with it, and one to begin with",
+    .usage = "  kingyoctl config check [FILE]   reads FILE (" CONFIG_FILE_DEFAULT ") as the stall\n"
+             "                                  does; a line FILE:LINE: what for each that it\n"
+             "                                  passes over, with the range; exit code 1 then\n"
+             "  kingyoctl config defaults       every key with what it is for, its range and its\n"
+             "                                  standard, all in comments\n",
+    .run = config_run,
+};

@@ -1,0 +1,229 @@
+/* restore.c -- `kingyoctl backup --restore`, which replaces the kiosk's database with a copy.
+ *
+ * The copy is written under the name from which the kiosk resumes automatically if its database is
+ * missing (storage_open.c). A power cut therefore leaves either the old state or a kiosk that
+ * starts from the copy. The kiosk's backup is renamed too. It contains more entries than an older
+ * copy, so the kiosk would treat the copy as a database that lost entries. */
+#include "platform/ctl/operator/restore.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "platform/os/directory.h"
+#include "platform/os/json_char.h"
+#include "platform/os/print.h"
+#include "platform/os/regular_file.h"
+#include "platform/store/sqlite/ledger_backup.h"
+#include "platform/store/sqlite/sql.h"
+#include "platform/store/storage.h"
+
+/* Maximum length in bytes of the database's path, the same as at the program start of the kiosk. */
+#define PATH_MAX_BYTES 520u
+#define BEFORE_MAX 1000u /* Maximum number of earlier databases beside the present one. */
+
+static const char command[] = "backup --restore";
+
+/* State of a restore. */
+struct swap {
+    char own[BOOKS_PATH_SIZE]; /* Path of the kiosk's database. */
+    char fresh[LEDGER_PATH_SIZE]; /* Path of the copy that replaces the database. */
+    char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
+    /* Start record of the copy, or zeros if an older version of Kingyo wrote the copy. */
+    struct ledger_start copied;
+};
+
+static enum exit_code fails(const char *path, const char *why)
+{
+    print_error("kingyoctl %s: %s: %s", command, path, why);
+    return EXIT_IO;
+}
+
+static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffix)
+{
+    snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
+}
+
+/* Returns whether a process has the database open. SQLite locks parts of the file or of its shared
+ * memory for as long as the database is open. */
+static int is_locked(const char *path)
+{
+    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+    const int handle = regular_file_handle(path, O_RDONLY, 0);
+    const int is_held = handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    if (handle >= 0) {
+        close(handle);
+    }
+    return is_held;
+}
+
+/* Returns whether a kiosk runs with this folder. A kiosk always locks its folder, even while its
+ * database is closed. */
+static int has_stall(const struct swap *swap)
+{
+    char folder[BOOKS_PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s", swap->own);
+    *strrchr(folder, '/') = '\0';
+    const int handle = directory_lock(folder[0] ? folder : "/");
+    if (handle >= 0) {
+        close(handle);
+    }
+    return handle == -EWOULDBLOCK;
+}
+
+static int is_held(const struct swap *swap)
+{
+    char shared[LEDGER_PATH_SIZE];
+    join(shared, swap->own, "-shm");
+    return has_stall(swap) || is_locked(swap->own) || is_locked(shared);
+}
+
+/* ---- The copy -------------------------------------------------------------------------------- */
+
+/* Gives the copy to the kiosk's user, who must be able to write it. The new owner is the owner of
+ * the present database, or of the folder if there is no database. */
+static int give_to_its_user(const struct swap *swap)
+{
+    struct stat about;
+    char folder[BOOKS_PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s", swap->own);
+    *strrchr(folder, '/') = '\0';
+    const int has_file = stat(swap->own, &about) == 0;
+    if (!has_file && stat(folder, &about) != 0) {
+        return -1;
+    }
+    const mode_t mode = has_file ? about.st_mode & 0660 : S_IRUSR | S_IWUSR;
+    return chown(swap->fresh, about.st_uid, about.st_gid) == 0 ? chmod(swap->fresh, mode) : -1;
+}
+
+static enum exit_code refuse_copy(const char *from, int code)
+{
+    if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
+        fails(from,
+              code == SQLITE_NOTFOUND ? "is no copy of a stall's file" : ledger_file_error(code));
+    }
+    return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
+}
+
+static enum exit_code make_copy(struct swap *swap, const char *from)
+{
+    struct ledger_file file = { .refusal = SQLITE_READONLY };
+    struct stat about;
+    if (stat(from, &about) != 0) {
+        return fails(from, strerror(errno));
+    }
+    if (!S_ISREG(about.st_mode)) {
+        return fails(from, "is no file");
+    }
+    int code = books_check_copy(from, &swap->copied);
+    code = code == SQLITE_OK ? sql_open(from, SQLITE_OPEN_READONLY, NULL, &file.db) : code;
+    code = code == SQLITE_OK ? ledger_check(file.db) : code;
+    if (code != SQLITE_OK) {
+        ledger_file_close(&file);
+        return refuse_copy(from, code);
+    }
+    code = ledger_backup_make(&file, swap->fresh, false);
+    ledger_file_close(&file);
+    if (code != SQLITE_OK || give_to_its_user(swap) != 0) {
+        fails(swap->fresh, code != SQLITE_OK ? ledger_file_error(code) : strerror(errno));
+        unlink(swap->fresh);
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+/* ---- Replacing the database ----------------------------------------------------------------- */
+
+static int name_before(struct swap *swap)
+{
+    char suffix[40], backup[LEDGER_PATH_SIZE];
+    for (unsigned number = 1; number <= BEFORE_MAX; number++) {
+        snprintf(suffix, sizeof suffix, STORAGE_REPLACED_SUFFIX "%u", number);
+        join(swap->before, swap->own, suffix);
+        join(backup, swap->before, STORAGE_BACKUP_SUFFIX);
+        if (access(swap->before, F_OK) != 0 && access(backup, F_OK) != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Renames one file. Returns 0 if the file was renamed or does not exist. */
+static int move_one(const struct swap *swap, const char *suffix)
+{
+    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
+    join(from, swap->own, suffix);
+    join(to, swap->before, suffix);
+    return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
+}
+
+/* Replaces the database. The backup and the ledger mirror are renamed first, because the kiosk uses
+ * the present database until the next rename. */
+static int put_in_place(const struct swap *swap)
+{
+    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_MIRROR_SUFFIX) != 0 ||
+        ledger_sync_folder(swap->own) != 0 || move_one(swap, "") != 0 ||
+        ledger_sync_folder(swap->own) != 0) {
+        return -1;
+    }
+    return move_one(swap, "-wal") == 0 && move_one(swap, "-journal") == 0 &&
+                   move_one(swap, "-shm") == 0 && rename(swap->fresh, swap->own) == 0
+               ? ledger_sync_folder(swap->own)
+               : -1;
+}
+
+static void restore_print_result(const struct swap *swap, const struct books_words *words,
+                                 const char *from)
+{
+    const int has_before = access(swap->before, F_OK) == 0;
+    if (words->as_json) {
+        fputs("{\"file\": ", stdout);
+        json_print(from);
+        fputs(", \"before\": ", stdout);
+        json_print(has_before ? swap->before : "");
+        printf(", \"entries\": %u, \"start\": %u}\n", swap->copied.last_id, swap->copied.boots);
+        return;
+    }
+    print_line(stdout, "%s: is %s now, %u entries", from, swap->own, swap->copied.last_id);
+    if (has_before) {
+        print_line(stdout, "what was there: %s", swap->before);
+    }
+}
+
+enum exit_code restore_backup(const struct books_words *words, const char *named)
+{
+    struct swap swap = { 0 };
+    char resolved[PATH_MAX]; /* Follows a link that the user named. */
+    const char *from = regular_file_is_other(named) && realpath(named, resolved) ? resolved : named;
+    books_path(words, swap.own);
+    if (strlen(swap.own) > PATH_MAX_BYTES) {
+        return ctl_usage("backup", "the name is too long");
+    }
+    if (books_is_same(from, swap.own)) {
+        return ctl_usage("backup", "%.200s: is the stall's own file", from);
+    }
+    join(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
+    if (is_held(&swap)) {
+        return fails(swap.own, "the stall runs, or another program reads it: stop it first");
+    }
+    const enum exit_code code = make_copy(&swap, from);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (is_held(&swap) || !name_before(&swap)) {
+        unlink(swap.fresh);
+        return fails(swap.own, "the stall was started, or too many files lie beside it");
+    }
+    if (put_in_place(&swap) != 0) {
+        return fails(swap.own, strerror(errno));
+    }
+    restore_print_result(&swap, words, named);
+    return EXIT_OK;
+}

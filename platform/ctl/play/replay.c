@@ -1,0 +1,250 @@
+/* replay.c -- `kingyoctl replay`, which prints the content of a recording and verifies it. */
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "core/core.h"
+#include "platform/cpu.h"
+#include "platform/ctl/lib/ctl.h"
+#include "platform/kiosk/replayer.h"
+#include "platform/os/panic_text.h"
+#include "platform/os/print.h"
+#include "platform/panic.h"
+
+static const char name[] = "replay";
+static const char speaker[] = "kingyoctl replay";
+
+/* Scans a recording like replay_scan(), except that the recording of a panic may end with an input
+ * that violates the core's contract. */
+static int scan(struct replay_reader *reader, const char *path, struct replay_totals *totals)
+{
+    if (replay_open(reader, path)) {
+        return -1;
+    }
+    reader->as_is = 1;
+    return replay_scan_on(reader, totals);
+}
+
+/* ---- info ----------------------------------------------------------------------------------- */
+
+static uint32_t count_bits(uint32_t bits)
+{
+    uint32_t count = 0;
+    for (; bits; bits &= bits - 1u) {
+        count++;
+    }
+    return count;
+}
+
+/* Prints each mode that was played, with the grade of its paper. */
+static void print_modes(const struct core_config *config, uint32_t modes, int as_json)
+{
+    uint32_t count = 0;
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        if (modes >> mode & 1u) {
+            printf(as_json ? "%s{\"mode\": \"%s\", \"grade\": %u}" : "%s%s with No. %u paper",
+                   count++ ? ", " : "", rules_of(mode)->name, table_setup_grade(config, mode));
+        }
+    }
+}
+
+static void info_json(const struct replay_header *header, const struct replay_totals *totals)
+{
+    const struct core_config *config = &header->config;
+    printf("{\"format\": %u, \"program\": \"%s\", \"seed\": %u, \"fish\": %u, \"round_s\": %u, "
+           "\"ticks\": %u, \"seconds\": %.3f, \"modes\": [",
+           header->version, header->program, config->seed, config->fish_count, config->round_s,
+           totals->ticks, (double)totals->ticks / CORE_TICK_HZ);
+    print_modes(config, totals->modes, 1);
+    printf("], \"players\": %u, \"rounds\": %u, \"caught\": %u, \"fouls\": %u, "
+           "\"hash\": \"%016llx\"}\n",
+           count_bits(totals->players), totals->rounds, totals->caught, totals->fouls,
+           (unsigned long long)totals->hash);
+}
+
+static void info_text(const struct replay_header *header, const struct replay_totals *totals)
+{
+    printf("recorded by  Kingyo %s, format %u\nseed         %u\nlength       %.1f s, %u ticks\n"
+           "played       ",
+           header->program, header->version, header->config.seed,
+           (double)totals->ticks / CORE_TICK_HZ, totals->ticks);
+    print_modes(&header->config, totals->modes, 0);
+    printf("%s\nplayers      %u\nrounds       %u\ncaught       %u\nfouls        %u\n"
+           "state hash   %016llx\n",
+           totals->modes ? "" : "nothing", count_bits(totals->players), totals->rounds,
+           totals->caught, totals->fouls, (unsigned long long)totals->hash);
+}
+
+static enum exit_code info(const char *path, int as_json)
+{
+    static struct replay_reader reader;
+    struct replay_totals totals;
+    if (scan(&reader, path, &totals)) {
+        return replayer_print_problem(speaker, path, &reader.problem);
+    }
+    (as_json ? info_json : info_text)(&reader.header, &totals);
+    return EXIT_OK;
+}
+
+/* ---- verify --------------------------------------------------------------------------------- */
+
+/* Prints the progress after every ten minutes of simulated time, if standard error is a
+ * terminal. */
+static void replay_print_progress(uint32_t ticks, uint32_t total)
+{
+    if (ticks % (600u * CORE_TICK_HZ) == 0 && isatty(STDERR_FILENO)) {
+        fprintf(stderr, "\r%u of %u s", ticks / CORE_TICK_HZ, total / CORE_TICK_HZ);
+    }
+}
+
+/* Returns CORE_OK, or CORE_ERR_FLOAT if the core rejected a tick. */
+static enum core_error recompute(struct replayer *replayer, struct core *core, uint32_t total)
+{
+    static struct input input;
+    static struct output output;
+    const struct kiosk_source source = replayer_source(replayer);
+    const struct kiosk_tap tap = replayer_tap(replayer);
+    while (!replayer->difference.found && source.next(source.self, &input)) {
+        output.sound_count = 0;
+        if (core_tick(core, &input, &output) != CORE_OK) {
+            return CORE_ERR_FLOAT;
+        }
+        tap.tick(tap.self, &input, core);
+        replay_print_progress(replayer->totals.ticks, total);
+    }
+    return CORE_OK;
+}
+
+/* State of the verification in progress, for the panic handler. */
+static struct {
+    const char *path;
+    const struct core *core;
+    uint32_t first_tick, total;
+} verified;
+
+/* Handles the panic that the recording of a panic reproduces. Async-signal-safe. */
+static void tell_panic(void *self, const char *reason)
+{
+    struct panic_text text = { 0 };
+    (void)self;
+    panic_put(&text, verified.path);
+    panic_put(&text, ": panic in tick ");
+    panic_put_number(&text, verified.core->tick - verified.first_tick);
+    panic_put(&text, " of ");
+    panic_put_number(&text, verified.total);
+    panic_put(&text, ": ");
+    panic_put(&text, reason);
+    panic_put_end(&text);
+    panic_write(STDOUT_FILENO, text.out, text.used);
+    _exit(EXIT_NOT_SO);
+}
+
+static enum exit_code tell_verdict(const char *path, const struct replayer *replayer, double took_s)
+{
+    const struct replay_difference *difference = &replayer->difference;
+    const struct replay_totals *totals = &replayer->totals;
+    if (replayer->damaged) {
+        return replayer_print_problem(speaker, path, &replayer->reader.problem);
+    }
+    if (difference->found) {
+        print_line(stdout,
+                   "%s: tick %u (second %.3f) is the first that differs: "
+                   "recorded %s %0*llx, computed %0*llx",
+                   path, difference->tick, (double)difference->tick / CORE_TICK_HZ,
+                   difference->is_full ? "state" : "digest", difference->is_full ? 16 : 8,
+                   (unsigned long long)difference->recorded, difference->is_full ? 16 : 8,
+                   (unsigned long long)difference->computed);
+        return EXIT_NOT_SO;
+    }
+    if (replayer_is_interrupted(replayer)) {
+        print_line(stdout,
+                   "%s: true up to tick %u, in which a signal ended it; no panic comes there", path,
+                   totals->ticks - 1u);
+        return EXIT_OK;
+    }
+    print_line(stdout,
+               "%s: true: %u ticks, %u rounds, %u caught, %u fouls, hash %016llx, "
+               "%.0f times real time",
+               path, totals->ticks, totals->rounds, totals->caught, totals->fouls,
+               (unsigned long long)replayer->reader.totals.hash,
+               took_s > 0.0 ? (double)totals->ticks / CORE_TICK_HZ / took_s : 0.0);
+    return EXIT_OK;
+}
+
+static double now_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static enum exit_code verify(const char *path)
+{
+    static struct replayer replayer;
+    static struct core core;
+    struct core_config config;
+    struct replay_totals totals;
+    const double begin_s = now_s();
+    if (scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
+        return replayer_print_problem(speaker, path, &replayer.reader.problem);
+    }
+    replayer.reader.as_is = 1;
+    config.lanes = cpu_lanes();
+    const enum core_error error = core_init(&core, &config);
+    if (error == CORE_ERR_RANGE) {
+        print_error("kingyoctl replay: %s: byte 32: this program has no such stall", path);
+        return EXIT_BAD_DATA;
+    }
+    if (strcmp(replayer.reader.header.program, KINGYO_VERSION) != 0) {
+        print_error("kingyoctl replay: %s: recorded by version %s, recomputed by %s", path,
+                    replayer.reader.header.program, KINGYO_VERSION);
+    }
+    verified.path = path;
+    verified.core = &core;
+    verified.first_tick = core.tick;
+    verified.total = totals.ticks;
+    panic_prepare(tell_panic, NULL);
+    const enum core_error refused =
+        error == CORE_OK ? recompute(&replayer, &core, totals.ticks) : error;
+    replayer_end(&replayer);
+    if (refused != CORE_OK) {
+        return ctl_float(name);
+    }
+    return tell_verdict(path, &replayer, now_s() - begin_s);
+}
+
+static enum exit_code replay_run(int argc, const char *const *argv)
+{
+    const char *path = NULL;
+    int as_json = 0;
+    if (argc < 1 || (strcmp(argv[0], "info") != 0 && strcmp(argv[0], "verify") != 0)) {
+        return ctl_usage(name, "expected 'info FILE' or 'verify FILE'; --help says more");
+    }
+    const int is_info = strcmp(argv[0], "info") == 0;
+    for (int i = 1; i < argc; i++) {
+        if (is_info && strcmp(argv[i], "--json") == 0) {
+            as_json = 1;
+        } else if (argv[i][0] == '-' || path) {
+            return ctl_usage(name, "%s: '%.100s' is one too many", argv[0], argv[i]);
+        } else {
+            path = argv[i];
+        }
+    }
+    if (!path) {
+        return ctl_usage(name, "%s: a FILE is missing", argv[0]);
+    }
+    return is_info ? info(path, as_json) : verify(path);
+}
+
+const struct ctl_command ctl_replay = {
+    .name = name,
+    .summary = "what is in a recording, and whether it is true",
+    .usage =
+        "  kingyoctl replay info FILE [--json]   length, modes with their paper, players, rounds,\n"
+        "                                        catch, fouls and hash, without a play\n"
+        "  kingyoctl replay verify FILE          plays it again at full speed, without a screen;\n"
+        "                                        names the first tick that differs, or in which\n"
+        "                                        the core panics (exit 1)\n",
+    .run = replay_run,
+};

@@ -1,0 +1,192 @@
+/* overlap.c -- finds overlapping bodies with a grid. A cell is as wide as the diameter of the
+ * largest bounding ball, so that all candidates of a body are in the 3 x 3 cells around the
+ * body. */
+#include "platform/ctl/tank/overlap.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Sine of the angle below which two edges count as parallel and give no separating axis. */
+#define PARALLEL 1e-6
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Computes the box of a fish. The rotation order is yaw about +y, then pitch, then roll. */
+struct overlap_box overlap_box_of(const struct fish *fish)
+{
+    const double cy = cos((double)fish->angles.yaw_rad), sy = sin((double)fish->angles.yaw_rad);
+    const double cp = cos((double)fish->angles.pitch_rad), sp = sin((double)fish->angles.pitch_rad);
+    const double cr = cos((double)fish->angles.roll_rad), sr = sin((double)fish->angles.roll_rad);
+    const double across[3] = { cy, 0.0, -sy }, over[3] = { sy * sp, cp, cy * sp };
+    struct overlap_box box = {
+        .centre_m = { (double)fish->position_m.x, (double)fish->position_m.y,
+                      (double)fish->position_m.z },
+        .axis[2] = { sy * cp, -sp, cy * cp },
+        .half_m = { 0.5 * (double)fish->width_m, 0.5 * (double)fish->height_m,
+                    0.5 * (double)fish->length_m },
+    };
+    for (int i = 0; i < 3; i++) {
+        box.axis[0][i] = cr * across[i] - sr * over[i];
+        box.axis[1][i] = cr * over[i] + sr * across[i];
+    }
+    box.reach_m = sqrt(dot(box.half_m, box.half_m));
+    return box;
+}
+
+static double shadow_m(const struct overlap_box *box, const double axis[3])
+{
+    return box->half_m[0] * fabs(dot(box->axis[0], axis)) +
+           box->half_m[1] * fabs(dot(box->axis[1], axis)) +
+           box->half_m[2] * fabs(dot(box->axis[2], axis));
+}
+
+/* Keeps the least overlap of the projections onto the unit axes so far. Returns whether this axis
+ * separates the boxes. */
+static int parted_along(const struct overlap_box *a, const struct overlap_box *b, const double d[3],
+                        const double axis[3], double *least_m)
+{
+    const double overlap_m = shadow_m(a, axis) + shadow_m(b, axis) - fabs(dot(d, axis));
+    *least_m = fmin(*least_m, overlap_m);
+    return overlap_m <= 0.0;
+}
+
+static int parted_by_edges(const struct overlap_box *a, const struct overlap_box *b,
+                           const double d[3], double *least_m)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double *u = a->axis[i], *v = b->axis[j];
+            double edge[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                               u[0] * v[1] - u[1] * v[0] };
+            const double length = sqrt(dot(edge, edge));
+            if (length < PARALLEL) {
+                continue;
+            }
+            for (int k = 0; k < 3; k++) {
+                edge[k] /= length;
+            }
+            if (parted_along(a, b, d, edge, least_m)) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+double overlap_depth_m(const struct overlap_box *a, const struct overlap_box *b)
+{
+    double d[3], least_m = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        d[i] = b->centre_m[i] - a->centre_m[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        if (parted_along(a, b, d, a->axis[i], &least_m) ||
+            parted_along(a, b, d, b->axis[i], &least_m)) {
+            return 0.0;
+        }
+    }
+    return parted_by_edges(a, b, d, &least_m) ? 0.0 : least_m;
+}
+
+/* ---- All fish ------------------------------------------------------------------------------- */
+
+/* A grid of square cells over the floor. */
+struct floor_grid {
+    double side_m, half_x_m, half_z_m;
+    uint32_t columns, rows;
+};
+
+static uint32_t cells_along(double size_m, double side_m)
+{
+    return (uint32_t)fmin(fmax(floor(size_m / side_m), 1.0), (double)(OVERLAP_CELL_MAX - 1u));
+}
+
+static uint32_t cell_along(double place_m, double half_m, double side_m, uint32_t count)
+{
+    return (uint32_t)fmin(fmax(floor((place_m + half_m) / side_m), 0.0), (double)(count - 1u));
+}
+
+static struct floor_grid grid_over(const struct overlap *overlap, const struct tank *tank)
+{
+    const double x_m = (double)tank->size_m.x, z_m = (double)tank->size_m.z;
+    double reach_m = 1e-3;
+    for (uint32_t i = 0; i < overlap->count; i++) {
+        reach_m = fmax(reach_m, overlap->box[i].reach_m);
+    }
+    const double side_m = fmax(2.0 * reach_m, fmax(x_m, z_m) / (double)(OVERLAP_CELL_MAX - 1u));
+    return (struct floor_grid){ side_m, 0.5 * x_m, 0.5 * z_m, cells_along(x_m, side_m) + 1u,
+                                cells_along(z_m, side_m) + 1u };
+}
+
+/* Sorts the boxes with a counting sort: the boxes in cell c are order[first[c]] .. order[first[c +
+ * 1] - 1]. */
+static void sort_by_cell(struct overlap *overlap, const struct floor_grid *grid)
+{
+    const uint32_t cells = grid->columns * grid->rows;
+    memset(overlap->first, 0, (cells + 1u) * sizeof overlap->first[0]);
+    for (uint32_t i = 0; i < overlap->count; i++) {
+        const double *at = overlap->box[i].centre_m;
+        overlap->cell[i] =
+            cell_along(at[2], grid->half_z_m, grid->side_m, grid->rows) * grid->columns +
+            cell_along(at[0], grid->half_x_m, grid->side_m, grid->columns);
+        overlap->first[overlap->cell[i]]++;
+    }
+    for (uint32_t c = 1; c <= cells; c++) {
+        overlap->first[c] += overlap->first[c - 1];
+    }
+    for (uint32_t i = overlap->count; i-- > 0;) {
+        overlap->order[--overlap->first[overlap->cell[i]]] = i;
+    }
+}
+
+static void overlap_classify_pair(const struct overlap *overlap, uint32_t i, uint32_t j,
+                                  struct overlap_count *total)
+{
+    const struct overlap_box *a = &overlap->box[i], *b = &overlap->box[j];
+    const double x = a->centre_m[0] - b->centre_m[0], y = a->centre_m[1] - b->centre_m[1],
+                 z = a->centre_m[2] - b->centre_m[2], both_m = a->reach_m + b->reach_m;
+    if (x * x + y * y + z * z >= both_m * both_m) {
+        return;
+    }
+    const double depth_mm = 1000.0 * overlap_depth_m(a, b);
+    total->deepest_mm = fmax(total->deepest_mm, depth_mm);
+    total->pairs += depth_mm > OVERLAP_DEEP_MM ? 1u : 0u;
+}
+
+/* Tests box i against the boxes of its own cell and of the neighbouring cells. Each pair is tested
+ * once. */
+static void judge_around(const struct overlap *overlap, const struct floor_grid *grid, uint32_t i,
+                         struct overlap_count *total)
+{
+    const uint32_t column = overlap->cell[i] % grid->columns;
+    const uint32_t row = overlap->cell[i] / grid->columns;
+    const uint32_t left = column > 0 ? column - 1u : 0u;
+    const uint32_t right = column + 1u < grid->columns ? column + 1u : column;
+    for (uint32_t r = row > 0 ? row - 1u : 0u; r <= row + 1u && r < grid->rows; r++) {
+        const uint32_t begin = overlap->first[r * grid->columns + left];
+        const uint32_t end = overlap->first[r * grid->columns + right + 1u];
+        for (uint32_t k = begin; k < end; k++) {
+            if (overlap->order[k] > i) {
+                overlap_classify_pair(overlap, i, overlap->order[k], total);
+            }
+        }
+    }
+}
+
+void overlap_add(struct overlap *overlap, const struct tank *tank, struct overlap_count *total)
+{
+    overlap->count = 0;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        if (fish_swims(&tank->fish[i])) {
+            overlap->box[overlap->count++] = overlap_box_of(&tank->fish[i]);
+        }
+    }
+    const struct floor_grid grid = grid_over(overlap, tank);
+    sort_by_cell(overlap, &grid);
+    for (uint32_t i = 0; i < overlap->count; i++) {
+        judge_around(overlap, &grid, i, total);
+    }
+}

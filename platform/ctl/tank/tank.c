@@ -1,0 +1,94 @@
+/* tank.c -- `kingyoctl tank`, which simulates and measures a tank without a screen. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/base/float_env.h"
+#include "platform/ctl/lib/ctl.h"
+#include "platform/ctl/tank/tank_lab.h"
+#include "platform/ctl/tank/tank_report.h"
+#include "platform/ctl/tank/tank_trace.h"
+#include "platform/huge_pages.h"
+#include "platform/os/print.h"
+
+#define PROGRESS_TICKS (2u * CORE_TICK_HZ)
+
+/* Prints the progress if standard error is a terminal. */
+static void tank_print_progress(const struct tank_lab *lab)
+{
+    if (lab->tick % PROGRESS_TICKS == 0 && isatty(STDERR_FILENO)) {
+        fprintf(stderr, "\r%u of %u s", lab->tick / CORE_TICK_HZ,
+                lab->plan->tick_count / CORE_TICK_HZ);
+        fputs(lab->tick + PROGRESS_TICKS > lab->plan->tick_count ? "\n" : "", stderr);
+    }
+}
+
+/* Simulates the tank. Checks the floating-point environment once a second. Returns EXIT_OK, or
+ * prints one line to standard error and returns EXIT_NOT_SO if the environment has changed. */
+static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
+{
+    const struct tank_options *plan = lab->plan;
+    if (trace->file) {
+        tank_trace_add(trace, &lab->tank, 0);
+    }
+    while (lab->tick < plan->tick_count) {
+        if (lab->tick % CORE_TICK_HZ == 0 && !float_env_is_standard()) {
+            return ctl_float("tank");
+        }
+        tank_lab_tick(lab);
+        if (trace->file && lab->tick % plan->trace_every == 0) {
+            tank_trace_add(trace, &lab->tank, lab->tick);
+        }
+        tank_print_progress(lab);
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code tank_measure_lab(struct tank_lab *lab)
+{
+    const struct tank_options *plan = lab->plan;
+    struct tank_trace trace = { 0 };
+    enum exit_code code = plan->trace ? tank_trace_open(&trace, plan->trace) : EXIT_OK;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const enum exit_code swum = swim(lab, &trace);
+    code = trace.file ? tank_trace_close(&trace) : EXIT_OK;
+    code = swum != EXIT_OK ? swum : code;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const struct tank_figures figures = tank_figures_of(lab);
+    (plan->as_json ? tank_report_json : tank_report_text)(lab, &figures);
+    return EXIT_OK;
+}
+
+static enum exit_code tank_run(int argc, const char *const *argv)
+{
+    struct tank_options plan;
+    enum exit_code code = tank_options_read(&plan, argc, argv);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    struct tank_lab *lab = huge_pages_alloc(sizeof *lab);
+    if (!lab) {
+        print_error("kingyoctl tank: out of memory");
+        return EXIT_IO;
+    }
+    code = tank_lab_open(lab, &plan);
+    if (code == EXIT_OK) {
+        code = tank_measure_lab(lab);
+        tank_lab_close(lab);
+    }
+    huge_pages_free(lab, sizeof *lab);
+    return code;
+}
+
+const struct ctl_command ctl_tank = {
+    .name = "tank",
+    .summary = "a tank of fish without a screen: figures as text or JSON, trajectories as CSV",
+    .usage = tank_options_usage,
+    .run = tank_run,
+};

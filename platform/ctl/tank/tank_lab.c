@@ -1,0 +1,298 @@
+/* tank_lab.c -- the tick of the tank laboratory, and the measurements after it. */
+#include "platform/ctl/tank/tank_lab.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/base/hash.h"
+#include "core/poi/catch/catch.h"
+#include "core/poi/surface_disturbance.h"
+#include "core/tank/behavior/avoid.h"
+#include "platform/cpu.h"
+#include "platform/ctl/lib/ctl.h"
+#include "platform/ctl/tank/tank_place.h"
+#include "platform/os/print.h"
+
+#define POI_GRADE 5u /* Paper grade of the championship. */
+/* Default observation interval for tanks with more fish than the kiosk has: 5 observations a
+ * second. An observation of 100,000 fish takes longer than their tick. */
+#define OBSERVE_MANY_TICKS 24u
+
+static const char path_speaker[] = "kingyoctl tank: --poi-path";
+static const char place_speaker[] = "kingyoctl tank: --place";
+
+uint32_t tank_lab_seconds(const struct tank_options *plan)
+{
+    return plan->tick_count / CORE_TICK_HZ + 1u;
+}
+
+/* ---- Counting ------------------------------------------------------------------------------- */
+
+static struct shade_cast cast_of(const struct plan_shade *shade)
+{
+    return (struct shade_cast){
+        .present = 1,
+        .x_m = (float)shade->x_m,
+        .z_m = (float)shade->z_m,
+        .radius_m = (float)shade->radius_m,
+        .dark = SHADE_FAN_DARK,
+    };
+}
+
+/* Returns whether the fish is within any shade of the plan, even if the shade is not cast at the
+ * moment. */
+static int is_shaded(const struct tank_lab *lab, const struct fish *fish)
+{
+    for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
+        const struct shade_cast cast = cast_of(&lab->plan->shade[i]);
+        if (shade_covers(&cast, fish->position_m)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void count_second(struct tank_lab *lab)
+{
+    const uint32_t second = lab->tick / CORE_TICK_HZ;
+    for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
+        const struct fish *fish = &lab->tank.fish[i];
+        lab->surfacing_count[second] += fish->gait == GAIT_SURFACE ? 1u : 0u;
+        lab->shade_count[second] += fish_swims(fish) && is_shaded(lab, fish) ? 1u : 0u;
+    }
+}
+
+static void count_speed(struct lab_sums *sums, const struct fish *fish)
+{
+    if (fish_swims(fish) && !fish->falls) {
+        const double speed_m_s = (double)v3_length(fish->velocity_m_s);
+        sums->swim_ticks++;
+        sums->speed_m_s += speed_m_s;
+        sums->speed_max_m_s = fmax(sums->speed_max_m_s, speed_m_s);
+    }
+}
+
+static void count_fish(struct tank_lab *lab)
+{
+    struct lab_sums *sums = &lab->sums;
+    for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
+        const struct fish *fish = &lab->tank.fish[i];
+        sums->gait_ticks[fish->gait]++;
+        sums->stamina += (double)fish->stamina;
+        count_speed(sums, fish);
+    }
+    sums->fish_ticks += lab->tank.fish_count;
+}
+
+static void observe(struct tank_lab *lab)
+{
+    count_fish(lab);
+    tank_meetings_update(&lab->meetings, &lab->tank, lab->tick - lab->observed_tick);
+    overlap_add(&lab->overlap, &lab->tank, &lab->overlaps);
+    lab->observed_tick = lab->tick;
+}
+
+/* ---- The tick ------------------------------------------------------------------------------- */
+
+/* Returns the CPU time of the calling thread. Other processes on the machine do not count as cost
+ * of the tank. */
+static float elapsed_ns(const struct timespec *from)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (float)((double)(now.tv_sec - from->tv_sec) * 1e9 +
+                   (double)(now.tv_nsec - from->tv_nsec));
+}
+
+/* Returns whether the time of this tick counts. An observation replaces the tank's data in the
+ * caches, so the ticks of the next broad-phase period are slower and are left out. */
+static int is_timed(const struct tank_lab *lab)
+{
+    return lab->observe_every <= BROAD_PHASE_UPDATE_TICKS || lab->observed_tick == 0 ||
+           lab->tick >= lab->observed_tick + BROAD_PHASE_UPDATE_TICKS;
+}
+
+static void tick_tank(struct tank_lab *lab, struct obstacle *obstacles, uint32_t count)
+{
+    struct timespec begin;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
+    tank_tick(&lab->tank, lab->tick, obstacles, count);
+    const float tick_ns = elapsed_ns(&begin);
+    if (is_timed(lab)) {
+        lab->tick_ns[lab->timed_count++] = tick_ns;
+    }
+}
+
+static void cast_shades(struct tank_lab *lab)
+{
+    struct shade_cast casts[TANK_SHADE_MAX] = { 0 };
+    const double now_s = (double)lab->tick / CORE_TICK_HZ;
+    for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
+        const struct plan_shade *shade = &lab->plan->shade[i];
+        if (now_s >= shade->from_s && now_s < shade->to_s) {
+            casts[i] = cast_of(shade);
+        }
+    }
+    if (lab->path.count > 0) {
+        casts[SHADE_MAX] = poi_shade(&lab->poi);
+    }
+    tank_cast(&lab->tank, casts);
+}
+
+/* Advances in the order of core_tick(): poi, water, fish, catch. */
+static void tick_with_poi(struct tank_lab *lab)
+{
+    const double now_s = (double)(lab->tick + 1u) / CORE_TICK_HZ;
+    const struct poi_grip grip = {
+        .target = tank_path_at(&lab->path, now_s),
+        .has_wrist = 1,
+    };
+    lab->output.sound_count = 0;
+    poi_tick(&lab->poi, &grip, &lab->tank, &lab->bowl);
+    surface_disturbance_tick(&lab->poi, &lab->tank.water, lab->tank.size_m);
+    if (lab->tick % 2u == 0) {
+        water_step(&lab->tank.water, lab->tank.size_m);
+    }
+    struct obstacle ring = poi_obstacle(&lab->poi);
+    cast_shades(lab);
+    tick_tank(lab, &ring, 1);
+    poi_apply_reaction(&lab->poi, &ring);
+    const struct stall stall = { &lab->tank, &lab->bowl, 1 };
+    struct catch_result caught[POI_MAX] = { 0 };
+    catch_tick(&lab->poi, 0, &stall, lab->tick, &lab->output, caught);
+}
+
+void tank_lab_tick(struct tank_lab *lab)
+{
+    if (lab->path.count > 0) {
+        tick_with_poi(lab);
+    } else {
+        if (lab->tick % 2u == 0) {
+            water_step(&lab->tank.water, lab->tank.size_m);
+        }
+        cast_shades(lab);
+        tick_tank(lab, NULL, 0);
+    }
+    lab->tick++;
+    if (lab->tick % lab->observe_every == 0 || lab->tick == lab->plan->tick_count) {
+        observe(lab);
+    }
+    if (lab->tick % CORE_TICK_HZ == 0) {
+        count_second(lab);
+    }
+}
+
+float tank_lab_oxygen_mg_l(const struct tank_lab *lab)
+{
+    return lab->tank.oxygen.dissolved_mg_l;
+}
+
+uint64_t tank_lab_hash(const struct tank_lab *lab)
+{
+    const uint64_t hash = lab->path.count > 0 ? poi_hash(HASH_START, &lab->poi) : HASH_START;
+    return tank_hash(hash, &lab->tank);
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+static enum exit_code open_or_say(struct tank_lab *lab, const struct tank_config *config)
+{
+    if (!tank_open(&lab->tank, config)) {
+        print_error("kingyoctl tank: %u fish find no room in this tank by seed %u",
+                    config->fish_count, config->seed);
+        return EXIT_NOT_SO;
+    }
+    return EXIT_OK;
+}
+
+static enum exit_code open_placed(struct tank_lab *lab, struct tank_config *config,
+                                  struct tank_place *place)
+{
+    const struct tank_options *plan = lab->plan;
+    enum exit_code code = tank_place_read(place, place_speaker, plan->place);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const uint32_t most = tank_config_fish_max(config);
+    if (plan->has_fish && place->count != config->fish_count) {
+        return ctl_usage("tank", "--fish: %u, but %s places %u", config->fish_count, plan->place,
+                         place->count);
+    }
+    if (place->count > most) {
+        print_error("%s: %s: %u fish; this tank holds 1 to %u", place_speaker, plan->place,
+                    place->count, most);
+        return EXIT_BAD_DATA;
+    }
+    config->fish_count = place->count;
+    code = open_or_say(lab, config);
+    return code != EXIT_OK ? code : tank_place_stage(place, &lab->tank, place_speaker, plan->place);
+}
+
+static enum exit_code open_tank(struct tank_lab *lab)
+{
+    struct tank_config config = lab->plan->config;
+    config.lanes = cpu_lanes();
+    if (!lab->plan->place) {
+        return open_or_say(lab, &config);
+    }
+    struct tank_place *place = calloc(1, sizeof *place);
+    if (!place) {
+        print_error("kingyoctl tank: out of memory");
+        return EXIT_IO;
+    }
+    const enum exit_code code = open_placed(lab, &config, place);
+    free(place);
+    return code;
+}
+
+static enum exit_code open_poi(struct tank_lab *lab)
+{
+    if (!lab->plan->poi_path) {
+        return EXIT_OK;
+    }
+    const enum exit_code code = tank_path_read(&lab->path, path_speaker, lab->plan->poi_path);
+    if (code == EXIT_OK) {
+        const struct poi_target hand = tank_path_at(&lab->path, 0.0);
+        poi_init(&lab->poi, POI_GRADE, hand.position_m, lab->plan->config.seed);
+        lab->poi.link = POI_SOURCE_LIVE;
+        lab->poi.angles = hand.angles;
+    }
+    return code;
+}
+
+enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *plan)
+{
+    lab->plan = plan;
+    enum exit_code code = open_tank(lab);
+    code = code == EXIT_OK ? open_poi(lab) : code;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const uint32_t seconds = tank_lab_seconds(plan);
+    lab->tick_ns = calloc(plan->tick_count, sizeof *lab->tick_ns);
+    lab->shade_count = calloc(seconds, sizeof *lab->shade_count);
+    lab->surfacing_count = calloc(seconds, sizeof *lab->surfacing_count);
+    if (!lab->tick_ns || !lab->shade_count || !lab->surfacing_count) {
+        print_error("kingyoctl tank: out of memory");
+        tank_lab_close(lab);
+        return EXIT_IO;
+    }
+    lab->observe_every = plan->observe_every > 0                  ? plan->observe_every
+                         : lab->tank.fish_count > TANK_FISH_KIOSK ? OBSERVE_MANY_TICKS
+                                                                  : 1u;
+    lab->oxygen_start_mg_l = tank_lab_oxygen_mg_l(lab);
+    count_second(lab);
+    return EXIT_OK;
+}
+
+void tank_lab_close(struct tank_lab *lab)
+{
+    free(lab->tick_ns);
+    free(lab->shade_count);
+    free(lab->surfacing_count);
+    lab->tick_ns = NULL;
+    lab->shade_count = lab->surfacing_count = NULL;
+}

@@ -1,0 +1,186 @@
+/* tank_place.c -- converts rows of a file to fish, and checks that the fish fit into the water
+ * without overlaps. */
+#include "platform/ctl/tank/tank_place.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "platform/ctl/lib/csv.h"
+#include "platform/ctl/tank/overlap.h"
+#include "platform/os/print.h"
+
+#define TOUCH_M 0.0001 /* Tolerance for walls, because a trace's decimals are rounded. */
+
+enum {
+    TICK,
+    FISH,
+    X_CM,
+    Y_CM,
+    Z_CM,
+    YAW_DEG,
+    PITCH_DEG,
+    ROLL_DEG,
+    LENGTH_CM,
+    HEIGHT_CM,
+    WIDTH_CM,
+    SPEED_CM_S,
+    TAIL_HZ,
+    GAIT,
+    STAMINA,
+    AVOIDING,
+    COLUMN_COUNT,
+};
+
+/* The gaits of the trace, and the gait with which a fish of each starts. An escaping fish starts
+ * with a burst, because the cause of its escape is not in the file. GAIT_HELD is rejected, because
+ * no poi or bowl can hold a fish here. */
+static const char *const gait_words[] = {
+    "rest", "swim", "burst", "escape", "surface", "held", NULL
+};
+static const uint8_t gaits[] = { GAIT_REST,  GAIT_SWIM,    GAIT_BURST,
+                                 GAIT_BURST, GAIT_SURFACE, GAIT_HELD };
+#define GAIT_BY_SPEED (-1.0)
+
+/* All columns of the trace (tank_trace.c). The box follows from the length. The phase of the tail
+ * beat and the avoidance start from their initial states. */
+static const struct csv_column columns[COLUMN_COUNT] = {
+    [TICK] = { .name = "tick", .min = 0, .max = UINT32_MAX, .may_miss = 1 },
+    [FISH] = { .name = "fish", .may_miss = 1, .unread = 1 },
+    [X_CM] = { .name = "x_cm", .min = -1000, .max = 1000 },
+    [Y_CM] = { .name = "y_cm", .min = -100, .max = 100 },
+    [Z_CM] = { .name = "z_cm", .min = -1000, .max = 1000 },
+    [YAW_DEG] = { .name = "yaw_deg", .min = -360, .max = 360 },
+    [PITCH_DEG] = { .name = "pitch_deg", .min = -90, .max = 90, .may_miss = 1 },
+    [ROLL_DEG] = { .name = "roll_deg", .min = -180, .max = 180, .may_miss = 1 },
+    [LENGTH_CM] = { .name = "length_cm", .min = 1, .max = 20, .may_miss = 1 },
+    [HEIGHT_CM] = { .name = "height_cm", .may_miss = 1, .unread = 1 },
+    [WIDTH_CM] = { .name = "width_cm", .may_miss = 1, .unread = 1 },
+    [SPEED_CM_S] = { .name = "speed_cm_s", .min = 0, .max = 1000, .may_miss = 1 },
+    [TAIL_HZ] = { .name = "tail_hz", .may_miss = 1, .unread = 1 },
+    [GAIT] = { .name = "gait", .words = gait_words, .may_miss = 1, .otherwise = GAIT_BY_SPEED },
+    [STAMINA] = { .name = "stamina", .min = 0, .max = 100, .may_miss = 1, .otherwise = 100 },
+    [AVOIDING] = { .name = "avoiding", .may_miss = 1, .unread = 1 },
+};
+
+/* Converts from centimetres to metres, or from the thesis' stamina scale of 100 to 1. */
+static float hundredth(double value)
+{
+    return (float)(0.01 * value);
+}
+
+static float radians(double degrees)
+{
+    return (float)(degrees * (3.14159265358979323846 / 180.0));
+}
+
+static struct tank_stage stage_of(const double value[COLUMN_COUNT])
+{
+    const uint8_t by_speed = value[SPEED_CM_S] > 0.0 ? GAIT_SWIM : GAIT_REST;
+    return (struct tank_stage){
+        .position_m = { hundredth(value[X_CM]), hundredth(value[Y_CM]), hundredth(value[Z_CM]) },
+        .angles = { f_wrap_angle(radians(value[YAW_DEG])), radians(value[PITCH_DEG]),
+                    radians(value[ROLL_DEG]) },
+        .length_m = hundredth(value[LENGTH_CM]),
+        .speed_m_s = hundredth(value[SPEED_CM_S]),
+        .stamina = hundredth(value[STAMINA]),
+        .gait = value[GAIT] < 0.0 ? by_speed : gaits[(uint32_t)value[GAIT]],
+    };
+}
+
+static enum exit_code tank_place_take_row(struct tank_place *place, const struct csv *csv,
+                                          const double value[COLUMN_COUNT])
+{
+    if (place->count > 0 && value[TICK] != place->tick) {
+        place->rows_left_out++;
+        return EXIT_OK;
+    }
+    const struct tank_stage stage = stage_of(value);
+    if (stage.gait == GAIT_HELD) {
+        return csv_error(csv, GAIT, "nobody is here to hold it; leave it out, or let it swim");
+    }
+    if (place->count == TANK_FISH_MAX) {
+        return csv_error(csv, X_CM, "more than %u fish", TANK_FISH_MAX);
+    }
+    place->tick = value[TICK];
+    place->line[place->count] = csv->line;
+    place->stage[place->count++] = stage;
+    return EXIT_OK;
+}
+
+enum exit_code tank_place_read(struct tank_place *place, const char *speaker, const char *file)
+{
+    struct csv csv;
+    double value[COLUMN_COUNT];
+    int is_end = 0;
+    place->count = place->rows_left_out = 0;
+    enum exit_code code = csv_open(&csv, speaker, file, columns, COLUMN_COUNT);
+    while (code == EXIT_OK && !is_end) {
+        code = csv_row(&csv, value, &is_end);
+        if (code == EXIT_OK && !is_end) {
+            code = tank_place_take_row(place, &csv, value);
+        }
+    }
+    if (code == EXIT_OK && place->count == 0) {
+        print_error("%s: %s: line %u: a row with a fish is missing", speaker, file, csv.line);
+        code = EXIT_BAD_DATA;
+    }
+    csv_close(&csv);
+    return code;
+}
+
+/* Returns half of the size of the axis-aligned box around a body, along x, y or z. */
+static double extent_m(const struct overlap_box *box, int along)
+{
+    return box->half_m[0] * fabs(box->axis[0][along]) + box->half_m[1] * fabs(box->axis[1][along]) +
+           box->half_m[2] * fabs(box->axis[2][along]);
+}
+
+/* Returns whether the body is in the water. `emerges_m` is the height of the body that may be above
+ * the surface. */
+static int is_in_water(const struct overlap_box *box, vec3 size_m, double emerges_m)
+{
+    const double side[3] = { 0.5 * (double)size_m.x, (double)size_m.y, 0.5 * (double)size_m.z };
+    return fabs(box->centre_m[0]) + extent_m(box, 0) <= side[0] + TOUCH_M &&
+           fabs(box->centre_m[2]) + extent_m(box, 2) <= side[2] + TOUCH_M &&
+           box->centre_m[1] + extent_m(box, 1) <= emerges_m + TOUCH_M &&
+           box->centre_m[1] - extent_m(box, 1) >= -side[1] - TOUCH_M;
+}
+
+static void tell_left_out(const struct tank_place *place, const char *speaker, const char *file)
+{
+    if (place->rows_left_out > 0) {
+        print_error("%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
+                    "others are left out",
+                    speaker, file, place->count, place->tick, place->rows_left_out);
+    }
+}
+
+enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tank,
+                                const char *speaker, const char *file)
+{
+    tank_stage_all(tank, place->stage, place->count);
+    for (uint32_t i = 0; i < place->count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        const struct overlap_box box = overlap_box_of(fish);
+        const double emerges_m =
+            place->stage[i].gait == GAIT_SURFACE ? (double)fish_emerges_m(fish) : 0.0;
+        if (!is_in_water(&box, tank->size_m, emerges_m)) {
+            print_error("%s: %s: line %u: fish %u is not all in the water: %g x %g cm, %g cm "
+                        "deep",
+                        speaker, file, place->line[i], i, 100.0 * (double)tank->size_m.x,
+                        100.0 * (double)tank->size_m.z, 100.0 * (double)tank->size_m.y);
+            return EXIT_BAD_DATA;
+        }
+        for (uint32_t j = 0; j < i; j++) {
+            const struct overlap_box other = overlap_box_of(&tank->fish[j]);
+            const double depth_mm = 1000.0 * overlap_depth_m(&box, &other);
+            if (depth_mm > OVERLAP_DEEP_MM) {
+                print_error("%s: %s: line %u: fish %u and %u are %.1f mm in each other", speaker,
+                            file, place->line[i], j, i, depth_mm);
+                return EXIT_BAD_DATA;
+            }
+        }
+    }
+    tell_left_out(place, speaker, file);
+    return EXIT_OK;
+}

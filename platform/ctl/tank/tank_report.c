@@ -1,0 +1,178 @@
+/* tank_report.c -- prints the results of a run as text and as JSON. */
+#include "platform/ctl/tank/tank_report.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "platform/os/number.h"
+
+#define BAR_WIDTH 40
+/* Maximum number of characters in a chart. A longer run combines several seconds in each
+ * character. */
+#define SPARKS_MAX 60u
+
+/* ---- Statistics ----------------------------------------------------------------------------- */
+
+static int by_size(const void *left, const void *right)
+{
+    const float a = *(const float *)left, b = *(const float *)right;
+    return (a > b) - (a < b);
+}
+
+static double mean_ns(const struct tank_lab *lab)
+{
+    double sum_ns = 0.0;
+    for (uint32_t i = 0; i < lab->timed_count; i++) {
+        sum_ns += (double)lab->tick_ns[i];
+    }
+    return sum_ns / (double)lab->timed_count;
+}
+
+struct tank_figures tank_figures_of(struct tank_lab *lab)
+{
+    const struct lab_sums *sums = &lab->sums;
+    const double fish_ticks = (double)sums->fish_ticks;
+    const double swim_ticks = sums->swim_ticks > 0 ? (double)sums->swim_ticks : 1.0;
+    struct tank_figures figures = {
+        .ns_per_fish_tick = mean_ns(lab) / (double)lab->tank.fish_count,
+        .speed_mean_cm_s = 100.0 * sums->speed_m_s / swim_ticks,
+        .speed_max_cm_s = 100.0 * sums->speed_max_m_s,
+        .stamina_mean = 100.0 * sums->stamina / fish_ticks,
+    };
+    for (uint8_t gait = 0; gait < GAIT_COUNT; gait++) {
+        figures.share[gait] = (double)sums->gait_ticks[gait] / fish_ticks;
+        figures.other_share += gait > GAIT_BURST ? figures.share[gait] : 0.0;
+    }
+    figures.surfacing_share = figures.share[GAIT_SURFACE];
+    const uint64_t count = lab->timed_count;
+    qsort(lab->tick_ns, count, sizeof lab->tick_ns[0], by_size);
+    figures.tick_ms_median = 1e-6 * (double)lab->tick_ns[count / 2u];
+    figures.tick_ms_p99 = 1e-6 * (double)lab->tick_ns[count * 99u / 100u];
+    return figures;
+}
+
+/* ---- JSON ----------------------------------------------------------------------------------- */
+
+static void tank_report_put(const char *before, double value, uint32_t decimals)
+{
+    char digits[NUMBER_FIXED_MAX];
+    const uint32_t length = number_print_fixed(digits, value, decimals);
+    printf("%s%.*s", before, (int)length, digits);
+}
+
+static void put_counts(const char *before, const uint32_t *counts, uint32_t count)
+{
+    fputs(before, stdout);
+    for (uint32_t i = 0; i < count; i++) {
+        printf("%s%u", i ? ", " : "", counts[i]);
+    }
+    putchar(']');
+}
+
+static void put_meetings(const struct tank_meetings *meetings)
+{
+    printf(", \"encounters\": {\"head_on\": %llu, \"side\": %llu, \"rear_end\": %llu, "
+           "\"by_yaw\": %llu, \"by_pitch\": %llu}",
+           (unsigned long long)meetings->head_on, (unsigned long long)meetings->side,
+           (unsigned long long)meetings->rear_end, (unsigned long long)meetings->by_yaw,
+           (unsigned long long)meetings->by_pitch);
+}
+
+void tank_report_json(const struct tank_lab *lab, const struct tank_figures *figures)
+{
+    const uint32_t seconds = tank_lab_seconds(lab->plan);
+    printf("{\"preset\": \"%s\", \"fish\": %u", tank_preset(lab->tank.preset)->name,
+           lab->tank.fish_count);
+    tank_report_put(", \"seconds\": ", lab->plan->seconds, 3);
+    printf(", \"seed\": %u, \"ticks\": %u, \"observe_every\": %u, \"state_hash\": \"%016llx\"",
+           lab->tank.seed, lab->tick, lab->observe_every, (unsigned long long)tank_lab_hash(lab));
+    tank_report_put(", \"ns_per_fish_tick\": ", figures->ns_per_fish_tick, 1);
+    tank_report_put(", \"tick_ms_median\": ", figures->tick_ms_median, 6);
+    tank_report_put(", \"tick_ms_p99\": ", figures->tick_ms_p99, 6);
+    printf(", \"body_overlaps\": %llu", (unsigned long long)lab->overlaps.pairs);
+    tank_report_put(", \"deepest_overlap_mm\": ", lab->overlaps.deepest_mm, 4);
+    put_meetings(&lab->meetings);
+    tank_report_put(", \"gait_share\": {\"burst\": ", figures->share[GAIT_BURST], 6);
+    tank_report_put(", \"swim\": ", figures->share[GAIT_SWIM], 6);
+    tank_report_put(", \"rest\": ", figures->share[GAIT_REST], 6);
+    tank_report_put(", \"other\": ", figures->other_share, 6);
+    tank_report_put("}, \"speed_cm_s\": {\"mean\": ", figures->speed_mean_cm_s, 4);
+    tank_report_put(", \"max\": ", figures->speed_max_cm_s, 4);
+    tank_report_put("}, \"stamina_mean\": ", figures->stamina_mean, 4);
+    tank_report_put(", \"surfacing_share\": ", figures->surfacing_share, 6);
+    tank_report_put(", \"oxygen_mg_l\": {\"start\": ", (double)lab->oxygen_start_mg_l, 4);
+    tank_report_put(", \"end\": ", (double)tank_lab_oxygen_mg_l(lab), 4);
+    put_counts("}, \"shade_count\": [", lab->shade_count, seconds);
+    put_counts(", \"surfacing_count\": [", lab->surfacing_count, seconds);
+    puts("}");
+}
+
+/* ---- Text ----------------------------------------------------------------------------------- */
+
+static void tank_report_print_bar(const char *label, double share)
+{
+    const int full = (int)(share * BAR_WIDTH + 0.5);
+    printf("  %-8s %5.1f %% ", label, 100.0 * share);
+    for (int i = 0; i < full; i++) {
+        fputs("█", stdout);
+    }
+    putchar('\n');
+}
+
+/* Prints a chart with one character for each second. A long run has one character for several
+ * seconds. */
+static void sparks(const char *label, const uint32_t *counts, uint32_t count)
+{
+    static const char *const heights[] = { "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█" };
+    const uint32_t stride = (count + SPARKS_MAX - 1u) / SPARKS_MAX;
+    uint32_t most = 1;
+    for (uint32_t i = 0; i < count; i++) {
+        most = counts[i] > most ? counts[i] : most;
+    }
+    printf("%-12s ", label);
+    for (uint32_t i = 0; i < count; i += stride) {
+        fputs(heights[counts[i] * 7u / most], stdout);
+    }
+    printf("  %u at the start, %u at the end, %u at most\n", counts[0], counts[count - 1u],
+           most == 1 && counts[count - 1u] == 0 && counts[0] == 0 ? 0 : most);
+}
+
+static void text_about(const struct tank_lab *lab)
+{
+    const vec3 size_m = lab->tank.size_m;
+    printf("%s: %u fish in %.1f x %.1f cm, %.1f cm of water; seed %u, %.1f s, %u ticks\n",
+           tank_preset(lab->tank.preset)->name, lab->tank.fish_count, 100.0 * (double)size_m.x,
+           100.0 * (double)size_m.z, 100.0 * (double)size_m.y, lab->tank.seed, lab->plan->seconds,
+           lab->tick);
+    printf("state hash   %016llx\n", (unsigned long long)tank_lab_hash(lab));
+}
+
+void tank_report_text(const struct tank_lab *lab, const struct tank_figures *figures)
+{
+    const uint32_t seconds = tank_lab_seconds(lab->plan);
+    const struct tank_meetings *meetings = &lab->meetings;
+    text_about(lab);
+    printf("cost         %.0f ns a fish and tick; a tick %.3f ms median, %.3f ms p99\n",
+           figures->ns_per_fish_tick, figures->tick_ms_median, figures->tick_ms_p99);
+    printf("overlaps     %llu pair-ticks deeper than %.1f mm; deepest %.3f mm\n",
+           (unsigned long long)lab->overlaps.pairs, OVERLAP_DEEP_MM, lab->overlaps.deepest_mm);
+    printf("encounters   %llu head-on, %llu from the side, %llu from behind; %llu turns, "
+           "%llu climbs or dives\n",
+           (unsigned long long)meetings->head_on, (unsigned long long)meetings->side,
+           (unsigned long long)meetings->rear_end, (unsigned long long)meetings->by_yaw,
+           (unsigned long long)meetings->by_pitch);
+    printf("speed        %.2f cm/s mean, %.2f cm/s most\n", figures->speed_mean_cm_s,
+           figures->speed_max_cm_s);
+    printf("stamina      %.1f of 100\n", figures->stamina_mean);
+    printf("oxygen       %.2f mg/L at the start, %.2f mg/L at the end\n",
+           (double)lab->oxygen_start_mg_l, (double)tank_lab_oxygen_mg_l(lab));
+    puts("gaits");
+    tank_report_print_bar("burst", figures->share[GAIT_BURST]);
+    tank_report_print_bar("swim", figures->share[GAIT_SWIM]);
+    tank_report_print_bar("rest", figures->share[GAIT_REST]);
+    tank_report_print_bar("other", figures->other_share);
+    if (lab->plan->shade_count > 0) {
+        sparks("in the shade", lab->shade_count, seconds);
+    }
+    sparks("surfacing", lab->surfacing_count, seconds);
+}

@@ -1,0 +1,73 @@
+/* frame_pacer.c -- converts elapsed time to ticks. */
+#include "platform/kiosk/frame_pacer.h"
+
+#include "core/input.h"
+
+#define NS_PER_S 1000000000ull
+#define FRAME_TICKS 2u
+#define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
+#define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: possibly a frame of a 60 Hz display with jitter. */
+#define SURE_60_HZ_NS 1500000ull /* 55 .. 66 Hz: certainly a frame of a 60 Hz display. */
+#define SNAP_NS 6000000ll        /* Jitter of 3 ms moves the starts of two frames apart by this
+                                    much. */
+#define DRIFT_SHARE 8            /* Correction per frame, because no display has exactly 60 Hz. */
+
+#define WAITS_NS 16000000ull     /* A screen of 62 Hz or less paces the loop with its vertical
+                                    sync. */
+#define REST_SHARE 16            /* Frames in the mean: a quarter of a second. */
+
+static uint64_t distance(uint64_t a, uint64_t b)
+{
+    return a > b ? a - b : b - a;
+}
+
+/* Sets two ticks for a frame similar to a 60 Hz one, as long as the due time also stays near two
+ * ticks. Returns 1 if so. */
+static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
+{
+    const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
+    const int64_t snap = SNAP_NS * (int64_t)CORE_TICK_HZ;
+    if (distance(elapsed_ns, FRAME_NS) > LIKE_60_HZ_NS || left > snap || left < -snap) {
+        return 0;
+    }
+    pace->owed = distance(elapsed_ns, FRAME_NS) < SURE_60_HZ_NS ? left - left / DRIFT_SHARE : left;
+    return 1;
+}
+
+uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns)
+{
+    if (!pace->started) {
+        pace->started = 1;
+        pace->last_ns = now_ns;
+        return FRAME_TICKS;
+    }
+    const uint64_t elapsed_ns = now_ns > pace->last_ns ? now_ns - pace->last_ns : 0;
+    pace->last_ns = now_ns;
+    /* Limits the elapsed time, so that a wrong clock cannot overflow the 63 bits; decades would
+     * still fit. */
+    const uint64_t hour_ns = 3600u * NS_PER_S;
+    pace->owed += (int64_t)((elapsed_ns < hour_ns ? elapsed_ns : hour_ns) * CORE_TICK_HZ);
+    if (snap(pace, elapsed_ns)) {
+        return FRAME_TICKS;
+    }
+    if (pace->owed < 0) {
+        return 0;
+    }
+    uint64_t ticks = (uint64_t)pace->owed / NS_PER_S;
+    pace->owed %= (int64_t)NS_PER_S;
+    if (ticks > FRAME_PACER_TICKS_MAX) {
+        pace->dropped += ticks - FRAME_PACER_TICKS_MAX;
+        ticks = FRAME_PACER_TICKS_MAX;
+    }
+    return (uint32_t)ticks;
+}
+
+uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns)
+{
+    if (rest->mean_ns == 0) {
+        rest->mean_ns = FRAME_NS; /* A screen is assumed to have vertical sync until the mean shows
+                                     otherwise. */
+    }
+    rest->mean_ns = (rest->mean_ns * (REST_SHARE - 1) + took_ns) / REST_SHARE;
+    return rest->mean_ns < WAITS_NS && took_ns < FRAME_NS ? FRAME_NS - took_ns : 0;
+}

@@ -1,0 +1,132 @@
+/* offline_flush.c -- collects and transfers offline credits; see offline_flush.h. */
+#include "platform/kiosk/offline_flush.h"
+
+#define BATCH_MAX 16u /* Limit of hand_over(); further entries follow in the next transaction. */
+
+struct batch {
+    const struct core *core;
+    struct ledger_entry entries[BATCH_MAX];
+    uint32_t count;
+};
+
+static uint32_t less(uint32_t from, uint32_t what)
+{
+    return from > what ? from - what : 0u;
+}
+
+static uint32_t untold(const struct offline_flush *flush, const struct core *core, uint32_t audit)
+{
+    return less(core->game.audits.count[audit], flush->told.count[audit]);
+}
+
+static void offline_flush_add_entry(struct batch *batch, uint8_t kind, uint32_t detail,
+                                    uint32_t count, uint32_t value)
+{
+    const struct ledger *ledger = &batch->core->game.ledger;
+    if (batch->count < BATCH_MAX) {
+        batch->entries[batch->count++] = (struct ledger_entry){
+            .tick = batch->core->tick,
+            .day = ledger->day,
+            .minute = ledger->minute,
+            .kind = kind,
+            .detail = (uint8_t)detail,
+            .count = count,
+            .value = (int32_t)value,
+        };
+    }
+}
+
+/* Adds the coins. The audits contain only the total value of all lines, which is assigned to the
+ * first line with coins. */
+static void add_coins(struct batch *batch, const struct offline_flush *flush)
+{
+    uint32_t units = untold(flush, batch->core, AUDIT_UNITS);
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        const uint32_t pulses = untold(flush, batch->core, AUDIT_COINS_1 + line);
+        if (pulses > 0) {
+            offline_flush_add_entry(batch, LEDGER_COINS, line, pulses, units);
+            units = 0;
+        }
+    }
+}
+
+static void add_counted(struct batch *batch, const struct offline_flush *flush, uint8_t kind,
+                        uint32_t audit)
+{
+    const uint32_t count = untold(flush, batch->core, audit);
+    if (count > 0) {
+        offline_flush_add_entry(batch, kind, 0, count, 0);
+    }
+}
+
+static void add_credits(struct batch *batch, const struct offline_flush *flush)
+{
+    const uint32_t credits = untold(flush, batch->core, AUDIT_CREDITS_PAID);
+    if (credits > 0) {
+        offline_flush_add_entry(batch, LEDGER_CREDITS, 0, credits,
+                                untold(flush, batch->core, AUDIT_CREDITS_BONUS));
+    }
+    add_counted(batch, flush, LEDGER_EXPIRED, AUDIT_EXPIRED);
+    add_counted(batch, flush, LEDGER_TEST_COIN, AUDIT_TEST_COINS);
+    for (uint32_t i = untold(flush, batch->core, AUDIT_CREDITS_SERVICE);
+         i > 0 && batch->count < BATCH_MAX; i--) {
+        offline_flush_add_entry(batch, LEDGER_SERVICE, 0, 1, 0);
+    }
+}
+
+/* Adds the tickets as a round without players: the balance contains the tickets, and the audits
+ * must count them. */
+static void add_tickets(struct batch *batch, const struct offline_flush *flush)
+{
+    const uint32_t count = untold(flush, batch->core, AUDIT_TICKETS);
+    if (count > 0 && batch->count < BATCH_MAX) {
+        offline_flush_add_entry(batch, LEDGER_ROUND, 0, 0, count);
+        batch->entries[batch->count - 1u].round.unscored = 1;
+    }
+}
+
+static int offline_flush_is_same(const struct balance *a, const struct balance *b)
+{
+    return a->units == b->units && a->bonus_units == b->bonus_units && a->paid == b->paid &&
+           a->service == b->service && a->unlogged == b->unlogged && a->tickets == b->tickets;
+}
+
+/* Returns 1 if the store has written what was transferred, or if nothing was transferred. */
+static int is_written(struct offline_flush *flush, const struct hal_storage *storage)
+{
+    if (flush->is_asked && storage->ops->offline_merged(storage->self) == HAL_OK) {
+        flush->told = flush->asked;
+        flush->told_purse = flush->asked_purse;
+        flush->is_asked = 0;
+    }
+    return !flush->is_asked;
+}
+
+int offline_flush_step(struct offline_flush *flush, const struct hal_storage *storage,
+                       const struct core *core)
+{
+    struct batch batch = { .core = core };
+    if (!is_written(flush, storage)) {
+        return 0;
+    }
+    const struct balance_change step = { flush->told_purse, core->game.ledger.balance };
+    add_coins(&batch, flush);
+    add_credits(&batch, flush);
+    add_tickets(&batch, flush);
+    if (batch.count == 0 && offline_flush_is_same(&step.from, &step.to)) {
+        return 1;
+    }
+    if (batch.count == 0) {
+        offline_flush_add_entry(&batch, LEDGER_HEALTH, 0, 0,
+                                0); /* An entry that only carries the balance. */
+    }
+    if (storage->ops->merge_offline(storage->self, &step, batch.entries, batch.count) == HAL_OK) {
+        flush->asked = flush->told;
+        for (uint32_t i = 0; i < batch.count; i++) {
+            audits_note(&flush->asked, &batch.entries[i]);
+        }
+        flush->asked_purse = step.to;
+        flush->is_asked = 1;
+    }
+    return 0;
+}

@@ -1,0 +1,307 @@
+/* run_common.c -- recording, replay and pictures around the frame loop. */
+#include "platform/kiosk/run_common.h"
+
+#include <dirent.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/cpu.h"
+#include "platform/os/directory.h"
+#include "platform/os/log.h"
+#include "platform/os/png.h"
+#include "platform/os/print.h"
+#include "platform/os/regular_file.h"
+#include "platform/store/graph_file.h"
+#include "platform/store/storage.h"
+
+enum exit_code run_common_check(struct run_common *session)
+{
+    struct replay_reader *reader = &session->replayer.reader;
+    const char *path = session->options.replay;
+    if (path[0] && replay_scan(reader, path, &session->replayed)) {
+        return replayer_print_problem("kingyo", path, &reader->problem);
+    }
+    return EXIT_OK;
+}
+
+void run_common_note_refused(void *self, const char *line)
+{
+    struct run_common *session = self;
+    file_notes_refused(&session->notes, session->options.data, line);
+}
+
+/* Reports a line in the log and adds it to the library for the lab's screen. */
+static void run_common_warn(void *context, const char *line)
+{
+    struct run_common *session = context;
+    const size_t folder = strlen(session->options.data) + 1u;
+    log_print(LOG_LEVEL_WARNING, "%s", line);
+    run_common_note_refused(session, line);
+    library_note_graph(&session->library, line + (folder < strlen(line) ? folder : 0u));
+}
+
+/* Fills the growth lab's catalog with the species of makers. */
+static void fill_book(const struct library *library, struct lab_book *book)
+{
+    book->card_count = (uint8_t)library->species_count;
+    for (uint32_t i = 0; i < library->species_count; i++) {
+        book->cards[i] = library->slots[i].species.card;
+    }
+    uint32_t refused = library->unread_count;
+    for (uint32_t i = 0; i < library->line_count; i++) {
+        refused += library->lines[i].slot == LIBRARY_SLOT_NONE;
+    }
+    book->refused = (uint8_t)(refused < UINT8_MAX ? refused : UINT8_MAX);
+}
+
+/* Adds the result of each species file to the operator's notes. */
+static void note_species(struct run_common *session)
+{
+    const struct library *library = &session->library;
+    char name[sizeof LIBRARY_FOLDER + LIBRARY_FILE_SIZE], words[SCENE_LINE_SIZE];
+    for (uint32_t i = 0; i < library->line_count; i++) {
+        const struct library_line *line = &library->lines[i];
+        const int is_used = line->slot != LIBRARY_SLOT_NONE;
+        snprintf(name, sizeof name, LIBRARY_FOLDER "/%s", line->file);
+        file_notes_add(&session->notes, is_used ? FILE_USED : FILE_REFUSED, name,
+                       is_used ? library->slots[line->slot].species.card.id : line->why);
+    }
+    if (library->unread_count > 0) {
+        snprintf(words, sizeof words, "%u more files, and no room for them", library->unread_count);
+        file_notes_add(&session->notes, FILE_REFUSED, LIBRARY_FOLDER, words);
+    }
+}
+
+/* Returns the text for a quarantined file in the log and on the operator's page. */
+static const char *words_of_aside(const char *data, const char *name)
+{
+    static const char *const words[] = {
+        [SYSTEM_HEALTH_QUARANTINE_DAMAGED] =
+            "damaged, and set aside: what could be read took its place",
+        [SYSTEM_HEALTH_QUARANTINE_MISSING] = "was missing: what could be read took its place",
+        [SYSTEM_HEALTH_QUARANTINE_LEFT] =
+            "a copy from before a part was left out, because of panics",
+        [SYSTEM_HEALTH_QUARANTINE_OTHER] =
+            "of another list, and set aside: nothing was read from it",
+    };
+    char path[PATH_MAX + 1u];
+    const enum system_health_quarantine aside = system_health_quarantine_of(name);
+    const int length = snprintf(path, sizeof path, "%s/%s", data, name);
+    const int has_path = length > 0 && (size_t)length < sizeof path;
+    return aside == SYSTEM_HEALTH_QUARANTINE_OTHER && has_path && regular_file_is_other(path)
+               ? "was not a regular file, and was set aside"
+               : words[aside];
+}
+
+/* Adds the quarantined files to the notes permanently. The warning on the page "ready for opening"
+ * disappears after an operator has acknowledged it. */
+static void note_damaged(struct run_common *session)
+{
+    DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
+    const struct dirent *entry;
+    while (folder && (entry = readdir(folder))) {
+        const enum system_health_quarantine aside = system_health_quarantine_of(entry->d_name);
+        if (aside != SYSTEM_HEALTH_QUARANTINE_NONE) {
+            const char *words = words_of_aside(session->options.data, entry->d_name);
+            if (!system_health_is_seen(session->options.data, entry->d_name)) {
+                log_print(LOG_LEVEL_WARNING, "%s/%s: %s", session->options.data, entry->d_name,
+                          words);
+            }
+            file_notes_add(&session->notes, FILE_ASIDE, entry->d_name, words);
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+}
+
+static void note_graphs(struct run_common *session, const struct lab_book *book)
+{
+    char name[sizeof GRAPH_FILE_FOLDER + SPECIES_NAME_SIZE + sizeof GRAPH_FILE_SUFFIX];
+    for (uint32_t i = 0; i < lab_book_count(book); i++) {
+        if (book->has_edit[i]) {
+            const char *id = lab_book_card(book, i)->id;
+            snprintf(name, sizeof name, GRAPH_FILE_FOLDER "/%.*s" GRAPH_FILE_SUFFIX,
+                     (int)SPECIES_NAME_SIZE, id);
+            file_notes_add(&session->notes, FILE_USED, name, id);
+        }
+    }
+}
+
+enum exit_code run_common_begin(struct run_common *session, struct kiosk_config *config)
+{
+    const char *record = session->options.record;
+    const char *replay = session->options.replay;
+    if (replay[0]) {
+        if (replayer_begin(&session->replayer, replay, &config->core)) {
+            return replayer_print_problem("kingyo", replay, &session->replayer.reader.problem);
+        }
+        config->source = replayer_source(&session->replayer);
+        config->tap = replayer_tap(&session->replayer);
+    } else if (record[0]) {
+        config->tap = recorder_tap(&session->recorder);
+    }
+    config->core.lanes = cpu_lanes();
+    library_fill(&session->library, session->options.data);
+    note_species(session);
+    note_damaged(session);
+    config->notes = &session->notes;
+    config->machine = &session->machine;
+    if (!replay[0]) {
+        config->chapters = &session->chapters;
+        config->playback = &session->playback;
+        fill_book(&session->library, &config->core.book);
+        graph_file_load(session->options.data, &config->core.book,
+                        (struct graph_file_warn){ run_common_warn, session });
+        note_graphs(session, &config->core.book);
+    }
+    const enum core_error refused = kiosk_init(&session->kiosk, &session->hal, config);
+    if (refused == CORE_ERR_FLOAT) {
+        return run_common_print_float();
+    }
+    if (refused != CORE_OK) {
+        log_print(LOG_LEVEL_ERROR, "%s: this program has no such stall (preset, fish or time)",
+                  replay[0] ? replay : "options");
+        return replay[0] ? EXIT_BAD_DATA : EXIT_USAGE;
+    }
+    const int error =
+        record[0] ? recorder_begin(&session->recorder, record, &session->kiosk.core) : 0;
+    if (error) {
+        log_print(LOG_LEVEL_ERROR, "%s: cannot record: %s", record, strerror(-error));
+        return EXIT_IO;
+    }
+    session->machine.data = session->options.data;
+    system_health_start(&session->machine);
+    return EXIT_OK;
+}
+
+enum exit_code run_common_print_float(void)
+{
+    log_print(LOG_LEVEL_CRITICAL, "the stall is closed: " CPU_FLOAT_WRONG);
+    return EXIT_NOT_SO;
+}
+
+void run_common_print_library(const struct run_common *session)
+{
+    const struct library *library = &session->library;
+    const char *data = session->options.data;
+    for (uint32_t i = 0; i < library->line_count; i++) {
+        const struct library_line *line = &library->lines[i];
+        if (line->slot != LIBRARY_SLOT_NONE) {
+            print_line(stdout, "  %-9s %s: %s", "species", line->file,
+                       library->slots[line->slot].species.card.id);
+        } else {
+            log_print(LOG_LEVEL_WARNING, "%s/" LIBRARY_FOLDER "/%s: %s", data, line->file,
+                      line->why);
+        }
+    }
+    if (library->unread_count > 0) {
+        log_print(LOG_LEVEL_WARNING, "%s/" LIBRARY_FOLDER ": %u more files, and no room for them",
+                  data, library->unread_count);
+    }
+}
+
+static enum exit_code end_recording(struct run_common *session)
+{
+    const char *path = session->options.record;
+    const int error = recorder_end(&session->recorder);
+    const struct replay_totals *saved = &session->recorder.writer.saved;
+    if (error) {
+        log_print(LOG_LEVEL_ERROR, "%s: recording stopped after %u s: %s", path,
+                  saved->ticks / CORE_TICK_HZ, strerror(-error));
+        return EXIT_IO;
+    }
+    print_line(stdout, "recorded %.1f s to %s", (double)saved->ticks / CORE_TICK_HZ, path);
+    return EXIT_OK;
+}
+
+static enum exit_code end_replay(struct run_common *session)
+{
+    struct replayer *replayer = &session->replayer;
+    const char *path = session->options.replay;
+    replayer_end(replayer);
+    if (replayer->damaged) {
+        return replayer_print_problem("kingyo", path, &replayer->reader.problem);
+    }
+    if (replayer->difference.found) {
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: this play is not the recorded one from tick %u on; "
+                  "'kingyoctl replay verify' says more",
+                  path, replayer->difference.tick);
+        return EXIT_NOT_SO;
+    }
+    print_line(stdout, "replayed %u of %u ticks (%.1f s) of %s, each as recorded",
+               replayer->totals.ticks, session->replayed.ticks,
+               (double)replayer->totals.ticks / CORE_TICK_HZ, path);
+    return EXIT_OK;
+}
+
+enum exit_code run_common_end(struct run_common *session)
+{
+    system_health_stop(&session->machine);
+    free(session->rgb);
+    session->rgb = NULL;
+    return session->options.record[0]   ? end_recording(session)
+           : session->options.replay[0] ? end_replay(session)
+                                        : EXIT_OK;
+}
+
+/* ---- Folders and pictures ------------------------------------------------------------------- */
+
+enum exit_code run_common_make_folder(const char *path)
+{
+    const int error = directory_make(path);
+    if (error) {
+        log_print(LOG_LEVEL_ERROR, "%s: cannot write there: %s", path, strerror(-error));
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+enum exit_code run_common_make_room(struct run_common *session, uint32_t width, uint32_t height)
+{
+    free(session->rgb);
+    session->rgb_size = (size_t)width * height * 3;
+    session->rgb = malloc(session->rgb_size);
+    if (!session->rgb) {
+        session->rgb_size = 0;
+        log_print(LOG_LEVEL_ERROR, "no memory for pictures of %ux%u", width, height);
+        return EXIT_NOT_SO;
+    }
+    return EXIT_OK;
+}
+
+static int capture(struct run_common *session, struct hal_image *image)
+{
+    const struct hal_display *display = &session->hal.display;
+    *image = (struct hal_image){ .rgb = session->rgb, .size = session->rgb_size };
+    return display->ops->capture(display->self, image);
+}
+
+/* Captures the picture. A window that has grown since the last picture needs a larger buffer. */
+static int capture_with_room(struct run_common *session, struct hal_image *image)
+{
+    const int result = capture(session, image);
+    const size_t needed = (size_t)image->width * image->height * 3;
+    if (result == HAL_OK || needed <= session->rgb_size) {
+        return result;
+    }
+    return run_common_make_room(session, image->width, image->height) == EXIT_OK
+               ? capture(session, image)
+               : HAL_ERR_IO;
+}
+
+int run_common_shot(struct run_common *session, const char *path, struct hal_image *image)
+{
+    if (capture_with_room(session, image) != HAL_OK) {
+        log_print(LOG_LEVEL_ERROR, "the display gives no picture");
+        return -1;
+    }
+    const int error = path ? png_write(path, image->rgb, image->width, image->height) : 0;
+    if (error) {
+        log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", path, strerror(-error));
+    }
+    return error ? -1 : 0;
+}

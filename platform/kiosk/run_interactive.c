@@ -1,0 +1,290 @@
+/* run_interactive.c -- opens the board, runs the frame loop and closes the board. */
+#include "platform/kiosk/run_interactive.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "core/tank/preset.h"
+#include "platform/board.h"
+#include "platform/os/clock.h"
+#include "platform/os/directory.h"
+#include "platform/os/log.h"
+#include "platform/os/print.h"
+
+#define SHOT_TICKS (5u * CORE_TICK_HZ)
+
+static void tell_device(const char *name, const char *line)
+{
+    if (line && line[0]) {
+        print_line(stdout, "  %-9s %s", name, line);
+    }
+}
+
+static void tell_devices(const struct hal *hal)
+{
+    printf("Kingyo %s\n", KINGYO_VERSION);
+    tell_device("display", hal->display.ops->describe(hal->display.self));
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        tell_device("poi", hal->poi[i].ops->describe(hal->poi[i].self));
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        tell_device("fan", hal->fan[i].ops->describe(hal->fan[i].self));
+    }
+    tell_device("buttons", hal->buttons.ops->describe(hal->buttons.self));
+    tell_device("switches", hal->switches.ops->describe(hal->switches.self));
+    tell_device("usb", hal->controllers.ops->describe(hal->controllers.self));
+    tell_device("sound", hal->audio.ops->describe(hal->audio.self));
+    tell_device("store", hal->storage.ops->describe(hal->storage.self));
+    tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
+}
+
+/* Reports which slots have no controller if more bowls were requested than there are
+ * controllers. */
+static void tell_seats(const struct kiosk *kiosk)
+{
+    char text[HAL_TEXT_SIZE] = "";
+    for (uint32_t i = 1; i < kiosk->core.config.players; i++) {
+        if (!kiosk->config.bot[i] && kiosk->hands[i].link == POI_SOURCE_ABSENT) {
+            const size_t length = strlen(text);
+            snprintf(text + length, sizeof text - length, "%s%u", length ? ", " : "", i + 1u);
+        }
+    }
+    if (text[0]) {
+        printf("  %-9s nobody at %s: no controller\n", "seats", text);
+    }
+}
+
+/* Reports the cost of a frame, from its first device poll to the end of its swap, and the core's
+ * share. */
+static void tell_work(const struct kiosk *kiosk)
+{
+    const struct timing *work = &kiosk->work_time;
+    const double share = work->sum_ns > 0 ? (double)kiosk->core_ns / (double)work->sum_ns : 0.0;
+    printf("a frame's work: median %.1f ms, p99 %.1f ms, the core %.1f %% of it\n",
+           (double)timing_quantile_ns(work, 0.5) * 1e-6,
+           (double)timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
+}
+
+/* Reports the latency of reports, only if a poi time-stamps its reports. */
+static void tell_reports(const struct kiosk *kiosk)
+{
+    const struct timing *wait = &kiosk->report_wait;
+    if (wait->count > 0) {
+        printf("%llu reports of pois, from arrival to the tick that used them: median %.1f ms, "
+               "p99 %.1f ms\n",
+               (unsigned long long)wait->count, (double)timing_quantile_ns(wait, 0.5) * 1e-6,
+               (double)timing_quantile_ns(wait, 0.99) * 1e-6);
+    }
+}
+
+/* Closes the store and then reports the statistics, which include unsaved data. Returns EXIT_IO if
+ * coins, rounds or edits are lost. */
+static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
+{
+    struct kiosk *kiosk = &session->kiosk;
+    const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
+    if (end == KIOSK_DISPLAY_LOST) {
+        log_print(LOG_LEVEL_ERROR, "the display was lost after %u s: %s",
+                  kiosk->core.tick / CORE_TICK_HZ,
+                  session->hal.display.ops->describe(session->hal.display.self));
+    }
+    printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
+           (unsigned long long)kiosk->frames,
+           (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
+           (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.tick,
+           (unsigned long long)kiosk->pace.dropped, kiosk_fault_count(&kiosk->faults));
+    tell_work(kiosk);
+    tell_reports(kiosk);
+    if (lost > 0) {
+        const struct hal_storage *storage = &session->hal.storage;
+        log_print(LOG_LEVEL_ERROR, "%u entries or graphs could not be written (%s)", lost,
+                  storage->ops->describe(storage->self));
+    }
+    return lost > 0 ? EXIT_IO : EXIT_OK;
+}
+
+static enum exit_code code_of_end(enum kiosk_end end)
+{
+    return end == KIOSK_FLOAT          ? run_common_print_float()
+           : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
+                                       : EXIT_OK;
+}
+
+/* Returns the worse result of the store and the recording, otherwise that of the display. */
+static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
+{
+    const enum exit_code told = tell_end(session, end);
+    const enum exit_code code = run_common_end(session);
+    const enum exit_code ended = code_of_end(end);
+    return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
+}
+
+/* Ends the program inside the display call. Xlib and the software renderer's threads do not survive
+ * the loss of their connection, so that no call may return into them. */
+static void on_display_lost(void *self)
+{
+    struct run_common *session = self;
+    const enum exit_code code = end_play(session, KIOSK_DISPLAY_LOST);
+    board_release_store(&session->hal);
+    fflush(NULL);
+    _exit((int)code);
+}
+
+int run_interactive_waits_for_screen(void)
+{
+    const char *socket = getenv("NOTIFY_SOCKET");
+    return socket && socket[0];
+}
+
+/* Returns whether keys act as buttons and coins: on a desktop, and if the operator enables them. A
+ * service disables them because anybody may find a socket of a cabinet. */
+static uint8_t keyboard_of(const struct options *options)
+{
+    const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
+    return options->keyboard == BOARD_KEYBOARD_AUTO ? automatic : options->keyboard;
+}
+
+int run_interactive_open(struct run_common *session)
+{
+    struct options *options = &session->options;
+    struct display_events events;
+    if (!options->data[0]) {
+        directory_default_data(options->data);
+    }
+    directory_make(options->data); /* Before evidence_open(); the store reports a failure. */
+    evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
+    const struct board_options board = {
+        .poi = options->poi,
+        .keyboard = keyboard_of(options),
+        .usb_count = options->usb_count,
+        .usb = (const char(*)[BOARD_USB_SIZE])options->usb,
+        .line_count = options->line_count,
+        .line = (const char(*)[BOARD_LINE_SIZE])options->line,
+        .full_screen = options->width == 0,
+        .waits_for_screen = run_interactive_waits_for_screen() != 0,
+        .width = options->width,
+        .height = options->height,
+        .data_dir = options->data[0] ? options->data : NULL,
+        .view = tank_preset(options->tank)->view,
+        .on_display_lost = on_display_lost,
+        .on_display_lost_self = session,
+        .library = &session->library,
+        .on_refused = run_common_note_refused,
+        .on_refused_self = session,
+    };
+    board_open(&session->hal, &board);
+    const struct hal_display *display = &session->hal.display;
+    if (display->ops->poll(display->self, &events) == HAL_ERR_ABSENT) {
+        board_close(&session->hal);
+        return 0;
+    }
+    return 1;
+}
+
+static enum exit_code run_interactive_begin(struct run_common *session)
+{
+    const struct options *options = &session->options;
+    const struct hal_storage *storage = &session->hal.storage;
+    struct kiosk_config config = {
+        .core = {
+            .seed = options->has_seed ? options->seed : (uint32_t)time(NULL),
+            .preset = options->tank,
+        },
+        .stopwatch = clock_device(),
+    };
+    struct settings *settings = &config.core.persistent.settings;
+    options_first(options, settings);
+    storage->ops->load(storage->self, &config.core.persistent);
+    options_last(options, settings);
+    settings_hide_pin(settings, config.core.seed);
+    settings_apply(settings, &config.core);
+    for (uint32_t i = 0; i < config.core.players; i++) {
+        config.bot[i] = options->poi == BOARD_POI_BOT;
+    }
+    return run_common_begin(session, &config);
+}
+
+/* Takes a picture if one is due. After the first failure no more pictures are taken, so that the
+ * error is reported only once. */
+static void shoot_if_due(struct run_common *session, uint32_t *shots)
+{
+    char path[OPTIONS_PATH_MAX + 32];
+    struct hal_image image;
+    if (session->options.shots[0] && *shots < UINT32_MAX &&
+        session->kiosk.core.tick >= (*shots + 1) * SHOT_TICKS) {
+        snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++*shots);
+        if (run_common_shot(session, path, &image)) {
+            *shots = UINT32_MAX;
+        }
+    }
+}
+
+/* Reports that the picture was lost, and that it is back, once each. */
+static void tell_picture(const struct run_common *session, int *was_away)
+{
+    const struct hal_display *display = &session->hal.display;
+    const int is_away = session->kiosk.display_retry_ns > 0;
+    if (is_away != *was_away) {
+        print_error("kingyo: %s%s", is_away ? "the stall goes on without a picture: " : "",
+                    display->ops->describe(display->self));
+        *was_away = is_away;
+    }
+}
+
+/* Reports a changed floating-point control once, because a library that changes it does so in each
+ * frame. */
+static void tell_float(const struct run_common *session, int *is_told)
+{
+    if (session->kiosk.float_resets > 0 && !*is_told) {
+        log_print(LOG_LEVEL_WARNING,
+                  "a library changed how this thread computes (denormal numbers or "
+                  "rounding): it is set back before each frame");
+        *is_told = 1;
+    }
+}
+
+static enum kiosk_end run_interactive_loop(struct run_common *session)
+{
+    const struct hal_clock clock = clock_device();
+    enum kiosk_end end = KIOSK_RUNS;
+    struct frame_pacer_sleep rest = { 0 };
+    uint32_t shots = 0;
+    int was_away = 0, is_float_told = 0;
+    while (end == KIOSK_RUNS && !*session->stop) {
+        const uint64_t begin_ns = clock.ops->now_ns(clock.self);
+        end = kiosk_frame(&session->kiosk, &session->hal);
+        evidence_note_frame(&session->evidence);
+        tell_picture(session, &was_away);
+        tell_float(session, &is_float_told);
+        shoot_if_due(session, &shots);
+        status_update(&session->status, &session->kiosk, &session->hal, begin_ns);
+        const uint64_t end_ns = clock.ops->now_ns(clock.self);
+        const uint64_t rest_ns = frame_pacer_sleep_ns(&rest, end_ns - begin_ns);
+        if (rest_ns > 0) {
+            clock_sleep_until(end_ns + rest_ns);
+        }
+    }
+    return end;
+}
+
+enum exit_code run_interactive_run(struct run_common *session)
+{
+    enum exit_code code = run_interactive_begin(session);
+    if (code != EXIT_OK) {
+        board_close(&session->hal);
+        return code;
+    }
+    tell_devices(&session->hal);
+    tell_seats(&session->kiosk);
+    run_common_print_library(session);
+    fflush(stdout);
+    status_begin(&session->status, getenv("RUNTIME_DIRECTORY"));
+    const enum kiosk_end end = run_interactive_loop(session);
+    status_end(&session->status);
+    code = end_play(session, end);
+    board_close(&session->hal);
+    return code;
+}

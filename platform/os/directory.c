@@ -1,0 +1,71 @@
+/* directory.c -- creates folders as mkdir -p does, and checks that the result is a writable
+ * folder. */
+#include "platform/os/directory.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int make_one(const char *path)
+{
+    return mkdir(path, 0755) != 0 && errno != EEXIST ? -errno : 0;
+}
+
+/* Creates all folders of `path`, which is restored before the return. */
+static int make_all(char *path)
+{
+    int error = 0;
+    for (char *slash = strchr(path + 1, '/'); slash && !error; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        error = make_one(path);
+        *slash = '/';
+    }
+    return error ? error : make_one(path);
+}
+
+int directory_make(const char *path)
+{
+    char copy[DIRECTORY_PATH_MAX];
+    struct stat status;
+    const size_t length = strlen(path);
+    if (length == 0 || length >= sizeof copy) {
+        return length == 0 ? -ENOENT : -ENAMETOOLONG;
+    }
+    memcpy(copy, path, length + 1);
+    const int error = make_all(copy);
+    if (error) {
+        return error;
+    }
+    if (stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
+        return -ENOTDIR;
+    }
+    return access(path, W_OK | X_OK) != 0 ? -errno : 0;
+}
+
+int directory_lock(const char *path)
+{
+    const int handle = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle >= 0 && flock(handle, LOCK_EX | LOCK_NB) != 0) {
+        const int error = errno;
+        close(handle);
+        return -error;
+    }
+    return handle >= 0 ? handle : -errno;
+}
+
+void directory_default_data(char out[DIRECTORY_PATH_MAX])
+{
+    const char *data = getenv("XDG_DATA_HOME");
+    const char *home = getenv("HOME");
+    out[0] = '\0';
+    if (data && data[0] == '/') {
+        snprintf(out, DIRECTORY_PATH_MAX, "%s/kingyo", data);
+    } else if (home && home[0] == '/') {
+        snprintf(out, DIRECTORY_PATH_MAX, "%s/.local/share/kingyo", home);
+    }
+}

@@ -1,0 +1,62 @@
+/* log.c -- writes log lines with a journal priority, one system call a line, so that lines of
+ * several threads do not mix. */
+#include "platform/os/log.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/printable.h"
+#include "platform/os/panic_text.h"
+
+static int has_journal; /* Set once, before threads start. */
+
+int log_is_journal(const char *journal, int fd)
+{
+    char here[64];
+    struct stat about;
+    if (!journal || fstat(fd, &about) != 0) {
+        return 0;
+    }
+    snprintf(here, sizeof here, "%llu:%llu", (unsigned long long)about.st_dev,
+             (unsigned long long)about.st_ino);
+    return strcmp(here, journal) == 0;
+}
+
+void log_open(void)
+{
+    has_journal = log_is_journal(getenv("JOURNAL_STREAM"), fileno(stderr));
+}
+
+void log_print_raw(enum log_level level, const char *words)
+{
+    struct panic_text line = { 0 };
+    if (has_journal) {
+        panic_put(&line, "<");
+        panic_put_number(&line, (uint32_t)level);
+        panic_put(&line, ">");
+    }
+    panic_put(&line, "kingyo: ");
+    panic_put(&line, words);
+    panic_put_end(&line);
+    panic_write(STDERR_FILENO, line.out, line.used);
+}
+
+void log_print(enum log_level level, const char *format, ...)
+{
+    char line[LOG_LINE_MAX], words[LOG_LINE_MAX - 32u];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    printable(words);
+    if (has_journal) {
+        snprintf(line, sizeof line, "<%d>kingyo: %s\n", (int)level, words);
+    } else {
+        snprintf(line, sizeof line, "kingyo: %s\n", words);
+    }
+    fputs(line, stderr);
+}

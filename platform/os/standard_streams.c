@@ -1,0 +1,46 @@
+/* standard_streams.c -- opens and flushes the standard streams; see standard_streams.h. */
+#include "platform/os/standard_streams.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+
+int standard_streams_open(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+        if (fcntl(fd, F_GETFD) >= 0) {
+            continue;
+        }
+        /* The wrong direction makes every use fail. open() returns the lowest free number, which is
+         * `fd`. */
+        if (open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
+            return errno != 0 ? -errno : -EIO;
+        }
+    }
+    return 0;
+}
+
+static int flush_error; /* errno of the first standard_output_flush() that failed; else 0. */
+
+int standard_output_flush(FILE *out)
+{
+    errno = 0;
+    if (fflush(out) == 0 && !ferror(out)) {
+        return 0;
+    }
+    flush_error = flush_error ? flush_error : errno;
+    return -1;
+}
+
+int standard_output_finish(void)
+{
+    const int has_failed = ferror(stdout) != 0;
+    errno = 0;
+    /* After a failed write the C library keeps the bytes, so that fflush() fails for the same
+     * reason. */
+    if (fflush(stdout) == 0 && !has_failed) {
+        return 0;
+    }
+    return flush_error != 0 ? -flush_error : errno != 0 ? -errno : -EIO;
+}

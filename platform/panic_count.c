@@ -1,0 +1,210 @@
+/* panic_count.c -- stores the panic count in fixed little-endian fields, followed by a checksum. */
+#include "platform/panic_count.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "core/base/hash.h"
+#include "platform/os/log.h"
+#include "platform/os/panic_text.h"
+#include "platform/replay/replay_bytes.h"
+
+#define MAGIC "KGPANIC1"
+enum { AT_TOTAL = 8, AT_LEFT = 12, AT_LEFT_BOOT = 16, AT_EARLY = 24, AT_COUNT = 28, AT_RECENT = 32,
+       RECENT_SIZE = 12, AT_ATTEMPT = AT_RECENT + RECENT_SIZE * (int)PANICS_RECENT, AT_SUM = 72 };
+_Static_assert(AT_ATTEMPT + 4 <= AT_SUM && AT_SUM + 8 == PANICS_SIZE,
+               "all fields have their place");
+
+/* ---- Time ------------------------------------------------------------------------------------ */
+
+uint64_t panics_boot(void)
+{
+    char id[64];
+    const int file = open("/proc/sys/kernel/random/boot_id", O_RDONLY | O_CLOEXEC);
+    const ssize_t size = file >= 0 ? read(file, id, sizeof id) : 0;
+    if (file >= 0) {
+        close(file);
+    }
+    return hash_bytes(HASH_START, id, size > 0 ? (size_t)size : 0);
+}
+
+uint32_t panics_up_s(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return (uint32_t)now.tv_sec;
+}
+
+/* ---- Consequences ---------------------------------------------------------------------------- */
+
+void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, int had_frame)
+{
+    if (had_frame && (panics->left_boot != boot || run_s >= PANICS_WITHIN_S)) {
+        panics->left = LEFT_NOTHING;
+    }
+    panics->total += panics->total < UINT32_MAX;
+    panics->is_early = !had_frame;
+    panics->count += panics->count < PANICS_RECENT;
+    for (uint32_t i = PANICS_RECENT - 1u; i > 0; i--) {
+        panics->recent[i] = panics->recent[i - 1u];
+    }
+    panics->recent[0].boot = boot;
+    panics->recent[0].up_s = up_s;
+}
+
+int panics_is_due(const struct panics *panics)
+{
+    int is_due = panics->count == PANICS_RECENT;
+    for (uint32_t i = 0; i < panics->count; i++) {
+        is_due &= panics->recent[i].boot == panics->recent[0].boot &&
+                  panics->recent[0].up_s - panics->recent[i].up_s <= PANICS_WITHIN_S;
+    }
+    return panics->is_early || is_due;
+}
+
+enum panics_left panics_try(struct panics *panics)
+{
+    panics->attempt = panics->left + (panics->left < LEFT_NAMES);
+    return (enum panics_left)panics->attempt;
+}
+
+void panics_set_left_out(struct panics *panics, uint64_t boot)
+{
+    panics->left = panics->attempt;
+    panics->left_boot = boot;
+    panics_clear(panics);
+}
+
+void panics_clear(struct panics *panics)
+{
+    panics->attempt = panics->is_early = panics->count = 0;
+    memset(panics->recent, 0, sizeof panics->recent);
+}
+
+const char *panics_left_name(uint32_t left)
+{
+    static const char *const names[LEFT_COUNT] = { "nothing", "settings", "settings and replays",
+                                                   "settings, replays and names" };
+    return names[left < LEFT_COUNT ? left : 0];
+}
+
+/* ---- The file ------------------------------------------------------------------------------- */
+
+/* Returns a descriptor of a regular file, or a negative errno. The type is read from the
+ * descriptor, so that the file cannot be exchanged after the check. */
+static int open_file(int folder, int flags)
+{
+    struct stat about;
+    const int file = openat(folder, PANICS_FILE,
+                            flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600);
+    if (file < 0) { /* A link, a socket, or a FIFO or folder opened for writing. */
+        return errno == ELOOP || errno == ENXIO || errno == EISDIR ? -ENOTSUP : -errno;
+    }
+    const int error = fstat(file, &about) != 0 ? -errno : S_ISREG(about.st_mode) ? 0 : -ENOTSUP;
+    if (error) {
+        close(file);
+    }
+    return error ? error : file;
+}
+
+static int parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
+{
+    *panics = (struct panics){
+        .total = replay_get_u32(bytes + AT_TOTAL),
+        .left = replay_get_u32(bytes + AT_LEFT),
+        .left_boot = replay_get_u64(bytes + AT_LEFT_BOOT),
+        .is_early = replay_get_u32(bytes + AT_EARLY),
+        .count = replay_get_u32(bytes + AT_COUNT),
+        .attempt = replay_get_u32(bytes + AT_ATTEMPT),
+    };
+    for (uint32_t i = 0; i < PANICS_RECENT; i++) {
+        panics->recent[i].boot = replay_get_u64(bytes + AT_RECENT + i * RECENT_SIZE);
+        panics->recent[i].up_s = replay_get_u32(bytes + AT_RECENT + i * RECENT_SIZE + 8u);
+    }
+    return memcmp(bytes, MAGIC, 8) == 0 && panics->left < LEFT_COUNT && panics->is_early <= 1 &&
+           panics->count <= PANICS_RECENT && panics->attempt < LEFT_COUNT &&
+           replay_get_u64(bytes + AT_SUM) == hash_bytes(HASH_START, bytes, AT_SUM);
+}
+
+/* Renames a link, FIFO, folder, socket or device in place of the file, so that panics can be
+ * counted again. Returns 1 if the object was renamed. */
+static int set_strange_aside(int folder)
+{
+    char name[40];
+    struct stat about;
+    if (fstatat(folder, PANICS_FILE, &about, AT_SYMLINK_NOFOLLOW) != 0 || S_ISREG(about.st_mode)) {
+        return 0;
+    }
+    for (unsigned number = 1; number <= PANICS_OTHER_MAX; number++) {
+        snprintf(name, sizeof name, PANICS_FILE ".other-%u", number);
+        if (fstatat(folder, name, &about, AT_SYMLINK_NOFOLLOW) != 0) {
+            if (errno != ENOENT || renameat(folder, PANICS_FILE, folder, name) != 0) {
+                return 0;
+            }
+            fsync(folder);
+            log_print(LOG_LEVEL_WARNING,
+                      PANICS_FILE " in the data folder: is not a regular file, and is now"
+                                  " %s; panics are counted from zero",
+                      name);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+const char *panics_error(int error)
+{
+    return error == -EBADMSG   ? "is not a count of panics"
+           : error == -ENOTSUP ? "is not a regular file, and cannot be renamed"
+                               : strerror(-error);
+}
+
+int panics_read(struct panics *panics, int folder)
+{
+    uint8_t bytes[PANICS_SIZE + 1u];
+    *panics = (struct panics){ 0 };
+    const int file = open_file(folder, O_RDONLY);
+    if (file < 0) {
+        return file == -ENOENT || set_strange_aside(folder) ? 0 : file;
+    }
+    const ssize_t size = read(file, bytes, sizeof bytes);
+    const int error = size < 0 ? -errno : 0;
+    close(file);
+    if (!error && size == PANICS_SIZE && parse(panics, bytes)) {
+        return 0;
+    }
+    *panics = (struct panics){ 0 };
+    return error ? error : -EBADMSG;
+}
+
+int panics_write(const struct panics *panics, int folder)
+{
+    uint8_t bytes[PANICS_SIZE] = { 0 };
+    memcpy(bytes, MAGIC, 8);
+    replay_put_u32(bytes + AT_TOTAL, panics->total);
+    replay_put_u32(bytes + AT_LEFT, panics->left);
+    replay_put_u64(bytes + AT_LEFT_BOOT, panics->left_boot);
+    replay_put_u32(bytes + AT_EARLY, panics->is_early);
+    replay_put_u32(bytes + AT_COUNT, panics->count);
+    replay_put_u32(bytes + AT_ATTEMPT, panics->attempt);
+    for (uint32_t i = 0; i < PANICS_RECENT; i++) {
+        replay_put_u64(bytes + AT_RECENT + i * RECENT_SIZE, panics->recent[i].boot);
+        replay_put_u32(bytes + AT_RECENT + i * RECENT_SIZE + 8u, panics->recent[i].up_s);
+    }
+    replay_put_u64(bytes + AT_SUM, hash_bytes(HASH_START, bytes, AT_SUM));
+    const int file = open_file(folder, O_WRONLY | O_CREAT);
+    if (file < 0) {
+        return file;
+    }
+    int error = panic_write(file, bytes, sizeof bytes);
+    if (!error && (ftruncate(file, PANICS_SIZE) != 0 || fsync(file) != 0)) {
+        error = -errno;
+    }
+    close(file);
+    return error;
+}

@@ -1,0 +1,250 @@
+/* basin_pass.c -- implementation of basin_pass.h. */
+#include "platform/render/pass/basin_pass.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "platform/render/gl_program.h"
+#include "shaders.h"
+
+/* Vertex positions are integer steps, which the vertex shaders tank.vert.glsl and deck.vert.glsl
+ * scale to the tank's size. */
+struct corner {
+    float position[3], normal[3];
+};
+
+struct face {
+    float a[3], b[3], c[3], d[3]; /* Corners in order around the face. */
+    float normal[3];
+};
+
+enum contact_solver {
+    PART_FLOOR,
+    PART_WALLS,
+    PART_SURFACE,
+    PART_COUNTER,
+    PART_SIDES,
+    PART_RIM,
+    PART_END
+};
+
+#define UP { 0.0f, 1.0f, 0.0f }
+#define VERTICES_PER_FACE 6u
+#define SLOPE_UNIT (1.0f / 508.0f) /* Slope of one step in the scene's surface data. */
+#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ) /* The wind's time wraps every ten minutes, so that
+                                                 sines stay exact. Each wrap makes a small jump. */
+
+static const struct face faces[] = {
+    /* Floor */
+    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, -1, 1 }, { -1, -1, 1 }, UP },
+    /* Walls: far, near, left, right */
+    { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 0, -1 }, { -1, 0, -1 }, { 0, 0, 1 } },
+    { { -1, -1, 1 }, { 1, -1, 1 }, { 1, 0, 1 }, { -1, 0, 1 }, { 0, 0, -1 } },
+    { { -1, -1, -1 }, { -1, -1, 1 }, { -1, 0, 1 }, { -1, 0, -1 }, { 1, 0, 0 } },
+    { { 1, -1, -1 }, { 1, -1, 1 }, { 1, 0, 1 }, { 1, 0, -1 }, { -1, 0, 0 } },
+    /* Surface */
+    { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
+    /* Counter: far, near, left, right */
+    { { -3, -1, -3 }, { 3, -1, -3 }, { 3, -1, -2 }, { -3, -1, -2 }, UP },
+    { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
+    { { -3, -1, -2 }, { -2, -1, -2 }, { -2, -1, 2 }, { -3, -1, 2 }, UP },
+    { { 2, -1, -2 }, { 3, -1, -2 }, { 3, -1, 2 }, { 2, -1, 2 }, UP },
+    /* Inner side of the rim: far, left, right. The near inner side faces away from the player and
+     * is not drawn. */
+    { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { 0, 0, 1 } },
+    { { -1, 0, -1 }, { -1, 0, 1 }, { -1, 1, 1 }, { -1, 1, -1 }, { 1, 0, 0 } },
+    { { 1, 0, -1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, -1 }, { -1, 0, 0 } },
+    /* Outer side of the rim: near */
+    { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
+    /* Top of the rim: far, near, left, right */
+    { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
+    { { -2, 1, 1 }, { 2, 1, 1 }, { 2, 1, 2 }, { -2, 1, 2 }, UP },
+    { { -2, 1, -1 }, { -1, 1, -1 }, { -1, 1, 1 }, { -2, 1, 1 }, UP },
+    { { 1, 1, -1 }, { 2, 1, -1 }, { 2, 1, 1 }, { 1, 1, 1 }, UP },
+};
+#define FACE_COUNT (sizeof faces / sizeof *faces)
+
+static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, FACE_COUNT };
+
+static struct corner *put_corner(struct corner *out, const float position[3], const float normal[3])
+{
+    memcpy(out->position, position, sizeof out->position);
+    memcpy(out->normal, normal, sizeof out->normal);
+    return out + 1;
+}
+
+static void upload_faces(struct basin_pass *pass)
+{
+    struct corner corners[FACE_COUNT * VERTICES_PER_FACE];
+    struct corner *out = corners;
+    for (uint32_t i = 0; i < FACE_COUNT; i++) {
+        const struct face *const face = &faces[i];
+        const float *const around[VERTICES_PER_FACE] = { face->a, face->b, face->c,
+                                                         face->a, face->c, face->d };
+        for (uint32_t k = 0; k < VERTICES_PER_FACE; k++) {
+            out = put_corner(out, around[k], face->normal);
+        }
+    }
+    glGenVertexArrays(1, &pass->vertex_array);
+    glBindVertexArray(pass->vertex_array);
+    pass->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, corners, sizeof corners);
+    gl_attribute_floats(0, 3, sizeof *corners, offsetof(struct corner, position));
+    gl_attribute_floats(1, 3, sizeof *corners, offsetof(struct corner, normal));
+    glBindVertexArray(0);
+}
+
+static void draw_part(const struct basin_pass *pass, enum contact_solver part)
+{
+    const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;
+    const GLint end = part_faces[part + 1] * (GLint)VERTICES_PER_FACE;
+    glBindVertexArray(pass->vertex_array);
+    glDrawArrays(GL_TRIANGLES, first, end - first);
+}
+
+void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
+{
+    pass->floor_program = gl_program(status, "floor", "#define FLOOR\n", shader_tank_vert,
+                                     shader_tank_frag, "caustics shadows");
+    pass->wall_program =
+        gl_program(status, "walls", "", shader_tank_vert, shader_tank_frag, "caustics");
+    pass->counter_program = gl_program(status, "counter", "#define COUNTER\n", shader_deck_vert,
+                                       shader_deck_frag, "wood");
+    pass->rim_program =
+        gl_program(status, "rim", "#define RIM\n", shader_deck_vert, shader_deck_frag, "wood");
+    pass->side_program =
+        gl_program(status, "rim sides", "", shader_deck_vert, shader_deck_frag, "wood");
+    pass->water_program = gl_program(status, "water", "", shader_water_vert, shader_water_frag,
+                                     "ground life slopes environment");
+    upload_faces(pass);
+    gl_ring_open(
+        status, "slopes", &pass->slope_ring,
+        &(struct gl_texture_desc){
+            /* The texels are 16-bit floats because 8-bit steps are visible as tiles in the mirrored
+             * lanterns. */
+            .internal_format = GL_RGBA16F, .format = GL_RGBA, .width = RIPPLE_X,
+            .height = RIPPLE_Z });
+}
+
+void basin_pass_close(struct basin_pass *pass)
+{
+    glDeleteProgram(pass->floor_program);
+    glDeleteProgram(pass->wall_program);
+    glDeleteProgram(pass->counter_program);
+    glDeleteProgram(pass->side_program);
+    glDeleteProgram(pass->rim_program);
+    glDeleteProgram(pass->water_program);
+    glDeleteVertexArrays(1, &pass->vertex_array);
+    glDeleteBuffers(1, &pass->vertex_buffer);
+    gl_ring_close(&pass->slope_ring);
+}
+
+/* A light wind adds a few long, low waves to the slopes that the core computes, so that the
+ * mirrored lanterns always move. Slopes are in the scene's units of 1/508. */
+struct wind_wave {
+    float x_rad_m, z_rad_m, rad_s, slope;
+};
+
+static const struct wind_wave wind[] = {
+    { 31.0f, 19.0f, 3.1f, 7.0f },
+    { -22.0f, 37.0f, 3.7f, 7.0f },
+    { 58.0f, -13.0f, 5.3f, 4.5f },
+};
+
+/* Adds one wave to the whole grid from two columns of sines: sin(a + b) = sin a cos b + cos a sin
+ * b. */
+static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3 size_m,
+                     float time_s)
+{
+    const float length = f_sqrt(wave->x_rad_m * wave->x_rad_m + wave->z_rad_m * wave->z_rad_m);
+    const float along_x = wave->slope * wave->x_rad_m / length;
+    const float along_z = wave->slope * wave->z_rad_m / length;
+    float sin_x[RIPPLE_X];
+    float cos_x[RIPPLE_X];
+    for (uint32_t x = 0; x < RIPPLE_X; x++) {
+        const float phase = wave->x_rad_m * size_m.x * (float)x / (float)RIPPLE_X;
+        sin_x[x] = f_sin(phase);
+        cos_x[x] = f_cos(phase);
+    }
+    for (uint32_t z = 0; z < RIPPLE_Z; z++) {
+        const float phase = wave->z_rad_m * size_m.z * (float)z / (float)RIPPLE_Z -
+                            f_wrap_angle(wave->rad_s * time_s);
+        const float sin_z = f_sin(phase);
+        const float cos_z = f_cos(phase);
+        for (uint32_t x = 0; x < RIPPLE_X; x++) {
+            const float height = sin_x[x] * cos_z + cos_x[x] * sin_z;
+            pass->waves[z][x][0] += along_x * height;
+            pass->waves[z][x][1] += along_z * height;
+        }
+    }
+}
+
+/* Bound of the slope that refracts the picture below the surface. The bound prevents folds and
+ * streaks where the slope changes sign within a cell: neighbouring cells shift the picture by at
+ * most four fifths of their distance (0.65 in the festival tank, 0.89 in the deep tank of the
+ * thesis). */
+#define SEEN_SLOPE_MAX 0.05f
+
+static void put_slope(float texel[4], float x, float z)
+{
+    const float seen = SEEN_SLOPE_MAX / f_sqrt(SEEN_SLOPE_MAX * SEEN_SLOPE_MAX + x * x + z * z);
+    texel[0] = x;
+    texel[1] = z;
+    texel[2] = x * seen;
+    texel[3] = z * seen;
+}
+
+void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
+{
+    const float time_s = (float)(scene->tick % WIND_WRAP_TICKS) * CORE_TICK_S;
+    memset(pass->waves, 0, sizeof pass->waves);
+    for (size_t i = 0; i < sizeof wind / sizeof *wind; i++) {
+        add_wind(pass, &wind[i], scene->tank_size_m, time_s);
+    }
+    for (uint32_t z = 0; z < RIPPLE_Z; z++) {
+        for (uint32_t x = 0; x < RIPPLE_X; x++) {
+            put_slope(pass->slopes[z][x],
+                      SLOPE_UNIT * ((float)scene->slope[z][x][0] + pass->waves[z][x][0]),
+                      SLOPE_UNIT * ((float)scene->slope[z][x][1] + pass->waves[z][x][1]));
+        }
+    }
+    gl_bind_texture(0, GL_TEXTURE_2D, gl_ring_turn(&pass->slope_ring));
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, RIPPLE_X, RIPPLE_Z, GL_RGBA, GL_FLOAT, pass->slopes);
+}
+
+void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, caustics);
+    gl_bind_texture(1, GL_TEXTURE_2D, shadows);
+    glUseProgram(pass->floor_program);
+    draw_part(pass, PART_FLOOR);
+    glUseProgram(pass->wall_program);
+    draw_part(pass, PART_WALLS);
+}
+
+void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
+    glDepthMask(GL_FALSE);
+    glUseProgram(pass->counter_program); /* The faces are painted from the lowest up because the
+                                            counter writes no depth. */
+    draw_part(pass, PART_COUNTER);
+    glUseProgram(pass->side_program);
+    draw_part(pass, PART_SIDES);
+    glEnable(GL_BLEND);
+    glUseProgram(pass->rim_program);
+    draw_part(pass, PART_RIM);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
+                      GLuint life)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, ground);
+    gl_bind_texture(1, GL_TEXTURE_2D, life);
+    gl_bind_texture(2, GL_TEXTURE_2D, gl_ring_texture(&pass->slope_ring));
+    gl_bind_texture(3, GL_TEXTURE_2D, textures->environment);
+    glUseProgram(pass->water_program);
+    draw_part(pass, PART_SURFACE);
+}

@@ -1,0 +1,178 @@
+/* bowl_pass.c -- implementation of bowl_pass.h. The shell is a surface of revolution in units of
+ * mouth radius and bowl depth. */
+#include "platform/render/pass/bowl_pass.h"
+
+#include "platform/render/gl_program.h"
+#include "platform/render/pass/poi_pass.h"
+#include "shaders.h"
+
+#define SHELL_COLUMNS 49u
+#define SHELL_ROWS 12u
+#define LIP_ROWS 4u
+#define WALL 0.030f  /* Wall thickness in mouth radii: 2 mm of enamelled steel. */
+#define BOTTOM 0.94f /* Depth of the inner floor, in bowl depths. */
+#define DISC_ROWS 2u
+
+struct lathe {
+    float from, to; /* Range of the profile: 0 is the bottom, 1 is the lip. */
+    bool outside;
+};
+
+/* Writes the radius and height of one point of the profile, a superellipse between a cup and a
+ * dish. */
+static void profile(float t, bool outside, float *r, float *y)
+{
+    const float angle = t * 0.5f * F_PI;
+    const float grow = outside ? WALL : 0.0f;
+    *r = f_exp(0.62f * f_log(f_max(f_sin(angle), 1e-4f))) + grow;
+    *y = -(outside ? 1.0f : BOTTOM) * f_exp(0.85f * f_log(f_max(f_cos(angle), 1e-4f)));
+}
+
+static struct shape_vertex shell_point(float u, float v, const void *context)
+{
+    const struct lathe *const lathe = context;
+    const float t = f_lerp(lathe->from, lathe->to, v);
+    const float around = (lathe->outside ? u : -u) * -F_TAU;
+    float r;
+    float y;
+    profile(t, lathe->outside, &r, &y);
+    return (struct shape_vertex){ .position = v3(r * f_cos(around), y, r * f_sin(around)),
+                                  .u = lathe->outside ? 1.0f : 0.0f,
+                                  .v = t };
+}
+
+/* Returns a point of the rounded lip, from the inner edge (v = 0) to the outer edge. */
+static struct shape_vertex lip_point(float u, float v, const void *context)
+{
+    (void)context;
+    const float around = u * F_TAU;
+    const float turn = v * F_PI;
+    const float r = 1.0f + WALL * 0.5f * (1.0f - f_cos(turn));
+    return (struct shape_vertex){
+        .position = v3(r * f_cos(around), WALL * 0.6f * f_sin(turn), r * f_sin(around)),
+        .u = 1.0f,
+        .v = 1.0f,
+    };
+}
+
+static struct shape_vertex disc_point(float u, float v, const void *context)
+{
+    (void)context;
+    const float around = -u * F_TAU;
+    return (struct shape_vertex){ .position = v3(v * f_cos(around), 0.0f, v * f_sin(around)) };
+}
+
+/* Returns the profile's inner radius at height `y` (in bowl depths), found by bisection. */
+static float radius_at(float y)
+{
+    float low = 0.0f;
+    float high = 1.0f;
+    float r = 1.0f;
+    for (int i = 0; i < 16; i++) {
+        const float middle = 0.5f * (low + high);
+        float height;
+        profile(middle, false, &r, &height);
+        if (height < y) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return r;
+}
+
+static struct bowl_part open_part(struct gl_status *status, const char *name, const char *defines)
+{
+    struct bowl_part part;
+    part.program =
+        gl_program(status, name, defines, shader_bowl_vert, shader_bowl_frag, "caustics");
+    part.mouth = glGetUniformLocation(part.program, "mouth");
+    part.form = glGetUniformLocation(part.program, "form");
+    part.paint = glGetUniformLocation(part.program, "paint");
+    part.heel = glGetUniformLocation(part.program, "heel");
+    return part;
+}
+
+void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass)
+{
+    static const struct lathe inside = { 0.0f, 1.0f, false };
+    static const struct lathe outside = { 0.25f, 1.0f, true };
+    struct shape shape = { 0 };
+    pass->shell_part = open_part(status, "bowl", "");
+    pass->hole_part = open_part(status, "bowl hole", "#define HOLE\n");
+    pass->water_part = open_part(status, "bowl water", "#define WATER\n");
+    shape_grid(&shape, SHELL_COLUMNS, SHELL_ROWS, shell_point, &inside);
+    pass->hull_first = shape.index_count;
+    shape_grid(&shape, SHELL_COLUMNS, SHELL_ROWS, shell_point, &outside);
+    shape_grid(&shape, SHELL_COLUMNS, LIP_ROWS, lip_point, NULL);
+    pass->hull_count = shape.index_count - pass->hull_first;
+    shape_upload(&shape, &pass->shell);
+    shape.vertex_count = shape.index_count = 0;
+    shape_grid(&shape, SHELL_COLUMNS, DISC_ROWS, disc_point, NULL);
+    shape_upload(&shape, &pass->disc);
+}
+
+void bowl_pass_close(struct bowl_pass *pass)
+{
+    glDeleteProgram(pass->shell_part.program);
+    glDeleteProgram(pass->hole_part.program);
+    glDeleteProgram(pass->water_part.program);
+    shape_close(&pass->shell);
+    shape_close(&pass->disc);
+}
+
+static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
+{
+    const vec3 at = bowl->position_m;
+    const struct basis axes = vec_basis_from_angles(bowl->angles);
+    const float heel[9] = { axes.right.x, axes.right.y, axes.right.z, axes.up.x, axes.up.y,
+                            axes.up.z,    axes.back.x,  axes.back.y,  axes.back.z };
+    const float level = -bowl->water_below_m / bowl->depth_m;
+    glUseProgram(part->program);
+    glUniformMatrix3fv(part->heel, 1, GL_FALSE, heel);
+    glUniform4f(part->mouth, at.x, at.y, at.z, bowl->radius_m);
+    glUniform4f(part->form, bowl->depth_m, level, radius_at(level), 0.0f);
+    glUniform4fv(part->paint, 1, poi_paint(bowl->owner));
+}
+
+void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl)
+{
+    use(&pass->hole_part, bowl);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthFunc(GL_ALWAYS);
+    shape_draw(&pass->disc);
+    glDepthFunc(GL_LEQUAL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+static void draw_enamel(const struct bowl_pass *pass, const struct scene_bowl *bowl,
+                        GLuint caustics, uint32_t first, uint32_t count)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D, caustics);
+    use(&pass->shell_part, bowl);
+    glEnable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    shape_draw_part(&pass->shell, first, count);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+}
+
+void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
+{
+    draw_enamel(pass, bowl, caustics, pass->hull_first, pass->hull_count);
+}
+
+void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
+{
+    draw_enamel(pass, bowl, caustics, 0, (uint32_t)pass->shell.index_count);
+}
+
+void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl)
+{
+    use(&pass->water_part, bowl);
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    shape_draw(&pass->disc);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}

@@ -1,0 +1,30 @@
+/* bowl_pass.h -- draws the floating bowls and the water and fish in them. */
+#ifndef KINGYO_PLATFORM_RENDER_PASS_BOWL_PASS_H
+#define KINGYO_PLATFORM_RENDER_PASS_BOWL_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/shape.h"
+
+struct bowl_part {
+    GLuint program;
+    GLint mouth, form, paint, heel;
+};
+
+struct bowl_pass {
+    struct bowl_part shell_part, hole_part, water_part;
+    struct shape_buffers shell, disc;
+    uint32_t hull_first, hull_count; /* Index range of the shell's outside and lip. */
+};
+
+void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);
+void bowl_pass_close(struct bowl_pass *pass);
+
+/* Removes the tank's water surface from the depth buffer inside the bowl's mouth. */
+void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
+/* Draws the bowl's submerged outside. bowl_pass_shell() draws the inside and the part above the
+ * water. */
+void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
+void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
+void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
+
+#endif

@@ -1,0 +1,25 @@
+/* fan_pass.h -- draws the fans that the players hold over the water.
+ *
+ * The fans' shadows are in the frame block (frame_block.h), for every shader that draws objects
+ * below. */
+#ifndef KINGYO_PLATFORM_RENDER_PASS_FAN_PASS_H
+#define KINGYO_PLATFORM_RENDER_PASS_FAN_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/frame_block.h"
+#include "platform/render/textures.h"
+
+struct fan_pass {
+    GLuint program, no_attributes;
+    GLint pose, trim;
+};
+
+void fan_pass_open(struct gl_status *status, struct fan_pass *pass);
+void fan_pass_close(struct fan_pass *pass);
+
+/* Draws the fans over all other objects of the stall, with blending. The target needs no depth
+ * buffer. */
+void fan_pass_draw(const struct fan_pass *pass, const struct scene *scene,
+                   const struct textures *textures);
+
+#endif

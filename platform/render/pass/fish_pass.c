@@ -1,0 +1,292 @@
+/* fish_pass.c -- implementation of fish_pass.h. */
+#include "platform/render/pass/fish_pass.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "assets.h"
+#include "core/base/panic.h"
+#include "platform/render/gl_program.h"
+#include "shaders.h"
+
+#define SORT_LEVELS 256u
+#define DEFINES_SIZE 96
+#define SAMPLERS "caustics patterns poses"
+
+static struct fish_program program(struct gl_status *status, const char *name,
+                                   const char *variant, bool fins)
+{
+    char defines[DEFINES_SIZE];
+    fish_poses_defines(defines, sizeof defines, &species_wakin, fins);
+    const size_t length = strlen(defines);
+    snprintf(defines + length, sizeof defines - length, "%s", variant);
+    const GLuint program = gl_morph_program(status, name, defines, shader_fish_vert,
+                                            shader_fish_frag, SAMPLERS);
+    return (struct fish_program){ program, glGetUniformLocation(program, "reach") };
+}
+
+void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
+                    struct fish_mesh_memory *memory)
+{
+    const struct species *const species = &species_wakin;
+    pass->body = program(status, "fish body", "", false);
+    pass->sunk = program(status, "sunk fish body", "#define SUNK\n", false);
+    pass->snout = program(status, "snouts", "#define SNOUT\n", false);
+    pass->fin = program(status, "fish fin", "#define FIN\n", true);
+    pass->ring_program = gl_program(status, "gulp rings", "", shader_gulp_ring_vert,
+                                    shader_gulp_ring_frag, "");
+    glGenVertexArrays(1, &pass->rings);
+    morph_rig_init(&pass->rig, &species->card, TEMPLATE_OWN);
+    for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
+        fish_mesh_reserve(&pass->mesh[i]);
+        fish_mesh_fill(&pass->mesh[i], memory, &species->lod[i], species->card.key_count);
+        fish_poses_open(status, &pass->poses[i], species, i);
+    }
+    pass->instance_buffer = gl_buffer(GL_ARRAY_BUFFER, NULL, sizeof pass->instances);
+}
+
+void fish_pass_close(struct fish_pass *pass)
+{
+    glDeleteProgram(pass->body.name);
+    glDeleteProgram(pass->sunk.name);
+    glDeleteProgram(pass->snout.name);
+    glDeleteProgram(pass->fin.name);
+    glDeleteProgram(pass->ring_program);
+    glDeleteVertexArrays(1, &pass->rings);
+    glDeleteBuffers(1, &pass->instance_buffer);
+    for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
+        fish_mesh_close(&pass->mesh[i]);
+        fish_poses_close(&pass->poses[i]);
+    }
+}
+
+/* Sorts the fish by height into 256 levels, lowest first. Fish of one level keep the scene's order,
+ * so that the same scene always gives the same picture. */
+static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
+{
+    uint16_t start[SORT_LEVELS + 1u] = { 0 };
+    uint8_t level[SCENE_FISH_MAX];
+    const float bottom = -scene->tank_size_m.y;
+    const float scale = (float)(SORT_LEVELS - 1u) / (scene->tank_size_m.y * 1.5f);
+    for (uint32_t i = 0; i < scene->fish_count; i++) {
+        const float y = (scene->fish[i].position_m.y - bottom) * scale;
+        level[i] = (uint8_t)f_clamp(y, 0.0f, (float)(SORT_LEVELS - 1u));
+        start[level[i] + 1u]++;
+    }
+    for (uint32_t i = 0; i < SORT_LEVELS; i++) {
+        start[i + 1u] = (uint16_t)(start[i + 1u] + start[i]);
+    }
+    for (uint32_t i = 0; i < scene->fish_count; i++) {
+        pass->order[start[level[i]]++] = (uint16_t)i;
+    }
+}
+
+/* Returns true if the fish's snout or back is above the surface. */
+static bool is_bare(const struct scene_fish *fish)
+{
+    const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
+    return fish->position_m.y + f_max(nose_m, 0.15f * fish->length_m) > 0.0f;
+}
+
+static enum fish_group group_of(const struct scene_fish *fish, const struct frame_view *view,
+                                float near_px)
+{
+    if (fish->place == SCENE_ON_POI) {
+        return FISH_ON_POI;
+    }
+    if (fish->place == SCENE_IN_BOWL) {
+        return FISH_IN_BOWL;
+    }
+    const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
+    const bool near = fish->length_m * view->focal_px >= near_px * distance;
+    return is_bare(fish) ? (near ? FISH_GULPING : FISH_GULPING_FAR)
+                         : (near ? FISH_NEAR : FISH_FAR);
+}
+
+static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
+{
+    const struct basis axes = vec_basis_from_angles(fish->angles);
+    const uint32_t look = fish->look;
+    *out = (struct fish_instance){
+        .place = { fish->position_m.x, fish->position_m.y, fish->position_m.z, fish->length_m },
+        .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
+        .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
+        .character = { fish->bend_rad, fish->maturity, textures_pattern(look),
+                       textures_hue(look) },
+        .gulp = { fish->gape, fish->gulp, (float)row },
+    };
+}
+
+static bool is_far(enum fish_group group)
+{
+    return group == FISH_FAR || group == FISH_GULPING_FAR;
+}
+
+/* Updates the poses. Each fish's row is its index in the scene, and only a fish that has grown or
+ * changed its level of detail is written again. */
+static void pose(struct fish_pass *pass, const struct scene *scene)
+{
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        fish_poses_begin(&pass->poses[lod]);
+        for (uint32_t i = 0; i < scene->fish_count; i++) {
+            if (is_far(pass->group[i]) == (lod > 0)) {
+                fish_poses_set(&pass->poses[lod], &pass->rig, i, scene->fish[i].progress);
+            }
+        }
+        fish_poses_end(&pass->poses[lod]);
+    }
+}
+
+void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
+                       const struct frame_view *view, const struct quality *quality)
+{
+    CORE_ASSERT(scene->fish_count <= SCENE_FISH_MAX);
+    const float near_px = quality->lod_near_px / quality->scene_scale;
+    uint32_t next[FISH_GROUP_COUNT];
+    memset(pass->count, 0, sizeof pass->count);
+    for (uint32_t i = 0; i < scene->fish_count; i++) {
+        pass->group[i] = (uint8_t)group_of(&scene->fish[i], view, near_px);
+        pass->count[pass->group[i]]++;
+    }
+    for (uint32_t i = 0, first = 0; i < FISH_GROUP_COUNT; i++) {
+        pass->first[i] = next[i] = first;
+        first += pass->count[i];
+    }
+    sort_by_height(pass, scene);
+    for (uint32_t i = 0; i < scene->fish_count; i++) {
+        const uint32_t fish = pass->order[i];
+        fill_instance(&pass->instances[next[pass->group[fish]]++], &scene->fish[fish], fish);
+    }
+    pose(pass, scene);
+    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
+    gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances,
+                     scene->fish_count * sizeof *pass->instances);
+}
+
+/* Points the instance attributes at group `first`, because OpenGL ES 3.0 has no base instance. */
+static void point_instances(uint32_t first)
+{
+    static const struct instance_attribute {
+        GLuint location;
+        GLint count;
+        size_t offset;
+    } attributes[] = {
+        { 9, 4, offsetof(struct fish_instance, place) },
+        { 10, 4, offsetof(struct fish_instance, right_phase) },
+        { 11, 4, offsetof(struct fish_instance, up_amplitude) },
+        { 14, 4, offsetof(struct fish_instance, character) },
+        { 15, 3, offsetof(struct fish_instance, gulp) },
+    };
+    const size_t stride = sizeof(struct fish_instance);
+    for (uint32_t i = 0; i < sizeof attributes / sizeof *attributes; i++) {
+        const struct instance_attribute *const attribute = &attributes[i];
+        gl_attribute_floats(attribute->location, attribute->count, stride,
+                            first * stride + attribute->offset);
+        glVertexAttribDivisor(attribute->location, 1);
+    }
+}
+
+/* Draws one group with `program`, which must be current. */
+static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
+                       enum fish_group group, bool fins)
+{
+    const uint32_t lod = is_far(group) ? 1 : 0;
+    const struct fish_mesh *const mesh = &pass->mesh[lod];
+    if (pass->count[group] == 0) {
+        return;
+    }
+    gl_bind_texture(2, GL_TEXTURE_2D, pass->poses[lod].texture);
+    glUniform1f(program->reach, mesh->reach);
+    glBindVertexArray(mesh->vertex_array);
+    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
+    point_instances(pass->first[group]);
+    fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
+}
+
+static bool is_gulping(enum fish_group group)
+{
+    return group == FISH_GULPING_FAR || group == FISH_GULPING;
+}
+
+static void begin_bodies(const struct fish_program *program, const struct textures *textures,
+                         GLuint caustics)
+{
+    glUseProgram(program->name);
+    gl_bind_texture(0, GL_TEXTURE_2D, caustics);
+    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
+    glEnable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+}
+
+static void end_bodies(void)
+{
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+}
+
+void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
+                      const struct textures *textures, GLuint caustics)
+{
+    const struct fish_program *const program = is_gulping(group) ? &pass->sunk : &pass->body;
+    begin_bodies(program, textures, caustics);
+    draw_group(pass, program, group, false);
+    end_bodies();
+}
+
+void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
+                      GLuint caustics)
+{
+    begin_bodies(&pass->snout, textures, caustics);
+    draw_group(pass, &pass->snout, FISH_GULPING_FAR, false);
+    draw_group(pass, &pass->snout, FISH_GULPING, false);
+    end_bodies();
+}
+
+void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics)
+{
+    glUseProgram(pass->fin.name);
+    gl_bind_texture(0, GL_TEXTURE_2D, caustics);
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    draw_group(pass, &pass->fin, group, true);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void fish_pass_rings(const struct fish_pass *pass)
+{
+    const size_t stride = sizeof(struct fish_instance);
+    const size_t base = pass->first[FISH_GULPING_FAR] * stride;
+    const uint32_t count = pass->count[FISH_GULPING_FAR] + pass->count[FISH_GULPING];
+    if (count == 0) {
+        return;
+    }
+    glUseProgram(pass->ring_program);
+    glBindVertexArray(pass->rings);
+    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
+    gl_attribute_floats(0, 4, stride, base + offsetof(struct fish_instance, place));
+    gl_attribute_floats(1, 4, stride, base + offsetof(struct fish_instance, right_phase));
+    gl_attribute_floats(2, 4, stride, base + offsetof(struct fish_instance, up_amplitude));
+    gl_attribute_floats(3, 2, stride, base + offsetof(struct fish_instance, gulp));
+    for (GLuint i = 0; i < 4; i++) {
+        glVertexAttribDivisor(i, 1);
+    }
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+GLsizei fish_pass_shadow_casters(const struct fish_pass *pass)
+{
+    const size_t stride = sizeof(struct fish_instance);
+    glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
+    gl_attribute_floats(0, 4, stride, offsetof(struct fish_instance, place));
+    gl_attribute_floats(1, 4, stride, offsetof(struct fish_instance, right_phase));
+    gl_attribute_floats(2, 4, stride, offsetof(struct fish_instance, up_amplitude));
+    for (GLuint i = 0; i < 3; i++) {
+        glVertexAttribDivisor(i, 1);
+    }
+    return (GLsizei)(pass->first[FISH_ON_POI] + pass->count[FISH_ON_POI]);
+}

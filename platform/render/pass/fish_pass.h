@@ -1,0 +1,78 @@
+/* fish_pass.h -- draws every fish of the scene as instances of one species' meshes.
+ *
+ * Bodies are opaque. Fins are translucent and are drawn from the lowest fish up. */
+#ifndef KINGYO_PLATFORM_RENDER_PASS_FISH_PASS_H
+#define KINGYO_PLATFORM_RENDER_PASS_FISH_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/fish_mesh.h"
+#include "platform/render/fish_poses.h"
+#include "platform/render/frame_block.h"
+#include "platform/render/quality.h"
+#include "platform/render/textures.h"
+
+enum fish_group {               /* The groups have this order in the instance buffer. */
+                  FISH_FAR = 0, /* In the tank, small on the screen. */
+                  FISH_NEAR,
+                  FISH_GULPING_FAR, /* In the tank with the snout above the surface, small on the
+                                       screen. */
+                  FISH_GULPING,
+                  FISH_ON_POI,
+                  FISH_IN_BOWL,
+                  FISH_GROUP_COUNT,
+};
+
+struct fish_instance {
+    float place[4], right_phase[4], up_amplitude[4];
+    float character[4];
+    float gulp[3]; /* Gape, gulp phase, and the fish's row of poses. */
+};
+
+struct fish_program {
+    GLuint name;
+    GLint reach; /* Location of the uniform `reach`. */
+};
+
+struct fish_pass {
+    struct fish_program body, sunk, snout, fin;
+    GLuint ring_program, rings;
+    GLuint instance_buffer;
+    struct fish_mesh mesh[SPECIES_LOD_COUNT];
+    struct fish_poses poses[SPECIES_LOD_COUNT];
+    struct morph_rig rig; /* Rig with the species' own curves. */
+    uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
+    uint16_t order[SCENE_FISH_MAX]; /* Scene indices, lowest fish first. */
+    uint8_t group[SCENE_FISH_MAX];
+    struct fish_instance instances[SCENE_FISH_MAX];
+};
+
+/* Builds all programs and buffers. `memory` is used only during the call. */
+void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
+                    struct fish_mesh_memory *memory);
+void fish_pass_close(struct fish_pass *pass);
+
+/* Sorts the scene's fish into groups and uploads their instances. */
+void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
+                       const struct frame_view *view, const struct quality *quality);
+
+/* Draws the bodies of one group into a target with depth, without blending. Of gulping fish only
+ * the part below the surface is drawn. fish_pass_fins() draws the group's fins with premultiplied
+ * blending. */
+void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
+                      const struct textures *textures, GLuint caustics);
+void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics);
+
+/* Draws the snouts: gulping fish are drawn whole into a target whose depth hides the part below the
+ * surface. */
+void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
+                      GLuint caustics);
+
+/* Draws the rings that gulping fish make on the surface, over the water and below objects that
+ * stand out of it. */
+void fish_pass_rings(const struct fish_pass *pass);
+
+/* Points attributes 0, 1, 2 of the bound vertex array at the instances of the fish in the tank and
+ * on the poi, for their shadows. Returns the number of those instances. */
+GLsizei fish_pass_shadow_casters(const struct fish_pass *pass);
+
+#endif

@@ -1,0 +1,120 @@
+/* light_pass.c -- implementation of light_pass.h. */
+#include "platform/render/pass/light_pass.h"
+
+#include <stdio.h>
+
+#include "assets.h"
+#include "platform/render/gl_program.h"
+#include "shaders.h"
+
+#define SHADOW_WIDTH 512u /* 1.7 mm a texel, finer than the edge of any shadow. */
+#define SHADOW_HEIGHT 320u
+#define DEFINES_SIZE 48
+
+void light_pass_open(struct gl_status *status, struct light_pass *pass)
+{
+    char defines[DEFINES_SIZE];
+    snprintf(defines, sizeof defines, "#define CAUSTIC_LAYERS %u\n", ASSET_CAUSTICS_FRAMES);
+    pass->caustics_program = gl_program(status, "caustics", defines, shader_fill_vert,
+                                        shader_caustics_frag, "loop_layers");
+    pass->fish_program =
+        gl_program(status, "fish shadow", "", shader_shadow_fish_vert, shader_shadow_fish_frag, "");
+    pass->disc_program = gl_program(status, "disc shadow", "", shader_shadow_disc_vert,
+                                    shader_shadow_disc_frag, "sheet");
+    pass->disc_slant = glGetUniformLocation(pass->disc_program, "slant");
+    pass->disc_pose = glGetUniformLocation(pass->disc_program, "pose");
+    pass->disc_softness = glGetUniformLocation(pass->disc_program, "softness");
+    glGenVertexArrays(1, &pass->no_attributes);
+    glGenVertexArrays(1, &pass->casters);
+    gl_target_open(status, "caustics", &pass->caustics,
+                   &(struct gl_target_desc){ .internal_format = GL_R8,
+                                             .width = ASSET_CAUSTICS_SIZE,
+                                             .height = ASSET_CAUSTICS_SIZE,
+                                             .wrap = GL_REPEAT });
+    gl_target_open(status, "shadows", &pass->shadows,
+                   &(struct gl_target_desc){
+                       .internal_format = GL_R8, .width = SHADOW_WIDTH, .height = SHADOW_HEIGHT });
+}
+
+void light_pass_close(struct light_pass *pass)
+{
+    glDeleteProgram(pass->caustics_program);
+    glDeleteProgram(pass->fish_program);
+    glDeleteProgram(pass->disc_program);
+    glDeleteVertexArrays(1, &pass->no_attributes);
+    glDeleteVertexArrays(1, &pass->casters);
+    gl_target_close(&pass->caustics);
+    gl_target_close(&pass->shadows);
+}
+
+void light_pass_caustics(const struct light_pass *pass, const struct textures *textures)
+{
+    gl_target_bind(&pass->caustics);
+    glUseProgram(pass->caustics_program);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, textures->caustics);
+    glBindVertexArray(pass->no_attributes);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+static void disc_shadow(const struct light_pass *pass, const float pose[16], float height_m,
+                        float radius_m, const float shape[3])
+{
+    /* As for fish, a shadow's edge blurs with the height above the floor. */
+    const float blur = (0.004f + f_max(height_m, 0.0f) * 0.10f) / radius_m;
+    glUniformMatrix4fv(pass->disc_pose, 1, GL_FALSE, pose);
+    glUniform4f(pass->disc_softness, f_clamp(blur, 0.08f, 0.9f), shape[0], shape[1], shape[2]);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+static void poi_shadow(const struct light_pass *pass, const struct scene *scene, uint32_t index)
+{
+    const struct scene_poi *const poi = &scene->poi[index];
+    float pose[16];
+    frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    glUniform1f(pass->disc_slant, 0.0f); /* This shadow lies straight below the poi, where the fish
+                                            respond to it. */
+    disc_shadow(pass, pose, poi->position_m.y + scene->tank_size_m.y, poi->ring_radius_m,
+                (const float[3]){ 3.7f, 0.34f, (float)index });
+}
+
+static void bowl_shadow(const struct light_pass *pass, const struct scene *scene,
+                        const struct scene_bowl *bowl)
+{
+    float pose[16];
+    const vec3 bottom = v3_sub(bowl->position_m, v3(0.0f, bowl->depth_m * 0.6f, 0.0f));
+    frame_pose(pose, bottom, (struct angles){ 0 }, bowl->radius_m);
+    glUniform1f(pass->disc_slant, 1.0f);
+    disc_shadow(pass, pose, bottom.y + scene->tank_size_m.y, bowl->radius_m,
+                (const float[3]){ 1.0f, 0.62f, -1.0f });
+}
+
+void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
+                        const struct fish_pass *fish, const struct poi_pass *poi)
+{
+    gl_target_bind(&pass->shadows);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE,
+                GL_ONE_MINUS_SRC_COLOR); /* Overlapping shadows darken each other and never
+                                            overflow. */
+    glUseProgram(pass->fish_program);
+    glBindVertexArray(pass->casters);
+    const GLsizei count = fish_pass_shadow_casters(fish);
+    if (count > 0) {
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    }
+    glUseProgram(pass->disc_program);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&poi->sheet_ring));
+    glBindVertexArray(pass->no_attributes);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->poi[i].present) {
+            poi_shadow(pass, scene, i);
+        }
+        if (scene->bowl[i].present) {
+            bowl_shadow(pass, scene, &scene->bowl[i]);
+        }
+    }
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDisable(GL_BLEND);
+}

@@ -1,0 +1,28 @@
+/* light_pass.h -- draws the light on the floor: the current caustics and the shadows of all
+ * objects. */
+#ifndef KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
+#define KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/pass/fish_pass.h"
+#include "platform/render/pass/poi_pass.h"
+#include "platform/render/textures.h"
+
+struct light_pass {
+    GLuint caustics_program, fish_program, disc_program;
+    GLint disc_pose, disc_softness, disc_slant;
+    GLuint no_attributes, casters; /* Vertex arrays. */
+    struct gl_target caustics;     /* One tile of caustics, which repeats. */
+    struct gl_target shadows;      /* Map of the floor from above; 0 is lit. */
+};
+
+void light_pass_open(struct gl_status *status, struct light_pass *pass);
+void light_pass_close(struct light_pass *pass);
+
+void light_pass_caustics(const struct light_pass *pass, const struct textures *textures);
+
+/* Draws the shadow map. Call after fish_pass_prepare() and poi_pass_prepare(). */
+void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
+                        const struct fish_pass *fish, const struct poi_pass *poi);
+
+#endif

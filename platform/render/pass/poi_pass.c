@@ -1,0 +1,202 @@
+/* poi_pass.c -- implementation of poi_pass.h. Lengths of the solids are in inner ring radii. */
+#include "platform/render/pass/poi_pass.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "platform/render/gl_program.h"
+#include "platform/render/poi_pool.h"
+#include "shaders.h"
+
+#define RING_MIDDLE 1.08f /* The inner radius is 40 mm, the outer 46.5 mm. */
+#define RING_HALF_WIDTH 0.085f
+#define RING_HALF_HEIGHT 0.062f
+#define RING_COLUMNS 57u
+#define RING_ROWS 11u
+#define HANDLE_START 1.10f
+#define HANDLE_LENGTH 2.55f /* 10 cm of grip. */
+#define HANDLE_ROWS 22u
+#define HANDLE_COLUMNS 13u
+#define PAPER_COLUMNS 49u
+#define PAPER_ROWS 11u
+#define RESTS_MAX 2 /* Same as in poi_paper.frag.glsl. Further fish would be hidden by the shade of
+                       these. */
+#define REACH 3.8f /* Ring radii from the centre to the handle's end. */
+
+const float *poi_paint(uint8_t owner)
+{
+    static const float paints[POI_MAX][4] = {
+        { 0.97f, 0.30f, 0.46f, 0.0f }, /* Peach pink, the most common colour at stalls. */
+        { 0.20f, 0.52f, 0.95f, 2.0f },
+        { 0.25f, 0.76f, 0.36f, 3.0f },
+        { 0.98f, 0.74f, 0.16f, 4.0f },
+    };
+    CORE_ASSERT(owner < POI_MAX);
+    return paints[owner];
+}
+
+static struct shape_vertex ring_point(float u, float v, const void *context)
+{
+    (void)context;
+    const float around = u * F_TAU;
+    const float section = -v * F_TAU;
+    const float r = RING_MIDDLE + RING_HALF_WIDTH * f_cos(section);
+    const vec3 p = v3(r * f_cos(around), RING_HALF_HEIGHT * f_sin(section), r * f_sin(around));
+    return (struct shape_vertex){ .position = p, .u = u, .v = v };
+}
+
+/* Returns a point of the handle, a flat bar with a slim neck at the ring, a broader grip and a
+ * round end. */
+static struct shape_vertex handle_point(float u, float v, const void *context)
+{
+    (void)context;
+    const float neck = f_smoothstep(0.0f, 0.16f, v);
+    const float grip = f_smoothstep(0.28f, 0.62f, v);
+    const float end = f_sqrt(
+        f_max(1.0f - f_max((v - 0.93f) / 0.07f, 0.0f) * f_max((v - 0.93f) / 0.07f, 0.0f), 0.0f));
+    const float half_width = (0.135f - 0.055f * neck + 0.040f * grip) * f_max(end, 0.001f);
+    const float half_height = 0.055f * f_max(end, 0.001f);
+    const float section = u * F_TAU;
+    const vec3 p = v3(half_width * f_cos(section), half_height * f_sin(section),
+                      HANDLE_START + HANDLE_LENGTH * v);
+    return (struct shape_vertex){ .position = p, .u = u, .v = v };
+}
+
+static struct shape_vertex paper_point(float u, float v, const void *context)
+{
+    (void)context;
+    const float around = -u * F_TAU;
+    const float r = f_sqrt(v) * 1.01f; /* The rings have equal area, and the outermost lies inside
+                                          the plastic. */
+    return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
+}
+
+static void open_solids(struct poi_pass *pass)
+{
+    struct shape shape = { 0 };
+    shape_grid(&shape, RING_COLUMNS, RING_ROWS, ring_point, NULL);
+    shape_grid(&shape, HANDLE_COLUMNS, HANDLE_ROWS, handle_point, NULL);
+    shape_upload(&shape, &pass->solid);
+    shape.vertex_count = shape.index_count = 0;
+    shape_grid(&shape, PAPER_COLUMNS, PAPER_ROWS, paper_point, NULL);
+    shape_upload(&shape, &pass->disc);
+}
+
+void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
+{
+    pass->frame_program =
+        gl_program(status, "poi frame", "", shader_poi_frame_vert, shader_poi_frame_frag, "");
+    pass->frame_pose = glGetUniformLocation(pass->frame_program, "pose");
+    pass->frame_paint = glGetUniformLocation(pass->frame_program, "paint");
+    pass->paper_program = gl_program(status, "poi paper", "", shader_poi_paper_vert,
+                                     shader_poi_paper_frag, "sheet fibres");
+    pass->paper_pose = glGetUniformLocation(pass->paper_program, "pose");
+    pass->paper_paper = glGetUniformLocation(pass->paper_program, "paper");
+    pass->paper_rests = glGetUniformLocation(pass->paper_program, "rests");
+    pass->paper_spines = glGetUniformLocation(pass->paper_program, "spines");
+    pass->paper_pool = glGetUniformLocation(pass->paper_program, "pool");
+    gl_ring_open(status, "sheets", &pass->sheet_ring,
+                 &(struct gl_texture_desc){ .internal_format = GL_RGBA8,
+                                            .format = GL_RGBA,
+                                            .width = SHEET_SIDE,
+                                            .height = SHEET_SIDE,
+                                            .layers = POI_MAX });
+    open_solids(pass);
+}
+
+void poi_pass_close(struct poi_pass *pass)
+{
+    glDeleteProgram(pass->frame_program);
+    glDeleteProgram(pass->paper_program);
+    gl_ring_close(&pass->sheet_ring);
+    shape_close(&pass->solid);
+    shape_close(&pass->disc);
+}
+
+void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene)
+{
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_turn(&pass->sheet_ring));
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_poi *const poi = &scene->poi[i];
+        if (!poi->present) {
+            continue;
+        }
+        for (uint32_t cell = 0; cell < SHEET_SIDE * SHEET_SIDE; cell++) {
+            pass->cells[cell][0] = poi->wetness[cell];
+            pass->cells[cell][1] = poi->integrity[cell];
+            pass->cells[cell][2] = poi->integrity[cell] ? 255 : 0;
+            pass->cells[cell][3] = poi->stress[cell];
+        }
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, (GLint)i, SHEET_SIDE, SHEET_SIDE, 1, GL_RGBA,
+                        GL_UNSIGNED_BYTE, pass->cells);
+    }
+}
+
+bool poi_is_below(const struct scene_poi *poi)
+{
+    return poi->present && poi->position_m.y < poi->ring_radius_m * REACH * 0.7f;
+}
+
+bool poi_is_above(const struct scene_poi *poi)
+{
+    return poi->present && poi->position_m.y > -poi->ring_radius_m * REACH;
+}
+
+void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
+{
+    float pose[16];
+    frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    glUseProgram(pass->frame_program);
+    glUniformMatrix4fv(pass->frame_pose, 1, GL_FALSE, pose);
+    glUniform4fv(pass->frame_paint, 1, poi_paint(poi->owner));
+    glEnable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    shape_draw(&pass->solid);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+}
+
+/* Sets where fish lie on the paper, for the first RESTS_MAX fish. A length of 0 casts no shade. */
+static void set_rests(const struct poi_pass *pass, const struct scene *scene,
+                      const struct scene_poi *poi)
+{
+    float rests[RESTS_MAX][4] = { 0 };
+    float spines[RESTS_MAX][3] = { 0 };
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < scene->fish_count && count < RESTS_MAX; i++) {
+        const struct scene_fish *const fish = &scene->fish[i];
+        const float away_m = v3_length(v3_sub(fish->position_m, poi->position_m));
+        if (fish->place != SCENE_ON_POI || away_m > poi->ring_radius_m * 1.5f) {
+            continue;
+        }
+        const vec3 back = vec_basis_from_angles(fish->angles).back;
+        const float rest[4] = { fish->position_m.x, fish->position_m.y, fish->position_m.z,
+                                fish->length_m };
+        memcpy(rests[count], rest, sizeof rest);
+        memcpy(spines[count], (const float[3]){ back.x, back.y, back.z }, sizeof spines[count]);
+        count++;
+    }
+    glUniform4fv(pass->paper_rests, RESTS_MAX, rests[0]);
+    glUniform3fv(pass->paper_spines, RESTS_MAX, spines[0]);
+}
+
+void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
+                    const struct textures *textures)
+{
+    const struct scene_poi *const poi = &scene->poi[index];
+    float pose[16];
+    frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
+    glUseProgram(pass->paper_program);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&pass->sheet_ring));
+    gl_bind_texture(1, GL_TEXTURE_2D, textures->paper);
+    glUniformMatrix4fv(pass->paper_pose, 1, GL_FALSE, pose);
+    set_rests(pass, scene, poi);
+    glUniform4f(pass->paper_paper, poi->sag_m / poi->ring_radius_m, (float)index,
+                poi->shows_stress ? 1.0f : 0.0f, 0.0f);
+    const struct poi_pool pool = poi_pool_of(poi);
+    glUniform2f(pass->paper_pool, pool.level_m, pool.film_m);
+    glEnable(GL_BLEND);
+    shape_draw(&pass->disc);
+    glDisable(GL_BLEND);
+}

@@ -1,0 +1,381 @@
+/* specimen_pass.c -- implementation of specimen_pass.h. */
+#include "platform/render/pass/specimen_pass.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "platform/os/clock.h"
+#include "platform/render/gl_program.h"
+#include "shaders.h"
+
+#define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
+#define SAMPLERS "paints shines patterns"
+#define NEAR_PX 150.0f   /* A fish shorter than this is drawn from the far mesh. */
+#define SWAY_LENGTHS 0.3f /* Maximum distance in lengths by which swimming moves vertices beyond the
+                             mesh's reach. */
+#define WORK_NS 10000000u /* Painting time in a frame while a visible texture is coarse. */
+#define REST_NS 3000000u /* Painting time in a frame while only an invisible texture is
+                            unfinished. */
+#define CLEAR_MIN 0.02f  /* A body with less transparency counts as opaque. */
+
+static struct specimen_screen screen_of(GLuint program)
+{
+    return (struct specimen_screen){
+        .size = glGetUniformLocation(program, "screen_px"),
+        .turn = glGetUniformLocation(program, "turn"),
+        .move = glGetUniformLocation(program, "move"),
+    };
+}
+
+static struct specimen_program program(struct gl_status *status, const char *name,
+                                       const char *defines)
+{
+    const GLuint made = gl_morph_program(status, name, defines, shader_specimen_vert,
+                                         shader_specimen_frag, SAMPLERS);
+    return (struct specimen_program){
+        .name = made,
+        .reach = glGetUniformLocation(made, "reach"),
+        .axes = glGetUniformLocation(made, "axes"),
+        .place = glGetUniformLocation(made, "place"),
+        .screen = screen_of(made),
+        .swim = glGetUniformLocation(made, "swim"),
+        .look = glGetUniformLocation(made, "look"),
+        .tint = glGetUniformLocation(made, "tint"),
+        .sheets = glGetUniformLocation(made, "sheets"),
+        .worn = glGetUniformLocation(made, "worn"),
+        .line_place = glGetUniformLocation(made, "line_place"),
+        .line_shape = glGetUniformLocation(made, "line_shape"),
+        .line_colour = glGetUniformLocation(made, "line_colour"),
+    };
+}
+
+void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
+                        const struct textures *textures)
+{
+    pass->patterns = textures->patterns;
+    pass->body = program(status, "specimen", DEFINES);
+    pass->fin = program(status, "specimen's fins", DEFINES "#define FIN\n");
+    pass->shadow.name = gl_program(status, "specimen's shadow", "", shader_specimen_shadow_vert,
+                                   shader_specimen_shadow_frag, "");
+    pass->shadow.place = glGetUniformLocation(pass->shadow.name, "place");
+    pass->shadow.screen = screen_of(pass->shadow.name);
+    pass->shadow.look = glGetUniformLocation(pass->shadow.name, "look");
+    pass->pose_buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof pass->texels);
+    glGenVertexArrays(1, &pass->no_attributes);
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        fish_texture_open(status, &slot->skin);
+        for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+            fish_mesh_reserve(&slot->mesh[lod]);
+        }
+    }
+}
+
+void specimen_pass_close(struct specimen_pass *pass)
+{
+    glDeleteProgram(pass->body.name);
+    glDeleteProgram(pass->fin.name);
+    glDeleteProgram(pass->shadow.name);
+    glDeleteBuffers(1, &pass->pose_buffer);
+    glDeleteVertexArrays(1, &pass->no_attributes);
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        fish_texture_close(&slot->skin);
+        for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+            fish_mesh_close(&slot->mesh[lod]);
+        }
+        slot->species = NULL;
+    }
+}
+
+/* Returns the fish texture of a built-in species with identical coats, or null. The ordinary morph
+ * of a species thus shares the texture of the species. */
+static struct fish_texture *skin_like(struct specimen_pass *pass, const struct species *species)
+{
+    const struct species_card *const card = &species->card;
+    for (uint32_t i = 0; i < SPECIES_BUILT_IN; i++) {
+        const struct species *const other = pass->slots[i].species;
+        if (other && other != species && other->card.key_count == card->key_count &&
+            other->card.form == card->form && other->card.motion == card->motion &&
+            memcmp(other->coats, species->coats, sizeof species->coats) == 0) {
+            return &pass->slots[i].skin;
+        }
+    }
+    return NULL;
+}
+
+static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_slot *slot,
+                                    const struct specimen *specimen)
+{
+    const struct species *const species = specimen->species;
+    slot->species = species;
+    slot->edition = specimen->edition;
+    morph_rig_init(&slot->rig, &species->card, TEMPLATE_OWN);
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        fish_mesh_fill(&slot->mesh[lod], &pass->memory, &species->lod[lod],
+                       species->card.key_count);
+    }
+    slot->worn = skin_like(pass, species);
+    if (!slot->worn) {
+        slot->worn = &slot->skin;
+        fish_texture_bind(&slot->skin, species);
+    }
+}
+
+/* Returns the fixed slot of a built-in species, or null for any other species. Built-in tables
+ * never change, so all their editions are equal. */
+static struct specimen_slot *home_of(struct specimen_pass *pass, const struct species *species)
+{
+    for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
+        if (species_table[i] == species) {
+            return &pass->slots[i];
+        }
+    }
+    return NULL;
+}
+
+/* Returns the slot that holds this other species, or the least recently used of those slots. */
+static struct specimen_slot *other_of(struct specimen_pass *pass, const struct specimen *specimen)
+{
+    struct specimen_slot *rested = &pass->slots[SPECIES_BUILT_IN];
+    for (uint32_t i = SPECIES_BUILT_IN; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        if (slot->species == specimen->species && slot->edition == specimen->edition) {
+            return slot;
+        }
+        rested = slot->last_used < rested->last_used ? slot : rested;
+    }
+    return rested;
+}
+
+static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct specimen *specimen)
+{
+    struct specimen_slot *const home = home_of(pass, specimen->species);
+    struct specimen_slot *const slot = home ? home : other_of(pass, specimen);
+    if (slot->species != specimen->species || (!home && slot->edition != specimen->edition)) {
+        specimen_pass_fill_slot(pass, slot, specimen);
+    }
+    slot->last_used = ++pass->draw_count;
+    return slot;
+}
+
+/* Returns the texture to paint next: the visible coarse texture with the largest fish, otherwise
+ * any unfinished texture, or null if all are finished. */
+static struct fish_texture *unfinished(struct specimen_pass *pass, bool *is_seen)
+{
+    struct fish_texture *found = NULL;
+    *is_seen = false;
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        struct specimen_slot *const slot = &pass->slots[i];
+        struct fish_texture *const skin = &slot->skin;
+        if (!slot->species || slot->worn != skin || fish_texture_is_done(skin)) {
+            continue;
+        }
+        const bool seen = skin->shown_px > 0.0f && !fish_texture_is_fine(skin);
+        if (!found || (seen && !*is_seen) ||
+            (seen == *is_seen && skin->shown_px > found->shown_px)) {
+            found = skin;
+            *is_seen = seen;
+        }
+    }
+    return found;
+}
+
+/* Fills the first empty slot of a built-in species, which takes about a millisecond. */
+static void fill_ahead(struct specimen_pass *pass)
+{
+    for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
+        if (!pass->slots[i].species) {
+            specimen_pass_fill_slot(pass, &pass->slots[i],
+                                    &(struct specimen){ .species = species_table[i] });
+            return;
+        }
+    }
+}
+
+static uint64_t specimen_pass_now_ns(void)
+{
+    const struct hal_clock clock = clock_device();
+    return clock.ops->now_ns(clock.self);
+}
+
+void specimen_pass_work(struct specimen_pass *pass, bool ahead)
+{
+    const uint64_t start_ns = specimen_pass_now_ns();
+    bool is_seen;
+    struct fish_texture *skin = unfinished(pass, &is_seen);
+    if (!skin && ahead) {
+        fill_ahead(pass);
+    }
+    while (skin && specimen_pass_now_ns() - start_ns < (is_seen ? WORK_NS : REST_NS)) {
+        fish_texture_work(skin, &pass->brush, 1);
+        skin = unfinished(pass, &is_seen);
+    }
+    for (uint32_t i = 0; i < SPECIMEN_SLOTS; i++) {
+        pass->slots[i].skin.shown_px = 0.0f;
+    }
+}
+
+void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen)
+{
+    fish_texture_work(slot_of(pass, specimen)->worn, &pass->brush,
+                      FISH_TEXTURE_SHEETS * FISH_TEXTURE_BANDS);
+}
+
+static void colour_of(float out[4], uint32_t rgba)
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        out[i] = (float)(rgba >> (24u - 8u * i) & 255u) / 255.0f;
+    }
+}
+
+/* Uniform values that a specimen's two programs share. */
+struct told {
+    float sheets[3];
+    float look[4];
+    const struct display_transform *transform;
+    struct fish_texture_lines lines[FISH_TEXTURE_LINES];
+};
+
+static void send_screen(const struct specimen_screen *screen,
+                        const struct display_transform *transform)
+{
+    float turn[4], move[2];
+    display_clip_matrix(transform, turn, move);
+    glUniform2f(screen->size, transform->width, transform->height);
+    glUniformMatrix2fv(screen->turn, 1, GL_FALSE, turn);
+    glUniform2fv(screen->move, 1, move);
+}
+
+static void send(const struct specimen_program *program, const struct specimen *specimen,
+                 const struct specimen_slot *slot, const struct told *told)
+{
+    const struct species_card *const card = &slot->species->card;
+    const struct specimen_axes axes = specimen_axes(specimen);
+    const float rows[9] = { axes.right.x, axes.up.x, axes.toward.x, axes.right.y, axes.up.y,
+                            axes.toward.y, axes.right.z, axes.up.z, axes.toward.z };
+    float tint[4];
+    colour_of(tint, specimen->tint);
+    glUseProgram(program->name);
+    glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
+    glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
+    send_screen(&program->screen, told->transform);
+    glUniform3f(program->swim, specimen->phase_rad, specimen->amplitude, (float)card->motion);
+    glUniform4fv(program->look, 1, told->look);
+    glUniform4fv(program->tint, 1, tint);
+    glUniform4f(program->worn, textures_pattern(specimen->look), textures_hue(specimen->look),
+                specimen->ripe, specimen->maturity);
+    glUniform3fv(program->sheets, 1, told->sheets);
+    for (GLint i = 0; i < (GLint)FISH_TEXTURE_LINES && program->line_place >= 0; i++) {
+        glUniform4fv(program->line_place + i, 1, told->lines[i].place);
+        glUniform4fv(program->line_shape + i, 1, told->lines[i].shape);
+        glUniform3fv(program->line_colour + i, 1, told->lines[i].colour);
+    }
+}
+
+static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
+                        const struct display_transform *transform)
+{
+    glUseProgram(pass->shadow.name);
+    glUniform3f(pass->shadow.place, specimen->x_px, specimen->y_px, specimen->length_px);
+    send_screen(&pass->shadow.screen, transform);
+    glUniform3f(pass->shadow.look, specimen->shadow * (1.0f - specimen->fade),
+                f_abs(f_cos(specimen->yaw_rad)), 0.0f);
+    glBindVertexArray(pass->no_attributes);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+/* Clears the depth around the specimen. Earlier depth is not needed because every specimen has its
+ * own place on the page. */
+static void clear_depth(const struct specimen *specimen, float reach_lengths,
+                        const struct display_transform *p)
+{
+    const float reach = (reach_lengths + SWAY_LENGTHS) * specimen->length_px;
+    const float x = p->x + p->xx * specimen->x_px + p->xy * specimen->y_px;
+    const float y = p->y + p->yx * specimen->x_px + p->yy * specimen->y_px;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor((GLint)(x - reach), (GLint)(p->screen_height - y - reach),
+              (GLsizei)(2.0f * reach), (GLsizei)(2.0f * reach));
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+static void draw_part(const struct specimen_program *program, const struct fish_mesh *mesh,
+                      bool fins)
+{
+    glUseProgram(program->name);
+    glUniform1f(program->reach, mesh->reach);
+    fish_mesh_draw(mesh, fins, 1);
+}
+
+/* Draws the fin parts behind the body first, so that the body's smooth outline blends with them and
+ * a transparent body shows its far fins. */
+static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
+                        const float look[4])
+{
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_part(&pass->body, mesh, false);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_GREATER);
+    glUseProgram(pass->fin.name);
+    glUniform4f(pass->fin.look, look[0], look[1], look[2], clear ? 1.0f : 0.0f);
+    draw_part(&pass->fin, mesh, true);
+    glUniform4fv(pass->fin.look, 1, look);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+}
+
+static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
+                      const float look[4])
+{
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    draw_behind(pass, mesh, clear, look);
+    draw_part(&pass->body, mesh, false);
+    glDepthMask(GL_FALSE);
+    draw_part(&pass->fin, mesh, true);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+}
+
+static void send_pose(struct specimen_pass *pass, uint32_t anchor_count)
+{
+    fish_poses_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, anchor_count);
+    glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, pass->pose_buffer);
+}
+
+void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
+                        const struct display_transform *transform)
+{
+    CORE_ASSERT(specimen->length_px > 0.0f);
+    struct specimen_slot *const slot = slot_of(pass, specimen);
+    const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;
+    const struct species_mesh *const mesh = &slot->species->lod[lod];
+    struct told told = { .look = { 1.0f - specimen->fade, fish_texture_scales(slot->worn) },
+                         .transform = transform };
+    morph_pose(specimen->rig ? specimen->rig : &slot->rig, mesh, specimen->progress, &pass->pose);
+    fish_texture_request(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px,
+                         told.sheets);
+    fish_texture_lines(slot->worn, pass->pose.weight[0], told.lines);
+    send_pose(pass, mesh->anchor_count);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (specimen->shadow > 0.0f) {
+        draw_shadow(pass, specimen, transform);
+    }
+    told.look[2] = fish_texture_opacity(slot->worn, pass->pose.weight[0]);
+    send(&pass->body, specimen, slot, &told);
+    send(&pass->fin, specimen, slot, &told);
+    clear_depth(specimen, mesh->reach, transform);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->worn->paints);
+    gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->worn->shines);
+    gl_bind_texture(2, GL_TEXTURE_2D_ARRAY, pass->patterns);
+    glBindVertexArray(slot->mesh[lod].vertex_array);
+    draw_fish(pass, &slot->mesh[lod], told.look[2] > CLEAR_MIN, told.look);
+    glBindVertexArray(0);
+}

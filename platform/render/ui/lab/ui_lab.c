@@ -1,0 +1,335 @@
+/* ui_lab.c -- the growth lab: an aquarium at night beside a sheet of paper with graphs. */
+#include "platform/render/ui/lab/ui_lab.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/game/lab/lab.h"
+#include "platform/key_colour.h"
+#include "platform/render/ui/ui_widgets.h"
+
+#define CLOTH 0x141a3cffu
+#define CLOTH_EDGE 0x171d42ffu
+#define BUTTON 0x232c5affu
+#define BUTTON_LIT 0x34407cffu
+#define BUTTON_ON 0xc8341fffu
+#define BUTTON_INK 0xfff4deffu
+#define REFUSED 0xf0c089ffu
+#define TURN_S 4.0f /* Display time of each line that alternates. */
+
+/* ---- Shared --------------------------------------------------------------------------------- */
+
+float lab_px_x(const struct lab_page *page, float x)
+{
+    return page->x + x * page->frame.unit;
+}
+
+float lab_px_y(const struct lab_page *page, float y)
+{
+    return page->y + y * page->frame.unit;
+}
+
+struct ui_box lab_place(const struct lab_page *page, enum lab_part part)
+{
+    const struct layout_box box = lab_box(page->lab->upright, page->lab->card.key_count, part);
+    const float u = page->frame.unit;
+    return (struct ui_box){ lab_px_x(page, box.x), lab_px_y(page, box.y), box.width * u,
+                            box.height * u };
+}
+
+uint32_t lab_key_colour(uint32_t key_count, uint32_t key)
+{
+    return key_colour(key_count, key) << 8 | 0xffu;
+}
+
+int lab_is_pointed(const struct lab_page *page, enum lab_part part)
+{
+    return page->lab->has_hand && page->lab->points == part;
+}
+
+struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill)
+{
+    return (struct ui_text){ .font = FONT_BODY, .size_px = size * page->frame.unit,
+                             .fill = fill };
+}
+
+void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
+                  const char *words)
+{
+    ui_words_in(&page->frame, box, style, words);
+}
+
+/* ---- Buttons -------------------------------------------------------------------------------- */
+
+struct button {
+    enum lab_part part;
+    const char *words;
+    int is_on, is_idle; /* Selected; or without effect at present. */
+};
+
+static uint32_t button_fill(const struct lab_page *page, const struct button *button)
+{
+    const int pointed = lab_is_pointed(page, button->part);
+    return button->is_on ? BUTTON_ON : pointed && !button->is_idle ? BUTTON_LIT : BUTTON;
+}
+
+/* Returns the box of a button, slightly lower while it is pressed. */
+static struct ui_box tag(const struct lab_page *page, const struct button *button)
+{
+    const float u = page->frame.unit;
+    struct ui_box box = lab_place(page, button->part);
+    const int pointed = lab_is_pointed(page, button->part) && !button->is_idle;
+    if (pointed && page->lab->presses) {
+        box.y += 2.0f * u;
+    }
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = button_fill(page, button),
+                                 .line = pointed ? UI_GOLD : UI_GOLD_DIM,
+                                 .shape = { 0, 0, 10.0f * u, (pointed ? 2.5f : 1.5f) * u } });
+    return box;
+}
+
+static struct ui_box inset(struct ui_box box, float x, float y)
+{
+    return (struct ui_box){ box.x + x, box.y + y, box.width - 2.0f * x, box.height - 2.0f * y };
+}
+
+static void word_button(const struct lab_page *page, const struct button *button)
+{
+    const float u = page->frame.unit;
+    const int is_small = button->part >= LAB_OWN && button->part <= LAB_SMOOTH;
+    const struct ui_box box = tag(page, button);
+    const struct ui_text style = lab_text(page, is_small ? 20.0f : 23.0f,
+                                          button->is_idle ? ui_fade(BUTTON_INK, 0.45f)
+                                                          : BUTTON_INK);
+    lab_words_in(page, inset(box, (is_small ? 3.0f : 10.0f) * u, 0.0f), &style, button->words);
+}
+
+static void sign(const struct lab_page *page, struct ui_box box, enum text_key key)
+{
+    const struct ui_text style = lab_text(page, 30.0f, BUTTON_INK);
+    lab_words_in(page, box, &style, text_words(page->frame.language, key));
+}
+
+static void arrow_button(const struct lab_page *page, enum lab_part part, enum text_key key)
+{
+    sign(page, tag(page, &(struct button){ .part = part }), key);
+}
+
+static void play_button(const struct lab_page *page)
+{
+    const float u = page->frame.unit;
+    const int plays = page->lab->playing;
+    const struct ui_box box = tag(page, &(struct button){ .part = LAB_PLAY, .is_on = plays });
+    const float x = box.x + 40.0f * u, y = box.y + 0.5f * box.height;
+    if (plays) {
+        for (uint32_t i = 0; i < 2u; i++) {
+            const float at = x + ((float)i - 0.5f) * 14.0f * u;
+            const float from[2] = { at, y - 9.0f * u }, to[2] = { at, y + 9.0f * u };
+            ui_segment(page->frame.batch, from, to, 6.0f * u, BUTTON_INK);
+        }
+    } else {
+        const struct ui_box place = { x - 20.0f * u, box.y, 40.0f * u, box.height };
+        sign(page, place, TEXT_SIGN_ON);
+    }
+    const struct ui_text style = lab_text(page, 23.0f, BUTTON_INK);
+    const struct ui_box room = { box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height };
+    lab_words_in(page, room, &style,
+                 text_words(page->frame.language, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
+}
+
+static void save_button(const struct lab_page *page)
+{
+    const struct scene_lab *lab = page->lab;
+    const uint8_t language = page->frame.language;
+    const enum text_key words = !lab->is_kept                  ? TEXT_LAB_SAVE
+                                : lab->keeping == LAB_SAVED    ? TEXT_LAB_SAVED
+                                : lab->keeping == LAB_SAVING   ? TEXT_LAB_SAVING
+                                : lab->keeping == LAB_UNSAVED  ? TEXT_LAB_UNSAVED
+                                                               : TEXT_LAB_SAVE;
+    word_button(page, &(struct button){ .part = LAB_SAVE, .words = text_words(language, words),
+                                        .is_idle = lab->is_kept &&
+                                                   lab->keeping != LAB_UNSAVED });
+}
+
+static void buttons(const struct lab_page *page)
+{
+    static const enum text_key templates[] = { TEXT_LAB_OWN, TEXT_LAB_ORDINARY, TEXT_LAB_PAIRWISE,
+                                               TEXT_LAB_SIMULTANEOUS, TEXT_LAB_SMOOTH };
+    const struct scene_lab *lab = page->lab;
+    const uint8_t language = page->frame.language;
+    const struct button words[] = {
+        { LAB_LEAVE, text_words(language, TEXT_LAB_LEAVE), 0, 0 },
+        { LAB_COMPARE, text_words(language, TEXT_LAB_COMPARE), lab->compare, 0 },
+        { LAB_PATH, text_words(language, TEXT_LAB_PATH), lab->path, 0 },
+        { LAB_RESET, text_words(language, TEXT_LAB_RESET), 0, lab->is_own },
+    };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        word_button(page, &words[i]);
+    }
+    for (uint32_t i = 0; i < TEMPLATE_COUNT; i++) {
+        word_button(page, &(struct button){ .part = (enum lab_part)(LAB_OWN + i),
+                                            .words = text_words(language, templates[i]),
+                                            .is_on = lab->template_id == i });
+    }
+    play_button(page);
+    save_button(page);
+}
+
+/* ---- The title ------------------------------------------------------------------------------- */
+
+static void name_plate(const struct lab_page *page)
+{
+    const float u = page->frame.unit;
+    const struct scene_lab *lab = page->lab;
+    const struct ui_box box = lab_place(page, LAB_NAME);
+    const uint8_t language = page->frame.language;
+    char of[24];
+    snprintf(of, sizeof of, "%u / %u", lab->species + 1u, lab->species_count);
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
+                                                    .fill = LAB_PAPER, .line = LAB_PAPER_LINE,
+                                                    .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = LAB_INK };
+    struct ui_text small = lab_text(page, 20.0f, LAB_INK_SOFT);
+    const struct ui_box room = { box.x + 16.0f * u, box.y, box.width - 120.0f * u, box.height };
+    lab_words_in(page, room, &name, lab_species_name(language, lab->card.id));
+    small.align = 1.0f;
+    ui_text(page->frame.batch, &small, box.x + box.width - 18.0f * u,
+            ui_text_middle(&small, box.y + 0.5f * box.height), of);
+}
+
+/* Returns the box of the help line: beside the name, or on a tall upright screen above it. */
+static struct ui_box line_room(const struct lab_page *page)
+{
+    const float u = page->frame.unit;
+    const struct ui_box next = lab_place(page, LAB_NEXT), leave = lab_place(page, LAB_LEAVE);
+    if (page->lab->upright) {
+        const float high = page->y > 40.0f * u ? 32.0f * u : 0.0f;
+        return (struct ui_box){ lab_px_x(page, 24.0f), page->y - 0.6f * high, 806.0f * u, high };
+    }
+    const float left = next.x + next.width + 18.0f * u;
+    return (struct ui_box){ left, next.y, leave.x - left - 18.0f * u, next.height };
+}
+
+static void refused_words(const struct lab_page *page, struct ui_box room)
+{
+    char words[TEXT_LINE_MAX];
+    const struct ui_text style = lab_text(page, 20.0f, REFUSED);
+    text_number(words, sizeof words, text_words(page->frame.language, TEXT_LAB_REFUSED),
+                page->lab->refused);
+    lab_words_in(page, room, &style, words);
+}
+
+/* Draws a rejected file's name above the reason. */
+static void fault_words(const struct lab_page *page, struct ui_box room,
+                        const struct library_line *fault)
+{
+    const float half = 0.5f * room.height;
+    const struct ui_box upper = { room.x, room.y, room.width, half };
+    const struct ui_box lower = { room.x, room.y + half, room.width, half };
+    struct ui_text style = lab_text(page, 18.0f, REFUSED);
+    style.size_px = fminf(style.size_px, 0.9f * half);
+    lab_words_in(page, upper, &style, fault->file);
+    lab_words_in(page, lower, &style, fault->why);
+}
+
+/* Draws the help line. It alternates with the operator's messages: how many makers' files were
+ * rejected, then the reason for each rejected file. */
+static void help_line(const struct lab_page *page)
+{
+    const struct ui_box room = line_room(page);
+    const uint32_t counted = page->lab->refused > 0;
+    const uint32_t faults = page->library != NULL ? library_fault_count(page->library) : 0u;
+    const uint32_t turn = (uint32_t)(page->frame.time_s / TURN_S) % (1u + counted + faults);
+    if (room.height <= 0.0f) {
+        return;
+    }
+    if (turn == 0) {
+        const struct ui_text style = lab_text(page, 20.0f, 0xc9d2eeffu);
+        lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_HELP));
+    } else if (turn <= counted) {
+        refused_words(page, room);
+    } else {
+        const struct library_line fault = library_fault(page->library, turn - 1u - counted);
+        fault_words(page, room, &fault);
+    }
+}
+
+/* ---- The cursor ------------------------------------------------------------------------------ */
+
+static void hand(const struct lab_page *page)
+{
+    const struct scene_lab *lab = page->lab;
+    const float u = page->frame.unit;
+    if (!lab->has_hand) {
+        return;
+    }
+    const float x = lab_px_x(page, lab->x), y = lab_px_y(page, lab->y);
+    const float radius = (lab->presses ? 12.0f : 16.0f) * u;
+    const struct ui_box glow = { x - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
+                                 4.4f * radius };
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = glow, .kind = UI_GLOW,
+                                                    .fill = lab->presses ? 0xff9a50a0u
+                                                                         : 0xffffff38u,
+                                                    .shape = { 0, 0, 1.0f } });
+    ui_poi_sign(&page->frame, x, y, radius, 0.0f, ui_player_colours[0]);
+}
+
+/* ---- The page ------------------------------------------------------------------------------- */
+
+static struct lab_page open_page(const struct ui_frame *frame, const struct scene *scene,
+                                 struct ui_lab_preview *bench)
+{
+    const struct layout_point canvas = pointer_layout_size(scene->lab.upright);
+    struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
+    page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
+    if (scene->lab.upright) {
+        page.frame.unit = frame->width / canvas.x; /* Same scale as the camera's. */
+    }
+    page.x = 0.5f * (frame->width - canvas.x * page.frame.unit);
+    page.y = 0.5f * (frame->height - canvas.y * page.frame.unit);
+    return page;
+}
+
+/* Returns the shown species, or null. A recording may contain makers' species that this kiosk
+ * lacks; the graph is then shown without a fish. */
+static const struct species *species_of(const struct ui_memory *memory,
+                                        const struct scene_lab *lab)
+{
+    const uint32_t index = lab->species;
+    const struct species *species = NULL;
+    if (index < species_table_count) {
+        species = species_table[index];
+    } else if (memory->library != NULL && index < library_count(memory->library)) {
+        species = library_species(memory->library, index);
+    }
+    const int fits = species != NULL && species->card.key_count == lab->card.key_count &&
+                     strcmp(species->card.id, lab->card.id) == 0;
+    return fits ? species : NULL;
+}
+
+void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory)
+{
+    const struct species *species = species_of(memory, &scene->lab);
+    if (species != NULL) {
+        ui_lab_preview_set(&memory->bench, species, &scene->lab.card);
+    }
+    struct lab_page page = open_page(frame, scene, species != NULL ? &memory->bench : NULL);
+    page.library = memory->library;
+    const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = CLOTH_EDGE });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth, .kind = UI_WAVES, .fill = CLOTH,
+                                               .shape = { 0, 0, 36.0f * page.frame.unit } });
+    lab_stage(&page);
+    lab_keys(&page);
+    lab_graph(&page);
+    lab_chart(&page);
+    name_plate(&page);
+    arrow_button(&page, LAB_BACK, TEXT_SIGN_BACK);
+    arrow_button(&page, LAB_NEXT, TEXT_SIGN_ON);
+    help_line(&page);
+    buttons(&page);
+    hand(&page);
+}

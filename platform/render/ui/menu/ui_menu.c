@@ -1,0 +1,273 @@
+/* ui_menu.c -- the operator's menu, drawn as wooden tags over the darkened tank. */
+#include "platform/render/ui/menu/ui_menu.h"
+
+#include <math.h>
+
+/* ---- Shared --------------------------------------------------------------------------------- */
+
+struct ui_box menu_place(const struct menu_view *view, struct layout_box box)
+{
+    const float u = view->frame.unit;
+    return (struct ui_box){ view->x + box.x * u, view->y + box.y * u, box.width * u,
+                            box.height * u };
+}
+
+struct ui_box menu_tag_place(const struct menu_view *view, uint32_t tag)
+{
+    const struct scene_menu *menu = view->menu;
+    return menu_place(view, menu_box(menu->upright, menu->page, menu->tags, tag));
+}
+
+const char *menu_text(const struct menu_view *view, enum text_key key)
+{
+    return text_words(view->frame.language, key);
+}
+
+struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fill)
+{
+    return (struct ui_text){ .font = FONT_BODY, .size_px = size * view->frame.unit,
+                             .fill = fill };
+}
+
+struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill)
+{
+    const int brush = view->frame.language == LANGUAGE_JA;
+    return (struct ui_text){ .font = brush ? FONT_BRUSH : FONT_STALL,
+                             .size_px = (brush ? size : 0.6f * size) * view->frame.unit,
+                             .weight_em = brush ? 0.022f : 0.0f,
+                             .spacing_em = brush ? -0.08f : 0.0f,
+                             .fill = fill };
+}
+
+void menu_words_at(const struct menu_view *view, float x, float y, float room, float align,
+                   const struct ui_text *style, const char *words)
+{
+    struct ui_text fitted = *style;
+    fitted.fit_px = room;
+    fitted.size_px = ui_text_size(&fitted, words);
+    fitted.align = align;
+    ui_text(view->frame.batch, &fitted, x, ui_text_middle(&fitted, y), words);
+}
+
+/* ---- Tags ----------------------------------------------------------------------------------- */
+
+struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
+{
+    const int is_pointed = view->menu->tag == tag;
+    struct ui_box box = menu_tag_place(view, tag);
+    if (is_pointed && view->menu->has_hand && view->menu->presses) {
+        box.y += 3.0f * view->frame.unit;
+    }
+    ui_wooden_tag(&view->frame, box, is_pointed);
+    return box;
+}
+
+/* Writes a tag's name and line. A tag that leads to a page has the page's title. */
+static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key *name,
+                      enum text_key *line)
+{
+    const uint8_t page = menu_page_at(view->menu->page, tag);
+    const struct menu_words *words = menu_words_of(view->menu->page);
+    *name = page < MENU_PAGE_COUNT ? menu_words_of(page)->title : words->names[tag];
+    *line = page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
+}
+
+/* Returns 1 for a page that contains something to check by the operator. */
+static int calls_for_a_look(const struct menu_view *view, uint8_t page)
+{
+    const struct scene_machine *machine = &view->devices->machine;
+    return (page == MENU_UPKEEP || page == MENU_FILES) &&
+           (machine->aside > 0 || machine->missed > 0 || view->devices->files_refused > 0);
+}
+
+/* Draws the sign in a tag's upper corner: an exclamation mark on red, or the seal of a changed
+ * setting. */
+static void corner(const struct menu_view *view, struct ui_box box, uint8_t page)
+{
+    const float u = view->frame.unit, r = 17.0f * u;
+    const float x = box.x + box.width - 26.0f * u, y = box.y + 26.0f * u;
+    const struct ui_text sign = menu_style(view, 26.0f, MENU_CREAM);
+    if (calls_for_a_look(view, page)) {
+        ui_shape(view->frame.batch,
+                 &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r }, .kind = UI_PANEL,
+                                     .fill = 0xb3261effu, .shape = { 0, 0, r } });
+        menu_words_at(view, x, y, 2.0f * r, 0.5f, &sign, "!");
+    } else if (page == MENU_NEW_PIN && view->menu->settings.value[SET_PIN] != 0) {
+        menu_seal(view, x, y);
+    }
+}
+
+static void hung_tag(const struct menu_view *view, uint32_t tag)
+{
+    enum text_key name_key, line_key;
+    const float u = view->frame.unit;
+    const struct ui_text name = menu_brush(view, 88.0f, MENU_INK);
+    const struct ui_text line = menu_style(view, 24.0f, MENU_INK_SOFT);
+    struct ui_box box = menu_tag_place(view, tag);
+    name_hung(view, tag, &name_key, &line_key);
+    ui_cords(&view->frame, box, box.y - 40.0f * u);
+    box = menu_tag_board(view, tag);
+    const float x = box.x + 14.0f * u, width = box.width - 28.0f * u;
+    ui_words_in(&view->frame, (struct ui_box){ x, box.y, width, 0.62f * box.height }, &name,
+                menu_text(view, name_key));
+    ui_words_in(&view->frame,
+                (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height }, &line,
+                menu_text(view, line_key));
+    corner(view, box, menu_page_at(view->menu->page, tag));
+}
+
+static enum text_key foot_name(const struct menu_view *view, uint32_t foot)
+{
+    const enum text_key key = menu_words_of(view->menu->page)->foot[foot];
+    return key == TEXT_FOOT_UP && view->menu->turns_down ? TEXT_FOOT_DOWN : key;
+}
+
+static void foot_tag(const struct menu_view *view, uint32_t tag, uint32_t foot)
+{
+    const float u = view->frame.unit;
+    const struct ui_box box = menu_tag_board(view, tag);
+    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = MENU_INK };
+    ui_words_in(&view->frame,
+                (struct ui_box){ box.x + 12.0f * u, box.y, box.width - 24.0f * u, box.height },
+                &name, menu_text(view, foot_name(view, foot)));
+}
+
+/* Draws a pole over each row of hanging tags. A row begins at a tag whose left neighbour is in
+ * another row. */
+static void poles(const struct menu_view *view, uint32_t body_count)
+{
+    const float u = view->frame.unit;
+    float row_y = -1.0f, from = 0.0f, to = 0.0f;
+    for (uint32_t tag = 0; tag <= body_count; tag++) {
+        const int is_tag = tag < body_count && (view->menu->tags >> tag & 1u);
+        const struct ui_box box = is_tag ? menu_tag_place(view, tag) : (struct ui_box){ 0 };
+        const int is_last = tag == body_count;
+        if (row_y >= 0.0f && (is_last || (is_tag && box.y > row_y))) {
+            ui_pole(&view->frame, 0.5f * (from + to), row_y - 40.0f * u, to - from + 60.0f * u);
+        }
+        if (is_tag) {
+            from = box.y > row_y ? box.x : from;
+            to = box.x + box.width;
+            row_y = box.y;
+        }
+    }
+}
+
+static void tags(const struct menu_view *view)
+{
+    const uint8_t page = view->menu->page, body = menu_page_desc_of(page)->body;
+    const int is_hung = body == MENU_BODY_TILES || body == MENU_BODY_PAGES;
+    const uint32_t body_count = menu_body_count(page);
+    if (is_hung) {
+        poles(view, body_count);
+    }
+    for (uint32_t tag = is_hung ? 0u : body_count; tag < menu_tag_count(page); tag++) {
+        if (!(view->menu->tags >> tag & 1u)) {
+            continue;
+        }
+        if (tag >= body_count) {
+            foot_tag(view, tag, tag - body_count);
+        } else {
+            hung_tag(view, tag);
+        }
+    }
+}
+
+/* ---- The page ------------------------------------------------------------------------------- */
+
+/* Darkens the tank, so that text is more visible than the tank's lights. */
+static void veil(const struct menu_view *view)
+{
+    const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0x090d24dcu });
+}
+
+static void title(const struct menu_view *view)
+{
+    const int upright = view->menu->upright;
+    const struct ui_box box =
+        menu_place(view, upright ? (struct layout_box){ 40.0f, 40.0f, 774.0f, 110.0f }
+                                 : (struct layout_box){ 320.0f, 18.0f, 640.0f, 96.0f });
+    struct ui_text style = menu_brush(view, 92.0f, MENU_CREAM);
+    style.outline_em = 0.03f;
+    style.soft_em = 0.1f;
+    style.line = 0x0a0c24e0u;
+    ui_words_in(&view->frame, box, &style, menu_text(view, menu_words_of(view->menu->page)->title));
+}
+
+static void keys(const struct menu_view *view)
+{
+    const int upright = view->menu->upright;
+    const struct menu_page_desc *sheet = menu_page_desc_of(view->menu->page);
+    const enum text_key key = view->menu->page == MENU_SELF_TEST  ? TEXT_CHECK_KEYS
+                              : sheet->watches                    ? TEXT_MENU_WATCH_KEYS
+                              : sheet->body == MENU_BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
+                                                                  : TEXT_MENU_KEYS;
+    const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
+    ui_words_in(&view->frame,
+                menu_place(view, upright ? (struct layout_box){ 27.0f, 1366.0f, 800.0f, 34.0f }
+                                         : (struct layout_box){ 60.0f, 684.0f, 1160.0f, 32.0f }),
+                &style, menu_text(view, key));
+}
+
+static void hand(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    const float u = view->frame.unit;
+    if (menu->has_hand) {
+        ui_poi_sign(&view->frame, view->x + menu->x * u, view->y + menu->y * u,
+                    (menu->presses ? 15.0f : 20.0f) * u, 1.0f, ui_player_colours[0]);
+    }
+}
+
+/* Returns the view with the largest scale that fits. On an upright screen the scale is the
+ * camera's, which the pointer uses. */
+static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
+{
+    const struct layout_point canvas = pointer_layout_size(scene->menu.upright);
+    struct menu_view view = { .frame = *frame, .scene = scene, .menu = &scene->menu,
+                              .devices = &scene->devices };
+    view.frame.unit = scene->menu.upright
+                          ? frame->width / canvas.x
+                          : fminf(frame->width / canvas.x, frame->height / canvas.y);
+    view.x = 0.5f * (frame->width - canvas.x * view.frame.unit);
+    view.y = 0.5f * (frame->height - canvas.y * view.frame.unit);
+    return view;
+}
+
+static void body(const struct menu_view *view)
+{
+    const uint8_t kind = menu_page_desc_of(view->menu->page)->body;
+    if (kind == MENU_BODY_SETTINGS) {
+        menu_settings(view);
+    } else if (kind == MENU_BODY_BITS) {
+        menu_bits(view);
+    }
+    if (menu_words_of(view->menu->page)->draw) {
+        menu_words_of(view->menu->page)->draw(view);
+    }
+}
+
+static void page(const struct menu_view *view)
+{
+    veil(view);
+    title(view);
+    tags(view);
+    body(view);
+    keys(view);
+}
+
+void ui_menu(const struct ui_frame *frame, const struct scene *scene)
+{
+    const struct menu_view view = open_view(frame, scene);
+    frame->batch->opacity = ui_smooth(0.0f, 0.25f, scene->phase_s);
+    if (menu_words_of(scene->menu.page)->is_whole) {
+        body(&view);
+        tags(&view);
+    } else {
+        page(&view);
+    }
+    hand(&view);
+    frame->batch->opacity = 1.0f;
+}

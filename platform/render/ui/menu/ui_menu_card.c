@@ -1,0 +1,172 @@
+/* ui_menu_card.c -- the test card, which makes a screen's faults visible.
+ *
+ * A white line follows the picture's edge; if an edge is invisible, correct it with the overscan
+ * setting. A grid of squares and a circle are undistorted on a screen of square pixels. Eight
+ * colours, eleven greys, and four greys that a badly adjusted screen shows as black or as white.
+ * Letters stand in the middle and in the corners, down to a size that is sharp only if every pixel
+ * is shown separately. Amber lines a twentieth inside the edge enclose the area for text. */
+#include "platform/render/ui/menu/ui_menu.h"
+
+#include <math.h>
+
+#define CARD_BLACK 0x000000ffu
+#define CARD_GREY 0x404040ffu
+#define CARD_WHITE 0xffffffffu
+#define CARD_AMBER 0xffa800ffu
+#define GRID_ROWS 9.0f  /* Number of squares from top to bottom; upright, from side to side. */
+#define GRID_LINES_MAX 64u /* Maximum lines on each side of the middle, enough for a screen of 14 to
+                              1. */
+#define SAFE 0.05f      /* Fraction of each side. */
+#define COLOUR_COUNT 8u
+#define GREY_COUNT 11u
+#define SUBTLE_COUNT 4u
+
+static void ui_menu_card_fill_box(const struct menu_view *view, struct ui_box box, uint32_t colour)
+{
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
+}
+
+/* Draws a line on whole pixels. On half pixels a line would be two pixels wide and half as
+ * bright. */
+static void line_across(const struct menu_view *view, float y, float from, float to, float px,
+                        uint32_t colour)
+{
+    ui_menu_card_fill_box(
+        view, (struct ui_box){ floorf(from), floorf(y), floorf(to) - floorf(from), px }, colour);
+}
+
+static void line_down(const struct menu_view *view, float x, float from, float to, float px,
+                      uint32_t colour)
+{
+    ui_menu_card_fill_box(
+        view, (struct ui_box){ floorf(x), floorf(from), px, floorf(to) - floorf(from) }, colour);
+}
+
+/* Draws an outline whose lines are inside the box. */
+static void outline(const struct menu_view *view, struct ui_box box, float px, uint32_t colour)
+{
+    const float right = box.x + box.width, bottom = box.y + box.height;
+    line_across(view, box.y, box.x, right, px, colour);
+    line_across(view, bottom - px, box.x, right, px, colour);
+    line_down(view, box.x, box.y, bottom, px, colour);
+    line_down(view, right - px, box.y, bottom, px, colour);
+}
+
+/* Returns how many lines lie within half of `length`, the middle's included; at most
+ * GRID_LINES_MAX. */
+static uint32_t grid_lines(float length, float side)
+{
+    const float lines = ceilf(0.5f * length / side);
+    return lines < (float)GRID_LINES_MAX ? (uint32_t)lines : GRID_LINES_MAX;
+}
+
+/* Draws the grid from the middle outward, so that it is symmetric. The lines are counted, so that
+ * the loop ends even if a square is smaller than a pixel. */
+static void grid(const struct menu_view *view, float side)
+{
+    const float width = view->frame.width, height = view->frame.height;
+    for (uint32_t i = 0; i < grid_lines(width, side); i++) {
+        line_down(view, 0.5f * width + (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
+        line_down(view, 0.5f * width - (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
+    }
+    for (uint32_t i = 0; i < grid_lines(height, side); i++) {
+        line_across(view, 0.5f * height + (float)i * side, 0.0f, width, 1.0f, CARD_GREY);
+        line_across(view, 0.5f * height - (float)i * side, 0.0f, width, 1.0f, CARD_GREY);
+    }
+}
+
+static void circle(const struct menu_view *view, float radius)
+{
+    const float x = 0.5f * view->frame.width, y = 0.5f * view->frame.height;
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                 .kind = UI_RING,
+                                 .shape = { radius - 1.0f, 3.0f, 1.0f },
+                                 .fill = CARD_WHITE });
+    line_across(view, y, x - radius, x + radius, 1.0f, CARD_WHITE);
+    line_down(view, x, y - radius, y + radius, 1.0f, CARD_WHITE);
+}
+
+static void colours(const struct menu_view *view, struct ui_box band)
+{
+    static const uint32_t bars[COLOUR_COUNT] = { 0xc0c0c0ffu, 0xc0c000ffu, 0x00c0c0ffu,
+                                                 0x00c000ffu, 0xc000c0ffu, 0xc00000ffu,
+                                                 0x0000c0ffu, 0x000000ffu };
+    const float width = band.width / (float)COLOUR_COUNT;
+    for (uint32_t i = 0; i < COLOUR_COUNT; i++) {
+        const float from = floorf(band.x + (float)i * width);
+        const float to = floorf(band.x + (float)(i + 1u) * width);
+        ui_menu_card_fill_box(view, (struct ui_box){ from, band.y, to - from, band.height },
+                              bars[i]);
+    }
+}
+
+static uint32_t grey_of(uint32_t level)
+{
+    return level << 24 | level << 16 | level << 8 | 0xffu;
+}
+
+/* Draws eleven greys from black to white. On the first are two patches that are slightly lighter,
+ * on the last two that are slightly darker. */
+static void greys(const struct menu_view *view, struct ui_box band)
+{
+    static const uint32_t subtle[SUBTLE_COUNT] = { 5, 10, 245, 250 };
+    const float width = band.width / (float)GREY_COUNT;
+    for (uint32_t i = 0; i < GREY_COUNT; i++) {
+        const float from = floorf(band.x + (float)i * width);
+        const float to = floorf(band.x + (float)(i + 1u) * width);
+        ui_menu_card_fill_box(view, (struct ui_box){ from, band.y, to - from, band.height },
+                              grey_of(255u * i / (GREY_COUNT - 1u)));
+    }
+    const float size = 0.25f * width;
+    for (uint32_t i = 0; i < SUBTLE_COUNT; i++) {
+        const float first = i < SUBTLE_COUNT / 2u ? band.x : band.x + band.width - width;
+        const float x = first + (i % 2u ? 0.60f : 0.15f) * width;
+        ui_menu_card_fill_box(
+            view, (struct ui_box){ x, band.y + 0.5f * (band.height - size), size, size },
+            grey_of(subtle[i]));
+    }
+}
+
+/* Draws letters in three sizes. The smallest is in the screen's pixels, not in canvas units. */
+static void letters(const struct menu_view *view, float x, float y)
+{
+    static const float sizes_px[] = { 28.0f, 18.0f, 11.0f };
+    for (uint32_t i = 0; i < sizeof sizes_px / sizeof sizes_px[0]; i++) {
+        const struct ui_text style = { .font = FONT_BODY, .size_px = sizes_px[i],
+                                       .fill = CARD_WHITE };
+        menu_words_at(view, x, y + ((float)i - 1.0f) * 28.0f, 200.0f, 0.5f, &style,
+                      "\xe9\x87\x91\xe9\xad\x9a 8BES");
+    }
+}
+
+static void all_letters(const struct menu_view *view)
+{
+    const float width = view->frame.width, height = view->frame.height;
+    const float x = SAFE * width + 90.0f, y = SAFE * height + 60.0f;
+    letters(view, x, y);
+    letters(view, width - x, y);
+    letters(view, x, height - y);
+    letters(view, width - x, height - y);
+}
+
+void menu_card(const struct menu_view *view)
+{
+    const float width = view->frame.width, height = view->frame.height;
+    const float least = fminf(width, height), side = fmaxf(floorf(least / GRID_ROWS), 1.0f);
+    const float left = 0.5f * width - 3.0f * side, middle = 0.5f * height;
+    const struct ui_box whole = { 0.0f, 0.0f, width, height };
+    ui_menu_card_fill_box(view, whole, CARD_BLACK);
+    grid(view, side);
+    circle(view, 4.0f * side);
+    colours(view, (struct ui_box){ left, middle - 2.5f * side, 6.0f * side, 1.5f * side });
+    greys(view, (struct ui_box){ left, middle + 1.0f * side, 6.0f * side, 1.5f * side });
+    letters(view, 0.5f * width, middle);
+    all_letters(view);
+    outline(view, (struct ui_box){ floorf(SAFE * width), floorf(SAFE * height),
+                                   floorf((1.0f - 2.0f * SAFE) * width),
+                                   floorf((1.0f - 2.0f * SAFE) * height) },
+            1.0f, CARD_AMBER);
+    outline(view, whole, 2.0f, CARD_WHITE);
+}

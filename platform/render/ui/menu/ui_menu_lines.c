@@ -1,0 +1,191 @@
+/* ui_menu_lines.c -- a lamp for each button, lit while it is pressed, and the coins inserted. In
+ * each cell's corner is the raw line: level, changes and faults. */
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/render/ui/menu/ui_menu.h"
+#include "platform/render/ui/message_translate.h"
+
+#define CLINK_S 0.5f
+#define MISSING_PAINT 0xb3261effu
+#define STATE_ROWS 2u /* Number of rows for the state of the lines. */
+
+static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
+    TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
+    TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
+};
+#define COIN INPUT_BUTTON_COUNT /* Index of the coin cell, behind the buttons in the order of their
+                                   bits. */
+
+static struct ui_box cell(const struct menu_view *view, uint32_t index)
+{
+    const int upright = view->menu->upright;
+    const uint32_t columns = upright ? 2u : 5u;
+    const float width = upright ? 385.0f : 218.0f, height = upright ? 150.0f : 188.0f;
+    const float gap = upright ? 30.0f : 18.0f;
+    const float left = 0.5f * (pointer_layout_size(upright).x - (float)columns * width -
+                               (float)(columns - 1u) * gap);
+    return menu_place(view,
+                      (struct layout_box){
+                          left + (float)(index % columns) * (width + gap),
+                          (upright ? 206.0f : 118.0f) + (float)(index / columns) * (height + gap),
+                          width,
+                          height,
+                      });
+}
+
+static void lamp(const struct menu_view *view, float x, float y, float radius, float lit)
+{
+    const float u = view->frame.unit, glow = 3.2f * radius;
+    if (lit > 0.0f) {
+        ui_shape(view->frame.batch,
+                 &(struct ui_shape){ .box = { x - glow, y - glow, 2.0f * glow, 2.0f * glow },
+                                     .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
+                                     .fill = ui_fade(0xff8a30ffu, 0.9f * lit) });
+    }
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                 .kind = UI_PANEL, .fill = lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
+                                 .line = lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu,
+                                 .shape = { 0, 0, radius, 3.0f * u } });
+}
+
+/* Draws a red slip in place of a lamp: the line is configured but missing. */
+static void not_there(const struct menu_view *view, struct ui_box box)
+{
+    const float u = view->frame.unit;
+    const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
+                                                    .fill = MISSING_PAINT, .line = 0xffe7b0a0u,
+                                                    .shape = { 0, 0, 8.0f * u, 1.5f * u } });
+    ui_words_in(&view->frame,
+                (struct ui_box){ box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height },
+                &style, menu_text(view, TEXT_LINE_MISSING));
+}
+
+/* Returns the line of a cell. The coin's cell combines all coin lines. */
+static struct scene_line line_of(const struct menu_view *view, uint32_t index, int *is_raw)
+{
+    const struct scene_devices *devices = view->devices;
+    struct scene_line sum = devices->line[index];
+    uint32_t bits = 1u << index;
+    for (uint32_t i = 1; index == COIN && i < COIN_LINE_COUNT; i++) {
+        sum.edges += devices->line[COIN + i].edges;
+        sum.faults += devices->line[COIN + i].faults;
+        bits |= 1u << (COIN + i);
+    }
+    *is_raw = (devices->line_raw & bits) != 0;
+    return sum;
+}
+
+/* Draws the raw line in the corner: a square lamp for the level before debouncing, the number of
+ * changes, and in red the number of invalid changes. */
+static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
+{
+    const float u = view->frame.unit, size = 16.0f * u;
+    int is_raw;
+    const struct scene_line line = line_of(view, index, &is_raw);
+    const struct ui_text edges = menu_style(view, 22.0f, MENU_INK_SOFT);
+    const struct ui_text faults = menu_style(view, 22.0f, MISSING_PAINT);
+    const float y = box.y + box.height - 22.0f * u;
+    char digits[12];
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { box.x + 14.0f * u, y - 0.5f * size, size, size },
+                                 .kind = UI_PANEL, .fill = is_raw ? 0xffd070feu : 0x4a3630ffu,
+                                 .line = 0x2a160cffu, .shape = { 0, 0, 3.0f * u, 1.5f * u } });
+    snprintf(digits, sizeof digits, "%u", line.edges % 1000000u);
+    menu_words_at(view, box.x + 38.0f * u, y, 0.5f * box.width, 0.0f, &edges, digits);
+    if (line.faults > 0) {
+        snprintf(digits, sizeof digits, "%u", line.faults % 10000u);
+        menu_words_at(view, box.x + box.width - 14.0f * u, y, 0.3f * box.width, 1.0f, &faults,
+                      digits);
+    }
+}
+
+/* Draws lamp, name and count, one below the other. On an upright screen the lamp is beside them. */
+static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
+{
+    const struct ui_box box = cell(view, index);
+    const float u = view->frame.unit;
+    const int upright = view->menu->upright;
+    const struct ui_text name = menu_style(view, 27.0f, MENU_INK);
+    const struct ui_text number = { .font = FONT_STALL, .size_px = 36.0f * u,
+                                    .fill = MENU_INK_SOFT };
+    char digits[12];
+    snprintf(digits, sizeof digits, "%u", count);
+    ui_wooden_tag(&view->frame, box, 0);
+    const int is_missing = (view->devices->buttons_missing >> index & 1u) != 0;
+    if (is_missing) {
+        not_there(view, upright ? (struct ui_box){ box.x + 12.0f * u, box.y + 54.0f * u,
+                                                   134.0f * u, 42.0f * u }
+                                : (struct ui_box){ box.x + 24.0f * u, box.y + 26.0f * u,
+                                                   box.width - 48.0f * u, 42.0f * u });
+    } else {
+        lamp(view, box.x + (upright ? 74.0f * u : 0.5f * box.width),
+             box.y + (upright ? 0.5f * box.height : 46.0f * u), (upright ? 36.0f : 29.0f) * u,
+             lit);
+    }
+    const float left = box.x + (upright ? (is_missing ? 152.0f : 130.0f) : 10.0f) * u;
+    const float width = box.x + box.width - 12.0f * u - left;
+    const float top = box.y + (upright ? 12.0f : 76.0f) * u;
+    ui_words_in(&view->frame, (struct ui_box){ left, top, width, 40.0f * u }, &name,
+                menu_text(view, names[index]));
+    ui_words_in(&view->frame, (struct ui_box){ left, top + 40.0f * u, width, 46.0f * u }, &number,
+                digits);
+    raw_line(view, index, box);
+}
+
+/* Draws which program or device uses the lines and what is missing, in rows of normal size. The
+ * last row shrinks to fit. */
+static void state_of_lines(const struct menu_view *view, float x, float y, float width)
+{
+    const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
+    const struct ui_text style = menu_style(view, 22.0f, paint);
+    char row[MESSAGE_TRANSLATE_SIZE], said[MESSAGE_TRANSLATE_SIZE];
+    message_translate(said, sizeof said, view->frame.language, view->devices->lines);
+    const char *words = said;
+    for (uint32_t i = 0; i < STATE_ROWS && *words; i++) {
+        const size_t size = i + 1u == STATE_ROWS
+                                ? strlen(words)
+                                : menu_fill_line(&style, words, width * view->frame.unit);
+        snprintf(row, sizeof row, "%.*s", (int)size, words);
+        ui_words_in(&view->frame,
+                    menu_place(view, (struct layout_box){ x, y + 28.0f * (float)i, width, 28.0f }),
+                    &style, row);
+        words += size;
+    }
+}
+
+/* Draws the lines' state, then that a coin on this page is a test, and the number of failures. */
+static void notes(const struct menu_view *view)
+{
+    const int upright = view->menu->upright;
+    const struct ui_text warm = menu_style(view, 24.0f, 0xf0c089ffu);
+    const float x = upright ? 27.0f : 60.0f, y = upright ? 1100.0f : 517.0f;
+    const float width = pointer_layout_size(upright).x - 2.0f * x;
+    char faults[TEXT_LINE_MAX], words[TEXT_LINE_MAX + 64u];
+    text_number(faults, sizeof faults, menu_text(view, TEXT_LINE_FAULTS),
+                view->devices->button_faults);
+    snprintf(words, sizeof words, "%s%s%s", menu_text(view, TEXT_TEST_COINS_WORDS),
+             upright ? "" : "      ", upright ? "" : faults);
+    state_of_lines(view, x, y, width);
+    ui_words_in(&view->frame,
+                menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
+                &warm, words);
+    if (upright) { /* One row is too narrow for both. */
+        ui_words_in(&view->frame,
+                    menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS + 32.0f, width,
+                                                          32.0f }),
+                    &warm, faults);
+    }
+}
+
+void menu_lines(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        line(view, i, menu->held >> i & 1u ? 1.0f : 0.0f, menu->pressed_count[i]);
+    }
+    line(view, COIN, 1.0f - ui_smooth(0.0f, CLINK_S, menu->coin_s), menu->test_coins);
+    notes(view);
+}

@@ -1,0 +1,199 @@
+/* ui.c -- draws the batch: one vertex buffer, and one draw call for each run of quads of one
+ * kind. */
+#include "platform/render/ui/ui.h"
+
+#include <GLES3/gl3.h>
+#include <stdio.h>
+
+#include "assets.h"
+#include "fonts.h"
+#include "platform/render/gl_program.h"
+#include "platform/render/gl_util.h"
+#include "platform/render/ui/ui_shader.h"
+
+#define INDICES_PER_QUAD 6u
+
+_Static_assert(UI_QUADS_MAX * 4u <= 65536u, "indices are 16 bits wide");
+
+static GLuint make_program(struct gl_status *status, GLuint vertex, const char *body)
+{
+    char numbers[160];
+    snprintf(numbers, sizeof numbers,
+             "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n"
+             "#define FONT_SIZE vec2(%u.0, %u.0)\n",
+             ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH, ASSET_FONT_ROWS);
+    const char *const parts[3] = { numbers, ui_fragment_head, body };
+    const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 3);
+    const GLuint program = gl_link(status, "words", vertex, fragment);
+    glDeleteShader(fragment); /* OpenGL ignores the name 0 and keeps the shader as long as the
+                                 program uses it. */
+    if (program != 0) {
+        gl_program_bind(program, "font paper");
+    }
+    return program;
+}
+
+static void make_programs(struct ui *ui, struct gl_status *status)
+{
+    const GLuint vertex = gl_compile(status, "words", GL_VERTEX_SHADER, &ui_vertex_source, 1);
+    for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(status); i++) {
+        ui->programs[i] = make_program(status, vertex, ui_fragment_sources[i]);
+        ui->to_clip[i] =
+            ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
+        ui->turn[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "turn") : -1;
+        ui->move[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "move") : -1;
+    }
+    glDeleteShader(vertex);
+}
+
+static void make_textures(struct ui *ui, struct gl_status *status)
+{
+    ui->font_texture = gl_texture(status, "font",
+                                  &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                             .format = GL_RED,
+                                                             .width = ASSET_FONT_WIDTH,
+                                                             .height = ASSET_FONT_ROWS,
+                                                             .layers = ASSET_FONT_PAGES,
+                                                             .pixels = asset_font });
+    ui->paper_texture = gl_texture(status, "paper",
+                                   &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                              .format = GL_RED,
+                                                              .width = ASSET_PAPER_SIZE,
+                                                              .height = ASSET_PAPER_SIZE,
+                                                              .pixels = asset_paper,
+                                                              .wrap = GL_REPEAT });
+}
+
+static void add_attribute(GLuint location, GLint count, GLenum type, size_t offset)
+{
+    const GLboolean normalized = type == GL_UNSIGNED_BYTE;
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, type, normalized, sizeof(struct ui_vertex),
+                          (const void *)offset);
+}
+
+/* Creates the buffers. The indices of all quads are constant; only vertices change from frame to
+ * frame. */
+static void make_buffers(struct ui *ui)
+{
+    static uint16_t indices[UI_QUADS_MAX * INDICES_PER_QUAD];
+    static const uint16_t corners[INDICES_PER_QUAD] = { 0, 2, 1, 1, 2, 3 };
+    for (uint32_t i = 0; i < UI_QUADS_MAX * INDICES_PER_QUAD; i++) {
+        indices[i] = (uint16_t)(i / INDICES_PER_QUAD * 4u + corners[i % INDICES_PER_QUAD]);
+    }
+    glGenVertexArrays(1, &ui->vertex_array);
+    glGenBuffers(1, &ui->vertex_buffer);
+    glGenBuffers(1, &ui->index_buffer);
+    glBindVertexArray(ui->vertex_array);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, ui->index_buffer);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof indices, indices, GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
+    add_attribute(0, 2, GL_FLOAT, offsetof(struct ui_vertex, x));
+    add_attribute(1, 2, GL_FLOAT, offsetof(struct ui_vertex, u));
+    add_attribute(2, 4, GL_FLOAT, offsetof(struct ui_vertex, shape));
+    add_attribute(3, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, fill));
+    add_attribute(4, 4, GL_UNSIGNED_BYTE, offsetof(struct ui_vertex, line));
+    glBindVertexArray(0);
+}
+
+int ui_init(struct ui *ui, char *why, size_t why_size)
+{
+    *ui = (struct ui){ 0 };
+    struct gl_status status = { 0 };
+    make_programs(ui, &status);
+    make_textures(ui, &status);
+    if (!gl_is_well(&status)) {
+        snprintf(why, why_size, "%s", status.text);
+        ui_close(ui);
+        return 0;
+    }
+    make_buffers(ui);
+    return 1;
+}
+
+static void set_state(const struct ui *ui, const struct display_transform *transform)
+{
+    glViewport(0, 0, (GLsizei)transform->screen_width, (GLsizei)transform->screen_height);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_bind_texture(1, GL_TEXTURE_2D, ui->paper_texture);
+    gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, ui->font_texture);
+    glBindVertexArray(ui->vertex_array);
+    glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
+}
+
+/* Draws the quads from `first` up to `limit` that share a kind, in one call. Returns the index of
+ * the next quad. */
+static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
+                         const struct display_transform *transform)
+{
+    const uint8_t kind = ui->batch.kinds[first];
+    float turn[4], move[2];
+    uint32_t end = first + 1u;
+    while (end < limit && ui->batch.kinds[end] == kind) {
+        end++;
+    }
+    glUseProgram(ui->programs[kind]);
+    display_clip_matrix(transform, turn, move);
+    glUniform2f(ui->to_clip[kind], 2.0f / transform->width, -2.0f / transform->height);
+    glUniformMatrix2fv(ui->turn[kind], 1, GL_FALSE, turn);
+    glUniform2fv(ui->move[kind], 1, move);
+    glDrawElements(GL_TRIANGLES, (GLsizei)((end - first) * INDICES_PER_QUAD), GL_UNSIGNED_SHORT,
+                   (const void *)(first * INDICES_PER_QUAD * sizeof(uint16_t)));
+    return end;
+}
+
+static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
+                       const struct display_transform *transform)
+{
+    if (first < limit) {
+        set_state(ui, transform);
+    }
+    while (first < limit) {
+        first = draw_run(ui, first, limit, transform);
+    }
+}
+
+void ui_show(struct ui *ui, struct specimen_pass *specimens,
+             const struct display_transform *transform)
+{
+    set_state(ui, transform);
+    /* New storage each frame, so that the driver need not wait for the previous frame's drawing. */
+    glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
+    glBufferSubData(GL_ARRAY_BUFFER, 0,
+                    (GLsizeiptr)(ui->batch.quad_count * 4u * sizeof(struct ui_vertex)),
+                    ui->batch.vertices);
+    uint32_t quad = 0;
+    for (uint32_t i = 0; i < ui->batch.specimen_count && specimens != NULL; i++) {
+        draw_quads(ui, quad, ui->batch.specimen_quad[i], transform);
+        quad = ui->batch.specimen_quad[i];
+        specimen_pass_draw(specimens, &ui->batch.specimens[i], transform);
+    }
+    draw_quads(ui, quad, ui->batch.quad_count, transform);
+    glBindVertexArray(0);
+}
+
+void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
+             const struct display_transform *transform)
+{
+    ui_screens(&ui->batch, &ui->memory, scene, transform->width, transform->height);
+    ui_show(ui, specimens, transform);
+}
+
+void ui_close(struct ui *ui)
+{
+    for (uint32_t i = 0; i < UI_KIND_COUNT; i++) {
+        glDeleteProgram(ui->programs[i]);
+    }
+    glDeleteVertexArrays(1, &ui->vertex_array);
+    glDeleteBuffers(1, &ui->vertex_buffer);
+    glDeleteBuffers(1, &ui->index_buffer);
+    glDeleteTextures(1, &ui->font_texture);
+    glDeleteTextures(1, &ui->paper_texture);
+    *ui = (struct ui){ 0 };
+}

@@ -1,0 +1,205 @@
+/* ui_album.c -- the album of caught fish: a page of pictures, each a small aquarium in which a fish
+ * grows up. */
+#include <math.h>
+#include <stdio.h>
+
+#include "platform/render/ui/lab/ui_lab.h"
+#include "platform/render/ui/ui_widgets.h"
+
+#define TAU 6.28318531f
+#define SEAL_SIZE 19.0f
+#define YOUNG_SIZE 0.40f /* Fraction of its picture that the hatchling fills. */
+
+/* ---- Layout of the pictures ------------------------------------------------------------------ */
+
+struct spatial_grid {
+    uint32_t columns, rows;
+    float left, top, width, height, gap;
+};
+
+static struct spatial_grid grid_of(const struct ui_frame *frame, uint32_t count)
+{
+    const float u = frame->unit;
+    const int upright = frame->height > 1.2f * frame->width;
+    struct spatial_grid grid = { .columns = upright      ? (count > 3u ? 2u : 1u)
+                                            : count > 3u ? 3u
+                                                         : count,
+                                 .gap = 18.0f * u };
+    grid.rows = (count + grid.columns - 1u) / grid.columns;
+    const float top = 118.0f * u, foot = 108.0f * u;
+    const float wide = frame->width - 48.0f * u, high = frame->height - top - foot;
+    grid.width = (wide - grid.gap * (float)(grid.columns - 1u)) / (float)grid.columns;
+    grid.height = (high - grid.gap * (float)(grid.rows - 1u)) / (float)grid.rows;
+    grid.width = fminf(grid.width, 1.9f * grid.height);
+    grid.height = fminf(grid.height, 1.1f * grid.width);
+    const float used = (float)grid.rows * (grid.height + grid.gap) - grid.gap;
+    grid.top = top + 0.5f * (high - used);
+    grid.left = 0.5f * (frame->width -
+                        ((float)grid.columns * (grid.width + grid.gap) - grid.gap));
+    return grid;
+}
+
+/* Returns the box of a picture. A last row that is not full is centred. */
+static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t index,
+                                       uint32_t count)
+{
+    const uint32_t row = index / grid->columns, column = index % grid->columns;
+    const uint32_t in_row =
+        row + 1u < grid->rows ? grid->columns : count - row * grid->columns;
+    const float shift =
+        0.5f * (float)(grid->columns - in_row) * (grid->width + grid->gap);
+    return (struct ui_box){ grid->left + shift + (float)column * (grid->width + grid->gap),
+                            grid->top + (float)row * (grid->height + grid->gap), grid->width,
+                            grid->height };
+}
+
+/* ---- One fish ------------------------------------------------------------------------------- */
+
+/* Returns how far the fish's own pattern is visible. The coats of the last two keys are red, and
+ * the pattern appears there. For a fish caught at a younger age, the pattern is complete on that
+ * day. */
+static float ripe(const struct scene_grown *fish)
+{
+    const struct species_card *card = &species_wakin.card;
+    const float key = 1.0f / ((float)card->key_count - 1.0f);
+    const float met = life_progress(card, fish->caught_age_days);
+    const float whole = fminf(1.0f - key, met);
+    return ui_smooth(whole - key, whole, fish->progress);
+}
+
+static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t index,
+                 const struct scene_grown *fish)
+{
+    const float t = frame->time_s + 0.7f * (float)index;
+    struct specimen specimen = { .species = &species_wakin,
+                                 .progress = fish->progress,
+                                 .look = fish->look,
+                                 .ripe = ripe(fish),
+                                 .maturity = fish->maturity };
+    specimen_portrait(&specimen);
+    const float high = water.height - 2.3f * SEAL_SIZE * frame->unit;
+    specimen_fit(&specimen, water.x + 0.05f * water.width, water.y + 0.06f * high,
+                 0.90f * water.width, 0.88f * high);
+    specimen.length_px *= YOUNG_SIZE + (1.0f - YOUNG_SIZE) * fish->progress;
+    specimen.y_px += 0.015f * high * sinf(0.9f * t);
+    specimen.yaw_rad += 0.15f * sinf(0.6f * t);
+    specimen.phase_rad = fmodf(TAU * 1.2f * t, TAU);
+    specimen.amplitude = 0.8f;
+    ui_specimen(frame->batch, &specimen);
+}
+
+/* Draws the fish's lifeline with a mark for the day on which it was caught. */
+static void life(const struct ui_frame *frame, struct ui_box line, const struct scene_grown *fish)
+{
+    const float u = frame->unit;
+    const float met = life_progress(&species_wakin.card, fish->caught_age_days);
+    const float y = line.y + 0.5f * line.height;
+    const float from[2] = { line.x, y }, to[2] = { line.x + line.width, y };
+    const float now[2] = { line.x + line.width * fish->progress, y };
+    const float day = line.x + line.width * met, r = 8.0f * u;
+    ui_segment(frame->batch, from, to, 5.0f * u, 0xd9c8a0ffu);
+    ui_segment(frame->batch, from, now, 5.0f * u, UI_VERMILION);
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { day - r, y - r, 2.0f * r, 2.0f * r }, .kind = UI_PANEL,
+                                 .fill = fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu,
+                                 .line = 0xc92c1cffu, .shape = { 0, 0, r, 2.5f * u } });
+}
+
+/* Draws the seal, which appears when the lifeline reaches the day of the catch. */
+static void met_seal(const struct ui_frame *frame, struct ui_box water,
+                     const struct scene_grown *fish)
+{
+    const float u = frame->unit;
+    char age[TEXT_LINE_MAX], length[32], words[2u * TEXT_LINE_MAX];
+    if (!fish->is_caught) {
+        return;
+    }
+    lab_age_words(frame->language, fish->caught_age_days, age, sizeof age);
+    lab_length_words(fish->caught_length_m, length, sizeof length);
+    snprintf(words, sizeof words, "%s  %s  %s", text_words(frame->language, TEXT_ALBUM_MET), age,
+             length);
+    const float size = SEAL_SIZE * u;
+    const struct ui_ribbon seal = { .x = water.x + 0.5f * water.width,
+                                    .y = water.y + water.height - 1.15f * size, .size_px = size,
+                                    .font = FONT_BODY, .fill = 0xc92c1ce8u, .line = 0xfff1ddb0u,
+                                    .ink = 0xfff1ddffu, .room_px = water.width - 10.0f * u };
+    ui_ribbon(frame, &seal, words);
+}
+
+static void picture(const struct ui_frame *frame, const struct scene *scene, uint32_t index,
+                    struct ui_box box)
+{
+    const float u = frame->unit;
+    const struct scene_grown *fish = &scene->album.fish[index];
+    char age[TEXT_LINE_MAX], length[32], words[2u * TEXT_LINE_MAX];
+    const struct ui_box shade = { box.x + 3.0f * u, box.y + 6.0f * u, box.width, box.height };
+    const struct ui_box water = { box.x + 10.0f * u, box.y + 10.0f * u, box.width - 20.0f * u,
+                                  box.height - 82.0f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL,
+                                               .fill = 0x04061880u,
+                                               .shape = { 0, 0, 10.0f * u } });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = LAB_PAPER,
+                                               .line = LAB_PAPER_LINE,
+                                               .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = water, .kind = UI_WATER, .fill = 0x1d7a86ffu,
+                                 .line = 0x06243cffu,
+                                 .shape = { 0, 0, 6.0f * u, frame->time_s + (float)index } });
+    swim(frame, water, index, fish);
+    met_seal(frame, water, fish);
+    lab_age_words(frame->language, fish->age_days, age, sizeof age);
+    lab_length_words(fish->length_m, length, sizeof length);
+    snprintf(words, sizeof words, "%s   %s", age, length);
+    const struct ui_text style = { .font = FONT_STALL, .size_px = 27.0f * u, .align = 0.5f,
+                                   .fill = LAB_INK, .fit_px = box.width - 28.0f * u };
+    ui_text(frame->batch, &style, box.x + 0.5f * box.width, box.y + box.height - 40.0f * u, words);
+    life(frame,
+         (struct ui_box){ box.x + 22.0f * u, box.y + box.height - 28.0f * u,
+                          box.width - 44.0f * u, 14.0f * u },
+         fish);
+    if (ui_player_count(scene) > 1u) {
+        ui_player_mark(frame, box.x + 32.0f * u, box.y + 32.0f * u, 17.0f * u, fish->owner);
+    }
+}
+
+/* ---- The page ------------------------------------------------------------------------------- */
+
+static void head(const struct ui_frame *frame, const struct scene *scene)
+{
+    const float u = frame->unit;
+    char words[TEXT_LINE_MAX];
+    const struct ui_text title = { .font = FONT_STALL, .size_px = 42.0f * u, .align = 0.5f,
+                                   .outline_em = 0.03f, .soft_em = 0.1f, .fill = 0xfff6e2ffu,
+                                   .line = 0x0a0c24e0u, .fit_px = frame->width - 60.0f * u };
+    ui_text(frame->batch, &title, 0.5f * frame->width, ui_text_middle(&title, 48.0f * u),
+            text_words(frame->language, TEXT_ALBUM));
+    const struct ui_text small = { .font = FONT_BODY, .size_px = 22.0f * u, .align = 0.5f,
+                                   .fill = 0xd6dcf2ffu, .fit_px = frame->width - 60.0f * u };
+    const int all = scene->album.caught <= scene->album.fish_count;
+    text_number(words, sizeof words,
+                text_words(frame->language, all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
+                all ? scene->album.caught : scene->album.fish_count);
+    ui_text(frame->batch, &small, 0.5f * frame->width, ui_text_middle(&small, 92.0f * u), words);
+}
+
+void ui_album(const struct ui_frame *frame, const struct scene *scene)
+{
+    const struct scene_album *album = &scene->album;
+    const struct spatial_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
+    const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = 0x171d42ffu });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth, .kind = UI_WAVES,
+                                               .fill = 0x141a3cffu,
+                                               .shape = { 0, 0, 36.0f * frame->unit } });
+    head(frame, scene);
+    for (uint32_t i = 0; i < album->fish_count; i++) {
+        const float in = ui_smooth(0.15f * (float)i, 0.15f * (float)i + 0.4f, scene->phase_s);
+        struct ui_box box = ui_album_place_of(&grid, i, album->fish_count);
+        box.y += 30.0f * frame->unit * (1.0f - in);
+        frame->batch->opacity = in;
+        picture(frame, scene, i, box);
+        frame->batch->opacity = 1.0f;
+    }
+    ui_start_ribbon(frame, scene, frame->height - 56.0f * frame->unit, TEXT_AGAIN);
+}

@@ -1,0 +1,183 @@
+/* ui_batch.c -- fills the list of quads: shapes, and text as one quad a letter. */
+#include "platform/render/ui/ui_batch.h"
+
+#include "assets.h"
+
+/* Maximum reach of an outline in atlas pixels. The distance field is flat beyond it, and the bake
+ * leaves the same margin around each letter. */
+#define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
+
+void ui_batch_clear(struct ui_batch *batch)
+{
+    batch->quad_count = 0;
+    batch->dropped_count = 0;
+    batch->unbaked_count = 0;
+    batch->specimen_count = 0;
+    batch->opacity = 1.0f;
+}
+
+static void unpack(uint8_t out[4], uint32_t colour, float opacity)
+{
+    out[0] = (uint8_t)(colour >> 24);
+    out[1] = (uint8_t)(colour >> 16);
+    out[2] = (uint8_t)(colour >> 8);
+    out[3] = (uint8_t)((float)(colour & 0xffu) * opacity + 0.5f);
+}
+
+/* Adds four vertices that share everything but their corner. Returns null when the batch is
+ * full. */
+static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
+{
+    if (batch->opacity <= 0.0f) {
+        return NULL;
+    }
+    if (batch->quad_count == UI_QUADS_MAX) {
+        batch->dropped_count++;
+        return NULL;
+    }
+    batch->kinds[batch->quad_count] = (uint8_t)shape->kind;
+    struct ui_vertex *quad = &batch->vertices[batch->quad_count++ * 4u];
+    for (uint32_t i = 0; i < 4u; i++) {
+        const float right = (float)(i & 1u), down = (float)(i >> 1);
+        quad[i].x = shape->box.x + shape->box.width * right + shape->lean_px * down;
+        quad[i].y = shape->box.y + shape->box.height * down;
+        quad[i].u = shape->box.width * (right - 0.5f);
+        quad[i].v = shape->box.height * (down - 0.5f);
+        for (uint32_t k = 0; k < 4u; k++) {
+            quad[i].shape[k] = shape->shape[k];
+        }
+        unpack(quad[i].fill, shape->fill, batch->opacity);
+        unpack(quad[i].line, shape->line, batch->opacity);
+    }
+    return quad;
+}
+
+void ui_shape(struct ui_batch *batch, const struct ui_shape *shape)
+{
+    struct ui_shape whole = *shape;
+    if (shape->kind != UI_RING && shape->kind != UI_POI) {
+        whole.shape[0] = 0.5f * shape->box.width;
+        whole.shape[1] = 0.5f * shape->box.height;
+    }
+    add_quad(batch, &whole);
+}
+
+void ui_segment(struct ui_batch *batch, const float from[2], const float to[2], float width_px,
+                uint32_t colour)
+{
+    const float x = to[0] - from[0], y = to[1] - from[1];
+    const float length = f_sqrt(x * x + y * y);
+    const float c = length > 0.0f ? x / length : 1.0f, s = length > 0.0f ? y / length : 0.0f;
+    const float half[2] = { 0.5f * (length + width_px), 0.5f * width_px };
+    const struct ui_shape shape = { .box = { 0.0f, 0.0f, 2.0f * half[0], 2.0f * half[1] },
+                                    .kind = UI_PANEL,
+                                    .shape = { half[0], half[1], half[1] },
+                                    .fill = colour };
+    struct ui_vertex *const quad = add_quad(batch, &shape);
+    for (uint32_t i = 0; quad != NULL && i < 4u; i++) {
+        quad[i].x = 0.5f * (from[0] + to[0]) + quad[i].u * c - quad[i].v * s;
+        quad[i].y = 0.5f * (from[1] + to[1]) + quad[i].u * s + quad[i].v * c;
+    }
+}
+
+void ui_specimen(struct ui_batch *batch, const struct specimen *specimen)
+{
+    if (batch->opacity <= 0.0f) {
+        return;
+    }
+    if (batch->specimen_count == SPECIMEN_MAX) {
+        batch->dropped_count++;
+        return;
+    }
+    const uint32_t i = batch->specimen_count++;
+    batch->specimens[i] = *specimen;
+    batch->specimens[i].fade = 1.0f - (1.0f - specimen->fade) * batch->opacity;
+    batch->specimen_quad[i] = (uint16_t)batch->quad_count;
+}
+
+float ui_text_width(const struct ui_text *style, const char *words)
+{
+    return text_width_em(style->font, words, style->spacing_em) * ui_text_size(style, words);
+}
+
+float ui_text_size(const struct ui_text *style, const char *words)
+{
+    const float width_px = text_width_em(style->font, words, style->spacing_em) * style->size_px;
+    const int too_wide = style->fit_px > 0.0f && width_px > style->fit_px;
+    return too_wide ? style->size_px * style->fit_px / width_px : style->size_px;
+}
+
+float ui_text_middle(const struct ui_text *style, float y)
+{
+    return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
+}
+
+/* Returns how much of the margin REACH_PX a quad can omit. A quad includes only the margin that it
+ * paints, and never the outer half of a texel, because filtering would mix in the neighbouring
+ * letter. */
+static float trim_px(const float shape[4])
+{
+    const float painted = shape[0] + shape[1] + shape[2] + 0.5f / shape[3] + 0.5f;
+    return f_max(REACH_PX - painted, 0.5f);
+}
+
+static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
+                      float y, const struct font_glyph *glyph)
+{
+    const float em = asset_fonts[style->font].em_px, texel_px = size_px / em;
+    struct ui_shape shape = { .kind = UI_GLYPH, .fill = style->fill, .line = style->line };
+    shape.shape[0] = style->weight_em * em;
+    shape.shape[1] = style->outline_em * em;
+    const float room = REACH_PX - shape.shape[0] - shape.shape[1], soft = style->soft_em * em;
+    shape.shape[2] = soft < room ? soft : room > 0.0f ? room : 0.0f;
+    shape.shape[3] = texel_px;
+    const float trim = trim_px(shape.shape);
+    const float width = (float)glyph->width - 2.0f * trim;
+    const float height = (float)glyph->height - 2.0f * trim;
+    shape.box.x = x + glyph->left_em * size_px + trim * texel_px;
+    shape.box.y = y + glyph->top_em * size_px + trim * texel_px;
+    shape.box.width = width * texel_px;
+    shape.box.height = height * texel_px;
+    struct ui_vertex *quad = add_quad(batch, &shape);
+    for (uint32_t i = 0; quad != NULL && i < 4u; i++) {
+        quad[i].u = (float)glyph->x + trim + ((i & 1u) != 0 ? width : 0.0f);
+        quad[i].v = (float)glyph->y + trim + ((i & 2u) != 0 ? height : 0.0f);
+    }
+}
+
+static void add_line(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
+                     float y, const char *words)
+{
+    for (uint32_t code = text_next(&words); code != 0; code = text_next(&words)) {
+        const struct font_glyph *glyph = text_glyph(style->font, code);
+        if (glyph == NULL) {
+            batch->unbaked_count++;
+            glyph = text_glyph_or_mark(style->font, code);
+        }
+        if (glyph == NULL) {
+            continue;
+        }
+        if (glyph->width > 0) {
+            add_glyph(batch, style, size_px, x, y, glyph);
+        }
+        x += (glyph->advance_em + style->spacing_em) * size_px;
+    }
+}
+
+float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
+              const char *words)
+{
+    const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
+    const float left = x - style->align * width_px;
+    /* All outlines are added first, so that none covers a letter. */
+    if (style->outline_em + style->soft_em > 0.0f) {
+        struct ui_text outline = *style;
+        outline.fill = 0;
+        add_line(batch, &outline, size_px, left, y, words);
+    }
+    struct ui_text letters = *style;
+    letters.line = 0;
+    letters.outline_em = letters.soft_em = 0.0f;
+    add_line(batch, &letters, size_px, left, y, words);
+    return width_px;
+}

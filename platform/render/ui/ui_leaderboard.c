@@ -1,0 +1,175 @@
+/* ui_leaderboard.c -- draws the leaderboard on a sheet of paper, like a sumo ranking list with the
+ * best first. */
+#include "platform/render/ui/ui_leaderboard.h"
+
+#include <math.h>
+
+#include "core/game/ranking/ranking.h"
+
+#define ROWS_MIN 5u      /* Minimum rows, because a sheet with a single name looks empty. */
+#define COME_S 0.45f
+#define GO_S 0.35f
+#define ROW_COMES_S 0.07f /* Delay between the appearance of one row and the next. */
+
+enum text_key ui_place_key(uint8_t period)
+{
+    static const enum text_key keys[RANK_PERIOD_COUNT] = { TEXT_PLACE_DAY, TEXT_PLACE_WEEK,
+                                                           TEXT_PLACE_EVER };
+    return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
+}
+
+enum text_key ui_leaderboard_key(uint8_t period)
+{
+    static const enum text_key keys[RANK_PERIOD_COUNT] = { TEXT_BOARD_DAY, TEXT_BOARD_WEEK,
+                                                           TEXT_BOARD_EVER };
+    return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
+}
+
+static uint32_t row_count(const struct scene_leaderboard *board)
+{
+    uint32_t count = 0;
+    while (count < SCENE_LEADERBOARD_ROWS && board->row[count].caught > 0) {
+        count++;
+    }
+    return count;
+}
+
+float ui_leaderboard_in(const struct scene_leaderboard *board)
+{
+    return board->shown ? ui_smooth(0.0f, COME_S, board->shown_s) *
+                              ui_smooth(0.0f, GO_S, board->left_s)
+                        : 0.0f;
+}
+
+/* Draws a heading such as "Festival: today's best", white on a band of dyed cloth. */
+static void ui_leaderboard_heading(const struct ui_frame *frame,
+                                   const struct scene_leaderboard *board, struct ui_box box)
+{
+    const float u = frame->unit, inset = 12.0f * u;
+    const struct ui_box band = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
+                                 62.0f * u };
+    const struct ui_text mode = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD,
+                                  .fit_px = 0.38f * band.width };
+    const struct ui_text title = { .font = FONT_STALL, .size_px = 36.0f * u, .align = 1.0f,
+                                   .fill = 0xfff6e2ffu, .fit_px = 0.52f * band.width };
+    const float y = band.y + 0.5f * band.height;
+    ui_shape(frame->batch, &(struct ui_shape){ .box = band, .kind = UI_WAVES, .fill = UI_INDIGO,
+                                               .line = 0x0b1030ffu,
+                                               .shape = { 0, 0, 9.0f * u, 1.5f * u } });
+    ui_text(frame->batch, &mode, band.x + 20.0f * u, ui_text_middle(&mode, y),
+            ui_mode_name(frame->language, board->mode));
+    ui_text(frame->batch, &title, band.x + band.width - 20.0f * u, ui_text_middle(&title, y),
+            text_words(frame->language, ui_leaderboard_key(board->period)));
+}
+
+/* Draws the place number in gold, silver or bronze, otherwise without a medal. */
+static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t place)
+{
+    static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
+    const float u = frame->unit, radius = 19.0f * u;
+    const int has_medal = place < sizeof medals / sizeof *medals;
+    char number[12];
+    text_number(number, sizeof number, "{}", place + 1u);
+    if (has_medal) {
+        ui_shape(frame->batch,
+                 &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius,
+                                              2.0f * radius },
+                                     .kind = UI_PANEL, .fill = medals[place], .line = 0x5a3a20ffu,
+                                     .shape = { 0, 0, radius, 1.5f * u } });
+    }
+    const struct ui_text style = { .font = FONT_STALL, .size_px = 26.0f * u, .align = 0.5f,
+                                   .fill = has_medal ? UI_INK : UI_INK_SOFT,
+                                   .fit_px = 1.8f * radius };
+    ui_text(frame->batch, &style, x, ui_text_middle(&style, y), number);
+}
+
+/* Draws a vermilion seal, which shows that the round can be replayed and verified. */
+void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
+{
+    const float u = frame->unit;
+    const struct ui_text word = { .font = FONT_STALL, .size_px = 0.74f * size,
+                                  .fill = 0xfff1ddffu };
+    const struct ui_box box = { x - 0.5f * size, y - 0.5f * size, size, size };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0xc92c1cffu,
+                                               .line = 0xfff1ddb0u,
+                                               .shape = { 0, 0, 5.0f * u, 1.5f * u } });
+    ui_words_in(frame, box, &word, text_words(frame->language, TEXT_BOARD_SEAL));
+}
+
+/* Draws the background of a new entry in the colour of the player's ring. */
+static void new_ground(const struct ui_frame *frame, const struct scene_row *row,
+                       struct ui_box box)
+{
+    const float u = frame->unit;
+    const uint32_t colour = ui_player_colours[row->seat < POI_MAX ? row->seat : 0];
+    const float glow = 0.30f + 0.20f * ui_pulse(frame->time_s, 1.2f);
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = ui_fade(colour, glow),
+                                 .line = colour, .shape = { 0, 0, 9.0f * u, 2.0f * u } });
+}
+
+static void row_at(const struct ui_frame *frame, const struct scene_row *row, uint32_t place,
+                   struct ui_box box)
+{
+    const float u = frame->unit, y = box.y + 0.5f * box.height;
+    const float right = box.x + box.width - 18.0f * u;
+    const struct ui_text name = { .font = FONT_STALL, .size_px = 31.0f * u,
+                                  .fill = row->name[0] ? UI_INK : 0x5a464880u,
+                                  .fit_px = box.width - 300.0f * u };
+    const struct ui_text digits = { .font = FONT_STALL, .size_px = 33.0f * u, .align = 1.0f,
+                                    .fill = UI_INK, .fit_px = 90.0f * u };
+    const struct ui_text unit = { .font = FONT_STALL, .size_px = 20.0f * u, .align = 1.0f,
+                                  .fill = UI_INK_SOFT };
+    char number[12];
+    if (row->is_new) {
+        new_ground(frame, row, box);
+    }
+    place_mark(frame, box.x + 34.0f * u, y, place);
+    ui_text(frame->batch, &name, box.x + 74.0f * u, ui_text_middle(&name, y),
+            row->name[0] ? row->name : "---");
+    text_number(number, sizeof number, "{}", row->caught);
+    const char *words = text_words(frame->language, TEXT_UNIT);
+    const float baseline = ui_text_middle(&digits, y);
+    ui_text(frame->batch, &unit, right, baseline, words);
+    const float digits_right = right - ui_text_width(&unit, words) - 8.0f * u;
+    ui_text(frame->batch, &digits, digits_right, baseline, number);
+    ui_fish_sign(frame, digits_right - 132.0f * u, y, 52.0f * u);
+    if (row->is_sealed) {
+        ui_genuine_seal(frame, digits_right - 192.0f * u, y, 30.0f * u);
+    }
+}
+
+void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard *board, float top,
+                    float bottom)
+{
+    const float u = frame->unit, in = ui_leaderboard_in(board);
+    if (in <= 0.0f) {
+        return;
+    }
+    const uint32_t rows = row_count(board), room = rows > ROWS_MIN ? rows : ROWS_MIN;
+    const float head = 86.0f * u, foot = 14.0f * u;
+    const float pitch = fminf(58.0f * u, (bottom - top - head - foot) / (float)room);
+    const float height = head + foot + pitch * (float)room;
+    const float width = fminf(760.0f * u, frame->width - 40.0f * u);
+    const struct ui_box box = { 0.5f * (frame->width - width),
+                                0.5f * (top + bottom - height) + 30.0f * u * (1.0f - in), width,
+                                height };
+    frame->batch->opacity = in;
+    ui_card(frame, box);
+    ui_leaderboard_heading(frame, board, box);
+    for (uint32_t i = 0; i < rows; i++) {
+        const float since_s = board->shown_s - ROW_COMES_S * (float)(rows - i);
+        frame->batch->opacity = in * ui_smooth(0.1f, 0.35f, since_s);
+        row_at(frame, &board->row[i], i,
+               (struct ui_box){ box.x + 16.0f * u, box.y + head + pitch * (float)i + 2.0f * u,
+                                box.width - 32.0f * u, pitch - 4.0f * u });
+    }
+    frame->batch->opacity = 1.0f;
+}
+
+void ui_ranking(const struct ui_frame *frame, const struct scene *scene)
+{
+    const float u = frame->unit;
+    ui_leaderboard(frame, &scene->leaderboard, 24.0f * u, frame->height - 110.0f * u);
+    ui_start_ribbon(frame, scene, frame->height - 58.0f * u, TEXT_AGAIN);
+}

@@ -1,0 +1,173 @@
+/* ui_players.c -- the players: numbers, lamps, and a plate for each of several players. */
+#include <math.h>
+
+#include "core/view.h"
+#include "platform/render/ui/ui_widgets.h"
+
+#define POP_S 0.45f /* Duration for which the count grows when a fish is caught. */
+#define PLATE_WIDTH 200.0f
+#define PLATE_WIDTH_MIN 152.0f
+
+uint32_t ui_player_count(const struct scene *scene)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        count += scene->player[i].plays != 0;
+    }
+    return count;
+}
+
+uint32_t ui_seat_count(const struct scene *scene)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        count += scene->player[i].plays || scene->bowl[i].present;
+    }
+    return count;
+}
+
+uint32_t ui_first_player(const struct scene *scene)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->player[i].plays) {
+            return i;
+        }
+    }
+    return 0;
+}
+
+void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player)
+{
+    const struct ui_box box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
+    char number[12];
+    text_number(number, sizeof number, "{}", player + 1u);
+    const struct ui_text digit = { .font = FONT_STALL, .size_px = 1.35f * radius, .align = 0.5f,
+                                   .fill = 0x14101cffu };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
+                                               .fill = ui_player_colours[player],
+                                               .line = 0xfff8eaffu,
+                                               .shape = { 0, 0, radius, 0.13f * radius } });
+    ui_text(frame->batch, &digit, x, ui_text_middle(&digit, y), number);
+}
+
+void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius, float step,
+                   uint32_t fouls)
+{
+    for (uint32_t i = 0; i < FOUL_MAX; i++) {
+        const float at = x + step * (float)i;
+        const int lit = i < fouls;
+        const struct ui_box halo = { at - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
+                                     4.4f * radius };
+        const struct ui_box lamp = { at - radius, y - radius, 2.0f * radius, 2.0f * radius };
+        if (lit) {
+            ui_shape(frame->batch,
+                     &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .fill = 0xff5a30a0u,
+                                         .shape = { 0, 0, 1.0f } });
+        }
+        ui_shape(frame->batch, &(struct ui_shape){ .box = lamp, .kind = UI_PANEL,
+                                                   .fill = lit ? 0xff5236ffu : 0x120c18c0u,
+                                                   .line = lit ? 0xffd9a0ffu : 0xe8b85ca0u,
+                                                   .shape = { 0, 0, radius, 0.2f * radius } });
+    }
+}
+
+/* Draws the paper, or the reason why this player waits, at the right of a plate. */
+static void player_state(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
+                         float x, float y)
+{
+    const float u = frame->unit;
+    const struct scene_player *state = &scene->player[player];
+    if (state->out) { /* Also set for a player whose wait has timed out. */
+        const struct ui_text stamp = { .font = FONT_STALL, .size_px = 28.0f * u, .align = 0.5f,
+                                       .fill = 0xff9a80ffu, .fit_px = 46.0f * u };
+        ui_text(frame->batch, &stamp, x, ui_text_middle(&stamp, y),
+                text_words(frame->language, TEXT_OUT));
+    } else if (state->lost) {
+        const struct ui_text ask = { .font = FONT_STALL, .size_px = 40.0f * u, .align = 0.5f,
+                                     .fill = ui_fade(0xff9a80ffu,
+                                                     0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)) };
+        ui_text(frame->batch, &ask, x, ui_text_middle(&ask, y), "?");
+    } else {
+        ui_poi_sign(frame, x, y - 5.0f * u, 14.0f * u, scene->poi[player].paper_left,
+                    ui_player_colours[player]);
+    }
+}
+
+static void plate(const struct ui_frame *frame, const struct scene *scene,
+                  const struct ui_memory *memory, uint32_t player, struct ui_box box)
+{
+    const float u = frame->unit;
+    const int judged = rules_of(scene->mode)->judges;
+    const float y = box.y + (judged ? 27.0f * u : 0.5f * box.height);
+    const float since_s = (float)(scene->tick - memory->caught_tick[player]) * CORE_TICK_S;
+    const float pop = memory->caught[player] > 0 ? 1.0f - ui_smooth(0.0f, POP_S, since_s) : 0.0f;
+    const struct ui_text digits = { .font = FONT_STALL, .size_px = (38.0f + 8.0f * pop) * u,
+                                    .fill = 0xfff8eaffu, .fit_px = box.width - 112.0f * u };
+    char number[12];
+    text_number(number, sizeof number, "{}", scene->caught[player]);
+    ui_plate(frame, box);
+    const struct ui_box band = { box.x + 4.0f * u, box.y + 10.0f * u, 5.0f * u,
+                                 box.height - 20.0f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = band, .kind = UI_PANEL,
+                                               .fill = ui_player_colours[player],
+                                               .shape = { 0, 0, 2.5f * u } });
+    ui_player_mark(frame, box.x + 32.0f * u, y, 17.0f * u, player);
+    ui_text(frame->batch, &digits, box.x + 58.0f * u, ui_text_middle(&digits, y), number);
+    player_state(frame, scene, player, box.x + box.width - 30.0f * u,
+                 0.5f * (y + box.y) + 16.0f * u);
+    if (judged) {
+        ui_foul_lamps(frame, box.x + 28.0f * u, box.y + box.height - 15.0f * u, 7.0f * u, 20.0f * u,
+                      scene->player[player].fouls);
+    }
+}
+
+float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
+                       const struct ui_memory *memory, float right_px)
+{
+    const float gap = 8.0f * frame->unit, edge = 18.0f * frame->unit;
+    const float count = (float)ui_player_count(scene);
+    const float beside = frame->width - 2.0f * edge - right_px - gap;
+    const int fits = count * (PLATE_WIDTH_MIN * frame->unit + gap) <= beside;
+    const float room = (fits ? beside : frame->width - 2.0f * edge) / count - gap;
+    /* A few plates are as large as the plate of a single player. */
+    struct ui_frame larger = *frame;
+    larger.unit *= fminf(fmaxf(room / (PLATE_WIDTH * frame->unit), 1.0f), fits ? 1.2f : 1.0f);
+    struct ui_box box = { edge, (fits ? 16.0f : 110.0f) * frame->unit,
+                          fminf(room, PLATE_WIDTH * larger.unit),
+                          (rules_of(scene->mode)->judges ? 74.0f : 58.0f) * larger.unit };
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->player[i].plays) {
+            plate(&larger, scene, memory, i, box);
+            box.x += box.width + gap;
+        }
+    }
+    return box.y + box.height;
+}
+
+/* Projects a point of the world to screen pixels. */
+static void project(const struct ui_frame *frame, const struct view *view, vec3 at_m, float *x,
+                    float *y)
+{
+    const float aspect = frame->width / frame->height, tan_y = view_half_height_tan(view, aspect);
+    const struct basis axes = view_basis(view);
+    const vec3 seen = v3_sub(at_m, view->eye_m);
+    const float away = fmaxf(-v3_dot(seen, axes.back), 0.01f);
+    *x = 0.5f * frame->width * (1.0f + v3_dot(seen, axes.right) / (away * tan_y * aspect));
+    *y = 0.5f * frame->height * (1.0f - v3_dot(seen, axes.up) / (away * tan_y));
+}
+
+void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha)
+{
+    const float radius = 24.0f * frame->unit, edge = radius + 4.0f * frame->unit;
+    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
+        const int wanted = scene->phase == PHASE_READY || scene->player[i].plays;
+        if (wanted && scene->bowl[i].present) {
+            float x, y;
+            project(frame, &scene->view, scene->bowl[i].position_m, &x, &y);
+            frame->batch->opacity = alpha;
+            ui_player_mark(frame, fminf(fmaxf(x, edge), frame->width - edge),
+                           fminf(fmaxf(y, edge), frame->height - edge), radius, i);
+        }
+    }
+    frame->batch->opacity = 1.0f;
+}

@@ -1,0 +1,177 @@
+/* ui_primitives.c -- drawing primitives of the user interface: curtain, lanterns, ribbons. */
+#include "platform/render/ui/ui_primitives.h"
+
+#include <math.h>
+
+#define TAU 6.28318531f
+#define NOREN_STRIPS 5u
+
+uint32_t ui_fade(uint32_t colour, float alpha)
+{
+    return (colour & 0xffffff00u) | (uint32_t)((float)(colour & 0xffu) * ui_clamp01(alpha) + 0.5f);
+}
+
+float ui_clamp01(float x)
+{
+    return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x;
+}
+
+float ui_smooth(float from, float to, float x)
+{
+    const float t = ui_clamp01((x - from) / (to - from));
+    return t * t * (3.0f - 2.0f * t);
+}
+
+float ui_pulse(float time_s, float period_s)
+{
+    return 0.5f - 0.5f * cosf(time_s * TAU / period_s);
+}
+
+void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase)
+{
+    const float sway = sinf(frame->time_s * 1.1f + phase) * size * 0.035f;
+    const float flicker = 0.86f + 0.08f * sinf(frame->time_s * 2.3f + phase * 3.0f) +
+                          0.06f * sinf(frame->time_s * 5.9f + phase * 7.0f);
+    const float width = size * 0.80f, cord = size * 0.30f, cap = size * 0.085f;
+    const float middle_x = x + sway, top = y + cord;
+    const struct ui_box halo = { middle_x - size, top - size * 0.45f, size * 2.0f, size * 1.9f };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .fill = 0xff9a3c50u,
+                                               .shape = { 0, 0, 1.0f } });
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { x - size * 0.012f, y, size * 0.024f, cord + cap },
+                                 .kind = UI_PANEL, .fill = 0x1a1216ffu, .lean_px = sway });
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { middle_x - 0.5f * width, top, width, size },
+                                 .kind = UI_LANTERN, .shape = { 0, 0, flicker },
+                                 .fill = 0xf0452cffu, .lean_px = sway * 0.3f });
+    for (uint32_t i = 0; i < 2u; i++) {
+        const struct ui_box rim = { middle_x - 0.23f * width + sway * 0.3f * (float)i,
+                                    top - 0.45f * cap + (float)i * (size - 0.1f * cap),
+                                    0.46f * width, cap };
+        ui_shape(frame->batch, &(struct ui_shape){ .box = rim,
+                                                   .kind = UI_PANEL,
+                                                   .fill = 0x17121affu,
+                                                   .line = UI_GOLD,
+                                                   .shape = { 0, 0, 0.2f * cap, 0.14f * cap } });
+    }
+    const struct ui_text brush = { .font = FONT_BRUSH, .size_px = size * 0.56f, .align = 0.5f,
+                                   .weight_em = 0.020f, .fill = 0x2a0d0cffu };
+    ui_text(frame->batch, &brush, middle_x + sway * 0.15f,
+            ui_text_middle(&brush, top + 0.52f * size), text_words(frame->language, TEXT_LANTERN));
+}
+
+/* Draws one strip of cloth: two loops over the pole, the cloth, and a white hem. */
+static void noren_strip(const struct ui_frame *frame, struct ui_box box, uint32_t index)
+{
+    const float u = frame->unit;
+    const float lean = u * 3.0f * sinf(frame->time_s * 0.9f + (float)index * 0.8f);
+    for (uint32_t i = 0; i < 2u; i++) {
+        const struct ui_box loop = { box.x + box.width * (0.18f + 0.54f * (float)i),
+                                     box.y - 21.0f * u, box.width * 0.10f, 26.0f * u };
+        ui_shape(frame->batch, &(struct ui_shape){ .box = loop, .kind = UI_PANEL,
+                                                   .fill = 0x2b3878ffu, .line = 0x0b1030ffu,
+                                                   .shape = { 0, 0, 3.0f * u, 1.2f * u } });
+    }
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WAVES, .fill = UI_INDIGO,
+                                               .line = 0x0b1030ffu, .lean_px = lean,
+                                               .shape = { 0, 0, 9.0f * u, 1.5f * u } });
+    const struct ui_box hem = { box.x + lean * 0.93f + 5.0f * u, box.y + box.height * 0.935f,
+                                box.width - 10.0f * u, 2.5f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = hem, .kind = UI_PANEL, .fill = 0xfff6e2b0u,
+                                               .shape = { 0, 0, 1.2f * u } });
+}
+
+static void noren_title(const struct ui_frame *frame, float left, float top, float width,
+                        float height)
+{
+    const int brush = frame->language == LANGUAGE_JA;
+    struct ui_text title = { .font = brush ? FONT_BRUSH : FONT_STALL, .align = 0.5f,
+                             .size_px = brush ? height * 0.86f : height * 0.56f,
+                             .weight_em = brush ? 0.022f : 0.004f, .fill = 0xfff6e2ffu };
+    const char *words = text_words(frame->language, TEXT_TITLE);
+    if (!brush) {
+        title.fit_px = width * 0.92f;
+        title.size_px = ui_text_size(&title, words);
+        ui_text(frame->batch, &title, left + 0.5f * width,
+                ui_text_middle(&title, top + 0.50f * height), words);
+        return;
+    }
+    /* Each strip shows one character, as on a dyed curtain. */
+    for (uint32_t i = 0; i < NOREN_STRIPS && *words != 0; i++) {
+        char one[8] = "";
+        const char *from = words;
+        text_next(&words);
+        for (uint32_t k = 0; from + k < words && k < sizeof one - 1u; k++) {
+            one[k] = from[k];
+        }
+        const float x = left + width * ((float)i + 0.5f) / (float)NOREN_STRIPS;
+        const float sway = frame->unit * 1.6f * sinf(frame->time_s * 0.9f + (float)i * 0.8f);
+        ui_text(frame->batch, &title, x + sway, ui_text_middle(&title, top + 0.51f * height), one);
+    }
+}
+
+void ui_noren(const struct ui_frame *frame, float lift)
+{
+    const float u = frame->unit;
+    const float width = fminf(frame->width - 276.0f * u, 860.0f * u);
+    const float height = fminf(0.235f * frame->height, width / (float)NOREN_STRIPS * 0.98f);
+    const float left = 0.5f * (frame->width - width), strip = width / (float)NOREN_STRIPS;
+    const float top = 24.0f * u - lift * (height + 200.0f * u);
+    const struct ui_box pole = { left - 130.0f * u, top - 9.0f * u, width + 260.0f * u, 15.0f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = pole, .kind = UI_WASHI, .fill = 0x8a5a34ffu,
+                                               .line = 0x3a2214ffu,
+                                               .shape = { 0, 0, 7.0f * u, 2.0f * u } });
+    for (uint32_t i = 0; i < NOREN_STRIPS; i++) {
+        noren_strip(frame,
+                    (struct ui_box){ left + strip * (float)i + u, top + 9.0f * u, strip - 2.0f * u,
+                                     height - 9.0f * u },
+                    i);
+    }
+    noren_title(frame, left, top, width, height);
+    ui_hang_lantern(frame, left - 64.0f * u, top, 118.0f * u, 0.0f);
+    ui_hang_lantern(frame, left + width + 64.0f * u, top, 118.0f * u, 2.0f);
+}
+
+void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
+                 const char *words)
+{
+    struct ui_text fitted = *style;
+    fitted.align = 0.5f;
+    fitted.fit_px = box.width;
+    fitted.size_px = ui_text_size(&fitted, words);
+    ui_text(frame->batch, &fitted, box.x + 0.5f * box.width,
+            ui_text_middle(&fitted, box.y + 0.5f * box.height), words);
+}
+
+void ui_card(const struct ui_frame *frame, struct ui_box box)
+{
+    const float u = frame->unit;
+    /* The shadow is drawn only where it is visible, because a card covers many pixels. */
+    const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
+                                  box.width + 4.0f * u, 38.0f * u };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c80u,
+                                               .shape = { 0, 0, 16.0f * u } });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
+                                               .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
+                                               .shape = { 0, 0, 14.0f * u, 3.0f * u } });
+}
+
+float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words)
+{
+    const float pad = 0.95f * ribbon->size_px, height = 1.95f * ribbon->size_px;
+    const struct ui_text text = { .font = ribbon->font, .size_px = ribbon->size_px, .align = 0.5f,
+                                  .fill = ribbon->ink, .fit_px = ribbon->room_px - 2.0f * pad };
+    const float width = ui_text_width(&text, words) + 2.0f * pad;
+    const struct ui_box box = { ribbon->x - 0.5f * width, ribbon->y - 0.5f * height, width,
+                                height };
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = box,
+                                 .kind = UI_PANEL,
+                                 .fill = ribbon->fill,
+                                 .line = ribbon->line,
+                                 .shape = { 0, 0, 0.5f * height, 2.0f * frame->unit } });
+    struct ui_text fitted = text;
+    fitted.size_px = ui_text_size(&text, words);
+    ui_text(frame->batch, &text, ribbon->x, ui_text_middle(&fitted, ribbon->y), words);
+    return width;
+}

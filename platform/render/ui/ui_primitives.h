@@ -1,0 +1,62 @@
+/* ui_primitives.h -- drawing primitives of the user interface: colours, curtain, lanterns, ribbons
+ * and small signs. */
+#ifndef KINGYO_PLATFORM_RENDER_UI_UI_PRIMITIVES_H
+#define KINGYO_PLATFORM_RENDER_UI_UI_PRIMITIVES_H
+
+#include "platform/render/ui/ui_batch.h"
+
+#define UI_INDIGO 0x1b2452ffu     /* Dyed cloth. */
+#define UI_NIGHT 0x10142eb8u      /* Translucent dyed cloth, for plates that show the tank
+                                     through. */
+#define UI_VERMILION 0xd9402affu
+#define UI_GOLD 0xe8b85cffu
+#define UI_GOLD_DIM 0xe8b85c80u
+#define UI_WASHI_WHITE 0xfbf2ddffu
+#define UI_INK 0x241a20ffu
+#define UI_INK_SOFT 0x5a4648ffu
+
+/* Common drawing context: `unit` is 1 px on a 1280x720 screen. */
+struct ui_frame {
+    struct ui_batch *batch;
+    float width, height, unit;
+    float time_s;           /* Time for swaying and pulsing. */
+    uint8_t language;
+};
+
+/* Returns a colour with its alpha multiplied by `alpha` [0, 1]. */
+uint32_t ui_fade(uint32_t colour, float alpha);
+float ui_clamp01(float x);
+float ui_smooth(float from, float to, float x);
+/* Returns a smooth pulse 0 .. 1 .. 0 with period `period_s`. */
+float ui_pulse(float time_s, float period_s);
+
+/* Draws the shop curtain: a pole, dyed cloth in strips, and the title; `lift` [0, 1] raises it out
+ * of view. */
+void ui_noren(const struct ui_frame *frame, float lift);
+/* Draws a paper lantern hanging from (x, y); `size` is its body's height, in pixels. */
+void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase);
+
+/* Draw a bamboo pole centred at (x, y), the two cords of a hanging tag, and the blank tag, which is
+ * brighter when it is selected. */
+void ui_pole(const struct ui_frame *frame, float x, float y, float width);
+void ui_cords(const struct ui_frame *frame, struct ui_box box, float pole_y);
+void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed);
+
+/* Draws a large card of paper with its shadow. */
+void ui_card(const struct ui_frame *frame, struct ui_box box);
+
+/* Draws a line of text centred in a box, shrunk to its width. */
+void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
+                 const char *words);
+
+/* Parameters of ui_ribbon(), which draws a pill with one line of text, centred at (x, y), and
+ * returns the pill's width in pixels. */
+struct ui_ribbon {
+    float x, y, size_px;
+    enum font_id font;
+    uint32_t fill, line, ink;
+    float room_px;          /* Maximum width; longer text shrinks. */
+};
+float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words);
+
+#endif

@@ -1,0 +1,307 @@
+/* ui_result.c -- the result screen: the catch and the stallkeeper's comment. */
+#include <math.h>
+#include <stdio.h>
+
+#include "core/game/ranking/ranking.h"
+#include "platform/render/ui/ui_leaderboard.h"
+#include "platform/render/ui/ui_widgets.h"
+
+#define GRADES 6u
+#define COUNT_UP_S 1.0f /* Time in which the figure counts up to the catch. */
+#define CALL_TIME_S 1.3f
+
+struct grade {
+    uint32_t at_least; /* Number of fish. A stall's guest catches three to five; national titles
+                          were won with 35 to 87. */
+    enum text_key praise, words;
+};
+
+static const struct grade *grade_of(uint8_t mode, uint32_t caught)
+{
+    static const struct grade stall[GRADES] = {
+        { 0, TEXT_GRADE_0, TEXT_GRADE_0_WORDS },  { 1, TEXT_GRADE_1, TEXT_GRADE_1_WORDS },
+        { 3, TEXT_GRADE_2, TEXT_GRADE_2_WORDS },  { 6, TEXT_GRADE_3, TEXT_GRADE_3_WORDS },
+        { 10, TEXT_GRADE_4, TEXT_GRADE_4_WORDS }, { 15, TEXT_GRADE_5, TEXT_GRADE_5_WORDS },
+    };
+    static const struct grade contest[GRADES] = {
+        { 0, TEXT_GRADE_0, TEXT_GRADE_0_WORDS },  { 1, TEXT_GRADE_1, TEXT_GRADE_1_WORDS },
+        { 5, TEXT_GRADE_2, TEXT_GRADE_2_WORDS },  { 12, TEXT_GRADE_3, TEXT_GRADE_3_WORDS },
+        { 20, TEXT_GRADE_4, TEXT_GRADE_4_WORDS }, { 35, TEXT_GRADE_5, TEXT_GRADE_5_WORDS },
+    };
+    const struct grade *const grades = rules_of(mode)->judges ? contest : stall;
+    uint32_t grade = 0;
+    while (grade + 1u < GRADES && caught >= grades[grade + 1u].at_least) {
+        grade++;
+    }
+    return &grades[grade];
+}
+
+/* Draws the seal for a player with a place on the leaderboard. */
+static void seal(const struct ui_frame *frame, float x, float y, float in, const char *words)
+{
+    const float u = frame->unit;
+    const struct ui_text text = { .font = FONT_STALL, .size_px = 27.0f * u * (2.0f - in),
+                                  .align = 0.5f, .fill = 0xfff1ddffu,
+                                  .fit_px = 216.0f * u * (2.0f - in) };
+    const float width = ui_text_width(&text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
+    frame->batch->opacity = in;
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { x - 0.5f * width, y - 0.5f * height, width, height },
+                                 .kind = UI_WASHI, .fill = 0xc92c1cffu, .line = 0xfff1ddb0u,
+                                 .shape = { 0, 0, 8.0f * u, 2.5f * u } });
+    ui_text(frame->batch, &text, x, ui_text_middle(&text, y), words);
+    frame->batch->opacity = 1.0f;
+}
+
+static uint32_t counted_up(const struct scene *scene, uint32_t player)
+{
+    const float share = ui_smooth(0.2f, 0.2f + COUNT_UP_S, scene->phase_s);
+    const uint32_t caught = scene->caught[player];
+    return share < 1.0f ? (uint32_t)((double)share * (double)caught) : caught;
+}
+
+static void result_count(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
+                         float x, float y)
+{
+    const float u = frame->unit;
+    char number[12];
+    text_number(number, sizeof number, "{}", counted_up(scene, player));
+    const struct ui_text digits = { .font = FONT_STALL, .size_px = 116.0f * u, .fill = UI_INK,
+                                    .fit_px = 320.0f * u };
+    const struct ui_text unit = { .font = FONT_STALL, .size_px = 48.0f * u, .fill = UI_INK_SOFT };
+    const char *words = text_words(frame->language, TEXT_UNIT);
+    const float fish = 164.0f * u, gap = 20.0f * u;
+    const float number_width = ui_text_width(&digits, number);
+    const float whole = fish + number_width + ui_text_width(&unit, words) + 2.0f * gap;
+    const float left = x - 0.5f * whole, baseline = ui_text_middle(&digits, y);
+    ui_fish_sign(frame, left + 0.5f * fish, y, fish);
+    ui_text(frame->batch, &digits, left + fish + gap, baseline, number);
+    ui_text(frame->batch, &unit, left + fish + number_width + 2.0f * gap, baseline, words);
+}
+
+/* Draws a heading such as "Championship: that's all!" */
+static void ui_result_heading(const struct ui_frame *frame, const struct scene *scene,
+                              struct ui_box box)
+{
+    const float u = frame->unit;
+    const struct ui_text text = { .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f,
+                                  .fill = UI_INK_SOFT, .fit_px = box.width - 60.0f * u };
+    char words[2u * TEXT_LINE_MAX];
+    snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
+             text_words(frame->language, TEXT_RESULT));
+    ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
+}
+
+/* Draws the day's best in this mode, or after practice a comment of the stallkeeper. */
+static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+{
+    const float u = frame->unit;
+    const int scored = rules_of(scene->mode)->keeps_score;
+    const struct ui_text small = { .font = scored ? FONT_STALL : FONT_BODY, .align = 0.5f,
+                                   .size_px = 25.0f * u, .fill = 0x8a5a1cffu,
+                                   .fit_px = box.width - 60.0f * u };
+    char best[TEXT_LINE_MAX];
+    ui_best_words(scene, best, sizeof best);
+    ui_text(frame->batch, &small, box.x + 0.5f * box.width, box.y + box.height - 28.0f * u,
+            scored ? best : text_words(frame->language, TEXT_PRACTICE_WORDS));
+}
+
+static void praise(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
+                   struct ui_box box)
+{
+    const float u = frame->unit, x = box.x + 0.5f * box.width;
+    const struct grade *grade = grade_of(scene->mode, scene->caught[player]);
+    const int brush = frame->language == LANGUAGE_JA;
+    const struct ui_text word = { .font = brush ? FONT_BRUSH : FONT_STALL,
+                                  .align = 0.5f,
+                                  .size_px = (brush ? 104.0f : 76.0f) * u,
+                                  .weight_em = brush ? 0.022f : 0.0f,
+                                  .spacing_em = brush ? -0.10f : 0.0f,
+                                  .fill = 0xc8301effu,
+                                  .fit_px = box.width - 60.0f * u };
+    const struct ui_text words = { .font = FONT_BODY, .size_px = 27.0f * u, .align = 0.5f,
+                                   .fill = UI_INK, .fit_px = box.width - 60.0f * u };
+    frame->batch->opacity = ui_smooth(1.1f, 1.5f, scene->phase_s);
+    ui_text(frame->batch, &word, x, ui_text_middle(&word, box.y + 252.0f * u),
+            text_words(frame->language, grade->praise));
+    ui_text(frame->batch, &words, x, box.y + 338.0f * u,
+            text_words(frame->language, grade->words));
+    frame->batch->opacity = 1.0f;
+}
+
+/* Draws the result of a refunded round, which does not count: no figure, place or seal. */
+static void given_back(const struct ui_frame *frame, struct ui_box box)
+{
+    const float u = frame->unit, x = box.x + 0.5f * box.width;
+    const struct ui_text word = { .font = FONT_STALL, .size_px = 64.0f * u, .align = 0.5f,
+                                  .fill = 0xc8301effu, .fit_px = box.width - 60.0f * u };
+    const struct ui_text words = { .font = FONT_BODY, .size_px = 27.0f * u, .align = 0.5f,
+                                   .fill = UI_INK, .fit_px = box.width - 60.0f * u };
+    ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
+    ui_text(frame->batch, &word, x, ui_text_middle(&word, box.y + 238.0f * u),
+            text_words(frame->language, TEXT_GIVEN_BACK));
+    ui_text(frame->batch, &words, x, box.y + 338.0f * u,
+            text_words(frame->language, TEXT_GIVEN_BACK_WORDS));
+}
+
+static void one_players_result(const struct ui_frame *frame, const struct scene *scene,
+                               struct ui_box box)
+{
+    const float u = frame->unit;
+    const uint32_t player = ui_first_player(scene);
+    result_count(frame, scene, player, box.x + 0.5f * box.width, box.y + 128.0f * u);
+    praise(frame, scene, player, box);
+    if (rules_of(scene->mode)->judges) {
+        const struct ui_text label = { .font = FONT_STALL, .size_px = 24.0f * u,
+                                       .fill = UI_INK_SOFT };
+        const float x = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
+        const float width = ui_text(frame->batch, &label, x, ui_text_middle(&label, y),
+                                    text_words(frame->language, TEXT_FOUL));
+        ui_foul_lamps(frame, x + width + 22.0f * u, y, 9.5f * u, 25.0f * u,
+                      scene->player[player].fouls);
+    }
+}
+
+/* Returns how many players caught more. Players with equal catches share a place. */
+static uint32_t ui_result_place_of(const struct scene *scene, uint32_t player)
+{
+    uint32_t ahead = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        ahead += scene->player[i].plays && scene->caught[i] > scene->caught[player];
+    }
+    return ahead;
+}
+
+static void ranked(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
+                   struct ui_box row)
+{
+    const float u = frame->unit, y = row.y + 0.5f * row.height;
+    const uint32_t place = ui_result_place_of(scene, player);
+    char words[TEXT_LINE_MAX], number[12];
+    text_number(words, sizeof words, text_words(frame->language, TEXT_PLACE), place + 1u);
+    text_number(number, sizeof number, "{}", counted_up(scene, player));
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = row, .kind = UI_PANEL,
+                                 .fill = ui_fade(ui_player_colours[player],
+                                                 place == 0 ? 0.42f : 0.20f),
+                                 .line = ui_fade(ui_player_colours[player],
+                                                 place == 0 ? 1.0f : 0.5f),
+                                 .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    const struct ui_text rank = { .font = FONT_STALL, .size_px = 36.0f * u, .fill = UI_INK };
+    const struct ui_text digits = { .font = FONT_STALL, .size_px = 44.0f * u, .align = 1.0f,
+                                    .fill = UI_INK, .fit_px = 150.0f * u };
+    const struct ui_text unit = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_INK_SOFT };
+    ui_text(frame->batch, &rank, row.x + 24.0f * u, ui_text_middle(&rank, y), words);
+    ui_player_mark(frame, row.x + 148.0f * u, y, 22.0f * u, player);
+    ui_fish_sign(frame, row.x + 226.0f * u, y, 74.0f * u);
+    const float digits_x = row.x + 428.0f * u, baseline = ui_text_middle(&digits, y);
+    ui_text(frame->batch, &digits, digits_x, baseline, number);
+    ui_text(frame->batch, &unit, digits_x + 14.0f * u, baseline,
+            text_words(frame->language, TEXT_UNIT));
+    if (rules_of(scene->mode)->judges) {
+        ui_foul_lamps(frame, row.x + row.width - 84.0f * u, y, 10.0f * u, 29.0f * u,
+                      scene->player[player].fouls);
+    }
+}
+
+static void ranking(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+{
+    const float u = frame->unit, pitch = 70.0f * u, first = box.y + 76.0f * u;
+    uint32_t shown = 0;
+    for (uint32_t place = 0; place < POI_MAX; place++) {
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            if (scene->player[i].plays && ui_result_place_of(scene, i) == place) {
+                ranked(frame, scene, i,
+                       (struct ui_box){ box.x + 26.0f * u, first + pitch * (float)shown++,
+                                        box.width - 52.0f * u, pitch - 8.0f * u });
+            }
+        }
+    }
+}
+
+/* Returns the player with the best place; POI_MAX: no player has a place. */
+static uint32_t proudest(const struct scene *scene)
+{
+    uint32_t best = POI_MAX;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint8_t place = scene->player[i].place;
+        if (place != 0 && (best == POI_MAX || place < scene->player[best].place)) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Writes a place such as "Best of the day!" or "No. 3 this week". */
+static void place_words(const struct scene *scene, uint32_t player, char *out, size_t out_size)
+{
+    const struct scene_player *of = &scene->player[player];
+    const enum text_key key =
+        of->place == 1 && of->period == RANK_DAY ? TEXT_NEW_BEST : ui_place_key(of->period);
+    text_number(out, out_size, text_words(scene->language, key), of->place);
+}
+
+static void seal_of(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+{
+    const float u = frame->unit, stamped = ui_smooth(1.6f, 1.8f, scene->phase_s);
+    const uint32_t player = proudest(scene);
+    char words[TEXT_LINE_MAX];
+    if (stamped > 0.0f && player < POI_MAX) {
+        place_words(scene, player, words, sizeof words);
+        seal(frame, box.x + box.width - 130.0f * u, box.y - 8.0f * u, stamped, words);
+    }
+}
+
+static void counted(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+{
+    if (ui_player_count(scene) > 1u) {
+        ranking(frame, scene, box);
+    } else {
+        one_players_result(frame, scene, box);
+    }
+    last_line(frame, scene, box);
+    seal_of(frame, scene, box);
+}
+
+/* Returns the card's opacity. The call "time!" is visible before the card covers it. */
+static float after_call(const struct scene *scene)
+{
+    return scene->call == CALL_TIME ? ui_smooth(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)
+                                    : 1.0f;
+}
+
+static void result_foot(const struct ui_frame *frame, const struct scene *scene,
+                        const struct ui_memory *memory)
+{
+    if (scene->hint == HINT_START && scene->name.waits != 0) {
+        ui_start_ribbon(frame, scene, frame->height - 58.0f * frame->unit, TEXT_NAME_CALL);
+    } else if (scene->hint == HINT_START) {
+        ui_start_ribbon(frame, scene, frame->height - 58.0f * frame->unit, TEXT_AGAIN);
+    } else {
+        ui_hint_ribbon(frame, scene, memory);
+    }
+}
+
+void ui_result(const struct ui_frame *frame, const struct scene *scene,
+               const struct ui_memory *memory)
+{
+    const float u = frame->unit, in = ui_smooth(0.0f, 0.45f, scene->phase_s) * after_call(scene);
+    const float width = fminf(680.0f * u, frame->width - 40.0f * u), height = 416.0f * u;
+    const struct ui_box box = { 0.5f * (frame->width - width),
+                                0.45f * frame->height - 0.5f * height + 40.0f * u * (1.0f - in),
+                                width, height };
+    ui_umpire(frame, scene);
+    if (after_call(scene) <= 0.0f) {
+        return;
+    }
+    frame->batch->opacity = in;
+    ui_card(frame, box);
+    ui_result_heading(frame, scene, box);
+    frame->batch->opacity = 1.0f;
+    if (scene->credit.came_back) {
+        given_back(frame, box);
+    } else {
+        counted(frame, scene, box);
+    }
+    result_foot(frame, scene, memory);
+}

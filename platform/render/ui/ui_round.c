@@ -1,0 +1,204 @@
+/* ui_round.c -- the screen during a round: catch, paper, time and hint. */
+#include <math.h>
+#include <stdio.h>
+
+#include "platform/render/ui/ui_widgets.h"
+
+#define HURRY_S 10.0f /* Remaining time at which the clock turns red. */
+#define POP_S 0.45f   /* Duration for which the count grows when a fish is caught. */
+#define BOWL_MARKS_S 3.0f
+#define LONG_ROUND_S 99.5f
+#define TIME_WIDTH 136.0f /* Width of "9:59", in units. */
+
+static void caught_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
+                         float pop)
+{
+    const float u = frame->unit, left = 18.0f * u, top = 16.0f * u, height = 88.0f * u;
+    char number[12];
+    text_number(number, sizeof number, "{}", scene->caught[player]);
+    const struct ui_text digits = { .font = FONT_STALL, .size_px = 68.0f * u, .fill = 0xfff8eaffu };
+    const struct ui_text unit = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = UI_GOLD };
+    const char *words = text_words(frame->language, TEXT_UNIT);
+    const float number_x = left + 108.0f * u;
+    const float unit_x = number_x + ui_text_width(&digits, number) + 12.0f * u;
+    const float right = unit_x + ui_text_width(&unit, words) + 22.0f * u;
+    const float baseline = ui_text_middle(&digits, top + 0.5f * height);
+    ui_plate(frame, (struct ui_box){ left, top, right - left, height });
+    ui_fish_sign(frame, left + 58.0f * u, top + 0.5f * height, (74.0f + 12.0f * pop) * u);
+    struct ui_text jump = digits;
+    jump.size_px *= 1.0f + 0.22f * pop;
+    jump.align = 0.5f;
+    ui_text(frame->batch, &jump, number_x + 0.5f * ui_text_width(&digits, number),
+            ui_text_middle(&jump, top + 0.5f * height), number);
+    ui_text(frame->batch, &unit, unit_x, baseline, words);
+}
+
+/* Draws the word "Fouls" and three lamps. */
+static void foul_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player)
+{
+    const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
+    const struct ui_text label = { .font = FONT_STALL, .size_px = 26.0f * u, .fill = UI_GOLD };
+    const char *words = text_words(frame->language, TEXT_FOUL);
+    const float lamps_x = left + 16.0f * u + ui_text_width(&label, words) + 28.0f * u;
+    ui_plate(frame, (struct ui_box){ left, top, lamps_x + 72.0f * u - left, height });
+    ui_text(frame->batch, &label, left + 16.0f * u, ui_text_middle(&label, top + 0.5f * height),
+            words);
+    ui_foul_lamps(frame, lamps_x, top + 0.5f * height, 9.5f * u, 26.0f * u,
+                  scene->player[player].fouls);
+}
+
+static void time_ring(const struct ui_frame *frame, const struct scene *scene, float x, float y)
+{
+    const float u = frame->unit, radius = 37.0f * u;
+    const float total = scene->phase_s + scene->seconds_left;
+    const int hurry = scene->seconds_left < HURRY_S;
+    const float beat = hurry ? ui_pulse(scene->seconds_left, 1.0f) : 0.0f;
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                 .kind = UI_RING,
+                                 .fill = hurry ? UI_VERMILION : UI_GOLD, .line = 0xffffff28u,
+                                 .shape = { radius, 6.0f * u,
+                                            total > 0.0f ? scene->seconds_left / total : 0.0f } });
+    char number[12];
+    text_number(number, sizeof number, "{}", (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f)));
+    const struct ui_text digits = { .font = FONT_STALL, .size_px = (36.0f + 5.0f * beat) * u,
+                                    .align = 0.5f, .fit_px = 56.0f * u,
+                                    .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
+    struct ui_text fitted = digits;
+    fitted.size_px = ui_text_size(&digits, number);
+    ui_text(frame->batch, &digits, x, ui_text_middle(&fitted, y), number);
+}
+
+/* Draws the time; of a long round as minutes and seconds. */
+static void time_digits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
+{
+    const float u = frame->unit;
+    const uint32_t left = (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f));
+    const int hurry = scene->seconds_left < HURRY_S;
+    const float beat = hurry ? ui_pulse(scene->seconds_left, 1.0f) : 0.0f;
+    char words[16], minutes[12];
+    text_number(minutes, sizeof minutes, "{}:", left / 60u);
+    snprintf(words, sizeof words, "%s%02u", minutes, left % 60u);
+    const struct ui_text digits = { .font = FONT_STALL, .size_px = (58.0f + 5.0f * beat) * u,
+                                    .align = 0.5f, .fit_px = TIME_WIDTH * u,
+                                    .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
+    ui_text(frame->batch, &digits, x, ui_text_middle(&digits, y), words);
+}
+
+static int is_long(const struct scene *scene)
+{
+    return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
+}
+
+/* Draws paper and time at the top right. If there are several papers, only their number is written.
+ * Returns the plate's width. */
+static float state_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
+                         int alone)
+{
+    const float u = frame->unit, height = 88.0f * u, top = 16.0f * u, y = top + 0.5f * height;
+    const struct ui_text label = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD,
+                                   .fit_px = 88.0f * u };
+    char grade[TEXT_LINE_MAX];
+    text_number(grade, sizeof grade, text_words(frame->language, TEXT_GRADE), scene->grade);
+    const int names_time = alone && !is_long(scene);
+    const char *const paper = scene->grade ? grade : text_words(frame->language, TEXT_PAPER_LEFT);
+    const char *const time = text_words(frame->language, TEXT_TIME_LEFT);
+    const float paper_width = ui_text_width(&label, paper);
+    const float poi_width = alone ? 76.0f * u : 0.0f;
+    const float time_width = names_time ? ui_text_width(&label, time) + 6.0f * u : 0.0f;
+    const float clock_width = is_long(scene) ? TIME_WIDTH * u : 74.0f * u;
+    const float width = 20.0f * u + paper_width + poi_width + 20.0f * u + time_width + clock_width +
+                        16.0f * u;
+    const float left = frame->width - 18.0f * u - width, baseline = ui_text_middle(&label, y);
+    ui_plate(frame, (struct ui_box){ left, top, width, height });
+    float x = left + 20.0f * u;
+    ui_text(frame->batch, &label, x, baseline, paper);
+    x += paper_width;
+    if (alone) {
+        ui_poi_sign(frame, x + 38.0f * u, y - 9.0f * u, 26.0f * u, scene->poi[player].paper_left,
+                    ui_player_colours[player]);
+    }
+    x += poi_width + 20.0f * u;
+    if (names_time) {
+        ui_text(frame->batch, &label, x, baseline, time);
+    }
+    x += time_width + 0.5f * clock_width;
+    if (is_long(scene)) {
+        time_digits(frame, scene, x, y);
+    } else {
+        time_ring(frame, scene, x, y);
+    }
+    return width;
+}
+
+/* Draws the legend of the paper's stress colours. */
+static void stress_legend(const struct ui_frame *frame, float top)
+{
+    const float u = frame->unit, width = 256.0f * u, height = 92.0f * u;
+    const float left = frame->width - 18.0f * u - width, room = width - 28.0f * u;
+    const struct ui_text title = { .font = FONT_BODY, .size_px = 23.0f * u, .align = 0.5f,
+                                   .fill = 0xfff8eaffu, .fit_px = room };
+    struct ui_text end = { .font = FONT_BODY, .size_px = 22.0f * u, .fill = UI_GOLD };
+    ui_plate(frame, (struct ui_box){ left, top, width, height });
+    ui_text(frame->batch, &title, left + 0.5f * width, ui_text_middle(&title, top + 21.0f * u),
+            text_words(frame->language, TEXT_STRESS));
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { left + 14.0f * u, top + 39.0f * u, room, 17.0f * u },
+                                 .kind = UI_HEAT, .fill = 0xffffffffu, .line = 0x0a0c24ffu,
+                                 .shape = { 0, 0, 5.0f * u, 1.5f * u } });
+    const float y = ui_text_middle(&end, top + 73.0f * u);
+    ui_text(frame->batch, &end, left + 14.0f * u, y, text_words(frame->language, TEXT_STRESS_LOW));
+    end.align = 1.0f;
+    ui_text(frame->batch, &end, left + width - 14.0f * u, y,
+            text_words(frame->language, TEXT_STRESS_HIGH));
+}
+
+static int shows_stress(const struct scene *scene)
+{
+    int shows = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        shows |= scene->poi[i].present && scene->poi[i].shows_stress;
+    }
+    return shows;
+}
+
+static void one_players_signs(const struct ui_frame *frame, const struct scene *scene,
+                              const struct ui_memory *memory)
+{
+    const uint32_t player = ui_first_player(scene);
+    const float since_s = (float)(scene->tick - memory->caught_tick[player]) * CORE_TICK_S;
+    const float pop = memory->caught[player] > 0 ? 1.0f - ui_smooth(0.0f, POP_S, since_s) : 0.0f;
+    caught_plate(frame, scene, player, pop);
+    if (rules_of(scene->mode)->judges) {
+        foul_plate(frame, scene, player);
+    }
+    state_plate(frame, scene, player, 1);
+}
+
+void ui_round(const struct ui_frame *frame, const struct scene *scene,
+              const struct ui_memory *memory)
+{
+    float bottom = 104.0f * frame->unit;
+    if (ui_player_count(scene) > 1u) {
+        const float right_px = state_plate(frame, scene, 0, 0);
+        bottom = fmaxf(bottom, ui_player_plates(frame, scene, memory, right_px));
+    } else {
+        one_players_signs(frame, scene, memory);
+    }
+    ui_bowl_marks(frame, scene,
+                  1.0f - ui_smooth(BOWL_MARKS_S - 0.5f, BOWL_MARKS_S, scene->phase_s));
+    if (shows_stress(scene)) {
+        stress_legend(frame, bottom + 8.0f * frame->unit);
+    }
+    if (scene->phase_s < 1.0f) {
+        const float out = 1.0f - ui_smooth(0.55f, 1.0f, scene->phase_s);
+        const float grow = 1.0f + 0.25f * ui_smooth(0.0f, 1.0f, scene->phase_s);
+        ui_big_word(frame, frame->language == LANGUAGE_JA ? FONT_BRUSH : FONT_STALL,
+                    0.44f * frame->height, 150.0f * frame->unit * grow, out,
+                    text_words(frame->language, TEXT_GO));
+    }
+    ui_umpire(frame, scene);
+    if (!scene->paused) {
+        ui_hint_ribbon(frame, scene, memory);
+    }
+}

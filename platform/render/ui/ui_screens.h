@@ -1,0 +1,31 @@
+/* ui_screens.h -- the screen layouts of each phase of the game. Uses no OpenGL. */
+#ifndef KINGYO_PLATFORM_RENDER_UI_UI_SCREENS_H
+#define KINGYO_PLATFORM_RENDER_UI_UI_SCREENS_H
+
+#include <stdint.h>
+
+#include "core/scene.h"
+#include "platform/render/ui/lab/ui_lab_preview.h"
+#include "platform/render/ui/ui_batch.h"
+#include "platform/species/library.h"
+
+/* What was shown last, so that a change can fade in. Zero is a valid initial value. */
+struct ui_memory {
+    uint32_t hint_tick;          /* Tick of the last change of the hint. */
+    uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's catch. */
+    uint32_t caught[POI_MAX];
+    uint32_t pointed_tick;       /* Tick of the last change of the selected mode. */
+    uint8_t pointed, pointed_before; /* Selected mode, and the mode selected before. */
+    uint8_t hint;
+    const struct library *library; /* Makers' species, behind the built-in ones; null: none. */
+    struct ui_lab_preview bench;   /* State of the growth lab's picture. */
+};
+
+/* Records what `scene` shows without drawing it, so that the next picture fades in from there. */
+void ui_screens_notice(struct ui_memory *memory, const struct scene *scene);
+
+/* Clears `batch` and fills it with the whole screen of `scene`. Both sizes must be > 0. */
+void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
+                float width_px, float height_px);
+
+#endif

@@ -1,0 +1,148 @@
+/* ui_widgets.c -- small widgets that several screens share. */
+#include "platform/render/ui/ui_widgets.h"
+
+#include <math.h>
+
+#define HINT_FADE_S 0.35f
+
+/* Same colours as the pois in the tank. */
+const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25cffu, 0xfabd29ffu };
+
+void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
+{
+    const float height = 0.56f * width;
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { x - 0.5f * width, y - 0.5f * height, width, height },
+                                 .kind = UI_FISH, .fill = 0xf2552effu, .line = 0xfff4e4ffu,
+                                 .shape = { 0, 0, sinf(frame->time_s * 6.0f) } });
+}
+
+void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
+                     uint32_t ring)
+{
+    const float reach = 1.5f * radius; /* The handle points to the lower right. */
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
+                                 .kind = UI_POI, .fill = ring,
+                                 .shape = { radius, ui_clamp01(paper_left) } });
+}
+
+void ui_plate(const struct ui_frame *frame, struct ui_box box)
+{
+    const float u = frame->unit;
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WAVES, .fill = UI_NIGHT,
+                                               .line = UI_GOLD_DIM,
+                                               .shape = { 0, 0, 16.0f * u, 1.5f * u } });
+}
+
+static const char *hint_words(uint8_t language, uint8_t hint)
+{
+    static const uint16_t keys[HINT_COUNT] = {
+        [HINT_START] = TEXT_HINT_START,   [HINT_MOVE] = TEXT_HINT_MOVE,
+        [HINT_DIP] = TEXT_HINT_DIP,       [HINT_LIFT] = TEXT_HINT_LIFT,
+        [HINT_BOWL] = TEXT_HINT_BOWL,     [HINT_TILT] = TEXT_HINT_TILT,
+        [HINT_SLOWLY] = TEXT_HINT_SLOWLY, [HINT_GLIDE] = TEXT_HINT_GLIDE,
+        [HINT_TORN] = TEXT_HINT_TORN,
+        [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
+        [HINT_WET_ALL] = TEXT_HINT_WET_ALL,
+        [HINT_NO_SHADE] = TEXT_HINT_NO_SHADE,
+        [HINT_CLEAR_RIM] = TEXT_HINT_CLEAR_RIM,
+        [HINT_CHOOSE] = TEXT_HINT_CHOOSE,
+        [HINT_COIN] = TEXT_HINT_COIN,
+        [HINT_PAID_BACK] = TEXT_HINT_PAID_BACK,
+    };
+    return text_words(language, (enum text_key)keys[hint]);
+}
+
+struct hint_paint {
+    uint32_t fill, line;
+};
+
+/* Returns the colours of a hint: red for a failure, green for the moment to act, dark for
+ * advice. */
+static struct hint_paint ui_widgets_paint_of(uint8_t hint)
+{
+    switch (hint) {
+    case HINT_TORN:
+    case HINT_LOST_POI:
+        return (struct hint_paint){ 0xb8301ee8u, UI_GOLD };
+    case HINT_LIFT:
+        return (struct hint_paint){ 0x17754ee8u, UI_GOLD };
+    default:
+        return (struct hint_paint){ UI_NIGHT, UI_GOLD_DIM };
+    }
+}
+
+void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
+                    const struct ui_memory *memory)
+{
+    if (scene->hint == HINT_NONE || scene->hint >= HINT_COUNT ||
+        (scene->hint == HINT_COIN && scene->credit.warnings != 0)) {
+        return;
+    }
+    const float u = frame->unit, age_s = (float)(scene->tick - memory->hint_tick) * CORE_TICK_S;
+    const float in = ui_smooth(0.0f, HINT_FADE_S, age_s);
+    const struct hint_paint paint = ui_widgets_paint_of(scene->hint);
+    const struct ui_ribbon ribbon = {
+        .x = 0.5f * frame->width,
+        .y = frame->height - 52.0f * u + 14.0f * u * (1.0f - in),
+        .size_px = 32.0f * u,
+        .font = FONT_BODY,
+        .fill = paint.fill,
+        .line = paint.line,
+        .ink = 0xfff8eaffu,
+        .room_px = frame->width - 32.0f * u,
+    };
+    frame->batch->opacity = in;
+    ui_ribbon(frame, &ribbon, hint_words(scene->language, scene->hint));
+    frame->batch->opacity = 1.0f;
+}
+
+void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
+                     enum text_key key)
+{
+    const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
+    const float asking = ui_credit_prompt(scene);
+    const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
+                                 128.0f * u };
+    char coins[TEXT_LINE_MAX];
+    if (ui_refuses_coins(scene)) {
+        return;
+    }
+    ui_coin_words(scene, coins, sizeof coins);
+    const enum text_key asks = ui_lacks_poi(scene) ? TEXT_START_NO_POI : key;
+    const int is_coin = scene->credit.unpaid && !ui_lacks_poi(scene);
+    const char *const words = is_coin ? coins : text_words(frame->language, asks);
+    ui_shape(frame->batch,
+             &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
+                                 .fill = ui_fade(0xff7a30b0u,
+                                                 fmaxf(0.25f + 0.55f * pulse, asking)) });
+    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y,
+                                      .size_px = (35.0f + 6.0f * asking) * u,
+                                      .font = FONT_STALL, .fill = 0xc8341ff2u, .line = UI_GOLD,
+                                      .ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse),
+                                      .room_px = frame->width - 32.0f * u };
+    ui_ribbon(frame, &ribbon, words);
+}
+
+void ui_best_words(const struct scene *scene, char *out, size_t out_size)
+{
+    const enum text_key key = scene->best_today > 0 ? TEXT_BEST_TODAY : TEXT_NO_BEST;
+    text_number(out, out_size, text_words(scene->language, key), scene->best_today);
+}
+
+void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
+                     float alpha, const char *words)
+{
+    const struct ui_text text = { .font = font, .size_px = size_px, .align = 0.5f,
+                                  .weight_em = font == FONT_BRUSH ? 0.024f : 0.0f,
+                                  .spacing_em = font == FONT_BRUSH ? -0.14f : 0.0f,
+                                  .outline_em = 0.014f, .soft_em = 0.035f,
+                                  .fill = 0xfff6e2ffu, .line = 0x9c1f14ffu,
+                                  .fit_px = frame->width - 48.0f * frame->unit };
+    struct ui_text fitted = text;
+    fitted.size_px = ui_text_size(&text, words);
+    frame->batch->opacity = alpha;
+    ui_text(frame->batch, &text, 0.5f * frame->width, ui_text_middle(&fitted, y), words);
+    frame->batch->opacity = 1.0f;
+}

@@ -1,0 +1,32 @@
+/* text_file.h -- opens and reads untrusted text files: only regular files, line by line. */
+#ifndef KINGYO_PLATFORM_SPECIES_TEXT_FILE_H
+#define KINGYO_PLATFORM_SPECIES_TEXT_FILE_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#define TEXT_FILE_WHY_SIZE 96u
+
+enum text_file_open {
+    TEXT_FILE_OPEN,
+    TEXT_FILE_NONE,  /* The file does not exist, is not readable, or is not a regular file. */
+    TEXT_FILE_LARGE, /* The file has more than `size_max` bytes. */
+};
+
+/* Opens a regular file of at most `size_max` bytes. Never blocks on pipes and devices, nor reads
+ * them. On failure, `*out` is null and `why` is the reason without the path. The caller closes the
+ * file. */
+enum text_file_open text_file_open(const char *path, uint32_t size_max, FILE **out,
+                                   char why[TEXT_FILE_WHY_SIZE]);
+
+enum text_file_line {
+    TEXT_FILE_LINE,
+    TEXT_FILE_END, /* No further line. ferror() distinguishes a read error from the end of the
+                      file. */
+    TEXT_FILE_LONG, /* The line has more than size - 2 characters. */
+    TEXT_FILE_ZERO, /* The line contains a zero byte. */
+};
+
+/* Reads the next line, without its line end. */
+enum text_file_line text_file_line(FILE *file, char *text, size_t size);
+#endif

@@ -1,0 +1,142 @@
+/* graph_file.c -- saves edits of the growth lab atomically and loads them at start. */
+#include "platform/store/graph_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "platform/os/directory.h"
+#include "platform/os/regular_file.h"
+
+#define PATH_SIZE 1200u
+
+/* Returns 1 if the name contains no character that could form another path. */
+static int is_plain_name(const char id[SPECIES_NAME_SIZE])
+{
+    size_t length = 0;
+    while (length < SPECIES_NAME_SIZE && id[length] != 0) {
+        const char c = id[length];
+        if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_')) {
+            return 0;
+        }
+        length++;
+    }
+    return length > 0 && length < SPECIES_NAME_SIZE;
+}
+
+static int write_whole(int fd, const char *text, size_t size)
+{
+    size_t done = 0;
+    while (done < size) {
+        const ssize_t written = write(fd, text + done, size - done);
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written <= 0) {
+            return written < 0 ? -errno : -EIO;
+        }
+        done += (size_t)written;
+    }
+    return fsync(fd) != 0 ? -errno : 0;
+}
+
+/* Syncs the folder. A new name is durable only after this sync. */
+static int sync_folder(const char *folder)
+{
+    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0) {
+        return -errno;
+    }
+    const int error = fsync(fd) != 0 ? -errno : 0;
+    close(fd);
+    return error;
+}
+
+static int replace(const char *path, const char *text, size_t size)
+{
+    char beside[PATH_SIZE + SPECIES_NAME_SIZE + 32u];
+    snprintf(beside, sizeof beside, "%s.new", path);
+    unlink(beside); /* Remove the remains of an earlier power cut or a foreign file. */
+    const int fd = regular_file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
+    if (fd < 0) {
+        return -errno;
+    }
+    int error = write_whole(fd, text, size);
+    if (close(fd) != 0 && error == 0) {
+        error = -errno;
+    }
+    if (error == 0 && rename(beside, path) != 0) {
+        error = -errno;
+    }
+    if (error != 0) {
+        unlink(beside);
+    }
+    return error;
+}
+
+int graph_file_write(const char *data, const struct graph_edit_record *record)
+{
+    char folder[PATH_SIZE], path[PATH_SIZE + SPECIES_NAME_SIZE + 16u], text[GRAPH_FILE_TEXT_MAX];
+    const int length = snprintf(folder, sizeof folder, "%s/" GRAPH_FILE_FOLDER, data);
+    if (!is_plain_name(record->species) || length < 0 || (size_t)length >= sizeof folder) {
+        return -ENAMETOOLONG;
+    }
+    int error = directory_make(folder);
+    if (error != 0) {
+        return error;
+    }
+    snprintf(path, sizeof path, "%s/%s" GRAPH_FILE_SUFFIX, folder, record->species);
+    if (record->is_own) {
+        error = unlink(path) != 0 && errno != ENOENT ? -errno : 0;
+    } else {
+        error = replace(path, text, graph_file_format(record, text));
+    }
+    return error != 0 ? error : sync_folder(folder);
+}
+
+static void graph_file_print_warning(struct graph_file_warn warn, const char *path, const char *why)
+{
+    char line[PATH_SIZE + GRAPH_FILE_WHY_SIZE];
+    if (warn.tell != NULL) {
+        snprintf(line, sizeof line, "%s:%s", path, why);
+        warn.tell(warn.context, line);
+    }
+}
+
+/* Reads one edit. A file longer than GRAPH_FILE_TEXT_MAX is rejected. */
+static void fill_one(const char *path, const struct species_card *card, uint8_t *has,
+                     struct lab_edit *edit, struct graph_file_warn warn)
+{
+    char text[GRAPH_FILE_TEXT_MAX + 1u], why[GRAPH_FILE_WHY_SIZE];
+    const int fd = regular_file_handle(path, O_RDONLY, 0);
+    if (fd < 0) {
+        if (errno != ENOENT && errno != ENOTDIR) {
+            snprintf(why, sizeof why, " cannot open: %.80s", regular_file_error(errno));
+            graph_file_print_warning(warn, path, why);
+        }
+        return;
+    }
+    const ssize_t size = read(fd, text, sizeof text);
+    close(fd);
+    if (size < 0 || (size_t)size > GRAPH_FILE_TEXT_MAX) {
+        graph_file_print_warning(warn, path, size < 0 ? " cannot read" : " longer than any graph");
+    } else if (graph_file_parse(text, (size_t)size, card, edit, why)) {
+        *has = 1;
+    } else {
+        graph_file_print_warning(warn, path, why);
+    }
+}
+
+void graph_file_load(const char *data, struct lab_book *book, struct graph_file_warn warn)
+{
+    char path[PATH_SIZE];
+    for (uint32_t i = 0; i < lab_book_count(book) && data != NULL && data[0] != 0; i++) {
+        const struct species_card *card = lab_book_card(book, i);
+        const int length = snprintf(
+            path, sizeof path, "%s/" GRAPH_FILE_FOLDER "/%s" GRAPH_FILE_SUFFIX, data, card->id);
+        if (length > 0 && (size_t)length < sizeof path && is_plain_name(card->id)) {
+            fill_one(path, card, &book->has_edit[i], &book->edits[i], warn);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+/* offline_credits.c -- writes offline credits to a database that appears after the start.
+ *
+ * Such a database has its own ledger. The entries are appended in one transaction with a boot
+ * number of their own, after the database's last boot. */
+#include <string.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/storage_internal.h"
+
+int offline_credits_merge(void *self, const struct balance_change *step,
+                          const struct ledger_entry *entries, uint32_t count)
+{
+    struct storage *storage = self;
+    struct offline_credits *late = &storage->late;
+    if (!storage->running || atomic_load(&late->state) != OFFLINE_CREDITS_NONE) {
+        return storage->running ? HAL_ERR_BUSY : HAL_ERR_ABSENT;
+    }
+    late->count = count < OFFLINE_CREDITS_MAX ? count : OFFLINE_CREDITS_MAX;
+    memcpy(late->entries, entries, late->count * sizeof *entries);
+    late->entries[0].id = 0; /* 0: no id in that database yet. */
+    late->step = *step;
+    atomic_store(&late->state, OFFLINE_CREDITS_NEW);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+int offline_credits_result(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->late.state) == OFFLINE_CREDITS_NONE ? HAL_OK : HAL_ERR_BUSY;
+}
+
+static void change(uint32_t *count, uint32_t from, uint32_t to)
+{
+    const int64_t sum = (int64_t)*count + to - from;
+    *count = sum < 0 ? 0u : sum < BALANCE_MAX ? (uint32_t)sum : BALANCE_MAX;
+}
+
+/* Applies the change to the balance of that database. `open` is unchanged: a round that was open in
+ * that database is refunded at the next start. */
+static struct balance after(struct balance balance, const struct balance_change *step)
+{
+    change(&balance.units, step->from.units, step->to.units);
+    change(&balance.bonus_units, step->from.bonus_units, step->to.bonus_units);
+    change(&balance.paid, step->from.paid, step->to.paid);
+    change(&balance.service, step->from.service, step->to.service);
+    change(&balance.unlogged, step->from.unlogged, step->to.unlogged);
+    uint32_t tickets = balance.tickets;
+    change(&tickets, step->from.tickets, step->to.tickets);
+    balance.tickets = (uint16_t)(tickets < BALANCE_TICKETS_MAX ? tickets : BALANCE_TICKETS_MAX);
+    return balance;
+}
+
+static void put_behind(struct offline_credits *late, const struct ledger_start *list)
+{
+    const struct balance balance = after(list->balance, &late->step);
+    const uint32_t next = list->boots + (list->boots < LEDGER_BOOTS_MAX);
+    late->boot = late->boot > 0 ? late->boot : next; /* All parts share one boot number. */
+    for (uint32_t i = 0; i < late->count; i++) {
+        late->entries[i].id = list->last_id + 1u + i;
+        late->entries[i].boot = late->boot;
+        late->entries[i].balance = balance;
+    }
+}
+
+/* Returns true if the entries are already in the file, because a failed commit may have succeeded.
+ * The content read at open is known to be on disk. */
+static bool has_them(struct storage *storage)
+{
+    const struct ledger_entry *first = &storage->late.entries[0];
+    struct ledger_entry there;
+    return first->id > 0 && ledger_file_entry(&storage->file, first->id, &there) == SQLITE_OK &&
+           there.boot == first->boot && there.tick == first->tick && there.kind == first->kind;
+}
+
+void offline_credits_apply(struct storage *storage)
+{
+    struct offline_credits *late = &storage->late;
+    if (atomic_load(&late->state) == OFFLINE_CREDITS_NONE || storage->start.has_read) {
+        return;
+    }
+    atomic_store(&late->state, OFFLINE_CREDITS_PENDING);
+    const struct ledger_start *list = &storage->file.content.memory.ledger;
+    const bool has_ids = list->last_id <= LEDGER_ID_MAX - OFFLINE_CREDITS_MAX;
+    int code = storage->file.refusal ? storage->file.refusal : has_ids ? SQLITE_OK : SQLITE_FULL;
+    if (code == SQLITE_OK && !has_them(storage)) {
+        put_behind(late, list);
+        code = ledger_file_write(&storage->file, late->entries, late->count);
+    }
+    if (code != SQLITE_OK) {
+        atomic_fetch_add(&storage->refused, 1);
+    } else if (storage_mirror_write(storage, late->entries, late->count) == 0) {
+        atomic_store(&late->state, OFFLINE_CREDITS_NONE);
+    }
+}

@@ -1,0 +1,92 @@
+/* ledger_log.c -- makes the write-ahead log durable before its content is used, and copies the log
+ * into the database.
+ *
+ * After a failed fsync() Linux marks the pages clean. A read then returns the new bytes, the disk
+ * keeps the old bytes, and a later fsync() writes nothing and returns 0. A log that is opened may
+ * contain such pages, from this process or from a process that was killed. Therefore each byte of
+ * the log is written again and synced before SQLite may copy it into the database, and before an
+ * entry read from the log counts as stored. Writing equal bytes in place is safe at every moment,
+ * because each sector contains either its old bytes or the bytes that a reader saw.
+ *
+ * The database file needs no such treatment. SQLite restarts the log only after a checkpoint whose
+ * sync succeeded; until then the log contains every page that the checkpoint copied. A checkpoint
+ * that failed is not repeated in the same connection. `is_suspect` stays set until the file was
+ * closed, opened and made durable again. */
+#include <sqlite3.h>
+#include <stdint.h>
+
+#include "platform/store/sqlite/ledger_backup.h"
+#include "platform/store/sqlite/ledger_internal.h"
+#include "platform/store/sqlite/sql.h"
+
+/* Log pages after which the log is copied into the database. With this limit a transaction copies
+ * at most half a MiB. */
+#define CHECKPOINT_PAGES 128
+#define CHUNK 4096
+
+/* SQLite calls this after each commit. The default hook of SQLite ignores a failed checkpoint. */
+static int after_commit(void *context, sqlite3 *db, const char *name, int page_count)
+{
+    struct ledger_file *file = context;
+    if (page_count >= CHECKPOINT_PAGES && !file->is_suspect) {
+        const int code = sqlite3_wal_checkpoint_v2(db, name, SQLITE_CHECKPOINT_PASSIVE, NULL, NULL);
+        file->is_suspect = code != SQLITE_OK && code != SQLITE_BUSY && code != SQLITE_LOCKED;
+    }
+    return SQLITE_OK;
+}
+
+void ledger_log_distrust(struct ledger_file *file)
+{
+    file->is_suspect = true;
+    sqlite3_wal_hook(file->db, after_commit, file);
+}
+
+void ledger_log_before_close(struct ledger_file *file)
+{
+    if (file->db) {
+        sqlite3_db_config(file->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, (int)file->is_suspect, NULL);
+    }
+}
+
+static int rewrite(sqlite3_file *log)
+{
+    uint8_t bytes[CHUNK];
+    sqlite3_int64 size = 0;
+    int code = log->pMethods->xFileSize(log, &size);
+    for (sqlite3_int64 at = 0; code == SQLITE_OK && at < size; at += CHUNK) {
+        const int count = size - at < CHUNK ? (int)(size - at) : CHUNK;
+        code = log->pMethods->xRead(log, bytes, count, at);
+        code = code == SQLITE_OK ? log->pMethods->xWrite(log, bytes, count, at) : code;
+    }
+    return code == SQLITE_OK && size > 0 ? log->pMethods->xSync(log, SQLITE_SYNC_NORMAL) : code;
+}
+
+/* Syncs the folder. SQLite creates the log but ignores an error when it syncs the folder for the
+ * new name. */
+static int sync_names(struct ledger_file *file)
+{
+    const char *path = sqlite3_db_filename(file->db, "main");
+    return !path || !path[0] || ledger_sync_folder(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
+}
+
+/* Rewrites the log under the write lock, so that no other program restarts the log meanwhile. */
+int ledger_log_secure(struct ledger_file *file)
+{
+    sqlite3_file *log = NULL;
+    int code = sql_run(file->db, "BEGIN IMMEDIATE");
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = sqlite3_file_control(file->db, "main", SQLITE_FCNTL_JOURNAL_POINTER, &log);
+    code = code == SQLITE_OK && (!log || !log->pMethods) ? SQLITE_IOERR : code;
+    code = code == SQLITE_OK ? rewrite(log) : code;
+    code = code == SQLITE_OK ? sync_names(file) : code;
+    sql_run(file->db, "ROLLBACK");
+    file->is_suspect = code != SQLITE_OK;
+    return code & 0xff; /* Without SQLite's extended code. */
+}
+
+int ledger_log_result(const struct ledger_file *file, int code)
+{
+    return code == SQLITE_OK && file->is_suspect ? SQLITE_IOERR : code;
+}

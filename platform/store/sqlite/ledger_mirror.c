@@ -1,0 +1,221 @@
+/* ledger_mirror.c -- the ledger mirror: a ring of entries in a file, one sector each. */
+#include "platform/store/sqlite/ledger_mirror.h"
+
+#include <fcntl.h>
+#include <stddef.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/hash.h"
+#include "core/game/accounting/ledger_range.h"
+#include "core/pin.h"
+#include "core/settings.h"
+#include "platform/os/regular_file.h"
+#include "platform/store/sqlite/ledger_backup.h"
+
+#define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)
+
+/* Version of a slot. Slots of version 4 have padding in place of the balance's `returned` and
+ * `tickets`, and are read with 0 there. The number 100 leaves room for versions of the database. */
+#define SLOT_VERSION 100u
+#define SLOT_VERSION_4 4u
+
+/* An entry with the memory layout of this machine, because only this machine reads it. An entry of
+ * another version is detected by its size and version. */
+struct slot {
+    uint32_t version, size;
+    struct ledger_entry entry;
+    uint64_t sum; /* Checksum of all fields before it. */
+};
+_Static_assert(sizeof(struct slot) <= LEDGER_MIRROR_SLOT_SIZE, "an entry fits into a sector");
+
+static uint64_t sum_of(const struct slot *slot)
+{
+    return hash_bytes(HASH_START, slot, offsetof(struct slot, sum));
+}
+
+static off_t offset_of(uint32_t id)
+{
+    return (off_t)(id % LEDGER_MIRROR_SLOTS) * LEDGER_MIRROR_SLOT_SIZE;
+}
+
+static bool read_slot_as_is(const struct ledger_mirror *tail, uint32_t index, struct slot *slot)
+{
+    if (pread(tail->handle, slot, sizeof *slot, offset_of(index)) != (ssize_t)sizeof *slot ||
+        (slot->version != SLOT_VERSION && slot->version != SLOT_VERSION_4) ||
+        slot->size != sizeof slot->entry || slot->sum != sum_of(slot) ||
+        slot->entry.id % LEDGER_MIRROR_SLOTS != index) {
+        return false;
+    }
+    if (slot->version == SLOT_VERSION_4) {
+        slot->entry.balance.returned = 0;
+        slot->entry.balance.tickets = 0;
+    }
+    return ledger_entry_is_valid(&slot->entry);
+}
+
+/* Hides a PIN that an older version wrote as plain digits. Returns true if there was one. */
+static bool hide_pin(struct ledger_entry *entry)
+{
+    const bool is_plain = entry->kind == LEDGER_SETTING && entry->detail == SET_PIN &&
+                          entry->count == 0 && pin_is_plain(entry->value);
+    entry->value = is_plain ? pin_hide((uint32_t)entry->value, entry->id) : entry->value;
+    return is_plain;
+}
+
+static bool read_slot(const struct ledger_mirror *tail, uint32_t index, struct slot *slot)
+{
+    const bool is_good = read_slot_as_is(tail, index, slot);
+    if (is_good) {
+        hide_pin(&slot->entry);
+    }
+    return is_good;
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+/* Writes the whole file before the first entry, so that all blocks are allocated. A later write
+ * changes only its sector and cannot fail because of a full card. */
+static int ledger_mirror_allocate(int handle)
+{
+    static const uint8_t nothing[64 * LEDGER_MIRROR_SLOT_SIZE];
+    for (off_t at = 0; at < FILE_SIZE; at += (off_t)sizeof nothing) {
+        if (pwrite(handle, nothing, sizeof nothing, at) != (ssize_t)sizeof nothing) {
+            return -1;
+        }
+    }
+    return fsync(handle);
+}
+
+/* Writes each byte again. After a failed sync, possibly of a process that was killed, a slot may be
+ * readable without being on disk. */
+static int rewrite(int handle)
+{
+    uint8_t bytes[64 * LEDGER_MIRROR_SLOT_SIZE];
+    for (off_t at = 0; at < FILE_SIZE; at += (off_t)sizeof bytes) {
+        if (pread(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes ||
+            pwrite(handle, bytes, sizeof bytes, at) != (ssize_t)sizeof bytes) {
+            return -1;
+        }
+    }
+    return fsync(handle);
+}
+
+static struct ledger_mirror opened(int handle)
+{
+    return (struct ledger_mirror){ .handle = handle > 0 ? handle : 0 };
+}
+
+static int hide_pins(struct ledger_mirror *tail);
+
+int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
+{
+    struct stat about;
+    *tail = opened(regular_file_handle(path, O_RDWR | O_CREAT, 0600));
+    if (tail->handle == 0) {
+        return -1;
+    }
+    const bool is_whole = fstat(tail->handle, &about) == 0 && about.st_size == FILE_SIZE;
+    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions created the file readable for all. */
+    int result = is_whole ? rewrite(tail->handle) : ledger_mirror_allocate(tail->handle);
+    result = result == 0 && is_whole ? hide_pins(tail) : result;
+    if (result != 0 || ledger_sync_folder(path) != 0) {
+        ledger_mirror_close(tail);
+        return -1;
+    }
+    return 0;
+}
+
+struct ledger_mirror ledger_mirror_inspect(const char *path)
+{
+    return opened(regular_file_handle(path, O_RDONLY, 0));
+}
+
+void ledger_mirror_close(struct ledger_mirror *tail)
+{
+    if (tail->handle > 0) {
+        close(tail->handle);
+    }
+    *tail = (struct ledger_mirror){ 0 };
+}
+
+/* ---- Entries -------------------------------------------------------------------------------- */
+
+static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *entry)
+{
+    uint8_t sector[LEDGER_MIRROR_SLOT_SIZE] = { 0 };
+    struct slot slot;
+    memset(&slot, 0, sizeof slot);
+    slot.version = SLOT_VERSION;
+    slot.size = sizeof slot.entry;
+    memcpy(&slot.entry, entry, sizeof slot.entry);
+    slot.sum = sum_of(&slot);
+    memcpy(sector, &slot, sizeof slot);
+    const ssize_t done = pwrite(tail->handle, sector, sizeof sector, offset_of(entry->id));
+    return done == (ssize_t)sizeof sector ? 0 : -1;
+}
+
+/* Rewrites the slots that contain a PIN as plain digits. */
+static int hide_pins(struct ledger_mirror *tail)
+{
+    struct slot slot;
+    int result = 0;
+    bool any = false;
+    for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
+        if (read_slot_as_is(tail, i, &slot) && hide_pin(&slot.entry)) {
+            result = write_slot(tail, &slot.entry);
+            any = true;
+        }
+    }
+    return result == 0 && any ? fdatasync(tail->handle) : result;
+}
+
+int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
+                        uint32_t count)
+{
+    int result = 0;
+    for (uint32_t i = 0; result == 0 && i < count; i++) {
+        result = write_slot(tail, &entries[i]);
+    }
+    return result == 0 ? fdatasync(tail->handle) : result;
+}
+
+int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint32_t seat)
+{
+    struct slot slot;
+    int result = 0;
+    for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
+        struct ledger_entry *entry = &slot.entry;
+        /* A slot without a name is also written because its earlier sync may have failed. */
+        if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
+            entry->detail == seat) {
+            memset(entry->name, 0, sizeof entry->name);
+            result = write_slot(tail, entry);
+        }
+    }
+    return result;
+}
+
+bool ledger_mirror_entry(const struct ledger_mirror *tail, uint32_t id, struct ledger_entry *out)
+{
+    struct slot slot;
+    if (tail->handle == 0 || !read_slot(tail, id % LEDGER_MIRROR_SLOTS, &slot) ||
+        slot.entry.id != id) {
+        return false;
+    }
+    *out = slot.entry;
+    return true;
+}
+
+uint32_t ledger_mirror_last_id(const struct ledger_mirror *tail)
+{
+    struct slot slot;
+    uint32_t last_id = 0;
+    for (uint32_t i = 0; tail->handle > 0 && i < LEDGER_MIRROR_SLOTS; i++) {
+        if (read_slot(tail, i, &slot) && slot.entry.id > last_id) {
+            last_id = slot.entry.id;
+        }
+    }
+    return last_id;
+}

@@ -1,0 +1,210 @@
+/* ledger_recovery.c -- recovers entries one by one, by id, so that damage at one entry does not
+ * affect the next. */
+#include "platform/store/sqlite/ledger_recovery.h"
+
+#include <sqlite3.h>
+
+#include "platform/store/sqlite/ledger_internal.h"
+#include "platform/store/sqlite/sql.h"
+
+#define BATCH 64u /* Entries in one transaction. */
+
+/* One more than the largest number of entries in a file; ids beyond this range do not belong to the
+ * ledger. */
+#define SALVAGE_MAX (LEDGER_FILE_ENTRIES + 512u)
+
+struct salvage {
+    struct ledger_file from;
+    struct ledger_file *to;
+    const struct ledger_mirror *tail;
+    struct ledger_entry entries[BATCH];
+    uint32_t count;       /* Entries in `entries` that are not yet written. */
+    uint32_t first, last; /* Range of ids to read. */
+    uint32_t newest_id;   /* Newest id that is known to have existed. */
+    bool has_from;        /* 1: the damaged file has readable entries. */
+    bool knows_last;      /* 1: `last` is the true end of the ledger. */
+    struct ledger_recovered done;
+};
+
+/* ---- Comparing two ledgers ------------------------------------------------------------------ */
+
+static enum ledger_relation kin_of(const struct ledger_entry *one, const struct ledger_entry *other)
+{
+    return one->boot == other->boot && one->tick == other->tick && one->kind == other->kind &&
+                   one->day == other->day && one->minute == other->minute
+               ? LEDGER_RELATION_SAME
+               : LEDGER_RELATION_OTHER;
+}
+
+static enum ledger_relation find_kin(struct ledger_file *file, uint32_t last_id,
+                                     const struct ledger_mirror *tail, struct ledger_file *other)
+{
+    struct ledger_entry ours, theirs;
+    for (uint32_t i = 0; i < LEDGER_MIRROR_SLOTS && i < last_id; i++) {
+        const uint32_t id = last_id - i;
+        const bool has = tail ? ledger_mirror_entry(tail, id, &theirs)
+                              : ledger_file_entry(other, id, &theirs) == SQLITE_OK;
+        if (has && ledger_file_entry(file, id, &ours) == SQLITE_OK) {
+            return kin_of(&ours, &theirs);
+        }
+    }
+    return LEDGER_RELATION_UNKNOWN;
+}
+
+enum ledger_relation ledger_recovery_relation_of_mirror(struct ledger_file *file, uint32_t last_id,
+                                                        const struct ledger_mirror *tail)
+{
+    return find_kin(file, last_id, tail, NULL);
+}
+
+enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, uint32_t last_id,
+                                                      struct ledger_file *other)
+{
+    return find_kin(file, last_id, NULL, other);
+}
+
+/* Returns true if the mirror is newer. Two files without a common entry must at least be in
+ * order. */
+static bool comes_later(const struct ledger_content *content, const struct ledger_mirror *tail)
+{
+    struct ledger_entry newest;
+    return !ledger_mirror_entry(tail, ledger_mirror_last_id(tail), &newest) ||
+           newest.boot > content->memory.ledger.boots ||
+           (newest.boot == content->memory.ledger.boots && newest.tick >= content->tick);
+}
+
+static bool has_others_tail(struct salvage *salvage)
+{
+    const struct ledger_content *content = &salvage->to->content;
+    const uint32_t last_id = content->memory.ledger.last_id;
+    enum ledger_relation kin = LEDGER_RELATION_UNKNOWN;
+    if (salvage->has_from) {
+        kin = ledger_recovery_relation_of_mirror(
+            &salvage->from, salvage->knows_last ? salvage->last : last_id, salvage->tail);
+    }
+    if (kin == LEDGER_RELATION_UNKNOWN && salvage->to->db) {
+        kin = ledger_recovery_relation_of_mirror(salvage->to, last_id, salvage->tail);
+    }
+    return kin == LEDGER_RELATION_OTHER ||
+           (kin == LEDGER_RELATION_UNKNOWN && !comes_later(content, salvage->tail));
+}
+
+/* ---- Range of ids ---------------------------------------------------------------------------- */
+
+static bool reads_well(struct salvage *salvage, int64_t id)
+{
+    struct ledger_entry entry;
+    return id > 0 && id <= UINT32_MAX &&
+           ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
+}
+
+/* Reads the smallest and largest id of the damaged file, limited to plausible values. */
+static void find_ends(struct salvage *salvage)
+{
+    int64_t min = 0, max = 0;
+    sqlite3 *db = salvage->from.db;
+    const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
+                         reads_well(salvage, min);
+    const bool has_max =
+        sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK && max >= 0;
+    if (has_min && min > salvage->first) {
+        salvage->first = (uint32_t)min;
+    }
+    if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && reads_well(salvage, max)) {
+        salvage->first = (uint32_t)max - SALVAGE_MAX;
+    }
+    salvage->knows_last = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;
+    salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
+}
+
+/* Extends the range to the end of the mirror. The mirror is written before an entry is
+ * acknowledged. A mirror that reaches the end of the backup therefore contains the newest id. A
+ * shorter mirror was not written completely. */
+static void reach_to_tail(struct salvage *salvage)
+{
+    const uint32_t last_id = ledger_mirror_last_id(salvage->tail);
+    const bool is_empty = salvage->knows_last && salvage->last < salvage->first;
+    const bool is_newest = last_id > 0 && last_id >= salvage->to->content.memory.ledger.last_id;
+    salvage->done.is_open_ended = !is_newest && (is_empty || !salvage->knows_last);
+    if (salvage->knows_last && last_id > salvage->last) {
+        const uint32_t span = is_empty ? LEDGER_MIRROR_SLOTS : SALVAGE_MAX;
+        salvage->last = last_id;
+        if (last_id >= span && salvage->first < last_id - span + 1u) {
+            salvage->first = last_id - span + 1u;
+        }
+    }
+    salvage->newest_id = salvage->knows_last ? salvage->last : last_id;
+}
+
+/* ---- Entries -------------------------------------------------------------------------------- */
+
+static bool read_either(struct salvage *salvage, uint32_t id, struct ledger_entry *out)
+{
+    return (salvage->has_from && ledger_file_entry(&salvage->from, id, out) == SQLITE_OK) ||
+           ledger_mirror_entry(salvage->tail, id, out);
+}
+
+static int write_salvaged(struct salvage *salvage)
+{
+    struct ledger_file *to = salvage->to;
+    int code = SQLITE_OK;
+    if (to->refusal) {
+        for (uint32_t i = 0; i < salvage->count; i++) {
+            ledger_aggregates_note(&to->content, &salvage->entries[i]);
+        }
+    } else if (salvage->count > 0) {
+        code = ledger_file_write(to, salvage->entries, salvage->count);
+    }
+    salvage->done.entries += code == SQLITE_OK ? salvage->count : 0u;
+    salvage->count = 0;
+    return code;
+}
+
+static int salvage_entries(struct salvage *salvage)
+{
+    int code = SQLITE_OK;
+    for (uint32_t id = salvage->first; code == SQLITE_OK && id <= salvage->last; id++) {
+        if (read_either(salvage, id, &salvage->entries[salvage->count]) &&
+            ++salvage->count == BATCH) {
+            code = write_salvaged(salvage);
+        }
+    }
+    return code == SQLITE_OK ? write_salvaged(salvage) : code;
+}
+
+static void open_from(struct salvage *salvage, const char *path)
+{
+    static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'"
+                              " AND type = 'table' AND sql LIKE 'CREATE TABLE%'";
+    int64_t has_entries = 0;
+    salvage->has_from = path &&
+                        sql_open(path, SQLITE_OPEN_READONLY, NULL, &salvage->from.db) ==
+                            SQLITE_OK &&
+                        sql_number(salvage->from.db, any, &has_entries) == SQLITE_OK &&
+                        has_entries;
+}
+
+int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
+                   struct ledger_recovered *out)
+{
+    static const struct ledger_mirror none;
+    const uint32_t before_id = to->content.memory.ledger.last_id;
+    struct salvage salvage = { .from = { .refusal = SQLITE_READONLY }, .to = to, .tail = tail,
+                               .first = before_id + 1u, .last = before_id, .knows_last = true };
+    open_from(&salvage, path);
+    if (salvage.has_from) {
+        find_ends(&salvage);
+    }
+    if (has_others_tail(&salvage)) {
+        salvage.done.has_others_tail = true;
+        salvage.tail = &none;
+    }
+    reach_to_tail(&salvage);
+    const int code = salvage_entries(&salvage);
+    const uint32_t last_id = to->content.memory.ledger.last_id;
+    const uint32_t newest_id = salvage.newest_id > last_id ? salvage.newest_id : last_id;
+    salvage.done.lost = newest_id - before_id - salvage.done.entries;
+    ledger_file_close(&salvage.from);
+    *out = salvage.done;
+    return code;
+}

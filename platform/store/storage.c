@@ -1,0 +1,295 @@
+/* storage.c -- the frame loop's side of the store. No function here blocks, except open() and
+ * close(). */
+#include "platform/store/storage.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <sqlite3.h>
+
+#include "platform/os/directory.h"
+#include "platform/panic.h"
+#include "platform/store/storage_internal.h"
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+/* Returns true if the data folder exists or was created. A folder that cannot be written is
+ * accepted here because the card may be remounted at any time. */
+static bool folder_is_there(struct storage *storage)
+{
+    const int error = directory_make(storage->dir);
+    struct stat about;
+    const bool is_there = stat(storage->dir, &about) == 0 && S_ISDIR(about.st_mode);
+    if (error && !is_there) {
+        char what[HAL_TEXT_SIZE / 2];
+        snprintf(what, sizeof what, "no store: %.56s", storage->dir);
+        storage_log(storage, what, strerror(-error), "make that folder and restart");
+    }
+    return is_there;
+}
+
+/* Returns true and sets the path of the file, or writes the reason to `text`. */
+static bool find_file(struct storage *storage)
+{
+    if (!storage->dir) {
+        storage_log(storage, "no store", "no folder was named", "give one with --data DIR");
+        return false;
+    }
+    const int length =
+        snprintf(storage->path, sizeof storage->path, "%s/" STORAGE_FILE, storage->dir);
+    if (length < 0 || (size_t)length >= sizeof storage->path) {
+        storage->path[0] = '\0';
+        storage_log(storage, "no store", "the folder's path is too long", "name a shorter one");
+        return false;
+    }
+    return storage->how.vfs || folder_is_there(storage);
+}
+
+/* Starts the thread with all signals blocked, except those of a panic, because the main thread
+ * handles the signals that end the kiosk. */
+static bool start_thread(struct storage *storage)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    panic_leave_open(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    storage->has_thread = pthread_create(&storage->thread, NULL, storage_thread, storage) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return storage->has_thread;
+}
+
+/* Copies the loaded state from which the core continues, before the thread owns the file. */
+static void note_start(struct storage *storage)
+{
+    storage->start = storage->file.content;
+    storage->accepted_id = storage->start.memory.ledger.last_id;
+    atomic_store(&storage->saved_id, storage->accepted_id);
+    atomic_store(&storage->is_unproven, storage->file.is_suspect);
+    storage->saved_boot = storage->start.memory.ledger.boots;
+    storage->saved_tick = storage->start.tick;
+    storage->prunes = true;
+    if (storage->file.db) {
+        storage_update_sealed(storage);
+    }
+    atomic_store(&storage->has_file, true);
+}
+
+/* Opens the store. Without a database the thread runs all the same because edits are text files in
+ * the same folder. */
+static int storage_open(void *self)
+{
+    struct storage *storage = self;
+    if (storage->running) {
+        return atomic_load(&storage->has_file) ? HAL_OK : HAL_ERR_IO;
+    }
+    if (!find_file(storage)) {
+        return storage->dir ? HAL_ERR_IO : HAL_ERR_ABSENT;
+    }
+    sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
+    int code = storage_open_exclusive(storage);
+    if (code != SQLITE_OK && storage->has_to_rebuild && storage_read_remnants(storage, code)) {
+        code = SQLITE_OK;
+    }
+    atomic_store(&storage->error, code == SQLITE_OK ? storage->file.refusal : code);
+    if (code == SQLITE_OK) {
+        note_start(storage);
+        storage_share_file(storage);
+    } else {
+        storage_log_no_file(storage, ledger_file_error(code));
+    }
+    sem_init(&storage->wake, 0, 0);
+    storage->running = true;
+    if (!storage->by_hand && !start_thread(storage)) {
+        storage_log_no_file(storage, "no thread to be had");
+        storage_close_file(storage);
+        storage_unlock(storage);
+        atomic_store(&storage->has_file, false);
+        storage->running = false;
+        return HAL_ERR_IO;
+    }
+    return code == SQLITE_OK ? HAL_OK : HAL_ERR_IO;
+}
+
+static int storage_load(void *self, struct persistent_state *out)
+{
+    const struct storage *storage = self;
+    if (!storage->running || !storage->start.has_read) {
+        return HAL_ERR_ABSENT;
+    }
+    ledger_content_load(&storage->start, out);
+    /* Count this start; the first entry of this start stores the number. */
+    out->ledger.boots += out->ledger.boots < LEDGER_BOOTS_MAX;
+    return HAL_OK;
+}
+
+/* ---- Entries and graphs --------------------------------------------------------------------- */
+
+static int storage_append(void *self, const struct ledger_entry *entry)
+{
+    struct storage *storage = self;
+    if (!atomic_load(&storage->has_file)) {
+        return HAL_ERR_ABSENT;
+    }
+    if (entry->id <= storage->accepted_id) {
+        return HAL_OK;
+    }
+    if (storage_unwritten(storage) == STORAGE_QUEUE_MAX) {
+        return HAL_ERR_BUSY;
+    }
+    const unsigned pushed = atomic_load(&storage->pushed);
+    storage->queue[pushed % STORAGE_QUEUE_MAX] = *entry;
+    storage->accepted_id = entry->id;
+    atomic_store(&storage->pushed, pushed + 1);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+static uint32_t storage_saved_id(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->is_unproven) ? 0u : atomic_load(&storage->saved_id);
+}
+
+static int storage_store_edit(void *self, const struct graph_edit_record *edit)
+{
+    struct storage *storage = self;
+    if (!storage->running) {
+        return HAL_ERR_ABSENT;
+    }
+    if (edit->id <= storage->accepted_edit_id) {
+        return HAL_OK;
+    }
+    const unsigned pushed = atomic_load(&storage->edits_pushed);
+    if (storage_unwritten_edits(storage) == STORAGE_EDITS_MAX) {
+        return HAL_ERR_BUSY;
+    }
+    storage->edits[pushed % STORAGE_EDITS_MAX] = *edit;
+    storage->accepted_edit_id = edit->id;
+    atomic_store(&storage->edits_pushed, pushed + 1);
+    sem_post(&storage->wake);
+    return HAL_OK;
+}
+
+static uint32_t storage_stored_edit_id(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->stored_edit_id);
+}
+
+/* Returns 1 if the last write of an edit failed, or if no more can be written. */
+static int storage_edits_failed(void *self)
+{
+    struct storage *storage = self;
+    return !storage->running || atomic_load(&storage->edit_error) != 0;
+}
+
+/* ---- Status --------------------------------------------------------------------------------- */
+
+/* Returns how long the card has not responded, or 0 below STORAGE_STUCK_MS. */
+int64_t storage_stuck_ms(const struct storage *storage)
+{
+    const int64_t since_ms = atomic_load(&storage->busy_since_ms);
+    const int64_t busy_ms = since_ms > 0 ? storage_now_ms() - since_ms : 0;
+    return busy_ms >= STORAGE_STUCK_MS ? busy_ms : 0;
+}
+
+static int storage_is_healthy(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->has_file) && atomic_load(&storage->error) == SQLITE_OK &&
+           !atomic_load(&storage->is_unproven) && atomic_load(&storage->tail_error) == 0 &&
+           storage_stuck_ms(storage) == 0;
+}
+
+static int storage_wants_restart(void *self)
+{
+    struct storage *storage = self;
+    return !storage->start.has_read && atomic_load(&storage->error) == LEDGER_FILE_FOREIGN;
+}
+
+static uint32_t storage_refused_count(void *self)
+{
+    struct storage *storage = self;
+    return atomic_load(&storage->refused);
+}
+
+/* ---- Closing -------------------------------------------------------------------------------- */
+
+static void stop_thread(struct storage *storage)
+{
+    if (storage->has_thread) {
+        atomic_store(&storage->stop, true);
+        sem_post(&storage->wake);
+        pthread_join(storage->thread, NULL);
+        storage->has_thread = false;
+        atomic_store(&storage->stop, false);
+    }
+}
+
+/* Counts the queued entries that are lost. An entry that is only missing in the mirror is in the
+ * database and not lost. */
+static uint32_t lost_entries(const struct storage *storage)
+{
+    const unsigned pushed = atomic_load(&storage->pushed);
+    uint32_t lost = 0;
+    for (unsigned i = atomic_load(&storage->written); i != pushed; i++) {
+        lost += !storage->file.db || storage->file.refusal || storage->moved ||
+                storage->queue[i % STORAGE_QUEUE_MAX].id >
+                    storage->file.content.memory.ledger.last_id;
+    }
+    return lost;
+}
+
+static uint32_t storage_close(void *self)
+{
+    struct storage *storage = self;
+    if (!storage->running) {
+        return 0;
+    }
+    stop_thread(storage);
+    storage->closes = true; /* A power cut from now on finds the previous backup. */
+    ledger_backup_drop(&storage->backup);
+    storage_work(storage); /* Writes entries that arrived meanwhile, and retries the rest once. */
+    storage_save_deleted(storage);
+    const uint32_t lost = lost_entries(storage), lost_edits = storage_unwritten_edits(storage);
+    if (lost > 0) {
+        storage_log_refused(storage, atomic_load(&storage->error), "they are lost");
+    } else if (lost_edits > 0) {
+        storage_log(storage, "store: a graph was not written",
+                    strerror(atomic_load(&storage->edit_error)), "it is lost");
+    }
+    sem_destroy(&storage->wake);
+    storage_close_file(storage);
+    storage_unlock(storage);
+    storage->running = storage->closes = false;
+    atomic_store(&storage->has_file, false);
+    return lost + lost_edits;
+}
+
+struct hal_storage storage_device(struct storage *storage)
+{
+    static const struct hal_storage_ops ops = {
+        .open = storage_open,
+        .load = storage_load,
+        .append = storage_append,
+        .store_replay = storage_store_replay,
+        .stored_replay_id = storage_stored_replay_id,
+        .fetch_replay = storage_fetch_replay,
+        .replay_fetched = storage_replay_fetched,
+        .has_replay = storage_has_replay,
+        .saved_id = storage_saved_id,
+        .store_edit = storage_store_edit,
+        .stored_edit_id = storage_stored_edit_id,
+        .edits_failed = storage_edits_failed,
+        .is_healthy = storage_is_healthy,
+        .wants_restart = storage_wants_restart,
+        .merge_offline = offline_credits_merge,
+        .offline_merged = offline_credits_result,
+        .refused_count = storage_refused_count,
+        .describe = storage_describe,
+        .close = storage_close,
+    };
+    return (struct hal_storage){ .ops = &ops, .self = storage };
+}

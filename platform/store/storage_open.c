@@ -1,0 +1,247 @@
+/* storage_open.c -- opens the database for writing, after any damage was handled.
+ *
+ * A damaged file is kept and never repaired in place; storage_rebuild.c makes its replacement. Two
+ * files belong to the same ledger if their newest common entry is equal. A file of a foreign ledger
+ * is renamed and never read. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "platform/os/regular_file.h"
+#include "platform/store/sqlite/ledger_backup.h"
+#include "platform/store/storage_internal.h"
+
+void storage_sibling_path(const struct storage *storage, const char *suffix, const char *more,
+                          char out[LEDGER_PATH_SIZE])
+{
+    snprintf(out, LEDGER_PATH_SIZE, "%.520s%.40s%.20s", storage->path, suffix, more);
+}
+
+void storage_backup_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
+{
+    storage_sibling_path(storage, STORAGE_BACKUP_SUFFIX, "", out);
+}
+
+void storage_mirror_path(const struct storage *storage, char out[LEDGER_PATH_SIZE])
+{
+    storage_sibling_path(storage, STORAGE_MIRROR_SUFFIX, "", out);
+}
+
+struct ledger_mirror storage_inspect_mirror(const struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE];
+    storage_mirror_path(storage, path);
+    return ledger_mirror_inspect(path);
+}
+
+/* Returns true if the path exists. An I/O error counts as existing, so that no file is replaced by
+ * mistake. */
+bool storage_has_path(const char *path)
+{
+    return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
+}
+
+const char *const storage_suffixes[STORAGE_SIBLING_COUNT] = {
+    "-wal", "-shm", "-journal", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
+};
+
+static bool has_bytes(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 && about.st_size > 0;
+}
+
+static bool has_tail(const struct storage *storage)
+{
+    struct ledger_mirror tail = storage_inspect_mirror(storage);
+    const uint32_t last_id = ledger_mirror_last_id(&tail);
+    ledger_mirror_close(&tail);
+    return last_id > 0;
+}
+
+static bool has_backup(const struct storage *storage)
+{
+    char backup[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    return storage_has_path(backup);
+}
+
+/* ---- Comparison with the backup and the mirror ---------------------------------------------- */
+
+enum others {
+    OTHERS_NOT = 0, /* Absent, or no newer entries than the file. */
+    OTHERS_NEWER,   /* Same ledger with newer entries: the file has lost entries. */
+    OTHERS_STRANGE, /* Foreign ledger. */
+};
+
+static enum others backup_is(struct storage *storage)
+{
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    struct ledger_file backup;
+    char path[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, path);
+    if (!storage_has_path(path) || ledger_file_inspect(&backup, path) != SQLITE_OK) {
+        return OTHERS_NOT;
+    }
+    enum others result = OTHERS_NOT;
+    if (ledger_recovery_relation_of_file(&storage->file, last_id, &backup) ==
+        LEDGER_RELATION_OTHER) {
+        result = OTHERS_STRANGE;
+    } else if (last_id < backup.content.memory.ledger.last_id &&
+               ledger_check(backup.db) == SQLITE_OK) {
+        result = OTHERS_NEWER;
+    }
+    ledger_file_close(&backup);
+    return result;
+}
+
+/* Compares the mirror with the file. A mirror that begins after the end of an intact file belongs
+ * to an earlier ledger. */
+static enum others tail_is(struct storage *storage)
+{
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    struct ledger_mirror tail = storage_inspect_mirror(storage);
+    const uint32_t tails_last_id = ledger_mirror_last_id(&tail);
+    const enum ledger_relation kin =
+        ledger_recovery_relation_of_mirror(&storage->file, last_id, &tail);
+    ledger_mirror_close(&tail);
+    if (kin == LEDGER_RELATION_OTHER ||
+        (kin == LEDGER_RELATION_UNKNOWN && last_id > 0 && tails_last_id > last_id)) {
+        return OTHERS_STRANGE;
+    }
+    return tails_last_id > last_id ? OTHERS_NEWER : OTHERS_NOT;
+}
+
+bool storage_is_behind_backup(struct storage *storage)
+{
+    return backup_is(storage) == OTHERS_NEWER;
+}
+
+/* ---- Lost content ---------------------------------------------------------------------------- */
+
+/* Returns true if the file is empty but a log, a backup or a mirror has content. A power cut or a
+ * file system repair often leaves an empty file. SQLite would treat an empty file as new and
+ * discard its log. */
+static bool is_emptied(const struct storage *storage)
+{
+    char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    storage_sibling_path(storage, "-wal", "", log);
+    struct stat about;
+    return stat(storage->path, &about) == 0 && about.st_size == 0 &&
+           (has_bytes(backup) || has_bytes(log) || has_tail(storage));
+}
+
+/* Accepts a copy that the operator put in place of the database. Newer entries in the backup are
+ * intended to be dropped; the backup is renamed and kept. The mirror belongs to the replaced file
+ * and is deleted. */
+static int take_copy(struct storage *storage)
+{
+    char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE], tail[LEDGER_PATH_SIZE];
+    storage_mirror_path(storage, tail);
+    if (unlink(tail) != 0 && errno != ENOENT) {
+        return SQLITE_IOERR;
+    }
+    storage_backup_path(storage, backup);
+    storage_sibling_path(storage, STORAGE_BEFORE_SUFFIX, "", before);
+    if (backup_is(storage) != OTHERS_NOT &&
+        (rename(backup, before) != 0 || ledger_sync_folder(before) != 0)) {
+        return SQLITE_IOERR;
+    }
+    return ledger_unmark(&storage->file);
+}
+
+/* Returns true for a symbolic link. The link may lead to a card that is not mounted yet, so that it
+ * is neither removed nor followed. */
+static bool is_link(const struct storage *storage)
+{
+    struct stat about;
+    return lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode);
+}
+
+/* Renames each FIFO, device, link or folder in place of a file that belongs to the database, so
+ * that the start continues without it. On a read-only card the object stays and is not opened. */
+static void set_strange_aside(struct storage *storage)
+{
+    for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
+        char path[LEDGER_PATH_SIZE];
+        storage_sibling_path(storage, storage_suffixes[i], "", path);
+        if (regular_file_is_other(path) &&
+            storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
+            atomic_store(&storage->strange, i + 1u);
+        }
+    }
+}
+
+/* Compares the file with its backup and mirror, and renames a backup or mirror of a foreign ledger.
+ * Nothing is renamed beside a read-only file, because such a file gets no new entries that would
+ * need them. */
+static int compare(struct storage *storage)
+{
+    const enum others backup = backup_is(storage), tail = tail_is(storage);
+    if (backup == OTHERS_NEWER || tail == OTHERS_NEWER) {
+        return SQLITE_CORRUPT;
+    }
+    if (!storage->file.refusal && backup == OTHERS_STRANGE &&
+        storage_quarantine_other(storage, STORAGE_BACKUP_SUFFIX) != 0) {
+        return SQLITE_IOERR;
+    }
+    if (!storage->file.refusal && tail == OTHERS_STRANGE &&
+        storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0) {
+        return SQLITE_IOERR;
+    }
+    return SQLITE_OK;
+}
+
+static int open_whole(struct storage *storage)
+{
+    int code = regular_file_is_other(storage->path) ? SQLITE_NOTADB
+               : is_emptied(storage)
+                   ? SQLITE_CORRUPT
+                   : ledger_file_open(&storage->file, storage->path, &storage->how);
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    if (ledger_is_marked(&storage->file) && !storage->file.refusal) {
+        code = take_copy(storage);
+    }
+    code = code == SQLITE_OK ? compare(storage) : code;
+    if (code != SQLITE_OK) {
+        ledger_file_close(&storage->file);
+    }
+    return code;
+}
+
+/* ---- Opening -------------------------------------------------------------------------------- */
+
+/* Opens the database. Starts a new database only if there is no file, backup or mirror. A custom
+ * vfs has only the one file. */
+int storage_open_file(struct storage *storage)
+{
+    if (storage->how.vfs) {
+        return ledger_file_open(&storage->file, storage->path, &storage->how);
+    }
+    storage->has_to_rebuild = false;
+    if (is_link(storage)) {
+        return LEDGER_FILE_LINK;
+    }
+    set_strange_aside(storage);
+    int code = storage_end_rebuilding(storage);
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    const bool is_missing =
+        !storage_has_path(storage->path) && (has_backup(storage) || has_tail(storage));
+    code = is_missing ? SQLITE_CORRUPT : open_whole(storage);
+    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
+        storage->has_to_rebuild = true;
+        code = storage_rebuild(storage, is_missing);
+        code = code == SQLITE_OK ? ledger_file_open(&storage->file, storage->path, &storage->how)
+                                 : code;
+    }
+    return code;
+}

@@ -1,0 +1,260 @@
+/* storage_rebuild.c -- makes the replacement of a database that is damaged or missing.
+ *
+ * The replacement contains the last valid backup and all newer entries of the damaged file and the
+ * mirror. A temporary file is written and synced completely, and then renamed to
+ * STORAGE_NEW_SUFFIX. Only then is the damaged file renamed, and after that the new file. After a
+ * power cut at any point, the next start repeats or completes the procedure. A card without enough
+ * space is left unchanged.
+ *
+ * If the newest entry is unknown, its id may be assigned again. Ids rise by one (core/ledger.h),
+ * and quarantined files differ in their boot numbers. */
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sqlite3.h>
+
+#include "platform/os/regular_file.h"
+#include "platform/store/sqlite/ledger_backup.h"
+#include "platform/store/sqlite/sql.h"
+#include "platform/store/storage_internal.h"
+
+#define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX /* Name of the incomplete replacement. */
+
+static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
+#define SUFFIX_COUNT (sizeof suffixes / sizeof suffixes[0])
+
+/* ---- Quarantine ----------------------------------------------------------------------------- */
+
+static unsigned number_in(const char *name, const char *suffix)
+{
+    const char *at = strncmp(name, STORAGE_FILE, sizeof STORAGE_FILE - 1u) == 0
+                         ? strstr(name, suffix)
+                         : NULL;
+    return at ? (unsigned)strtoul(at + strlen(suffix), NULL, 10) : 0u;
+}
+
+/* Returns one more than the highest number in use. A file that was acknowledged and removed has
+ * left a marker with its number, which would hide a new file of the same number. */
+static unsigned next_number(const struct storage *storage)
+{
+    static const char *const kinds[] = { STORAGE_QUARANTINE_SUFFIX, STORAGE_MISSING_SUFFIX,
+                                         STORAGE_OTHER_SUFFIX };
+    DIR *const folder = opendir(storage->dir);
+    const struct dirent *entry;
+    unsigned newest = 0;
+    while (folder && (entry = readdir(folder))) {
+        for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+            const unsigned number = number_in(entry->d_name, kinds[i]);
+            newest = number > newest ? number : newest;
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    return newest + 1u;
+}
+
+int storage_quarantine_other(struct storage *storage, const char *suffix)
+{
+    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], number[40];
+    snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
+    storage_sibling_path(storage, suffix, "", from);
+    storage_sibling_path(storage, suffix, number, to);
+    return rename(from, to) == 0 ? ledger_sync_folder(to) : -1;
+}
+
+/* Renames the file first and then its log and journal. A journal left behind would be applied to
+ * the new file. */
+static bool set_aside(struct storage *storage, unsigned number)
+{
+    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
+    snprintf(suffix, sizeof suffix, STORAGE_QUARANTINE_SUFFIX "%u", number);
+    storage_sibling_path(storage, suffix, "", to);
+    if (storage_has_path(storage->path) && rename(storage->path, to) != 0) {
+        return false;
+    }
+    for (size_t i = 0; i < SUFFIX_COUNT; i++) {
+        storage_sibling_path(storage, suffixes[i], "", from);
+        storage_sibling_path(storage, suffix, suffixes[i], to);
+        if (rename(from, to) != 0 && errno != ENOENT) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Creates an empty marker for a missing file, which stays until the operator acknowledges it. */
+static bool leave_note(struct storage *storage, unsigned number)
+{
+    char path[LEDGER_PATH_SIZE], suffix[40];
+    snprintf(suffix, sizeof suffix, STORAGE_MISSING_SUFFIX "%u", number);
+    storage_sibling_path(storage, suffix, "", path);
+    const int handle = regular_file_handle(path, O_WRONLY | O_CREAT, 0600);
+    return handle >= 0 && close(handle) == 0 && ledger_sync_folder(path) == 0;
+}
+
+/* ---- The replacement ------------------------------------------------------------------------- */
+
+static void remove_all(const struct storage *storage, const char *suffix)
+{
+    char path[LEDGER_PATH_SIZE];
+    storage_sibling_path(storage, suffix, "", path);
+    unlink(path);
+    for (size_t i = 0; i < SUFFIX_COUNT; i++) {
+        storage_sibling_path(storage, suffix, suffixes[i], path);
+        unlink(path);
+    }
+}
+
+/* Opens the backup read-only. Returns true if the backup is valid, also with an older schema. */
+static bool open_backup(struct ledger_file *file, const char *backup)
+{
+    *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
+    const bool is_good =
+        storage_has_path(backup) &&
+        sql_open(backup, SQLITE_OPEN_READONLY, NULL, &file->db) == SQLITE_OK &&
+        ledger_check(file->db) == SQLITE_OK;
+    if (!is_good) {
+        ledger_file_close(file);
+    }
+    return is_good;
+}
+
+/* Copies entries that `to` lacks from the old file and the mirror into `to`. */
+static int salvage_into(struct storage *storage, struct ledger_file *to)
+{
+    struct stat about;
+    const bool has_bytes = stat(storage->path, &about) == 0 && about.st_size > 0;
+    struct ledger_mirror tail = storage_inspect_mirror(storage);
+    storage->from_backup = to->content.memory.ledger.last_id;
+    const int code =
+        ledger_recover(has_bytes ? storage->path : NULL, &tail, to, &storage->salvaged);
+    ledger_mirror_close(&tail);
+    return code;
+}
+
+static int sync_file(const char *path)
+{
+    const int handle = regular_file_handle(path, O_RDWR, 0);
+    const int result = handle < 0 ? -1 : fsync(handle);
+    if (handle >= 0) {
+        close(handle);
+    }
+    return result;
+}
+
+/* Makes the temporary file. Its writes are not synced one by one, because no process reads the file
+ * before it is complete. One sync at the end saves time on a slow card. */
+static int make_part(struct storage *storage, const char *part)
+{
+    static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
+    struct ledger_file file;
+    char backup[LEDGER_PATH_SIZE];
+    int code = SQLITE_OK;
+    storage_backup_path(storage, backup);
+    if (open_backup(&file, backup)) {
+        code = ledger_backup_make(&file, part, false);
+        ledger_file_close(&file);
+    }
+    code = code == SQLITE_OK ? ledger_file_open(&file, part, &unsynced) : code;
+    if (code == SQLITE_CORRUPT) { /* The backup is intact, but its aggregates are out of range. */
+        remove_all(storage, PART_SUFFIX);
+        code = ledger_file_open(&file, part, &unsynced);
+    }
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = file.refusal ? file.refusal : salvage_into(storage, &file);
+    ledger_file_close(&file);
+    return code == SQLITE_OK && sync_file(part) != 0 ? SQLITE_IOERR : code;
+}
+
+/* Makes the replacement. The final name is given after the marker exists, so that a power cut
+ * between the two steps still reports the loss. */
+static int make_new(struct storage *storage, bool is_missing, unsigned number)
+{
+    char part[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
+    storage_sibling_path(storage, PART_SUFFIX, "", part);
+    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    remove_all(storage, PART_SUFFIX);
+    int code = make_part(storage, part);
+    if (code == SQLITE_OK &&
+        ((is_missing && !leave_note(storage, number)) || rename(part, fresh) != 0 ||
+         ledger_sync_folder(fresh) != 0)) {
+        code = SQLITE_IOERR;
+    }
+    if (code != SQLITE_OK) {
+        remove_all(storage, PART_SUFFIX);
+    }
+    return code;
+}
+
+/* Renames the replacement to the database path: the last step, which the next start repeats after a
+ * power cut. */
+static bool put_new(struct storage *storage)
+{
+    char fresh[LEDGER_PATH_SIZE];
+    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    return rename(fresh, storage->path) == 0 && ledger_sync_folder(storage->path) == 0;
+}
+
+int storage_rebuild(struct storage *storage, bool is_missing)
+{
+    const unsigned number = next_number(storage);
+    const int code = make_new(storage, is_missing, number);
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    if (storage->salvaged.has_others_tail &&
+        storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0) {
+        return SQLITE_IOERR;
+    }
+    if (!set_aside(storage, number) || ledger_sync_folder(storage->path) != 0 ||
+        !put_new(storage)) {
+        return SQLITE_IOERR;
+    }
+    storage->was_missing = is_missing;
+    atomic_store(&storage->aside, number);
+    return SQLITE_OK;
+}
+
+/* Completes an interrupted replacement if the database is absent. If the database exists, an old
+ * replacement is obsolete and is deleted. */
+int storage_end_rebuilding(struct storage *storage)
+{
+    char fresh[LEDGER_PATH_SIZE];
+    storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
+    if (storage_has_path(storage->path)) {
+        remove_all(storage, STORAGE_NEW_SUFFIX);
+    } else if (storage_has_path(fresh) &&
+               !(set_aside(storage, next_number(storage)) && put_new(storage))) {
+        return SQLITE_IOERR; /* No other file may take the path without the replacement. */
+    }
+    return SQLITE_OK;
+}
+
+/* ---- Read-only fallback ---------------------------------------------------------------------- */
+
+bool storage_read_remnants(struct storage *storage, int refusal)
+{
+    char backup[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    struct ledger_file *file = &storage->file;
+    if (ledger_file_inspect(file, backup) != SQLITE_OK || ledger_check(file->db) != SQLITE_OK) {
+        ledger_file_close(file);
+    }
+    file->refusal = refusal;
+    file->content.has_read = true;
+    salvage_into(storage, file);
+    if (file->content.memory.ledger.last_id == 0) {
+        ledger_file_close(file);
+        return false;
+    }
+    return true;
+}

@@ -1,0 +1,255 @@
+/* storage_thread.c -- the thread of the store, which writes while frames are drawn. */
+#include <semaphore.h>
+#include <time.h>
+
+#include <sqlite3.h>
+
+#include "platform/store/graph_file.h"
+#include "platform/store/storage_internal.h"
+
+#define RETRY_MS 1000 /* Interval between two attempts to write to a card that failed. */
+/* Interval between two checks that the open file is still at its path. The status file is written
+ * at once after such a change, so that a loss is reported within a second. */
+#define CHECK_MS 200
+
+uint32_t storage_unwritten(const struct storage *storage)
+{
+    return atomic_load(&storage->pushed) - atomic_load(&storage->written);
+}
+
+uint32_t storage_unwritten_edits(const struct storage *storage)
+{
+    return atomic_load(&storage->edits_pushed) - atomic_load(&storage->edits_written);
+}
+
+void storage_close_file(struct storage *storage)
+{
+    ledger_backup_drop(&storage->backup);
+    ledger_mirror_close(&storage->tail);
+    ledger_file_close(&storage->file);
+}
+
+void storage_share_file(struct storage *storage)
+{
+    if (storage->file.refusal == SQLITE_FULL) {
+        storage_close_file(storage);
+    }
+}
+
+int64_t storage_now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
+}
+
+/* ---- Entries -------------------------------------------------------------------------------- */
+
+static void note_saved(struct storage *storage, const struct ledger_entry *newest)
+{
+    storage->saved_boot = newest->boot;
+    storage->saved_tick = newest->tick;
+    atomic_store(&storage->saved_id, newest->id);
+}
+
+/* Writes the contiguous entries of the queue in one transaction. Returns 0, and acknowledges
+ * nothing, unless both the database and the mirror have synced the entries. */
+static int write_batch(struct storage *storage, unsigned written, unsigned pushed)
+{
+    const unsigned first = written % STORAGE_QUEUE_MAX;
+    const unsigned waiting = pushed - written;
+    const unsigned beside = STORAGE_QUEUE_MAX - first;
+    const unsigned count = waiting < beside ? waiting : beside;
+    const struct ledger_entry *entries = &storage->queue[first];
+    atomic_store(&storage->busy_since_ms, storage_now_ms());
+    const int code = storage_write_entries(storage, entries, count);
+    const int tail = code == SQLITE_OK ? storage_mirror_write(storage, entries, count) : -1;
+    atomic_store(&storage->busy_since_ms, 0);
+    storage_note_write(storage, code);
+    if (code != SQLITE_OK || tail != 0) {
+        return 0;
+    }
+    for (unsigned i = 0; i < count; i++) {
+        storage->prunes |= entries[i].kind == LEDGER_ROUND;
+    }
+    note_saved(storage, &entries[count - 1u]);
+    atomic_store(&storage->written, written + count);
+    return 1;
+}
+
+/* Writes the queued entries, oldest first, and stops at the first failure. */
+static void drain(struct storage *storage)
+{
+    unsigned written = atomic_load(&storage->written);
+    unsigned pushed = atomic_load(&storage->pushed);
+    while (written != pushed && write_batch(storage, written, pushed)) {
+        written = atomic_load(&storage->written);
+        pushed = atomic_load(&storage->pushed);
+    }
+    if (storage->prunes && storage->file.db && written == pushed) {
+        const int code = ledger_file_prune(&storage->file);
+        storage->prunes = code != SQLITE_OK;
+        if (storage_needs_reopening(code)) {
+            storage_note_write(storage, code);
+        }
+        storage_update_sealed(storage);
+    }
+}
+
+/* ---- The backup ----------------------------------------------------------------------------- */
+
+static int64_t now_s(void)
+{
+    return storage_now_ms() / 1000;
+}
+
+static bool may_back_up(const struct storage *storage)
+{
+    return storage->file.db && !storage->file.refusal && !storage->how.vfs && !storage->closes &&
+           atomic_load(&storage->error) == SQLITE_OK;
+}
+
+static bool is_backup_due(const struct storage *storage, uint32_t last_id)
+{
+    return now_s() >= storage->backup_due_s ||
+           last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES;
+}
+
+/* Advances the backup in steps, only while no entry waits. A backup that fails is retried after an
+ * hour. */
+static void back_up(struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE];
+    int code = SQLITE_OK;
+    if (!may_back_up(storage)) {
+        ledger_backup_drop(&storage->backup);
+        return;
+    }
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    if (!storage->backup.copy && is_backup_due(storage, last_id)) {
+        storage->backup_due_s = now_s() + STORAGE_BACKUP_S;
+        storage->backup_id = last_id;
+        storage_backup_path(storage, path);
+        code = storage_is_behind_backup(storage)
+                   ? SQLITE_CORRUPT /* A backup with more entries is not overwritten by fewer. */
+                   : ledger_backup_begin(&storage->backup, &storage->file, path);
+    }
+    while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
+           !atomic_load(&storage->stop)) {
+        code = ledger_backup_step(&storage->backup);
+    }
+    if (code != SQLITE_OK && code != SQLITE_DONE && code != SQLITE_BUSY) {
+        atomic_fetch_add(&storage->refused, 1);
+    }
+}
+
+/* ---- Edits
+ * ------------------------------------------------------------------------------------ */
+
+static void drain_edits(struct storage *storage)
+{
+    unsigned written = atomic_load(&storage->edits_written);
+    while (written != atomic_load(&storage->edits_pushed)) {
+        const struct graph_edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
+        const int error = graph_file_write(storage->dir, edit);
+        atomic_store(&storage->edit_error, -error);
+        if (error != 0) {
+            atomic_fetch_add(&storage->refused, 1);
+            return;
+        }
+        atomic_store(&storage->stored_edit_id, edit->id);
+        atomic_store(&storage->edits_written, ++written);
+    }
+}
+
+/* ---- The log -------------------------------------------------------------------------------- */
+
+/* Syncs a log that the opening could not rewrite because another program held a lock. If the lock
+ * persists, the next call retries. */
+static void prove_log(struct storage *storage)
+{
+    if (!atomic_load(&storage->is_unproven) || !storage_has_card(storage)) {
+        return;
+    }
+    const int code = storage->file.is_suspect ? ledger_log_secure(&storage->file) : SQLITE_OK;
+    storage_note_write(storage, code);
+    if (code == SQLITE_OK) {
+        atomic_store(&storage->is_unproven, false);
+    }
+}
+
+/* ---- Background work
+ * -------------------------------------------------------------------------- */
+
+static bool has_chore(const struct storage *storage)
+{
+    return storage->chore.step && storage->file.db && !storage->file.refusal && !storage->moved &&
+           !atomic_load(&storage->is_unproven) && atomic_load(&storage->error) == SQLITE_OK;
+}
+
+static void do_chore(struct storage *storage)
+{
+    const int64_t until_ms = storage_now_ms() + STORAGE_CHORE_MS;
+    int code = SQLITE_OK;
+    while (code == SQLITE_OK && has_chore(storage) && storage_unwritten(storage) == 0 &&
+           storage_now_ms() < until_ms && !atomic_load(&storage->stop)) {
+        code = storage->chore.step(storage->chore.self, &storage->file);
+    }
+    if (code == SQLITE_DONE) {
+        storage->chore.step = NULL;
+    } else if (storage_needs_reopening(code)) {
+        storage_note_write(storage, code);
+    }
+}
+
+/* ---- The thread ----------------------------------------------------------------------------- */
+
+void storage_work(struct storage *storage)
+{
+    prove_log(storage);
+    if (storage_has_card(storage)) {
+        drain(storage);
+        storage_mirror_repair(storage);
+    }
+    storage_put_replay(storage);
+    storage_get_replay(storage);
+    drain_edits(storage);
+    back_up(storage);
+    do_chore(storage);
+}
+
+/* Blocks until new work arrives, at most CHECK_MS. Returns true if there is new work. */
+static bool wait_for_work(struct storage *storage)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_nsec += (has_chore(storage) ? STORAGE_CHORE_WAIT_MS : CHECK_MS) * 1000000L;
+    until.tv_sec += until.tv_nsec / 1000000000L;
+    until.tv_nsec %= 1000000000L;
+    return sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0;
+}
+
+/* Returns true if the open file left its path or returned to it since the last call of
+ * storage_has_card(). */
+static bool has_place_changed(struct storage *storage)
+{
+    return storage->file.db && !storage->file.refusal &&
+           storage_has_moved(storage) != storage->moved;
+}
+
+/* Thread function. Calls storage_work() at new work, and at least once a second because a failed
+ * card is retried and a backup may be due. */
+void *storage_thread(void *context)
+{
+    struct storage *storage = context;
+    int64_t due_ms = 0;
+    while (!atomic_load(&storage->stop)) {
+        if (wait_for_work(storage) || storage_now_ms() >= due_ms || has_place_changed(storage)) {
+            storage_work(storage);
+            due_ms = storage_now_ms() + RETRY_MS;
+        } else {
+            do_chore(storage);
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,103 @@
+/* test_poi_scoops.c -- `kingyo-poi run --simulate` plays the kiosk: from a hand of arithmetic
+ * through simulated wires, converter and gyroscope, report bytes, the kiosk's decoder and its
+ * distrust, to fish in the bowl. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "board/poi-gadget/sensor_source.h"
+#include "core/game/control/controller.h"
+#include "core/tank/preset.h"
+#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_hid.h"
+#include "drivers/null.h"
+#include "platform/kiosk/kiosk.h"
+#include "tests/unit/support/hid_wire.h"
+
+#define REPORT_NS 4000000ull /* 250 a second. */
+#define FRAME_NS 16666667ull
+
+static struct {
+    struct clock_sim clock;
+    struct hid_wire wire;
+    struct poi_hid poi;
+    struct hal hal;
+    struct kiosk kiosk;
+    struct poi_config config;
+    struct sensor_source_twin twin;
+    struct pose_source source;
+    uint64_t next_report_ns;
+    uint8_t sequence;
+} stall;
+
+static void frame(void)
+{
+    stall.clock.now_ns += FRAME_NS;
+    for (; stall.next_report_ns <= stall.clock.now_ns; stall.next_report_ns += REPORT_NS) {
+        struct poi_report report;
+        uint8_t bytes[POI_REPORT_SIZE];
+        stall.source.step(stall.source.self, (float)REPORT_NS * 1e-9f, &report);
+        report.sequence = stall.sequence++;
+        poi_report_encode(&report, bytes);
+        hid_port_sim_report(&stall.wire.port, bytes, sizeof bytes);
+    }
+    kiosk_frame(&stall.kiosk, &stall.hal);
+}
+
+static void begin(uint32_t seed)
+{
+    const struct kiosk_config config = { .core = { .seed = seed, .fish_count = 300 } };
+    memset(&stall, 0, sizeof stall);
+    wire_begin(&stall.wire, &stall.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
+    poi_config_init(&stall.config);
+    sensor_twin_calibrate(&stall.config);
+    stall.source = sensor_source_twin(&stall.twin, &stall.config);
+    stall.hal = null_hal();
+    stall.hal.clock = clock_sim_device(&stall.clock);
+    poi_hid_init(&stall.poi, hid_port_sim_port(&stall.wire.port), stall.hal.clock,
+                 (struct hid_mapper){ 0 }, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    stall.hal.poi[0] = poi_hid_device(&stall.poi);
+    stall.hal.buttons = poi_hid_buttons(&stall.poi);
+    assert_int_equal(kiosk_init(&stall.kiosk, &stall.hal, &config), CORE_OK);
+}
+
+static void test_a_simulated_poi_starts_a_round_is_believed_and_lands_fish(void **state)
+{
+    (void)state;
+    uint32_t landed = 0, dips = 0, lost_frames = 0, round_frames = 0, rounds = 0;
+    for (uint32_t seed = 1; seed <= 2; seed++) {
+        begin(seed);
+        for (uint32_t n = 0; n < 90 * 60; n++) {
+            const struct game *game = &stall.kiosk.core.game;
+            const uint8_t before = game->phase;
+            const uint32_t caught = game->player[0].caught;
+            const float before_m = stall.kiosk.core.poi[0].position_m.y;
+            frame();
+            const int plays = game->phase == PHASE_ROUND;
+            rounds += plays && before != PHASE_ROUND;
+            round_frames += (uint32_t)plays;
+            lost_frames += plays && controller_is_lost(&stall.kiosk.core, 0);
+            landed += game->player[0].caught > caught ? game->player[0].caught - caught : 0;
+            dips += plays && before_m > -0.02f && stall.kiosk.core.poi[0].position_m.y <= -0.02f;
+        }
+    }
+    print_message("# %u rounds, %u frames: %u fish in %u dips; %u frames not believed\n", rounds,
+                  round_frames, landed, dips, lost_frames);
+    assert_true(rounds >= 2);
+    assert_int_equal(lost_frames, 0);
+    assert_true(dips >= 10);
+    assert_true(landed >= 4); /* Blind, and half of what it lands by now. */
+    assert_int_equal(stall.poi.hand.refused_count + stall.poi.hand.gap_count, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_simulated_poi_starts_a_round_is_believed_and_lands_fish),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,130 @@
+/* test_credit_cabinet.c -- what a paid stall does with its cabinet: tickets, the coin lock, the
+ * door, a shake, and the hours that it was on. */
+#include "tests/unit/support/paid_stand.h"
+
+/* ---- Tickets -------------------------------------------------------------------------------- */
+
+static void test_tickets_are_for_whole_handfuls_of_each_players_own(void **state)
+{
+    (void)state;
+    play_a_paid_round();
+    core.game.player[0].caught = 14; /* Two and four fifths of a ticket. */
+    core.game.player[1].plays = core.game.player[1].out = 1;
+    core.game.player[1].caught = 4;
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(balance()->tickets, 2);
+    assert_int_equal(audit(AUDIT_TICKETS), 2);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(output.tickets, 2);
+    assert_int_equal(balance()->tickets, 0);
+    assert_int_equal(audit(AUDIT_TICKETS_OUT), 2);
+}
+
+static void test_a_bot_wins_no_tickets(void **state)
+{
+    (void)state;
+    play_a_paid_round();
+    core.game.player[0].caught = 14;
+    core.game.bot_played = 1;
+    steps(ROUND_S * CORE_TICK_HZ + 10u);
+    assert_int_equal(output.tickets, 0);
+    assert_int_equal(audit(AUDIT_TICKETS), 0);
+}
+
+/* ---- The cabinet ---------------------------------------------------------------------------- */
+
+static void test_coins_are_sent_back_while_nobody_could_play(void **state)
+{
+    (void)state;
+    assert_int_equal(output.coin_lockout, 0);
+    input.poi[0].link = POI_SOURCE_ABSENT;
+    step();
+    assert_int_equal(output.coin_lockout, 1);
+    assert_int_equal(core.game.credit.warnings, WARN_NO_POI);
+    input.poi[1].link = POI_SOURCE_LIVE; /* There is no second seat. */
+    step();
+    assert_int_equal(output.coin_lockout, 1);
+    input.poi[0].link = POI_SOURCE_LIVE;
+    step();
+    assert_int_equal(output.coin_lockout, 0);
+}
+
+static void test_an_open_door_warns_and_sends_coins_back_and_ends_no_round(void **state)
+{
+    (void)state;
+    play_a_paid_round();
+    input.held = INPUT_DOOR;
+    step();
+    assert_int_equal(core.game.credit.warnings, WARN_DOOR);
+    assert_int_equal(output.coin_lockout, 1);
+    steps(CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_int_equal(core.game.paused, 0);
+    input.held = 0;
+    step();
+    assert_int_equal(core.game.credit.warnings, 0);
+}
+
+static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
+{
+    (void)state;
+    press(INPUT_TILT); /* An edge shorter than a tick. */
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_int_equal(core.game.credit.warnings, WARN_TILT);
+        assert_int_equal(output.coin_lockout, 1);
+        press(INPUT_TILT); /* It goes on shaking. */
+    }
+    assert_int_equal(core.game.credit.shakes, 1);
+    assert_int_equal(sounds[SOUND_FOUL], 1);
+    steps(CREDIT_TILT_TICKS);
+    assert_int_equal(core.game.credit.warnings, 0);
+    press(INPUT_TILT);
+    assert_int_equal(core.game.credit.shakes, 2);
+}
+
+static void test_a_shake_loses_no_coin_that_fell(void **state)
+{
+    (void)state;
+    input.held = INPUT_TILT;
+    drop(PRICE);
+    assert_int_equal(credits(), 1);
+}
+
+/* ---- Hours ---------------------------------------------------------------------------------- */
+
+static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state)
+{
+    (void)state;
+    struct ledger_entry last;
+    steps(130u * CORE_TICK_HZ);
+    assert_in_range(audit(AUDIT_UP_S), 120, 130);
+    assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
+    assert_int_equal(health_log_final(&core, &input, &last), 0); /* It has no store. */
+    core.game.ledger.boot = 3;
+    const uint64_t hash = core_hash(&core);
+    const uint32_t told = audit(AUDIT_UP_S);
+    assert_int_equal(health_log_final(&core, &input, &last), 1);
+    assert_int_equal(last.kind, LEDGER_HEALTH);
+    assert_int_equal(last.id, core.game.ledger.last_id + 1u);
+    assert_int_equal(last.boot, 3);
+    assert_int_equal(told + (uint32_t)last.value, 130); /* All of them, in order. */
+    assert_int_equal(last.health.up_s, 130);
+    assert_true(core_hash(&core) == hash);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_tickets_are_for_whole_handfuls_of_each_players_own,
+                               setup_paid),
+        cmocka_unit_test_setup(test_a_bot_wins_no_tickets, setup_paid),
+        cmocka_unit_test_setup(test_coins_are_sent_back_while_nobody_could_play, setup_paid),
+        cmocka_unit_test_setup(test_an_open_door_warns_and_sends_coins_back_and_ends_no_round,
+                               setup_paid),
+        cmocka_unit_test_setup(test_a_shake_warns_for_a_while_and_counts_once, setup_paid),
+        cmocka_unit_test_setup(test_a_shake_loses_no_coin_that_fell, setup_paid),
+        cmocka_unit_test_setup(test_a_night_by_the_plug_loses_two_minutes_of_its_hours, setup_paid),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

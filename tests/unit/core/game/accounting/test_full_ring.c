@@ -1,0 +1,194 @@
+/* test_full_ring.c -- a store that is full, dead, late or comes at last: no press of a guest ends
+ * the stall, nobody plays for nothing, and what was paid is his when the store is back. */
+#include "tests/unit/support/game_stand.h"
+
+#define PRICE 1u
+#define COINS_FOR_A_FULL_RING 40u /* Each writes two entries while there is room. */
+
+/* A paid stall of three modes, of its `boots`th start; 0: it found no store. */
+static void open_paid(uint32_t boots)
+{
+    const struct core_config config = {
+        .seed = 7,
+        .fish_count = 12,
+        .round_s = ROUND_S,
+        .credit_coins = PRICE,
+        .modes = 1u << MODE_FESTIVAL | 1u << MODE_CHAMPIONSHIP | 1u << CHOICE_LAB,
+        .persistent.ledger.boots = boots,
+    };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    clear_sounds();
+    hold_at(ABOVE_M);
+    input.store_well = boots > 0;
+    store_is_late = boots == 0;
+    step();
+}
+
+static int close_stand(void **state)
+{
+    (void)state;
+    store_is_late = 0;
+    return 0;
+}
+
+static void drop_each(uint32_t coins)
+{
+    for (uint32_t i = 0; i < coins; i++) {
+        input.coin_count[0] = 1;
+        step();
+        input.coin_count[0] = 0;
+    }
+}
+
+/* The store answers again, and has written all that it was given. */
+static void revive_store(void)
+{
+    store_is_late = 0;
+    input.record_saved_id = output.entry_id;
+    step();
+    step();
+}
+
+static void choose_with_a_credit(void)
+{
+    drop_each(1);
+    step();
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    steps(GAME_MODE_SELECT_TICKS_MIN + 1u);
+}
+
+static void test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again(void **state)
+{
+    (void)state;
+    open_paid(1);
+    choose_with_a_credit();
+    store_is_late = 1;
+    drop_each(COINS_FOR_A_FULL_RING);
+    const uint32_t fouls = sounds[SOUND_FOUL];
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    assert_int_equal(core.game.ledger.balance.open, PAYMENT_NONE);
+    press(INPUT_OK);
+    dip();
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    assert_true(core.game.credit.asked_tick != 0 || core.game.credit.await_tick != 0);
+    assert_true(sounds[SOUND_FOUL] > fouls || core.game.credit.await_tick != 0);
+    revive_store();
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_READY);
+    assert_int_equal(core.game.ledger.balance.open, PAYMENT_PAID);
+    assert_int_equal(purse_credits(&core), COINS_FOR_A_FULL_RING);
+}
+
+static void test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring(void **state)
+{
+    (void)state;
+    for (uint32_t coins = 0; coins < LEDGER_RING; coins++) {
+        open_paid(1);
+        choose_with_a_credit();
+        store_is_late = 1;
+        input.store_well = 0;
+        drop_each(coins / 2u);
+        if (coins % 2u) {
+            press(INPUT_SERVICE);
+        }
+        press(INPUT_START);
+        const int plays = core.game.phase == PHASE_READY;
+        assert_int_equal(plays, core.game.ledger.balance.open == PAYMENT_PAID);
+        assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
+        steps(GAME_READY_TICKS + GAME_MODE_SELECT_TICKS); /* Into the round, or back to attract. */
+        drop_each(coins);
+        input.poi[0].link = POI_SOURCE_ABSENT;
+        steps(GAME_LOST_TICKS_MAX + GAME_AGAIN_TICKS);
+        for (uint32_t i = 0; i < 4; i++) { /* The ends of what was begun have found room. */
+            press(INPUT_START | INPUT_OK);
+            steps(CORE_TICK_HZ);
+        }
+        assert_int_equal(core.game.ledger.uncommitted, 0);
+    }
+}
+
+static uint32_t draw(uint32_t *seed, uint32_t below)
+{
+    *seed = *seed * 1664525u + 1013904223u; /* Knuth's; its upper half is good enough. */
+    return (*seed >> 16) % below;
+}
+
+/* Anybody's presses, in any order, on a card that answers now and then or never. */
+static void press_anything(uint32_t *seed, uint32_t ticks)
+{
+    static const uint32_t buttons[] = { INPUT_START, INPUT_OK,      INPUT_LEFT,    INPUT_RIGHT,
+                                        INPUT_DOOR,  INPUT_SERVICE, INPUT_LANGUAGE };
+    for (uint32_t i = 0; i < ticks; i++) {
+        input.pressed = draw(seed, 20) == 0 ? buttons[draw(seed, 7)] : 0u;
+        input.pressed = draw(seed, 4000) == 0 ? (uint32_t)INPUT_TEST : input.pressed;
+        input.coin_count[0] = draw(seed, 120) == 0;
+        hold_at(draw(seed, 40) == 0 ? BELOW_M : ABOVE_M);
+        input.store_well = draw(seed, 200) != 0;
+        step();
+        if (draw(seed, 100) == 0) {
+            input.record_saved_id += draw(seed, output.entry_id - input.record_saved_id + 1u);
+        }
+        assert_true(core.game.ledger.balance.open != PAYMENT_PAID ||
+                    core.game.phase == PHASE_READY || core.game.phase == PHASE_ROUND ||
+                    core.game.phase == PHASE_LAB || core.game.phase == PHASE_RESULT);
+    }
+    input.coin_count[0] = 0;
+}
+
+static void test_no_press_on_any_card_ends_the_stall(void **state)
+{
+    (void)state;
+    uint32_t seed = 11;
+    for (uint32_t boots = 0; boots < 2; boots++) {
+        open_paid(boots);
+        store_is_late = 1;
+        press_anything(&seed, 30000);
+        print_message("# start %u: %u rounds begun, %u entries, %u of them on disk\n", boots,
+                      core.game.round_count, output.entry_id, input.record_saved_id);
+        assert_true(core.game.round_count > 2);
+    }
+}
+
+static void test_a_card_that_comes_at_last_is_used_however_many_coins_fell_before(void **state)
+{
+    (void)state;
+    open_paid(0);
+    drop_each(COINS_FOR_A_FULL_RING);
+    assert_int_equal(core.game.ledger.balance.paid, COINS_FOR_A_FULL_RING);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0); /* On no disk. */
+    assert_int_equal(output.coin_lockout, 1);
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+
+    const uint32_t before_id = output.entry_id;
+    input.store_well = 1;
+    step();
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0);
+    assert_true(output.entry_id > before_id); /* The whole purse is on its way at once. */
+    assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
+    revive_store();
+    assert_int_equal(output.coin_lockout, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, COINS_FOR_A_FULL_RING);
+    drop_each(1);
+    step();
+    assert_int_equal(core.game.ledger.balance.unlogged, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, COINS_FOR_A_FULL_RING + 1u);
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_teardown(name, close_stand)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again),
+        TEST(test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring),
+        TEST(test_no_press_on_any_card_ends_the_stall),
+        TEST(test_a_card_that_comes_at_last_is_used_however_many_coins_fell_before),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,290 @@
+/* test_refunds.c -- when a credit comes back, that it does so once at most, and what a round keeps
+ * whose credit does not: by a lost controller, the operator's menu, and a power cut. */
+#include "core/game/accounting/round_standing.h"
+#include "core/game/pause.h"
+#include "tests/unit/support/paid_stand.h"
+
+#define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)
+#define FISH 14u   /* Two tickets, and four fish. */
+#define TICKETS 2u
+
+static struct ledger_stand stand; /* Of all entries that were written. */
+static uint32_t seen_id;
+
+/* As the store adds up what it writes. */
+static void note_entries(void)
+{
+    while (seen_id != output.entry_id) {
+        stand = stand_after(stand, purse_entry(&output, ++seen_id));
+    }
+}
+
+static void noted_steps(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        step();
+        note_entries();
+    }
+}
+
+/* The power goes now; everything that was written is on disk. */
+static void cut_power(void)
+{
+    static uint32_t boots = 1;
+    note_entries();
+    struct core_config config = core.config;
+    config.session = (struct game_session){ 0 };
+    config.persistent.audits = core.game.audits;
+    config.persistent.ranking = core.game.ranking;
+    config.persistent.ledger = (struct ledger_start){
+        .last_id = output.entry_id,
+        .boots = ++boots,
+        .balance = purse_entry(&output, output.entry_id)->balance,
+        .stand = stand,
+    };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    const uint32_t last_id = output.entry_id;
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    output.entry_id = input.record_saved_id = last_id;
+    hold_at(ABOVE_M);
+    noted_steps(3);
+}
+
+static int setup_refunds(void **state)
+{
+    setup_paid(state);
+    stand = (struct ledger_stand){ 0 };
+    seen_id = 0;
+    return 0;
+}
+
+/* Into a round on the credit that is there, `ticks` of it played. */
+static void play(uint32_t ticks)
+{
+    hold_at(ABOVE_M);
+    while (core.game.phase != PHASE_ATTRACT) {
+        noted_steps(1);
+    }
+    noted_steps(CORE_TICK_HZ);
+    press(INPUT_START);
+    noted_steps(GAME_READY_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    core.game.player[0].caught = FISH;
+    noted_steps(ticks);
+}
+
+static void lose_controller(void)
+{
+    input.poi[0].link = POI_SOURCE_LOST;
+    while (core.game.phase == PHASE_ROUND) {
+        noted_steps(1);
+    }
+    noted_steps(20);
+}
+
+static void open_menu(void)
+{
+    press(INPUT_TEST);
+    press(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    noted_steps(20);
+}
+
+static void expect_refunded(void)
+{
+    assert_int_equal(audit(AUDIT_REFUNDS), 1);
+    assert_int_equal(credits(), 1);
+    assert_int_equal(audit(AUDIT_ROUNDS), 0);
+    assert_int_equal(audit(AUDIT_TICKETS), 0);
+    assert_int_equal(balance()->open, PAYMENT_NONE);
+}
+
+/* The second of two plays of one credit, or one that was nearly over: the round counts. */
+static void expect_kept(uint32_t refunds)
+{
+    assert_int_equal(audit(AUDIT_REFUNDS), refunds);
+    assert_int_equal(credits(), 0);
+    assert_int_equal(audit(AUDIT_ROUNDS), 1);
+    assert_int_equal(audit(AUDIT_CAUGHT), FISH);
+    assert_int_equal(audit(AUDIT_TICKETS), TICKETS);
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, FISH);
+    assert_int_equal(balance()->open, PAYMENT_NONE);
+}
+
+typedef void (*cut_round)(void);
+static const cut_round ways[] = { lose_controller, open_menu, cut_power };
+#define WAYS (sizeof ways / sizeof ways[0])
+
+static void test_a_round_that_is_cut_before_two_thirds_is_refunded_and_counts_nothing(void **state)
+{
+    for (size_t i = 0; i < WAYS; i++) {
+        setup_refunds(state);
+        drop(PRICE);
+        play(SPENT_TICKS - 10u);
+        ways[i]();
+        expect_refunded();
+    }
+}
+
+static void test_a_round_that_is_cut_after_two_thirds_keeps_score_and_tickets(void **state)
+{
+    for (size_t i = 0; i < WAYS; i++) {
+        setup_refunds(state);
+        drop(PRICE);
+        play(SPENT_TICKS + 10u);
+        ways[i]();
+        expect_kept(0);
+    }
+}
+
+static void test_a_credit_that_came_back_once_comes_back_no_second_time(void **state)
+{
+    for (size_t i = 0; i < WAYS * WAYS; i++) {
+        setup_refunds(state);
+        drop(PRICE);
+        play(10);
+        ways[i / WAYS]();
+        expect_refunded();
+        if (core.game.phase == PHASE_MENU) {
+            cut_power();
+        }
+        play(10);
+        ways[i % WAYS]();
+        expect_kept(1);
+    }
+}
+
+static void test_a_credit_that_came_back_is_remembered_over_a_restart(void **state)
+{
+    (void)state;
+    drop(PRICE);
+    play(10);
+    lose_controller();
+    cut_power();
+    assert_int_equal(balance()->returned, PAYMENT_PAID);
+    drop(PRICE); /* A second credit, which may still come back. */
+    assert_int_equal(credits(), 2);
+    play(10);
+    assert_int_equal(balance()->open, PAYMENT_PAID | PAYMENT_SPENT);
+    lose_controller();
+    assert_int_equal(audit(AUDIT_REFUNDS), 1);
+    assert_int_equal(credits(), 1);
+    play(10);
+    assert_int_equal(balance()->open, PAYMENT_PAID);
+    lose_controller();
+    assert_int_equal(audit(AUDIT_REFUNDS), 2);
+    assert_int_equal(credits(), 1);
+}
+
+static void test_a_service_credit_comes_back_once_too(void **state)
+{
+    (void)state;
+    press(INPUT_SERVICE);
+    noted_steps(3);
+    play(10);
+    lose_controller();
+    assert_int_equal(balance()->service, 1);
+    assert_int_equal(balance()->returned, PAYMENT_SERVICE);
+    play(10);
+    lose_controller();
+    assert_int_equal(balance()->service, 0);
+    assert_int_equal(audit(AUDIT_REFUNDS), 1);
+}
+
+/* Whenever the controller goes, its owner plays less than two rounds for one credit. */
+static void test_one_credit_buys_no_endless_play(void **state)
+{
+    for (uint32_t at = 1; at < ROUND_S; at += 3) {
+        uint32_t played = 0;
+        setup_refunds(state);
+        drop(PRICE);
+        for (uint32_t times = 0; credits() > 0; times++) {
+            assert_true(times < 3u);
+            play(at * CORE_TICK_HZ);
+            played += at;
+            lose_controller();
+        }
+        assert_true(played < 2u * ROUND_S);
+    }
+}
+
+static void test_a_power_cut_keeps_the_catch_of_the_last_entry_of_the_round(void **state)
+{
+    (void)state;
+    drop(PRICE);
+    play(SPENT_TICKS + 10u);
+    core.game.player[0].caught = FISH + 1u;
+    noted_steps(3);
+    cut_power();
+    assert_int_equal(audit(AUDIT_CAUGHT), FISH + 1u);
+    assert_int_equal(audit(AUDIT_CRASHED_ROUNDS), 1);
+    assert_int_equal(audit(AUDIT_REFUNDS), 0);
+}
+
+static void test_a_recording_of_format_7_gives_each_credit_back(void **state)
+{
+    (void)state;
+    core.config.rules_7 = 1;
+    drop(PRICE);
+    play(ROUND_S * CORE_TICK_HZ - CORE_TICK_HZ);
+    lose_controller();
+    expect_refunded();
+    assert_int_equal(balance()->returned, PAYMENT_NONE);
+    assert_int_equal(purse_count(&output, LEDGER_STAND), 0);
+}
+
+/* ---- Losses --------------------------------------------------------------------------------- */
+
+static void lose_for(uint32_t ticks)
+{
+    input.poi[0].link = POI_SOURCE_LOST;
+    noted_steps(ticks);
+    hold_at(ABOVE_M);
+    noted_steps(CORE_TICK_HZ);
+    assert_int_equal(core.game.paused, 0);
+}
+
+static void test_a_controller_that_is_lost_again_is_counted(void **state)
+{
+    (void)state;
+    drop(PRICE);
+    play(10);
+    lose_for(CORE_TICK_HZ / 2u); /* A glitch. */
+    lose_for(2u * CORE_TICK_HZ);
+    assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);
+    lose_for(2u * CORE_TICK_HZ);
+    assert_int_equal(audit(AUDIT_LOST_AGAIN), 1);
+    lose_for(5u * CORE_TICK_HZ);
+    assert_int_equal(audit(AUDIT_LOST_AGAIN), 2);
+    assert_int_equal(audit(AUDIT_LOST_AGAIN + 1), 0);
+}
+
+static void test_losses_that_lie_far_apart_are_not_repeated_ones(void **state)
+{
+    (void)state;
+    drop(PRICE);
+    play(10);
+    lose_for(2u * CORE_TICK_HZ);
+    core.game.health_log.loss_tick[0] = core.tick - HEALTH_LOG_LOSS_AGAIN_TICKS;
+    lose_for(2u * CORE_TICK_HZ);
+    assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);
+}
+
+int main(void)
+{
+#define TEST(test) cmocka_unit_test_setup(test, setup_refunds)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_round_that_is_cut_before_two_thirds_is_refunded_and_counts_nothing),
+        TEST(test_a_round_that_is_cut_after_two_thirds_keeps_score_and_tickets),
+        TEST(test_a_credit_that_came_back_once_comes_back_no_second_time),
+        TEST(test_a_credit_that_came_back_is_remembered_over_a_restart),
+        TEST(test_a_service_credit_comes_back_once_too),
+        TEST(test_one_credit_buys_no_endless_play),
+        TEST(test_a_power_cut_keeps_the_catch_of_the_last_entry_of_the_round),
+        TEST(test_a_recording_of_format_7_gives_each_credit_back),
+        TEST(test_a_controller_that_is_lost_again_is_counted),
+        TEST(test_losses_that_lie_far_apart_are_not_repeated_ones),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,372 @@
+/* test_bot.c -- the bot sees, decides and moves within a person's means; each habit shows. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/hash.h"
+#include "tests/unit/support/bot_stall.h"
+
+static struct bot_stall stall;
+
+static void open_with(const struct technique *technique, uint32_t seed)
+{
+    const struct core_config config = { .seed = seed };
+    bot_stall_open(&stall, &config, technique);
+}
+
+static void begin_with(const struct technique *technique, uint32_t seed)
+{
+    open_with(technique, seed);
+    bot_stall_begin(&stall);
+}
+
+/* ---- Means of a person ---------------------------------------------------------------------- */
+
+/* The arm's own limits, and what a tremor of at most 1.5 mm adds at 9 Hz. */
+static void holds_arm_limits(const struct technique *technique)
+{
+    begin_with(technique, 5);
+    vec3 last = stall.input.poi[0].target.position_m;
+    vec3 last_step = v3(0.0f, 0.0f, 0.0f);
+    const float lift_m_s = (technique->lift == LIFT_FAST ? 2.5f : 1.0f) * technique->lift_m_s;
+    const float fastest_m_s = f_max(technique->arm_m_s, lift_m_s);
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+        const vec3 now = stall.input.poi[0].target.position_m;
+        const vec3 way = v3_sub(now, last);
+        const float gain_m_s2 = v3_length(v3_sub(way, last_step)) / (CORE_TICK_S * CORE_TICK_S);
+        assert_true(v3_length(way) < (fastest_m_s + 0.15f) * CORE_TICK_S);
+        assert_true(i == 0 || gain_m_s2 < BOT_HAND_M_S2_MAX + 6.0f);
+        last = now;
+        last_step = way;
+    }
+}
+
+static void test_the_hand_moves_no_faster_than_an_arm(void **state)
+{
+    (void)state;
+    holds_arm_limits(&technique_expert);
+    holds_arm_limits(&technique_novice);
+}
+
+static void test_it_looks_no_oftener_than_a_person(void **state)
+{
+    (void)state;
+    begin_with(&technique_expert, 5);
+    uint32_t last = stall.bot.act_tick;
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+        const uint32_t taken = stall.bot.seen.tick;
+        bot_stall_tick(&stall);
+        if (stall.bot.act_tick != last) {
+            assert_in_range(stall.bot.seen.tick - taken, 18, 30); /* 150 to 250 ms */
+            last = stall.bot.act_tick;
+        }
+    }
+}
+
+/* What it acts on is never younger than its reaction. */
+static void test_what_it_knows_is_the_past(void **state)
+{
+    (void)state;
+    begin_with(&technique_expert, 6);
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+        assert_in_range(stall.core.tick - 1u - stall.bot.known.tick, 18, 60);
+    }
+}
+
+/* Two stalls that are one until, in the second, the prey is gone from one tick to the next: for
+ * 150 ms at least the hands go the same way, and soon they do not. */
+static void test_it_answers_a_vanished_fish_after_its_reaction_time(void **state)
+{
+    (void)state;
+    static struct bot_stall other;
+    uint32_t answers = 0;
+    for (uint32_t seed = 1; seed <= 10; seed++) {
+        begin_with(&technique_expert, seed);
+        assert_true(bot_stall_until(&stall, BOT_APPROACH, 30));
+        other = stall;
+        other.core.tank.fish[stall.bot.prey].gait = GAIT_BOWL;
+        uint32_t same_ticks = 0;
+        int same = 1;
+        while (same && same_ticks < 2u * CORE_TICK_HZ) {
+            bot_stall_tick(&stall);
+            bot_stall_tick(&other);
+            same = memcmp(&stall.input.poi[0].target, &other.input.poi[0].target,
+                          sizeof stall.input.poi[0].target) == 0;
+            same_ticks += (uint32_t)same;
+        }
+        assert_true(same_ticks >= 18);
+        answers += same_ticks <= 60;
+    }
+    assert_in_range(answers, 8, 10); /* The others had just turned to another fish. */
+}
+
+/* ---- Manners -------------------------------------------------------------------------------- */
+
+static void test_before_the_start_poi_and_shadow_stay_off_the_water(void **state)
+{
+    (void)state;
+    open_with(&technique_expert, 5);
+    while (stall.core.game.phase != PHASE_READY) {
+        bot_stall_tick(&stall);
+    }
+    const struct core *core = &stall.core;
+    for (uint32_t i = 0; stall.core.game.phase == PHASE_READY; i++) {
+        bot_stall_tick(&stall);
+        if (i > 3u * CORE_TICK_HZ / 2u) { /* It begins over the middle, and has an arm's pace. */
+            const float edge_m = core->poi[0].position_m.z - POI_OUTER_RADIUS_M;
+            assert_true(edge_m > 0.5f * core->tank.size_m.z);
+        }
+        assert_true(core->poi[0].immersed <= 0.0f);
+    }
+}
+
+static void test_with_no_fish_to_take_it_only_hovers(void **state)
+{
+    (void)state;
+    begin_with(&technique_expert, 5);
+    assert_true(bot_stall_until(&stall, BOT_CHOOSE, 30));
+    for (uint32_t i = 0; i < stall.core.tank.fish_count; i++) {
+        stall.core.tank.fish[i].gait = GAIT_BOWL;
+    }
+    const struct vision vision = bot_stall_sight(&stall);
+    for (uint32_t i = 0; i < 600; i++) {
+        const struct poi_target hand = bot_tick(&stall.bot, &vision);
+        assert_true(i < 300 || hand.position_m.y > 0.03f);
+        stall.core.tick++;
+    }
+    assert_int_equal(stall.bot.stage, BOT_CHOOSE);
+}
+
+static void test_its_hand_is_a_place_and_a_direction_whatever_it_sees(void **state)
+{
+    (void)state;
+    begin_with(&technique_expert, 9);
+    for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
+        struct core *core = &stall.core;
+        core->bowl[0].present = i % 700u < 500u;
+        core->game.phase = i % 1000u < 800u ? PHASE_ROUND : PHASE_RESULT;
+        const struct vision vision = bot_stall_sight(&stall);
+        const struct poi_target hand = bot_tick(&stall.bot, &vision);
+        assert_true(v3_is_finite(hand.position_m));
+        assert_true(v3_length(hand.position_m) < 2.0f);
+        assert_true(f_is_finite(hand.angles.yaw_rad) && f_abs(hand.angles.yaw_rad) <= F_PI);
+        assert_true(f_is_finite(hand.angles.pitch_rad) && f_abs(hand.angles.pitch_rad) <= F_PI);
+        assert_true(f_is_finite(hand.angles.roll_rad) && f_abs(hand.angles.roll_rad) <= F_PI);
+        core->tick++;
+    }
+}
+
+static uint64_t play(uint32_t seed, uint32_t seconds)
+{
+    begin_with(&technique_expert, seed);
+    for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+    }
+    return hash_u64(bot_hash(HASH_START, &stall.bot), core_hash(&stall.core));
+}
+
+static void test_a_bots_round_is_the_same_each_time(void **state)
+{
+    (void)state;
+    const uint64_t hash = play(31, 12);
+    assert_true(play(31, 12) == hash);
+    assert_true(play(32, 12) != hash);
+}
+
+/* ---- Habits --------------------------------------------------------------------------------- */
+
+static float wet_share(void)
+{
+    const struct sheet *sheet = &stall.core.poi[0].sheet;
+    float wet = 0.0f;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        wet += sheet->state[i] == CELL_PAPER ? sheet->wetness[i] : 0.0f;
+    }
+    return wet / (float)sheet->paper_cells;
+}
+
+static float wet_share_at_the_first_dip(float wet)
+{
+    struct technique technique = technique_expert;
+    technique.wet = wet;
+    begin_with(&technique, 5);
+    assert_true(bot_stall_until(&stall, BOT_DIP, 30));
+    return wet_share();
+}
+
+static void test_wet_is_the_share_that_is_wet_before_the_first_scoop(void **state)
+{
+    (void)state;
+    const float all = wet_share_at_the_first_dip(1.0f);
+    const float half = wet_share_at_the_first_dip(0.5f);
+    print_message("wet before the first scoop: %.2f and %.2f\n", (double)all, (double)half);
+    assert_true(all > 0.80f);
+    assert_true(half > 0.35f && half < 0.60f);
+    assert_true(wet_share_at_the_first_dip(0.0f) < 0.02f);
+}
+
+/* The poi's true pitch at the first tick under water of the first scoop. */
+static float entry_pitch_deg(float entry_deg)
+{
+    struct technique technique = technique_expert;
+    technique.entry_deg = entry_deg;
+    begin_with(&technique, 5);
+    assert_true(bot_stall_until(&stall, BOT_DIP, 30));
+    while (stall.core.poi[0].immersed <= 0.0f) {
+        bot_stall_tick(&stall);
+    }
+    return stall.core.poi[0].angles.pitch_rad / F_DEG;
+}
+
+static void test_entry_is_the_slant_at_which_it_goes_in(void **state)
+{
+    (void)state;
+    assert_true(f_abs(entry_pitch_deg(40.0f) + 40.0f) < 6.0f);
+    assert_true(f_abs(entry_pitch_deg(20.0f) + 20.0f) < 6.0f);
+    assert_true(f_abs(entry_pitch_deg(0.0f)) < 6.0f);
+}
+
+static void test_glide_is_the_angle_between_paper_and_way(void **state)
+{
+    (void)state;
+    for (float glide_deg = 5.0f; glide_deg <= 65.0f; glide_deg += 60.0f) {
+        struct technique technique = technique_expert;
+        technique.glide_deg = glide_deg;
+        begin_with(&technique, 5);
+        assert_true(bot_stall_until(&stall, BOT_GLIDE, 30));
+        bot_stall_tick(&stall);
+        assert_true(f_abs(stall.bot.goal.angles.pitch_rad + glide_deg * F_DEG) < 1e-3f);
+    }
+}
+
+/* The fastest that the poi rises in its first scoops. */
+static float rise_m_s(uint8_t lift)
+{
+    struct technique technique = technique_expert;
+    technique.lift = lift;
+    begin_with(&technique, 5);
+    float fastest_m_s = 0.0f;
+    for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+        if (stall.bot.stage == BOT_LIFT) {
+            fastest_m_s = f_max(fastest_m_s, stall.bot.hand.velocity_m_s.y);
+        }
+    }
+    return fastest_m_s;
+}
+
+static void test_a_fast_lift_is_fast(void **state)
+{
+    (void)state;
+    const float drained_m_s = rise_m_s(LIFT_DRAINED), fast_m_s = rise_m_s(LIFT_FAST);
+    print_message("lift: %.2f and %.2f m/s\n", (double)drained_m_s, (double)fast_m_s);
+    assert_true(drained_m_s < 1.15f * technique_expert.lift_m_s);
+    assert_true(fast_m_s > 1.7f * drained_m_s);
+}
+
+static void test_who_chases_never_waits(void **state)
+{
+    (void)state;
+    struct technique technique = technique_expert;
+    technique.hunt = HUNT_CHASE;
+    begin_with(&technique, 5);
+    assert_false(bot_stall_until(&stall, BOT_WATCH, 20));
+    assert_true(bot_stall_until(&stall, BOT_DIP, 20));
+    begin_with(&technique_expert, 5);
+    assert_true(bot_stall_until(&stall, BOT_WATCH, 20));
+}
+
+/* ---- Play ----------------------------------------------------------------------------------- */
+
+/* What the thesis blames in an arcade game: one scoop, one paper. */
+static void test_one_paper_survives_many_scoops_in_good_hands(void **state)
+{
+    (void)state;
+    const struct core_config config = {
+        .seed = 3, .preset = TANK_PRESET_OFFICIAL, .modes = 1u << MODE_CHAMPIONSHIP
+    };
+    bot_stall_open(&stall, &config, &technique_expert);
+    bot_stall_begin(&stall);
+    for (uint32_t i = 0; i < 40u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+    }
+    print_message("40 s: %u scoops, %u fish, %.3f of the paper left\n", stall.core.poi[0].dips,
+                  stall.core.game.player[0].caught, (double)sheet_left(&stall.core.poi[0].sheet));
+    assert_true(stall.core.poi[0].dips >= 8);
+    assert_true(sheet_left(&stall.core.poi[0].sheet) > 0.8f);
+}
+
+/* Twenty seconds each: the tank's size, depth and crowd are the bot's only rules. */
+static void test_it_plays_in_each_tank(void **state)
+{
+    (void)state;
+    for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
+        const struct core_config config = { .seed = 1, .preset = preset };
+        bot_stall_open(&stall, &config, &technique_expert);
+        bot_stall_begin(&stall);
+        for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+            bot_stall_tick(&stall);
+        }
+        print_message("%s: %u caught in 20 s\n", tank_preset(preset)->name,
+                      stall.core.game.player[0].caught);
+        assert_true(stall.core.game.player[0].caught > 0);
+    }
+}
+
+/* Each has a bowl and a poi; their eyes are seldom on one fish. */
+static void test_two_bots_seldom_go_for_the_same_fish(void **state)
+{
+    (void)state;
+    static struct bot other;
+    const struct core_config config = { .seed = 4, .players = 2 };
+    bot_stall_open(&stall, &config, &technique_expert);
+    bot_init(&other, &technique_expert, 99);
+    uint32_t same = 0, both = 0;
+    for (uint32_t i = 0; i < 30u * CORE_TICK_HZ; i++) {
+        stall.input.poi[1] = (struct poi_input){
+            .link = POI_SOURCE_LIVE,
+            .has_wrist = 1,
+            .trembles = 1,
+            .target = bot_tick(&other, &(struct vision){ &stall.core, 1 }),
+        };
+        bot_stall_tick(&stall);
+        const int hunts = stall.bot.stage >= BOT_APPROACH && stall.bot.stage <= BOT_GLIDE &&
+                          other.stage >= BOT_APPROACH && other.stage <= BOT_GLIDE;
+        both += (uint32_t)hunts;
+        same += hunts && other.prey == stall.bot.prey;
+    }
+    print_message("two hunt for %u ticks, the same fish for %u; caught %u and %u\n", both, same,
+                  stall.core.game.player[0].caught, stall.core.game.player[1].caught);
+    assert_true(both > 300);
+    assert_true(same < both / 10u);
+    assert_true(stall.core.game.player[0].caught > 0 && stall.core.game.player[1].caught > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_hand_moves_no_faster_than_an_arm),
+        cmocka_unit_test(test_it_looks_no_oftener_than_a_person),
+        cmocka_unit_test(test_what_it_knows_is_the_past),
+        cmocka_unit_test(test_it_answers_a_vanished_fish_after_its_reaction_time),
+        cmocka_unit_test(test_before_the_start_poi_and_shadow_stay_off_the_water),
+        cmocka_unit_test(test_with_no_fish_to_take_it_only_hovers),
+        cmocka_unit_test(test_its_hand_is_a_place_and_a_direction_whatever_it_sees),
+        cmocka_unit_test(test_a_bots_round_is_the_same_each_time),
+        cmocka_unit_test(test_wet_is_the_share_that_is_wet_before_the_first_scoop),
+        cmocka_unit_test(test_entry_is_the_slant_at_which_it_goes_in),
+        cmocka_unit_test(test_glide_is_the_angle_between_paper_and_way),
+        cmocka_unit_test(test_a_fast_lift_is_fast),
+        cmocka_unit_test(test_who_chases_never_waits),
+        cmocka_unit_test(test_one_paper_survives_many_scoops_in_good_hands),
+        cmocka_unit_test(test_it_plays_in_each_tank),
+        cmocka_unit_test(test_two_bots_seldom_go_for_the_same_fish),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,166 @@
+/* test_vision.c -- the bots' eye tells what the scene shows, all through a round. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "tests/unit/support/bot_stall.h"
+
+static struct bot_stall stall;
+static struct scene scene;
+
+/* A festival for two: the second hand rests over the water, and somebody holds a fan. */
+static void begin(uint32_t seed)
+{
+    const struct core_config config = { .seed = seed, .players = 2 };
+    bot_stall_open(&stall, &config, &technique_expert);
+    stall.input.poi[1] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                             .has_wrist = 1,
+                                             .target.position_m = v3(0.2f, 0.1f, 0.1f) };
+    stall.input.shade[0] = (struct shade_input){ 1, -0.1f, 0.05f, 0.1f };
+    bot_stall_begin(&stall);
+}
+
+#define SAME(seen, shown)                                              \
+    _Static_assert(sizeof(seen) == sizeof(shown), "one type");         \
+    assert_memory_equal(&(seen), &(shown), sizeof(seen))
+
+static void game_is_as_shown(const struct vision *vision)
+{
+    const struct vision_game game = vision_game(vision);
+    const vec3 tank_m = vision_tank_m(vision);
+    SAME(game.tick, scene.tick);
+    SAME(game.phase, scene.phase);
+    SAME(game.mode, scene.mode);
+    SAME(game.fouls, scene.player[vision->player].fouls);
+    SAME(game.seconds_left, scene.seconds_left);
+    SAME(tank_m, scene.tank_size_m);
+}
+
+static void fish_are_as_shown(const struct vision *vision)
+{
+    assert_int_equal(vision_fish_count(vision), scene.fish_count);
+    for (uint32_t i = 0; i < scene.fish_count; i++) {
+        const struct vision_fish fish = vision_fish(vision, i);
+        SAME(fish.position_m, scene.fish[i].position_m);
+        SAME(fish.angles, scene.fish[i].angles);
+        SAME(fish.length_m, scene.fish[i].length_m);
+        SAME(fish.bend_rad, scene.fish[i].bend_rad);
+        SAME(fish.gape, scene.fish[i].gape);
+        SAME(fish.gulp, scene.fish[i].gulp);
+        SAME(fish.place, scene.fish[i].place);
+    }
+}
+
+static void poi_is_as_shown(const struct vision *vision, uint32_t index)
+{
+    const struct vision_poi poi = vision_poi(vision, index);
+    SAME(poi.present, scene.poi[index].present);
+    SAME(poi.position_m, scene.poi[index].position_m);
+    SAME(poi.angles, scene.poi[index].angles);
+    SAME(poi.radius_m, scene.poi[index].ring_radius_m);
+    SAME(poi.paper_left, scene.poi[index].paper_left);
+    SAME(poi.water_m, scene.poi[index].water_m);
+}
+
+static void bowl_is_as_shown(const struct vision *vision, uint32_t index)
+{
+    const struct vision_bowl bowl = vision_bowl(vision, index);
+    SAME(bowl.present, scene.bowl[index].present);
+    if (bowl.present) {
+        SAME(bowl.position_m, scene.bowl[index].position_m);
+        SAME(bowl.radius_m, scene.bowl[index].radius_m);
+    }
+}
+
+static void fan_is_as_shown(const struct vision *vision, uint32_t index)
+{
+    const struct vision_fan fan = vision_fan(vision, index);
+    SAME(fan.present, scene.fan[index].present);
+    if (fan.present) {
+        SAME(fan.x_m, scene.fan[index].x_m);
+        SAME(fan.z_m, scene.fan[index].z_m);
+        SAME(fan.radius_m, scene.fan[index].radius_m);
+        SAME(fan.still_s, scene.fan[index].still_s);
+    }
+}
+
+/* Beyond the ring, where there is no paper, the scene goes on with what is beside it. */
+static void paper_is_as_shown(const struct vision *vision)
+{
+    const struct scene_poi *poi = &scene.poi[vision->player];
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        if (vision->core->poi[vision->player].sheet.state[i] != CELL_OUTSIDE) {
+            assert_int_equal(vision_integrity(vision, i), poi->integrity[i]);
+            assert_int_equal(vision_wetness(vision, i), poi->wetness[i]);
+        } else {
+            assert_int_equal(vision_integrity(vision, i) + vision_wetness(vision, i), 0);
+        }
+    }
+}
+
+static void all_is_as_shown(uint32_t player)
+{
+    const struct vision vision = { &stall.core, player };
+    memset(&scene, 0, sizeof scene);
+    core_scene(&stall.core, &scene);
+    game_is_as_shown(&vision);
+    fish_are_as_shown(&vision);
+    paper_is_as_shown(&vision);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        poi_is_as_shown(&vision, i);
+        bowl_is_as_shown(&vision, i);
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        fan_is_as_shown(&vision, i);
+    }
+}
+
+static void test_through_a_round_each_look_tells_what_the_scene_shows(void **state)
+{
+    (void)state;
+    uint32_t wet = 0, carried = 0, caught = 0;
+    begin(8);
+    stall.core.game.player[0].fouls = 1;
+    stall.core.game.player[1].fouls = 2;
+    for (uint32_t i = 0; stall.core.game.phase == PHASE_ROUND; i++) {
+        bot_stall_tick(&stall);
+        if (i % 13u == 0) {
+            all_is_as_shown(i % 2u);
+            wet += scene.poi[0].water_m > 0.0f;
+            carried += stall.core.poi[0].carried_count;
+            caught += scene.caught[0];
+        }
+    }
+    assert_true(scene.poi[0].present && scene.poi[1].present);
+    assert_true(scene.fan[0].present);
+    assert_true(wet > 0 && carried > 0 && caught > 0);
+}
+
+static void test_there_is_nothing_to_see_beyond_the_last(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 12 };
+    bot_stall_open(&stall, &config, &technique_expert);
+    const struct vision vision = bot_stall_sight(&stall), nobodys = { &stall.core, POI_MAX };
+    expect_assert_failure((void)vision_fish(&vision, vision_fish_count(&vision)));
+    expect_assert_failure((void)vision_poi(&vision, POI_MAX));
+    expect_assert_failure((void)vision_bowl(&vision, POI_MAX));
+    expect_assert_failure((void)vision_fan(&vision, SHADE_MAX));
+    expect_assert_failure((void)vision_integrity(&vision, SHEET_CELL_COUNT));
+    expect_assert_failure((void)vision_wetness(&vision, SHEET_CELL_COUNT));
+    expect_assert_failure((void)vision_integrity(&nobodys, 0));
+    expect_assert_failure((void)vision_game(&nobodys));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_through_a_round_each_look_tells_what_the_scene_shows),
+        cmocka_unit_test(test_there_is_nothing_to_see_beyond_the_last),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

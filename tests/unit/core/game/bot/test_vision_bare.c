@@ -1,0 +1,313 @@
+/* test_vision_bare.c -- the bots' eye tells nothing beside what the scene shows: in a state of
+ * which only that is left, a bot goes the very same way. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/hash.h"
+#include "core/scene_helpers.h"
+#include "core/tank/behavior/surface_breathing.h"
+#include "tests/unit/support/bot_stall.h"
+
+#define NONSENSE 0x41 /* A float of 12, an int of 10^9, a byte of 65. */
+
+static struct bot_stall stall;
+static struct core bare;
+static struct scene scene, other_scene;
+
+/* A festival for two: the second hand rests over the water, and somebody holds a fan. */
+static void begin(uint32_t seed)
+{
+    const struct core_config config = { .seed = seed, .players = 2 };
+    bot_stall_open(&stall, &config, &technique_expert);
+    stall.input.poi[1] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                             .has_wrist = 1,
+                                             .target.position_m = v3(0.2f, 0.1f, 0.1f) };
+    stall.input.shade[0] = (struct shade_input){ 1, -0.1f, 0.05f, 0.1f };
+    bot_stall_begin(&stall);
+}
+
+/* Of a struct, what the scene shows as it is. */
+struct member {
+    size_t offset, size;
+};
+#define MEMBER(type, field) { offsetof(struct type, field), sizeof(((struct type *)0)->field) }
+#define COUNT(list) (sizeof(list) / sizeof(list)[0])
+
+static const struct member core_parts[] = {
+    MEMBER(core, tick),
+    MEMBER(core, config.modes),
+    MEMBER(core, config.grade),
+    MEMBER(core, config.round_s),
+    MEMBER(core, game.phase),
+    MEMBER(core, game.language),
+    MEMBER(core, game.mode),
+    MEMBER(core, game.bot_played),
+    MEMBER(core, game.paused),
+    MEMBER(core, game.call),
+    MEMBER(core, game.call_tick),
+    MEMBER(core, game.phase_tick),
+    MEMBER(core, game.point_tick),
+    MEMBER(core, game.round_s),
+    MEMBER(core, game.ranking),
+    MEMBER(core, game.hints.shown),
+    MEMBER(core, tank.preset),
+    MEMBER(core, tank.size_m),
+    MEMBER(core, tank.wall_height_m),
+    MEMBER(core, tank.oxygen.pump),
+};
+
+static const struct member player_parts[] = {
+    MEMBER(player, plays), MEMBER(player, out),       MEMBER(player, fouls),
+    MEMBER(player, foul),  MEMBER(player, foul_tick), MEMBER(player, caught),
+};
+
+static const struct member fish_parts[] = {
+    MEMBER(fish, position_m),     MEMBER(fish, angles),   MEMBER(fish, length_m),
+    MEMBER(fish, tail_phase_rad), MEMBER(fish, bend_rad), MEMBER(fish, tail_amplitude),
+    MEMBER(fish, age_days),       MEMBER(fish, look),
+};
+
+static const struct member poi_parts[] = {
+    MEMBER(poi, position_m),
+    MEMBER(poi, angles),
+    MEMBER(poi, sheet.sag_m),
+    MEMBER(poi, sheet.state),
+    MEMBER(poi, sheet.stress),
+    MEMBER(poi, sheet.paper_cells),
+    MEMBER(poi, sheet.paper_cells_new),
+};
+
+static const struct member bowl_parts[] = {
+    MEMBER(bowl, present), MEMBER(bowl, position_m), MEMBER(bowl, heel_x),
+    MEMBER(bowl, heel_z),  MEMBER(bowl, fish_count),
+};
+
+static const struct member shade_parts[] = {
+    MEMBER(shade, cast.present),  MEMBER(shade, cast.x_m),  MEMBER(shade, cast.z_m),
+    MEMBER(shade, cast.radius_m), MEMBER(shade, cast.dark), MEMBER(shade, still_s),
+};
+
+static void keep(void *to, const void *from, const struct member *parts, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        memcpy((char *)to + parts[i].offset, (const char *)from + parts[i].offset, parts[i].size);
+    }
+}
+#define KEEP(to, from, parts) keep(to, from, parts, COUNT(parts))
+
+/* Of what it does one sees where it is, and whether it gulps. */
+static void keep_fish(struct fish *fish, const struct fish *from)
+{
+    KEEP(fish, from, fish_parts);
+    const int gulps = surface_breathes(from);
+    const int swims = scene_place_of(from->gait) == SCENE_IN_TANK;
+    fish->gait = gulps ? (uint8_t)GAIT_SURFACE : swims ? (uint8_t)GAIT_ESCAPE : from->gait;
+    fish->air = gulps ? (uint8_t)AIR_GULPS : fish->air;
+}
+
+/* Who holds it does not show, only that somebody does; water on it shows as a depth, wetness and
+ * damage as 255 shades each. */
+static void keep_poi(struct poi *poi, const struct poi *from)
+{
+    KEEP(poi, from, poi_parts);
+    poi->link = from->link == POI_SOURCE_LIVE ? (uint8_t)POI_SOURCE_BOT : from->link;
+    poi->immersed = 0.0f;
+    poi->water_kg = (1.0f - from->immersed) * from->water_kg;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        const float wet = (float)scene_wetness(&from->sheet, i);
+        const float whole = (float)scene_integrity(&from->sheet, i) - 1.0f;
+        poi->sheet.wetness[i] = f_min((wet + 0.5f) / 255.0f, 1.0f);
+        poi->sheet.damage[i] = 1.0f - f_min((whole + 0.5f) / 254.0f, 1.0f);
+    }
+}
+
+/* Its own water and its fish show as one level. */
+static void keep_bowl(struct bowl *bowl, const struct bowl *from)
+{
+    KEEP(bowl, from, bowl_parts);
+    bowl->water_kg = from->water_kg + from->fish_kg;
+    bowl->fish_kg = 0.0f;
+}
+
+static void keep_tank(struct tank *tank, const struct tank *from)
+{
+    const uint32_t newest = from->water.newest;
+    tank->fish_count = from->fish_count;
+    for (uint32_t i = 0; i < from->fish_count; i++) {
+        keep_fish(&tank->fish[i], &from->fish[i]);
+    }
+    for (uint32_t i = 0; i < TANK_SHADE_MAX; i++) {
+        KEEP(&tank->shade[i], &from->shade[i], shade_parts);
+    }
+    tank->water.newest = (uint8_t)newest;
+    memcpy(tank->water.height_m[newest], from->water.height_m[newest],
+           sizeof from->water.height_m[newest]);
+}
+
+/* All but what is shown becomes nonsense. */
+static void bare_of(struct core *core, const struct core *from)
+{
+    memset(core, NONSENSE, sizeof *core);
+    KEEP(core, from, core_parts);
+    keep_tank(&core->tank, &from->tank);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        KEEP(&core->game.player[i], &from->game.player[i], player_parts);
+        keep_poi(&core->poi[i], &from->poi[i]);
+        keep_bowl(&core->bowl[i], &from->bowl[i]);
+    }
+}
+
+/* Field by field where there is padding; a picture of a bare state may differ in nothing. */
+#define SAME_SCENE(field) \
+    (memcmp(&scene.field, &other_scene.field, sizeof scene.field) == 0)
+
+static int bowls_and_fans_look_the_same(void)
+{
+    int same = 1;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        same = same && SAME_SCENE(bowl[i].present) && SAME_SCENE(bowl[i].position_m) &&
+               SAME_SCENE(bowl[i].angles) && SAME_SCENE(bowl[i].water_below_m) &&
+               SAME_SCENE(bowl[i].fish_count);
+    }
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        same = same && SAME_SCENE(fan[i].present) && SAME_SCENE(fan[i].x_m) &&
+               SAME_SCENE(fan[i].z_m) && SAME_SCENE(fan[i].radius_m) && SAME_SCENE(fan[i].dark) &&
+               SAME_SCENE(fan[i].still_s);
+    }
+    return same;
+}
+
+static int players_look_the_same(void)
+{
+    int same = 1;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        same = same && SAME_SCENE(player[i].plays) && SAME_SCENE(player[i].lost) &&
+               SAME_SCENE(player[i].fouls) && SAME_SCENE(player[i].foul) &&
+               SAME_SCENE(player[i].foul_s) && SAME_SCENE(player[i].out);
+    }
+    return same;
+}
+
+static int games_look_the_same(void)
+{
+    return SAME_SCENE(phase) && SAME_SCENE(language) && SAME_SCENE(hint) && SAME_SCENE(phase_s) &&
+           SAME_SCENE(seconds_left) && SAME_SCENE(caught) && SAME_SCENE(best_today) &&
+           SAME_SCENE(by_bot) && SAME_SCENE(mode) && SAME_SCENE(modes) && SAME_SCENE(grade) &&
+           SAME_SCENE(paused) && SAME_SCENE(call) && SAME_SCENE(call_s) && SAME_SCENE(offer);
+}
+
+static int look_the_same(const struct core *core, const struct core *other)
+{
+    memset(&scene, 0, sizeof scene);
+    memset(&other_scene, 0, sizeof other_scene);
+    core_scene(core, &scene);
+    core_scene(other, &other_scene);
+    return SAME_SCENE(tick) && SAME_SCENE(view) && SAME_SCENE(tank_size_m) &&
+           SAME_SCENE(wall_height_m) && SAME_SCENE(fish_count) && SAME_SCENE(fish) &&
+           SAME_SCENE(poi) && SAME_SCENE(slope) && SAME_SCENE(pump.present) &&
+           SAME_SCENE(pump.runs) && bowls_and_fans_look_the_same() && players_look_the_same() &&
+           games_look_the_same();
+}
+
+static void test_a_bare_state_looks_like_the_whole_one(void **state)
+{
+    (void)state;
+    begin(8);
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+        bot_stall_tick(&stall);
+        if (i % 50u == 0) {
+            bare_of(&bare, &stall.core);
+            assert_true(look_the_same(&stall.core, &bare));
+        }
+    }
+}
+
+/* Another value, of the same order: bytes are flags and kinds, words are times and lengths. */
+static void change(void *of, const struct member *part)
+{
+    unsigned char *const at = (unsigned char *)of + part->offset;
+    if (part->size % 4u == 0) {
+        for (size_t i = 2; i < part->size; i += 4u) {
+            at[i] ^= 0x40u;
+        }
+    } else {
+        at[0] ^= 1u;
+    }
+}
+
+/* Whether the picture is another one when this one thing of a bare state is. */
+static int shows(void *of, const struct member *part)
+{
+    change(of, part);
+    const int shown = !look_the_same(&stall.core, &bare);
+    change(of, part);
+    return shown;
+}
+
+static void each_shows(void *of, const struct member *parts, size_t count, uint32_t *seen)
+{
+    for (size_t i = 0; i < count; i++) {
+        *seen |= (uint32_t)shows(of, &parts[i]) << i;
+    }
+}
+#define EACH_SHOWS(of, parts, seen) each_shows(of, parts, COUNT(parts), seen)
+#define ALL_OF(parts) ((1u << COUNT(parts)) - 1u)
+
+/* Else the state above would not be as bare as it can be. */
+static void test_all_that_is_kept_of_a_bare_state_can_be_seen(void **state)
+{
+    (void)state;
+    static const uint8_t phases[] = { PHASE_ROUND, PHASE_MODE_SELECT };
+    uint32_t core = 0, player = 0, fish = 0, poi = 0, bowl = 0, shade = 0;
+    begin(8);
+    stall.core.tank.fish[3].age_days = 80.0f; /* It still reddens. */
+    stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
+    for (size_t i = 0; i < sizeof phases; i++) {
+        stall.core.game.phase = phases[i];
+        bare_of(&bare, &stall.core);
+        assert_true(look_the_same(&stall.core, &bare));
+        EACH_SHOWS(&bare, core_parts, &core);
+        EACH_SHOWS(&bare.game.player[0], player_parts, &player);
+        EACH_SHOWS(&bare.tank.fish[3], fish_parts, &fish);
+        EACH_SHOWS(&bare.poi[0], poi_parts, &poi);
+        EACH_SHOWS(&bare.bowl[0], bowl_parts, &bowl);
+        EACH_SHOWS(&bare.tank.shade[0], shade_parts, &shade);
+    }
+    assert_int_equal(core, ALL_OF(core_parts));
+    assert_int_equal(player, ALL_OF(player_parts));
+    assert_int_equal(fish, ALL_OF(fish_parts));
+    assert_int_equal(poi, ALL_OF(poi_parts));
+    assert_int_equal(bowl, ALL_OF(bowl_parts));
+    assert_int_equal(shade, ALL_OF(shade_parts));
+}
+
+static void test_a_bot_that_sees_a_bare_state_goes_the_very_same_way(void **state)
+{
+    (void)state;
+    static struct bot twin;
+    begin(8);
+    for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
+        twin = stall.bot;
+        bare_of(&bare, &stall.core);
+        const struct poi_target blind = bot_tick(&twin, &(struct vision){ &bare, 0 });
+        bot_stall_tick(&stall);
+        assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
+        assert_true(bot_hash(HASH_START, &twin) == bot_hash(HASH_START, &stall.bot));
+    }
+    assert_true(stall.core.poi[0].dips > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_bare_state_looks_like_the_whole_one),
+        cmocka_unit_test(test_all_that_is_kept_of_a_bare_state_can_be_seen),
+        cmocka_unit_test(test_a_bot_that_sees_a_bare_state_goes_the_very_same_way),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

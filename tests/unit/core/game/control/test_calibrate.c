@@ -1,0 +1,198 @@
+/* test_calibrate.c -- what an operator's word makes of a twin of a poi that sees the tank from a
+ * frame of its own: within a millimetre over all of the water, and refused where it is nonsense. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "core/game/control/input_validation.h"
+#include "tests/unit/support/skewed_twin.h"
+
+#define FRAMES 400u
+#define WITHIN_M 0.001f
+#define WITHIN_RAD 0.002f
+
+static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
+
+static float draw(uint32_t frame, uint32_t what, float from, float to)
+{
+    return rng_range((struct rng_key){ 11, frame, what, RNG_TEST }, from, to);
+}
+
+/* Turned by any angle, stretched to a third or to three times, skewed, shifted by metres, leant. */
+static struct twin twin_of(uint32_t frame)
+{
+    const float turn = draw(frame, 0, -F_PI, F_PI), c = f_cos(turn), s = f_sin(turn);
+    const float wide = draw(frame, 1, 0.34f, 3.0f), deep = draw(frame, 2, 0.34f, 3.0f);
+    const float skew = draw(frame, 3, -0.5f, 0.5f);
+    return (struct twin){
+        .xx = wide * c, .xz = deep * (s + skew * c),
+        .zx = -wide * s, .zz = deep * (c - skew * s),
+        .shift_m = v3(draw(frame, 4, -2.0f, 2.0f), draw(frame, 5, -1.0f, 1.0f),
+                      draw(frame, 6, -2.0f, 2.0f)),
+        .pitch_rad = draw(frame, 7, -0.7f, 0.7f), .roll_rad = draw(frame, 8, -0.7f, 0.7f),
+    };
+}
+
+static struct calibration_said said_by(const struct twin *twin)
+{
+    struct calibration_said said = { .has_wrist = 1 };
+    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
+        said.corner_m[i] = seen_point(twin, calibration_mark(tank_m, i));
+    }
+    said.water = seen(twin, (struct poi_target){ 0 });
+    return said;
+}
+
+/* ---- The map -------------------------------------------------------------------------------- */
+
+static void test_any_frame_is_set_right_within_a_millimetre(void **state)
+{
+    (void)state;
+    float worst_m = 0.0f, worst_rad = 0.0f;
+    for (uint32_t frame = 0; frame < FRAMES; frame++) {
+        const struct twin twin = twin_of(frame);
+        const struct calibration_said said = said_by(&twin);
+        int32_t value[CALIBRATION_VALUES];
+        struct settings settings = { { 0 } };
+        assert_int_equal(calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
+        for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
+            assert_true(settings_allows(calibration_setting(2) + i, value[i]));
+        }
+        set_values(&settings, 2, value);
+        for (uint32_t i = 0; i < 25u; i++) {
+            const struct poi_target at = {
+                { 0.34f * ((float)(i % 5u) - 2.0f), 0.01f * (float)i,
+                  0.16f * ((float)(i / 5u) - 2.0f) },
+                { 0.5f * ((float)(i % 11u) - 5.0f), 0.1f * (float)(i % 3u), -0.05f * (float)i },
+            };
+            struct poi_input poi = { .link = POI_SOURCE_LIVE,
+                                     .has_wrist = 1,
+                                     .target = seen(&twin, at) };
+            calibration_apply(&settings, 2, &poi);
+            worst_m = f_max(worst_m, v3_length(v3_sub(poi.target.position_m, at.position_m)));
+            worst_rad = f_max(worst_rad, input_turn(poi.target.angles, at.angles));
+        }
+    }
+    print_message("over %u frames: %.3f mm, %.4f rad at worst\n", FRAMES,
+                  (double)worst_m * 1000.0, (double)worst_rad);
+    assert_true(worst_m < WITHIN_M);
+    assert_true(worst_rad < WITHIN_RAD);
+}
+
+/* A hand misses each mark by up to 5 mm each way: what it made is off by half as much again at
+ * most. */
+static void test_a_hand_that_misses_a_little_is_averaged(void **state)
+{
+    (void)state;
+    for (uint32_t frame = 0; frame < FRAMES; frame++) {
+        const struct twin twin = twin_of(frame);
+        struct calibration_said said = said_by(&twin);
+        int32_t value[CALIBRATION_VALUES];
+        struct settings settings = { { 0 } };
+        for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
+            const vec3 off_m = v3(draw(frame, 20u + i, -0.005f, 0.005f), 0.0f,
+                                  draw(frame, 30u + i, -0.005f, 0.005f));
+            said.corner_m[i] = seen_point(&twin, v3_add(calibration_mark(tank_m, i), off_m));
+        }
+        assert_int_equal(calibration_solve(&said, tank_m, value), CALIBRATION_GOOD);
+        set_values(&settings, 0, value);
+        for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
+            const vec3 mark_m = calibration_mark(tank_m, i);
+            struct poi_input poi = { .link = POI_SOURCE_LIVE,
+                                     .target.position_m = seen_point(&twin, mark_m) };
+            calibration_apply(&settings, 0, &poi);
+            const vec3 off_m = v3_sub(poi.target.position_m, mark_m);
+            assert_true(f_sqrt(off_m.x * off_m.x + off_m.z * off_m.z) < 0.0107f);
+        }
+    }
+}
+
+static void test_who_is_not_calibrated_is_believed_to_the_bit(void **state)
+{
+    (void)state;
+    static const struct settings none = { { 0 } };
+    struct settings other = { { 0 } };
+    set_values(&other, 1, (int32_t[CALIBRATION_VALUES]){ [CALIBRATION_X0] = 100000 });
+    struct poi_input poi = { .link = POI_SOURCE_LIVE,
+                             .has_wrist = 1,
+                             .target = { { 0.1f, -0.0f, 3e-9f }, { 900.1f, -0.2f, 0.3f } } };
+    const struct poi_input before = poi;
+    calibration_apply(&none, 0, &poi);
+    calibration_apply(&other, 0, &poi);
+    assert_memory_equal(&poi, &before, sizeof poi);
+    poi.target.position_m.x = 0.0f / (poi.target.position_m.y * 0.0f); /* What cannot be read. */
+    const struct poi_input broken = poi;
+    calibration_apply(&other, 1, &poi);
+    assert_memory_equal(&poi, &broken, sizeof poi);
+}
+
+/* ---- What is refused ------------------------------------------------------------------------ */
+
+static enum calibration_fault judge(const struct calibration_said *said)
+{
+    int32_t value[CALIBRATION_VALUES] = { 7, 7, 7, 7, 7, 7, 7, 7, 7 };
+    const enum calibration_fault fault = calibration_solve(said, tank_m, value);
+    for (uint32_t i = 0; i < CALIBRATION_VALUES && fault != CALIBRATION_GOOD; i++) {
+        assert_int_equal(value[i], 7);
+    }
+    return fault;
+}
+
+static void swap_corners(struct calibration_said *said, uint32_t a, uint32_t b)
+{
+    const vec3 kept_m = said->corner_m[a];
+    said->corner_m[a] = said->corner_m[b];
+    said->corner_m[b] = kept_m;
+}
+
+static void test_nonsense_is_refused_and_named(void **state)
+{
+    (void)state;
+    for (uint32_t frame = 0; frame < FRAMES; frame++) {
+        const struct twin twin = twin_of(frame);
+        const struct calibration_said good = said_by(&twin);
+        struct calibration_said said = good;
+        said.corner_m[2] = v3_add(said.corner_m[1], v3(0.012f, 0.3f, 0.012f));
+        assert_int_equal(judge(&said), CALIBRATION_NEAR);
+        said = good;
+        swap_corners(&said, frame % 4u, (frame + 1u) % 4u);
+        assert_int_equal(judge(&said), CALIBRATION_CROSSED);
+        said = good;
+        swap_corners(&said, frame % 2u, frame % 2u + 2u);
+        assert_int_equal(judge(&said), CALIBRATION_MIRRORED);
+        said = good;
+        for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) { /* All in a line. */
+            said.corner_m[i] = v3_scale(v3(1.0f, 0.0f, 0.4f), (float)i);
+        }
+        assert_int_equal(judge(&said), CALIBRATION_CROSSED);
+        said = good;
+        said.water.position_m.y = 10.5f;
+        assert_int_equal(judge(&said), CALIBRATION_FAR);
+        said = good;
+        said.corner_m[frame % 4u] = seen_point(
+            &twin, v3_scale(calibration_mark(tank_m, frame % 4u), 0.85f));
+        assert_int_equal(judge(&said), CALIBRATION_UNEVEN);
+        said = good;
+        said.water.angles.roll_rad = frame % 2u ? 0.80f : -0.80f;
+        assert_int_equal(judge(&said), CALIBRATION_TILTED);
+        said.has_wrist = 0;
+        assert_int_equal(judge(&said), CALIBRATION_GOOD);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_any_frame_is_set_right_within_a_millimetre),
+        cmocka_unit_test(test_a_hand_that_misses_a_little_is_averaged),
+        cmocka_unit_test(test_who_is_not_calibrated_is_believed_to_the_bit),
+        cmocka_unit_test(test_nonsense_is_refused_and_named),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

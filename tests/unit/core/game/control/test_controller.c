@@ -1,0 +1,174 @@
+/* test_controller.c -- who has the poi in hand, and how far and how fast a hand goes. */
+#include "core/game/control/controller.h"
+#include "tests/unit/support/game_stand.h"
+
+static void test_the_clock_waits_while_the_poi_is_lost(void **state)
+{
+    (void)state;
+    play_into_round();
+    steps(100);
+    const float before_s = game_seconds_left(&core.game, core.tick);
+    input.poi[0].link = POI_SOURCE_LOST;
+    steps(1000);
+    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+    assert_int_equal(core.game.hints.shown, HINT_LOST_POI);
+    hold_at(ABOVE_M);
+    steps(INPUT_AGREE_TICKS - 1u);
+    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+    steps(120);
+    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s - 1.0f, 0.001f);
+}
+
+static void test_a_round_that_nobody_comes_back_to_ends(void **state)
+{
+    (void)state;
+    play_into_round();
+    input.poi[0].link = POI_SOURCE_LOST;
+    steps(GAME_LOST_TICKS_MAX);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    step();
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+}
+
+static void test_a_new_hand_draws_the_poi_over_without_a_jump(void **state)
+{
+    (void)state;
+    steps(200); /* the bot moves it about */
+    input.poi[0].link = POI_SOURCE_LIVE;
+    input.poi[0].target.position_m = v3(0.20f, 0.08f, 0.10f);
+    press(INPUT_START);
+    vec3 last = core.game.hand_pose[0].position_m;
+    for (uint32_t i = 0; i < 160; i++) {
+        step();
+        const vec3 now = core.game.hand_pose[0].position_m;
+        assert_true(v3_length(v3_sub(now, last)) < 0.012f); /* 1.4 m/s at most */
+        last = now;
+    }
+    assert_float_equal(last.x, 0.20f, 0.0f); /* then it follows at once */
+    assert_float_equal(last.z, 0.10f, 0.0f);
+}
+
+static void test_nothing_can_be_dipped_before_the_round(void **state)
+{
+    (void)state;
+    dip();
+    for (uint32_t i = 0; i < GAME_READY_TICKS - 1u; i++) {
+        step();
+        assert_true(core.game.hand_pose[0].position_m.y > 0.0f || i < 60u);
+    }
+    step();
+    float last_m = core.game.hand_pose[0].position_m.y;
+    for (uint32_t i = 0; i < 150u; i++) { /* and then it is led down, not dropped */
+        step();
+        assert_true(last_m - core.game.hand_pose[0].position_m.y < 0.004f);
+        last_m = core.game.hand_pose[0].position_m.y;
+    }
+    assert_float_equal(last_m, BELOW_M, 0.0f);
+}
+
+static void test_a_hand_beyond_reach_is_brought_back(void **state)
+{
+    (void)state;
+    play_into_round();
+    input.poi[0].target.position_m = v3(90.0f, -90.0f, -90.0f);
+    steps(400);
+    const vec3 hand = core.game.hand_pose[0].position_m;
+    assert_true(hand.x < core.tank.size_m.x);
+    assert_float_equal(hand.y, -core.tank.size_m.y, 0.0f);
+    assert_true(hand.z > -core.tank.size_m.z);
+}
+
+static void test_any_hand_is_brought_within_reach(void **state)
+{
+    (void)state;
+    static const float wild[] = { 1e9f, -3e38f, 1.0f / 0.0f, 99.0f, -100.0f, 101.0f, 999.0f, 0.0f };
+    play_into_round();
+    for (size_t i = 0; i < sizeof wild / sizeof wild[0]; i++) {
+        input.poi[0].target.position_m = v3(wild[i], wild[(i + 1) % 8], wild[(i + 2) % 8]);
+        input.poi[0].target.angles = (struct angles){ wild[i], wild[(i + 3) % 8], -wild[i] };
+        for (uint32_t tick = 0; tick < 400; tick++) { /* past the gentle change of hands */
+            core_tick(&core, &input, &output);
+        }
+        const struct angles hand = core.game.hand_pose[0].angles;
+        assert_true(f_abs(hand.yaw_rad) < 3.15f);
+        assert_true(f_abs(hand.pitch_rad) < 3.15f);
+        assert_true(f_abs(hand.roll_rad) < 3.15f);
+        assert_true(v3_is_finite(core.poi[0].position_m));
+    }
+    input.poi[0].target = (struct poi_target){ .angles = { -F_TAU, F_TAU + 0.5f, 0.0f } };
+    steps(400);
+    assert_float_equal(core.game.hand_pose[0].angles.yaw_rad, 0.0f, 1e-5f);
+    assert_float_equal(core.game.hand_pose[0].angles.pitch_rad, 0.5f, 1e-5f);
+}
+
+static void test_a_hand_turns_over_the_short_way_round(void **state)
+{
+    (void)state;
+    input.poi[0].target.angles.yaw_rad = -3.1f;
+    play_into_round();
+    core.game.hand_pose[0].angles.yaw_rad = 3.1f;
+    core.game.grip_tick[0] = core.tick;
+    for (uint32_t i = 0; i < 160; i++) {
+        step();
+        assert_true(f_abs(core.game.hand_pose[0].angles.yaw_rad) > 3.0f);
+    }
+    assert_float_equal(core.game.hand_pose[0].angles.yaw_rad, -3.1f, 1e-5f);
+}
+
+static void test_only_a_poi_with_a_bowl_is_there(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        input.poi[i].link = POI_SOURCE_LIVE;
+        input.poi[i].target.position_m = v3(0.0f, 0.06f, 0.0f);
+    }
+    press(INPUT_START);
+    core_scene(&core, &scene);
+    assert_true(scene.poi[0].present);
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        assert_false(scene.poi[i].present);
+    }
+}
+
+static void test_torn_paper_stays_in_sight_also_of_who_puts_the_poi_away(void **state)
+{
+    (void)state;
+    play_into_round();
+    tear_all(0);
+    steps(GAME_GONE_TICKS / 2u);
+    input.poi[0].link = POI_SOURCE_LOST;
+    steps(GAME_GONE_TICKS / 2u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    steps(2);
+    assert_int_equal(core.game.phase, PHASE_RESULT); /* Nobody is waited for who is out. */
+}
+
+static void test_a_hand_that_is_no_number_is_a_lost_hand(void **state)
+{
+    (void)state;
+    play_into_round();
+    const float before_s = game_seconds_left(&core.game, core.tick);
+    input.poi[0].target.position_m.x = 1.0f / 0.0f;
+    steps(100);
+    assert_true(controller_is_lost(&core, 0));
+    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup(name, setup)
+    const struct CMUnitTest tests[] = {
+        TEST(test_the_clock_waits_while_the_poi_is_lost),
+        TEST(test_a_round_that_nobody_comes_back_to_ends),
+        TEST(test_a_new_hand_draws_the_poi_over_without_a_jump),
+        TEST(test_nothing_can_be_dipped_before_the_round),
+        TEST(test_a_hand_beyond_reach_is_brought_back),
+        TEST(test_any_hand_is_brought_within_reach),
+        TEST(test_a_hand_turns_over_the_short_way_round),
+        TEST(test_only_a_poi_with_a_bowl_is_there),
+        TEST(test_torn_paper_stays_in_sight_also_of_who_puts_the_poi_away),
+        TEST(test_a_hand_that_is_no_number_is_a_lost_hand),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

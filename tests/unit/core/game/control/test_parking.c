@@ -1,0 +1,228 @@
+/* test_parking.c -- who is out is put away, and every poi has a place of its own on the rim, in the
+ * picture, when nobody plays with it. */
+#include "tests/unit/support/stall_stand.h"
+
+#include "core/game/control/parking.h"
+#include "core/game/rules.h"
+
+#define HANDLE_END_M 0.152f
+#define SIGHTS 17u
+
+static void open_for(uint8_t preset, uint32_t players)
+{
+    const struct core_config config = { .seed = 4, .preset = preset, .players = (uint8_t)players };
+    open_stall(&config);
+}
+
+static void hold_all(uint32_t players)
+{
+    for (uint32_t i = 0; i < players; i++) {
+        hold(i, v3(i % 2u ? -0.1f : 0.1f, STAND_ABOVE_M, i < 2u ? 0.1f : -0.1f));
+    }
+}
+
+static void play(uint32_t players)
+{
+    open_for(TANK_PRESET_FESTIVAL, players);
+    hold_all(players);
+    press(INPUT_START);
+    wait_for_phase(PHASE_ROUND, GAME_READY_TICKS + 10u);
+    ticks(10);
+}
+
+/* On the picture, from -1 to 1 each way. */
+static void project(vec3 at_m, float *x, float *y)
+{
+    const struct view *view = &tank_preset(core.tank.preset)->view;
+    const struct basis axes = view_basis(view);
+    const vec3 seen = vec_basis_to_body(&axes, v3_sub(at_m, view->eye_m));
+    const float tan_y = view_half_height_tan(view, view->aspect_min);
+    *x = seen.x / (-seen.z * tan_y * view->aspect_min);
+    *y = seen.y / (-seen.z * tan_y);
+}
+
+/* The ring all round, and the handle's end. */
+static vec3 sight_of(vec3 ring_m, uint32_t nth)
+{
+    const float angle = F_TAU * (float)nth / (float)(SIGHTS - 1u);
+    return nth == SIGHTS - 1u
+               ? v3_add(ring_m, v3(0.0f, 0.0f, HANDLE_END_M))
+               : v3_add(ring_m, v3(POI_OUTER_RADIUS_M * f_cos(angle), 0.0f,
+                                   POI_OUTER_RADIUS_M * f_sin(angle)));
+}
+
+static void expect_in_the_picture(vec3 ring_m)
+{
+    for (uint32_t i = 0; i < SIGHTS; i++) {
+        float x = 0.0f, y = 0.0f;
+        project(sight_of(ring_m, i), &x, &y);
+        assert_true(f_abs(x) < 0.995f);
+        assert_true(y > -0.8f); /* The words along the lower edge. */
+        assert_true(y < 0.78f); /* The plates along the upper one. */
+    }
+}
+
+static float apart_m(vec3 a_m, vec3 b_m)
+{
+    return v3_length(v3(a_m.x - b_m.x, 0.0f, a_m.z - b_m.z));
+}
+
+static void expect_own_place(uint32_t index, uint32_t players)
+{
+    const vec3 *moored = tank_preset(core.tank.preset)->bowl_m;
+    const vec3 at_m = core.poi[index].position_m;
+    expect_in_the_picture(at_m);
+    for (uint32_t i = 0; i < players; i++) {
+        const float bowl_m = apart_m(at_m, moored[i]);
+        assert_true(bowl_m > BOWL_RADIUS_M + POI_OUTER_RADIUS_M - 0.001f);
+        if (i != index) {
+            assert_true(bowl_m > apart_m(at_m, moored[index]));
+            assert_true(apart_m(at_m, core.poi[i].position_m) > 2.0f * POI_OUTER_RADIUS_M);
+        }
+    }
+}
+
+static void test_every_poi_has_a_place_of_its_own_in_the_picture(void **state)
+{
+    (void)state;
+    for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
+        for (uint32_t players = 1; players <= POI_MAX; players++) {
+            open_for(preset, players);
+            for (uint32_t i = 0; i < players; i++) {
+                expect_own_place(i, players);
+            }
+        }
+    }
+}
+
+static void bots(uint32_t players)
+{
+    for (uint32_t i = 0; i < players; i++) {
+        input.poi[i].link = POI_SOURCE_BOT;
+    }
+}
+
+static void test_before_the_start_and_after_the_end_the_stalls_own_pois_lie_there(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 4, .players = 4, .round_s = 10 };
+    open_stall(&config);
+    ticks(700); /* The first one plays in attract. */
+    bots(4);
+    press(INPUT_START);
+    ticks(GAME_READY_TICKS - 10u);
+    assert_int_equal(core.game.phase, PHASE_READY);
+    for (uint32_t i = 0; i < 4; i++) {
+        expect_own_place(i, 4);
+    }
+    wait_for_phase(PHASE_RESULT, 16u * CORE_TICK_HZ);
+    ticks(300);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    for (uint32_t i = 0; i < 4; i++) {
+        expect_own_place(i, 4);
+    }
+}
+
+/* ---- Who is out ----------------------------------------------------------------------------- */
+
+static void expect_put_away(uint32_t index, uint32_t players)
+{
+    const struct shade_cast *cast = &core.tank.shade[SHADE_MAX + index].cast;
+    assert_true(look()->player[index].out);
+    assert_false(cast->present);
+    assert_false(parking_collides(&core, index));
+    expect_own_place(index, players);
+}
+
+static void test_whose_paper_is_gone_is_put_away_and_the_others_play_on(void **state)
+{
+    (void)state;
+    play(2);
+    lead(0, v3(0.1f, STAND_BELOW_M, 0.1f));
+    tear_all(0);
+    ticks(60); /* To see the hole. */
+    assert_true(apart_m(core.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
+    ticks(3u * CORE_TICK_HZ);
+    expect_put_away(0, 2);
+    assert_false(look()->player[1].out);
+    assert_true(apart_m(core.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
+    input.poi[0].target.position_m = v3(-0.1f, STAND_BELOW_M, -0.1f); /* Its hand moves nothing. */
+    ticks(200);
+    expect_put_away(0, 2);
+}
+
+static void test_after_the_third_foul_what_lay_on_it_swims_again(void **state)
+{
+    (void)state;
+    play(2);
+    lead(0, v3(0.1f, STAND_BELOW_M, 0.1f));
+    ticks(60);
+    const struct tank_stage stage = {
+        .position_m = v3(0.1f, -0.038f, 0.1f), .length_m = 0.04f, .stamina = 0.5f, .gait = GAIT_REST
+    };
+    tank_stage_all(&core.tank, &stage, 1);
+    for (uint32_t i = 0; i < 132u; i++) { /* Softly, by 0.1 m/s. */
+        input.poi[0].target.position_m.y += 0.1f * CORE_TICK_S;
+        tick();
+    }
+    ticks(30);
+    assert_int_equal(core.poi[0].carried_count, 1);
+    core.game.player[0].out = 1; /* As the umpire says. */
+    ticks(4u * CORE_TICK_HZ);
+    expect_put_away(0, 2);
+    assert_int_equal(core.poi[0].carried_count, 0);
+    assert_int_not_equal(core.tank.fish[0].gait, GAIT_HELD);
+}
+
+static void test_who_was_waited_for_too_long_is_put_away(void **state)
+{
+    (void)state;
+    play(2);
+    input.poi[0].link = POI_SOURCE_LOST;
+    for (uint32_t i = 0; i < 2u * GAME_LOST_TICKS_OTHERS && !core.game.player[0].out; i++) {
+        tick();
+    }
+    ticks(5u * CORE_TICK_HZ);
+    expect_put_away(0, 2);
+    assert_false(core.game.paused);
+}
+
+static void test_it_goes_there_without_a_jump_and_comes_back_so(void **state)
+{
+    (void)state;
+    play(2);
+    tear_all(0);
+    vec3 last_m = core.poi[0].position_m;
+    for (uint32_t i = 0; i < 600u; i++) {
+        tick();
+        assert_true(v3_length(v3_sub(core.poi[0].position_m, last_m)) < 0.010f); /* 1.2 m/s */
+        last_m = core.poi[0].position_m;
+    }
+    expect_put_away(0, 2);
+    tear_all(1);
+    wait_for_phase(PHASE_RESULT, 600u);
+    ticks(GAME_AGAIN_TICKS + 10u);
+    expect_own_place(0, 2);
+    last_m = core.poi[0].position_m;
+    press(INPUT_START);
+    for (uint32_t i = 0; i < 300u; i++) {
+        tick();
+        assert_true(v3_length(v3_sub(core.poi[0].position_m, last_m)) < 0.015f);
+        last_m = core.poi[0].position_m;
+    }
+    assert_int_equal(core.game.phase, PHASE_READY);
+    assert_true(apart_m(last_m, input.poi[0].target.position_m) < 0.01f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_poi_has_a_place_of_its_own_in_the_picture),
+        cmocka_unit_test(test_before_the_start_and_after_the_end_the_stalls_own_pois_lie_there),
+        cmocka_unit_test(test_whose_paper_is_gone_is_put_away_and_the_others_play_on),
+        cmocka_unit_test(test_after_the_third_foul_what_lay_on_it_swims_again),
+        cmocka_unit_test(test_who_was_waited_for_too_long_is_put_away),
+        cmocka_unit_test(test_it_goes_there_without_a_jump_and_comes_back_so),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,128 @@
+/* test_slow_hand.c -- whoever plays with a controller that is slow, late or loose wears paper as
+ * everybody does. */
+#include "tests/unit/support/stall_stand.h"
+
+#define SWING_M 0.025f
+#define SWING_HZ 1.5f
+#define DEEP_M (-0.05f)
+
+static struct tally {
+    uint32_t torn_tick;                 /* Of the round: when the first cell went; 0: none did. */
+    uint32_t damage_immune, paused, spared_in_play;
+} tally;
+
+/* Round of one, whose paper is the weakest and wet. */
+static int begin(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 7, .fish_count = 1, .round_s = 60, .grade = 7 };
+    open_stall(&config);
+    tally = (struct tally){ 0 };
+    hold(0, v3(-0.2f, STAND_ABOVE_M, 0.0f));
+    tick();
+    press(INPUT_START);
+    wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
+    lead(0, v3(-0.2f, DEEP_M, 0.0f));
+    struct sheet *sheet = &core.poi[0].sheet;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        sheet->wetness[i] = 1.0f;
+    }
+    sheet->touched = sheet->soaked = 1;
+    return 0;
+}
+
+/* Where the hand truly is: it swings up and down under water, paper broadside. */
+static vec3 hand_at(uint32_t tick_of_play)
+{
+    const float turns = SWING_HZ * CORE_TICK_S * (float)tick_of_play;
+    return v3(-0.2f, DEEP_M + SWING_M * f_sin(f_wrap_angle(F_TAU * turns)), 0.0f);
+}
+
+static void play_tick(uint32_t i)
+{
+    const struct sheet *sheet = &core.poi[0].sheet;
+    tick();
+    tally.damage_immune += core.poi[0].damage_immune;
+    tally.paused += core.game.paused;
+    tally.spared_in_play += core.poi[0].damage_immune && !core.game.paused;
+    if (tally.torn_tick == 0 && sheet->paper_cells < sheet->paper_cells_new) {
+        tally.torn_tick = i + 1u;
+    }
+}
+
+/* How long paper lasts when a report comes each `period` ticks, or unevenly, each 4 to 50. */
+static uint32_t lasts_at(uint32_t period)
+{
+    uint32_t next = 0, age = 0;
+    begin(NULL);
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ && tally.torn_tick == 0; i++, age++) {
+        if (i == next) {
+            input.poi[0].target.position_m = hand_at(i);
+            age = 0;
+            next += period > 0 ? period : 4u + i * 37u % 47u;
+        }
+        input.poi[0].age_ticks = (uint16_t)age;
+        play_tick(i);
+    }
+    assert_int_equal(tally.damage_immune, 0);
+    assert_int_equal(tally.paused, 0);
+    return tally.torn_tick;
+}
+
+static void test_a_slow_controller_tears_what_a_quick_one_tears(void **state)
+{
+    static const uint32_t periods[] = { 1, 3, 4, 5, 6, 8, 9, 10, 11, 12, 13, 16, 20, 24 };
+    const float at_60_hz = (float)lasts_at(2);
+    (void)state;
+    assert_true(at_60_hz > 0.0f);
+    print_message("60 reports a second: torn after %.2f s\n", (double)(at_60_hz * CORE_TICK_S));
+    for (size_t i = 0; i < sizeof periods / sizeof periods[0]; i++) {
+        const float here = (float)lasts_at(periods[i]);
+        print_message("one each %u ticks: %.2f s\n", periods[i], (double)(here * CORE_TICK_S));
+        assert_true(here > 0.6f * at_60_hz && here < 2.0f * at_60_hz);
+    }
+}
+
+static void test_reports_that_are_late_again_and_again_spare_nobody(void **state)
+{
+    (void)state;
+    const uint32_t lasts = lasts_at(0);
+    print_message("reports come unevenly: torn after %u ticks\n", lasts);
+    assert_true(lasts > 0);
+}
+
+/* Away for a tick each `period`, so that it is found again and led back, again and again. */
+static void play_with_a_loose_plug(uint32_t period, uint32_t ticks_max)
+{
+    begin(NULL);
+    for (uint32_t i = 0; i < ticks_max && core.game.phase == PHASE_ROUND; i++) {
+        input.poi[0].target.position_m = hand_at(i);
+        input.poi[0].link = i % period == 0 ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
+        play_tick(i);
+    }
+}
+
+static void test_a_loose_plug_spares_for_six_seconds_and_an_eighth_of_the_time(void **state)
+{
+    static const uint32_t periods[] = { 60, 120, 360, 600 };
+    (void)state;
+    for (size_t i = 0; i < sizeof periods / sizeof periods[0]; i++) {
+        const uint32_t ticks_max = 40u * CORE_TICK_HZ;
+        play_with_a_loose_plug(periods[i], ticks_max);
+        print_message("away each %u ticks: spared in play for %u of %u, torn at %u\n", periods[i],
+                      tally.spared_in_play, ticks_max - tally.paused, tally.torn_tick);
+        assert_true(tally.paused > 0);
+        assert_in_range(tally.spared_in_play, 1, 720u + (ticks_max - tally.paused) / 8u);
+    }
+    assert_true(tally.torn_tick > 0); /* Who is led for most of the time tears it. */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_slow_controller_tears_what_a_quick_one_tears),
+        cmocka_unit_test(test_reports_that_are_late_again_and_again_spare_nobody),
+        cmocka_unit_test(test_a_loose_plug_spares_for_six_seconds_and_an_eighth_of_the_time),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,163 @@
+/* test_album.c -- the catch is noted as it comes, and grows up after the round. */
+#include "tests/unit/support/game_stand.h"
+
+#include "core/morph/morph.h"
+
+/* As if fish `index` had come into the player's bowl in this tick. */
+static void land(uint32_t fish, uint32_t player)
+{
+    struct catch_result caught[POI_MAX] = { 0 };
+    core.tank.fish[fish].gait = GAIT_BOWL;
+    core.tank.fish[fish].holder = (uint8_t)player;
+    caught[player].bowled = caught[player].landed = 1;
+    game_score(&core, caught, &output);
+}
+
+static const struct scene_album *page(void)
+{
+    static struct scene scene;
+    core_scene(&core, &scene);
+    return &scene.album;
+}
+
+static void catch_and_end(uint32_t count)
+{
+    play_into_round();
+    for (uint32_t i = 0; i < count; i++) {
+        land(11u - i, 0);
+    }
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    steps(GAME_RESULT_TICKS);
+}
+
+static void test_a_round_without_a_catch_has_no_album(void **state)
+{
+    (void)state;
+    catch_and_end(0);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_the_first_caught_come_first_and_the_rest_are_counted(void **state)
+{
+    (void)state;
+    catch_and_end(8);
+    assert_int_equal(core.game.phase, PHASE_ALBUM);
+    assert_int_equal(page()->fish_count, ALBUM_FISH_MAX);
+    assert_int_equal(page()->caught, 8);
+    for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
+        assert_int_equal(core.game.album.fish[i].fish, 11u - i);
+        assert_int_equal(page()->fish[i].look, core.tank.fish[11u - i].look);
+    }
+}
+
+static void test_whose_fish_it_was_is_remembered(void **state)
+{
+    (void)state;
+    play_into_round();
+    land(3, 2);
+    land(4, 0);
+    assert_int_equal(core.game.album.fish[0].owner, 2);
+    assert_int_equal(core.game.album.fish[1].owner, 0);
+}
+
+/* It is on the page as it was caught, whatever becomes of it in the tank. */
+static void test_a_fish_is_noted_once_and_as_it_was(void **state)
+{
+    (void)state;
+    play_into_round();
+    const float age_days = core.tank.fish[5].age_days;
+    land(5, 0);
+    core.tank.fish[5].gait = GAIT_SWIM; /* Poured back by the umpire, and caught again. */
+    core.tank.fish[5].age_days = 9999.0f;
+    land(5, 0);
+    assert_int_equal(core.game.album.fish_count, 1);
+    assert_int_equal(core.game.album.caught, 2);
+    assert_float_equal(core.game.album.fish[0].age_days, age_days, 0.0f);
+}
+
+static void test_each_life_goes_from_hatching_to_the_last_key(void **state)
+{
+    (void)state;
+    const struct species_card *card = &species_wakin.card;
+    catch_and_end(2);
+    const struct scene_grown hatched = page()->fish[0];
+    assert_float_equal(hatched.progress, 0.0f, 1e-4f);
+    assert_float_equal(hatched.length_m, card->key_length_m[0], 1e-5f);
+    assert_int_equal(hatched.is_caught, 0);
+    float before = 0.0f;
+    int met = 0;
+    for (uint32_t i = 0; i < ALBUM_LIFE_TICKS; i++) {
+        step();
+        const struct scene_grown now = page()->fish[0];
+        assert_true(now.progress >= before);
+        before = now.progress;
+        if (now.is_caught && !met) { /* On that day it is as long as it was. */
+            assert_float_equal(now.length_m, now.caught_length_m, 0.03f * now.caught_length_m);
+            met = 1;
+        }
+    }
+    assert_true(met);
+    assert_float_equal(page()->fish[0].progress, 1.0f, 1e-3f);
+    assert_true(page()->fish[1].progress < 1.0f); /* It began later. */
+}
+
+static void test_a_small_one_stays_small(void **state)
+{
+    (void)state;
+    play_into_round();
+    core.tank.fish[0].length_m *= 0.8f;
+    land(0, 0);
+    land(1, 0);
+    core.game.phase = PHASE_ALBUM;
+    core.game.phase_tick = core.tick - album_ticks(2);
+    const float ratio = page()->fish[0].length_m / page()->fish[1].length_m;
+    assert_float_equal(ratio, 0.8f, 0.02f);
+}
+
+static void test_it_ends_by_itself_and_ok_turns_the_page_sooner(void **state)
+{
+    (void)state;
+    catch_and_end(3);
+    steps(album_ticks(3) - 2u);
+    assert_int_equal(core.game.phase, PHASE_ALBUM);
+    steps(3);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    setup(state);
+    catch_and_end(3);
+    steps(10);
+    press(INPUT_OK);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_start_and_a_dip_play_again(void **state)
+{
+    for (uint32_t i = 0; i < 2; i++) {
+        setup(state);
+        catch_and_end(1);
+        steps(10);
+        if (i == 0) {
+            press(INPUT_START);
+        } else {
+            dip();
+        }
+        assert_int_equal(core.game.phase, PHASE_READY); /* One mode: nothing to choose. */
+        assert_int_equal(core.game.album.fish_count, 0);
+    }
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup(name, setup)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_round_without_a_catch_has_no_album),
+        TEST(test_the_first_caught_come_first_and_the_rest_are_counted),
+        TEST(test_whose_fish_it_was_is_remembered),
+        TEST(test_a_fish_is_noted_once_and_as_it_was),
+        TEST(test_each_life_goes_from_hatching_to_the_last_key),
+        TEST(test_a_small_one_stays_small),
+        TEST(test_it_ends_by_itself_and_ok_turns_the_page_sooner),
+        TEST(test_start_and_a_dip_play_again),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

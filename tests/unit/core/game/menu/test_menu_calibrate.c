@@ -1,0 +1,349 @@
+/* test_menu_calibrate.c -- the menu's page that calibrates a poi: led from mark to mark, undone
+ * where it was wrong, whole or not at all after a power cut, and worth a catch. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/game/menu/menu_pages.h"
+#include "tests/unit/support/bot_stall.h"
+#include "tests/unit/support/skewed_twin.h"
+
+static struct bot_stall stall;
+static const struct twin skewed = {
+    .xx = 0.7f, .xz = 0.5f, .zx = -0.6f, .zz = 0.8f,
+    .shift_m = { 0.30f, 0.09f, -0.20f }, .pitch_rad = 0.3f, .roll_rad = -0.2f,
+};
+
+static int setup(void **state)
+{
+    (void)state;
+    struct core_config config = { .seed = 3 };
+    settings_reset(&config.persistent.settings);
+    config.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
+    config.persistent.settings.value[SET_ROUND_S] = 60;
+    settings_apply(&config.persistent.settings, &config);
+    bot_stall_open(&stall, &config, &technique_expert);
+    stall.input.store_well = 1;
+    return 0;
+}
+
+static void step(void)
+{
+    stall.output.sound_count = 0;
+    core_tick(&stall.core, &stall.input, &stall.output);
+    stall.input.pressed = 0;
+    stall.input.record_saved_id = stall.output.entry_id;
+}
+
+static void push(uint32_t button)
+{
+    stall.input.pressed = button;
+    for (uint32_t i = 0; i <= MENU_TAKE_TICKS; i++) {
+        step();
+    }
+}
+
+static const struct menu *menu(void)
+{
+    return &stall.core.game.menu;
+}
+
+static const struct calibrate *calibrate(void)
+{
+    return &menu()->calibrate;
+}
+
+static void take(uint32_t tag)
+{
+    for (uint32_t i = 0; menu()->tag[menu()->page] != tag && i < MENU_TAG_MAX; i++) {
+        push(INPUT_SERVICE);
+    }
+    assert_int_equal(menu()->tag[menu()->page], tag);
+    push(INPUT_TEST);
+}
+
+/* The true pose, through the twin's eyes; a hand trembles by a millimetre. */
+static void hold_true(struct poi_target at, uint32_t ticks)
+{
+    for (uint32_t i = 0; i < ticks; i++) {
+        struct poi_target now = at;
+        now.position_m.x += i % 2u ? 0.001f : -0.001f;
+        stall.input.poi[0] = (struct poi_input){
+            .link = POI_SOURCE_LIVE, .has_wrist = 1, .trembles = 1, .target = seen(&skewed, now)
+        };
+        step();
+    }
+}
+
+static void open_page(void)
+{
+    hold_true((struct poi_target){ .position_m = v3(0.0f, 0.1f, 0.0f) }, 2);
+    push(INPUT_TEST);
+    take(menu_tag_of(MENU_DEVICES));
+    take(menu_tag_of(MENU_CALIBRATION));
+    assert_int_equal(menu()->page, MENU_CALIBRATION);
+}
+
+/* With the poi alone: no button is pressed from mark to mark. */
+static void lead_through(struct poi_target water)
+{
+    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
+        assert_int_equal(calibrate()->step, CALIBRATE_CORNER + (int)i);
+        const vec3 mark_m = calibration_mark(stall.core.tank.size_m, i);
+        hold_true((struct poi_target){ .position_m = mark_m }, CALIBRATE_STILL_TICKS + 4u);
+    }
+    assert_int_equal(calibrate()->step, CALIBRATE_WATER);
+    hold_true(water, CALIBRATE_STILL_TICKS + 4u);
+}
+
+static int is_set(void)
+{
+    return calibration_is_set(&stall.core.config.persistent.settings, 0);
+}
+
+static void calibrate_all(void)
+{
+    open_page();
+    take(CALIBRATE_BEGIN);
+    lead_through((struct poi_target){ 0 });
+    assert_int_equal(calibrate()->step, CALIBRATE_DONE);
+}
+
+static void test_a_poi_is_led_from_mark_to_mark_and_counts_at_once(void **state)
+{
+    (void)state;
+    calibrate_all();
+    assert_true(is_set());
+    const struct poi_target at = { .position_m = v3(0.21f, 0.05f, -0.11f) };
+    hold_true(at, 60);
+    const vec3 off_m = v3_sub(stall.core.game.validation[0].newest.position_m, at.position_m);
+    assert_true(v3_length(off_m) < 0.004f); /* The hand's own millimetre is in it. */
+}
+
+static void test_each_value_is_an_entry_of_the_ledger(void **state)
+{
+    (void)state;
+    open_page();
+    const uint32_t before = stall.output.entry_id;
+    take(CALIBRATE_BEGIN);
+    lead_through((struct poi_target){ 0 });
+    hold_true((struct poi_target){ .position_m = v3(0.2f, 0.1f, 0.0f) }, CORE_TICK_HZ);
+    assert_int_equal(stall.output.entry_id, before + CALIBRATION_VALUES + 1u);
+    for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
+        const struct ledger_entry *entry = &stall.output.entries[(before + 1u + i) % LEDGER_RING];
+        assert_int_equal(entry->kind, LEDGER_SETTING);
+        assert_int_equal(entry->detail | entry->count << 8, calibration_setting(0) + i);
+        assert_int_equal(entry->value,
+                         stall.core.config.persistent.settings.value[calibration_setting(0) + i]);
+    }
+    const struct ledger_entry *check =
+        &stall.output.entries[stall.output.entry_id % LEDGER_RING]; /* After all of them. */
+    assert_int_equal(check->detail | check->count << 8, calibration_check_setting(0));
+    assert_true(settings_edit_is_saved(&stall.core));
+}
+
+/* What is on disk after so many of the entries from `before` on. */
+static struct settings settings_cut_after(const struct settings *before, uint32_t before_id,
+                                          uint32_t count)
+{
+    struct settings left = *before;
+    for (uint32_t i = 1; i <= count; i++) {
+        const struct ledger_entry *entry = &stall.output.entries[(before_id + i) % LEDGER_RING];
+        assert_int_equal(entry->kind, LEDGER_SETTING);
+        left.value[entry->detail | entry->count << 8] = entry->value;
+    }
+    settings_sanitize(&left);
+    return left;
+}
+
+/* With the plug pulled before the first entry, after the last and between each two: all of the old
+ * map, all of the new one, or none. */
+static void expect_no_patchwork(const struct settings *before, uint32_t before_id)
+{
+    const struct settings now = stall.core.config.persistent.settings;
+    const uint32_t count = stall.output.entry_id - before_id;
+    uint32_t torn = 0;
+    assert_true(count >= 2u && count < LEDGER_RING);
+    for (uint32_t i = 0; i <= count; i++) {
+        const struct settings left = settings_cut_after(before, before_id, i);
+        const struct settings *whole = i < count ? before : &now;
+        const struct poi_input said = { .link = POI_SOURCE_LIVE,
+                                        .has_wrist = 1,
+                                        .target = { { 0.1f, 0.2f, 0.3f }, { 0.4f, 0.5f, 0.6f } } };
+        struct poi_input poi = said, wanted = said;
+        calibration_apply(&left, 0, &poi);
+        if (i == 0 || i == count) {
+            calibration_apply(whole, 0, &wanted);
+        }
+        assert_memory_equal(&poi, &wanted, sizeof poi);
+        torn += (uint32_t)calibration_is_torn(&left, 0);
+        assert_false(calibration_is_torn(&left, 0) && (i == 0 || i == count));
+    }
+    assert_true(torn >= count - 2u); /* All in between, save where no value is left. */
+}
+
+static void test_a_map_that_was_cut_off_between_two_entries_is_none(void **state)
+{
+    (void)state;
+    struct settings before = stall.core.config.persistent.settings;
+    const struct poi_target aside = { .position_m = v3(0.2f, 0.1f, 0.0f) };
+    open_page();
+    uint32_t before_id = stall.output.entry_id;
+    take(CALIBRATE_BEGIN);
+    lead_through((struct poi_target){ 0 });
+    hold_true(aside, CORE_TICK_HZ);
+    expect_no_patchwork(&before, before_id); /* The first one, */
+
+    before = stall.core.config.persistent.settings;
+    before_id = stall.output.entry_id;
+    take(CALIBRATE_BEGIN);
+    lead_through((struct poi_target){ .position_m.y = 0.01f, .angles = { 0.0f, 0.1f, 0.05f } });
+    hold_true(aside, CORE_TICK_HZ);
+    expect_no_patchwork(&before, before_id); /* another after it, */
+
+    before = stall.core.config.persistent.settings;
+    before_id = stall.output.entry_id;
+    take(CALIBRATE_NONE);
+    hold_true(aside, CORE_TICK_HZ);
+    expect_no_patchwork(&before, before_id); /* and none any more. */
+}
+
+/* The page tells of it, and offers to take it away; undone is what was whole. */
+static void test_a_torn_map_is_told_and_taken_away(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    calibrate_all();
+    stall.core.config.persistent.settings.value[calibration_setting(0) + CALIBRATION_Z0] += 1;
+    step();
+    core_scene(&stall.core, &scene);
+    assert_true(calibration_is_torn(&scene.menu.settings, 0));
+    assert_false(is_set());
+    assert_true(menu_enabled(menu()) >> CALIBRATE_NONE & 1u);
+    take(CALIBRATE_NONE);
+    assert_false(calibration_is_torn(&stall.core.config.persistent.settings, 0));
+    take(CALIBRATE_UNDO);
+    assert_false(calibration_is_torn(&stall.core.config.persistent.settings, 0));
+    assert_false(is_set());
+}
+
+static void test_it_is_undone_redone_and_taken_away(void **state)
+{
+    (void)state;
+    calibrate_all();
+    const struct settings set = stall.core.config.persistent.settings;
+    take(CALIBRATE_UNDO);
+    assert_false(is_set());
+    take(CALIBRATE_UNDO);
+    assert_memory_equal(&stall.core.config.persistent.settings, &set, sizeof set);
+    take(CALIBRATE_NONE);
+    assert_false(is_set());
+    assert_false(menu_enabled(menu()) >> CALIBRATE_NONE & 1u);
+    take(CALIBRATE_UNDO);
+    assert_memory_equal(&stall.core.config.persistent.settings, &set, sizeof set);
+}
+
+static void test_a_refused_one_changes_nothing(void **state)
+{
+    (void)state;
+    open_page();
+    take(CALIBRATE_BEGIN);
+    lead_through((struct poi_target){ .angles.pitch_rad = 0.6f });
+    assert_int_equal(calibrate()->step, CALIBRATE_REFUSED);
+    assert_int_equal(calibrate()->fault, CALIBRATION_TILTED);
+    assert_false(is_set());
+    assert_false(menu_enabled(menu()) >> CALIBRATE_UNDO & 1u);
+}
+
+/* In its holder when it began, on its way, away for a while: none of that is a mark. */
+static void test_only_stillness_after_a_way_is_a_mark(void **state)
+{
+    (void)state;
+    open_page();
+    take(CALIBRATE_BEGIN);
+    const struct poi_target holder = { .position_m = v3(0.0f, 0.1f, 0.0f) };
+    hold_true(holder, 4u * CALIBRATE_STILL_TICKS);
+    assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
+    for (uint32_t i = 0; i < 5u * CALIBRATE_STILL_TICKS; i++) { /* 10 cm/s. */
+        const float x = 0.001f * (float)(i % 600u) - 0.3f;
+        hold_true((struct poi_target){ .position_m = v3(x, 0.1f, 0.0f) }, 1);
+    }
+    assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
+    const struct poi_target mark = { .position_m = calibration_mark(stall.core.tank.size_m, 0) };
+    hold_true(mark, CALIBRATE_STILL_TICKS / 2u);
+    stall.input.poi[0].link = POI_SOURCE_LOST;
+    step();
+    hold_true(mark, CALIBRATE_STILL_TICKS / 2u + 2u);
+    assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
+    hold_true(mark, CALIBRATE_STILL_TICKS / 2u + 2u);
+    assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
+    hold_true(mark, 4u * CALIBRATE_STILL_TICKS); /* Nobody goes on: it is one mark, not two. */
+    assert_int_equal(calibrate()->step, CALIBRATE_CORNER + 1);
+}
+
+static void test_a_poi_on_its_way_takes_no_tag(void **state)
+{
+    (void)state;
+    open_page();
+    take(CALIBRATE_BEGIN);
+    for (uint32_t i = 0; i < 600u; i++) { /* Over and through all of the screen. */
+        const vec3 at_m = v3(0.002f * (float)(i % 300u) - 0.3f, i % 40u < 20u ? 0.06f : -0.05f,
+                             0.001f * (float)i - 0.3f);
+        hold_true((struct poi_target){ .position_m = at_m }, 1);
+        assert_int_equal(menu()->page, MENU_CALIBRATION);
+        assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
+    }
+}
+
+/* ---- A round -------------------------------------------------------------------------------- */
+
+/* The bot's hand truly moves so; the core is told what the twin sees. */
+static uint32_t play_a_round(void)
+{
+    uint32_t ticks = 0;
+    bot_init(&stall.bot, &technique_expert, 3);
+    stall.bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
+    while (stall.core.game.phase != PHASE_RESULT && ticks++ < 120u * CORE_TICK_HZ) {
+        const uint8_t phase = stall.core.game.phase;
+        const struct vision vision = bot_stall_sight(&stall);
+        stall.input.pressed = phase == PHASE_ATTRACT && ticks % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+        hold_true(bot_tick(&stall.bot, &vision), 1);
+    }
+    assert_int_equal(stall.core.game.phase, PHASE_RESULT);
+    return stall.output.record.caught;
+}
+
+static void test_a_skewed_poi_catches_fish_only_once_it_is_calibrated(void **state)
+{
+    assert_int_equal(play_a_round(), 0);
+    setup(state);
+    calibrate_all();
+    take(CALIBRATE_BACK);
+    take(menu_tag_count(MENU_DEVICES) - 1u);
+    take(menu_tag_count(MENU_TOP) - 1u);
+    assert_int_equal(stall.core.game.phase, PHASE_ATTRACT);
+    const uint32_t caught = play_a_round();
+    print_message("calibrated it caught %u\n", caught);
+    assert_true(caught > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_a_poi_is_led_from_mark_to_mark_and_counts_at_once, setup),
+        cmocka_unit_test_setup(test_each_value_is_an_entry_of_the_ledger, setup),
+        cmocka_unit_test_setup(test_a_map_that_was_cut_off_between_two_entries_is_none, setup),
+        cmocka_unit_test_setup(test_a_torn_map_is_told_and_taken_away, setup),
+        cmocka_unit_test_setup(test_it_is_undone_redone_and_taken_away, setup),
+        cmocka_unit_test_setup(test_a_refused_one_changes_nothing, setup),
+        cmocka_unit_test_setup(test_only_stillness_after_a_way_is_a_mark, setup),
+        cmocka_unit_test_setup(test_a_poi_on_its_way_takes_no_tag, setup),
+        cmocka_unit_test_setup(test_a_skewed_poi_catches_fish_only_once_it_is_calibrated, setup),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

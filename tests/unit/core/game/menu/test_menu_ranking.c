@@ -1,0 +1,159 @@
+/* The ranking's pages of the operator's menu: by two buttons, to each score and back. */
+#include "core/game/menu/menu_pages.h"
+#include "tests/unit/support/game_stand.h"
+
+static int setup_pages(void **state)
+{
+    static const struct rank_row rows[] = {
+        { .caught = 12, .round_id = 40, .seat = 1, .name = "さくら" },
+        { .caught = 9, .round_id = 41, .seat = 0, .name = "" },
+        { .caught = 7, .round_id = 40, .seat = 0, .name = "たろう" },
+    };
+    setup(state);
+    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    for (uint32_t period = RANK_DAY; period < RANK_PERIOD_COUNT; period += 2u) {
+        memcpy(core.game.ranking.row[MODE_FESTIVAL][period], rows, sizeof rows);
+    }
+    return 0;
+}
+
+static void take(uint32_t tag)
+{
+    struct menu *menu = &core.game.menu;
+    for (uint32_t i = 0; i < MENU_TAG_MAX && menu->tag[menu->page] != tag; i++) {
+        press(INPUT_SERVICE);
+    }
+    assert_int_equal(menu->tag[menu->page], tag);
+    steps(MENU_TAKE_TICKS);
+    press(INPUT_TEST);
+}
+
+static void open_ranking(void)
+{
+    press(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    take(menu_tag_of(MENU_BOOKS));
+    take(menu_tag_of(MENU_RANKING));
+    assert_int_equal(core.game.menu.page, MENU_RANKING);
+}
+
+static const char *name_in(enum rank_period period, uint32_t row)
+{
+    return core.game.ranking.row[MODE_FESTIVAL][period][row].name;
+}
+
+static void test_only_rows_that_somebody_is_in_can_be_taken(void **state)
+{
+    (void)state;
+    open_ranking();
+    assert_int_equal(menu_enabled(&core.game.menu), 7u | 3u << RANKING_NEXT);
+    take(RANKING_NEXT); /* Nobody this week. */
+    assert_int_equal(menu_enabled(&core.game.menu), 3u << RANKING_NEXT);
+    take(RANKING_BACK);
+    assert_int_equal(core.game.menu.page, MENU_BOOKS);
+}
+
+static void test_boards_come_round_and_practice_has_none(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    open_ranking();
+    for (uint32_t i = 0; i < 2u * 6u; i++) {
+        core_scene(&core, &scene);
+        assert_true(scene.leaderboard.shown);
+        assert_int_equal(scene.leaderboard.period, i % 3u);
+        assert_int_equal(scene.leaderboard.mode, i / 3u % 2u); /* Festival and championship. */
+        take(RANKING_NEXT);
+    }
+}
+
+static void test_a_score_is_asked_for_by_its_round(void **state)
+{
+    (void)state;
+    open_ranking();
+    take(1);
+    assert_int_equal(core.game.menu.page, MENU_SCORE);
+    const uint32_t before = output.command_count;
+    take(SCORE_REPLAY);
+    assert_int_equal(output.command_count, before + 1u);
+    const struct controller_command *order = &output.commands[before % CONTROLLER_COMMAND_MAX];
+    assert_int_equal(order->kind, COMMAND_REPLAY);
+    assert_int_equal(order->round_id, 41);
+}
+
+static void test_a_name_goes_from_every_board_when_it_was_meant(void **state)
+{
+    (void)state;
+    open_ranking();
+    take(2);
+    const uint32_t before = output.entry_id;
+    take(SCORE_UNNAME);
+    assert_int_equal(output.entry_id, before); /* It asks first. */
+    assert_false(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u);
+    take(SCORE_CONFIRM);
+    assert_int_equal(output.entry_id, before + 1u);
+    const struct ledger_entry *entry = &output.entries[output.entry_id % LEDGER_RING];
+    assert_int_equal(entry->kind, LEDGER_NAME);
+    assert_int_equal(entry->count, 40);
+    assert_int_equal(entry->detail, 0);
+    assert_string_equal(entry->name, "");
+    assert_string_equal(name_in(RANK_DAY, 2), "");
+    assert_string_equal(name_in(RANK_EVER, 2), "");
+    assert_string_equal(name_in(RANK_DAY, 0), "さくら"); /* The same round's other seat. */
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][2].caught, 7);
+}
+
+static void test_who_has_second_thoughts_takes_nothing_down(void **state)
+{
+    (void)state;
+    open_ranking();
+    take(0);
+    take(SCORE_UNNAME);
+    take(SCORE_BACK);
+    take(0);
+    assert_true(menu_enabled(&core.game.menu) >> SCORE_UNNAME & 1u); /* It is asked anew. */
+    assert_string_equal(name_in(RANK_DAY, 0), "さくら");
+}
+
+static void test_what_has_no_name_offers_none_to_take_down(void **state)
+{
+    (void)state;
+    open_ranking();
+    take(1);
+    assert_int_equal(menu_enabled(&core.game.menu), 1u << SCORE_REPLAY | 1u << SCORE_BACK);
+}
+
+static void test_a_day_that_ends_meanwhile_leaves_nothing_to_do(void **state)
+{
+    (void)state;
+    open_ranking();
+    memset(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY], 0,
+           sizeof core.game.ranking.row[MODE_FESTIVAL][RANK_DAY]);
+    take(0);
+    assert_int_equal(core.game.menu.page, MENU_RANKING);
+    setup_pages(NULL);
+    open_ranking();
+    take(0);
+    memset(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY], 0,
+           sizeof core.game.ranking.row[MODE_FESTIVAL][RANK_DAY]);
+    const uint32_t before = output.command_count;
+    take(SCORE_REPLAY);
+    assert_int_equal(output.command_count, before);
+    assert_int_equal(core.game.menu.page, MENU_RANKING);
+}
+
+#define ON_PAGES(test) cmocka_unit_test_setup(test, setup_pages)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        ON_PAGES(test_only_rows_that_somebody_is_in_can_be_taken),
+        ON_PAGES(test_boards_come_round_and_practice_has_none),
+        ON_PAGES(test_a_score_is_asked_for_by_its_round),
+        ON_PAGES(test_a_name_goes_from_every_board_when_it_was_meant),
+        ON_PAGES(test_who_has_second_thoughts_takes_nothing_down),
+        ON_PAGES(test_what_has_no_name_offers_none_to_take_down),
+        ON_PAGES(test_a_day_that_ends_meanwhile_leaves_nothing_to_do),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

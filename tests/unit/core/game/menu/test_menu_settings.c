@@ -1,0 +1,611 @@
+/* test_menu_settings.c -- what an operator sets with two buttons or a poi: it counts at once, is in
+ * the ledger once, and none of it is lost or done in haste. */
+#include "core/pin.h"
+#include "core/game/menu/menu_pages.h"
+#include "tests/unit/support/game_stand.h"
+
+#define HELD_S 12u /* Longer than the longest range takes. */
+
+static const struct menu *menu(void)
+{
+    return &core.game.menu;
+}
+
+static int32_t value(uint32_t id)
+{
+    return core.config.persistent.settings.value[id];
+}
+
+static void push(uint32_t button)
+{
+    press(button);
+    steps(MENU_TAKE_TICKS);
+}
+
+static void point_at(uint32_t tag)
+{
+    for (uint32_t i = 0; menu()->tag[menu()->page] != tag && i < MENU_TAG_MAX; i++) {
+        push(INPUT_SERVICE);
+    }
+    assert_int_equal(menu()->tag[menu()->page], tag);
+}
+
+static void take(uint32_t tag)
+{
+    point_at(tag);
+    push(INPUT_TEST);
+}
+
+static void go_to(uint8_t page)
+{
+    take(menu_tag_of(page));
+    assert_int_equal(menu()->page, page);
+}
+
+static void go_back(void)
+{
+    take(menu_tag_count(menu()->page) - 1u);
+}
+
+/* A stall with every setting at its standard, a store that keeps what it is given, and the menu. */
+static int setup_menu(void **state)
+{
+    setup(state);
+    settings_reset(&core.config.persistent.settings);
+    settings_edit_init(&core.game.settings_edit, &core.config);
+    settings_apply(&core.config.persistent.settings, &core.config);
+    store_is_late = 1;
+    input.store_well = 1;
+    push(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    return 0;
+}
+
+static uint32_t row_of(uint8_t page, uint32_t id)
+{
+    uint32_t tag = 0;
+    while (menu_setting_at(page, tag) != id) {
+        assert_true(++tag < MENU_TAG_MAX);
+    }
+    return tag;
+}
+
+static uint32_t foot(uint32_t index)
+{
+    return menu_body_count(menu()->page) + index;
+}
+
+/* The newest entry of the ledger. */
+static const struct ledger_entry *newest(void)
+{
+    return &output.entries[output.entry_id % LEDGER_RING];
+}
+
+/* The store has all that it was given. */
+static void save_all(void)
+{
+    input.record_saved_id = output.entry_id;
+    step();
+}
+
+/* ---- Turning -------------------------------------------------------------------------------- */
+
+static void test_a_take_turns_a_value_on_and_round(void **state)
+{
+    (void)state;
+    static const uint8_t way[] = { PLAY_PAID, PLAY_EVENT, PLAY_FREE, PLAY_PAID };
+    go_to(MENU_MONEY);
+    point_at(row_of(MENU_MONEY, SET_PLAY));
+    for (size_t i = 0; i < sizeof way; i++) {
+        push(INPUT_TEST);
+        assert_int_equal(value(SET_PLAY), way[i]);
+        assert_int_equal(core.config.credit_coins, way[i] == PLAY_PAID ? value(SET_PRICE) : 0);
+    }
+}
+
+static void test_the_foot_turns_down_and_back_to_the_standard(void **state)
+{
+    (void)state;
+    go_to(MENU_SOUND);
+    assert_false(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u); /* Of what? */
+    take(foot(SETTINGS_DIRECTION));
+    take(row_of(MENU_SOUND, SET_VOLUME));
+    push(INPUT_TEST);
+    assert_int_equal(value(SET_VOLUME), 70);
+    take(foot(SETTINGS_STANDARD));
+    assert_int_equal(value(SET_VOLUME), 80);
+    take(foot(SETTINGS_DIRECTION));
+    take(row_of(MENU_SOUND, SET_VOLUME));
+    assert_int_equal(value(SET_VOLUME), 85);
+}
+
+/* By the configuration file or the command line: the menu offers its standard at once. */
+static void test_what_was_changed_elsewhere_has_its_standard_offered(void **state)
+{
+    (void)state;
+    core.config.persistent.settings.value[SET_CREDIT_MAX] = 5;
+    go_to(MENU_MONEY);
+    assert_true(menu_enabled(menu()) >> foot(SETTINGS_STANDARD) & 1u);
+    take(foot(SETTINGS_STANDARD));
+    assert_int_equal(value(SET_CREDIT_MAX), settings_entry(SET_CREDIT_MAX)->standard);
+}
+
+static void test_nothing_is_called_saved_that_was_not_turned(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    go_to(MENU_SOUND);
+    save_all();
+    core_scene(&core, &scene);
+    assert_true(scene.menu.is_saved && !scene.menu.has_turned);
+    push(INPUT_TEST);
+    steps(3u * CORE_TICK_HZ); /* A value that rests is told. */
+    save_all();
+    core_scene(&core, &scene);
+    assert_true(scene.menu.is_saved && scene.menu.has_turned);
+    steps(10u * CORE_TICK_HZ);
+    core_scene(&core, &scene);
+    assert_false(scene.menu.has_turned);
+}
+
+/* Up from its lowest value through the whole range and round, and down again: each value that it
+ * may have is met, and no other. */
+static void test_every_setting_can_have_every_value_that_it_may(void **state)
+{
+    (void)state;
+    for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
+        const struct setting *setting = settings_entry(id);
+        uint32_t allowed = 0, met = 0;
+        for (int32_t v = setting->min; v <= settings_edit_max(&core, id); v++) {
+            allowed += settings_allows(id, v) != 0;
+        }
+        settings_edit_set(&core, id, setting->min);
+        do {
+            settings_edit_step(&core, id, 0, 1);
+            assert_true(settings_allows(id, value(id)) &&
+                        value(id) <= settings_edit_max(&core, id));
+            met++;
+        } while (value(id) != setting->min && met <= allowed);
+        assert_int_equal(met, allowed);
+        for (uint32_t i = 0; i < allowed; i++) {
+            settings_edit_step(&core, id, 1, 1);
+        }
+        assert_int_equal(value(id), setting->min);
+    }
+}
+
+static void test_every_setting_hangs_on_exactly_one_page(void **state)
+{
+    (void)state;
+    for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
+        uint32_t rows = 0;
+        for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
+            for (uint32_t tag = 0; tag < menu_body_count(page); tag++) {
+                rows += menu_setting_at(page, tag) == id;
+            }
+        }
+        assert_int_equal(rows, id == SET_PIN ? 0 : 1); /* Which has keys instead. */
+    }
+}
+
+static void test_held_it_turns_on_in_haste_and_stops_at_the_end(void **state)
+{
+    (void)state;
+    go_to(MENU_GAME);
+    point_at(row_of(MENU_GAME, SET_FISH));
+    input.held = INPUT_TEST;
+    press(INPUT_TEST);
+    assert_int_equal(value(SET_FISH), 1);
+    steps(CORE_TICK_HZ / 2u - 1u);
+    assert_int_equal(value(SET_FISH), 1); /* A slow finger is none that holds. */
+    steps(2);
+    assert_int_equal(value(SET_FISH), 2);
+    steps(HELD_S * CORE_TICK_HZ);
+    assert_int_equal(value(SET_FISH), settings_edit_max(&core, SET_FISH));
+    input.held = 0;
+    step();
+    push(INPUT_TEST);
+    assert_int_equal(value(SET_FISH), 0); /* Pressed again it goes round. */
+}
+
+static void test_a_poi_under_water_turns_on_too(void **state)
+{
+    (void)state;
+    go_to(MENU_SOUND);
+    const struct layout_box box =
+        menu_box(0, MENU_SOUND, menu_enabled(menu()), row_of(MENU_SOUND, SET_VOLUME));
+    const struct layout_point canvas = pointer_layout_size(0);
+    input.poi[0] = (struct poi_input){
+        .link = POI_SOURCE_LIVE,
+        .has_wrist = 1,
+        .target.position_m = { core.tank.size_m.x * ((box.x + 99.0f) / canvas.x - 0.5f), ABOVE_M,
+                               core.tank.size_m.z * ((box.y + 9.0f) / canvas.y - 0.5f) },
+    };
+    steps(MENU_TAKE_TICKS);
+    input.poi[0].target.position_m.y = BELOW_M;
+    step();
+    assert_int_equal(value(SET_VOLUME), 85);
+    steps(3u * CORE_TICK_HZ);
+    assert_int_equal(value(SET_VOLUME), 100);
+    steps(CORE_TICK_HZ);
+    assert_int_equal(value(SET_VOLUME), 100);
+}
+
+static void test_of_the_modes_one_is_always_left(void **state)
+{
+    (void)state;
+    go_to(MENU_GAME);
+    go_to(MENU_MODES);
+    for (uint32_t bit = 0; bit < CHOICE_COUNT; bit++) {
+        take(bit);
+    }
+    assert_int_equal(value(SET_MODES), 1 << CHOICE_LAB);
+    take(0);
+    assert_int_equal(value(SET_MODES), 1 << CHOICE_LAB | 1 << MODE_FESTIVAL);
+    assert_int_equal(core.config.modes, value(SET_MODES));
+}
+
+static void test_fish_seats_and_language_are_those_of_the_next_attract(void **state)
+{
+    (void)state;
+    go_to(MENU_GAME);
+    const uint32_t before = core.tank.fish_count;
+    take(row_of(MENU_GAME, SET_FISH));
+    take(row_of(MENU_GAME, SET_PLAYERS));
+    take(row_of(MENU_GAME, SET_LANGUAGE));
+    assert_int_equal(core.tank.fish_count, before);
+    assert_int_equal(core.game.language, LANGUAGE_EN); /* At once: the next page is read in it. */
+    go_back();
+    go_back();
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_int_equal(core.tank.fish_count, 1);
+    assert_true(core.bowl[1].present && !core.bowl[2].present);
+}
+
+/* ---- The ledger ----------------------------------------------------------------------------- */
+
+static void test_a_knob_that_is_turned_far_is_one_entry_once_it_rests(void **state)
+{
+    (void)state;
+    const uint32_t before = output.entry_id;
+    go_to(MENU_MONEY);
+    point_at(row_of(MENU_MONEY, SET_PRICE));
+    for (uint32_t i = 0; i < 12u; i++) {
+        push(INPUT_TEST);
+    }
+    assert_int_equal(output.entry_id, before);
+    assert_false(settings_edit_is_saved(&core));
+    steps(SETTINGS_EDIT_REST_TICKS);
+    assert_int_equal(output.entry_id, before + 1u);
+    assert_int_equal(newest()->kind, LEDGER_SETTING);
+    assert_int_equal(newest()->detail | newest()->count << 8, SET_PRICE);
+    assert_int_equal(newest()->value, 13);
+    assert_false(settings_edit_is_saved(&core));
+    save_all();
+    assert_true(settings_edit_is_saved(&core));
+}
+
+static void test_what_is_turned_there_and_back_is_no_entry(void **state)
+{
+    (void)state;
+    const uint32_t before = output.entry_id;
+    go_to(MENU_SOUND);
+    take(row_of(MENU_SOUND, SET_VOLUME));
+    take(foot(SETTINGS_STANDARD));
+    steps(CORE_TICK_HZ);
+    assert_int_equal(output.entry_id, before);
+    assert_true(settings_edit_is_saved(&core));
+}
+
+static void fill_the_ring(void)
+{
+    while (ledger_has_room(&core.game.ledger, LEDGER_SETTING)) {
+        ledger_write(&core, &(struct ledger_entry){ .kind = LEDGER_HEALTH }, &output);
+    }
+}
+
+static void test_a_full_ring_and_a_closed_menu_lose_no_setting(void **state)
+{
+    (void)state;
+    go_to(MENU_SOUND);
+    take(row_of(MENU_SOUND, SET_VOLUME));
+    fill_the_ring();
+    const uint32_t full = output.entry_id;
+    go_back();
+    go_back();
+    steps(5u * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_int_equal(output.entry_id, full);
+    assert_int_equal(core.game.ledger.uncommitted, 0);
+    save_all(); /* The card is back. */
+    step();
+    assert_int_equal(output.entry_id, full + 1u);
+    assert_int_equal(newest()->kind, LEDGER_SETTING);
+    assert_int_equal(newest()->value, 85);
+}
+
+/* ---- What is asked twice -------------------------------------------------------------------- */
+
+static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
+{
+    (void)state;
+    go_to(MENU_SOUND);
+    take(row_of(MENU_SOUND, SET_VOLUME));
+    go_back();
+    steps(CORE_TICK_HZ);
+    core.game.ledger.balance.paid = 3;
+    go_to(MENU_UPKEEP);
+    go_to(MENU_FACTORY);
+    const uint32_t before = output.entry_id;
+    push(INPUT_TEST); /* In haste: back. */
+    assert_int_equal(menu()->page, MENU_UPKEEP);
+    assert_int_equal(output.entry_id, before);
+    go_to(MENU_FACTORY);
+    take(CONFIRM_YES);
+    assert_int_equal(menu()->page, MENU_UPKEEP);
+    assert_int_equal(newest()->id, before + 1u);
+    assert_int_equal(newest()->kind, LEDGER_FACTORY);
+    assert_int_equal(newest()->count, 3); /* The books say what became of them. */
+    assert_int_equal(core.game.audits.count[AUDIT_EXPIRED], 3);
+    assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,
+                     COMMAND_RESTART);
+    assert_int_equal(newest()->balance.paid, 0);
+    assert_int_equal(core.game.ledger.balance.paid, 0);
+    assert_int_equal(value(SET_VOLUME), 80);
+    steps(CORE_TICK_HZ);
+    assert_int_equal(output.entry_id, before + 1u); /* It says all: no setting is told again. */
+}
+
+static void test_where_the_ledger_has_no_room_nothing_is_taken_back(void **state)
+{
+    (void)state;
+    go_to(MENU_SOUND);
+    take(row_of(MENU_SOUND, SET_VOLUME));
+    go_back();
+    steps(CORE_TICK_HZ);
+    core.game.ledger.balance.paid = 3;
+    go_to(MENU_UPKEEP);
+    go_to(MENU_FACTORY);
+    fill_the_ring();
+    take(CONFIRM_YES);
+    assert_int_equal(menu()->page, MENU_FACTORY); /* The question stays. */
+    assert_int_equal(core.game.ledger.balance.paid, 3);
+    assert_int_equal(value(SET_VOLUME), 85);
+}
+
+static void test_a_reset_of_the_books_is_an_entry_with_what_was_counted(void **state)
+{
+    (void)state;
+    static const struct {
+        uint8_t page, group;
+        uint32_t audit;
+    } books[] = {
+        { MENU_EARNINGS, AUDIT_GROUP_MONEY, AUDIT_COINS_1 },
+        { MENU_PLAYS, AUDIT_GROUP_PLAY, AUDIT_CAUGHT },
+        { MENU_HOURS, AUDIT_GROUP_PLAY, AUDIT_HOUR + 20 },
+        { MENU_MACHINE, AUDIT_GROUP_MACHINE, AUDIT_UP_S },
+    };
+    go_to(MENU_BOOKS);
+    for (size_t i = 0; i < sizeof books / sizeof books[0]; i++) {
+        memset(&core.game.audits, 0, sizeof core.game.audits);
+        core.game.audits.count[books[i].audit] = 40;
+        core.game.audits.count[books[i].audit + 1u] = 2;
+        go_to(books[i].page);
+        const uint32_t before = output.entry_id;
+        push(INPUT_TEST); /* In haste: back. */
+        go_to(books[i].page);
+        take(BOOK_RESET);
+        assert_int_equal(menu()->page, MENU_RESET);
+        push(INPUT_TEST); /* In haste once more. */
+        assert_int_equal(menu()->page, books[i].page);
+        assert_int_equal(output.entry_id, before);
+        take(BOOK_RESET);
+        take(CONFIRM_YES);
+        assert_int_equal(menu()->page, books[i].page);
+        assert_int_equal(output.entry_id, before + 1u);
+        assert_int_equal(newest()->kind, LEDGER_RESET);
+        assert_int_equal(newest()->detail, books[i].group);
+        assert_int_equal(newest()->value, 42);
+        save_all();
+        go_back();
+    }
+}
+
+static void test_a_restart_is_ordered_once_and_not_in_haste(void **state)
+{
+    (void)state;
+    go_to(MENU_UPKEEP);
+    go_to(MENU_RESTART);
+    push(INPUT_TEST);
+    assert_int_equal(output.command_count, 0);
+    go_to(MENU_RESTART);
+    take(CONFIRM_YES);
+    assert_int_equal(output.command_count, 1);
+    assert_int_equal(output.commands[0].kind, COMMAND_RESTART);
+}
+
+/* ---- The PIN -------------------------------------------------------------------------------- */
+
+static void type(uint32_t pin)
+{
+    for (uint32_t i = 0, digit = 1000; i < MENU_PIN_DIGITS; i++, digit /= 10u) {
+        take((pin / digit % 10u + 9u) % 10u);
+    }
+}
+
+static int setup_locked(void **state)
+{
+    setup(state);
+    settings_reset(&core.config.persistent.settings);
+    core.config.persistent.settings.value[SET_PIN] = 407;
+    settings_edit_init(&core.game.settings_edit, &core.config);
+    input.store_well = 1;
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_PIN);
+    return 0;
+}
+
+static void test_the_menu_opens_for_its_pin_alone(void **state)
+{
+    (void)state;
+    type(407);
+    assert_int_equal(menu()->page, MENU_TOP);
+}
+
+static void test_a_wrong_pin_waits_and_the_next_one_twice_as_long(void **state)
+{
+    (void)state;
+    uint32_t wait = 5u * CORE_TICK_HZ;
+    for (uint32_t tries = 0; tries < 7u; tries++) {
+        type(408);
+        assert_int_equal(menu()->page, MENU_PIN);
+        type(407); /* Right, and too early: 40 presses take 4 s at most. */
+        if (menu_pin_wait_ticks(&core) > 0) {
+            assert_int_equal(menu()->page, MENU_PIN);
+        }
+        core.game.menu.act_tick = core.tick;
+        core.game.settings_edit.pin_tick = core.tick - wait + 1u;
+        assert_int_equal(menu_pin_wait_ticks(&core), 1);
+        core.game.settings_edit.pin_tick--;
+        assert_int_equal(menu_pin_wait_ticks(&core), 0);
+        wait = wait < 160u * CORE_TICK_HZ ? 2u * wait : wait;
+        take(PIN_ERASE);
+    }
+    type(407);
+    assert_int_equal(menu()->page, MENU_TOP);
+    assert_int_equal(core.game.settings_edit.pin_wrong, 0);
+}
+
+static void test_who_leaves_and_comes_back_waits_none_the_less(void **state)
+{
+    (void)state;
+    type(1);
+    take(PIN_BACK);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    for (uint32_t i = 0; i < SESSION_FADE_TICKS + 2u; i++) { /* The stall begins anew. */
+        core_tick(&core, &input, &output);
+    }
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_PIN);
+    assert_true(menu_pin_wait_ticks(&core) > 0);
+}
+
+/* What the ledger has is all that the next start knows. */
+static void test_who_pulls_the_plug_waits_as_long(void **state)
+{
+    (void)state;
+    for (uint32_t tries = 0; tries < 3u; tries++) {
+        core.game.settings_edit.pin_tick = core.tick - 160u * CORE_TICK_HZ;
+        type(408);
+        assert_int_equal(newest()->kind, LEDGER_PIN);
+        assert_int_equal(newest()->detail, 0);
+    }
+    static struct core_config config;
+    config = core.config;
+    config.session = (struct game_session){ 0 };
+    config.persistent.audits = core.game.audits;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_PIN);
+    assert_in_range(menu_pin_wait_ticks(&core), 18u * CORE_TICK_HZ, 20u * CORE_TICK_HZ);
+    type(407);
+    assert_int_equal(menu()->page, MENU_PIN);
+    core.game.settings_edit.pin_tick = core.tick - 20u * CORE_TICK_HZ;
+    take(PIN_ERASE);
+    type(407);
+    assert_int_equal(menu()->page, MENU_TOP);
+    assert_int_equal(newest()->kind, LEDGER_PIN);
+    assert_int_equal(newest()->detail, 1);
+    assert_int_equal(core.game.audits.count[AUDIT_WRONG_PINS], 0);
+}
+
+/* 160 s, whatever a file says that somebody has written. */
+static void test_no_number_of_wrong_pins_locks_the_menu_for_good(void **state)
+{
+    (void)state;
+    static struct core_config config;
+    config = core.config;
+    config.persistent.audits.count[AUDIT_WRONG_PINS] = UINT32_MAX;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(menu_pin_wait_ticks(&core), 160u * CORE_TICK_HZ);
+    core.tick += 160u * CORE_TICK_HZ;
+    assert_int_equal(menu_pin_wait_ticks(&core), 0);
+}
+
+static void test_digits_are_nobodys_to_read_but_where_they_are_chosen(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    take(3);
+    core_scene(&core, &scene);
+    assert_int_equal(scene.menu.pin_count, 1);
+    assert_int_equal(scene.menu.pin, 0);
+    take(PIN_ERASE);
+    type(407);
+    go_to(MENU_UPKEEP);
+    go_to(MENU_NEW_PIN);
+    take(3);
+    core_scene(&core, &scene);
+    assert_int_equal(scene.menu.pin, 4);
+}
+
+static void test_a_new_pin_is_asked_for_and_four_zeros_end_that(void **state)
+{
+    (void)state;
+    type(407);
+    go_to(MENU_UPKEEP);
+    go_to(MENU_NEW_PIN);
+    type(9051);
+    assert_true(value(SET_PIN) < 0); /* Hidden. */
+    assert_true(pin_matches(value(SET_PIN), 9051));
+    assert_int_equal(menu()->page, MENU_UPKEEP);
+    go_to(MENU_NEW_PIN);
+    type(0);
+    assert_int_equal(value(SET_PIN), 0);
+    go_back();
+    go_back();
+    push(INPUT_TEST);
+    assert_int_equal(menu()->page, MENU_TOP);
+}
+
+static void test_who_does_not_know_it_holds_up_nobody(void **state)
+{
+    (void)state;
+    steps(MENU_PIN_IDLE_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+#define IN_MENU(test) cmocka_unit_test_setup(test, setup_menu)
+#define LOCKED(test) cmocka_unit_test_setup(test, setup_locked)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        IN_MENU(test_a_take_turns_a_value_on_and_round),
+        IN_MENU(test_the_foot_turns_down_and_back_to_the_standard),
+        IN_MENU(test_what_was_changed_elsewhere_has_its_standard_offered),
+        IN_MENU(test_nothing_is_called_saved_that_was_not_turned),
+        IN_MENU(test_every_setting_can_have_every_value_that_it_may),
+        IN_MENU(test_every_setting_hangs_on_exactly_one_page),
+        IN_MENU(test_held_it_turns_on_in_haste_and_stops_at_the_end),
+        IN_MENU(test_a_poi_under_water_turns_on_too),
+        IN_MENU(test_of_the_modes_one_is_always_left),
+        IN_MENU(test_fish_seats_and_language_are_those_of_the_next_attract),
+        IN_MENU(test_a_knob_that_is_turned_far_is_one_entry_once_it_rests),
+        IN_MENU(test_what_is_turned_there_and_back_is_no_entry),
+        IN_MENU(test_a_full_ring_and_a_closed_menu_lose_no_setting),
+        IN_MENU(test_the_first_day_comes_back_only_for_who_means_it),
+        IN_MENU(test_where_the_ledger_has_no_room_nothing_is_taken_back),
+        IN_MENU(test_a_reset_of_the_books_is_an_entry_with_what_was_counted),
+        IN_MENU(test_a_restart_is_ordered_once_and_not_in_haste),
+        LOCKED(test_the_menu_opens_for_its_pin_alone),
+        LOCKED(test_who_pulls_the_plug_waits_as_long),
+        LOCKED(test_no_number_of_wrong_pins_locks_the_menu_for_good),
+        LOCKED(test_a_wrong_pin_waits_and_the_next_one_twice_as_long),
+        LOCKED(test_who_leaves_and_comes_back_waits_none_the_less),
+        LOCKED(test_digits_are_nobodys_to_read_but_where_they_are_chosen),
+        LOCKED(test_a_new_pin_is_asked_for_and_four_zeros_end_that),
+        LOCKED(test_who_does_not_know_it_holds_up_nobody),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,531 @@
+/* Who is ranked writes a name: by hand, by three buttons, or not at all. */
+#include "core/game/ranking/leaderboard.h"
+#include "core/game/ranking/name.h"
+#include "core/game/ranking/name_filter.h"
+#include "core/game/ranking/name_keyboard.h"
+#include "tests/unit/support/game_stand.h"
+
+/* ---- The stand ------------------------------------------------------------------------------ */
+
+static int setup_names(void **state)
+{
+    const struct core_config config = {
+        .seed = 7,
+        .fish_count = 12,
+        .round_s = ROUND_S,
+        .players = POI_MAX,
+        .persistent.ledger.boots = 1,
+    };
+    setup(state);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    return 0;
+}
+
+/* Into the result of a round in which `seats` caught `caught` each. */
+static void play(uint32_t seats, const uint32_t *caught)
+{
+    for (uint32_t i = 0; i < seats; i++) {
+        input.poi[i].link = POI_SOURCE_LIVE;
+        input.poi[i].target.position_m = v3(0.05f, ABOVE_M, 0.02f + 0.1f * (float)i);
+    }
+    play_into_round();
+    step();
+    for (uint32_t i = 0; i < seats; i++) {
+        core.game.player[i].caught = caught[i];
+    }
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+}
+
+static void play_alone(uint32_t caught)
+{
+    play(1, &caught);
+}
+
+/* Into the name of the best, ready to be written. */
+static void ask_for_name(void)
+{
+    steps(GAME_AGAIN_TICKS);
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_NAME);
+    steps(NAME_SEEN_TICKS);
+}
+
+/* The cell of a letter on the board that is shown. */
+static uint32_t cell_of(uint16_t letter)
+{
+    for (uint32_t cell = 0; cell < NAME_CELLS; cell++) {
+        if (name_letter(core.game.name.alphabet, cell) == letter) {
+            return cell;
+        }
+    }
+    fail();
+    return 0;
+}
+
+static void press_key(uint32_t key)
+{
+    for (uint32_t i = 0; i < NAME_KEY_COUNT && core.game.name.key != key; i++) {
+        press(INPUT_RIGHT);
+    }
+    assert_int_equal(core.game.name.key, key);
+    press(INPUT_OK);
+}
+
+static void write_letters(const uint16_t *letters)
+{
+    for (; *letters != 0; letters++) {
+        press_key(cell_of(*letters));
+    }
+}
+
+/* The hand of a seat over, or under, the middle of a key: a hand with a wrist has its plan. */
+static void lead(uint32_t seat, uint32_t key, float y_m)
+{
+    const struct layout_point canvas = pointer_layout_size(0);
+    const struct layout_box box = name_box(0, core.game.name.alphabet, key);
+    const float x = (box.x + 0.5f * box.width) / canvas.x - 0.5f;
+    const float z = (box.y + 0.5f * box.height) / canvas.y - 0.5f;
+    input.poi[seat].has_wrist = 1;
+    input.poi[seat].target.position_m =
+        v3(x * core.tank.size_m.x, y_m, z * core.tank.size_m.z);
+    step();
+}
+
+static void dip_at(uint32_t seat, uint32_t key)
+{
+    lead(seat, key, 0.04f);
+    lead(seat, key, 0.0f);
+    lead(seat, key, 0.04f);
+}
+
+static const struct ledger_entry *newest_entry(void)
+{
+    return &output.entries[output.entry_id % LEDGER_RING];
+}
+
+static const char *name_on_board(enum rank_period period, uint32_t place)
+{
+    return core.game.ranking.row[MODE_FESTIVAL][period][place].name;
+}
+
+/* ---- Who is asked --------------------------------------------------------------------------- */
+
+static void test_who_is_ranked_is_asked_when_the_result_was_read(void **state)
+{
+    (void)state;
+    play_alone(3);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_NAME);
+    assert_int_equal(core.game.name.seat, 0);
+}
+
+static void test_who_caught_nothing_is_not_asked(void **state)
+{
+    (void)state;
+    play_alone(0);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_nobody_is_asked_where_the_operator_does_not_want_it(void **state)
+{
+    (void)state;
+    core.config.persistent.settings.value[SET_NAMES] = 0;
+    play_alone(3);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_where_nothing_is_kept_nobody_is_asked(void **state)
+{
+    (void)state;
+    core.game.ledger.boot = 0;
+    play_alone(3);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_a_place_on_no_board_is_not_asked_for(void **state)
+{
+    (void)state;
+    core.game.ranking.boot = core.game.ledger.boot; /* All of today. */
+    for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
+        for (uint32_t i = 0; i < RANK_ROWS; i++) {
+            core.game.ranking.row[MODE_FESTIVAL][period][i].caught = 5;
+            core.game.ranking.row[MODE_FESTIVAL][period][i].round_id = 900u + i;
+        }
+    }
+    play_alone(5); /* As many, but later. */
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_of_several_the_best_is_asked_first_and_everybody_once(void **state)
+{
+    (void)state;
+    const uint32_t caught[3] = { 2, 7, 0 };
+    play(3, caught);
+    ask_for_name();
+    assert_int_equal(core.game.name.seat, 1);
+    press_key(NAME_DONE);
+    assert_int_equal(core.game.phase, PHASE_NAME);
+    assert_int_equal(core.game.name.seat, 0);
+    steps(NAME_SEEN_TICKS);
+    press_key(NAME_DONE);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+    steps(LEADERBOARD_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+/* ---- How it is written ---------------------------------------------------------------------- */
+
+static void test_buttons_write_a_name_that_comes_to_every_board(void **state)
+{
+    (void)state;
+    play_alone(3);
+    const uint32_t round_id = output.entry_id;
+    ask_for_name();
+    write_letters(u"きんき");
+    press_key(NAME_CHANGE);
+    write_letters(u"よ");
+    press_key(NAME_CHANGE);
+    press_key(NAME_DONE);
+    assert_int_equal(newest_entry()->kind, LEDGER_NAME);
+    assert_int_equal(newest_entry()->count, round_id);
+    assert_int_equal(newest_entry()->detail, 0);
+    assert_string_equal(newest_entry()->name, "きんぎょ");
+    for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
+        assert_string_equal(name_on_board((enum rank_period)period, 0), "きんぎょ");
+    }
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+}
+
+static void test_a_hand_writes_by_dips(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    dip_at(0, cell_of(u'あ'));
+    dip_at(0, NAME_ALPHABET);
+    dip_at(0, cell_of(u'ヨ'));
+    dip_at(0, NAME_CHANGE);
+    dip_at(0, NAME_ALPHABET);
+    dip_at(0, cell_of('Q'));
+    dip_at(0, NAME_CHANGE);
+    dip_at(0, cell_of('7'));
+    dip_at(0, NAME_ERASE);
+    dip_at(0, NAME_DONE);
+    assert_string_equal(name_on_board(RANK_DAY, 0), "あョq");
+}
+
+static void test_every_cell_and_key_can_be_reached_by_hand_and_by_buttons(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    for (uint8_t alphabet = 0; alphabet < ALPHABET_COUNT; alphabet++) {
+        core.game.name.alphabet = alphabet;
+        for (uint32_t key = 0; key < NAME_KEY_COUNT; key++) {
+            if (key < NAME_CELLS && name_letter(alphabet, key) == 0) {
+                continue;
+            }
+            core.game.name.act_tick = core.game.name.seat_tick = core.tick - NAME_SEEN_TICKS;
+            lead(0, key, 0.04f);
+            assert_int_equal(core.game.name.key, key);
+            press(INPUT_RIGHT);
+            press(INPUT_LEFT);
+            assert_int_equal(core.game.name.key, key);
+        }
+    }
+}
+
+static void test_another_players_hand_writes_nothing(void **state)
+{
+    (void)state;
+    const uint32_t caught[2] = { 5, 0 };
+    play(2, caught);
+    ask_for_name();
+    dip_at(1, cell_of(u'あ'));
+    assert_int_equal(core.game.name.letter_count, 0);
+    dip_at(0, cell_of(u'あ'));
+    assert_int_equal(core.game.name.letter_count, 1);
+}
+
+static void test_the_dip_that_ended_the_result_writes_nothing(void **state)
+{
+    (void)state;
+    play_alone(3);
+    steps(GAME_AGAIN_DIP_TICKS);
+    dip();
+    assert_int_equal(core.game.phase, PHASE_NAME);
+    steps(NAME_SEEN_TICKS + 10u); /* Still under water, ... */
+    assert_int_equal(core.game.name.letter_count, 0);
+    dip_at(0, cell_of(u'か'));    /* ... then up, and down again. */
+    assert_int_equal(core.game.name.letter_count, 1);
+}
+
+static void test_a_held_button_runs_on_and_a_tap_does_not(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    lead(0, 0, 0.04f);
+    press(INPUT_RIGHT);
+    steps(NAME_RUN_TICKS);
+    assert_int_equal(core.game.name.key, 1);
+    input.held = INPUT_RIGHT;
+    steps(NAME_RUN_TICKS + 5u * NAME_STEP_TICKS);
+    assert_in_range(core.game.name.key, 6, 7);
+    input.held = 0;
+}
+
+static void test_a_full_line_takes_no_more_and_points_at_done(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    write_letters(u"あいうえおかきく");
+    assert_int_equal(core.game.name.key, NAME_DONE);
+    write_letters(u"け");
+    press_key(NAME_DONE);
+    assert_string_equal(name_on_board(RANK_DAY, 0), "あいうえおかきく");
+}
+
+static void test_erasing_nothing_and_changing_nothing_do_nothing(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    press_key(NAME_ERASE);
+    press_key(NAME_CHANGE);
+    assert_int_equal(core.game.name.letter_count, 0);
+    const uint32_t before = output.entry_id;
+    press_key(NAME_DONE);
+    assert_int_equal(output.entry_id, before); /* Nobody is a name. */
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+}
+
+static void test_forms_of_a_letter_come_round(void **state)
+{
+    (void)state;
+    static const uint16_t rounds[][5] = { u"かがか", u"はばぱは", u"つっづつ", u"よょよ",
+                                          u"ハバパハ", u"ツッヅツ", u"ワヮワ", u"aAa", u"んん",
+                                          u"ンン",     u"ーー",     u"77" };
+    for (size_t i = 0; i < sizeof rounds / sizeof *rounds; i++) {
+        for (uint32_t k = 0; rounds[i][k + 1u] != 0; k++) {
+            assert_int_equal(name_changed(rounds[i][k]), rounds[i][k + 1u]);
+        }
+    }
+}
+
+/* ---- What does not hang on the wall --------------------------------------------------------- */
+
+static void test_a_bad_name_is_asked_for_once_more_and_then_there_is_none(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    const uint32_t before = output.entry_id;
+    write_letters(u"うんこ");
+    press_key(NAME_DONE);
+    assert_int_equal(core.game.phase, PHASE_NAME);
+    assert_int_equal(core.game.name.letter_count, 0);
+    steps(NAME_SEEN_TICKS);
+    write_letters(u"うんこ");
+    press_key(NAME_DONE);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+    assert_int_equal(output.entry_id, before);
+    assert_string_equal(name_on_board(RANK_DAY, 0), "");
+}
+
+static void test_who_thinks_better_of_it_is_written_down(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    write_letters(u"うんこ");
+    press_key(NAME_DONE);
+    steps(NAME_SEEN_TICKS);
+    write_letters(u"さくら");
+    press_key(NAME_DONE);
+    assert_string_equal(name_on_board(RANK_EVER, 0), "さくら");
+}
+
+static void test_waiting_is_no_way_round_the_list(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    write_letters(u"うんこ");
+    steps(NAME_IDLE_TICKS);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+    assert_string_equal(name_on_board(RANK_DAY, 0), "");
+}
+
+/* ---- Time ----------------------------------------------------------------------------------- */
+
+static void test_who_goes_away_keeps_what_stands_there(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    write_letters(u"さく");
+    steps(NAME_IDLE_TICKS - 2u);
+    assert_int_equal(core.game.phase, PHASE_NAME);
+    steps(2);
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+    assert_string_equal(name_on_board(RANK_DAY, 0), "さく");
+    steps(LEADERBOARD_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_who_never_comes_to_an_end_is_brought_to_one(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    for (uint32_t i = NAME_SEEN_TICKS; i < NAME_TICKS_MAX; i++) {
+        input.pressed = i % 60u == 0 ? INPUT_RIGHT : 0u;
+        assert_int_equal(core.game.phase, PHASE_NAME);
+        step();
+    }
+    step();
+    assert_int_equal(core.game.phase, PHASE_LEADERBOARD);
+}
+
+static void test_the_operators_key_keeps_what_stands_there(void **state)
+{
+    (void)state;
+    play_alone(3);
+    ask_for_name();
+    write_letters(u"さくら");
+    press(INPUT_TEST);
+    assert_int_equal(core.game.phase, PHASE_MENU);
+    assert_string_equal(name_on_board(RANK_DAY, 0), "さくら");
+}
+
+static void test_a_round_that_found_no_room_in_the_ledger_is_not_named(void **state)
+{
+    (void)state;
+    input.store_well = 1;
+    steps(2);
+    core.game.ledger.last_id += LEDGER_RING; /* Nothing was saved for long. */
+    play_alone(3);
+    steps(GAME_RESULT_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+/* Whatever hands and buttons do, a name comes to an end, and what is written is whole letters that
+ * may hang on the wall. */
+static void test_any_hand_and_any_buttons_come_to_an_end(void **state)
+{
+    for (uint32_t seed = 1; seed <= 24; seed++) {
+        uint32_t bits = seed * 2654435761u;
+        setup_names(state);
+        play_alone(3);
+        steps(GAME_AGAIN_TICKS);
+        press(INPUT_START);
+        for (uint32_t i = 0; core.game.phase == PHASE_NAME; i++) {
+            bits = bits * 1664525u + 1013904223u;
+            input.pressed = bits >> 24 == 0 ? bits >> 8 & (INPUT_BUTTON_ALL & ~INPUT_TEST) : 0u;
+            input.held = bits >> 20 & (INPUT_LEFT | INPUT_RIGHT);
+            input.upright = bits >> 30 & 1u;
+            lead(0, (bits >> 10) % NAME_CELLS, (float)(bits >> 28) * 0.004f - 0.01f);
+            assert_true(i <= (1u + NAME_REFUSALS_MAX) * NAME_TICKS_MAX);
+            assert_true(core.game.name.letter_count <= NAME_LETTERS_MAX);
+        }
+        assert_false(name_is_refused(name_on_board(RANK_DAY, 0)));
+    }
+}
+
+/* ---- The board ------------------------------------------------------------------------------ */
+
+static struct scene scene;
+
+static void test_the_board_shows_the_proudest_place_and_lights_the_round(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 4u; i++) { /* Ever, there were better ones. */
+        core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][i].caught = 50;
+        core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][i].round_id = 900u + i;
+    }
+    play_alone(3);
+    core_scene(&core, &scene);
+    assert_int_equal(scene.player[0].place, 1);
+    assert_int_equal(scene.player[0].period, RANK_WEEK); /* Of two firsts, the longer. */
+    ask_for_name();
+    press_key(NAME_DONE);
+    core_scene(&core, &scene);
+    assert_true(scene.leaderboard.shown);
+    assert_int_equal(scene.leaderboard.period, RANK_WEEK);
+    assert_true(scene.leaderboard.row[0].is_new);
+    assert_int_equal(scene.leaderboard.row[0].caught, 3);
+    assert_false(scene.leaderboard.row[1].is_new);
+}
+
+static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **state)
+{
+    (void)state;
+    uint32_t shown[MODE_COUNT][RANK_PERIOD_COUNT] = { 0 };
+    core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
+    core.game.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
+    core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
+    core.game.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught = 4; /* Not offered here. */
+    for (uint32_t i = 0; i < 4u * LEADERBOARD_EVERY_TICKS; i++) {
+        core.tick++;
+        core_scene(&core, &scene);
+        shown[scene.leaderboard.mode][scene.leaderboard.period] += scene.leaderboard.shown;
+    }
+    assert_in_range(shown[MODE_FESTIVAL][RANK_WEEK], 2u * LEADERBOARD_TICKS - 2u,
+                    2u * LEADERBOARD_TICKS);
+    assert_in_range(shown[MODE_FESTIVAL][RANK_EVER], 2u * LEADERBOARD_TICKS - 2u,
+                    2u * LEADERBOARD_TICKS);
+    assert_int_equal(shown[MODE_FESTIVAL][RANK_DAY], 0);
+    assert_int_equal(shown[MODE_CHAMPIONSHIP][RANK_EVER], 0);
+}
+
+static void test_no_board_hangs_where_nobody_was_ever_ranked(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 2u * LEADERBOARD_EVERY_TICKS; i++) {
+        core.tick++;
+        core_scene(&core, &scene);
+        assert_false(scene.leaderboard.shown);
+    }
+}
+
+#define NAMED(test) cmocka_unit_test_setup(test, setup_names)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        NAMED(test_who_is_ranked_is_asked_when_the_result_was_read),
+        NAMED(test_who_caught_nothing_is_not_asked),
+        NAMED(test_nobody_is_asked_where_the_operator_does_not_want_it),
+        NAMED(test_where_nothing_is_kept_nobody_is_asked),
+        NAMED(test_a_place_on_no_board_is_not_asked_for),
+        NAMED(test_of_several_the_best_is_asked_first_and_everybody_once),
+        NAMED(test_buttons_write_a_name_that_comes_to_every_board),
+        NAMED(test_a_hand_writes_by_dips),
+        NAMED(test_every_cell_and_key_can_be_reached_by_hand_and_by_buttons),
+        NAMED(test_another_players_hand_writes_nothing),
+        NAMED(test_the_dip_that_ended_the_result_writes_nothing),
+        NAMED(test_a_held_button_runs_on_and_a_tap_does_not),
+        NAMED(test_a_full_line_takes_no_more_and_points_at_done),
+        NAMED(test_erasing_nothing_and_changing_nothing_do_nothing),
+        NAMED(test_forms_of_a_letter_come_round),
+        NAMED(test_a_bad_name_is_asked_for_once_more_and_then_there_is_none),
+        NAMED(test_who_thinks_better_of_it_is_written_down),
+        NAMED(test_waiting_is_no_way_round_the_list),
+        NAMED(test_who_goes_away_keeps_what_stands_there),
+        NAMED(test_who_never_comes_to_an_end_is_brought_to_one),
+        NAMED(test_the_operators_key_keeps_what_stands_there),
+        NAMED(test_a_round_that_found_no_room_in_the_ledger_is_not_named),
+        NAMED(test_any_hand_and_any_buttons_come_to_an_end),
+        NAMED(test_the_board_shows_the_proudest_place_and_lights_the_round),
+        NAMED(test_attract_shows_every_board_that_somebody_is_on_in_turn),
+        NAMED(test_no_board_hangs_where_nobody_was_ever_ranked),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,67 @@
+/* test_announcements.c -- what the keeper calls out, each once and to the tick. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/game/announcements.h"
+#include "core/input.h"
+
+#define SECONDS(s) ((s) * CORE_TICK_HZ)
+
+static uint32_t count_calls(enum time_call call, uint32_t round_s)
+{
+    uint32_t count = 0;
+    for (uint32_t tick = 0; tick <= SECONDS(round_s + 5u); tick++) {
+        count += announcements_call_at(tick, SECONDS(round_s)) == call;
+    }
+    return count;
+}
+
+static void test_three_minutes_have_the_calls_of_the_championship(void **state)
+{
+    (void)state;
+    const uint32_t total = SECONDS(180u);
+    assert_int_equal(announcements_call_at(SECONDS(60u), total), CALL_ONE_MINUTE);
+    assert_int_equal(announcements_call_at(SECONDS(120u), total), CALL_TWO_MINUTES);
+    assert_int_equal(announcements_call_at(SECONDS(170u), total), CALL_TEN_SECONDS);
+    for (uint32_t second = 175; second < 180; second++) {
+        assert_int_equal(announcements_call_at(SECONDS(second), total), CALL_COUNTDOWN);
+    }
+    assert_int_equal(announcements_call_at(total, total), CALL_TIME);
+}
+
+static void test_each_is_called_once_and_nothing_in_between(void **state)
+{
+    (void)state;
+    static const uint32_t counts[] = { [CALL_ONE_MINUTE] = 1, [CALL_TWO_MINUTES] = 1,
+                                       [CALL_TEN_SECONDS] = 1, [CALL_COUNTDOWN] = 5,
+                                       [CALL_TIME] = 1 };
+    for (enum time_call call = CALL_ONE_MINUTE; call <= CALL_TIME; call++) {
+        assert_int_equal(count_calls(call, 180), counts[call]);
+    }
+}
+
+static void test_a_short_round_has_only_the_calls_that_it_has_time_for(void **state)
+{
+    (void)state;
+    assert_int_equal(count_calls(CALL_ONE_MINUTE, 60), 0);
+    assert_int_equal(count_calls(CALL_ONE_MINUTE, 70), 0); /* Ten seconds are left: that is said. */
+    assert_int_equal(count_calls(CALL_ONE_MINUTE, 71), 1);
+    assert_int_equal(count_calls(CALL_TEN_SECONDS, 70), 1);
+    assert_int_equal(count_calls(CALL_TWO_MINUTES, 120), 0);
+    assert_int_equal(count_calls(CALL_TEN_SECONDS, 10), 1); /* As it begins. */
+    assert_int_equal(count_calls(CALL_COUNTDOWN, 10), 5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_three_minutes_have_the_calls_of_the_championship),
+        cmocka_unit_test(test_each_is_called_once_and_nothing_in_between),
+        cmocka_unit_test(test_a_short_round_has_only_the_calls_that_it_has_time_for),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,149 @@
+/* test_championship.c -- a championship from START to the result, played by a live hand: the tank,
+ * the clock, the calls, the count, the record, and the same again from the same inputs. */
+#include "tests/unit/support/purse.h"
+#include "tests/unit/support/stall_stand.h"
+
+#include "core/game/bot/bot.h"
+
+#define ROUND_TICKS (180u * CORE_TICK_HZ)
+#define CALLS_MAX 16u
+
+static struct bot player; /* Its hand is what a controller sends: the core knows no bot here. */
+
+struct heard {
+    uint32_t tick; /* Since the round began. */
+    uint8_t sound;
+};
+
+static struct heard heard[CALLS_MAX];
+static uint32_t heard_count;
+
+static void listen(void)
+{
+    for (uint32_t i = 0; i < output.sound_count; i++) {
+        const uint8_t sound = output.sounds[i].sound;
+        if ((sound == SOUND_CALL || sound == SOUND_TICK) && heard_count < CALLS_MAX) {
+            heard[heard_count++] = (struct heard){
+                .tick = core.tick - 1u - core.game.round_tick, .sound = sound
+            };
+        }
+    }
+}
+
+static void run_to_result(int plays)
+{
+    while (core.game.phase != PHASE_RESULT && core.tick < 2u * ROUND_TICKS) {
+        if (plays) {
+            const struct vision vision = { .core = &core, .player = 0 };
+            input.poi[0].target = bot_tick(&player, &vision);
+        }
+        tick();
+        listen();
+    }
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+}
+
+static uint64_t play_through(uint32_t seed, uint32_t round_s)
+{
+    const struct core_config config = {
+        .seed = seed, .round_s = round_s, .modes = 1u << MODE_CHAMPIONSHIP
+    };
+    open_stall(&config);
+    bot_init(&player, &technique_expert, seed);
+    hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
+    input.pressed = INPUT_START;
+    run_to_result(1);
+    return core_hash(&core);
+}
+
+static int play_one(void **state)
+{
+    (void)state;
+    play_through(4, 0);
+    return 0;
+}
+
+static void test_it_is_the_federations_tank_paper_and_time(void **state)
+{
+    (void)state;
+    look();
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
+    assert_int_equal(scene.fish_count, 1000);
+    assert_int_equal(scene.mode, MODE_CHAMPIONSHIP);
+    assert_int_equal(core.poi[0].sheet.grade, 5);
+    assert_float_equal(2.0f * scene.poi[0].ring_radius_m, 0.080f, 1e-6f);
+    assert_int_equal(core.tank.oxygen.pump, 0);
+    const uint32_t lasted = output.record.end_tick - output.record.start_tick;
+    assert_true(lasted <= ROUND_TICKS + GAME_CARRY_TICKS);
+    assert_true(lasted >= ROUND_TICKS || scene.player[0].out);
+}
+
+/* By who only holds the poi over the water: paper lasts. */
+static void test_the_keeper_calls_the_time(void **state)
+{
+    (void)state;
+    const struct core_config config = {
+        .preset = TANK_PRESET_OFFICIAL, .fish_count = 12, .modes = 1u << MODE_CHAMPIONSHIP
+    };
+    static const struct heard calls[] = {
+        { 60u * CORE_TICK_HZ, SOUND_CALL },  { 120u * CORE_TICK_HZ, SOUND_CALL },
+        { 170u * CORE_TICK_HZ, SOUND_CALL }, { 175u * CORE_TICK_HZ, SOUND_TICK },
+        { 176u * CORE_TICK_HZ, SOUND_TICK }, { 177u * CORE_TICK_HZ, SOUND_TICK },
+        { 178u * CORE_TICK_HZ, SOUND_TICK }, { 179u * CORE_TICK_HZ, SOUND_TICK },
+        { 180u * CORE_TICK_HZ, SOUND_CALL },
+    };
+    open_stall(&config);
+    heard_count = 0;
+    hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
+    press(INPUT_START);
+    run_to_result(0);
+    assert_int_equal(heard_count, sizeof calls / sizeof calls[0]);
+    for (uint32_t i = 0; i < heard_count; i++) {
+        assert_int_equal(heard[i].tick, calls[i].tick);
+        assert_int_equal(heard[i].sound, calls[i].sound);
+    }
+    assert_int_equal(look()->call, CALL_TIME);
+    assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_TICKS);
+}
+
+static void test_what_was_caught_is_told_and_kept(void **state)
+{
+    (void)state;
+    const struct player_record *record = &output.record.player[0];
+    print_message("%u caught by %u scoops, %u fouls\n", record->caught, record->scoops,
+                  record->fouls);
+    assert_true(purse_keeps_record(&output));
+    assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
+    assert_int_equal(output.record.mode, MODE_CHAMPIONSHIP);
+    assert_int_equal(output.record.grade, 5);
+    assert_int_equal(output.record.players, 1);
+    assert_int_equal(output.record.by_bot, 0); /* To the core it was a person. */
+    assert_true(record->caught > 0);
+    assert_int_equal(record->caught, look()->caught[0]);
+    assert_true(record->scoops >= record->caught / 8u);
+    assert_int_equal(scene.best_today, record->caught);
+    assert_true(core.bowl[0].fish_count >= record->caught);
+}
+
+static void test_the_same_inputs_play_the_same_championship(void **state)
+{
+    (void)state;
+    const uint64_t first = play_through(4, 15);
+    assert_true(play_through(4, 15) == first);
+    assert_true(play_through(5, 15) != first);
+}
+
+int main(void)
+{
+    const struct CMUnitTest whole[] = {
+        cmocka_unit_test(test_it_is_the_federations_tank_paper_and_time),
+        cmocka_unit_test(test_what_was_caught_is_told_and_kept),
+    };
+    const struct CMUnitTest parts[] = {
+        cmocka_unit_test(test_the_keeper_calls_the_time),
+        cmocka_unit_test(test_the_same_inputs_play_the_same_championship),
+    };
+    return cmocka_run_group_tests(whole, play_one, NULL) +
+           cmocka_run_group_tests(parts, NULL, NULL);
+}

@@ -1,0 +1,309 @@
+/* test_fouls.c -- how a fish was scooped is seen in the motion: along the wall, or swept into the
+ * bowl from the water, it is a foul and the fish does not count; the third foul ends the round. */
+#include "tests/unit/support/stall_stand.h"
+
+#define READY_TICKS (5u * CORE_TICK_HZ)
+
+static const vec3 aside_m = { 0.0f, STAND_ABOVE_M, 0.45f }; /* Beyond the tank's near wall. */
+
+static void begin(uint8_t mode, uint32_t fish_count)
+{
+    const struct core_config config = {
+        .seed = 3,
+        .preset = TANK_PRESET_OFFICIAL,
+        .fish_count = fish_count,
+        .grade = 5,
+        .modes = (uint8_t)(1u << mode),
+    };
+    open_stall(&config);
+    hold(0, aside_m);
+    tick();
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_READY);
+}
+
+#define WALL_Z_M 0.325f
+#define SLANT_RAD 0.5f
+
+static void lead_tilted(vec3 to_m, float pitch_rad, float roll_rad)
+{
+    const struct angles from = input.poi[0].target.angles;
+    const vec3 way_m = v3_sub(to_m, input.poi[0].target.position_m);
+    const uint32_t count = 60u + (uint32_t)(v3_length(way_m) / (0.2f * CORE_TICK_S));
+    for (uint32_t i = 1; i <= count; i++) {
+        struct poi_target *target = &input.poi[0].target;
+        const float share = (float)i / (float)count;
+        target->position_m = v3_muladd(target->position_m, way_m, 1.0f / (float)count);
+        target->angles.pitch_rad = f_lerp(from.pitch_rad, pitch_rad, share);
+        target->angles.roll_rad = f_lerp(from.roll_rad, roll_rad, share);
+        tick();
+    }
+}
+
+/* Six fish rest side by side about a place, in three layers. */
+static void lay_fish(float x_m, float z_m)
+{
+    struct tank_stage stages[6];
+    for (uint32_t i = 0; i < 6; i++) {
+        stages[i] = (struct tank_stage){
+            .position_m = v3(x_m + (i % 2u ? 0.03f : -0.03f), -0.02f * (float)(1u + i / 2u), z_m),
+            .angles = { 0.5f * F_PI, 0.0f, 0.0f },
+            .length_m = 0.04f,
+            .stamina = 0.5f,
+            .gait = GAIT_REST,
+        };
+    }
+    tank_stage_all(&core.tank, stages, 6);
+}
+
+/* Six fish over the dipped poi, side by side, toward the ring's right. */
+static void lay_fish_over_the_poi(float x_m, float z_m)
+{
+    struct tank_stage stages[6];
+    for (uint32_t i = 0; i < 6; i++) {
+        stages[i] = (struct tank_stage){
+            .position_m = v3(x_m + (i % 2u ? 0.018f : 0.038f), -0.018f,
+                             z_m + 0.025f * ((float)(i / 2u) - 1.0f)),
+            .length_m = 0.04f,
+            .stamina = 0.9f,
+            .gait = GAIT_REST,
+        };
+    }
+    tank_stage_all(&core.tank, stages, 6);
+}
+
+static void bring_home(void)
+{
+    const vec3 bowl_m = core.bowl[0].position_m;
+    lead_tilted(v3(bowl_m.x, 0.07f, bowl_m.z), 0.0f, 0.0f);
+    lead_tilted(v3(bowl_m.x, 0.09f, bowl_m.z), 0.0f, -1.2f);
+    ticks(120);
+    lead_tilted(v3(bowl_m.x - 0.15f, 0.09f, bowl_m.z), 0.0f, 0.0f);
+}
+
+/* A slanted poi comes from the inside, meets the wall, is pressed `press_m` on and lifted along. */
+static void scoop_along_the_wall(float press_m)
+{
+    const float ring_z_m = WALL_Z_M - POI_OUTER_RADIUS_M * f_cos(SLANT_RAD) + press_m;
+    lead_tilted(v3(0.30f, 0.06f, 0.0f), 0.0f, 0.0f);
+    lead_tilted(v3(0.30f, -0.06f, WALL_Z_M - 0.12f), SLANT_RAD, 0.0f);
+    lay_fish(0.30f, WALL_Z_M - 0.010f);
+    lead_tilted(v3(0.30f, -0.06f, ring_z_m), SLANT_RAD, 0.0f);
+    lead_tilted(v3(0.30f, 0.03f, ring_z_m), SLANT_RAD, 0.0f);
+    lead_tilted(v3(0.30f, 0.07f, ring_z_m - 0.02f), 0.0f, 0.0f);
+    bring_home();
+}
+
+/* The same far from every wall: from under them, straight up. */
+static void scoop_in_the_open(void)
+{
+    lead_tilted(v3(0.30f, 0.06f, 0.0f), 0.0f, 0.0f);
+    lead_tilted(v3(0.30f, -0.085f, 0.0f), 0.1f, 0.0f);
+    lay_fish(0.30f, 0.0f);
+    lead_tilted(v3(0.30f, 0.07f, 0.0f), 0.1f, 0.0f);
+    bring_home();
+}
+
+/* A bowl with a hundred fish in it has its rim 3 mm over the water. A poi with fish on it comes
+ * along in the film, ever faster, up to 1.7 m/s, its rim `end_m` over the water in the end, and
+ * stops at the bowl: what lies in front slides on. */
+static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
+{
+    const vec3 bowl_m = core.bowl[0].position_m;
+    const float from_m = bowl_m.x - 0.40f;
+    const float way_m = bowl_m.x - BOWL_RADIUS_M - POI_OUTER_RADIUS_M - from_m;
+    const uint32_t count = (uint32_t)(2.0f * way_m / (1.7f * CORE_TICK_S));
+    bowl_init(&core.bowl[0], v3(bowl_m.x, 0.003f, bowl_m.z));
+    lead_tilted(v3(from_m, 0.06f, bowl_m.z), 0.0f, 0.0f);
+    lead_tilted(v3(from_m, -0.035f, bowl_m.z), 0.0f, 0.0f);
+    ticks(wait_ticks);
+    lay_fish_over_the_poi(from_m, bowl_m.z);
+    lead_tilted(v3(from_m, -0.003f, bowl_m.z), 0.0f, 0.0f);
+    for (uint32_t i = 1; i <= count; i++) {
+        const float share = (float)i / (float)count;
+        const float square = share * share;
+        const float late = square * square * square * square;
+        input.poi[0].target.position_m.x = from_m + way_m * square;
+        input.poi[0].target.position_m.y = f_lerp(-0.003f, end_m, late);
+        input.poi[0].target.angles.roll_rad = -0.04f * share;
+        tick();
+    }
+    ticks(60);
+}
+
+/* Alike in all modes, to the tick. */
+static void play(uint8_t mode)
+{
+    begin(mode, 6);
+    wait_for_phase(PHASE_ROUND, READY_TICKS + 10u);
+    ticks(READY_TICKS + 20u - core.tick);
+}
+
+static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void **state)
+{
+    (void)state;
+    uint32_t fouls = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        play(MODE_CHAMPIONSHIP);
+        scoop_along_the_wall(0.01f + 0.015f * (float)i);
+        const uint32_t in_bowl = core.bowl[0].fish_count;
+        assert_true(in_bowl > 0);
+        fouls += look()->player[0].fouls;
+        assert_true(scene.player[0].fouls <= 1); /* One scoop is one incident. */
+        if (scene.player[0].fouls > 0) {
+            assert_int_equal(scene.player[0].foul, FOUL_WALL);
+            assert_true(scene.caught[0] < in_bowl);
+        } else {
+            assert_int_equal(scene.caught[0], in_bowl);
+        }
+    }
+    assert_true(fouls >= 2);
+}
+
+struct sweeps {
+    uint32_t caught, in_bowl, fouls, poured;
+};
+
+/* Fish are where they like: many tries, each a few ticks later than the last. */
+static struct sweeps sweep_often(uint8_t mode, float end_m)
+{
+    struct sweeps sum = { 0 };
+    for (uint32_t i = 0; i < 40; i++) {
+        play(mode);
+        sweep_into_the_bowl(7u * i, end_m);
+        look();
+        const uint32_t poured = core.game.player[0].offence_tick[FOUL_POURED] != 0;
+        assert_true(scene.player[0].fouls == 0 || scene.player[0].foul == FOUL_POURED);
+        assert_int_equal(scene.player[0].fouls, rules_of(mode)->judges ? poured : 0u);
+        sum.caught += scene.caught[0];
+        sum.in_bowl += scene.bowl[0].fish_count;
+        sum.fouls += scene.player[0].fouls;
+        sum.poured += poured;
+    }
+    return sum;
+}
+
+static void test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count(void **state)
+{
+    (void)state;
+    const struct sweeps sum = sweep_often(MODE_CHAMPIONSHIP, 0.004f);
+    assert_true(sum.fouls > 0);
+    assert_true(sum.caught + sum.fouls <= sum.in_bowl);
+}
+
+static void test_at_a_stall_what_was_swept_in_counts(void **state)
+{
+    (void)state;
+    const struct sweeps sum = sweep_often(MODE_FESTIVAL, 0.004f);
+    assert_true(sum.poured > 0); /* The same motions; only nobody whistles. */
+    assert_int_equal(sum.caught, sum.in_bowl);
+}
+
+/* The same, but the ring rises clear of the water before the bowl. */
+static void test_a_ring_that_was_lifted_clear_first_pours_nothing(void **state)
+{
+    (void)state;
+    const struct sweeps sum = sweep_often(MODE_CHAMPIONSHIP, 0.030f);
+    assert_true(sum.caught > 0);
+    assert_int_equal(sum.caught, sum.in_bowl);
+    assert_int_equal(sum.fouls, 0);
+}
+
+static void test_fish_from_open_water_count_without_a_foul(void **state)
+{
+    (void)state;
+    play(MODE_CHAMPIONSHIP);
+    scoop_in_the_open();
+    assert_int_equal(look()->player[0].fouls, 0);
+    assert_int_equal(scene.caught[0], core.bowl[0].fish_count);
+    assert_true(scene.caught[0] > 0);
+}
+
+/* One fish falls into the empty bowl; so long its ring has been clear of the water. */
+static void drop_a_fish(uint8_t clear_ticks)
+{
+    core.tank.fish[0].gait = GAIT_HELD;
+    core.tank.fish[0].holder = 0;
+    core.tank.fish[0].position_m = v3_add(core.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
+    core.poi[0].carried_fish[0] =
+        (struct carried_fish){ .fish = 0, .state = CARRIED_FALLING, .clear_ticks = clear_ticks };
+    core.poi[0].carried_count = 1;
+    ticks(40);
+    assert_int_equal(core.bowl[0].fish_count, 1);
+}
+
+static void test_what_falls_off_a_poi_that_nobody_leads_is_no_foul(void **state)
+{
+    (void)state;
+    static const uint8_t links[] = { POI_SOURCE_ABSENT, POI_SOURCE_LOST };
+    for (size_t i = 0; i < sizeof links; i++) {
+        play(MODE_CHAMPIONSHIP);
+        input.poi[0].link = links[i];
+        drop_a_fish(0);
+        assert_int_equal(look()->player[0].fouls, 0);
+    }
+    play(MODE_CHAMPIONSHIP);
+    drop_a_fish(0);
+    assert_int_equal(look()->player[0].fouls, 1); /* Of one that is led it is. */
+}
+
+static void test_after_the_third_foul_nothing_counts(void **state)
+{
+    (void)state;
+    for (uint8_t before = 0; before <= FOUL_MAX; before++) {
+        play(MODE_CHAMPIONSHIP);
+        core.game.player[0].fouls = before;
+        drop_a_fish(CARRIED_CLEAR_TICKS);
+        assert_int_equal(look()->caught[0], before < FOUL_MAX);
+    }
+}
+
+/* Two scoops along the wall are two fouls; with one before the start they are three. */
+static void test_the_third_foul_ends_the_players_round(void **state)
+{
+    (void)state;
+    begin(MODE_CHAMPIONSHIP, 6);
+    input.shade[0] = (struct shade_input){ .present = 1, .radius_m = 0.3f };
+    ticks(220);
+    input.shade[0].present = 0;
+    assert_int_equal(look()->player[0].fouls, 1);
+    wait_for_phase(PHASE_ROUND, READY_TICKS);
+    for (uint32_t i = 0; i < 8 && !look()->player[0].out; i++) {
+        scoop_along_the_wall(0.01f);
+    }
+    assert_int_equal(scene.player[0].fouls, FOUL_MAX);
+    assert_true(scene.player[0].out);
+    wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 1u); /* Nobody is left who plays. */
+    assert_int_equal(output.record.player[0].fouls, FOUL_MAX);
+}
+
+static void test_at_a_stall_a_fish_from_the_wall_counts(void **state)
+{
+    (void)state;
+    uint32_t caught = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        play(MODE_FESTIVAL);
+        scoop_along_the_wall(0.01f + 0.015f * (float)i);
+        assert_int_equal(look()->player[0].fouls, 0);
+        assert_int_equal(scene.caught[0], core.bowl[0].fish_count);
+        caught += scene.caught[0];
+    }
+    assert_true(caught > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count),
+        cmocka_unit_test(
+            test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count),
+        cmocka_unit_test(test_at_a_stall_what_was_swept_in_counts),
+        cmocka_unit_test(test_a_ring_that_was_lifted_clear_first_pours_nothing),
+        cmocka_unit_test(test_fish_from_open_water_count_without_a_foul),
+        cmocka_unit_test(test_what_falls_off_a_poi_that_nobody_leads_is_no_foul),
+        cmocka_unit_test(test_after_the_third_foul_nothing_counts),
+        cmocka_unit_test(test_the_third_foul_ends_the_players_round),
+        cmocka_unit_test(test_at_a_stall_a_fish_from_the_wall_counts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

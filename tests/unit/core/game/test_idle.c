@@ -1,0 +1,196 @@
+/* test_idle.c -- whatever somebody leaves behind, the stall opens again by itself.
+ *
+ * Every phase and every page of the operator's menu is walked into and left: with nobody there,
+ * with a poi that swings on its cord, with a controller whose plug comes and goes, with buttons
+ * that are stuck. */
+#include "core/game/menu/menu_pages.h"
+#include "tests/unit/support/game_stand.h"
+
+#define LONGEST_TICKS (MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ)
+#define SWING_TICKS 170u /* A cord of half a metre. */
+#define PLUG_TICKS 1200u
+
+/* ---- Who is left behind --------------------------------------------------------------------- */
+
+enum left_behind { LEFT_NOTHING, LEFT_SWINGING, LEFT_LOOSE_PLUG, LEFT_STUCK, LEFT_COUNT };
+static const char *const left_names[] = { "nothing", "a swinging poi", "a loose plug",
+                                          "stuck buttons" };
+
+static void swing(void)
+{
+    const float turn_rad = F_TAU * (float)(core.tick % SWING_TICKS) / (float)SWING_TICKS;
+    hold_at(ABOVE_M);
+    input.poi[0].target.position_m.x = 0.15f * f_sin(turn_rad);
+    input.poi[0].target.position_m.z = 0.05f * f_cos(turn_rad);
+}
+
+static void pull_at_plug(void)
+{
+    const int is_in = core.tick / PLUG_TICKS % 2u == 0;
+    hold_at(ABOVE_M);
+    input.poi[0].link = is_in ? POI_SOURCE_LIVE : POI_SOURCE_LOST;
+    input.controllers.state[0] = is_in ? CONTROLLER_ACTIVE : CONTROLLER_LOST;
+}
+
+static void leave(enum left_behind what)
+{
+    input.held = what == LEFT_STUCK ? (uint32_t)(INPUT_LEFT | INPUT_OK | INPUT_SERVICE) : 0u;
+    input.poi[0].link = POI_SOURCE_ABSENT;
+    if (what == LEFT_SWINGING) {
+        swing();
+    } else if (what == LEFT_LOOSE_PLUG) {
+        pull_at_plug();
+    }
+}
+
+/* ---- The walk ------------------------------------------------------------------------------- */
+
+static uint32_t seen; /* A bit for each phase that was waited in. */
+
+static void expect_attract_by_itself(enum left_behind what, const char *where)
+{
+    const uint32_t begin = core.tick;
+    while (core.game.phase != PHASE_ATTRACT) {
+        seen |= 1u << core.game.phase;
+        leave(what);
+        step();
+        if (core.tick - begin > LONGEST_TICKS) {
+            fail_msg("%s is left for ever with %s, in phase %u", where, left_names[what],
+                     core.game.phase);
+        }
+    }
+    input = (struct input){ 0 };
+    leave(what);
+    steps(60u * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT); /* And stays there. */
+}
+
+/* All is offered, and a store is there to keep names. */
+static void open_stall(void)
+{
+    struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };
+    settings_reset(&config.persistent.settings);
+    config.persistent.settings.value[SET_MODES] = (1 << CHOICE_COUNT) - 1;
+    settings_apply(&config.persistent.settings, &config);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    hold_at(ABOVE_M);
+    steps(10);
+}
+
+/* From the choice into a round of `choice`, by buttons. */
+static void begin_playing(uint32_t choice)
+{
+    open_stall();
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+    steps(GAME_MODE_SELECT_TICKS_MIN);
+    for (uint32_t i = core.game.mode; i != choice; i = (i + 1u) % CHOICE_COUNT) {
+        press(INPUT_RIGHT);
+    }
+    press(INPUT_OK);
+}
+
+static void finish_round_with_a_catch(void)
+{
+    begin_playing(MODE_FESTIVAL);
+    steps(10u * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    core.game.player[0].caught = 9;
+    core.game.album.fish_count = core.game.album.caught = 9;
+    steps(60u * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+}
+
+static void test_the_choice_is_left_by_itself(void **state)
+{
+    (void)state;
+    for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
+        open_stall();
+        press(INPUT_START);
+        assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
+        expect_attract_by_itself(what, "the choice");
+    }
+}
+
+static void test_what_was_chosen_is_left_by_itself(void **state)
+{
+    (void)state;
+    for (uint32_t choice = 0; choice < CHOICE_COUNT; choice++) {
+        for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
+            begin_playing(choice);
+            assert_int_equal(core.game.phase, choice == CHOICE_LAB ? PHASE_LAB : PHASE_READY);
+            expect_attract_by_itself(what, "what was chosen");
+        }
+    }
+}
+
+static void test_the_result_and_all_that_follows_is_left_by_itself(void **state)
+{
+    (void)state;
+    for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
+        finish_round_with_a_catch();
+        seen = 0;
+        expect_attract_by_itself(what, "the result");
+        const uint32_t all =
+            1u << PHASE_RESULT | 1u << PHASE_NAME | 1u << PHASE_LEADERBOARD | 1u << PHASE_ALBUM;
+        assert_int_equal(seen & all, all);
+    }
+}
+
+static void test_every_page_of_the_menu_is_left_by_itself(void **state)
+{
+    (void)state;
+    for (uint32_t page = 0; page < MENU_PAGE_COUNT; page++) {
+        for (enum left_behind what = 0; what < LEFT_COUNT; what++) {
+            open_stall();
+            press(INPUT_TEST);
+            assert_int_equal(core.game.phase, PHASE_MENU);
+            menu_turn(&core, (enum menu_page)page);
+            seen = 0;
+            expect_attract_by_itself(what, "a page of the menu");
+            assert_int_equal(seen, 1u << PHASE_MENU);
+        }
+    }
+}
+
+/* Who looks at the axes moves nothing but a poi, and has time for it. */
+static void test_a_hand_that_moves_keeps_the_menu_open_for_a_quarter_of_an_hour(void **state)
+{
+    (void)state;
+    open_stall();
+    press(INPUT_TEST);
+    const uint32_t begin = core.tick;
+    while (core.game.phase == PHASE_MENU && core.tick - begin <= LONGEST_TICKS) {
+        swing();
+        step();
+    }
+    assert_in_range(core.tick - begin, MENU_SWING_SPANS * MENU_IDLE_TICKS - CORE_TICK_HZ,
+                    MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ);
+}
+
+static void test_a_button_now_and_then_keeps_the_menu_open(void **state)
+{
+    (void)state;
+    open_stall();
+    press(INPUT_TEST);
+    for (uint32_t i = 0; i < 5u; i++) {
+        steps(MENU_IDLE_TICKS - 10u);
+        press(INPUT_SERVICE);
+        assert_int_equal(core.game.phase, PHASE_MENU);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_choice_is_left_by_itself),
+        cmocka_unit_test(test_what_was_chosen_is_left_by_itself),
+        cmocka_unit_test(test_the_result_and_all_that_follows_is_left_by_itself),
+        cmocka_unit_test(test_every_page_of_the_menu_is_left_by_itself),
+        cmocka_unit_test(test_a_hand_that_moves_keeps_the_menu_open_for_a_quarter_of_an_hour),
+        cmocka_unit_test(test_a_button_now_and_then_keeps_the_menu_open),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,320 @@
+/* test_pause.c -- a hand is lost in the middle of a round: the clock waits, nobody scoops, nobody's
+ * paper suffers, and the others go on without it in the end. */
+#include "tests/unit/support/stall_stand.h"
+
+#define ROUND_S 20u
+#define MINE 0u
+#define OTHER 1u
+
+static const vec3 mine_m = { -0.10f, STAND_ABOVE_M, 0.05f };
+static const vec3 other_m = { 0.10f, STAND_ABOVE_M, -0.05f };
+
+static void play(uint8_t players)
+{
+    const struct core_config config = {
+        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .players = players
+    };
+    open_stall(&config);
+    hold(MINE, mine_m);
+    if (players > 1) {
+        hold(OTHER, other_m);
+    }
+    tick();
+    press(INPUT_START);
+    wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
+    ticks(CORE_TICK_HZ);
+}
+
+static int alone(void **state)
+{
+    (void)state;
+    play(1);
+    return 0;
+}
+
+static int two(void **state)
+{
+    (void)state;
+    play(2);
+    return 0;
+}
+
+static void lose(uint32_t index)
+{
+    input.poi[index].link = POI_SOURCE_LOST;
+}
+
+static void return_hand(uint32_t index)
+{
+    input.poi[index].link = POI_SOURCE_LIVE;
+}
+
+static void test_the_clock_stands_still_for_both_and_all_can_see_why(void **state)
+{
+    (void)state;
+    const float before_s = look()->seconds_left;
+    lose(OTHER);
+    ticks(5u * CORE_TICK_HZ);
+    assert_float_equal(look()->seconds_left, before_s, 0.001f);
+    assert_true(scene.paused);
+    assert_true(scene.player[OTHER].lost);
+    assert_false(scene.player[MINE].lost);
+    assert_int_equal(scene.hint, HINT_LOST_POI);
+}
+
+static void test_it_goes_on_when_the_hand_is_back(void **state)
+{
+    (void)state;
+    lose(OTHER);
+    ticks(5u * CORE_TICK_HZ);
+    return_hand(OTHER);
+    ticks(60); /* A quarter of a second until it is believed. */
+    const float before_s = look()->seconds_left;
+    assert_false(scene.paused);
+    assert_false(scene.player[OTHER].out);
+    ticks(CORE_TICK_HZ);
+    assert_float_equal(look()->seconds_left, before_s - 1.0f, 0.001f);
+}
+
+static void test_who_waits_is_led_out_of_the_water_as_who_is_waited_for(void **state)
+{
+    (void)state;
+    lead(MINE, v3(mine_m.x, STAND_BELOW_M, mine_m.z));
+    ticks(CORE_TICK_HZ / 2u);
+    assert_true(core.poi[MINE].immersed > 0.9f);
+    lose(OTHER);
+    float fastest_m_s = 0.0f;
+    for (uint32_t i = 0; i < 4u * CORE_TICK_HZ; i++) {
+        tick();
+        fastest_m_s = f_max(fastest_m_s, v3_length(core.poi[MINE].velocity_m_s));
+    }
+    assert_true(core.poi[MINE].immersed <= 0.0f);
+    assert_true(fastest_m_s < 0.25f);
+    assert_int_equal(core.poi[MINE].sheet.paper_cells, core.poi[MINE].sheet.paper_cells_new);
+    lead(MINE, v3(0.0f, STAND_BELOW_M, 0.0f)); /* It does not follow. */
+    ticks(CORE_TICK_HZ);
+    assert_true(core.poi[MINE].immersed <= 0.0f);
+    return_hand(OTHER);
+    ticks(3u * CORE_TICK_HZ); /* Now it does. */
+    assert_true(core.poi[MINE].immersed > 0.9f);
+    assert_float_equal(core.poi[MINE].position_m.x, 0.0f, 0.01f);
+}
+
+static void test_after_ten_seconds_the_others_go_on_without_it(void **state)
+{
+    (void)state;
+    const float before_s = look()->seconds_left;
+    lose(OTHER);
+    ticks(GAME_LOST_TICKS_OTHERS);
+    assert_false(look()->player[OTHER].out);
+    assert_true(scene.paused);
+    ticks(1);
+    assert_true(look()->player[OTHER].out);
+    assert_false(scene.paused);
+    return_hand(OTHER); /* Too late. */
+    ticks(CORE_TICK_HZ);
+    assert_true(look()->player[OTHER].out);
+    assert_float_equal(scene.seconds_left, before_s - 1.0f, 0.02f);
+    lead(OTHER, v3(other_m.x, STAND_BELOW_M, other_m.z));
+    ticks(2u * CORE_TICK_HZ);
+    assert_true(core.poi[OTHER].immersed <= 0.0f); /* Who is out scoops no more. */
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+}
+
+static void test_a_few_short_losses_are_forgiven(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 3; i++) {
+        lose(OTHER);
+        ticks(GAME_LOST_TICKS_OTHERS - CORE_TICK_HZ);
+        return_hand(OTHER);
+        ticks(CORE_TICK_HZ);
+    }
+    assert_false(look()->player[OTHER].out);
+}
+
+/* Ticks until the round is over, of a hand that is away for 9 s of each 9.3. */
+static uint32_t play_with_a_flaky_plug(uint32_t index)
+{
+    uint32_t passed = 0;
+    for (; core.game.phase == PHASE_ROUND; passed++) {
+        const int away = passed % 1120u < 1080u;
+        input.poi[index].link = away ? POI_SOURCE_LOST : POI_SOURCE_LIVE;
+        tick();
+        assert_true(passed < 1200u * CORE_TICK_HZ);
+    }
+    return passed;
+}
+
+static void test_a_flaky_plug_does_not_stop_the_table_for_ever(void **state)
+{
+    (void)state;
+    const uint32_t passed = play_with_a_flaky_plug(OTHER);
+    const uint32_t round = (ROUND_S - 1u) * CORE_TICK_HZ; /* One second of it is gone. */
+    assert_true(core.game.player[OTHER].out && !core.game.player[MINE].out);
+    assert_in_range(passed, round + GAME_WAIT_TICKS_OTHERS, round + GAME_WAIT_TICKS_OTHERS + 5u);
+}
+
+static void test_alone_a_flaky_plug_ends_the_round_too(void **state)
+{
+    (void)state;
+    const uint32_t passed = play_with_a_flaky_plug(MINE);
+    assert_in_range(passed, GAME_WAIT_TICKS_MAX, GAME_WAIT_TICKS_MAX * 11u / 10u);
+}
+
+static void test_each_round_has_patience_of_its_own(void **state)
+{
+    (void)state;
+    play_with_a_flaky_plug(OTHER);
+    return_hand(OTHER);
+    ticks(5u * CORE_TICK_HZ);
+    press(INPUT_START);
+    wait_for_phase(PHASE_ROUND, 6u * CORE_TICK_HZ);
+    ticks(1);
+    assert_int_equal(core.game.waited_ticks, 0);
+    assert_int_equal(core.game.player[OTHER].waited_ticks, 0);
+}
+
+/* Twenty seconds are played in thirty, and the paper's one and a half before the wait are with its
+ * one and a half after it. */
+static void test_waiting_is_no_play_in_the_books(void **state)
+{
+    (void)state;
+    const uint32_t *books = core.game.audits.count;
+    ticks(CORE_TICK_HZ / 2u);
+    lose(OTHER);
+    ticks(9u * CORE_TICK_HZ);
+    return_hand(OTHER);
+    while (look()->paused) {
+        tick();
+    }
+    ticks(3u * CORE_TICK_HZ / 2u);
+    tear_all(MINE);
+    wait_for_phase(PHASE_RESULT, 30u * CORE_TICK_HZ);
+    ticks(2);
+    assert_int_equal(books[AUDIT_ROUNDS], 1);
+    assert_int_equal(books[AUDIT_PLAY_S], ROUND_S);
+    assert_int_equal(books[AUDIT_PAPERS_TORN], 1);
+    assert_int_equal(books[AUDIT_PAPER_LIFE_S], 3);
+    assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_S * CORE_TICK_HZ);
+}
+
+static void test_who_is_out_and_puts_the_poi_away_is_not_waited_for(void **state)
+{
+    (void)state;
+    tear_all(MINE);
+    ticks(2);
+    assert_true(core.game.player[MINE].out);
+    lose(MINE);
+    uint32_t passed = 0;
+    for (; core.game.phase == PHASE_ROUND; passed++) {
+        tick();
+        assert_false(look()->paused);
+        assert_true(scene.hint != HINT_LOST_POI);
+        assert_true(passed <= GAME_GONE_TICKS);
+    }
+}
+
+static void test_after_time_was_called_nobody_is_waited_for(void **state)
+{
+    (void)state;
+    while (game_seconds_left(&core.game, core.tick + 1u) > 0.0f) {
+        tick();
+    }
+    core.poi[MINE].carried_count = 1; /* As if a fish lay there: the round waits for it, ... */
+    core.poi[MINE].carried_fish[0].fish = 0;
+    core.tank.fish[0].gait = GAIT_HELD;
+    ticks(1);
+    assert_true(game_seconds_left(&core.game, core.tick) == 0.0f);
+    lose(MINE); /* ... but not for the hand. */
+    uint32_t passed = 0;
+    for (; core.game.phase == PHASE_ROUND; passed++) {
+        tick();
+        assert_false(look()->paused);
+        assert_true(passed <= GAME_CARRY_TICKS);
+    }
+    assert_true(passed > 1u);
+}
+
+static void test_nobody_waits_for_who_never_held_a_poi(void **state)
+{
+    (void)state;
+    const struct core_config config = { .fish_count = 12, .round_s = ROUND_S, .players = 2 };
+    open_stall(&config);
+    hold(MINE, mine_m);
+    hold(OTHER, other_m);
+    lose(OTHER); /* From the very start. */
+    press(INPUT_START);
+    wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
+    ticks(CORE_TICK_HZ);
+    assert_false(look()->paused);
+    assert_false(scene.player[OTHER].plays);
+}
+
+static void test_alone_it_is_waited_for_a_minute(void **state)
+{
+    (void)state;
+    lose(MINE);
+    ticks(GAME_LOST_TICKS_MAX);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_true(look()->paused);
+    assert_false(scene.player[MINE].out);
+    ticks(1);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_false(look()->paused);
+}
+
+static void test_a_minute_in_pieces_is_no_minute(void **state)
+{
+    (void)state;
+    lose(MINE);
+    ticks(GAME_LOST_TICKS_MAX - 60u);
+    return_hand(MINE);
+    ticks(50); /* A quarter of a second until it is believed. */
+    lose(MINE);
+    ticks(60);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+}
+
+static void test_a_hand_that_leaps_or_talks_nonsense_is_waited_for_and_costs_no_paper(void **state)
+{
+    (void)state;
+    const float nan = 0.0f / 0.0f;
+    const uint32_t whole = core.poi[MINE].sheet.paper_cells_new;
+    lead(MINE, v3(mine_m.x, STAND_BELOW_M, mine_m.z));
+    ticks(60);
+    const vec3 wild_m[] = { { 1.3f, -0.05f, 0.0f }, { nan, nan, nan } };
+    for (size_t i = 0; i < sizeof wild_m / sizeof wild_m[0]; i++) {
+        const vec3 good_m = input.poi[MINE].target.position_m;
+        input.poi[MINE].target.position_m = wild_m[i];
+        tick();
+        assert_true(look()->paused);
+        input.poi[MINE].target.position_m = good_m;
+        ticks(5u * CORE_TICK_HZ);
+        assert_false(look()->paused);
+        assert_int_equal(core.poi[MINE].sheet.paper_cells, whole);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_the_clock_stands_still_for_both_and_all_can_see_why, two),
+        cmocka_unit_test_setup(test_it_goes_on_when_the_hand_is_back, two),
+        cmocka_unit_test_setup(test_who_waits_is_led_out_of_the_water_as_who_is_waited_for, two),
+        cmocka_unit_test_setup(test_after_ten_seconds_the_others_go_on_without_it, two),
+        cmocka_unit_test_setup(test_a_few_short_losses_are_forgiven, two),
+        cmocka_unit_test_setup(test_a_flaky_plug_does_not_stop_the_table_for_ever, two),
+        cmocka_unit_test_setup(test_alone_a_flaky_plug_ends_the_round_too, alone),
+        cmocka_unit_test_setup(test_each_round_has_patience_of_its_own, two),
+        cmocka_unit_test_setup(test_waiting_is_no_play_in_the_books, two),
+        cmocka_unit_test_setup(test_who_is_out_and_puts_the_poi_away_is_not_waited_for, alone),
+        cmocka_unit_test_setup(test_after_time_was_called_nobody_is_waited_for, alone),
+        cmocka_unit_test(test_nobody_waits_for_who_never_held_a_poi),
+        cmocka_unit_test_setup(test_alone_it_is_waited_for_a_minute, alone),
+        cmocka_unit_test_setup(test_a_minute_in_pieces_is_no_minute, alone),
+        cmocka_unit_test_setup(
+            test_a_hand_that_leaps_or_talks_nonsense_is_waited_for_and_costs_no_paper, alone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,346 @@
+/* test_phases.c -- the phases of the stall, each edge on both sides. */
+#include "tests/unit/support/game_stand.h"
+
+static void test_the_stall_begins_in_attract_and_stays_there_alone(void **state)
+{
+    (void)state;
+    steps(3000);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    assert_int_equal(core.game.round_count, 0);
+}
+
+static void test_start_begins_one_round_in_the_tick_that_sees_it(void **state)
+{
+    (void)state;
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_READY);
+    steps(10);
+    assert_int_equal(core.game.round_count, 1);
+    assert_int_equal(sounds[SOUND_START], 1);
+}
+
+static void test_other_buttons_begin_nothing(void **state)
+{
+    (void)state;
+    press(INPUT_BUTTON_ALL & ~(uint32_t)(INPUT_START | INPUT_TEST));
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_start_within_a_round_is_not_heard(void **state)
+{
+    (void)state;
+    play_into_round();
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_int_equal(core.game.round_count, 1);
+}
+
+static void test_a_dip_of_a_live_poi_starts_a_round(void **state)
+{
+    (void)state;
+    dip();
+    assert_int_equal(core.game.phase, PHASE_READY);
+}
+
+static void test_a_hand_that_appears_below_the_water_does_not_dip(void **state)
+{
+    (void)state;
+    hold_at(BELOW_M);
+    steps(100);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_a_hand_just_above_the_dip_line_does_not_dip(void **state)
+{
+    (void)state;
+    hold_at(ABOVE_M);
+    step();
+    hold_at(GAME_DIP_Y_M + 0.0001f);
+    step();
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+    hold_at(GAME_DIP_Y_M - 0.0001f);
+    step();
+    assert_int_equal(core.game.phase, PHASE_READY);
+}
+
+static void test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_nothing(void **state)
+{
+    (void)state;
+    dip();
+    setup(state);
+    hold_at(ABOVE_M);
+    input.poi[1] = input.poi[0];
+    input.poi[0].link = POI_SOURCE_BOT;
+    step();
+    input.poi[0].target.position_m.y = BELOW_M;
+    input.poi[1].target.position_m.y = BELOW_M;
+    step();
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_ready_lasts_three_seconds_to_the_tick(void **state)
+{
+    (void)state;
+    start_with_a_hand();
+    steps(GAME_READY_TICKS - 1u);
+    assert_int_equal(core.game.phase, PHASE_READY);
+    step();
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+}
+
+static void test_a_round_lasts_its_seconds_to_the_tick(void **state)
+{
+    (void)state;
+    play_into_round();
+    steps(ROUND_S * CORE_TICK_HZ - 1u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    step();
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(output.record.end_tick - output.record.start_tick, ROUND_S * CORE_TICK_HZ);
+}
+
+/* When time is called a fish on the paper may still be carried home, but not for ever. */
+static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(void **state)
+{
+    (void)state;
+    play_into_round();
+    core.poi[0].carried_count = 1;
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    steps(GAME_CARRY_TICKS - 1);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    step();
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(core.poi[0].carried_count, 0);
+}
+
+static void test_the_round_ends_as_soon_as_the_last_fish_is_home(void **state)
+{
+    (void)state;
+    play_into_round();
+    core.poi[0].carried_count = 1;
+    steps(ROUND_S * CORE_TICK_HZ + 10);
+    core.poi[0].carried_count = 0;
+    step();
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+}
+
+static void test_nothing_can_be_dipped_after_the_call(void **state)
+{
+    (void)state;
+    struct poi_target targets[POI_MAX];
+    uint8_t live[POI_MAX];
+    play_into_round();
+    hold_at(BELOW_M);
+    core.poi[0].carried_count = 1;
+    steps(ROUND_S * CORE_TICK_HZ + 2);
+    game_tick(&core, &input, &output, targets, live);
+    assert_true(live[0]);
+    assert_true(targets[0].position_m.y > 0.0f);
+}
+
+static void test_the_result_gives_way_to_attract_after_twelve_seconds(void **state)
+{
+    (void)state;
+    play_into_result();
+    steps(GAME_RESULT_TICKS - 1u);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    step();
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_start_in_the_result_counts_from_one_and_a_half_seconds(void **state)
+{
+    (void)state;
+    play_into_result();
+    steps(GAME_AGAIN_TICKS - 2u);
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    press(INPUT_START);
+    assert_int_equal(core.game.phase, PHASE_READY);
+    assert_int_equal(core.game.round_count, 2);
+}
+
+static void test_a_dip_in_the_result_counts_from_two_and_a_half_seconds(void **state)
+{
+    (void)state;
+    play_into_result();
+    steps(GAME_AGAIN_DIP_TICKS - 3u);
+    dip(); /* one tick too early */
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    dip();
+    assert_int_equal(core.game.phase, PHASE_READY);
+}
+
+static void test_seconds_left_count_down_through_ready_and_round(void **state)
+{
+    (void)state;
+    assert_float_equal(game_seconds_left(&core.game, core.tick), 0.0f, 0.0f);
+    start_with_a_hand();
+    assert_float_equal(game_seconds_left(&core.game, core.tick), 3.0f, 0.01f);
+    steps(GAME_READY_TICKS);
+    assert_float_equal(game_seconds_left(&core.game, core.tick), (float)ROUND_S, 0.01f);
+    steps(ROUND_S * CORE_TICK_HZ - 1u);
+    assert_float_equal(game_seconds_left(&core.game, core.tick), 0.0f, 0.01f);
+}
+
+static void test_each_of_the_last_five_seconds_ticks_once(void **state)
+{
+    (void)state;
+    play_into_round();
+    clear_sounds();
+    steps((ROUND_S - 5u) * CORE_TICK_HZ - 1u);
+    assert_int_equal(sounds[SOUND_TICK], 0);
+    step();
+    assert_int_equal(sounds[SOUND_TICK], 1);
+    steps(5u * CORE_TICK_HZ);
+    assert_int_equal(sounds[SOUND_TICK], 5);
+    assert_int_equal(sounds[SOUND_RESULT], 1);
+}
+
+static void test_in_attract_the_bot_has_the_poi_whatever_is_linked(void **state)
+{
+    (void)state;
+    hold_at(ABOVE_M);
+    steps(5);
+    assert_int_equal(core.poi[0].link, POI_SOURCE_BOT);
+    assert_int_equal(core.poi[1].link, POI_SOURCE_ABSENT);
+}
+
+/* Who lost it has gone; whoever comes next is not led back to where that hand was. */
+static void test_what_the_bot_takes_over_is_on_its_way_back_to_nobody(void **state)
+{
+    (void)state;
+    start_with_a_hand();
+    input.poi[0].link = POI_SOURCE_LOST;
+    steps(60);
+    assert_true(core.game.return_ticks[0] > 0);
+    core.game.phase = PHASE_RESULT;
+    core.game.phase_tick = core.tick;
+    steps(GAME_RESULT_TICKS + 2u);
+    assert_int_equal(core.game.holder[0], POI_SOURCE_BOT);
+    assert_int_equal(core.game.return_ticks[0], 0);
+}
+
+static void test_language_changes_with_each_press_in_any_phase(void **state)
+{
+    (void)state;
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+    press(INPUT_LANGUAGE);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    steps(3);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    play_into_round();
+    press(INPUT_LANGUAGE);
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+}
+
+/* The tank waits for the store and for nobody: the result, the boards, then attract. */
+static void steps_into_attract(void)
+{
+    for (uint32_t i = 0; i < 120u * CORE_TICK_HZ && core.game.phase != PHASE_ATTRACT; i++) {
+        step();
+    }
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+static void test_a_chosen_language_lasts_through_the_game_until_attract_begins(void **state)
+{
+    (void)state;
+    press(INPUT_LANGUAGE);
+    play_into_round();
+    steps(ROUND_S * CORE_TICK_HZ);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    steps_into_attract();
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+}
+
+static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
+{
+    (void)state;
+    steps(100);
+    press(INPUT_LANGUAGE);
+    steps(LANGUAGE_TICKS - 1u);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    step();
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+    press(INPUT_LANGUAGE);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    steps(LANGUAGE_TICKS / 2u);
+    press(INPUT_LANGUAGE); /* A visitor who chooses the operator's language ends the choice, too. */
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+    steps(2u * LANGUAGE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+}
+
+static void test_the_operators_language_is_the_one_that_attract_returns_to(void **state)
+{
+    (void)state;
+    settings_edit_set(&core, SET_LANGUAGE, LANGUAGE_EN);
+    press(INPUT_LANGUAGE);
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+    steps(LANGUAGE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+}
+
+static void test_under_the_rules_of_format_7_a_chosen_language_stays(void **state)
+{
+    (void)state;
+    core.config.rules_7 = 1;
+    const uint32_t until = core.game.language_until;
+    press(INPUT_LANGUAGE);
+    steps(3u * LANGUAGE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    assert_int_equal(core.game.language_until, until);
+}
+
+static void test_the_start_lamp_blinks_only_where_start_would_be_heard(void **state)
+{
+    (void)state;
+    uint32_t lit = 0;
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        step();
+        lit += output.start_lamp;
+    }
+    assert_int_equal(lit, CORE_TICK_HZ / 2u);
+    start_with_a_hand();
+    for (uint32_t i = 0; i < CORE_TICK_HZ; i++) {
+        step();
+        assert_int_equal(output.start_lamp, 0);
+    }
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup(name, setup)
+    const struct CMUnitTest tests[] = {
+        TEST(test_the_stall_begins_in_attract_and_stays_there_alone),
+        TEST(test_start_begins_one_round_in_the_tick_that_sees_it),
+        TEST(test_other_buttons_begin_nothing),
+        TEST(test_start_within_a_round_is_not_heard),
+        TEST(test_a_dip_of_a_live_poi_starts_a_round),
+        TEST(test_a_hand_that_appears_below_the_water_does_not_dip),
+        TEST(test_a_hand_just_above_the_dip_line_does_not_dip),
+        TEST(test_the_dip_of_a_bot_or_of_a_poi_without_a_bowl_starts_nothing),
+        TEST(test_ready_lasts_three_seconds_to_the_tick),
+        TEST(test_a_round_lasts_its_seconds_to_the_tick),
+        TEST(test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl),
+        TEST(test_the_round_ends_as_soon_as_the_last_fish_is_home),
+        TEST(test_nothing_can_be_dipped_after_the_call),
+        TEST(test_the_result_gives_way_to_attract_after_twelve_seconds),
+        TEST(test_start_in_the_result_counts_from_one_and_a_half_seconds),
+        TEST(test_a_dip_in_the_result_counts_from_two_and_a_half_seconds),
+        TEST(test_seconds_left_count_down_through_ready_and_round),
+        TEST(test_each_of_the_last_five_seconds_ticks_once),
+        TEST(test_in_attract_the_bot_has_the_poi_whatever_is_linked),
+        TEST(test_what_the_bot_takes_over_is_on_its_way_back_to_nobody),
+        TEST(test_language_changes_with_each_press_in_any_phase),
+        TEST(test_a_chosen_language_lasts_through_the_game_until_attract_begins),
+        TEST(test_a_language_chosen_in_attract_lasts_for_one_cycle),
+        TEST(test_the_operators_language_is_the_one_that_attract_returns_to),
+        TEST(test_under_the_rules_of_format_7_a_chosen_language_stays),
+        TEST(test_the_start_lamp_blinks_only_where_start_would_be_heard),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,285 @@
+/* test_players.c -- up to four at one tank: to each a bowl, a poi, paper, a count and an end of its
+ * own. */
+#include "tests/unit/support/stall_stand.h"
+
+#include "core/game/paper.h"
+
+#define ROUND_S 20u
+
+static const vec3 places_m[POI_MAX] = {
+    { 0.20f, STAND_ABOVE_M, 0.15f },
+    { -0.20f, STAND_ABOVE_M, 0.15f },
+    { 0.20f, STAND_ABOVE_M, -0.15f },
+    { -0.20f, STAND_ABOVE_M, -0.15f },
+};
+
+/* `hands`: a bit for each who holds a controller. */
+static void play(uint8_t players, uint32_t hands)
+{
+    const struct core_config config = {
+        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .players = players
+    };
+    open_stall(&config);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (hands >> i & 1u) {
+            hold(i, places_m[i]);
+        }
+    }
+    press(INPUT_START);
+    wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
+    tick();
+}
+
+/* A fish falls into a player's bowl, as if from its poi. */
+static void drop_into_bowl(uint32_t player, uint32_t which)
+{
+    struct fish *fish = &core.tank.fish[which];
+    struct poi *poi = &core.poi[player];
+    fish->gait = GAIT_HELD;
+    fish->holder = (uint8_t)player;
+    fish->position_m = v3_add(core.bowl[player].position_m, v3(0.0f, 0.03f, 0.0f));
+    poi->carried_fish[poi->carried_count++] = (struct carried_fish){
+        .fish = (uint16_t)which,
+        .state = CARRIED_FALLING,
+        .clear_ticks = CARRIED_CLEAR_TICKS,
+    };
+    ticks(30);
+}
+
+static void test_there_are_as_many_bowls_and_pois_as_players(void **state)
+{
+    (void)state;
+    for (uint8_t players = 1; players <= POI_MAX; players++) {
+        play(players, 0xfu);
+        look();
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            assert_int_equal(scene.bowl[i].present, i < players);
+            assert_int_equal(scene.poi[i].present, i < players);
+            assert_int_equal(scene.player[i].plays, i < players);
+        }
+    }
+}
+
+static void test_each_has_paper_of_its_own(void **state)
+{
+    (void)state;
+    play(4, 0xfu);
+    for (uint32_t i = 1; i < POI_MAX; i++) {
+        assert_memory_not_equal(core.poi[i].sheet.strength, core.poi[0].sheet.strength,
+                                sizeof core.poi[0].sheet.strength);
+    }
+    lead(2, v3(places_m[2].x, STAND_BELOW_M, places_m[2].z));
+    ticks(120);
+    assert_true(core.poi[2].sheet.touched);
+    assert_false(core.poi[0].sheet.touched);
+    assert_int_equal(core.poi[2].dips, 1);
+    assert_int_equal(core.poi[3].dips, 0);
+}
+
+static void test_each_has_a_count_of_its_own(void **state)
+{
+    (void)state;
+    play(4, 0xfu);
+    drop_into_bowl(1, 0);
+    drop_into_bowl(3, 1);
+    drop_into_bowl(3, 2);
+    static const uint32_t caught[POI_MAX] = { 0, 1, 0, 2 };
+    assert_memory_equal(look()->caught, caught, sizeof caught);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        assert_int_equal(scene.bowl[i].fish_count, caught[i]);
+    }
+}
+
+static void test_who_has_no_paper_is_out_and_the_others_go_on(void **state)
+{
+    (void)state;
+    play(3, 0x7u);
+    tear_all(0);
+    ticks(GAME_GONE_TICKS + 10u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_true(look()->player[0].out);
+    assert_false(scene.player[1].out);
+    assert_int_equal(scene.hint, HINT_TORN);
+    tear_all(1);
+    ticks(GAME_GONE_TICKS + 10u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    tear_all(2);
+    ticks(GAME_GONE_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ROUND); /* So that the last hole is seen. */
+    ticks(2);
+    assert_int_equal(core.game.phase, PHASE_RESULT);
+    assert_int_equal(sounds[SOUND_GONE], 3);
+}
+
+static void test_who_is_out_does_not_dip(void **state)
+{
+    (void)state;
+    play(2, 0x3u);
+    tear_all(0);
+    tick();
+    lead(0, v3(places_m[0].x, STAND_BELOW_M, places_m[0].z));
+    lead(1, v3(places_m[1].x, STAND_BELOW_M, places_m[1].z));
+    ticks(120);
+    assert_true(core.poi[0].immersed <= 0.0f);
+    assert_true(core.poi[1].immersed > 0.9f);
+}
+
+static void test_a_torn_poi_may_be_used_while_it_can_hold_a_fish(void **state)
+{
+    (void)state;
+    play(1, 0x1u);
+    struct sheet *sheet = &core.poi[0].sheet;
+    for (uint32_t i = 0; i < 10u * SHEET_SIDE; i++) { /* Its far third. */
+        if (sheet->state[i] == CELL_PAPER) {
+            sheet->state[i] = CELL_HOLE;
+            sheet->paper_cells--;
+        }
+    }
+    assert_true(paper_can_hold(sheet));
+    ticks(GAME_GONE_TICKS + 10u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_false(look()->player[0].out);
+    drop_into_bowl(0, 0);
+    assert_int_equal(look()->caught[0], 1);
+}
+
+static void test_the_record_names_who_played_and_what_each_did(void **state)
+{
+    (void)state;
+    play(4, 0x5u); /* The first and the third. */
+    lead(2, v3(places_m[2].x, STAND_BELOW_M, places_m[2].z));
+    lead(2, places_m[2]);
+    drop_into_bowl(0, 0);
+    drop_into_bowl(2, 1);
+    drop_into_bowl(2, 2);
+    tear_all(0);
+    tick();
+    const uint32_t torn_tick = core.tick - 1u;
+    tear_all(2);
+    wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 2u);
+    const struct round_record *record = &output.record;
+    assert_int_equal(record->mode, MODE_FESTIVAL);
+    assert_int_equal(record->grade, 6);
+    assert_int_equal(record->players, 0x5u);
+    assert_int_equal(record->caught, 3);
+    assert_int_equal(record->player[0].caught, 1);
+    assert_int_equal(record->player[0].scoops, 0);
+    assert_int_equal(record->player[0].torn_tick, torn_tick);
+    assert_int_equal(record->player[2].caught, 2);
+    assert_int_equal(record->player[2].scoops, 1);
+    assert_int_equal(record->player[2].hole_area_mm2, 5027); /* All of an 80 mm disc. */
+    assert_int_equal(record->player[2].sheets, 1);
+    assert_int_equal(record->player[1].caught, 0);
+    assert_int_equal(record->by_bot, 0);
+}
+
+static void test_the_best_is_one_persons_not_all_together(void **state)
+{
+    (void)state;
+    play(2, 0x3u);
+    drop_into_bowl(0, 0);
+    drop_into_bowl(1, 1);
+    drop_into_bowl(1, 2);
+    wait_for_phase(PHASE_RESULT, (ROUND_S + 4u) * CORE_TICK_HZ);
+    assert_int_equal(output.record.caught, 3);
+    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
+}
+
+static void test_in_attract_only_the_stalls_own_bot_is_there(void **state)
+{
+    (void)state;
+    const struct core_config config = { .fish_count = 12, .players = 4 };
+    open_stall(&config);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        hold(i, places_m[i]);
+    }
+    ticks(10);
+    look();
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        assert_int_equal(scene.poi[i].present, i == 0);
+        assert_true(scene.bowl[i].present);
+    }
+}
+
+static void test_anybody_may_start_by_a_dip(void **state)
+{
+    (void)state;
+    const struct core_config config = { .fish_count = 12, .players = 3 };
+    open_stall(&config);
+    dip(2, 0.1f, 0.0f);
+    assert_int_equal(core.game.phase, PHASE_READY);
+    open_stall(&config);
+    dip(3, 0.1f, 0.0f); /* Nobody's place. */
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+/* The first hand that comes to a bowl in the middle of a round plays from then on. */
+static void test_who_comes_late_plays(void **state)
+{
+    (void)state;
+    play(2, 0x1u);
+    assert_false(look()->player[1].plays);
+    hold(1, places_m[1]);
+    ticks(60);
+    assert_true(look()->player[1].plays);
+    assert_false(scene.paused);
+    tear_all(0);
+    ticks(GAME_GONE_TICKS + 10u);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+}
+
+/* As if it was washed in: its ring was never clear of the water. */
+static void test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in(void **state)
+{
+    (void)state;
+    play(2, 0x3u);
+    struct fish *fish = &core.tank.fish[0];
+    struct poi *poi = &core.poi[0];
+    fish->gait = GAIT_HELD;
+    fish->holder = 0;
+    fish->position_m = v3_add(core.bowl[1].position_m, v3(0.0f, 0.03f, 0.0f));
+    poi->carried_fish[poi->carried_count++] =
+        (struct carried_fish){ .fish = 0, .state = CARRIED_FALLING };
+    ticks(30);
+    assert_int_equal(core.bowl[1].fish_count, 1);
+    assert_int_equal(look()->caught[1], 1);
+    assert_int_equal(scene.caught[0], 0);
+}
+
+static void test_a_scoop_counts_where_a_hand_leads_it(void **state)
+{
+    (void)state;
+    play(1, 0x1u);
+    lead(0, v3(0.0f, STAND_BELOW_M, 0.0f));
+    ticks(60);
+    assert_int_equal(core.poi[0].dips, 1);
+    for (uint32_t i = 0; i < 3; i++) { /* It drifts out and is led back, three times. */
+        input.poi[0].link = POI_SOURCE_LOST;
+        ticks(4u * CORE_TICK_HZ);
+        assert_true(core.poi[0].immersed <= 0.0f);
+        input.poi[0].link = POI_SOURCE_LIVE;
+        ticks(4u * CORE_TICK_HZ);
+        assert_true(core.poi[0].immersed > 0.5f);
+    }
+    assert_int_equal(core.poi[0].dips, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_there_are_as_many_bowls_and_pois_as_players),
+        cmocka_unit_test(test_each_has_paper_of_its_own),
+        cmocka_unit_test(test_each_has_a_count_of_its_own),
+        cmocka_unit_test(test_who_has_no_paper_is_out_and_the_others_go_on),
+        cmocka_unit_test(test_who_is_out_does_not_dip),
+        cmocka_unit_test(test_a_torn_poi_may_be_used_while_it_can_hold_a_fish),
+        cmocka_unit_test(test_the_record_names_who_played_and_what_each_did),
+        cmocka_unit_test(test_the_best_is_one_persons_not_all_together),
+        cmocka_unit_test(test_in_attract_only_the_stalls_own_bot_is_there),
+        cmocka_unit_test(test_anybody_may_start_by_a_dip),
+        cmocka_unit_test(test_who_comes_late_plays),
+        cmocka_unit_test(test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in),
+        cmocka_unit_test(test_a_scoop_counts_where_a_hand_leads_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

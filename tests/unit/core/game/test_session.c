@@ -1,0 +1,211 @@
+/* test_session.c -- attract begins the stall anew: from then on a play needs nothing that was
+ * before. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "core/core.h"
+
+static struct core core, twin;
+static struct output output, echo;
+
+static void begin(const struct core_config *config)
+{
+    memset(&output, 0, sizeof output);
+    assert_int_equal(core_init(&core, config), CORE_OK);
+}
+
+static void tick(struct core *at, const struct input *input, struct output *to)
+{
+    to->sound_count = 0;
+    core_tick(at, input, to);
+}
+
+/* Runs with `input` until a chapter begins; at most `tick_max` ticks. Returns how many. */
+static uint32_t run_to_chapter(const struct input *input, uint32_t tick_max)
+{
+    uint32_t ticks = 0;
+    do {
+        tick(&core, input, &output);
+        ticks++;
+    } while (!core_is_fresh(&core) && ticks < tick_max);
+    return ticks;
+}
+
+static void test_ten_minutes_of_attract_are_a_chapter(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 12 };
+    const struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    begin(&config);
+    assert_true(core_is_fresh(&core));
+    assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
+    assert_int_equal(core.tick, SESSION_TICKS_MAX + SESSION_FADE_TICKS);
+    assert_true(core.config.seed != 3);
+    const uint32_t second = core.config.seed;
+    assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
+    assert_true(core.config.seed != 3 && core.config.seed != second);
+}
+
+/* A coin, a service credit, a visit to the menu, a language: much to go on with. */
+static void live(uint32_t ticks, struct input *input)
+{
+    static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST, INPUT_SERVICE,
+                                        INPUT_TEST, INPUT_START };
+    for (uint32_t i = 0; i < ticks; i++) {
+        input->pressed = i % 40u == 39u ? presses[i / 40u % 6u] : 0u;
+        input->coin_count[i / 50u % COIN_LINE_COUNT] = i % 50u == 7u;
+        input->record_saved_id = output.entry_id - (output.entry_id > 2u ? 2u : 0u);
+        input->store_well = 1;
+        input->day = 9800;
+        input->minute = (uint16_t)(i / 100u % 1440u);
+        tick(&core, input, &output);
+        memset(input->coin_count, 0, sizeof input->coin_count);
+    }
+    input->pressed = 0;
+}
+
+/* The heart of it: who has only the configuration and the inputs since then has the play. */
+static void test_a_chapter_is_what_its_configuration_makes(void **state)
+{
+    (void)state;
+    struct core_config config = { .seed = 9, .fish_count = 30, .players = 2, .round_s = 10,
+                                  .credit_coins = 2, .ticket_fish = 1 };
+    settings_reset(&config.persistent.settings);
+    struct input input = { .poi[0].link = POI_SOURCE_BOT, .poi[1].link = POI_SOURCE_BOT };
+    begin(&config);
+    live(40u * CORE_TICK_HZ, &input);
+    for (uint32_t session = 0; session < 3; session++) {
+        assert_in_range(run_to_chapter(&input, SESSION_TICKS_MAX * 2u), 1, SESSION_TICKS_MAX * 2u);
+        assert_true(core_is_fresh(&core));
+        static struct core_config from;
+        from = core.config;
+        assert_int_equal(core_init(&twin, &from), CORE_OK);
+        assert_true(core_hash(&twin) == core_hash(&core));
+        memset(&echo, 0, sizeof echo);
+        echo.entry_id = output.entry_id;
+        for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
+            input.pressed = i == 100u                ? INPUT_SERVICE
+                            : i == 200u || i == 300u ? INPUT_START
+                                                     : 0u;
+            tick(&core, &input, &output);
+            tick(&twin, &input, &echo);
+            assert_int_equal(core_hash_quick(&twin), core_hash_quick(&core));
+        }
+        assert_true(core_hash(&twin) == core_hash(&core));
+        assert_int_equal(core.game.round_count, 1);
+        assert_int_equal(echo.entry_id, output.entry_id);
+        assert_int_equal(echo.tickets, output.tickets);
+        assert_int_equal(echo.coins_counted, output.coins_counted);
+    }
+}
+
+static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 12 };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    begin(&config);
+    while (core.tick < SESSION_TICKS_MAX) {
+        tick(&core, &input, &output);
+    }
+    input.pressed = INPUT_LANGUAGE;
+    tick(&core, &input, &output);
+    input.pressed = 0;
+    const uint32_t until = core.game.language_until;
+    assert_in_range(run_to_chapter(&input, SESSION_TICKS_MAX), 1, SESSION_FADE_TICKS);
+    assert_int_equal(core.game.language, LANGUAGE_EN);
+    while (core.tick < until) {
+        tick(&core, &input, &output);
+        assert_int_equal(core.game.language, LANGUAGE_EN);
+    }
+    tick(&core, &input, &output);
+    assert_int_equal(core.game.language, LANGUAGE_JA);
+}
+
+static void test_a_chapter_takes_nothing_from_anybody(void **state)
+{
+    (void)state;
+    struct core_config config = { .seed = 9, .fish_count = 12, .credit_coins = 3 };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    settings_reset(&config.persistent.settings);
+    begin(&config);
+    live(30u * CORE_TICK_HZ, &input);
+    while (core.game.phase != PHASE_ATTRACT || core.game.turn_tick == 0) {
+        tick(&core, &input, &output);
+    }
+    const struct credit credit = core.game.credit;
+    const struct ledger ledger = core.game.ledger;
+    const struct audits audits = core.game.audits;
+    const uint32_t commands = core.game.menu.command_count;
+    run_to_chapter(&input, SESSION_TICKS_MAX);
+    assert_true(core_is_fresh(&core));
+    assert_true(credit_hash(0, &core.game.credit) == credit_hash(0, &credit));
+    assert_true(ledger_hash(0, &core.game.ledger) == ledger_hash(0, &ledger));
+    assert_true(audits_hash(0, &core.game.audits) == audits_hash(0, &audits));
+    assert_int_equal(core.game.menu.command_count, commands);
+    assert_int_equal(core.game.phase, PHASE_ATTRACT);
+}
+
+/* The cut is in the dark, and the dark is short and has no edge. */
+static void test_the_cut_is_dark_and_nothing_else_is(void **state)
+{
+    (void)state;
+    static struct scene scene;
+    const struct core_config config = { .seed = 3, .fish_count = 12 };
+    const struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    begin(&config);
+    core_scene(&core, &scene);
+    float before = scene.veil;
+    assert_true(before == 1.0f);
+    uint32_t dark = 0;
+    for (uint32_t i = 0; i < SESSION_TICKS_MAX + 2u * SESSION_FADE_TICKS; i++) {
+        tick(&core, &input, &output);
+        core_scene(&core, &scene);
+        assert_true(scene.veil >= 0.0f && scene.veil <= 1.0f);
+        assert_true(scene.veil - before < 0.02f && before - scene.veil < 0.02f);
+        assert_true(!core_is_fresh(&core) || scene.veil == 1.0f);
+        dark += scene.veil > 0.0f;
+        before = scene.veil;
+    }
+    assert_in_range(dark, 3u * SESSION_FADE_TICKS - 4u, 3u * SESSION_FADE_TICKS);
+}
+
+/* Who dips while it grows dark plays; the chapter goes on, and ends with the next attract. */
+static void test_a_player_stops_the_turn(void **state)
+{
+    (void)state;
+    const struct core_config config = { .seed = 3, .fish_count = 12, .round_s = 10 };
+    struct input input = { .poi[0].link = POI_SOURCE_BOT };
+    begin(&config);
+    for (uint32_t i = 0; i < SESSION_TICKS_MAX + SESSION_FADE_TICKS / 2u; i++) {
+        tick(&core, &input, &output);
+    }
+    input.pressed = INPUT_START;
+    tick(&core, &input, &output);
+    input.pressed = 0;
+    assert_int_not_equal(core.game.phase, PHASE_ATTRACT);
+    while (core.game.phase != PHASE_ATTRACT) {
+        tick(&core, &input, &output);
+        assert_int_equal(core.config.session.tick, 0);
+    }
+    assert_int_equal(run_to_chapter(&input, SESSION_TICKS_MAX), SESSION_FADE_TICKS - 1u);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ten_minutes_of_attract_are_a_chapter),
+        cmocka_unit_test(test_a_chapter_is_what_its_configuration_makes),
+        cmocka_unit_test(test_a_language_that_was_just_chosen_outlives_the_chapter),
+        cmocka_unit_test(test_a_chapter_takes_nothing_from_anybody),
+        cmocka_unit_test(test_the_cut_is_dark_and_nothing_else_is),
+        cmocka_unit_test(test_a_player_stops_the_turn),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

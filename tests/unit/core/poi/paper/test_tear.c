@@ -1,0 +1,315 @@
+/* test_tear.c -- holes: their tips, their shape, and the paper that hangs loose of them. */
+#include "tests/unit/support/poi_stand.h"
+
+#include "core/base/rng.h"
+#include "core/poi/paper/tear.h"
+
+#define RADIUS_M 0.040f
+#define MIDDLE (SHEET_SIDE / 2u)
+
+static const struct sheet_wetting in_air = { 0.0f, 0.0f, -1.0f };
+static struct sheet sheet;
+
+static void plain(uint8_t grade)
+{
+    sheet_init(&sheet, grade, RADIUS_M, 1);
+    stand_plain_paper(&sheet, 1.0f);
+    sheet.soaked = 1;
+    sheet.fibre_x = 1.0f;
+    sheet.fibre_z = 0.0f;
+}
+
+static void cut(uint32_t row, uint32_t column)
+{
+    uint8_t *state = &sheet.state[row * SHEET_SIDE + column];
+    sheet.paper_cells -= *state == CELL_PAPER;
+    *state = CELL_HOLE;
+}
+
+static uint32_t state_at(uint32_t row, uint32_t column)
+{
+    return sheet.state[row * SHEET_SIDE + column];
+}
+
+static float factor_at(uint32_t row, uint32_t column)
+{
+    const struct tear_map map = tear_map_of(&sheet);
+    return tear_factor(&map, &sheet, row, column);
+}
+
+static void test_stress_beside_a_hole_rises_with_the_root_of_its_length(void **state)
+{
+    (void)state;
+    plain(5);
+    sheet.fibre_x = sheet.fibre_z = 0.70710678f; /* Favours neither rows nor columns. */
+    const float factors[] = { 2.5f, 3.5355f, 4.0f, 4.0f, 4.0f };
+    for (uint32_t i = 0; i < 5; i++) {
+        cut(MIDDLE, 10u + i);
+        assert_float_equal(factor_at(MIDDLE, 11u + i), factors[i], 1e-3f);
+        assert_float_equal(factor_at(MIDDLE, 9u), factors[i], 1e-3f);
+        assert_float_equal(factor_at(MIDDLE, 16u), 0.0f, 0.0f); /* No hole is beside it. */
+    }
+    plain(5);
+    sheet.fibre_x = sheet.fibre_z = 0.70710678f;
+    cut(MIDDLE, MIDDLE);
+    cut(MIDDLE - 1u, MIDDLE + 1u); /* Corner to corner: 2.8 cells. */
+    assert_float_equal(factor_at(MIDDLE, MIDDLE - 1u), 4.0f, 1e-3f);
+    assert_float_equal(factor_at(MIDDLE - 1u, MIDDLE + 2u), 4.0f, 1e-3f);
+}
+
+static void test_what_is_measured_of_holes_is_what_a_look_at_each_gives(void **state)
+{
+    (void)state;
+    plain(5);
+    for (uint32_t i = 0; i < 220; i++) {
+        const struct rng_key key = { 5, i, 0, RNG_TEST }, other = { 5, i, 1, RNG_TEST };
+        cut((uint32_t)(32.0f * rng_unit(key)), (uint32_t)(32.0f * rng_unit(other)));
+    }
+    const struct tear_map map = tear_map_of(&sheet);
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        const int32_t row = (int32_t)(i / SHEET_SIDE), column = (int32_t)(i % SHEET_SIDE);
+        int32_t best = 0;
+        for (int32_t way = 0; way < 4 && sheet.state[i] == CELL_HOLE; way++) {
+            const int32_t dr = way == 0 ? 0 : 1, dc = way == 1 ? 0 : way == 3 ? -1 : 1;
+            int32_t length = 1;
+            for (int32_t sign = -1; sign <= 1; sign += 2) {
+                int32_t r = row + sign * dr, c = column + sign * dc;
+                while (r >= 0 && c >= 0 && r < 32 && c < 32 &&
+                       sheet.state[r * 32 + c] == CELL_HOLE) {
+                    length++;
+                    r += sign * dr;
+                    c += sign * dc;
+                }
+            }
+            const int32_t level = way > 1 && length > 1 ? 3 : length; /* A slant is longer. */
+            best = level > best ? level : best;
+        }
+        assert_int_equal(map.wide[row] >> column & 1u, best >= 3);
+        assert_int_equal((map.pair[row] | map.wide[row]) >> column & 1u, best >= 2);
+    }
+}
+
+static void test_tears_follow_the_fibres(void **state)
+{
+    (void)state;
+    plain(5);
+    cut(MIDDLE, MIDDLE);
+    assert_float_equal(factor_at(MIDDLE, MIDDLE + 1u), 2.5f * 1.08f, 1e-3f);
+    assert_float_equal(factor_at(MIDDLE + 1u, MIDDLE), 2.5f * 0.92f, 1e-3f);
+    assert_true(factor_at(MIDDLE + 1u, MIDDLE + 1u) < factor_at(MIDDLE, MIDDLE + 1u));
+}
+
+static void test_the_front_is_what_touches_a_hole(void **state)
+{
+    (void)state;
+    plain(5);
+    cut(MIDDLE, MIDDLE);
+    const struct tear_map map = tear_map_of(&sheet);
+    assert_int_equal(tear_front(&map, MIDDLE - 2u), 0);
+    assert_int_equal(tear_front(&map, MIDDLE - 1u), 7u << (MIDDLE - 1u));
+    assert_int_equal(tear_front(&map, MIDDLE), 5u << (MIDDLE - 1u));
+    assert_int_equal(tear_front(&map, MIDDLE + 1u), 7u << (MIDDLE - 1u));
+}
+
+static uint32_t drop(void)
+{
+    struct tear_map map = tear_map_of(&sheet);
+    const uint32_t dropped = tear_drop_loose(&map, &sheet);
+    const struct tear_map again = tear_map_of(&sheet);
+    assert_memory_equal(&map, &again, sizeof map);
+    return dropped;
+}
+
+static void test_whole_paper_and_a_slit_hold(void **state)
+{
+    (void)state;
+    plain(5);
+    assert_int_equal(drop(), 0);
+    for (uint32_t column = 4; column < 28; column++) {
+        cut(MIDDLE, column);
+    }
+    assert_int_equal(drop(), 0);
+    for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+        cut(MIDDLE, column); /* From ring to ring: two halves, each held along the slit. */
+    }
+    assert_int_equal(drop(), 0);
+}
+
+static void test_an_island_is_gone(void **state)
+{
+    (void)state;
+    plain(5);
+    for (uint32_t i = 0; i < 9; i++) {
+        cut(10, 10u + i);
+        cut(18, 10u + i);
+        cut(10u + i, 10);
+        cut(10u + i, 18);
+    }
+    assert_int_equal(drop(), 7u * 7u);
+    assert_int_equal(state_at(14, 14), CELL_HOLE);
+    assert_int_equal(state_at(14, 9), CELL_PAPER);
+}
+
+static void test_a_flap_bears_nothing(void **state)
+{
+    (void)state;
+    plain(5);
+    for (uint32_t i = 0; i < 9; i++) { /* A tongue that hangs by its upper end. */
+        cut(20, 12u + i);
+        cut(12u + i, 12);
+        cut(12u + i, 20);
+    }
+    assert_true(drop() >= 30); /* Of 7 x 8; its root is held slantwise. */
+    assert_int_equal(state_at(18, 16), CELL_HOLE);
+    assert_int_equal(state_at(10, 16), CELL_PAPER);
+    assert_int_equal(state_at(16, 10), CELL_PAPER);
+}
+
+static void test_a_hole_takes_its_area_off_the_load(void **state)
+{
+    (void)state;
+    plain(4);
+    for (uint32_t row = 1; row < 6; row++) {
+        for (uint32_t column = 12; column < 20; column++) {
+            cut(row, column);
+        }
+    }
+    const float left = sheet_left(&sheet);
+    assert_float_equal(left, 0.95f, 0.01f);
+    const struct sheet_load foot = { 0.0f, 0.02f, 0.02f, -1e-6f }; /* Or it would be passed over. */
+    const struct sheet_events events = sheet_tick(&sheet, 20.0f, in_air, &foot, 1);
+    const float whole = sheet_tension_centre(sheet_grade(4), 20.0f * left, RADIUS_M);
+    assert_float_equal(events.tension_max_n_m, whole, 0.005f * whole);
+}
+
+/* Columns that a tear from the middle reached, of the middle's row. */
+static uint32_t reach(void)
+{
+    uint32_t far = 0;
+    for (uint32_t column = MIDDLE; column < SHEET_SIDE; column++) {
+        far = state_at(MIDDLE, column) == CELL_HOLE ? column - MIDDLE : far;
+    }
+    return far;
+}
+
+static void test_a_tear_runs_cells_far_in_a_tick_but_no_faster_than_its_steps(void **state)
+{
+    (void)state;
+    plain(6);
+    cut(MIDDLE, MIDDLE);
+    sheet_tick(&sheet, 250.0f, in_air, NULL, 0); /* Nowhere near enough without the hole. */
+    const uint32_t first = reach();
+    assert_in_range(first, 4, SHEET_STEPS_MAX);
+    sheet_tick(&sheet, 250.0f, in_air, NULL, 0);
+    assert_true(reach() > first);
+    plain(6);
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_int_equal(sheet_tick(&sheet, 250.0f, in_air, NULL, 0).cells_torn, 0);
+    }
+}
+
+static void test_holes_bear_no_stress_while_they_grow(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 0; seed < 12; seed++) {
+        sheet_init(&sheet, 7, RADIUS_M, seed);
+        stand_plain_paper(&sheet, 1.0f);
+        for (uint32_t t = 0; t < 40; t++) {
+            const uint32_t was = sheet.paper_cells;
+            const struct sheet_events events = sheet_tick(&sheet, 130.0f, in_air, NULL, 0);
+            uint32_t left = 0;
+            for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+                left += sheet.state[cell] == CELL_PAPER;
+                assert_true(sheet.state[cell] == CELL_PAPER || sheet.stress[cell] == 0);
+            }
+            assert_int_equal(sheet.paper_cells, left);
+            assert_int_equal(events.cells_torn, was - left);
+        }
+        assert_true(sheet_left(&sheet) < 0.9f);
+    }
+}
+
+static void test_paper_breaks_after_the_same_time_in_small_steps_and_large(void **state)
+{
+    (void)state;
+    plain(5); /* At 0.8 of its strength: 0.05 s / 0.8^10 = 0.466 s, where nothing gathers. */
+    sheet_idealise(&sheet);
+    const float goal = 0.8f * sheet_grade(5)->wet_n_m;
+    float pressure_pa = 50.0f;
+    while (sheet_tension_centre(sheet_grade(5), pressure_pa, RADIUS_M) < goal) {
+        pressure_pa *= 1.001f;
+    }
+    uint32_t ticks = 1;
+    while (sheet_tick(&sheet, pressure_pa, in_air, NULL, 0).cells_torn == 0 && ticks < 200) {
+        ticks++;
+    }
+    assert_in_range(ticks, 54, 59);
+}
+
+/* The larger axis of a hole's second moments over the smaller, and its angle to the fibres. */
+static void shape(float *aspect, float *off_rad)
+{
+    float n = 0.0f, x = 0.0f, z = 0.0f, xx = 0.0f, xz = 0.0f, zz = 0.0f;
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        if (sheet.state[cell] == CELL_HOLE) {
+            const float column = (float)(cell % SHEET_SIDE), row = (float)(cell / SHEET_SIDE);
+            n += 1.0f;
+            x += column;
+            z += row;
+            xx += column * column;
+            xz += column * row;
+            zz += row * row;
+        }
+    }
+    xx = xx / n - x * x / (n * n) + 1.0f / 12.0f;
+    zz = zz / n - z * z / (n * n) + 1.0f / 12.0f;
+    xz = xz / n - x * z / (n * n);
+    const float half = 0.5f * (xx - zz), wide = f_sqrt(half * half + xz * xz);
+    const float middle = 0.5f * (xx + zz);
+    *aspect = f_sqrt((middle + wide) / f_max(middle - wide, 1e-3f));
+    const float axis = 0.5f * f_atan2(2.0f * xz, xx - zz);
+    const float off = f_wrap_angle(2.0f * (axis - f_atan2(sheet.fibre_z, sheet.fibre_x)));
+    *off_rad = 0.5f * f_abs(off);
+}
+
+static void test_holes_are_longer_along_the_fibres(void **state)
+{
+    (void)state;
+    float aspects = 0.0f, offs = 0.0f;
+    for (uint32_t i = 0; i < 24; i++) {
+        plain(6);
+        sheet.fibre_x = f_cos(F_PI * (float)i / 24.0f);
+        sheet.fibre_z = f_sin(F_PI * (float)i / 24.0f);
+        cut(MIDDLE, MIDDLE);
+        float aspect, off;
+        for (uint32_t t = 0; t < 6000 && sheet_left(&sheet) > 0.95f; t++) {
+            sheet_tick(&sheet, 60.0f, in_air, NULL, 0);
+        }
+        assert_in_range(100.0f * sheet_left(&sheet), 60, 95);
+        shape(&aspect, &off);
+        aspects += aspect / 24.0f;
+        offs += off / 24.0f;
+    }
+    print_message("aspect %.2f, %.0f degrees off\n", (double)aspects, (double)(offs / F_DEG));
+    assert_true(aspects > 1.5f);
+    assert_true(offs < 20.0f * F_DEG); /* 45 by chance. */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stress_beside_a_hole_rises_with_the_root_of_its_length),
+        cmocka_unit_test(test_what_is_measured_of_holes_is_what_a_look_at_each_gives),
+        cmocka_unit_test(test_tears_follow_the_fibres),
+        cmocka_unit_test(test_the_front_is_what_touches_a_hole),
+        cmocka_unit_test(test_whole_paper_and_a_slit_hold),
+        cmocka_unit_test(test_an_island_is_gone),
+        cmocka_unit_test(test_a_flap_bears_nothing),
+        cmocka_unit_test(test_a_hole_takes_its_area_off_the_load),
+        cmocka_unit_test(test_a_tear_runs_cells_far_in_a_tick_but_no_faster_than_its_steps),
+        cmocka_unit_test(test_holes_bear_no_stress_while_they_grow),
+        cmocka_unit_test(test_paper_breaks_after_the_same_time_in_small_steps_and_large),
+        cmocka_unit_test(test_holes_are_longer_along_the_fibres),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,234 @@
+/* test_jam.c -- no poi is held for long: not by fish between it and the surface, not by another.
+ *
+ * A ring jams where a hand pulls at it from more than 3 cm over it, 6.5 N, and it goes no faster
+ * than 2 cm/s. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/core.h"
+#include "core/game/bot/bot.h"
+#include "core/game/table_setup.h"
+#include "tests/unit/support/poi_stand.h"
+
+#define PULL_M 0.03f
+#define STILL_M (0.02f * CORE_TICK_S)
+#define JAM_TICKS_MAX CORE_TICK_HZ /* The bound; measured: 12 ticks at most. */
+
+static struct core core;
+static struct input input;
+static struct output output;
+static struct bot bots[POI_MAX];
+static struct stand stand;
+
+static int is_jammed(const struct poi *poi)
+{
+    const vec3 made_m = v3_sub(poi->position_m, poi->before_m);
+    return poi->hand_m.y > poi->position_m.y + PULL_M && v3_length(made_m) < STILL_M;
+}
+
+static void play_tick(uint32_t players)
+{
+    const uint8_t phase = core.game.phase;
+    const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
+    input.pressed = idle && core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+    for (uint32_t i = 0; i < players; i++) {
+        const struct vision vision = { .core = &core, .player = i };
+        input.poi[i] = (struct poi_input){
+            .link = POI_SOURCE_LIVE,
+            .has_wrist = 1,
+            .trembles = 1,
+            .target = bot_tick(&bots[i], &vision),
+        };
+    }
+    output.sound_count = 0;
+    core_tick(&core, &input, &output);
+}
+
+static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
+{
+    struct core_config config = { .seed = seed, .modes = (uint8_t)(1u << mode),
+                                  .players = (uint8_t)players, .lanes = 4 };
+    config.preset = table_setup_preset(&config, mode);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    for (uint32_t i = 0; i < players; i++) {
+        bot_init(&bots[i], i % 2u ? &technique_novice : &technique_expert, 4u * seed + i);
+        bots[i].hand.pose = core.game.hand_pose[i];
+    }
+}
+
+/* The longest jam of any poi in a round of which `seconds` are played, in ticks. */
+static uint32_t longest_jam(uint8_t mode, uint32_t players, uint32_t seed, uint32_t seconds)
+{
+    uint32_t held[POI_MAX] = { 0 }, longest = 0, played = 0, dipped = 0;
+    open_stall(mode, players, seed);
+    for (uint32_t tick = 0; tick < (seconds + 20u) * CORE_TICK_HZ; tick++) {
+        play_tick(players);
+        if (core.game.phase != PHASE_ROUND) {
+            continue;
+        }
+        played++;
+        for (uint32_t i = 0; i < players; i++) {
+            held[i] = is_jammed(&core.poi[i]) ? held[i] + 1u : 0;
+            longest = held[i] > longest ? held[i] : longest;
+            dipped += core.poi[i].immersed > 0.0f;
+        }
+    }
+    assert_true(played > 20u * CORE_TICK_HZ);
+    assert_true(dipped > 5u * CORE_TICK_HZ);
+    return longest;
+}
+
+/* ---- Rounds: seeds in which it lasted 18 to 163 s when fish kept what they held -------------- */
+
+static void test_no_jam_of_one_player_s_poi_lasts_in_a_festival(void **state)
+{
+    (void)state;
+    static const uint32_t seeds[] = { 2, 4, 8 };
+    for (uint32_t i = 0; i < sizeof seeds / sizeof seeds[0]; i++) {
+        assert_in_range(longest_jam(MODE_FESTIVAL, 1, seeds[i], 60), 0, JAM_TICKS_MAX);
+    }
+}
+
+static void test_no_jam_lasts_in_a_championship(void **state)
+{
+    (void)state;
+    assert_in_range(longest_jam(MODE_CHAMPIONSHIP, 1, 1, 60), 0, JAM_TICKS_MAX);
+}
+
+static void test_no_jam_of_two_or_four_at_a_tank_lasts(void **state)
+{
+    (void)state;
+    assert_in_range(longest_jam(MODE_FESTIVAL, 2, 0, 60), 0, JAM_TICKS_MAX);
+    assert_in_range(longest_jam(MODE_FESTIVAL, 4, 1, 60), 0, JAM_TICKS_MAX);
+    assert_in_range(longest_jam(MODE_FESTIVAL, 4, 2, 60), 0, JAM_TICKS_MAX);
+}
+
+/* ---- A heap --------------------------------------------------------------------------------- */
+
+/* A ring 6 cm deep, a heap of fish from it to the surface: within it and across its edge. */
+static void heap(uint32_t seed, float pitch_rad)
+{
+    stand_init(&stand, 4, seed);
+    stand_dip(&stand);
+    stand_turn(&stand, pitch_rad, 0.0f, 0.2f);
+    for (uint32_t layer = 0; layer < 3; layer++) {
+        for (uint32_t i = 0; i < 12; i++) {
+            const float x_m = 0.022f * ((float)(i % 4u) - 1.5f);
+            const float z_m = 0.042f * ((float)(i / 4u) - 1.0f);
+            const uint32_t fish = stand_fish(&stand, v3(x_m, -0.008f - 0.017f * (float)layer, z_m),
+                                             0.038f);
+            stand.tank.fish[fish].angles.yaw_rad = 0.1f * (float)((seed + i) % 5u);
+        }
+    }
+}
+
+static void test_a_poi_under_a_heap_of_fish_comes_up_as_the_hand_does(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 0; seed < 24; seed++) {
+        heap(seed, 0.04f * (float)(seed % 10u));
+        const vec3 up_m = v3(stand.hand.position_m.x, 0.10f, stand.hand.position_m.z);
+        stand_move(&stand, up_m, 0.25f);
+        stand_wait(&stand, 0.5f);
+        assert_true(stand.poi.position_m.y > 0.05f);
+    }
+}
+
+/* ---- Two pois ------------------------------------------------------------------------------- */
+
+static void hold(uint32_t which, vec3 place_m)
+{
+    input.poi[which] = (struct poi_input){
+        .link = POI_SOURCE_LIVE,
+        .has_wrist = 1,
+        .target.position_m = place_m,
+    };
+}
+
+static void two_hands(vec3 a_m, vec3 b_m)
+{
+    const struct core_config config = { .seed = 3, .fish_count = 1, .players = 2, .lanes = 4 };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    for (uint32_t tick = 0; core.game.phase != PHASE_ROUND || tick < 10u * CORE_TICK_HZ; tick++) {
+        hold(0, a_m);
+        hold(1, b_m);
+        input.pressed = tick == 240u ? INPUT_START : 0;
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+        assert_true(tick < 20u * CORE_TICK_HZ);
+    }
+}
+
+static void both_to(vec3 a_m, vec3 b_m, float seconds)
+{
+    const vec3 from_a_m = input.poi[0].target.position_m, from_b_m = input.poi[1].target.position_m;
+    const uint32_t ticks = (uint32_t)(seconds * (float)CORE_TICK_HZ);
+    for (uint32_t tick = 1; tick <= ticks; tick++) {
+        const float share = (float)tick / (float)ticks;
+        hold(0, v3_lerp(from_a_m, a_m, share));
+        hold(1, v3_lerp(from_b_m, b_m, share));
+        output.sound_count = 0;
+        core_tick(&core, &input, &output);
+    }
+}
+
+static void test_two_pois_at_one_place_lie_side_by_side_or_one_over_the_other(void **state)
+{
+    (void)state;
+    two_hands(v3(-0.10f, 0.08f, 0.0f), v3(0.10f, 0.08f, 0.0f));
+    both_to(v3(-0.01f, 0.08f, 0.0f), v3(0.01f, 0.08f, 0.0f), 0.5f);
+    for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
+        both_to(input.poi[0].target.position_m, input.poi[1].target.position_m, 0.01f);
+        const vec3 apart_m = v3_sub(core.poi[1].position_m, core.poi[0].position_m);
+        const float flat_m = v3_length(v3(apart_m.x, 0.0f, apart_m.z));
+        assert_true(flat_m > 2.0f * POI_OUTER_RADIUS_M - 0.006f ||
+                    f_abs(apart_m.y) > 0.5f * POI_THICKNESS_M);
+        assert_true(apart_m.x > 0.0f); /* Nor did one come through the other. */
+    }
+}
+
+static void test_the_one_pushes_the_other_as_far_as_it_is_pushed(void **state)
+{
+    (void)state;
+    two_hands(v3(-0.10f, 0.08f, 0.0f), v3(0.10f, 0.08f, 0.0f));
+    both_to(v3(-0.03f, 0.08f, 0.0f), v3(0.03f, 0.08f, 0.0f), 0.5f);
+    both_to(v3(-0.03f, 0.08f, 0.0f), v3(0.03f, 0.08f, 0.0f), 0.3f);
+    const float left_m = core.poi[0].position_m.x + 0.03f;
+    const float right_m = core.poi[1].position_m.x - 0.03f;
+    assert_true(right_m > 0.010f);
+    assert_float_equal(left_m, -right_m, 0.002f);
+}
+
+static void test_a_poi_under_another_comes_up_within_half_a_second(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 8; i++) {
+        const float off_m = 0.008f * (float)i;
+        two_hands(v3(0.0f, -0.06f, 0.0f), v3(off_m, 0.02f, 0.0f));
+        both_to(v3(0.0f, 0.10f, 0.0f), v3(off_m, -0.06f, 0.0f), 0.5f);
+        both_to(v3(0.0f, 0.10f, 0.0f), v3(off_m, -0.06f, 0.0f), 0.5f);
+        assert_true(core.poi[0].position_m.y > 0.07f);
+        assert_true(core.poi[1].position_m.y < -0.03f);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_jam_of_one_player_s_poi_lasts_in_a_festival),
+        cmocka_unit_test(test_no_jam_lasts_in_a_championship),
+        cmocka_unit_test(test_no_jam_of_two_or_four_at_a_tank_lasts),
+        cmocka_unit_test(test_a_poi_under_a_heap_of_fish_comes_up_as_the_hand_does),
+        cmocka_unit_test(test_two_pois_at_one_place_lie_side_by_side_or_one_over_the_other),
+        cmocka_unit_test(test_the_one_pushes_the_other_as_far_as_it_is_pushed),
+        cmocka_unit_test(test_a_poi_under_another_comes_up_within_half_a_second),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,222 @@
+/* test_synth.c -- every sound of the stall is heard, stays inside the format, and ends. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/sound/recipe.h"
+#include "core/sound/synth.h"
+
+#define SECONDS_MAX 3u
+#define FRAMES_MAX (SECONDS_MAX * SYNTH_RATE_HZ)
+
+static struct synth synth;
+static int16_t heard[2u * FRAMES_MAX];
+
+static void play(uint8_t sound, float gain, float pan)
+{
+    synth_play(&synth, &(struct sound_event){ .sound = sound, .gain = gain, .pan = pan });
+}
+
+static int peak(const int16_t *stereo, uint32_t frame_count, uint32_t channel)
+{
+    int most = 0;
+    for (uint32_t i = 0; i < frame_count; i++) {
+        const int level = abs(stereo[2u * i + channel]);
+        most = level > most ? level : most;
+    }
+    return most;
+}
+
+static void test_a_new_synth_is_silent(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    synth_render(&synth, heard, 1000);
+    assert_int_equal(peak(heard, 1000, 0), 0);
+    assert_int_equal(peak(heard, 1000, 1), 0);
+}
+
+static void test_each_sound_is_heard_at_once_clips_nothing_and_ends(void **state)
+{
+    (void)state;
+    for (uint8_t sound = SOUND_NONE + 1; sound < SOUND_COUNT; sound++) {
+        synth_init(&synth);
+        play(sound, 1.0f, 0.0f);
+        synth_render(&synth, heard, FRAMES_MAX);
+        assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000);      /* -21 .. -3 dBFS */
+        assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);       /* within 50 ms */
+        assert_int_equal(synth_voices(&synth), 0);
+    }
+}
+
+/* Before a voice ends it has died away: cutting it there is not heard. */
+static void test_each_sound_dies_away_before_its_voice_is_freed(void **state)
+{
+    (void)state;
+    for (uint8_t sound = SOUND_NONE + 1; sound < SOUND_COUNT; sound++) {
+        synth_init(&synth);
+        play(sound, 1.0f, 0.0f);
+        const uint32_t length =
+            (uint32_t)(sound_recipes[sound].length_ms * (float)SYNTH_RATE_HZ / 1000.0f);
+        synth_render(&synth, heard, FRAMES_MAX);
+        const int whole = peak(heard, FRAMES_MAX, 0);
+        const int last_20_ms = peak(heard + 2u * (length - 960u), 960u, 0);
+        assert_true(last_20_ms * 50 < whole); /* -34 dB */
+    }
+}
+
+static void test_strings_fit_their_delay_line_and_decay(void **state)
+{
+    (void)state;
+    for (uint8_t sound = SOUND_NONE + 1; sound < SOUND_COUNT; sound++) {
+        const struct sound_recipe *recipe = &sound_recipes[sound];
+        if (recipe->string_hz > 0.0f) {
+            assert_true((float)SYNTH_RATE_HZ / recipe->string_hz <= (float)SYNTH_PLUCK_MAX);
+            assert_true(recipe->string_keep > 0.0f && recipe->string_keep < 1.0f);
+        }
+    }
+}
+
+static void test_the_wave_does_not_depend_on_how_it_is_asked_for(void **state)
+{
+    (void)state;
+    enum { FRAMES = 4801 };
+    static int16_t pieces[2 * FRAMES];
+    synth_init(&synth);
+    play(SOUND_RESULT, 0.8f, 0.3f);
+    synth_render(&synth, heard, FRAMES);
+
+    synth_init(&synth);
+    play(SOUND_RESULT, 0.8f, 0.3f);
+    uint32_t size = 1;
+    for (uint32_t at = 0; at < FRAMES; at += size) {
+        size = at % 97u + 1u;
+        size = at + size > FRAMES ? FRAMES - at : size;
+        synth_render(&synth, pieces + 2u * at, size);
+    }
+    assert_memory_equal(pieces, heard, sizeof pieces);
+}
+
+static void test_pan_moves_a_sound_between_the_ears(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    play(SOUND_TICK, 1.0f, -1.0f);
+    synth_render(&synth, heard, 4800);
+    assert_true(peak(heard, 4800, 0) > 3000);
+    assert_int_equal(peak(heard, 4800, 1), 0);
+    synth_init(&synth);
+    play(SOUND_DIP, 1.0f, 7.0f); /* clamped to the right ear */
+    synth_render(&synth, heard, 4800);
+    assert_int_equal(peak(heard, 4800, 0), 0);
+}
+
+static void test_a_crowd_of_loud_sounds_stays_inside_the_format(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    for (uint32_t i = 0; i < 3u * SYNTH_VOICE_MAX; i++) {
+        play(SOUND_START, 9.0f, 0.0f); /* a gain that is too high counts as 1 */
+    }
+    assert_int_equal(synth_voices(&synth), SYNTH_VOICE_MAX);
+    synth_render(&synth, heard, SYNTH_RATE_HZ / 10u);
+    const int most = peak(heard, SYNTH_RATE_HZ / 10u, 0);
+    assert_in_range(most, 24000, 32000);
+}
+
+static void test_the_oldest_voice_gives_way(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    play(SOUND_RESULT, 1.0f, 0.0f);
+    synth_render(&synth, heard, 480);
+    for (uint32_t i = 1; i < SYNTH_VOICE_MAX; i++) {
+        play(SOUND_START, 0.1f, 0.0f);
+    }
+    play(SOUND_TICK, 1.0f, 0.0f);
+    for (uint32_t i = 0; i < SYNTH_VOICE_MAX; i++) {
+        assert_int_not_equal(synth.voice[i].sound, SOUND_RESULT);
+    }
+}
+
+static void test_unknown_and_empty_sounds_are_not_heard(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    play(SOUND_NONE, 1.0f, 0.0f);
+    play(SOUND_COUNT, 1.0f, 0.0f);
+    play(255, 1.0f, 0.0f);
+    assert_int_equal(synth_voices(&synth), 0);
+}
+
+/* The loudest sample between two times. */
+static int loudest(uint32_t from_ms, uint32_t to_ms)
+{
+    const uint32_t per_ms = SYNTH_RATE_HZ / 1000u;
+    return peak(heard + 2u * from_ms * per_ms, (to_ms - from_ms) * per_ms, 0);
+}
+
+static void test_the_keepers_clappers_are_struck_twice(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    play(SOUND_CALL, 1.0f, 0.0f);
+    synth_render(&synth, heard, FRAMES_MAX);
+    const int first = loudest(0, 20), between = loudest(150, 185), second = loudest(190, 215);
+    assert_true(first > 6000 && second > 6000);
+    assert_true(between * 10 < first);
+}
+
+/* A whistle with a pea in it flutters some 36 times a second. */
+static void test_the_umpires_whistle_flutters(void **state)
+{
+    (void)state;
+    synth_init(&synth);
+    play(SOUND_FOUL, 1.0f, 0.0f);
+    synth_render(&synth, heard, FRAMES_MAX);
+    uint32_t flutters = 0;
+    int loud = 0;
+    for (uint32_t ms = 200; ms < 480u; ms++) {
+        const int most = loudest(ms - 15u, ms + 15u), now = loudest(ms, ms + 1u); /* One period. */
+        const int was_loud = loud;
+        loud = now * 10 > most * 8 || (loud && now * 10 > most * 5);
+        flutters += loud && !was_loud;
+    }
+    assert_in_range(flutters, 9, 11); /* 0.28 s of 36 Hz: ten. */
+}
+
+static void test_two_dips_do_not_sound_quite_alike(void **state)
+{
+    (void)state;
+    static int16_t second[2 * 4800];
+    synth_init(&synth);
+    play(SOUND_DIP, 1.0f, 0.0f);
+    synth_render(&synth, heard, 48000);
+    play(SOUND_DIP, 1.0f, 0.0f);
+    synth_render(&synth, second, 4800);
+    assert_memory_not_equal(second, heard, sizeof second);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_new_synth_is_silent),
+        cmocka_unit_test(test_each_sound_is_heard_at_once_clips_nothing_and_ends),
+        cmocka_unit_test(test_each_sound_dies_away_before_its_voice_is_freed),
+        cmocka_unit_test(test_strings_fit_their_delay_line_and_decay),
+        cmocka_unit_test(test_the_wave_does_not_depend_on_how_it_is_asked_for),
+        cmocka_unit_test(test_pan_moves_a_sound_between_the_ears),
+        cmocka_unit_test(test_a_crowd_of_loud_sounds_stays_inside_the_format),
+        cmocka_unit_test(test_the_oldest_voice_gives_way),
+        cmocka_unit_test(test_unknown_and_empty_sounds_are_not_heard),
+        cmocka_unit_test(test_the_keepers_clappers_are_struck_twice),
+        cmocka_unit_test(test_the_umpires_whistle_flutters),
+        cmocka_unit_test(test_two_dips_do_not_sound_quite_alike),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

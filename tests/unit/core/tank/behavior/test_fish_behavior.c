@@ -1,0 +1,181 @@
+/* test_fish_behavior.c -- when a fish thinks, for how long a time, and what comes of it. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/input.h"
+#include "core/tank/behavior/fish_behavior.h"
+#include "core/tank/behavior/gait.h"
+#include "core/tank/behavior/swim.h"
+#include "tests/unit/support/pond.h"
+
+static struct fish calm(void)
+{
+    struct fish fish = { .position_m = { 0.0f, -0.06f, 0.0f }, .stamina = 0.8f, .brake = 1.0f,
+                         .room = 1.0f, .gait_left_s = 1e6f, .depth_goal_m = -0.06f };
+    fish_grow(&fish, 0.05f, pond_law());
+    return fish;
+}
+
+/* A poi that rushes along at 40 cm/s, so far beside the fish. */
+static struct obstacle rushing(float beside_m)
+{
+    return (struct obstacle){ .kind = OBSTACLE_DISC,
+                              .centre_m = { beside_m, -0.06f, 0.0f },
+                              .normal = { 0.0f, 1.0f, 0.0f },
+                              .velocity_m_s = { 0.0f, 0.0f, 0.4f },
+                              .radius_m = 0.0465f };
+}
+
+/* How often a fish thinks in as many ticks, and the time that its thoughts cover. */
+static uint32_t thoughts(struct fish *fish, uint32_t index, uint32_t ticks,
+                         const struct obstacle *poi, float *covered_s)
+{
+    uint32_t count = 0;
+    *covered_s = 0.0f;
+    for (uint32_t tick = 0; tick < ticks; tick++) {
+        struct perception around = *pond_at(1, tick);
+        around.obstacles = poi;
+        around.obstacle_count = poi ? 1u : 0u;
+        if (fish_behavior_is_due(fish, index, &around)) {
+            around.dt_s = fish_behavior_dt_s(fish, tick);
+            *covered_s += around.dt_s;
+            fish->thought_tick = (uint8_t)tick;
+            count++;
+        }
+    }
+    return count;
+}
+
+static void test_a_calm_fish_thinks_every_fourth_tick_and_fish_do_so_in_turn(void **state)
+{
+    (void)state;
+    for (uint32_t tick = 0; tick < 8; tick++) {
+        uint32_t thinking = 0;
+        for (uint32_t index = 0; index < 100; index++) {
+            const struct fish fish = calm();
+            thinking += (uint32_t)fish_behavior_is_due(&fish, index, pond_at(1, tick));
+        }
+        assert_int_equal(thinking, 25);
+    }
+}
+
+static void test_thoughts_cover_all_of_the_time(void **state)
+{
+    (void)state;
+    for (uint32_t index = 0; index < 4; index++) {
+        struct fish fish = calm();
+        float covered_s = 0.0f;
+        assert_int_equal(thoughts(&fish, index, 1200, NULL, &covered_s), 300);
+        assert_float_equal(covered_s, 10.0f, 4.5f * CORE_TICK_S); /* Less what is not over yet. */
+    }
+}
+
+static void test_beside_a_fast_poi_a_fish_thinks_in_every_tick(void **state)
+{
+    (void)state;
+    const struct obstacle near = rushing(0.08f), far = rushing(0.30f);
+    struct fish fish = calm();
+    float covered_s = 0.0f;
+    assert_int_equal(thoughts(&fish, 1, 120, &near, &covered_s), 120);
+    assert_float_equal(covered_s, 1.0f, 0.01f);
+    assert_int_equal(thoughts(&fish, 1, 120, &far, &covered_s), 30);
+}
+
+static void test_who_flees_falls_or_is_at_the_surface_thinks_in_every_tick(void **state)
+{
+    (void)state;
+    float covered_s = 0.0f;
+    struct fish fish = calm();
+    fish.gait = GAIT_ESCAPE;
+    assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
+    fish = calm();
+    fish.falls = 1;
+    assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
+    fish = calm();
+    fish.position_m.y = -0.004f; /* Its half width is 5 mm. */
+    assert_int_equal(thoughts(&fish, 2, 40, NULL, &covered_s), 40);
+}
+
+static void test_a_fish_that_was_held_does_not_make_up_for_lost_thoughts(void **state)
+{
+    (void)state;
+    struct fish fish = calm();
+    fish.thought_tick = 10;
+    assert_float_equal(fish_behavior_dt_s(&fish, 11), CORE_TICK_S, 1e-9f);
+    assert_float_equal(fish_behavior_dt_s(&fish, 13), 3.0f * CORE_TICK_S, 1e-9f);
+    for (uint32_t tick = 14; tick < 1000; tick++) {
+        assert_true(fish_behavior_dt_s(&fish, tick) >= CORE_TICK_S);
+        assert_true(fish_behavior_dt_s(&fish, tick) <=
+                    (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S + 1e-9f);
+    }
+}
+
+/* Stamina, whims and the depth come out alike, however often it thinks. */
+static void test_a_fish_is_the_same_at_thirty_thoughts_a_second_as_at_120(void **state)
+{
+    (void)state;
+    struct fish often = calm(), seldom = calm();
+    often.gait = seldom.gait = GAIT_SWIM;
+    often.depth_goal_m = seldom.depth_goal_m = -0.04f;
+    for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
+        struct perception around = *pond_at(3, tick);
+        around.size_m = v3(20.0f, 0.12f, 20.0f); /* No wall is near. */
+        fish_behavior_tick(&often, 0, &around);
+        if (tick % FISH_BEHAVIOR_TICKS == 0) {
+            around.dt_s = fish_behavior_dt_s(&seldom, tick);
+            fish_behavior_tick(&seldom, 0, &around);
+        }
+        swim_move(&often, around.params);
+        swim_move(&seldom, around.params);
+    }
+    assert_float_equal(seldom.stamina, often.stamina, 1e-4f);
+    assert_float_equal(seldom.position_m.y, often.position_m.y, 0.001f);
+    assert_true(f_abs(f_wrap_angle(seldom.angles.yaw_rad - often.angles.yaw_rad)) < 0.05f);
+    assert_true(v3_length(v3_sub(seldom.position_m, often.position_m)) < 0.01f);
+}
+
+/* At 120 Hz the steps between thoughts must not show: the turning rate changes by little a tick. In
+ * the thesis' tank, for a living fish turns by kicks of its tail. */
+static void test_the_path_between_thoughts_is_a_smooth_arc(void **state)
+{
+    (void)state;
+    float roughest = 0.0f, fastest = 0.0f;
+    struct fish fish = calm();
+    fish.gait = GAIT_SWIM;
+    for (uint32_t tick = 0; tick < 60u * CORE_TICK_HZ; tick++) {
+        struct perception around = *pond_at(9, tick);
+        around.params = &tank_preset(TANK_PRESET_THESIS)->params;
+        around.size_m = v3(0.40f, 0.12f, 0.30f);
+        const float rate = fish.yaw_rate_rad_s;
+        if (fish_behavior_is_due(&fish, 0, &around)) {
+            around.dt_s = fish_behavior_dt_s(&fish, tick);
+            fish_behavior_tick(&fish, 0, &around);
+        }
+        swim_move(&fish, around.params);
+        fish.position_m.x = f_clamp(fish.position_m.x, -0.175f, 0.175f); /* Walls are hard. */
+        fish.position_m.z = f_clamp(fish.position_m.z, -0.125f, 0.125f);
+        roughest = f_max(roughest, f_abs(fish.yaw_rate_rad_s - rate));
+        fastest = f_max(fastest, f_abs(fish.yaw_rate_rad_s));
+    }
+    print_message("turns by %.1f rad/s at most, and changes that by %.2f a tick\n",
+                  (double)fastest, (double)roughest);
+    assert_true(fastest > 0.5f && roughest < 0.25f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_calm_fish_thinks_every_fourth_tick_and_fish_do_so_in_turn),
+        cmocka_unit_test(test_thoughts_cover_all_of_the_time),
+        cmocka_unit_test(test_beside_a_fast_poi_a_fish_thinks_in_every_tick),
+        cmocka_unit_test(test_who_flees_falls_or_is_at_the_surface_thinks_in_every_tick),
+        cmocka_unit_test(test_a_fish_that_was_held_does_not_make_up_for_lost_thoughts),
+        cmocka_unit_test(test_a_fish_is_the_same_at_thirty_thoughts_a_second_as_at_120),
+        cmocka_unit_test(test_the_path_between_thoughts_is_a_smooth_arc),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,354 @@
+/* test_startle.c -- what startles a fish: looming, pushed water, habit, and the nerves' latency. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/base/rng.h"
+#include "core/input.h"
+#include "core/tank/behavior/escape.h"
+#include "core/tank/behavior/startle.h"
+#include "tests/unit/support/pond.h"
+
+#define NEVER 1000u
+
+/* Timid: every bit of `look` is 0. */
+static struct fish fish_at(vec3 position_m)
+{
+    return (struct fish){ WAKIN(0.05f),
+                          .stamina = 1.0f,
+                          .brake = 1.0f,
+                          .room = 1.0f,
+                          .gait = GAIT_SWIM,
+                          .position_m = position_m };
+}
+
+static struct obstacle disc_at(vec3 centre_m, vec3 velocity_m_s)
+{
+    return (struct obstacle){ .kind = OBSTACLE_DISC,
+                              .centre_m = centre_m,
+                              .normal = { 0.0f, 1.0f, 0.0f },
+                              .velocity_m_s = velocity_m_s,
+                              .radius_m = 0.0465f };
+}
+
+/* Upright, its face toward +x, coming that way. */
+static struct obstacle broadside_disc(float speed_m_s)
+{
+    struct obstacle disc = disc_at(v3(0.0f, -0.05f, 0.0f), v3(speed_m_s, 0.0f, 0.0f));
+    disc.normal = v3(1.0f, 0.0f, 0.0f);
+    return disc;
+}
+
+static struct perception beside(const struct obstacle *disc, uint32_t seed, uint32_t tick)
+{
+    struct perception around = *pond_at(seed, tick);
+    around.obstacles = disc;
+    around.obstacle_count = 1;
+    return around;
+}
+
+/* Ticks until a fish beside a disc begins its C-start, as if both kept their places. */
+static uint32_t ticks_to_start(struct obstacle disc, struct fish fish, uint32_t seed)
+{
+    for (uint32_t tick = 0; tick < NEVER; tick++) {
+        const struct perception around = beside(&disc, seed, tick);
+        startle_tick(&fish, 0, &around);
+        if (fish.gait == GAIT_ESCAPE) {
+            return tick;
+        }
+    }
+    return NEVER;
+}
+
+static float alarm_per_s(struct obstacle disc, vec3 position_m)
+{
+    const struct fish fish = fish_at(position_m);
+    return startle_of_disc(&disc, &fish).alarm_per_s;
+}
+
+static void test_an_image_is_as_large_as_geometry_says_and_grows_as_it_nears(void **state)
+{
+    (void)state;
+    const struct obstacle disc = broadside_disc(0.3f);
+    const struct startle_view view = startle_view(&disc, v3(0.10f, -0.05f, 0.0f));
+    assert_float_equal(view.size_rad, 2.0f * f_atan2(0.0465f, 0.10f), 1e-5f);
+    struct obstacle later = disc;
+    later.centre_m.x += 0.0003f; /* A thousandth of a second on. */
+    const struct startle_view grown = startle_view(&later, v3(0.10f, -0.05f, 0.0f));
+    assert_float_equal(1000.0f * (grown.size_rad - view.size_rad), view.growth_rad_s, 0.02f);
+    assert_true(startle_view(&disc, v3(-0.10f, -0.05f, 0.0f)).growth_rad_s < 0.0f);
+}
+
+static void test_an_edge_on_disc_is_little_but_a_line(void **state)
+{
+    (void)state;
+    const struct obstacle broad = broadside_disc(0.3f);
+    const struct obstacle edge = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.3f, 0.0f, 0.0f));
+    const vec3 eye_m = { 0.10f, -0.05f, 0.0f };
+    assert_true(startle_view(&edge, eye_m).size_rad < 0.33f * startle_view(&broad, eye_m).size_rad);
+}
+
+static void test_a_small_image_does_not_loom_however_fast_it_comes(void **state)
+{
+    (void)state;
+    struct obstacle disc = broadside_disc(4.0f);
+    disc.centre_m.y = 0.05f; /* In air, where the ear does not hear it first. */
+    const struct fish near = fish_at(v3(0.14f, -0.01f, 0.0f)); /* 33 degrees. */
+    const struct fish far = fish_at(v3(0.30f, -0.01f, 0.0f));  /* 17; the timid see 20. */
+    assert_int_equal(startle_of_disc(&disc, &near).cause, STARTLE_LOOM);
+    assert_int_equal(startle_of_disc(&disc, &far).cause, STARTLE_NONE);
+}
+
+/* A slow disc is let come near. */
+static void test_a_blow_grows_with_the_square_of_speed_and_there_is_none_in_air(void **state)
+{
+    (void)state;
+    const vec3 behind = { -0.04f, -0.05f, 0.0f }; /* Where it does not loom. */
+    struct obstacle fast = broadside_disc(0.4f);
+    assert_int_equal(ticks_to_start(broadside_disc(0.08f), fish_at(behind), 1), NEVER);
+    assert_in_range(ticks_to_start(fast, fish_at(behind), 1), 1, CORE_TICK_HZ / 4u);
+    assert_true(alarm_per_s(fast, behind) > 4.0f * alarm_per_s(broadside_disc(0.2f), behind));
+    fast.centre_m.y = 0.05f;
+    assert_float_equal(alarm_per_s(fast, v3(-0.04f, -0.01f, 0.0f)), 0.0f, 0.0f);
+}
+
+static void test_a_slow_or_distant_disc_frightens_nobody(void **state)
+{
+    (void)state;
+    const struct obstacle slow = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.14f, 0.0f, 0.0f));
+    const struct obstacle fast = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.6f, 0.0f, 0.0f));
+    assert_int_equal(ticks_to_start(slow, fish_at(v3(0.06f, -0.05f, 0.0f)), 1), NEVER);
+    assert_int_equal(ticks_to_start(fast, fish_at(v3(0.14f, -0.05f, 0.0f)), 1), NEVER);
+}
+
+static void test_what_looms_frightens_more_than_what_goes_away(void **state)
+{
+    (void)state;
+    const struct obstacle disc = broadside_disc(0.3f);
+    assert_true(alarm_per_s(disc, v3(0.06f, -0.05f, 0.0f)) >
+                1.5f * alarm_per_s(disc, v3(-0.06f, -0.05f, 0.0f)));
+}
+
+static void test_a_disc_that_glides_edge_on_frightens_little(void **state)
+{
+    (void)state;
+    const struct obstacle broad = broadside_disc(0.4f);
+    const struct obstacle edge = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.4f, 0.0f, 0.0f));
+    const struct obstacle slow = disc_at(v3(0.0f, -0.05f, 0.0f), v3(0.2f, 0.0f, 0.0f));
+    const vec3 ahead_of_edge = v3(broad.radius_m + 0.03f, -0.05f, 0.0f);
+    const float alarm = alarm_per_s(edge, ahead_of_edge);
+    assert_true(alarm > 0.0f);
+    assert_true(alarm < 0.3f * alarm_per_s(broad, v3(0.03f, -0.05f, 0.0f)));
+    assert_int_equal(ticks_to_start(slow, fish_at(ahead_of_edge), 1), NEVER);
+}
+
+/* The latency alone: from the tick in which a blow or a sight is more than it bears. */
+static void latency(enum startle_cause cause, uint8_t gait, float *mean_s, float *least_s,
+                    float *most_s)
+{
+    const uint32_t trials = 2000;
+    *mean_s = *most_s = 0.0f;
+    *least_s = 1.0f;
+    for (uint32_t i = 0; i < trials; i++) {
+        struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
+        uint32_t ticks = 0;
+        fish.gait = gait;
+        startle_alarm(&fish, cause, v3(0.05f, -0.05f, 0.0f), 2.0f, i, pond_at(4, 0));
+        while (fish.gait != GAIT_ESCAPE) {
+            ticks++;
+            assert_true(ticks < CORE_TICK_HZ);
+            startle_tick(&fish, i, pond_at(4, ticks));
+        }
+        const float s = (float)ticks * CORE_TICK_S;
+        *mean_s += s / (float)trials;
+        *least_s = f_min(*least_s, s);
+        *most_s = f_max(*most_s, s);
+    }
+    print_message("latency %.1f ms (%.1f .. %.1f)\n", (double)(1e3f * *mean_s),
+                  (double)(1e3f * *least_s), (double)(1e3f * *most_s));
+}
+
+static void test_a_blow_is_answered_after_8_to_15_ms_and_a_sight_after_60_to_150(void **state)
+{
+    (void)state;
+    const float half_tick_s = 0.5f * CORE_TICK_S + 1e-5f; /* A start begins with a tick. */
+    float mean_s, least_s, most_s;
+    latency(STARTLE_PRESSURE, GAIT_SWIM, &mean_s, &least_s, &most_s);
+    assert_float_equal(mean_s, 0.0115f, 0.0005f);
+    assert_true(least_s > 0.008f - half_tick_s && most_s < 0.015f + half_tick_s);
+    latency(STARTLE_LOOM, GAIT_SWIM, &mean_s, &least_s, &most_s);
+    assert_float_equal(mean_s, 0.105f, 0.002f);
+    assert_true(least_s > 0.060f - half_tick_s && least_s < 0.068f);
+    assert_true(most_s < 0.150f + half_tick_s && most_s > 0.142f);
+    latency(STARTLE_SHADOW, GAIT_SWIM, &mean_s, &least_s, &most_s); /* Its alarm takes the rest. */
+    assert_true(least_s >= 0.060f && most_s < 0.115f + half_tick_s);
+}
+
+static void test_who_gulps_answers_later_and_to_louder_alarms(void **state)
+{
+    (void)state;
+    float mean_s, least_s, most_s;
+    latency(STARTLE_LOOM, GAIT_SURFACE, &mean_s, &least_s, &most_s);
+    assert_float_equal(mean_s, 1.5f * 0.105f, 0.003f);
+    struct fish calm = fish_at(v3(0.0f, -0.05f, 0.0f)), gulping = calm;
+    gulping.gait = GAIT_SURFACE;
+    gulping.air = AIR_GULPS;
+    startle_alarm(&calm, STARTLE_LOOM, v3(0.05f, 0.0f, 0.0f), 0.6f, 0, pond_at(1, 0));
+    startle_alarm(&gulping, STARTLE_LOOM, v3(0.05f, 0.0f, 0.0f), 0.6f, 0, pond_at(1, 0));
+    assert_int_equal(calm.startle, STARTLE_LOOM);
+    assert_int_equal(gulping.startle, STARTLE_NONE);
+}
+
+static void test_a_blow_overtakes_what_the_eye_still_works_on(void **state)
+{
+    (void)state;
+    struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
+    startle_alarm(&fish, STARTLE_LOOM, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 0));
+    assert_true(fish.startle_s >= 0.060f);
+    startle_alarm(&fish, STARTLE_PRESSURE, v3(0.0f, 0.0f, 0.05f), 2.0f, 0, pond_at(1, 0));
+    assert_int_equal(fish.startle, STARTLE_PRESSURE);
+    assert_true(fish.startle_s < 0.015f);
+    assert_float_equal(fish.startle_from_m.z, 0.05f, 0.0f);
+}
+
+static void test_the_bold_bear_twice_what_the_timid_do_and_small_fish_hear_better(void **state)
+{
+    (void)state;
+    struct fish timid = fish_at(v3(0.03f, -0.05f, 0.0f)), bold = timid, small = timid;
+    bold.look = 31u << 3;
+    fish_grow(&small, 0.033f, pond_law());
+    assert_float_equal(startle_threshold(&bold), 2.0f * startle_threshold(&timid), 1e-6f);
+    const struct obstacle disc = disc_at(v3(-0.03f, -0.05f, 0.0f), v3(0.5f, 0.0f, 0.0f));
+    assert_true(startle_of_disc(&disc, &small).alarm_per_s >
+                1.4f * startle_of_disc(&disc, &timid).alarm_per_s);
+}
+
+static void test_frights_grow_stale_and_that_fades(void **state)
+{
+    (void)state;
+    struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
+    const float fresh = startle_threshold(&fish);
+    for (uint32_t start = 0; start < 4; start++) {
+        fish.gait = GAIT_SWIM;
+        fish.refractory_s = 0.0f;
+        startle_alarm(&fish, STARTLE_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, start));
+        while (fish.gait != GAIT_ESCAPE) {
+            startle_tick(&fish, 0, pond_at(1, start));
+        }
+    }
+    const float stale = startle_threshold(&fish);
+    assert_true(stale > 1.5f * fresh && stale < 2.0f * fresh);
+    for (uint32_t tick = 0; tick < 180u * CORE_TICK_HZ; tick++) {
+        startle_tick(&fish, 0, pond_at(1, tick));
+    }
+    assert_float_equal(startle_threshold(&fish), fresh, 0.05f * fresh);
+    for (uint32_t tick = 0; tick < 600u * CORE_TICK_HZ; tick++) {
+        startle_tick(&fish, 0, pond_at(1, tick));
+    }
+    assert_float_equal(fish.habit, 0.0f, 0.0f); /* It ends. */
+}
+
+static void test_a_fish_that_has_just_fled_is_not_startled_again_at_once(void **state)
+{
+    (void)state;
+    struct fish fish = fish_at(v3(0.0f, -0.05f, 0.0f));
+    escape_start(&fish, v3(0.05f, 0.0f, 0.0f), 0, pond_at(1, 0));
+    fish.gait = GAIT_SWIM;
+    startle_alarm(&fish, STARTLE_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 1));
+    assert_int_equal(fish.startle, STARTLE_NONE);
+    for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+        startle_tick(&fish, 0, pond_at(1, tick));
+    }
+    startle_alarm(&fish, STARTLE_PRESSURE, v3(0.05f, 0.0f, 0.0f), 2.0f, 0, pond_at(1, 300));
+    assert_int_equal(fish.startle, STARTLE_PRESSURE);
+}
+
+static void test_a_law_without_escapes_knows_no_fright(void **state)
+{
+    (void)state;
+    struct obstacle disc = broadside_disc(1.0f);
+    struct fish fish = fish_at(v3(0.03f, -0.05f, 0.0f));
+    struct perception around = beside(&disc, 1, 0);
+    around.params = &tank_preset(TANK_PRESET_THESIS)->params;
+    for (around.tick = 0; around.tick < CORE_TICK_HZ; around.tick++) {
+        startle_tick(&fish, 0, &around);
+    }
+    assert_int_equal(fish.gait, GAIT_SWIM);
+    assert_float_equal(fish.alarm, 0.0f, 0.0f);
+}
+
+static void test_a_rushing_disc_is_answered_within_a_quarter_of_a_second(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 1; seed <= 50; seed++) {
+        const uint32_t ticks =
+            ticks_to_start(broadside_disc(0.4f), fish_at(v3(0.03f, -0.05f, 0.0f)), seed);
+        assert_in_range(ticks, 1, CORE_TICK_HZ / 4u);
+    }
+}
+
+static void test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tick(void **state)
+{
+    (void)state;
+    const struct obstacle moving = broadside_disc(0.3f), still = broadside_disc(0.0f);
+    struct fish fish = fish_at(v3(0.1f, -0.05f, 0.0f)), far = fish_at(v3(0.4f, -0.05f, 0.0f));
+    const struct perception by_moving = beside(&moving, 1, 0), by_still = beside(&still, 1, 0);
+    assert_true(startle_alert(&fish, &by_moving));
+    assert_false(startle_alert(&fish, &by_still));
+    assert_false(startle_alert(&far, &by_moving));
+    fish.alarm = 0.1f;
+    assert_true(startle_alert(&fish, &by_still));
+}
+
+static float drawn(uint32_t trial, uint32_t which, float low, float high)
+{
+    return rng_range((struct rng_key){ 9, trial, which, RNG_TEST }, low, high);
+}
+
+static void test_whoever_a_disc_frightens_thinks_in_every_tick(void **state)
+{
+    (void)state;
+    uint32_t frightened = 0;
+    for (uint32_t i = 0; i < 20000; i++) {
+        struct obstacle disc = disc_at(v3(0.0f, drawn(i, 0, -0.1f, 0.1f), 0.0f),
+                                       v3(drawn(i, 1, -0.8f, 0.8f), drawn(i, 2, -0.8f, 0.8f), 0));
+        disc.normal = v3_normalize_or(
+            v3(drawn(i, 3, -1, 1), drawn(i, 4, -1, 1), drawn(i, 5, -1, 1)), v3(0, 1.0f, 0));
+        struct fish fish =
+            fish_at(v3(drawn(i, 6, -0.35f, 0.35f), -0.05f, drawn(i, 7, -0.35f, 0.35f)));
+        const struct perception around = beside(&disc, 1, 0);
+        if (startle_of_disc(&disc, &fish).alarm_per_s > 0.0f) {
+            frightened++;
+            assert_true(startle_alert(&fish, &around));
+        }
+    }
+    assert_in_range(frightened, 500, 10000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_an_image_is_as_large_as_geometry_says_and_grows_as_it_nears),
+        cmocka_unit_test(test_an_edge_on_disc_is_little_but_a_line),
+        cmocka_unit_test(test_a_small_image_does_not_loom_however_fast_it_comes),
+        cmocka_unit_test(test_a_blow_grows_with_the_square_of_speed_and_there_is_none_in_air),
+        cmocka_unit_test(test_a_slow_or_distant_disc_frightens_nobody),
+        cmocka_unit_test(test_what_looms_frightens_more_than_what_goes_away),
+        cmocka_unit_test(test_a_disc_that_glides_edge_on_frightens_little),
+        cmocka_unit_test(test_a_blow_is_answered_after_8_to_15_ms_and_a_sight_after_60_to_150),
+        cmocka_unit_test(test_who_gulps_answers_later_and_to_louder_alarms),
+        cmocka_unit_test(test_a_blow_overtakes_what_the_eye_still_works_on),
+        cmocka_unit_test(test_the_bold_bear_twice_what_the_timid_do_and_small_fish_hear_better),
+        cmocka_unit_test(test_frights_grow_stale_and_that_fades),
+        cmocka_unit_test(test_a_fish_that_has_just_fled_is_not_startled_again_at_once),
+        cmocka_unit_test(test_a_law_without_escapes_knows_no_fright),
+        cmocka_unit_test(test_a_rushing_disc_is_answered_within_a_quarter_of_a_second),
+        cmocka_unit_test(test_whoever_a_disc_frightens_thinks_in_every_tick),
+        cmocka_unit_test(
+            test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tick),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,183 @@
+/* test_wall_following.c -- a lone fish keeps to the walls, as figure 2.3 of the 2013 thesis
+ * shows. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/input.h"
+#include "core/tank/behavior/wall_following.h"
+#include "core/tank/tank.h"
+#include "tests/unit/support/pond.h"
+
+#define BINS 15u /* Of 2 cm, from an end wall to the middle of 60 cm. */
+#define BIN_M 0.02f
+#define FISH 24u
+#define MINUTES 20u
+
+static struct tank tank;
+
+struct histogram {
+    float share[BINS]; /* Of the time, by how far from the nearer end wall. */
+    float beside;      /* Within 6 cm of any wall. */
+    float lengths_s;   /* Mean speed while it swims. */
+};
+
+static struct tank_config aquarium(uint32_t seed, float wall_follow)
+{
+    struct tank_config config = tank_config_of(TANK_PRESET_FESTIVAL);
+    config.fish_count = 1;
+    config.seed = seed;
+    config.size_m = v3(0.60f, 0.12f, 0.30f);
+    config.wall_follow = wall_follow;
+    return config;
+}
+
+static void watch(struct histogram *histogram, float *swims)
+{
+    const struct fish *fish = &tank.fish[0];
+    const float end_m = 0.30f - f_abs(fish->position_m.x);
+    const float side_m = 0.15f - f_abs(fish->position_m.z);
+    const uint32_t bin = (uint32_t)f_clamp(end_m / BIN_M, 0.0f, (float)BINS - 0.5f);
+    histogram->share[bin] += 1.0f;
+    histogram->beside += f_min(end_m, side_m) < 0.06f;
+    if (fish->gait == GAIT_SWIM) {
+        histogram->lengths_s += v3_length(fish->velocity_m_s) / fish->length_m;
+        *swims += 1.0f;
+    }
+}
+
+/* Fish after fish, each alone for a while in 60 x 30 cm. */
+static struct histogram histogram_of(float wall_follow)
+{
+    struct histogram histogram = { 0 };
+    float swims = 0.0f, samples = 0.0f;
+    for (uint32_t seed = 1; seed <= FISH; seed++) {
+        const struct tank_config config = aquarium(seed, wall_follow);
+        assert_true(tank_open(&tank, &config));
+        for (uint32_t tick = 0; tick < MINUTES * 60u * CORE_TICK_HZ; tick++) {
+            tank_tick(&tank, tick, NULL, 0);
+            if (tick % 60u == 0 && tick > 60u * CORE_TICK_HZ) {
+                watch(&histogram, &swims);
+                samples += 1.0f;
+            }
+        }
+    }
+    for (uint32_t bin = 0; bin < BINS; bin++) {
+        histogram.share[bin] /= samples;
+        print_message("%2u cm %.4f\n", 2u * bin + 1u, (double)histogram.share[bin]);
+    }
+    histogram.beside /= samples;
+    histogram.lengths_s /= swims;
+    print_message("within 6 cm of a wall %.3f, %.2f lengths/s\n", (double)histogram.beside,
+                  (double)histogram.lengths_s);
+    return histogram;
+}
+
+/* Least squares of ln(share) over the bins from `first` on, up to the range: the length in m over
+ * which the density falls to 1 / e, and how well that describes it (r squared). */
+static float fall_off_m(const struct histogram *histogram, uint32_t first, float *r2)
+{
+    float n = 0.0f, sx = 0.0f, sy = 0.0f, sxx = 0.0f, sxy = 0.0f, syy = 0.0f;
+    for (uint32_t bin = first; bin < 10u; bin++) {
+        const float x = ((float)bin + 0.5f) * BIN_M, y = f_log(histogram->share[bin]);
+        n += 1.0f;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+        syy += y * y;
+    }
+    const float over = n * sxy - sx * sy, under = n * sxx - sx * sx;
+    *r2 = over * over / (under * (n * syy - sy * sy));
+    return -under / over;
+}
+
+static void test_a_lone_fish_is_found_ever_less_often_the_farther_from_a_wall(void **state)
+{
+    (void)state;
+    const struct histogram drawn = histogram_of(1.0f);
+    float r2 = 0.0f;
+    const float length_m = fall_off_m(&drawn, 1, &r2);
+    print_message("falls to 1/e over %.1f cm, r2 %.3f\n", (double)(100.0f * length_m), (double)r2);
+    assert_true(length_m > 0.06f && length_m < 0.085f); /* The pull's range is 20 cm. */
+    assert_true(r2 > 0.95f);
+    assert_true(drawn.lengths_s > 0.85f); /* It swims on, along them. */
+    const struct histogram indifferent = histogram_of(0.0f);
+    assert_true(drawn.beside > 0.7f);
+    assert_true(drawn.beside > 1.3f * indifferent.beside);
+}
+
+static void test_the_pull_falls_off_exponentially_and_ends_at_20_cm(void **state)
+{
+    (void)state;
+    assert_float_equal(wall_pull(0.03f, 0.05f), 0.0f, 0.0f); /* Beside it. */
+    assert_float_equal(wall_pull(0.19f, 0.05f) / wall_pull(0.10f, 0.05f), f_exp(-1.0f), 1e-4f);
+    assert_float_equal(wall_pull(0.201f, 0.05f), 0.0f, 0.0f);
+}
+
+static void test_a_wall_turns_headings_toward_it_by_the_shorter_way(void **state)
+{
+    (void)state;
+    struct perception around = *pond_at(1, 0);
+    around.wall_follow = 1.0f;
+    for (int degrees = -170; degrees < 180; degrees += 20) {
+        struct fish fish = { WAKIN(0.05f), .gait = GAIT_SWIM,
+                             .position_m = { 0.425f - 0.10f, -0.06f, 0.0f } };
+        fish.heading_rad = (float)degrees * F_DEG;
+        const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)); /* +x. */
+        wall_follow(&fish, &around);
+        assert_true(f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)) < off_rad + 1e-6f);
+        fish.heading_rad = (float)degrees * F_DEG;
+        fish.gait = GAIT_REST;
+        wall_follow(&fish, &around);
+        assert_float_equal(fish.heading_rad, (float)degrees * F_DEG, 0.0f);
+    }
+}
+
+static void test_walls_draw_nobody_in_a_preset_as_it_stands(void **state)
+{
+    (void)state;
+    for (uint8_t preset = 0; preset < TANK_PRESET_COUNT; preset++) {
+        assert_float_equal(tank_config_of(preset).wall_follow, 0.0f, 0.0f);
+    }
+}
+
+static void test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refused(void **state)
+{
+    (void)state;
+    struct tank_config config = aquarium(1, 1.0f);
+    assert_true(tank_open(&tank, &config));
+    assert_float_equal(tank.size_m.x, 0.60f, 1e-6f);
+    assert_float_equal(tank.size_m.z, 0.30f, 1e-6f);
+    const uint32_t most = tank_config_fish_max(&config);
+    assert_in_range(most, 200, 300); /* 18 of the stall's 47 dm2. */
+    config.fish_count = most + 1u;
+    assert_false(tank_open(&tank, &config));
+    const vec3 odd[] = { { 0.29f, 0, 0 }, { 2.01f, 0, 0 }, { 0, 0.04f, 0 },   { 0, 0.51f, 0 },
+                         { 0, 0, 0.29f }, { 0, 0, 2.01f }, { -0.6f, 0, 0.3f } };
+    for (uint32_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
+        config = aquarium(1, 1.0f);
+        config.size_m = odd[i];
+        assert_false(tank_open(&tank, &config));
+    }
+    config = aquarium(1, 1.01f);
+    assert_false(tank_open(&tank, &config));
+    config = aquarium(1, -0.01f);
+    assert_false(tank_open(&tank, &config));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_pull_falls_off_exponentially_and_ends_at_20_cm),
+        cmocka_unit_test(test_a_wall_turns_headings_toward_it_by_the_shorter_way),
+        cmocka_unit_test(test_walls_draw_nobody_in_a_preset_as_it_stands),
+        cmocka_unit_test(
+            test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refused),
+        cmocka_unit_test(test_a_lone_fish_is_found_ever_less_often_the_farther_from_a_wall),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

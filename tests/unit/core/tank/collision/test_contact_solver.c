@@ -1,0 +1,369 @@
+/* test_contact_solver.c -- what parting leaves of a crowd's overlaps. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/base/mem.h"
+#include "core/input.h"
+#include "core/tank/collision/contact_solver.h"
+#include "tests/unit/support/throng.h"
+
+static struct contact_solver solver;
+static struct solver_context place = { .bounds = { { -0.68f, -0.20f, -0.325f },
+                                                   { 0.68f, 0.0f, 0.325f } } };
+
+static void begin_step(uint32_t count, float push_max_m)
+{
+    place.fish = fish;
+    place.push_max_m = push_max_m;
+    broad_phase_gather(&broad_phase, fish, count, 0.2f);
+    contact_solver_substep_count(&solver, &place);
+    contact_solver_substep(&solver, &broad_phase, &place, 0);
+    contact_solver_project(&solver, &broad_phase, &place);
+}
+
+/* Fish that came from `before_m`; null: that are where they are, and may be shoved any way. */
+static void gather(uint32_t count, const vec3 *before_m)
+{
+    contact_solver_begin(&solver, fish, count);
+    for (uint32_t i = 0; i < count && before_m; i++) {
+        solver.began_m[i] = before_m[i];
+    }
+    begin_step(count, before_m ? SOLVER_PUSH_M : 0.05f);
+}
+
+static float depth_m(uint32_t first, uint32_t second)
+{
+    const struct box a = body_box(&broad_phase.body[first]),
+                     b = body_box(&broad_phase.body[second]);
+    return box_depth_m(&a, &b);
+}
+
+static void test_parting_ends_overlaps_and_keeps_walls(void **state)
+{
+    (void)state;
+    fill_at_random(400, 0.3f, 0.06f);
+    gather(400, NULL);
+    for (int tick = 0; tick < 40; tick++) {
+        look(0);
+        contact_solver_relax(&solver, &broad_phase, &place);
+        contact_solver_project(&solver, &broad_phase, &place);
+    }
+    float deepest_m = 0.0f;
+    for (uint32_t i = 0; i < broad_phase.count; i++) {
+        const vec3 p = broad_phase.body[i].centre_m, extent = body_extent_m(&broad_phase.body[i]);
+        assert_true(f_abs(p.x) + extent.x < 0.68f + 1e-5f);
+        assert_true(f_abs(p.z) + extent.z < 0.325f + 1e-5f);
+        assert_true(p.y + extent.y < 1e-5f && p.y - extent.y > -0.20f - 1e-5f);
+        for (uint32_t j = 0; j < i; j++) {
+            deepest_m = f_max(deepest_m, depth_m(i, j));
+        }
+    }
+    assert_true(deepest_m < 1e-5f);
+}
+
+static void test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_motion(void **state)
+{
+    (void)state;
+    static vec3 before_m[300];
+    fill_at_random(300, 0.3f, 0.06f);
+    for (uint32_t i = 0; i < 300; i++) { /* Crammed, each after a move of 2 mm. */
+        fish[i].position_m = v3_scale(fish[i].position_m, 0.5f);
+        fish[i].position_m.y -= 0.05f;
+        before_m[i] = v3_add(fish[i].position_m, v3(0.002f, 0.0f, 0.0f));
+    }
+    gather(300, before_m);
+    look(0);
+    const uint32_t before = broad_phase.overlap_count;
+    contact_solver_relax(&solver, &broad_phase, &place);
+    float farthest_m = 0.0f;
+    for (uint32_t i = 0; i < broad_phase.count; i++) {
+        const vec3 step = v3_sub(broad_phase.body[i].centre_m, before_m[i]);
+        farthest_m = f_max(farthest_m, v3_length(v3(step.x, 0.0f, step.z)));
+    }
+    print_message("%u overlaps, farthest step %.2f mm\n", before, (double)(1000.0f * farthest_m));
+    assert_true(before > 100);
+    assert_true(farthest_m > 0.003f && farthest_m < 0.00401f);
+}
+
+static void test_who_cannot_give_way_leaves_it_to_the_other(void **state)
+{
+    (void)state;
+    /* A small fish stands still; a large one rushed 10 mm into it, and goes back. */
+    const vec3 before_m[2] = { { 0.0f, -0.1f, 0.0f }, { 0.028f, -0.1f, 0.0f } };
+    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    fish[1] = (struct fish){ .position_m = { 0.004f, -0.1f, 0.0f }, WAKIN(0.08f) };
+    gather(2, before_m);
+    look(0);
+    contact_solver_relax(&solver, &broad_phase, &place);
+    assert_true(broad_phase.body[0].centre_m.x > -0.00201f);
+    assert_true(depth_m(0, 1) < 1e-5f);
+}
+
+static void test_the_larger_of_two_gives_way_less(void **state)
+{
+    (void)state;
+    fish[0] = (struct fish){ .position_m = { 0.0f, -0.1f, 0.0f }, WAKIN(0.08f) };
+    fish[1] = (struct fish){ .position_m = { 0.009f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    gather(2, NULL);
+    look(0);
+    contact_solver_relax(&solver, &broad_phase, &place);
+    const float large_m = -broad_phase.body[0].centre_m.x,
+                small_m = broad_phase.body[1].centre_m.x - 0.009f;
+    assert_true(large_m > 0.0f);
+    assert_float_equal(small_m / large_m, 8.0f, 0.2f); /* As their masses. */
+}
+
+/* Two fish side by side against a wall, and a third that turned its whole length into them. */
+static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **state)
+{
+    (void)state;
+    struct fish was[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        const float x = -0.674f + 0.0103f * (float)i;
+        was[i] = fish[i] = (struct fish){ .position_m = { x, -0.1f, 0.0f },
+                                          .yaw_rate_rad_s = 1.0f,
+                                          WAKIN(0.05f) };
+    }
+    contact_solver_begin(&solver, fish, 3);
+    fish[2].angles.yaw_rad = 0.9f;
+    begin_step(3, SOLVER_PUSH_M);
+    look(0);
+    contact_solver_finish(&solver, &broad_phase, &place);
+    contact_solver_write_back(&broad_phase, fish);
+    contact_solver_end(&solver, &broad_phase, &place);
+    assert_true(solver.reverted_count >= 1);
+    assert_true(fish[2].angles.yaw_rad == 0.0f && fish[2].yaw_rate_rad_s == 0.0f);
+    assert_true(fish[2].position_m.x == was[2].position_m.x);
+    assert_true(depth_m(0, 1) <= SOLVER_FREE_M && depth_m(1, 2) <= SOLVER_FREE_M);
+}
+
+/* A disc that turned and went 12 mm to the right in one tick, which takes several steps. */
+static void take_all_steps(struct obstacle *disc, uint8_t gave)
+{
+    *disc = (struct obstacle){ .kind = OBSTACLE_DISC,
+                               .centre_m = { 0.112f, -0.05f, 0.0f },
+                               .velocity_m_s = { 0.012f * CORE_TICK_HZ, 0.0f, 0.0f },
+                               .step_m = { 0.012f, 0.0f, 0.0f },
+                               .turned = 1 };
+    fish[0] = (struct fish){ .position_m = { -0.3f, -0.1f, 0.0f }, WAKIN(0.04f) };
+    place.obstacles = disc;
+    place.obstacle_count = 1;
+    place.fish = fish;
+    broad_phase_gather(&broad_phase, fish, 1, 0.2f);
+    contact_solver_begin(&solver, fish, 1);
+    const uint32_t count = contact_solver_substep_count(&solver, &place);
+    assert_true(count > 1);
+    for (uint32_t station = 0; station < count; station++) {
+        contact_solver_substep(&solver, &broad_phase, &place, station);
+    }
+    if (gave & REACTION_POSITION) {
+        disc->centre_m.x -= 0.004f;
+    }
+    disc->reaction = gave;
+    contact_solver_end(&solver, &broad_phase, &place);
+    place.obstacles = NULL;
+    place.obstacle_count = 0;
+}
+
+static void
+test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick(void **state)
+{
+    (void)state;
+    struct obstacle disc;
+    take_all_steps(&disc, 0);
+    assert_float_equal(disc.centre_m.x, 0.112f, 1e-6f);
+    assert_float_equal(disc.step_m.x, 0.012f, 1e-6f);
+    assert_float_equal(disc.velocity_m_s.x, 0.012f * CORE_TICK_HZ, 0.0f);
+    assert_int_equal(disc.turned, 1);
+}
+
+static void
+test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use(void **state)
+{
+    (void)state;
+    struct obstacle disc;
+    take_all_steps(&disc, REACTION_POSITION | REACTION_ROTATION);
+    assert_float_equal(disc.step_m.x, 0.008f, 1e-6f);
+    assert_float_equal(disc.velocity_m_s.x, 0.008f * CORE_TICK_HZ, 1e-4f);
+    assert_int_equal(disc.turned, 0);
+}
+
+enum { MANY = 203 }; /* No multiple of any width. */
+
+/* The crowd of begin_step(), cleared by so many lanes; `alone`: each fish by itself. */
+static void clear_anew(uint8_t lanes, int alone)
+{
+    place.lanes = lanes;
+    broad_phase_gather(&broad_phase, fish, MANY, 0.2f);
+    for (uint32_t i = 0; i < MANY && alone; i++) {
+        broad_phase.flags[i] |=
+            BODY_NEAR_OBSTACLE; /* Of a step before: lanes leave such fish alone. */
+    }
+    contact_solver_substep_count(&solver, &place);
+    contact_solver_substep(&solver, &broad_phase, &place, 0);
+    contact_solver_project(&solver, &broad_phase, &place);
+    place.lanes = 0;
+}
+
+static void test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time(void **state)
+{
+    (void)state;
+    static struct body cleared[MANY];
+    static float play_m[MANY], step_max_m[MANY];
+    struct obstacle disc = { .kind = OBSTACLE_DISC,
+                             .centre_m = { 0.1f, -0.05f, 0.0f },
+                             .normal = { 0.0f, 1.0f, 0.0f },
+                             .radius_m = 0.05f,
+                             .axes = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+                             .step_m = { 0.001f, 0.0f, 0.0f } };
+    fill_at_random(MANY, 1.2f, 0.06f);
+    contact_solver_begin(&solver, fish, MANY);
+    for (uint32_t i = 0; i < MANY; i++) { /* Some into walls, floor and surface. */
+        fish[i].position_m.x *= 1.05f;
+        fish[i].position_m.y += draw(i, 8, -0.008f, 0.008f);
+        fish[i].angles.yaw_rad += draw(i, 9, -0.2f, 0.2f);
+    }
+    place.fish = fish;
+    place.push_max_m = SOLVER_PUSH_M;
+    place.obstacles = &disc;
+    place.obstacle_count = 1;
+    clear_anew(0, 1);
+    MEM_COPY(cleared, broad_phase.body, sizeof cleared);
+    MEM_COPY(play_m, broad_phase.play_m, sizeof play_m);
+    MEM_COPY(step_max_m, solver.step_max_m, sizeof step_max_m);
+    const uint32_t beside = solver.beside_count;
+    assert_true(beside > 2 && beside < MANY / 2);
+    for (uint8_t lanes = 4; lanes <= SIMD_LANES_MAX; lanes *= 2) {
+        disc.centre_m = v3(0.1f, -0.05f, 0.0f);
+        disc.step_m = v3(0.001f, 0.0f, 0.0f);
+        clear_anew(lanes, 0);
+        assert_int_equal(solver.beside_count, beside);
+        assert_memory_equal(cleared, broad_phase.body, sizeof cleared);
+        assert_memory_equal(play_m, broad_phase.play_m, sizeof play_m);
+        assert_memory_equal(step_max_m, solver.step_max_m, sizeof step_max_m);
+    }
+    place.obstacles = NULL;
+    place.obstacle_count = 0;
+}
+
+/* Everybody moves anywhere and turns by any angle, forty times: what was free stays free. So thick
+ * a crowd has a few pairs that no parting parted before: those are watched once they are. */
+static void test_what_was_free_stays_free_whatever_fish_do(void **state)
+{
+    (void)state;
+    enum { COUNT = 400 };
+    static uint8_t was_free[COUNT][COUNT];
+    uint32_t reverted_count = 0, free_count = 0;
+    float deepest_m = 0.0f;
+    fill_at_random(COUNT, 0.3f, 0.05f);
+    for (uint32_t i = 0; i < COUNT; i++) { /* As near to each other as 2,000 in all the water. */
+        fish[i].position_m.x *= 0.4f;
+        fish[i].position_m.z *= 0.5f;
+    }
+    gather(COUNT, NULL);
+    for (int round = 0; round < 60; round++) {
+        look(0);
+        contact_solver_relax(&solver, &broad_phase, &place);
+    }
+    contact_solver_write_back(&broad_phase, fish);
+    contact_solver_end(&solver, &broad_phase, &place);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            was_free[i][j] = depth_m(i, j) <= SOLVER_FREE_M;
+            free_count += was_free[i][j];
+        }
+    }
+    assert_true(free_count + 20u > COUNT * (COUNT - 1u) / 2u);
+    for (uint32_t tick = 1; tick <= 40; tick++) {
+        contact_solver_begin(&solver, fish, COUNT);
+        for (uint32_t i = 0; i < COUNT; i++) {
+            fish[i].position_m.x += draw(i + COUNT * tick, 11, -0.005f, 0.005f);
+            fish[i].position_m.y += draw(i + COUNT * tick, 12, -0.005f, 0.005f);
+            fish[i].angles.yaw_rad += draw(i + COUNT * tick, 13, -0.3f, 0.3f);
+            fish[i].angles.pitch_rad += draw(i + COUNT * tick, 14, -0.05f, 0.05f);
+        }
+        begin_step(COUNT, SOLVER_PUSH_M);
+        look(0);
+        contact_solver_finish(&solver, &broad_phase, &place);
+        contact_solver_write_back(&broad_phase, fish);
+        contact_solver_end(&solver, &broad_phase, &place);
+        reverted_count += solver.reverted_count;
+        for (uint32_t i = 0; i < COUNT; i++) {
+            for (uint32_t j = 0; j < i; j++) {
+                const vec3 d = v3_sub(fish[i].position_m, fish[j].position_m);
+                const float now_m = v3_dot(d, d) < 0.0036f ? depth_m(i, j) : 0.0f;
+                deepest_m = was_free[i][j] ? f_max(deepest_m, now_m) : deepest_m;
+                was_free[i][j] |= now_m <= SOLVER_FREE_M;
+            }
+        }
+    }
+    print_message("%u put back, deepest %.3f mm\n", reverted_count, (double)(1000.0f * deepest_m));
+    assert_true(reverted_count > 5);
+    assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
+}
+
+/* Fish half a millimetre apart on every side, each of which could touch 26 others. */
+static void test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps(void **state)
+{
+    (void)state;
+    enum { COUNT = 768, ROW = 16, LAYER = ROW * 8 };
+    uint32_t moved = 0;
+    float deepest_m = 0.0f;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        const vec3 at =
+            v3((float)(i % ROW) * 0.0085f - 0.15f, (float)(i / LAYER) * -0.0149f - 0.02f,
+               (float)(i / ROW % 8u) * 0.0405f - 0.15f);
+        fish[i] = (struct fish){ .position_m = at, WAKIN(0.04f) };
+    }
+    for (uint32_t tick = 1; tick <= 6; tick++) {
+        contact_solver_begin(&solver, fish, COUNT);
+        for (uint32_t i = 0; i < COUNT; i++) {
+            fish[i].position_m.x += draw(i + COUNT * tick, 11, -0.002f, 0.002f);
+            fish[i].position_m.y += draw(i + COUNT * tick, 12, -0.001f, 0.001f);
+            fish[i].angles.yaw_rad += draw(i + COUNT * tick, 13, -0.05f, 0.05f);
+        }
+        begin_step(COUNT, SOLVER_PUSH_M);
+        look(tick);
+        assert_true(broad_phase.touch_count > BROAD_PHASE_CONTACT_MAX);
+        contact_solver_finish(&solver, &broad_phase, &place);
+        contact_solver_write_back(&broad_phase, fish);
+        contact_solver_end(&solver, &broad_phase, &place);
+        moved += COUNT - solver.reverted_count;
+        for (uint32_t i = 0; i < COUNT; i++) {
+            for (uint32_t j = 0; j < i; j++) {
+                const vec3 d = v3_sub(fish[i].position_m, fish[j].position_m);
+                deepest_m = v3_dot(d, d) < 0.0025f ? f_max(deepest_m, depth_m(i, j)) : deepest_m;
+            }
+        }
+    }
+    print_message("%u contacts, %u fish-ticks free, deepest %.3f mm\n", broad_phase.touch_count,
+                  moved, (double)(1000.0f * deepest_m));
+    assert_true(moved > 0);
+    assert_true(deepest_m <= SOLVER_FREE_M + 1e-6f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_parting_ends_overlaps_and_keeps_walls),
+        cmocka_unit_test(
+            test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_motion),
+        cmocka_unit_test(test_who_cannot_give_way_leaves_it_to_the_other),
+        cmocka_unit_test(test_the_larger_of_two_gives_way_less),
+        cmocka_unit_test(test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit),
+        cmocka_unit_test(
+            test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time),
+        cmocka_unit_test(
+            test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps),
+        cmocka_unit_test(
+            test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick),
+        cmocka_unit_test(
+            test_an_obstacle_that_gave_way_loses_the_speed_and_the_turn_that_it_did_not_use),
+        cmocka_unit_test(test_what_was_free_stays_free_whatever_fish_do),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,153 @@
+/* test_preset.c -- the tanks that are offered are tanks that can be played. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+#include "core/poi/bowl/bowl.h"
+#include "core/tank/collision/spatial_grid.h"
+#include "core/tank/preset.h"
+
+static void test_festival_is_the_stall_that_it_says(void **state)
+{
+    (void)state;
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
+    assert_string_equal(preset->name, "festival");
+    assert_float_equal(preset->size_m.x, 0.85f, 1e-6f);
+    assert_float_equal(preset->size_m.z, 0.55f, 1e-6f);
+    assert_true(preset->wall_height_m > preset->size_m.y);
+    assert_int_equal(preset->fish_count, 300);
+}
+
+static void test_its_ages_give_fish_of_three_to_eight_centimetres(void **state)
+{
+    (void)state;
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_FESTIVAL);
+    assert_float_equal(growth_length_m(&species_wakin.card.growth, preset->age_days_min), 0.033f,
+                       0.003f);
+    assert_float_equal(growth_length_m(&species_wakin.card.growth, preset->age_days_max), 0.080f,
+                       0.003f);
+}
+
+static void test_four_bowls_float_inside_each_tank_and_apart(void **state)
+{
+    (void)state;
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        const struct tank_preset *preset = tank_preset(id);
+        const float radius_m = preset->bowl_radius_m;
+        assert_float_equal(radius_m, BOWL_RADIUS_M, 0.0f); /* The bowl that really floats there. */
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            assert_true(f_abs(preset->bowl_m[i].x) + radius_m < 0.5f * preset->size_m.x);
+            assert_true(f_abs(preset->bowl_m[i].z) + radius_m < 0.5f * preset->size_m.z);
+            for (uint32_t k = 0; k < i; k++) { /* And a fish passes between any two. */
+                const vec3 apart_m = v3_sub(preset->bowl_m[i], preset->bowl_m[k]);
+                assert_true(v3_length(apart_m) > 2.0f * radius_m + 0.04f);
+            }
+        }
+        assert_true(BOWL_DEPTH_M < 0.6f * preset->size_m.y); /* Fish pass below it. */
+    }
+}
+
+/* Where a point shows on a screen: within +-1 on both axes is in the picture. */
+static vec3 on_screen(const struct view *view, float aspect, vec3 point_m)
+{
+    const struct basis axes = view_basis(view);
+    const vec3 p = vec_basis_to_body(&axes, v3_sub(point_m, view->eye_m));
+    const float tan_y = view_half_height_tan(view, aspect);
+    return v3(p.x / (-p.z * tan_y * aspect), p.y / (-p.z * tan_y), -p.z);
+}
+
+static void check_fits(uint8_t id, float aspect)
+{
+    const struct tank_preset *preset = tank_preset(id);
+    const float rim_m = preset->wall_height_m - preset->size_m.y;
+    float widest = 0.0f;
+    for (int corner = 0; corner < 4; corner++) {
+        const float x = (corner & 1 ? 0.5f : -0.5f) * preset->size_m.x;
+        const float z = (corner & 2 ? 0.5f : -0.5f) * preset->size_m.z;
+        const vec3 rim = on_screen(&preset->view, aspect, v3(x, rim_m, z));
+        assert_true(rim.z > 0.0f);
+        assert_true(f_abs(rim.x) < 0.98f);
+        assert_true(f_abs(rim.y) < 0.95f);
+        widest = f_max(widest, f_abs(rim.x));
+    }
+    if (aspect > 1.7f && aspect < 1.8f) {
+        assert_true(widest > 0.85f); /* It fills the screen, too. */
+    }
+}
+
+static void test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens(void **state)
+{
+    (void)state;
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        check_fits(id, 16.0f / 9.0f);
+        check_fits(id, 4.0f / 3.0f);
+        check_fits(id, 21.0f / 9.0f);
+        check_fits(id, 9.0f / 16.0f);
+    }
+}
+
+/* The federation's rules: type A, 1,000 fish of about 4 cm, 10 cm of water, no pump, 20 to 30 C. */
+static void test_official_is_the_championship(void **state)
+{
+    (void)state;
+    const struct tank_preset *preset = tank_preset(TANK_PRESET_OFFICIAL);
+    assert_string_equal(preset->name, "official");
+    assert_float_equal(preset->size_m.x, 1.36f, 1e-6f);
+    assert_float_equal(preset->size_m.z, 0.65f, 1e-6f);
+    assert_float_equal(preset->size_m.y, 0.10f, 1e-6f);
+    assert_int_equal(preset->fish_count, 1000);
+    assert_float_equal(preset->length_m, 0.04f, 1e-6f);
+    assert_in_range((uint32_t)preset->temperature_c, 20, 30);
+    assert_int_equal(preset->pump, 0);
+    assert_true(tank_preset_fish_max(preset, 1.0f) >= 1500);
+}
+
+static void test_living_fish_have_a_slimmer_box_than_the_thesis(void **state)
+{
+    (void)state;
+    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
+        const struct behavior_params *params = &tank_preset(id)->params;
+        const float height = id == TANK_PRESET_THESIS ? 0.40f : 0.36f;
+        assert_float_equal(params->height_per_length, height, 1e-6f);
+        assert_float_equal(params->width_per_length, 0.20f, 1e-6f);
+    }
+}
+
+static void test_water_holds_fish_by_its_volume(void **state)
+{
+    (void)state;
+    struct tank_preset preset = *tank_preset(TANK_PRESET_FESTIVAL);
+    const uint32_t max = tank_preset_fish_max(&preset, 1.0f);
+    assert_in_range(max, 600, 700); /* Twice the stall's own, and not four times. */
+    preset.size_m.y *= 2.0f;
+    assert_in_range(tank_preset_fish_max(&preset, 1.0f), 2u * max, 2u * max + 1u);
+    preset.size_m.y *= 100.0f;
+    assert_int_equal(tank_preset_fish_max(&preset, 1.0f), TANK_FISH_MAX);
+    preset.size_m.y = 1e-6f;
+    assert_int_equal(tank_preset_fish_max(&preset, 1.0f), 1);
+}
+
+static void test_an_unknown_preset_is_a_bug(void **state)
+{
+    (void)state;
+    expect_assert_failure(tank_preset(TANK_PRESET_COUNT));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_festival_is_the_stall_that_it_says),
+        cmocka_unit_test(test_its_ages_give_fish_of_three_to_eight_centimetres),
+        cmocka_unit_test(test_four_bowls_float_inside_each_tank_and_apart),
+        cmocka_unit_test(test_each_whole_tank_is_in_the_picture_on_wide_and_narrow_screens),
+        cmocka_unit_test(test_official_is_the_championship),
+        cmocka_unit_test(test_living_fish_have_a_slimmer_box_than_the_thesis),
+        cmocka_unit_test(test_water_holds_fish_by_its_volume),
+        cmocka_unit_test(test_an_unknown_preset_is_a_bug),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

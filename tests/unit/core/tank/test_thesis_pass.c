@@ -1,0 +1,287 @@
+/* test_thesis_pass.c -- the 2013 thesis, section 3.4, by fish in the water: where they notice each
+ * other, and how they pass in figures 4.1 to 4.12. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "tests/unit/support/thesis.h"
+
+#define SEEDS 60u
+
+static struct tank_stage swimmer(float x_cm, float y_cm, float z_cm, float yaw_deg)
+{
+    return (struct tank_stage){
+        .position_m = { 0.01f * x_cm, 0.01f * y_cm, 0.01f * z_cm },
+        .angles = { .yaw_rad = yaw_deg * F_DEG },
+        .speed_m_s = 0.0525f * 0.92f,
+        .stamina = 0.60f, /* Its depth is 13 cm. */
+        .gait = GAIT_SWIM,
+    };
+}
+
+/* How far apart the middles were when either first gave way; 0 when neither did. */
+static float reacts_at_m(const struct tank_stage stage[2])
+{
+    struct tank *tank = thesis_stage(stage, 2, 4);
+    for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ; tick++) {
+        const vec3 apart = v3_sub(tank->fish[0].position_m, tank->fish[1].position_m);
+        tank_tick(tank, tick, NULL, 0);
+        if (tank->fish[0].avoiding != AVOID_NONE || tank->fish[1].avoiding != AVOID_NONE) {
+            return v3_length(apart);
+        }
+    }
+    return 0.0f;
+}
+
+/* One so much beside the other's course, or above it; 5 cm above, where its stamina wants it. */
+static float meets_head_on_m(float aside_cm, float above_cm)
+{
+    struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 5.0f, 0.0f),
+                                  swimmer(aside_cm, -13.0f + above_cm, -5.0f, 180.0f) };
+    stage[1].stamina = above_cm > 4.0f ? 0.40f : 0.60f;
+    return reacts_at_m(stage);
+}
+
+/* Box against box, as 3.7 has it: 2 cm between bodies. What 3.4 alone would also allow, space
+ * against body, is half of that. */
+static void test_3_4_personal_spaces_of_7_by_4_by_3_cm_meet_box_against_box(void **state)
+{
+    (void)state;
+    assert_float_equal(meets_head_on_m(0.0f, 0.0f), 0.07f, 0.004f);
+    assert_float_equal(meets_head_on_m(2.8f, 0.0f), 0.0754f, 0.004f);
+    assert_float_equal(meets_head_on_m(3.2f, 0.0f), 0.0f, 0.0f);
+    assert_true(meets_head_on_m(0.0f, 3.8f) > 0.07f);
+    assert_float_equal(meets_head_on_m(0.0f, 5.0f), 0.0f, 0.0f);
+}
+
+static void test_3_4_personal_space_never_shrinks_in_the_thesis(void **state)
+{
+    (void)state;
+    static struct tank tank;
+    const uint32_t counts[] = { 50, 600, 1500, 2000 };
+    for (uint32_t i = 0; i < 4; i++) {
+        tank_init(&tank, TANK_PRESET_THESIS, counts[i], 1);
+        assert_float_equal(0.05f * tank.space, 0.01f, 1e-7f);
+    }
+    /* 1,000 boxes of 7 x 4 x 3 cm would fill 95 % of the championship's water. */
+    tank_init(&tank, TANK_PRESET_OFFICIAL, 1000, 1);
+    assert_true(tank.space < 0.19f && tank.space > 0.15f);
+    tank_init(&tank, TANK_PRESET_OFFICIAL, 2000, 1);
+    assert_true(tank.space < 0.15f && tank.space > 0.04f);
+}
+
+/* Between one head-on and one from the side, a fish turns for the one that it would touch first. */
+static fish_index gives_way_to(float ahead_gap_cm, float aside_gap_cm)
+{
+    const struct tank_stage stage[] = {
+        swimmer(0.0f, -13.0f, 0.0f, 0.0f),
+        swimmer(0.0f, -13.0f, -5.0f - ahead_gap_cm, 180.0f),
+        swimmer(3.0f + aside_gap_cm, -13.0f, 0.0f, 90.0f),
+    };
+    struct tank *tank = thesis_stage(stage, 3, 2);
+    for (uint32_t tick = 0; tank->fish[0].avoiding == AVOID_NONE && tick < 8; tick++) {
+        tank_tick(tank, tick, NULL, 0);
+    }
+    assert_int_equal(tank->fish[0].avoiding, AVOID_YAW);
+    return tank->fish[0].avoid_with;
+}
+
+static void test_3_4_of_several_meetings_the_soonest_counts(void **state)
+{
+    (void)state;
+    assert_int_equal(gives_way_to(0.6f, 1.6f), 1);
+    assert_int_equal(gives_way_to(1.6f, 0.4f), 2);
+}
+
+static void test_3_4_repulsion_parts_fish_that_rest_too_near(void **state)
+{
+    (void)state;
+    struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 0.0f, 0.0f),
+                                  swimmer(1.2f, -13.0f, 0.0f, 0.0f) };
+    stage[0].gait = stage[1].gait = GAIT_REST;
+    stage[0].speed_m_s = stage[1].speed_m_s = 0.0f;
+    struct tank *tank = thesis_stage(stage, 2, 2);
+    float pushed_m_s = 0.0f;
+    for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
+        tank_tick(tank, tick, NULL, 0);
+        for (uint32_t i = 0; i < 2; i++) {
+            assert_int_equal(tank->fish[i].avoiding, AVOID_NONE); /* Nobody approaches. */
+            pushed_m_s = f_max(pushed_m_s, v3_length(tank->fish[i].push_m_s));
+        }
+    }
+    const float apart_m = tank->fish[1].position_m.x - tank->fish[0].position_m.x;
+    assert_true(apart_m > 0.017f && apart_m < 0.03f);
+    assert_true(pushed_m_s > 0.005f && pushed_m_s < 0.0225f);
+}
+
+/* ---- Figures 4.1 to 4.12 ------------------------------------------------------------------ */
+
+struct encounter {
+    uint32_t start_tick, done_tick; /* First and last of giving way; 0 is never. */
+    float turned_rad[2];            /* Since the start. */
+    float gap_m, depth_m;           /* The least gap there was, the deepest overlap. */
+    float apart_m, before_m;        /* Middles: in the end, and a second before. */
+    uint8_t pitched, still_avoiding;
+};
+
+static float middles_m(const struct tank *tank)
+{
+    return v3_length(v3_sub(tank->fish[0].position_m, tank->fish[1].position_m));
+}
+
+static struct encounter play(const struct tank_stage stage[2], uint32_t seed)
+{
+    struct tank *tank = thesis_stage(stage, 2, seed);
+    struct encounter e = { .gap_m = 1.0f };
+    for (uint32_t tick = 1; tick <= 5u * CORE_TICK_HZ; tick++) {
+        e.before_m = tick == 4u * CORE_TICK_HZ ? middles_m(tank) : e.before_m;
+        tank_tick(tank, tick, NULL, 0);
+        const struct box a = fish_box(&tank->fish[0]), b = fish_box(&tank->fish[1]);
+        e.gap_m = f_min(e.gap_m, box_gap(&a, 0.5f, &b, 0.5f).body_m);
+        e.depth_m = f_max(e.depth_m, box_depth_m(&a, &b));
+        e.still_avoiding = 0;
+        for (uint32_t i = 0; i < 2; i++) {
+            e.still_avoiding |= tank->fish[i].avoiding;
+            e.pitched |= tank->fish[i].avoiding == AVOID_PITCH;
+            e.turned_rad[i] =
+                f_wrap_angle(tank->fish[i].angles.yaw_rad - stage[i].angles.yaw_rad);
+        }
+        if (e.still_avoiding) {
+            e.start_tick = e.start_tick ? e.start_tick : tick;
+            e.done_tick = tick;
+        }
+    }
+    e.apart_m = middles_m(tank);
+    return e;
+}
+
+/* Start, during, done, after: it begins, ends within some seconds, and they go their ways, be it
+ * side by side. */
+static void check_phases(const struct encounter *e)
+{
+    assert_true(e->start_tick > 0);
+    assert_in_range(e->done_tick - e->start_tick, CORE_TICK_HZ / 12u, 3u * CORE_TICK_HZ);
+    assert_int_equal(e->still_avoiding, 0);
+    assert_true(e->apart_m > 0.03f && e->apart_m > e->before_m - 0.001f);
+    assert_true(e->depth_m == 0.0f);
+}
+
+static void test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch(void **state)
+{
+    (void)state;
+    const struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 6.0f, 0.0f),
+                                        swimmer(0.0f, -13.0f, -6.0f, 180.0f) };
+    float gap_m = 1.0f;
+    uint32_t left = 0;
+    for (uint32_t seed = 1; seed <= SEEDS; seed++) {
+        const struct encounter e = play(stage, seed);
+        check_phases(&e);
+        assert_true(e.turned_rad[0] * e.turned_rad[1] > 0.0f); /* In step. */
+        assert_false(e.pitched);
+        left += e.turned_rad[0] > 0.0f;
+        gap_m = f_min(gap_m, e.gap_m);
+    }
+    print_message("head-on: %u of %u to the left, least gap %.1f mm\n", left, SEEDS,
+                  (double)(1000.0f * gap_m));
+    assert_in_range(left, SEEDS / 4u, 3u * SEEDS / 4u);
+    assert_true(gap_m > 0.003f);
+}
+
+static void test_figs_4_5_to_4_8_from_the_side_they_pass_without_a_touch(void **state)
+{
+    (void)state;
+    const struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 7.0f, 0.0f),
+                                        swimmer(4.5f, -13.0f, 0.0f, 90.0f) };
+    float gap_m = 1.0f, worst_m = 1.0f;
+    uint32_t behind = 0;
+    for (uint32_t seed = 1; seed <= SEEDS; seed++) {
+        const struct encounter e = play(stage, seed);
+        check_phases(&e);
+        behind += e.turned_rad[0] < 0.0f;
+        worst_m = f_min(worst_m, e.gap_m);
+        gap_m = e.turned_rad[0] < 0.0f ? f_min(gap_m, e.gap_m) : gap_m;
+    }
+    print_message("from the side: %u of %u behind, least gap %.1f mm, of the others %.1f mm\n",
+                  behind, SEEDS, (double)(1000.0f * gap_m), (double)(1000.0f * worst_m));
+    assert_in_range(behind, 4u * SEEDS / 5u, SEEDS - 1u);
+    assert_true(gap_m > 0.002f);
+}
+
+static void test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch(void **state)
+{
+    (void)state;
+    struct tank_stage stage[] = { swimmer(0.0f, -13.0f, 12.0f, 0.0f),
+                                  swimmer(0.0f, -13.0f, 2.0f, 0.0f) };
+    stage[0].gait = GAIT_BURST;
+    stage[0].speed_m_s = 0.15f * 0.92f;
+    float gap_m = 1.0f;
+    uint32_t left = 0;
+    for (uint32_t seed = 1; seed <= SEEDS; seed++) {
+        const struct encounter e = play(stage, seed);
+        assert_true(e.start_tick > 0 && e.depth_m == 0.0f);
+        left += e.turned_rad[0] > 0.0f;
+        gap_m = f_min(gap_m, e.gap_m);
+    }
+    print_message("from behind: %u of %u to the left, least gap %.1f mm\n", left, SEEDS,
+                  (double)(1000.0f * gap_m));
+    assert_in_range(left, SEEDS / 4u, 3u * SEEDS / 4u);
+    assert_true(gap_m > 0.003f);
+}
+
+/* Only the follower gives way: past 20 degrees of its turn the headings alone would make the two a
+ * side meeting, and the leader turn as one that is struck. */
+static void check_leader(const struct tank_stage stage[2], uint32_t seed, uint32_t *met)
+{
+    struct tank *tank = thesis_stage(stage, 2, seed);
+    const struct fish *follower = &tank->fish[0], *leader = &tank->fish[1];
+    uint8_t gave_way = 0;
+    for (uint32_t tick = 1; tick <= 4u * CORE_TICK_HZ; tick++) {
+        tank_tick(tank, tick, NULL, 0);
+        gave_way |= follower->avoiding == AVOID_YAW && follower->avoid_kind == MEET_REAR_END;
+        assert_int_equal(leader->avoiding, AVOID_NONE);
+        assert_float_equal(leader->angles.yaw_rad, 0.0f, 1e-6f);
+    }
+    *met += gave_way;
+}
+
+static void test_3_4_from_behind_the_leader_never_turns(void **state)
+{
+    (void)state;
+    uint32_t met = 0;
+    for (uint32_t seed = 1; seed <= 4u * SEEDS; seed++) {
+        const float off_cm = 0.25f * (float)(seed % 9u) - 1.0f;
+        struct tank_stage stage[] = { swimmer(off_cm, -13.0f, 12.0f, 0.0f),
+                                      swimmer(0.0f, -13.0f, 3.0f, 0.0f) };
+        stage[0].gait = GAIT_BURST;
+        stage[0].speed_m_s = 0.138f;
+        stage[1].stamina = 0.26f + 0.01f * (float)(seed % 70u);
+        check_leader(stage, seed, &met);
+        stage[0].gait = GAIT_SWIM; /* Hardly faster: it takes seconds, and goes on in pitch. */
+        stage[0].position_m.z = 0.10f;
+        stage[0].speed_m_s = 0.0525f;
+        stage[0].stamina = 1.0f;
+        stage[1].speed_m_s = 0.02f;
+        stage[1].gait = GAIT_REST;
+        check_leader(stage, seed, &met);
+    }
+    print_message("from behind: %u of %u followers gave way, no leader did\n", met, 8u * SEEDS);
+    assert_true(met > 7u * SEEDS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_3_4_personal_spaces_of_7_by_4_by_3_cm_meet_box_against_box),
+        cmocka_unit_test(test_3_4_personal_space_never_shrinks_in_the_thesis),
+        cmocka_unit_test(test_3_4_of_several_meetings_the_soonest_counts),
+        cmocka_unit_test(test_3_4_repulsion_parts_fish_that_rest_too_near),
+        cmocka_unit_test(test_figs_4_1_to_4_4_head_on_they_pass_without_a_touch),
+        cmocka_unit_test(test_figs_4_5_to_4_8_from_the_side_they_pass_without_a_touch),
+        cmocka_unit_test(test_figs_4_9_to_4_12_from_behind_it_passes_without_a_touch),
+        cmocka_unit_test(test_3_4_from_behind_the_leader_never_turns),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,343 @@
+/* test_thesis_tank.c -- the 2013 thesis, sections 3.1, 3.2, 3.3 and 3.6: the tank, how its fish
+ * begin, walls, depths; and that 600 of them get along. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "core/tank/behavior/gait.h"
+#include "core/tank/collision/contact_solver.h"
+#include "tests/unit/support/thesis.h"
+
+#define FISH 600u
+
+static struct tank tank;
+
+static void test_3_1_the_tank_is_136_by_65_cm_with_walls_of_23_and_water_of_20(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_THESIS, FISH, 1);
+    assert_float_equal(tank.size_m.x, 1.36f, 1e-6f);
+    assert_float_equal(tank.size_m.y, 0.20f, 1e-6f); /* Section 3.6. */
+    assert_float_equal(tank.size_m.z, 0.65f, 1e-6f);
+    assert_float_equal(tank.wall_height_m, 0.23f, 1e-6f);
+    assert_int_equal(tank_preset(TANK_PRESET_THESIS)->fish_count, FISH); /* Section 4.1. */
+}
+
+static void test_3_1_every_fish_is_a_box_of_5_by_2_by_1_cm(void **state)
+{
+    (void)state;
+    tank_init(&tank, TANK_PRESET_THESIS, FISH, 1);
+    for (uint32_t i = 0; i < FISH; i++) {
+        const struct box box = fish_box(&tank.fish[i]);
+        assert_float_equal(2.0f * box.half_m.z, 0.05f, 1e-6f);
+        assert_float_equal(2.0f * box.half_m.y, 0.02f, 1e-6f);
+        assert_float_equal(2.0f * box.half_m.x, 0.01f, 1e-6f);
+    }
+}
+
+static void test_3_2_stamina_begins_anywhere_from_30_to_100_alike(void **state)
+{
+    static float drawn[5u * FISH];
+    (void)state;
+    for (uint32_t seed = 0; seed < 5; seed++) {
+        tank_init(&tank, TANK_PRESET_THESIS, FISH, seed);
+        for (uint32_t i = 0; i < FISH; i++) {
+            drawn[seed * FISH + i] = 100.0f * tank.fish[i].stamina;
+        }
+    }
+    assert_true(uniform_misfit(drawn, 5u * FISH, 30.0f, 100.0f) < UNIFORM_MISFIT_MAX(5u * FISH));
+    assert_true(drawn[0] >= 30.0f && drawn[5u * FISH - 1u] < 100.0f); /* Sorted by now. */
+}
+
+/* By eqs. 3.1 to 3.3, 2 s a burst and 12.5 s a swim or a rest, H anywhere from 30 to 100. */
+static void test_3_2_gaits_begin_as_in_the_long_run_1_1_percent_burst_and_38_swim(void **state)
+{
+    uint32_t count[GAIT_COUNT] = { 0 };
+    const uint32_t seeds = 20, draws = seeds * FISH;
+    (void)state;
+    for (uint32_t seed = 0; seed < seeds; seed++) {
+        tank_init(&tank, TANK_PRESET_THESIS, FISH, seed);
+        for (uint32_t i = 0; i < FISH; i++) {
+            count[tank.fish[i].gait]++;
+        }
+    }
+    assert_float_equal((float)count[GAIT_BURST] / (float)draws, 0.0110f, 0.003f);
+    assert_float_equal((float)count[GAIT_SWIM] / (float)draws, 0.383f, 0.012f);
+    assert_int_equal(count[GAIT_BURST] + count[GAIT_SWIM] + count[GAIT_REST], draws);
+}
+
+static void test_3_3_headings_begin_anywhere_from_0_to_360_degrees_alike(void **state)
+{
+    static float drawn[5u * FISH];
+    (void)state;
+    for (uint32_t seed = 0; seed < 5; seed++) {
+        tank_init(&tank, TANK_PRESET_THESIS, FISH, seed);
+        for (uint32_t i = 0; i < FISH; i++) {
+            const float yaw_rad = tank.fish[i].angles.yaw_rad;
+            drawn[seed * FISH + i] = yaw_rad < 0.0f ? yaw_rad + F_TAU : yaw_rad;
+            assert_float_equal(tank.fish[i].angles.pitch_rad, 0.0f, 0.0f);
+            assert_true(tank.fish[i].heading_rad == yaw_rad); /* Nothing turned it yet. */
+        }
+    }
+    assert_true(uniform_misfit(drawn, 5u * FISH, 0.0f, F_TAU) < UNIFORM_MISFIT_MAX(5u * FISH));
+}
+
+/* Swims at a wall so many degrees off its normal. */
+static struct tank *toward_wall(float off_deg, uint32_t seed)
+{
+    const struct tank_stage start = {
+        .position_m = { 0.0f, -0.13f, -0.20f },
+        .angles = { .yaw_rad = off_deg * F_DEG },
+        .speed_m_s = 0.05f,
+        .stamina = 0.7f,
+        .gait = GAIT_SWIM,
+    };
+    return thesis_stage(&start, 1, seed);
+}
+
+/* Section 3.4: something within the personal space, 1 cm beyond the nose, makes it react. */
+static void test_3_1_a_fish_that_hits_a_wall_yaws_away_from_it_and_not_before(void **state)
+{
+    (void)state;
+    for (uint32_t seed = 1; seed <= 10; seed++) {
+        struct tank *t = toward_wall(0.0f, seed);
+        const struct fish *fish = &t->fish[0];
+        uint32_t tick = 0;
+        for (; fish->position_m.z > -0.325f + 0.036f; tick++) {
+            assert_float_equal(fish->angles.yaw_rad, 0.0f, 1e-4f);
+            assert_true(tick < 4u * CORE_TICK_HZ);
+            tank_tick(t, tick, NULL, 0);
+        }
+        for (const uint32_t end = tick + 3u * CORE_TICK_HZ; tick < end; tick++) {
+            const struct box box = fish_box(fish);
+            assert_true(fish->position_m.z - box_extent_m(&box).z > -0.325f - 1e-5f);
+            tank_tick(t, tick, NULL, 0);
+        }
+        assert_true(f_cos(fish->angles.yaw_rad) < 0.0f); /* It points away, ... */
+        const float z_m = fish->position_m.z;
+        for (const uint32_t end = tick + CORE_TICK_HZ; tick < end; tick++) {
+            tank_tick(t, tick, NULL, 0);
+        }
+        assert_true(fish->position_m.z > z_m); /* ... and leaves. */
+    }
+}
+
+static void test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        struct tank *t = toward_wall(60.0f * (float)side, 3);
+        for (uint32_t tick = 0; tick < 5u * CORE_TICK_HZ; tick++) {
+            tank_tick(t, tick, NULL, 0);
+        }
+        const float yaw_deg = t->fish[0].angles.yaw_rad / F_DEG * (float)side;
+        assert_true(yaw_deg > 90.0f && yaw_deg < 150.0f);
+    }
+}
+
+/* At 18, 13 and 8 cm; who would be at 3 gulps. Where it begins does not matter, nor does whether it
+ * rests: by 3.6 a fish gets there by pitching as it swims, but a tired one rests nine tenths of its
+ * time and would never rise. */
+static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m)
+{
+    const struct tank_stage start = { .position_m = { 0.0f, -from_m, 0.3f }, .stamina = stamina,
+                                      .speed_m_s = 0.03f, .gait = gait };
+    struct tank *t = thesis_stage(&start, 1, 9);
+    float climb_max_m_s = 0.0f, pitch_max_rad = 0.0f;
+    for (uint32_t tick = 0; tick < 18u * CORE_TICK_HZ; tick++) {
+        const float y_m = t->fish[0].position_m.y;
+        tank_tick(t, tick, NULL, 0);
+        const float climb_m_s = f_abs(t->fish[0].position_m.y - y_m) * (float)CORE_TICK_HZ;
+        climb_max_m_s = f_max(climb_max_m_s, climb_m_s);
+        pitch_max_rad = f_max(pitch_max_rad, f_abs(t->fish[0].angles.pitch_rad));
+    }
+    assert_float_equal(t->fish[0].position_m.y, -depth_m, 0.005f);
+    assert_true(climb_max_m_s <= 0.0301f);
+    assert_true(pitch_max_rad > 5.0f * F_DEG); /* It pitches to get there. */
+}
+
+static void test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most(void **state)
+{
+    (void)state;
+    const uint8_t gaits[] = { GAIT_SWIM, GAIT_REST };
+    for (uint32_t g = 0; g < 2; g++) {
+        check_depth(0.95f, gaits[g], 0.08f, 0.18f);
+        check_depth(0.60f, gaits[g], 0.18f, 0.13f);
+        check_depth(0.35f, gaits[g], 0.15f, 0.08f);
+    }
+}
+
+static void test_3_6_the_bands_change_at_75_50_and_25_of_100(void **state)
+{
+    (void)state;
+    const float stamina[] = { 1.00f, 0.75f, 0.749f, 0.50f, 0.499f, 0.25f, 0.249f, 0.0f };
+    const float depth_m[] = { 0.18f, 0.18f, 0.13f, 0.13f, 0.08f, 0.08f, 0.03f, 0.03f };
+    for (uint32_t i = 0; i < 8; i++) {
+        assert_float_equal(gait_depth_m(stamina[i], 0.20f), -depth_m[i], 1e-6f);
+        assert_float_equal(gait_depth_m(stamina[i], 0.10f), -0.5f * depth_m[i], 1e-6f);
+    }
+}
+
+/* The thesis knows no flight: a disc that rushes by scares nobody. */
+static void test_nobody_flees_or_dozes_or_whims_in_the_thesis(void **state)
+{
+    (void)state;
+    const struct behavior_params *params = thesis_law();
+    assert_false(params->escapes || params->glides || params->banks || params->shade_frights);
+    assert_float_equal(params->flow_share, 0.0f, 0.0f);
+    assert_false(params->air_by_oxygen);
+    assert_float_equal(params->kick_rad + params->wall_follow + params->depth_stray, 0.0f, 0.0f);
+    assert_float_equal(params->brake_s + params->meet_within_s + params->meet_miss, 0.0f, 0.0f);
+    tank_init(&tank, TANK_PRESET_THESIS, 200, 1);
+    for (uint32_t tick = 0; tick < 2u * CORE_TICK_HZ; tick++) {
+        struct obstacle disc = {
+            .kind = OBSTACLE_DISC,
+            .centre_m = { -0.5f + 0.5f * (float)tick * CORE_TICK_S, -0.10f, 0.0f },
+            .normal = { 1.0f, 0.0f, 0.0f },
+            .velocity_m_s = { 0.5f, 0.0f, 0.0f },
+            .radius_m = 0.045f,
+        };
+        tank_tick(&tank, tick, &disc, 1);
+        for (uint32_t i = 0; i < 200; i++) {
+            assert_int_not_equal(tank.fish[i].gait, GAIT_ESCAPE);
+            assert_float_equal(tank.fish[i].angles.roll_rad, 0.0f, 1e-6f);
+        }
+    }
+}
+
+/* In a full tank, too: "when avoiding took it off its depth it goes back there". */
+static void test_3_6_six_hundred_fish_keep_to_their_depths(void **state)
+{
+    (void)state;
+    uint32_t near = 0, all = 0;
+    tank_init(&tank, TANK_PRESET_THESIS, FISH, 3);
+    for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
+        tank_tick(&tank, tick, NULL, 0);
+        for (uint32_t i = 0; tick % CORE_TICK_HZ == 0 && tick >= 15u * CORE_TICK_HZ && i < FISH;
+             i++) {
+            const struct fish *fish = &tank.fish[i];
+            near += f_abs(fish->position_m.y - gait_depth_m(fish->stamina, 0.20f)) < 0.02f;
+            all++;
+        }
+    }
+    print_message("%.2f of them within 2 cm of the depth of their band\n",
+                  (double)near / (double)all);
+    assert_true((float)near > 0.75f * (float)all);
+}
+
+/* ---- A full tank -------------------------------------------------------------------------- */
+
+struct bustle {
+    float pace[GAIT_COUNT];      /* Mean speed over that of a fish alone. */
+    float reversals_per_s;       /* A fish; turns of over 30 degrees a second, left then right. */
+    float yaw_rate_max_rad_s;
+    float at_walls, at_walls_if_even; /* Shares of fish within 3/4 length of a wall. */
+};
+
+struct bustle_sums {
+    float speed[GAIT_COUNT], alone[GAIT_COUNT], walls, fish_ticks;
+    uint32_t reversals;
+    float last_turn[TANK_FISH_MAX];
+};
+
+static void watch(struct bustle_sums *sums, struct bustle *bustle, uint32_t tick)
+{
+    struct perception around = { .params = tank_behavior_params(&tank),
+                                 .size_m = tank.size_m,
+                                 .tick = tick };
+    struct behavior_params even = *around.params; /* A beat and a glide in the mean. */
+    even.glides = 0;
+    around.params = &even;
+    for (uint32_t i = 0; i < tank.fish_count; i++) {
+        const struct fish *fish = &tank.fish[i];
+        const vec3 v = fish->velocity_m_s;
+        sums->speed[fish->gait] += f_sqrt(v.x * v.x + v.z * v.z);
+        sums->alone[fish->gait] += gait_speed_m_s(fish, &around);
+        const float turn = fish->yaw_rate_rad_s;
+        bustle->yaw_rate_max_rad_s = f_max(bustle->yaw_rate_max_rad_s, f_abs(turn));
+        if (f_abs(turn) > 30.0f * F_DEG) {
+            sums->reversals += sums->last_turn[i] * turn < 0.0f;
+            sums->last_turn[i] = turn;
+        }
+        const float wall_m = f_min(0.5f * tank.size_m.x - f_abs(fish->position_m.x),
+                                   0.5f * tank.size_m.z - f_abs(fish->position_m.z));
+        sums->walls += wall_m < 0.75f * fish->length_m ? 1.0f : 0.0f;
+        sums->fish_ticks += 1.0f;
+    }
+}
+
+/* Half a minute, of which the last twenty seconds count. */
+static struct bustle bustle_of(uint8_t preset, uint32_t fish_count)
+{
+    static struct bustle_sums sums;
+    struct bustle bustle = { 0 };
+    sums = (struct bustle_sums){ 0 };
+    tank_init(&tank, preset, fish_count, 2013);
+    for (uint32_t tick = 0; tick < 30u * CORE_TICK_HZ; tick++) {
+        tank_tick(&tank, tick, NULL, 0);
+        if (tick >= 10u * CORE_TICK_HZ) {
+            watch(&sums, &bustle, tick);
+        }
+    }
+    for (uint32_t gait = GAIT_REST; gait <= GAIT_BURST; gait++) {
+        bustle.pace[gait] = sums.speed[gait] / f_max(sums.alone[gait], 1e-6f);
+    }
+    const float band_m = 1.5f * (preset == TANK_PRESET_OFFICIAL ? 0.04f : 0.05f);
+    bustle.reversals_per_s = (float)sums.reversals / (20.0f * (float)fish_count);
+    bustle.at_walls = sums.walls / sums.fish_ticks;
+    bustle.at_walls_if_even = 1.0f - (tank.size_m.x - band_m) * (tank.size_m.z - band_m) /
+                                         (tank.size_m.x * tank.size_m.z);
+    print_message("%s, %u fish: swimmers keep %.2f of their pace, bursts %.2f; %.2f reversals a "
+                  "fish and second, %.0f degrees/s at most; %.3f at walls (%.3f if even)\n",
+                  tank_preset(preset)->name, fish_count, (double)bustle.pace[GAIT_SWIM],
+                  (double)bustle.pace[GAIT_BURST], (double)bustle.reversals_per_s,
+                  (double)(bustle.yaw_rate_max_rad_s / F_DEG), (double)bustle.at_walls,
+                  (double)bustle.at_walls_if_even);
+    return bustle;
+}
+
+static void check_bustle(uint8_t preset, uint32_t fish_count)
+{
+    const struct bustle bustle = bustle_of(preset, fish_count);
+    assert_true(bustle.pace[GAIT_SWIM] > 0.5f); /* No gridlock. */
+    assert_true(bustle.pace[GAIT_BURST] > 0.5f);
+    assert_true(bustle.reversals_per_s < 1.0f); /* No jitter. */
+    assert_true(bustle.yaw_rate_max_rad_s < 721.0f * F_DEG);
+    assert_true(bustle.at_walls < 1.5f * bustle.at_walls_if_even); /* No pile. */
+}
+
+static void test_4_1_six_hundred_fish_keep_moving_naturally(void **state)
+{
+    (void)state;
+    check_bustle(TANK_PRESET_THESIS, 600);
+}
+
+static void test_a_thousand_fish_of_the_championship_do_so_too(void **state)
+{
+    (void)state;
+    check_bustle(TANK_PRESET_OFFICIAL, 1000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_3_1_the_tank_is_136_by_65_cm_with_walls_of_23_and_water_of_20),
+        cmocka_unit_test(test_3_1_every_fish_is_a_box_of_5_by_2_by_1_cm),
+        cmocka_unit_test(test_3_2_stamina_begins_anywhere_from_30_to_100_alike),
+        cmocka_unit_test(test_3_2_gaits_begin_as_in_the_long_run_1_1_percent_burst_and_38_swim),
+        cmocka_unit_test(test_3_3_headings_begin_anywhere_from_0_to_360_degrees_alike),
+        cmocka_unit_test(test_3_1_a_fish_that_hits_a_wall_yaws_away_from_it_and_not_before),
+        cmocka_unit_test(test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from),
+        cmocka_unit_test(
+            test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most),
+        cmocka_unit_test(test_3_6_the_bands_change_at_75_50_and_25_of_100),
+        cmocka_unit_test(test_3_6_six_hundred_fish_keep_to_their_depths),
+        cmocka_unit_test(test_nobody_flees_or_dozes_or_whims_in_the_thesis),
+        cmocka_unit_test(test_4_1_six_hundred_fish_keep_moving_naturally),
+        cmocka_unit_test(test_a_thousand_fish_of_the_championship_do_so_too),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,374 @@
+/* test_gamepad_decoder.c -- what a pad says, as a hand: sticks, triggers, motion, and any bits at
+ * all. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/game/control/input_validation.h"
+#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/gamepad_sim.h"
+#include "tests/unit/support/pointer.h"
+
+static struct gamepad_decoder hand;
+static uint64_t now_ms;
+
+static int begin(void **state)
+{
+    (void)state;
+    now_ms = 1000;
+    gamepad_decoder_init(&hand, stall_view());
+    gamepad_decoder_sample(&hand, now_ms * MS);
+    return 0;
+}
+
+static struct gamepad_report *report_now(void)
+{
+    static struct gamepad_report report;
+    report = hand.now;
+    report.time_ns = now_ms * MS;
+    report.has_turn = report.has_weight = 0;
+    return &report;
+}
+
+static void set_axis(enum gamepad_axis axis, int16_t value)
+{
+    struct gamepad_report *report = report_now();
+    report->axis[axis] = value;
+    gamepad_decoder_report(&hand, report);
+}
+
+static void set_buttons(uint32_t buttons)
+{
+    struct gamepad_report *report = report_now();
+    report->buttons = buttons;
+    gamepad_decoder_report(&hand, report);
+}
+
+static struct poi_target after_ms(uint64_t ms)
+{
+    now_ms += ms;
+    return gamepad_decoder_sample(&hand, now_ms * MS).target;
+}
+
+static void test_a_stick_that_is_worn_leads_nowhere(void **state)
+{
+    (void)state;
+    const vec3 before = after_ms(0).position_m;
+    set_axis(GAMEPAD_LEAD_X, GAMEPAD_DEAD);
+    const vec3 after = after_ms(800).position_m;
+    assert_true(after.x == before.x && after.z == before.z);
+    set_axis(GAMEPAD_LEAD_X, GAMEPAD_DEAD + 2000);
+    assert_true(after_ms(800).position_m.x > before.x + 0.001f);
+}
+
+/* A stick's gate may be square: the corner is no faster than the rim. */
+static void test_a_stick_in_its_corner_is_as_fast_as_at_its_rim(void **state)
+{
+    (void)state;
+    set_axis(GAMEPAD_LEAD_X, INT16_MAX);
+    set_axis(GAMEPAD_LEAD_Y, INT16_MAX);
+    after_ms(300);
+    const vec3 speed = hand.fly.speed_m_s;
+    assert_true(v3_length(speed) <= STICK_MOTION_AIR_M_S * 1.001f);
+    assert_true(speed.x > 0.0f && f_abs(speed.x - speed.z) < 1e-3f);
+}
+
+static void test_a_trigger_that_trembles_half_way_dips_once(void **state)
+{
+    (void)state;
+    uint32_t dips = 0;
+    int was_down = 0;
+    for (uint32_t i = 0; i < 100; i++) {
+        set_axis(GAMEPAD_TRIGGER_LEFT, (int16_t)(GAMEPAD_TRIGGER_ON + (i % 2 ? 900 : -900)));
+        dips += hand.trigger_down && !was_down;
+        was_down = hand.trigger_down;
+        after_ms(4);
+    }
+    assert_int_equal(dips, 1);
+    assert_true(after_ms(400).position_m.y < -0.04f);
+    set_axis(GAMEPAD_TRIGGER_LEFT, GAMEPAD_TRIGGER_OFF);
+    assert_true(after_ms(600).position_m.y > 0.03f);
+}
+
+static void test_a_and_either_trigger_hold_the_ring_down_together(void **state)
+{
+    (void)state;
+    set_buttons(GAMEPAD_SOUTH);
+    set_axis(GAMEPAD_TRIGGER_RIGHT, INT16_MAX);
+    after_ms(500);
+    set_buttons(0);
+    assert_true(after_ms(600).position_m.y < -0.04f);
+    set_axis(GAMEPAD_TRIGGER_RIGHT, 0);
+    assert_true(after_ms(600).position_m.y > 0.03f);
+}
+
+static void test_the_right_stick_tilts_as_far_as_it_is_pushed_and_no_jerk(void **state)
+{
+    (void)state;
+    set_axis(GAMEPAD_TILT_Y, INT16_MIN); /* Away. */
+    const float at_once = after_ms(8).angles.pitch_rad;
+    const float then = after_ms(500).angles.pitch_rad;
+    assert_true(at_once < 0.2f * GAMEPAD_TILT_RAD);
+    assert_true(f_abs(then - GAMEPAD_TILT_RAD) < 0.01f);
+    set_axis(GAMEPAD_TILT_Y, 0);
+    assert_true(f_abs(after_ms(500).angles.pitch_rad) < 0.01f);
+    set_axis(GAMEPAD_TILT_X, INT16_MAX);
+    assert_true(f_abs(after_ms(500).angles.roll_rad - GAMEPAD_TILT_RAD) < 0.01f);
+}
+
+static void test_buttons_are_the_cabinets(void **state)
+{
+    (void)state;
+    struct button_sample buttons;
+    set_buttons(GAMEPAD_START | GAMEPAD_BACK);
+    set_buttons(GAMEPAD_LEFT | GAMEPAD_EAST);
+    set_buttons(GAMEPAD_RIGHT | 0x80000000u);
+    gamepad_decoder_buttons(&hand, &buttons);
+    assert_int_equal(buttons.pressed,
+                     INPUT_START | INPUT_LANGUAGE | INPUT_LEFT | INPUT_OK | INPUT_RIGHT);
+    assert_int_equal(buttons.held, INPUT_RIGHT);
+    set_buttons(GAMEPAD_RIGHT);
+    gamepad_decoder_buttons(&hand, &buttons);
+    assert_int_equal(buttons.pressed, 0);
+}
+
+static void test_the_shoulder_holds_the_fan_and_the_poi_waits(void **state)
+{
+    (void)state;
+    assert_false(gamepad_decoder_fan(&hand, now_ms * MS).present);
+    set_buttons(GAMEPAD_SHOULDER_LEFT);
+    const vec3 before = after_ms(500).position_m;
+    set_axis(GAMEPAD_LEAD_X, INT16_MAX);
+    const vec3 after = after_ms(300).position_m;
+    const struct shade_input fan = gamepad_decoder_fan(&hand, now_ms * MS);
+    assert_true(fan.present);
+    assert_true(fan.x_m > 0.05f);
+    assert_true(f_abs(after.x - before.x) < 0.001f);
+}
+
+/* ---- Motion --------------------------------------------------------------------------------- */
+
+static void weigh(vec3 up)
+{
+    struct gamepad_report *report = report_now();
+    report->has_weight = 1;
+    report->weight_m_s2 = v3_scale(up, 9.81f);
+    gamepad_decoder_report(&hand, report);
+}
+
+static void turn(vec3 rate_rad_s)
+{
+    struct gamepad_report *report = report_now();
+    report->has_turn = 1;
+    report->turn_rad_s = rate_rad_s;
+    gamepad_decoder_report(&hand, report);
+}
+
+/* Held at 40 degrees, as everybody holds one. */
+static vec3 as_held(float pitch_rad, float roll_rad)
+{
+    const struct basis axes =
+        vec_basis_from_angles((struct angles){ .pitch_rad = pitch_rad, .roll_rad = roll_rad });
+    return vec_basis_to_body(&axes, v3(0.0f, 1.0f, 0.0f));
+}
+
+static void test_however_a_pad_is_held_that_is_level(void **state)
+{
+    (void)state;
+    weigh(as_held(40.0f * F_DEG, -10.0f * F_DEG));
+    const struct angles angles = after_ms(300).angles;
+    assert_true(f_abs(angles.pitch_rad) < 0.01f && f_abs(angles.roll_rad) < 0.01f);
+}
+
+/* Turned at once by the gyroscope; the accelerometer keeps it there for as long as it dips. */
+static void test_a_wrist_turns_the_ring_and_it_does_not_drift(void **state)
+{
+    (void)state;
+    weigh(as_held(40.0f * F_DEG, 0.0f));
+    after_ms(100);
+    set_buttons(GAMEPAD_SOUTH);
+    after_ms(500);
+    turn(v3(0.0f, 0.0f, -2.0f)); /* The right edge down, for a quarter of a second. */
+    after_ms(250);
+    turn(v3(0.0f, 0.0f, 0.02f)); /* A gyroscope that is off by a degree a second. */
+    const float at_once = after_ms(200).angles.roll_rad;
+    assert_true(at_once > 0.30f && at_once < 0.50f);
+    const vec3 up = hand.tilt.up;
+    for (uint32_t i = 0; i < 2000; i++) { /* 20 s. */
+        turn(v3(0.0f, 0.0f, 0.02f));
+        weigh(up);
+        after_ms(10);
+    }
+    assert_true(f_abs(after_ms(10).angles.roll_rad - at_once) < 0.05f);
+    set_buttons(0);
+    for (uint32_t i = 0; i < 2000; i++) { /* Hovering, it becomes the rest. */
+        weigh(up);
+        after_ms(10);
+    }
+    assert_true(f_abs(after_ms(10).angles.roll_rad) < 0.01f);
+}
+
+static void test_level_makes_how_it_is_held_the_rest(void **state)
+{
+    (void)state;
+    weigh(as_held(20.0f * F_DEG, 0.0f));
+    after_ms(100);
+    turn(v3(2.0f, 0.0f, 0.0f));
+    after_ms(250);
+    turn(v3(0.0f, 0.0f, 0.0f));
+    assert_true(after_ms(200).angles.pitch_rad > 0.3f);
+    set_buttons(GAMEPAD_WEST);
+    assert_true(f_abs(after_ms(300).angles.pitch_rad) < 0.02f);
+}
+
+/* ---- The twin ------------------------------------------------------------------------------- */
+
+#define SCRIPT 1000u
+static struct gamepad_report script[SCRIPT];
+static struct clock_sim clock_state;
+static struct gamepad_sim sim;
+static struct hal_poi poi;
+
+static int begin_twin(void **state)
+{
+    (void)state;
+    clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
+    gamepad_sim_init(&sim, clock_sim_device(&clock_state), stall_view());
+    for (uint32_t i = 0; i < SCRIPT; i++) { /* At 250 a second, leading about and dipping. */
+        script[i] = (struct gamepad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };
+        script[i].axis[GAMEPAD_LEAD_X] = (int16_t)(32767.0f * f_sin((float)i * 0.02f));
+        script[i].axis[GAMEPAD_LEAD_Y] = (int16_t)(32767.0f * f_cos((float)i * 0.03f));
+        script[i].buttons = i % 300 < 150 ? (uint32_t)GAMEPAD_SOUTH : 0u;
+    }
+    sim.reports = script;
+    sim.report_count = SCRIPT;
+    poi = gamepad_sim_device(&sim);
+    return poi.ops->open(poi.self);
+}
+
+/* Every sample is one that a hand can make of the one before; returns how many came. */
+static uint32_t play_ms(uint64_t ms, uint64_t frame_ms)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    static struct poi_sample last;
+    uint32_t count = 0;
+    last = (struct poi_sample){ 0 };
+    for (uint64_t gone_ms = 0; gone_ms < ms; gone_ms += frame_ms) {
+        clock_state.now_ns += frame_ms * MS;
+        const int taken = poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
+        for (int i = 0; i < taken; i++) {
+            assert_true(input_pose_is_finite(&samples[i].target));
+            assert_true(samples[i].time_ns >= last.time_ns);
+            const float dt_s = (float)(samples[i].time_ns - last.time_ns) * 1e-9f;
+            assert_false(last.time_ns > 0 && dt_s > 0.001f &&
+                         input_pose_is_jump(&last.target, &samples[i].target, dt_s, 0));
+            last = samples[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+static void test_the_hand_is_sampled_a_tick_apart_however_slow_the_frames(void **state)
+{
+    (void)state;
+    for (uint64_t frame_ms = 8; frame_ms <= 400; frame_ms += 56) {
+        begin_twin(state);
+        const uint32_t count = play_ms(3200, frame_ms);
+        const uint32_t ticks = 3200u * CORE_TICK_HZ / 1000u;
+        assert_true(count + 3200u / frame_ms >= ticks); /* Each frame may round one away. */
+    }
+}
+
+static void test_the_way_is_the_same_however_slow_the_frames(void **state)
+{
+    (void)state;
+    play_ms(3200, 8);
+    const vec3 fine = sim.track.hand.fly.place_m;
+    begin_twin(state);
+    play_ms(3200, 200);
+    const vec3 coarse = sim.track.hand.fly.place_m;
+    assert_true(v3_length(v3_sub(fine, coarse)) < 0.005f);
+}
+
+static void test_any_bits_make_a_hand_all_the_same(void **state)
+{
+    (void)state;
+    sim.spoil_from = 100;
+    sim.spoil_to = 900;
+    sim.jump_at = 50;
+    sim.double_every = 3;
+    play_ms(5000, 16);
+    assert_int_equal(sim.next, SCRIPT);
+}
+
+static void test_a_burst_after_a_silence_loses_no_press(void **state)
+{
+    (void)state;
+    struct button_sample buttons;
+    const struct hal_buttons device = gamepad_sim_buttons(&sim);
+    for (uint32_t i = 100; i < SCRIPT; i += 100) {
+        script[i].buttons |= GAMEPAD_START;
+    }
+    sim.silent_from_ns = 1000 * MS;
+    sim.silent_to_ns = 4900 * MS;
+    uint32_t edges = 0;
+    for (uint32_t i = 0; i < 500; i++) {
+        play_ms(10, 10);
+        device.ops->poll(device.self, &buttons);
+        edges += (buttons.pressed & INPUT_START) != 0;
+    }
+    assert_int_equal(edges, 1); /* Nine presses in one look are one edge, and none is none. */
+    assert_int_equal(sim.next, SCRIPT);
+}
+
+/* At each of its 1,000 reports: gone is told, and it comes back when it is plugged in again. */
+static void test_it_may_be_unplugged_at_any_report(void **state)
+{
+    (void)state;
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    for (uint32_t at = 0; at < SCRIPT; at++) {
+        begin_twin(state);
+        sim.unplug_at = at;
+        sim.replug_ns = clock_state.now_ns + (4 * (uint64_t)at + 100) * MS;
+        int result = 0;
+        for (uint32_t i = 0; i < SCRIPT && result >= 0; i++) {
+            clock_state.now_ns += 16 * MS;
+            result = poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
+        }
+        assert_int_equal(result, HAL_ERR_GONE);
+        assert_int_equal(sim.next, at);
+        assert_int_equal(poi.ops->open(poi.self), HAL_ERR_GONE);
+        clock_state.now_ns = sim.replug_ns;
+        assert_int_equal(poi.ops->open(poi.self), HAL_OK);
+        assert_true(poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX) > 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_a_stick_that_is_worn_leads_nowhere, begin),
+        cmocka_unit_test_setup(test_a_stick_in_its_corner_is_as_fast_as_at_its_rim, begin),
+        cmocka_unit_test_setup(test_a_trigger_that_trembles_half_way_dips_once, begin),
+        cmocka_unit_test_setup(test_a_and_either_trigger_hold_the_ring_down_together, begin),
+        cmocka_unit_test_setup(test_the_right_stick_tilts_as_far_as_it_is_pushed_and_no_jerk,
+                               begin),
+        cmocka_unit_test_setup(test_buttons_are_the_cabinets, begin),
+        cmocka_unit_test_setup(test_the_shoulder_holds_the_fan_and_the_poi_waits, begin),
+        cmocka_unit_test_setup(test_however_a_pad_is_held_that_is_level, begin),
+        cmocka_unit_test_setup(test_a_wrist_turns_the_ring_and_it_does_not_drift, begin),
+        cmocka_unit_test_setup(test_level_makes_how_it_is_held_the_rest, begin),
+        cmocka_unit_test_setup(test_the_hand_is_sampled_a_tick_apart_however_slow_the_frames,
+                               begin_twin),
+        cmocka_unit_test_setup(test_the_way_is_the_same_however_slow_the_frames, begin_twin),
+        cmocka_unit_test_setup(test_any_bits_make_a_hand_all_the_same, begin_twin),
+        cmocka_unit_test_setup(test_a_burst_after_a_silence_loses_no_press, begin_twin),
+        cmocka_unit_test_setup(test_it_may_be_unplugged_at_any_report, begin_twin),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

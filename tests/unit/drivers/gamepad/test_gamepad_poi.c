@@ -1,0 +1,351 @@
+/* test_gamepad_poi.c -- pads that SDL makes of memory: real joysticks, real events, no hardware. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <SDL.h>
+#include <cmocka.h>
+
+#include "drivers/gamepad/gamepad_poi.h"
+#include "drivers/sim/clock_sim.h"
+#include "tests/unit/support/pointer.h"
+
+static struct clock_sim clock_state;
+static struct gamepads gamepads;
+static uint16_t hum_slow, hum_fast;
+static uint32_t hum_count;
+
+static int SDLCALL take_rumble(void *self, Uint16 slow, Uint16 fast)
+{
+    (void)self;
+    hum_slow = slow;
+    hum_fast = fast;
+    hum_count++;
+    return 0;
+}
+
+/* A pad as SDL knows them: six axes, fifteen buttons. */
+static int attach(uint16_t product)
+{
+    SDL_VirtualJoystickDesc desc = {
+        .version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION,
+        .type = SDL_JOYSTICK_TYPE_GAMECONTROLLER,
+        .naxes = SDL_CONTROLLER_AXIS_MAX,
+        .nbuttons = SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1,
+        .vendor_id = 0x1209,
+        .product_id = product,
+        .name = "Pad of memory",
+        .Rumble = take_rumble,
+    };
+    const int index = SDL_JoystickAttachVirtualEx(&desc);
+    assert_true(index >= 0);
+    return index;
+}
+
+static SDL_Joystick *joystick(uint32_t place)
+{
+    assert_non_null(gamepads.pad[place].controller);
+    return SDL_GameControllerGetJoystick(gamepads.pad[place].controller);
+}
+
+/* The SDL device that is plugged in at a place. */
+static int index_of(uint32_t place)
+{
+    for (int i = 0; i < SDL_NumJoysticks(); i++) {
+        if (SDL_JoystickGetDeviceInstanceID(i) == gamepads.pad[place].instance) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static void wait_ms(uint64_t ms)
+{
+    clock_state.now_ns += ms * MS;
+    SDL_PumpEvents();
+}
+
+static struct poi_sample newest(uint32_t place)
+{
+    struct poi_sample samples[HAL_POI_SAMPLES_MAX];
+    const struct hal_poi poi = gamepad_poi_device(&gamepads, place);
+    const int count = poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
+    assert_true(count > 0);
+    return samples[count - 1];
+}
+
+static int begin(void **state)
+{
+    (void)state;
+    clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
+    hum_count = 0;
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    SDL_InitSubSystem(SDL_INIT_VIDEO);
+    gamepads_init(&gamepads, clock_sim_device(&clock_state), stall_view());
+    return gamepads_open(&gamepads, NULL);
+}
+
+static int end(void **state)
+{
+    (void)state;
+    while (SDL_NumJoysticks() > 0 && SDL_JoystickDetachVirtual(0) == 0) {
+    }
+    gamepads_close(&gamepads);
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    return 0;
+}
+
+static void test_a_pad_that_is_plugged_in_is_there(void **state)
+{
+    (void)state;
+    const struct hal_poi poi = gamepad_poi_device(&gamepads, 0);
+    assert_false(gamepad_poi_is_present(&gamepads.pad[0]));
+    assert_int_equal(poi.ops->open(poi.self), HAL_ERR_GONE);
+    attach(1);
+    wait_ms(16);
+    assert_true(gamepad_poi_is_present(&gamepads.pad[0]));
+    assert_false(gamepad_poi_is_present(&gamepads.pad[1]));
+    assert_int_equal(poi.ops->open(poi.self), HAL_OK);
+    assert_non_null(strstr(poi.ops->describe(poi.self), "Pad of memory"));
+    assert_non_null(strstr(poi.ops->describe(poi.self), "rumbles"));
+}
+
+static void test_one_that_was_there_before_us_is_found(void **state)
+{
+    (void)state;
+    attach(1);
+    gamepads_close(&gamepads);
+    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER); /* It would be gone with SDL's joysticks. */
+    attach(1);
+    gamepads_init(&gamepads, clock_sim_device(&clock_state), stall_view());
+    assert_int_equal(gamepads_open(&gamepads, NULL), HAL_OK);
+    assert_true(gamepad_poi_is_present(&gamepads.pad[0]));
+    wait_ms(16);
+    assert_true(gamepad_poi_is_present(&gamepads.pad[0]));
+    SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+}
+
+static void test_its_stick_leads_the_ring_to_the_right_and_its_trigger_dips(void **state)
+{
+    (void)state;
+    attach(1);
+    wait_ms(16);
+    const vec3 before = newest(0).target.position_m;
+    SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_LEFTX, 32767);
+    wait_ms(16);
+    newest(0);
+    wait_ms(500);
+    const vec3 after = newest(0).target.position_m;
+    assert_true(after.x > before.x + 0.20f && after.x < before.x + 0.29f); /* At 0.55 m/s. */
+    assert_true(f_abs(after.z - before.z) < 0.02f);
+    SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_LEFTX, 0);
+    SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32767);
+    wait_ms(16);
+    newest(0);
+    wait_ms(400);
+    assert_true(f_abs(newest(0).target.position_m.y - POINTER_DIP_M) < 0.001f);
+    SDL_JoystickSetVirtualAxis(joystick(0), SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -32768);
+    wait_ms(16);
+    newest(0);
+    wait_ms(600);
+    assert_true(f_abs(newest(0).target.position_m.y - POINTER_HOVER_M) < 0.001f);
+}
+
+static void test_a_press_between_two_looks_is_an_edge(void **state)
+{
+    (void)state;
+    struct button_sample buttons;
+    const struct hal_buttons device = gamepad_poi_buttons(&gamepads);
+    assert_int_equal(device.ops->poll(device.self, &buttons), HAL_ERR_ABSENT);
+    attach(1);
+    wait_ms(16);
+    gamepads_poll(&gamepads);
+    SDL_JoystickSetVirtualButton(joystick(0), SDL_CONTROLLER_BUTTON_START, 1);
+    wait_ms(4);
+    SDL_JoystickSetVirtualButton(joystick(0), SDL_CONTROLLER_BUTTON_START, 0);
+    SDL_JoystickSetVirtualButton(joystick(0), SDL_CONTROLLER_BUTTON_DPAD_LEFT, 1);
+    wait_ms(4);
+    assert_int_equal(device.ops->poll(device.self, &buttons), HAL_OK);
+    assert_int_equal(buttons.pressed, INPUT_START | INPUT_LEFT);
+    assert_int_equal(buttons.held, INPUT_LEFT);
+    device.ops->poll(device.self, &buttons);
+    assert_int_equal(buttons.pressed, 0);
+}
+
+static void test_pulled_out_it_is_gone_and_comes_back_to_its_own_place(void **state)
+{
+    (void)state;
+    struct poi_sample sample;
+    const struct hal_poi first = gamepad_poi_device(&gamepads, 0);
+    attach(1);
+    attach(2);
+    wait_ms(16);
+    assert_true(gamepad_poi_is_present(&gamepads.pad[0]));
+    assert_true(gamepad_poi_is_present(&gamepads.pad[1]));
+    char second_guid[GAMEPAD_GUID_SIZE];
+    memcpy(second_guid, gamepads.pad[1].guid, sizeof second_guid);
+    assert_int_equal(SDL_JoystickDetachVirtual(index_of(0)), 0);
+    wait_ms(16);
+    assert_int_equal(first.ops->poll(first.self, &sample, 1), HAL_ERR_GONE);
+    assert_int_equal(first.ops->set_force(first.self, &(struct poi_force){ 0 }), HAL_ERR_ABSENT);
+    assert_int_equal(SDL_JoystickDetachVirtual(index_of(1)), 0);
+    wait_ms(16);
+    assert_false(gamepad_poi_is_present(&gamepads.pad[1]));
+    attach(2);
+    wait_ms(16);
+    assert_false(gamepad_poi_is_present(&gamepads.pad[0]));
+    assert_true(gamepad_poi_is_present(&gamepads.pad[1]));
+    assert_string_equal(gamepads.pad[1].guid, second_guid);
+    attach(1);
+    wait_ms(16);
+    assert_int_equal(first.ops->open(first.self), HAL_OK);
+    assert_int_equal(first.ops->poll(first.self, &sample, 1), 1);
+}
+
+static void test_a_fifth_pad_finds_no_place(void **state)
+{
+    (void)state;
+    for (uint16_t i = 0; i < GAMEPADS_MAX + 1; i++) {
+        attach((uint16_t)(i + 1));
+        wait_ms(16);
+        gamepads_poll(&gamepads);
+    }
+    for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
+        assert_true(gamepad_poi_is_present(&gamepads.pad[i]));
+    }
+}
+
+static void test_a_device_that_another_driver_holds_is_left_alone(void **state)
+{
+    (void)state;
+    static const struct gamepad_exclusion bars[] = { { 0x046d, 0xc216, "" }, { 0x1209, 7, "" } };
+    gamepads_exclude(&gamepads, bars, 2);
+    assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES),
+                        "0x046d/0xc216,0x1209/0x0007,");
+    attach(7);
+    wait_ms(16);
+    assert_false(gamepad_poi_is_present(&gamepads.pad[0]));
+    attach(8);
+    wait_ms(16);
+    assert_true(gamepad_poi_is_present(&gamepads.pad[0]));
+    assert_false(gamepad_poi_is_present(&gamepads.pad[1]));
+}
+
+/* Two of a kind, one chosen by its number: the other is SDL's, and so its hint must not name the
+ * kind. Whose number nobody knows may be the one. */
+static void test_one_of_a_kind_is_barred_by_its_serial_number(void **state)
+{
+    (void)state;
+    static const struct gamepad_exclusion bars[] = { { 0x054c, 0x09cc, "A1" },
+                                                     { 0x046d, 0xc216, "" } };
+    gamepads_exclude(&gamepads, bars, 2);
+    assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), "0x046d/0xc216,");
+    assert_true(gamepads_is_excluded(&gamepads, 0x054c, 0x09cc, "A1"));
+    assert_false(gamepads_is_excluded(&gamepads, 0x054c, 0x09cc, "A2"));
+    assert_true(gamepads_is_excluded(&gamepads, 0x054c, 0x09cc, ""));
+    assert_true(gamepads_is_excluded(&gamepads, 0x046d, 0xc216, "A2"));
+    assert_false(gamepads_is_excluded(&gamepads, 0x046d, 0x09cc, "A1"));
+}
+
+/* The operator chose it to be a HID poi: SDL lets go of it at once. */
+static void test_a_pad_that_is_barred_while_it_plays_is_gone(void **state)
+{
+    (void)state;
+    static const struct gamepad_exclusion bar = { 0x1209, 8, "" };
+    const struct hal_poi poi = gamepad_poi_device(&gamepads, 0);
+    struct poi_sample sample;
+    attach(8);
+    wait_ms(16);
+    newest(0);
+    gamepads_exclude(&gamepads, &bar, 1);
+    assert_int_equal(poi.ops->poll(poi.self, &sample, 1), HAL_ERR_GONE);
+    assert_false(gamepad_poi_is_present(&gamepads.pad[0]));
+    gamepads_exclude(&gamepads, &bar, 0);
+    assert_string_equal(SDL_GetHint(SDL_HINT_GAMECONTROLLER_IGNORE_DEVICES), "");
+}
+
+static void test_it_hums_with_the_water_and_is_not_told_the_same_twice(void **state)
+{
+    (void)state;
+    const struct hal_poi poi = gamepad_poi_device(&gamepads, 0);
+    const struct poi_force push = { .drag = 0.5f };
+    const struct poi_force blow = { .drag = 0.5f, .slap = 1.0f };
+    attach(1);
+    wait_ms(16);
+    gamepads_poll(&gamepads);
+    assert_int_equal(poi.ops->set_force(poi.self, &(struct poi_force){ 0 }), HAL_OK);
+    assert_int_equal(hum_count, 0);
+    poi.ops->set_force(poi.self, &push);
+    poi.ops->set_force(poi.self, &push);
+    assert_int_equal(hum_count, 1);
+    assert_int_equal(hum_slow, 16384);
+    assert_int_equal(hum_fast, 0);
+    wait_ms(16);
+    poi.ops->set_force(poi.self, &blow);
+    assert_int_equal(hum_count, 2);
+    assert_int_equal(hum_fast, 65535);
+    poi.ops->set_force(poi.self, &(struct poi_force){ 0 });
+    assert_int_equal(hum_count, 3);
+    assert_int_equal(hum_slow + hum_fast, 0);
+}
+
+static void push_sensor(SDL_SensorType type, float x, float y, float z)
+{
+    SDL_Event event = { .type = SDL_CONTROLLERSENSORUPDATE };
+    event.csensor.which = gamepads.pad[0].instance;
+    event.csensor.sensor = type;
+    event.csensor.data[0] = x;
+    event.csensor.data[1] = y;
+    event.csensor.data[2] = z;
+    assert_int_equal(SDL_PushEvent(&event), 1);
+}
+
+/* SDL's virtual pads have no sensors, so its events are pushed. */
+static void test_a_pad_with_a_gyroscope_is_a_wrist(void **state)
+{
+    (void)state;
+    attach(1);
+    wait_ms(16);
+    gamepads_poll(&gamepads);
+    push_sensor(SDL_SENSOR_ACCEL, 0.0f, 9.81f, 0.0f);
+    wait_ms(16);
+    assert_true(f_abs(newest(0).target.angles.pitch_rad) < 0.01f);
+    for (uint32_t i = 0; i < 25; i++) { /* The far edge up, at 1 rad/s for 0.4 s. */
+        push_sensor(SDL_SENSOR_GYRO, 1.0f, 0.0f, 0.0f);
+        wait_ms(16);
+        newest(0);
+    }
+    push_sensor(SDL_SENSOR_GYRO, 0.0f, 0.0f, 0.0f);
+    wait_ms(100);
+    newest(0);
+    wait_ms(100);
+    const float pitch_rad = newest(0).target.angles.pitch_rad;
+    assert_true(pitch_rad > 0.28f && pitch_rad < 0.42f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_a_pad_that_is_plugged_in_is_there, begin, end),
+        cmocka_unit_test_setup_teardown(test_one_that_was_there_before_us_is_found, begin, end),
+        cmocka_unit_test_setup_teardown(
+            test_its_stick_leads_the_ring_to_the_right_and_its_trigger_dips, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_press_between_two_looks_is_an_edge, begin, end),
+        cmocka_unit_test_setup_teardown(
+            test_pulled_out_it_is_gone_and_comes_back_to_its_own_place, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_fifth_pad_finds_no_place, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_device_that_another_driver_holds_is_left_alone,
+                                        begin, end),
+        cmocka_unit_test_setup_teardown(test_one_of_a_kind_is_barred_by_its_serial_number, begin,
+                                        end),
+        cmocka_unit_test_setup_teardown(test_a_pad_that_is_barred_while_it_plays_is_gone, begin,
+                                        end),
+        cmocka_unit_test_setup_teardown(
+            test_it_hums_with_the_water_and_is_not_told_the_same_twice, begin, end),
+        cmocka_unit_test_setup_teardown(test_a_pad_with_a_gyroscope_is_a_wrist, begin, end),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

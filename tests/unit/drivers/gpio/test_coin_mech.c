@@ -1,0 +1,161 @@
+/* test_coin_mech.c -- which pulses are coins. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "drivers/gpio/coin_mech.h"
+
+#define MS 1000000ull
+#define MIN_NS (15 * MS)
+#define MAX_NS (250 * MS)
+
+static struct coin_mech idle_mech(void)
+{
+    return coin_mech_begin(MIN_NS, MAX_NS, false, 0);
+}
+
+static void pulse(struct coin_mech *mech, uint64_t begin_ns, uint64_t width_ns)
+{
+    coin_mech_edge(mech, begin_ns, true);
+    coin_mech_edge(mech, begin_ns + width_ns, false);
+}
+
+static void assert_counts(const struct coin_mech *mech, uint32_t coins, uint32_t too_short,
+                          uint32_t stuck, uint32_t cut)
+{
+    assert_int_equal(mech->coins, coins);
+    assert_int_equal(mech->too_short, too_short);
+    assert_int_equal(mech->stuck, stuck);
+    assert_int_equal(mech->cut, cut);
+    assert_int_equal(coin_mech_faults(mech), too_short + stuck + cut);
+}
+
+static void test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_last(void **state)
+{
+    (void)state;
+    static const struct {
+        uint64_t width_ns;
+        uint32_t coins, too_short, stuck;
+    } widths[] = {
+        { MIN_NS - 1, 0, 1, 0 }, { MIN_NS, 1, 0, 0 },      { 25 * MS, 1, 0, 0 },
+        { 100 * MS, 1, 0, 0 },   { MAX_NS, 1, 0, 0 },      { MAX_NS + 1, 0, 0, 1 },
+        { 900 * MS, 0, 0, 1 },
+    };
+    for (size_t i = 0; i < sizeof widths / sizeof widths[0]; i++) {
+        struct coin_mech mech = idle_mech();
+        pulse(&mech, 1000 * MS, widths[i].width_ns);
+        coin_mech_settle(&mech, 9000 * MS);
+        assert_counts(&mech, widths[i].coins, widths[i].too_short, widths[i].stuck, 0);
+    }
+}
+
+static void test_a_coin_counts_when_the_gap_behind_it_is_over(void **state)
+{
+    (void)state;
+    struct coin_mech mech = idle_mech();
+    pulse(&mech, 1000 * MS, 50 * MS);
+    assert_int_equal(coin_mech_due_ns(&mech), 1050 * MS + COIN_GAP_NS);
+    coin_mech_settle(&mech, 1050 * MS + COIN_GAP_NS - 1);
+    assert_counts(&mech, 0, 0, 0, 0);
+    coin_mech_settle(&mech, 1050 * MS + COIN_GAP_NS);
+    assert_counts(&mech, 1, 0, 0, 0);
+    coin_mech_settle(&mech, 9000 * MS);
+    assert_counts(&mech, 1, 0, 0, 0);
+}
+
+static void test_a_pulse_whose_contact_jumps_is_one_coin(void **state)
+{
+    (void)state;
+    struct coin_mech mech = idle_mech();
+    pulse(&mech, 1000 * MS, 20 * MS);
+    pulse(&mech, 1020 * MS + COIN_GAP_NS - 1, 20 * MS);
+    coin_mech_settle(&mech, 9000 * MS);
+    assert_counts(&mech, 1, 0, 0, 0);
+}
+
+static void test_a_pulse_in_pieces_is_as_wide_as_all_of_them(void **state)
+{
+    (void)state;
+    struct coin_mech mech = idle_mech();
+    pulse(&mech, 1000 * MS, 10 * MS);
+    pulse(&mech, 1015 * MS, 10 * MS);
+    coin_mech_settle(&mech, 9000 * MS);
+    assert_counts(&mech, 1, 0, 0, 0);
+    assert_int_equal(mech.width_ns, 25 * MS);
+}
+
+static void test_pulses_that_say_a_coins_worth_are_counted_each(void **state)
+{
+    (void)state;
+    struct coin_mech mech = idle_mech();
+    for (uint32_t i = 0; i < 10; i++) {
+        pulse(&mech, (1000 + 50 * i) * MS, 25 * MS);
+    }
+    coin_mech_settle(&mech, 9000 * MS);
+    assert_counts(&mech, 10, 0, 0, 0);
+}
+
+static void test_a_coin_that_sticks_is_told_while_it_sticks_and_once(void **state)
+{
+    (void)state;
+    struct coin_mech mech = idle_mech();
+    coin_mech_edge(&mech, 1000 * MS, true);
+    coin_mech_settle(&mech, 1250 * MS);
+    assert_counts(&mech, 0, 0, 0, 0);
+    coin_mech_settle(&mech, 1250 * MS + 1);
+    assert_counts(&mech, 0, 0, 1, 0);
+    coin_mech_settle(&mech, 60000 * MS);
+    coin_mech_edge(&mech, 61000 * MS, false);
+    coin_mech_edge(&mech, 61005 * MS, true); /* It rattles loose ... */
+    coin_mech_edge(&mech, 61030 * MS, false);
+    coin_mech_settle(&mech, 62000 * MS);
+    assert_counts(&mech, 0, 0, 1, 0);
+    pulse(&mech, 63000 * MS, 50 * MS); /* ... and the next one is a coin again. */
+    coin_mech_settle(&mech, 64000 * MS);
+    assert_counts(&mech, 1, 0, 1, 0);
+}
+
+static void test_what_covers_the_sensor_from_the_start_is_no_coin(void **state)
+{
+    (void)state;
+    struct coin_mech mech = coin_mech_begin(MIN_NS, MAX_NS, true, 1000 * MS);
+    coin_mech_edge(&mech, 1050 * MS, false);
+    coin_mech_settle(&mech, 2000 * MS);
+    assert_counts(&mech, 0, 0, 0, 0);
+    pulse(&mech, 3000 * MS, 50 * MS);
+    coin_mech_settle(&mech, 4000 * MS);
+    assert_counts(&mech, 1, 0, 0, 0);
+}
+
+static void test_a_line_that_goes_keeps_the_coin_that_fell_and_cuts_one_that_falls(void **state)
+{
+    (void)state;
+    struct coin_mech fell = idle_mech(), falls = idle_mech(), none = idle_mech();
+    pulse(&fell, 1000 * MS, 50 * MS);
+    coin_mech_lose(&fell);
+    assert_counts(&fell, 1, 0, 0, 0);
+    coin_mech_edge(&falls, 1000 * MS, true);
+    coin_mech_lose(&falls);
+    assert_counts(&falls, 0, 0, 0, 1);
+    coin_mech_lose(&none);
+    assert_counts(&none, 0, 0, 0, 0);
+    coin_mech_settle(&fell, 9000 * MS);
+    assert_counts(&fell, 1, 0, 0, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_last),
+        cmocka_unit_test(test_a_coin_counts_when_the_gap_behind_it_is_over),
+        cmocka_unit_test(test_a_pulse_whose_contact_jumps_is_one_coin),
+        cmocka_unit_test(test_a_pulse_in_pieces_is_as_wide_as_all_of_them),
+        cmocka_unit_test(test_pulses_that_say_a_coins_worth_are_counted_each),
+        cmocka_unit_test(test_a_coin_that_sticks_is_told_while_it_sticks_and_once),
+        cmocka_unit_test(test_what_covers_the_sensor_from_the_start_is_no_coin),
+        cmocka_unit_test(test_a_line_that_goes_keeps_the_coin_that_fell_and_cuts_one_that_falls),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

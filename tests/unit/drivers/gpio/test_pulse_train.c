@@ -1,0 +1,90 @@
+/* test_pulse_train.c -- a meter's pulses: as many as asked for, none too short. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "drivers/gpio/pulse_train.h"
+
+#define MS 1000000ull
+
+static const struct pulse_train slow = { .on_ns = 100 * MS, .off_ns = 60 * MS };
+
+static void test_pulses_come_one_after_the_other_with_a_rest_behind_each(void **state)
+{
+    (void)state;
+    struct pulse_train train = slow;
+    assert_int_equal(pulse_train_due_ns(&train), UINT64_MAX);
+    assert_false(pulse_train_at(&train, 5 * MS));
+    pulse_train_add(&train, 2);
+    assert_true(pulse_train_at(&train, 10 * MS));
+    assert_int_equal(pulse_train_due_ns(&train), 110 * MS);
+    assert_true(pulse_train_at(&train, 110 * MS - 1));
+    assert_false(pulse_train_at(&train, 110 * MS));
+    assert_false(pulse_train_at(&train, 170 * MS - 1));
+    assert_true(pulse_train_at(&train, 170 * MS));
+    assert_false(pulse_train_at(&train, 270 * MS));
+    assert_int_equal(pulse_train_due_ns(&train), UINT64_MAX);
+    assert_false(pulse_train_at(&train, 900 * MS));
+}
+
+static void test_the_rest_holds_for_a_pulse_that_is_asked_for_in_it(void **state)
+{
+    (void)state;
+    struct pulse_train train = slow;
+    pulse_train_add(&train, 1);
+    pulse_train_at(&train, 10 * MS);
+    pulse_train_at(&train, 110 * MS);
+    pulse_train_add(&train, 1);
+    assert_false(pulse_train_at(&train, 169 * MS));
+    assert_true(pulse_train_at(&train, 170 * MS));
+}
+
+static void test_whoever_looks_late_makes_pulses_longer_and_no_fewer(void **state)
+{
+    (void)state;
+    struct pulse_train train = slow;
+    uint32_t begun = 0;
+    uint64_t changed_ns = 0, shortest_on_ns = UINT64_MAX, shortest_off_ns = UINT64_MAX;
+    bool on = false;
+    pulse_train_add(&train, 50);
+    for (uint64_t now_ns = MS; now_ns < 60000 * MS; now_ns += (1 + now_ns / MS % 97) * MS) {
+        const bool is_on = pulse_train_at(&train, now_ns);
+        if (is_on == on) {
+            continue;
+        }
+        const uint64_t lasted_ns = now_ns - changed_ns;
+        uint64_t *shortest_ns = on ? &shortest_on_ns : &shortest_off_ns;
+        if (begun > 0 && lasted_ns < *shortest_ns) {
+            *shortest_ns = lasted_ns;
+        }
+        begun += is_on;
+        on = is_on;
+        changed_ns = now_ns;
+    }
+    assert_int_equal(begun, 50);
+    assert_false(on);
+    assert_true(shortest_on_ns >= slow.on_ns);
+    assert_true(shortest_off_ns >= slow.off_ns);
+}
+
+static void test_more_pulses_than_can_be_counted_are_as_many_as_can(void **state)
+{
+    (void)state;
+    struct pulse_train train = slow;
+    pulse_train_add(&train, UINT32_MAX);
+    pulse_train_add(&train, 5);
+    assert_int_equal(train.left, UINT32_MAX);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pulses_come_one_after_the_other_with_a_rest_behind_each),
+        cmocka_unit_test(test_the_rest_holds_for_a_pulse_that_is_asked_for_in_it),
+        cmocka_unit_test(test_whoever_looks_late_makes_pulses_longer_and_no_fewer),
+        cmocka_unit_test(test_more_pulses_than_can_be_counted_are_as_many_as_can),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,273 @@
+/* test_hid_descriptor.c -- what a report descriptor says, and what it must not get away with. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "drivers/hid/hid_descriptor.h"
+
+static struct hid_descriptor read_in;
+
+#define READ(...)                                                                                  \
+    hid_descriptor_read(&read_in, (const uint8_t[]){ __VA_ARGS__ },                                \
+                        sizeof((const uint8_t[]){ __VA_ARGS__ }))
+
+/* Report of bytes: for devices without ids. */
+#define REPORT(...)                                                                                \
+    ((struct hid_report){ (const uint8_t[]){ __VA_ARGS__ },                                        \
+                          sizeof((const uint8_t[]){ __VA_ARGS__ }) })
+
+#define JOYSTICK 0x05, 0x01, 0x09, 0x04, 0xa1, 0x01 /* Generic Desktop, Joystick, Application. */
+#define END 0xc0
+
+static void test_a_mouse_reads_as_buttons_and_relative_axes(void **state)
+{
+    (void)state;
+    const enum hid_error error =
+        READ(0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x09, 0x01, 0xa1, 0x00, /* Mouse, Pointer */
+             0x05, 0x09, 0x19, 0x01, 0x29, 0x03, 0x15, 0x00, 0x25, 0x01, /* Buttons 1 .. 3 */
+             0x75, 0x01, 0x95, 0x03, 0x81, 0x02, 0x75, 0x05, 0x95, 0x01, 0x81, 0x01, /* padding */
+             0x05, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x02,
+             0x81, 0x06, END, END);
+    assert_int_equal(error, HID_OK);
+    assert_int_equal(read_in.group_count, 2); /* Padding is no group. */
+    const struct hid_group *axes = &read_in.group[1];
+    assert_int_equal(axes->application, 0x00010002);
+    assert_int_equal(axes->bit_offset, 8);
+    assert_true(axes->flags & HID_RELATIVE);
+    assert_int_equal(hid_usage_at(&read_in, axes, 1), 0x00010031);
+    const struct hid_report report = REPORT(0x05, 0xff, 0x10);
+    assert_true(hid_report_is_whole(&read_in, report));
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, report), 1);
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 1, report), 0);
+    assert_int_equal(hid_field_value(&read_in, axes, 0, report), -1);
+    assert_int_equal(hid_field_value(&read_in, axes, 1, report), 16);
+}
+
+static void test_a_report_that_is_too_short_is_not_whole(void **state)
+{
+    (void)state;
+    assert_int_equal(
+        READ(JOYSTICK, 0x09, 0x30, 0x26, 0xff, 0x0f, 0x75, 0x0c, 0x95, 0x02, 0x81, 0x02, END),
+        HID_OK);
+    assert_true(hid_report_is_whole(&read_in, REPORT(1, 2, 3)));
+    assert_false(hid_report_is_whole(&read_in, REPORT(1, 2)));
+    assert_false(hid_report_is_whole(&read_in, (struct hid_report){ NULL, 0 }));
+    const struct hid_report report = REPORT(0x21, 0x43, 0x65);
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, report), 0x321);
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 1, report), 0x654);
+}
+
+static void test_each_report_id_counts_its_own_bits(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0x85, 0x01, 0x09, 0x30, 0x81, 0x02,
+                          0x85, 0x02, 0x09, 0x31, 0x81, 0x02, 0x85, 0x01, 0x09, 0x32, 0x81, 0x02,
+                          END),
+                     HID_OK);
+    assert_int_equal(read_in.group[1].bit_offset, 0);
+    assert_int_equal(read_in.group[2].bit_offset, 8); /* Report 1 goes on where it was left. */
+    assert_int_equal(hid_report_id(&read_in, REPORT(2, 7)), 2);
+    assert_true(hid_report_is_whole(&read_in, REPORT(2, 7)));
+    assert_false(hid_report_is_whole(&read_in, REPORT(1, 7)));
+    assert_false(hid_report_is_whole(&read_in, REPORT(9, 7, 7))); /* Nobody declared it. */
+}
+
+static void test_a_usage_keeps_the_page_it_was_named_on(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x02, 0x09, 0x30, 0x05, 0x02, 0x0b, 0x07,
+                          0x00, 0x0d, 0xff, 0x81, 0x02, END),
+                     HID_OK);
+    assert_int_equal(hid_usage_at(&read_in, &read_in.group[0], 0), 0x00010030);
+    assert_int_equal(hid_usage_at(&read_in, &read_in.group[0], 1), 0xff0d0007);
+}
+
+static void test_too_few_usages_repeat_the_last(void **state)
+{
+    (void)state;
+    assert_int_equal(
+        READ(JOYSTICK, 0x75, 0x08, 0x95, 0x04, 0x09, 0x30, 0x09, 0x31, 0x81, 0x02, END), HID_OK);
+    assert_int_equal(hid_usage_at(&read_in, &read_in.group[0], 3), 0x00010031);
+}
+
+static void test_a_maximum_is_signed_only_below_a_negative_minimum(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0x15, 0x00, 0x25, 0xff, 0x09, 0x30,
+                          0x81, 0x02, 0x15, 0x80, 0x09, 0x31, 0x81, 0x02, END),
+                     HID_OK);
+    assert_int_equal(read_in.group[0].logical_max, 255);
+    assert_int_equal(read_in.group[1].logical_max, -1);
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, REPORT(0x80, 0x80)), 128);
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[1], 0, REPORT(0x80, 0x80)), -128);
+}
+
+static void test_an_array_names_the_usage_that_is_down(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(0x05, 0x01, 0x09, 0x06, 0xa1, 0x01, 0x05, 0x07, 0x19, 0x04, 0x29, 0x08,
+                          0x15, 0x01, 0x25, 0x05, 0x75, 0x08, 0x95, 0x02, 0x81, 0x00, END),
+                     HID_OK);
+    const struct hid_group *keys = &read_in.group[0];
+    assert_int_equal(hid_selected(&read_in, keys, 1), 0x00070004);
+    assert_int_equal(hid_selected(&read_in, keys, 5), 0x00070008);
+    assert_int_equal(hid_selected(&read_in, keys, 0), 0);
+    assert_int_equal(hid_selected(&read_in, keys, 6), 0);
+}
+
+static void test_push_keeps_the_globals_and_pop_brings_them_back(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0x55, 0x0e, 0x65, 0x11, 0xa4, 0x55,
+                          0x00, 0x65, 0x00, 0x09, 0x30, 0x81, 0x02, 0xb4, 0x09, 0x31, 0x81, 0x02,
+                          END),
+                     HID_OK);
+    assert_int_equal(read_in.group[0].unit, 0);
+    assert_int_equal(read_in.group[1].unit, 0x11);
+    assert_int_equal(read_in.group[1].unit_exponent, -2); /* Nibble 14. */
+}
+
+static void test_only_the_first_of_a_delimited_set_is_heard(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0xa9, 0x01, 0x09, 0x32, 0x09, 0x33,
+                          0xa9, 0x00, 0x81, 0x02, END),
+                     HID_OK);
+    assert_int_equal(hid_usage_count(&read_in, &read_in.group[0]), 1);
+    assert_int_equal(hid_usage_at(&read_in, &read_in.group[0], 0), 0x00010032);
+}
+
+static void test_long_and_reserved_items_are_passed_over(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(JOYSTICK, 0xfe, 0x02, 0xf0, 1, 2, 0xcc, 0x00, 0x75, 0x08, 0x95, 0x01,
+                          0x09, 0x30, 0x81, 0x02, END, 0x00),
+                     HID_OK);
+    assert_int_equal(read_in.group_count, 1);
+}
+
+static void test_each_malformed_descriptor_is_refused_at_its_place(void **state)
+{
+    (void)state;
+    assert_int_equal(READ(JOYSTICK, 0x26, 0x10), HID_ERR_CUT_OFF);
+    assert_int_equal(read_in.error_offset, 6);
+    assert_int_equal(READ(JOYSTICK), HID_ERR_OPEN_COLLECTION);
+    assert_int_equal(READ(JOYSTICK, END, END), HID_ERR_NO_COLLECTION);
+    assert_int_equal(READ(0xb4), HID_ERR_POP);
+    assert_int_equal(READ(JOYSTICK, 0x85, 0x00, END), HID_ERR_REPORT_ID);
+    assert_int_equal(READ(JOYSTICK, 0x19, 0x05, 0x29, 0x02, END), HID_ERR_USAGE_RANGE);
+    assert_int_equal(READ(JOYSTICK, 0xa9, 0x00, END), HID_ERR_DELIMITER);
+    assert_int_equal(READ(JOYSTICK, 0xa9, 0x01, 0x09, 0x30, 0x81, 0x02, END), HID_ERR_DELIMITER);
+    assert_int_equal(read_in.error_offset, 10); /* At the main item that it should have ended by. */
+    assert_int_equal(READ(JOYSTICK, 0x77, 0xff, 0xff, 0xff, 0xff, 0x97, 0xff, 0xff, 0xff, 0xff,
+                          0x09, 0x30, 0x81, 0x02, END),
+                     HID_ERR_REPORT_SIZE);
+    assert_int_equal(READ(JOYSTICK, 0x76, 0x01, 0x01, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02, END),
+                     HID_ERR_FIELD_SIZE);
+}
+
+/* Reads `count` times the bytes of `item`, closed by as many of `end`. */
+static enum hid_error repeated(const uint8_t item[2], uint32_t count, uint8_t end)
+{
+    static uint8_t bytes[HID_DESCRIPTOR_SIZE_MAX + 1u];
+    size_t size = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        bytes[size++] = item[0];
+        bytes[size++] = item[1];
+    }
+    for (uint32_t i = 0; end && i < count; i++) {
+        bytes[size++] = end;
+    }
+    return hid_descriptor_read(&read_in, bytes, size);
+}
+
+static void test_limits_hold_on_both_sides(void **state)
+{
+    (void)state;
+    const uint8_t collection[2] = { 0xa1, 0x00 }, usage[2] = { 0x09, 0x30 };
+    assert_int_equal(repeated(collection, HID_DEPTH_MAX, END), HID_OK);
+    assert_int_equal(repeated(collection, HID_DEPTH_MAX + 1u, END), HID_ERR_DEPTH);
+    assert_int_equal(repeated(usage, HID_RANGE_MAX, 0), HID_OK);
+    assert_int_equal(repeated(usage, HID_RANGE_MAX + 1u, 0), HID_ERR_RANGES);
+    assert_int_equal(hid_descriptor_read(&read_in, collection, HID_DESCRIPTOR_SIZE_MAX + 1u),
+                     HID_ERR_TOO_LONG);
+    const uint8_t push[2] = { 0xa4, 0xa4 };
+    assert_int_equal(repeated(push, HID_PUSH_MAX / 2u, 0), HID_OK);
+    assert_int_equal(repeated(push, HID_PUSH_MAX / 2u + 1u, 0), HID_ERR_PUSH);
+}
+
+/* Reports 1 and 2 of `count` bits each, every bit a field. */
+static enum hid_error bits(uint32_t count)
+{
+    const uint8_t low = (uint8_t)count, high = (uint8_t)(count >> 8), more = (uint8_t)(count >> 16);
+    return READ(JOYSTICK, 0x75, 0x01, 0x97, low, high, more, 0, 0x85, 0x01, 0x09, 0x30, 0x81, 0x02,
+                0x85, 0x02, 0x95, 0x01, 0x09, 0x31, 0x81, 0x02, END);
+}
+
+static void test_as_many_fields_as_the_longest_report_has_bits(void **state)
+{
+    (void)state;
+    assert_int_equal(bits(HID_FIELD_MAX - 1u), HID_OK);
+    assert_int_equal(read_in.field_count, HID_FIELD_MAX);
+    assert_int_equal(bits(HID_FIELD_MAX), HID_ERR_FIELDS);
+    assert_int_equal(bits(HID_REPORT_BITS_MAX + 1u), HID_ERR_REPORT_SIZE);
+}
+
+static void test_nothing_of_the_last_descriptor_shows(void **state)
+{
+    (void)state;
+    assert_int_equal(bits(100), HID_OK);
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x08, 0x95, 0x01, 0x09, 0x32, 0x81, 0x02, END), HID_OK);
+    assert_int_equal(read_in.group_count, 1);
+    assert_int_equal(read_in.field_count, 1);
+    assert_false(read_in.has_report_ids);
+    assert_int_equal(read_in.report_bits[1], 0);
+    assert_int_equal(READ(0xc0), HID_ERR_NO_COLLECTION);
+    assert_int_equal(read_in.group_count, 0);
+    assert_int_equal(READ(0x00), HID_OK);
+    assert_int_equal(read_in.error_offset, 0);
+}
+
+static void test_values_of_any_size_are_read_from_any_bit(void **state)
+{
+    (void)state;
+    /* 3 bits, 32 signed ones, 64, and one that is its own sign. */
+    assert_int_equal(READ(JOYSTICK, 0x75, 0x03, 0x95, 0x01, 0x09, 0x30, 0x81, 0x02,
+                          0x17, 0, 0, 0, 0x80, 0x27, 0xff, 0xff, 0xff, 0x7f, 0x75, 0x20, 0x09, 0x31,
+                          0x81, 0x02, 0x75, 0x40, 0x09, 0x32, 0x81, 0x02, 0x75, 0x01, 0x09, 0x33,
+                          0x81, 0x02, END),
+                     HID_OK);
+    const struct hid_report report = REPORT(0x05, 0, 0, 0, 0xfc, 0x1f, 0x32, 0x54, 0x76, 0, 0, 0,
+                                            0x08);
+    assert_true(hid_report_is_whole(&read_in, report));
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[0], 0, report), 5);
+    assert_true(hid_field_value(&read_in, &read_in.group[1], 0, report) == -0x80000000ll);
+    /* Wider ones give their low 32 bits. */
+    assert_true(hid_field_value(&read_in, &read_in.group[2], 0, report) == -0x3579bc01ll);
+    assert_int_equal(hid_field_value(&read_in, &read_in.group[3], 0, report), -1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_mouse_reads_as_buttons_and_relative_axes),
+        cmocka_unit_test(test_a_report_that_is_too_short_is_not_whole),
+        cmocka_unit_test(test_each_report_id_counts_its_own_bits),
+        cmocka_unit_test(test_a_usage_keeps_the_page_it_was_named_on),
+        cmocka_unit_test(test_too_few_usages_repeat_the_last),
+        cmocka_unit_test(test_a_maximum_is_signed_only_below_a_negative_minimum),
+        cmocka_unit_test(test_an_array_names_the_usage_that_is_down),
+        cmocka_unit_test(test_push_keeps_the_globals_and_pop_brings_them_back),
+        cmocka_unit_test(test_only_the_first_of_a_delimited_set_is_heard),
+        cmocka_unit_test(test_long_and_reserved_items_are_passed_over),
+        cmocka_unit_test(test_each_malformed_descriptor_is_refused_at_its_place),
+        cmocka_unit_test(test_limits_hold_on_both_sides),
+        cmocka_unit_test(test_as_many_fields_as_the_longest_report_has_bits),
+        cmocka_unit_test(test_nothing_of_the_last_descriptor_shows),
+        cmocka_unit_test(test_values_of_any_size_are_read_from_any_bit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,296 @@
+/* test_hid_mapping_store.c -- what was learned, over a restart, a torn file and a card that
+ * fails. */
+#include <fcntl.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "drivers/hid/hid_mapping_store.h"
+#include "drivers/hid/hid_mapping_store_text.h"
+#include "tests/unit/support/hid_wire.h"
+
+static struct clock_sim clock_now;
+static struct hid_wire wire;
+static struct hid_mapping_store book;
+static char data[64];
+static char complaint[2048];
+
+static int make_folder(void **state)
+{
+    (void)state;
+    snprintf(data, sizeof data, "/tmp/kingyo-book-XXXXXX");
+    return mkdtemp(data) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    char command[192];
+    (void)state;
+    snprintf(command, sizeof command, "rm -rf %s", data);
+    return system(command);
+}
+
+static void complain(void *self, const char *line)
+{
+    (void)self;
+    snprintf(complaint, sizeof complaint, "%s", line);
+}
+
+static uint32_t open_book(void)
+{
+    complaint[0] = '\0';
+    return hid_mapping_store_open(&book, data, complain, NULL);
+}
+
+static struct hid_identity identity(uint16_t vendor, uint16_t product, const char *serial)
+{
+    struct hid_identity out = { .vendor = vendor, .product = product };
+    snprintf(out.serial, sizeof out.serial, "%s", serial);
+    return out;
+}
+
+/* A sound map of a DualSense that no table would give. */
+static struct hid_mapping learned(void)
+{
+    struct hid_mapping map;
+    wire_load(&wire, &clock_now, "016-ci-dualsense");
+    hid_mapping_choose(&map, &wire.face.identity, &wire.descriptor);
+    assert_int_equal(map.source, HID_MAPPING_AUTO);
+    map.source = HID_MAPPING_LEARNED;
+    map.binding[0].full = 0;
+    return map;
+}
+
+/* The thread has until the next keep() to write: a few tries are patience. */
+static int keep(const struct hid_identity *who, const struct hid_mapping *map)
+{
+    int result;
+    for (uint32_t i = 0; i < 5000; i++) {
+        if ((result = hid_mapping_store_put(&book, who, map)) != HAL_ERR_BUSY) {
+            break;
+        }
+        usleep(1000);
+    }
+    return result;
+}
+
+static void write_file(const char *name, const char *text)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/pois", data);
+    mkdir(path, 0755);
+    snprintf(path, sizeof path, "%s/pois/%s", data, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static void test_what_was_kept_is_there_after_a_restart(void **state)
+{
+    const struct hid_identity who = identity(0x054c, 0x0ce6, "a/../b \xe9\x87\x91%");
+    const struct hid_mapping map = learned();
+    (void)state;
+    assert_int_equal(open_book(), 0);
+    assert_null(hid_mapping_store_find(&book, &who));
+    assert_int_equal(keep(&who, &map), HAL_OK);
+    assert_non_null(hid_mapping_store_find(&book, &who)); /* At once. */
+    hid_mapping_store_close(&book);
+    assert_int_equal(book.written_count, 1);
+    assert_int_equal(open_book(), 0);
+    const struct hid_mapping *back = hid_mapping_store_find(&book, &who);
+    assert_non_null(back);
+    assert_int_equal(back->count, map.count);
+    assert_int_equal(back->binding[0].full, 0);
+    hid_mapping_store_close(&book);
+}
+
+static void test_a_book_is_of_vendor_product_and_serial(void **state)
+{
+    const struct hid_identity one = identity(1, 2, "A"), other = identity(1, 2, "B"),
+                              third = identity(1, 3, "A");
+    const struct hid_mapping map = learned();
+    (void)state;
+    open_book();
+    assert_int_equal(keep(&one, &map), HAL_OK);
+    assert_null(hid_mapping_store_find(&book, &other));
+    assert_null(hid_mapping_store_find(&book, &third));
+    hid_mapping_store_close(&book);
+}
+
+static void test_what_was_forgotten_stays_so(void **state)
+{
+    const struct hid_identity one = identity(1, 2, "A"), other = identity(1, 2, "B");
+    const struct hid_mapping map = learned();
+    int result;
+    (void)state;
+    open_book();
+    keep(&one, &map);
+    keep(&other, &map);
+    while ((result = hid_mapping_store_forget(&book, &one)) == HAL_ERR_BUSY) {
+        usleep(1000);
+    }
+    assert_int_equal(result, HAL_OK);
+    assert_null(hid_mapping_store_find(&book, &one));
+    hid_mapping_store_close(&book);
+    open_book();
+    assert_null(hid_mapping_store_find(&book, &one));
+    assert_non_null(hid_mapping_store_find(&book, &other));
+    hid_mapping_store_close(&book);
+}
+
+static void test_a_learned_map_plays_and_one_that_no_longer_fits_does_not(void **state)
+{
+    struct hid_mapping map = learned(), chosen;
+    struct hid_mapper mapper;
+    (void)state;
+    wire.face.identity = identity(0x054c, 0x0ce6, "");
+    open_book();
+    mapper = hid_mapping_store_mapper(&book);
+    mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
+    assert_int_equal(chosen.source, HID_MAPPING_KNOWN);
+    keep(&wire.face.identity, &map);
+    mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
+    assert_int_equal(chosen.source, HID_MAPPING_LEARNED);
+    map.binding[0].bit_offset = 100000; /* Another firmware, another descriptor. */
+    keep(&wire.face.identity, &map);
+    mapper.choose(mapper.self, &wire.face, &wire.descriptor, &chosen);
+    assert_int_equal(chosen.source, HID_MAPPING_KNOWN);
+    hid_mapping_store_close(&book);
+}
+
+static void test_a_bad_file_is_one_line_and_the_others_are_read(void **state)
+{
+    struct hid_mapping_store_entry entry = { .vendor = 7, .product = 8, .map = learned() };
+    char text[HID_MAPPING_STORE_TEXT_SIZE];
+    const struct hid_identity who = identity(7, 8, "");
+    static const char *const bad[][2] = {
+        { "", ":1: not \"kingyo poi 1\"" },
+        { "kingyo poi 2\n", ":1: not \"kingyo poi 1\"" },
+        { "kingyo poi 1\n12:34:x\n", ":2: not vendor:product:serial" },
+        { "kingyo poi 1\n0001:0002:%zz\nlearned fly\n", ":2: not vendor:product:serial" },
+        { "kingyo poi 1\n0001:0002:a\n", ":3: not one line of a map" },
+        { "kingyo poi 1\n0001:0002:a\nlearned fly", ":3: not one line of a map" },
+        { "kingyo poi 1\n0001:0002:a\nlearned hop\n", ":3: no style of play" },
+        { "kingyo poi 1\n0001:0002:a\nlearned fly\nmore\n", ":3: not one line of a map" },
+    };
+    (void)state;
+    assert_int_equal(hid_mapping_store_write(&entry, text), 0);
+    write_file("good.poi", text);
+    write_file("notes.txt", "nobody reads this");
+    for (uint32_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        write_file("bad.poi", bad[i][0]);
+        assert_int_equal(open_book(), 1);
+        if (!strstr(complaint, bad[i][1]) || !strstr(complaint, "/pois/bad.poi:")) {
+            fail_msg("'%s' is complained of as '%s'", bad[i][0], complaint);
+        }
+        assert_non_null(hid_mapping_store_find(&book, &who));
+        hid_mapping_store_close(&book);
+    }
+}
+
+static void test_a_file_that_is_none_does_not_hold_up_the_start(void **state)
+{
+    char path[128];
+    (void)state;
+    write_file("good.poi", "kingyo poi 1\n");
+    snprintf(path, sizeof path, "%s/pois/pipe.poi", data);
+    assert_int_equal(mkfifo(path, 0644), 0);
+    snprintf(path, sizeof path, "%s/pois/folder.poi", data);
+    assert_int_equal(mkdir(path, 0755), 0);
+    snprintf(path, sizeof path, "%s/pois/long.poi", data);
+    FILE *file = fopen(path, "w");
+    for (uint32_t i = 0; i < 3u * HID_MAPPING_STORE_TEXT_SIZE; i++) {
+        fputc('x', file);
+    }
+    fclose(file);
+    assert_int_equal(open_book(), 4);
+    hid_mapping_store_close(&book);
+}
+
+static void test_a_card_that_cannot_be_written_costs_the_run_nothing(void **state)
+{
+    const struct hid_identity who = identity(1, 2, "A");
+    const struct hid_mapping map = learned();
+    char path[128];
+    (void)state;
+    snprintf(path, sizeof path, "%s/pois", data);
+    FILE *file = fopen(path, "w"); /* A file where the folder ought to be. */
+    fclose(file);
+    open_book();
+    hid_mapping_store_set_error_sink(&book, complain, NULL);
+    assert_int_equal(keep(&who, &map), HAL_OK);
+    assert_non_null(hid_mapping_store_find(&book, &who));
+    while (hid_mapping_store_result(&book) == HAL_ERR_BUSY) {
+        usleep(1000);
+    }
+    assert_int_equal(hid_mapping_store_result(&book), HAL_ERR_IO);
+    hid_mapping_store_close(&book);
+    assert_int_equal(book.failed_count, 1);
+    assert_non_null(strstr(complaint, "/pois/0001-0002-A.poi: Not a directory; what was learned"));
+}
+
+/* Power that goes in the middle of a write leaves the file beside, which nobody reads. */
+static void test_a_torn_write_leaves_what_was_there_before(void **state)
+{
+    const struct hid_identity who = identity(1, 2, "A");
+    const struct hid_mapping map = learned();
+    (void)state;
+    open_book();
+    keep(&who, &map);
+    hid_mapping_store_close(&book);
+    write_file("0001-0002-A.poi.new", "kingyo poi 1\n0001:00");
+    assert_int_equal(open_book(), 0);
+    assert_non_null(hid_mapping_store_find(&book, &who));
+    hid_mapping_store_close(&book);
+}
+
+static void test_a_full_book_takes_no_more_and_says_so(void **state)
+{
+    const struct hid_mapping map = learned();
+    (void)state;
+    hid_mapping_store_open(&book, NULL, NULL, NULL); /* In memory alone. */
+    for (uint32_t i = 0; i < HID_MAPPING_STORE_MAX; i++) {
+        const struct hid_identity who = identity((uint16_t)(i + 1u), 1, "");
+        assert_int_equal(hid_mapping_store_put(&book, &who, &map), HAL_OK);
+    }
+    const struct hid_identity more = identity(999, 1, ""), known = identity(1, 1, "");
+    assert_int_equal(hid_mapping_store_put(&book, &more, &map), HAL_ERR_IO);
+    assert_int_equal(hid_mapping_store_put(&book, &known, &map), HAL_OK);
+    assert_int_equal(hid_mapping_store_forget(&book, &known), HAL_OK);
+    assert_int_equal(hid_mapping_store_put(&book, &more, &map), HAL_OK);
+    hid_mapping_store_close(&book);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_what_was_kept_is_there_after_a_restart, make_folder,
+                                        remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_book_is_of_vendor_product_and_serial, make_folder,
+                                        remove_folder),
+        cmocka_unit_test_setup_teardown(test_what_was_forgotten_stays_so, make_folder,
+                                        remove_folder),
+        cmocka_unit_test_setup_teardown(
+            test_a_learned_map_plays_and_one_that_no_longer_fits_does_not, make_folder,
+            remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_bad_file_is_one_line_and_the_others_are_read,
+                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_file_that_is_none_does_not_hold_up_the_start,
+                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_card_that_cannot_be_written_costs_the_run_nothing,
+                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_torn_write_leaves_what_was_there_before,
+                                        make_folder, remove_folder),
+        cmocka_unit_test(test_a_full_book_takes_no_more_and_says_so),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

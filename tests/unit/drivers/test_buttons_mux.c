@@ -1,0 +1,166 @@
+/* test_buttons_mux.c -- several panels are one. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "drivers/buttons_mux.h"
+#include "drivers/null.h"
+
+struct panel {
+    struct button_sample says;
+    int result;
+    const char *line;
+    uint32_t asked;
+};
+
+static int panel_poll(void *self, struct button_sample *out)
+{
+    struct panel *panel = self;
+    panel->asked++;
+    *out = panel->says;
+    return panel->result;
+}
+
+static const char *panel_describe(void *self)
+{
+    const struct panel *panel = self;
+    return panel->line;
+}
+
+static struct hal_buttons device_of(struct panel *panel)
+{
+    static const struct hal_buttons_ops ops = { .poll = panel_poll, .describe = panel_describe };
+    return (struct hal_buttons){ .ops = &ops, .self = panel };
+}
+
+static int poll_join(struct buttons_mux *join, struct button_sample *out)
+{
+    const struct hal_buttons device = buttons_mux_device(join);
+    return device.ops->poll(device.self, out);
+}
+
+static void test_what_any_panel_says_the_joint_one_says(void **state)
+{
+    (void)state;
+    struct buttons_mux join = { 0 };
+    struct button_sample sum;
+    struct panel keys = {
+        .says = { .held = INPUT_START, .pressed = INPUT_START, .quit = 1, .coin_count[0] = 1 },
+    };
+    struct panel lines = {
+        .says = { .held = INPUT_LEFT, .pressed = INPUT_OK, .coin_count[0] = 2, .faults = 3,
+                  .full_screen = 1 },
+    };
+    buttons_mux_add(&join, device_of(&keys));
+    buttons_mux_add(&join, device_of(&lines));
+    assert_int_equal(poll_join(&join, &sum), HAL_OK);
+    assert_int_equal(sum.held, INPUT_START | INPUT_LEFT);
+    assert_int_equal(sum.pressed, INPUT_START | INPUT_OK);
+    assert_int_equal(sum.coin_count[0], 3);
+    assert_int_equal(sum.faults, 3);
+    assert_int_equal(sum.quit, 1);
+    assert_int_equal(sum.full_screen, 1);
+}
+
+/* A button that one panel lets go is still held on the other. */
+static void test_a_level_is_held_while_any_panel_holds_it(void **state)
+{
+    (void)state;
+    struct buttons_mux join = { 0 };
+    struct button_sample sum;
+    struct panel left = { .says.held = INPUT_OK };
+    struct panel right = { .says.held = INPUT_OK };
+    buttons_mux_add(&join, device_of(&left));
+    buttons_mux_add(&join, device_of(&right));
+    left.says.held = 0;
+    poll_join(&join, &sum);
+    assert_int_equal(sum.held, INPUT_OK);
+    right.says.held = 0;
+    poll_join(&join, &sum);
+    assert_int_equal(sum.held, 0);
+}
+
+static void test_a_panel_that_is_not_there_is_no_loss(void **state)
+{
+    (void)state;
+    struct buttons_mux join = { 0 };
+    struct button_sample sum;
+    struct panel keys = { .says.pressed = INPUT_TEST, .line = "keys" };
+    assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
+    buttons_mux_add(&join, null_buttons("no lines"));
+    assert_int_equal(poll_join(&join, &sum), HAL_ERR_ABSENT);
+    buttons_mux_add(&join, device_of(&keys));
+    assert_int_equal(poll_join(&join, &sum), HAL_OK);
+    assert_int_equal(sum.pressed, INPUT_TEST);
+}
+
+/* It says what it still knows: its faults. */
+static void test_a_panel_that_fails_hinders_no_other(void **state)
+{
+    (void)state;
+    struct buttons_mux join = { 0 };
+    struct button_sample sum;
+    struct panel broken = { .result = HAL_ERR_IO, .says.faults = 1 };
+    struct panel keys = { .says.pressed = INPUT_TEST };
+    buttons_mux_add(&join, device_of(&broken));
+    buttons_mux_add(&join, device_of(&keys));
+    assert_int_equal(poll_join(&join, &sum), HAL_OK);
+    assert_int_equal(sum.pressed, INPUT_TEST);
+    assert_int_equal(sum.faults, 1);
+}
+
+static void test_the_line_names_each_and_is_cut_to_its_room(void **state)
+{
+    (void)state;
+    char long_line[HAL_TEXT_SIZE];
+    struct buttons_mux join = { 0 };
+    struct panel keys = { .line = "keys" };
+    struct panel silent = { .line = "" };
+    struct panel lines = { .line = "5 lines" };
+    struct panel talker = { .line = long_line };
+    memset(long_line, 'x', sizeof long_line);
+    long_line[sizeof long_line - 1] = '\0';
+    const struct hal_buttons device = buttons_mux_device(&join);
+    buttons_mux_add(&join, device_of(&keys));
+    buttons_mux_add(&join, device_of(&silent));
+    buttons_mux_add(&join, device_of(&lines));
+    assert_string_equal(device.ops->describe(device.self), "keys; 5 lines");
+    buttons_mux_add(&join, device_of(&lines));
+    assert_string_equal(device.ops->describe(device.self), "keys; 5 lines"); /* Told once. */
+    for (uint32_t i = 0; i < 4; i++) {
+        buttons_mux_add(&join, device_of(&talker));
+        buttons_mux_add(&join, device_of(&keys));
+    }
+    assert_int_equal(strlen(device.ops->describe(device.self)), sizeof join.text - 1);
+}
+
+static void test_one_too_many_is_refused_and_never_asked(void **state)
+{
+    (void)state;
+    struct buttons_mux join = { 0 };
+    struct button_sample sum;
+    struct panel panel = { .says.coin_count[0] = 1 };
+    for (uint32_t i = 0; i < BUTTONS_MUX_MAX; i++) {
+        assert_int_equal(buttons_mux_add(&join, device_of(&panel)), 0);
+    }
+    assert_int_equal(buttons_mux_add(&join, device_of(&panel)), -1);
+    poll_join(&join, &sum);
+    assert_int_equal(panel.asked, BUTTONS_MUX_MAX);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_any_panel_says_the_joint_one_says),
+        cmocka_unit_test(test_a_level_is_held_while_any_panel_holds_it),
+        cmocka_unit_test(test_a_panel_that_is_not_there_is_no_loss),
+        cmocka_unit_test(test_a_panel_that_fails_hinders_no_other),
+        cmocka_unit_test(test_the_line_names_each_and_is_cut_to_its_room),
+        cmocka_unit_test(test_one_too_many_is_refused_and_never_asked),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,239 @@
+/* test_usb_play.c -- a paid round on a poi whose cable is pulled a thousand times: the transport's
+ * own thread over a bus of memory, the decoder, the frame loop and the core. No credit is lost. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <stdatomic.h>
+
+#include "core/tank/preset.h"
+#include "drivers/hid/poi_hid.h"
+#include "drivers/null.h"
+#include "drivers/sim/buttons_sim.h"
+#include "drivers/sim/storage_sim.h"
+#include "drivers/usb/usb_transport.h"
+#include "platform/kiosk/kiosk.h"
+#include "tests/unit/support/purse.h"
+#include "tests/unit/support/usb_kinds.h"
+
+#define UNPLUG_COUNT 1000u
+#define FRAME_NS 16666667ull
+#define COINS 9u
+#define FRAMES_MAX 20000u
+
+static struct {
+    struct usb_bench bench;
+    atomic_ullong now_ns;        /* Of both threads: a frame is a sixtieth of its second. */
+    struct button_event event[2];
+    struct buttons_sim buttons;
+    struct poi_hid poi;
+    struct storage_sim storage;
+    struct hal hal;
+    struct kiosk kiosk;
+    uint32_t device;
+    uint8_t is_plugged;
+    uint32_t said;               /* Reports since it was plugged in. */
+    uint8_t sequence;
+} stall;
+
+static uint64_t stall_now_ns(void *self)
+{
+    (void)self;
+    return atomic_load(&stall.now_ns);
+}
+
+static struct hal_clock stall_clock(void)
+{
+    static const struct hal_clock_ops ops = { .now_ns = stall_now_ns };
+    return (struct hal_clock){ .ops = &ops };
+}
+
+/* ---- The poi -------------------------------------------------------------------------------- */
+
+static void plug(void)
+{
+    stall.device = stand_plug(&own_poi, 1);
+    stall.is_plugged = 1;
+    stall.said = 0;
+}
+
+static void unplug(uint32_t how)
+{
+    stand_unplug(stall.device, (enum stand_parting)(how % 2u));
+    stall.is_plugged = 0;
+}
+
+/* A hand that hovers, and trembles as hands do. */
+static void say(void)
+{
+    uint8_t bytes[POI_REPORT_SIZE];
+    const float sway_m = 0.001f * (float)(stall.sequence % 16u);
+    const struct poi_report report = { .target.position_m = { sway_m, 0.15f, -sway_m },
+                                       .sequence = stall.sequence++ };
+    poi_report_encode(&report, bytes);
+    stand_report(stall.device, bytes, sizeof bytes);
+    stall.said++;
+}
+
+/* ---- The evening ---------------------------------------------------------------------------- */
+
+static void frame(void)
+{
+    if (stall.is_plugged) {
+        say();
+        say();
+        for (uint32_t i = 0; i < 200 && stand_waiting(stall.device) > 0; i++) {
+            usleep(50);
+        }
+    }
+    atomic_fetch_add(&stall.now_ns, FRAME_NS);
+    kiosk_frame(&stall.kiosk, &stall.hal);
+}
+
+static int frames_until(int (*is_so)(void))
+{
+    for (uint32_t i = 0; i < FRAMES_MAX; i++) {
+        if (is_so()) {
+            return 1;
+        }
+        frame();
+        if (!stall.is_plugged || i > 100u) {
+            usleep(50); /* The thread has its turn. */
+        }
+    }
+    return 0;
+}
+
+static int is_round(void)
+{
+    return stall.kiosk.core.game.phase == PHASE_ROUND;
+}
+
+static int is_paused(void)
+{
+    return stall.kiosk.scene.paused || !is_round();
+}
+
+static int runs(void)
+{
+    return is_round() && !stall.kiosk.scene.paused && stall.kiosk.hands[0].link == POI_SOURCE_LIVE;
+}
+
+static int is_attract(void)
+{
+    return stall.kiosk.core.game.phase == PHASE_ATTRACT &&
+           stall.kiosk.hands[0].link == POI_SOURCE_LIVE;
+}
+
+static void press_start(void)
+{
+    stall.event[1] = (struct button_event){ .time_ns = atomic_load(&stall.now_ns),
+                                            .pressed = INPUT_START };
+    stall.buttons = (struct buttons_sim){ .clock = stall_clock(), .events = &stall.event[1],
+                                          .event_count = 1 };
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    static const struct kiosk_config config = {
+        .core = { .seed = 11, .fish_count = 4, .round_s = 600, .credit_coins = 1 }
+    };
+    memset(&stall, 0, sizeof stall);
+    atomic_store(&stall.now_ns, 1000000000000ull);
+    bench_prepare(&stall.bench);
+    bench_start_with(&stall.bench, stall_clock(), NULL, 0);
+    stall.hal = null_hal();
+    stall.hal.clock = stall_clock();
+    stall.event[0] = (struct button_event){ .coin_count[0] = COINS };
+    stall.buttons = (struct buttons_sim){ .clock = stall_clock(), .events = stall.event,
+                                          .event_count = 1 };
+    stall.hal.buttons = buttons_sim_device(&stall.buttons);
+    const struct view view = tank_preset(TANK_PRESET_FESTIVAL)->view;
+    poi_hid_init(&stall.poi, usb_transport_port(stall.bench.seats, 0), stall_clock(),
+                 (struct hid_mapper){ NULL, NULL }, &view);
+    stall.hal.poi[0] = poi_hid_device(&stall.poi);
+    stall.hal.storage = storage_sim_device(&stall.storage);
+    return kiosk_init(&stall.kiosk, &stall.hal, &config);
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    assert_int_equal(bench_end(&stall.bench), 0);
+    assert_int_equal(stand_breaches(), 0);
+    return 0;
+}
+
+static uint32_t credits(void)
+{
+    return purse_credits(&stall.kiosk.core);
+}
+
+static uint32_t refunds(void)
+{
+    return purse_audit(&stall.kiosk.core, AUDIT_REFUNDS);
+}
+
+static void begin_round(void)
+{
+    assert_true(frames_until(is_attract));
+    assert_true(credits() > 0);
+    press_start();
+    assert_true(frames_until(runs));
+}
+
+static void test_a_thousand_unplugs_cost_no_credit(void **state)
+{
+    (void)state;
+    uint32_t resumed = 0, paid_back = 0, over = 0;
+    plug();
+    frame();
+    begin_round();
+    assert_int_equal(credits(), COINS - 1u);
+    for (uint32_t i = 0; i < UNPLUG_COUNT; i++) {
+        const uint32_t had = credits(), paid_before = refunds();
+        for (uint32_t k = 0; k < i % 23u; k++) {
+            say();
+        }
+        unplug(i);
+        assert_true(frames_until(is_paused));
+        plug();
+        for (uint32_t k = 0; k < FRAMES_MAX && !runs() && is_round(); k++) {
+            frame();
+            usleep(20);
+        }
+        if (refunds() > paid_before) { /* It was away for too long in all. */
+            assert_int_equal(credits(), had + 1u);
+            paid_back++;
+            begin_round();
+            continue;
+        }
+        if (!is_round()) { /* Its credit came back before: the round counts. */
+            assert_int_equal(credits(), had);
+            over++;
+            begin_round();
+            continue;
+        }
+        assert_true(runs());
+        assert_int_equal(credits(), had);
+        resumed++;
+    }
+    assert_int_equal(resumed + paid_back + over, UNPLUG_COUNT);
+    assert_in_range(over, 0, paid_back);
+    assert_true(resumed > UNPLUG_COUNT * 9u / 10u);
+    assert_int_equal(credits() + 1u + over, COINS); /* And one is being played. */
+    printf("# %u unplugs in a round: %u resumed, %u paid back, %u rounds counted, 0 credits lost\n",
+           UNPLUG_COUNT, resumed, paid_back, over);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_a_thousand_unplugs_cost_no_credit, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

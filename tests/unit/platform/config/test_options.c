@@ -1,0 +1,410 @@
+/* test_options.c -- what may be asked of `kingyo`, and what is said when it is asked wrongly. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/scene.h"
+#include "core/tank/preset.h"
+#include "platform/board.h"
+#include "platform/config/options.h"
+
+#define COUNT(array) ((int)(sizeof array / sizeof array[0]))
+
+static struct options options;
+static char error[OPTIONS_ERROR_MAX];
+
+static int parse(int argc, const char *const *argv)
+{
+    memset(&options, 0, sizeof options);
+    memset(error, 0, sizeof error);
+    return options_parse(&options, argc, argv, error);
+}
+
+static int32_t asked(uint32_t id)
+{
+    assert_int_equal(options.words.is_set[id], 1);
+    return options.words.value[id];
+}
+
+static void test_every_option_is_understood(void **state)
+{
+    static const char *const argv[] = {
+        "kingyo",        "--window", "800x600", "--poi",  "bot",   "--record", "a.kgr",
+        "--shots",       "pics",     "--data=scores",     "--config", "c.conf",
+        "--lang",        "en",       "--seed",  "0255",   "--fish", "50",
+        "--mode",        "championship", "--grade", "4",  "--players", "3",
+        "--demo",        "30",
+    };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.width, 800);
+    assert_int_equal(options.height, 600);
+    assert_int_equal(options.poi, BOARD_POI_BOT);
+    assert_string_equal(options.record, "a.kgr");
+    assert_string_equal(options.shots, "pics");
+    assert_string_equal(options.data, "scores");
+    assert_string_equal(options.config, "c.conf");
+    assert_int_equal(asked(SET_LANGUAGE), LANGUAGE_EN);
+    assert_int_equal(options.seed, 255);
+    assert_int_equal(options.has_seed, 1);
+    assert_int_equal(asked(SET_FISH), 50);
+    assert_int_equal(asked(SET_MODES), 1 << MODE_CHAMPIONSHIP);
+    assert_int_equal(asked(SET_GRADE), 4);
+    assert_int_equal(asked(SET_PLAYERS), 3);
+    assert_int_equal(options.demo, 1);
+    assert_int_equal(options.demo_s, 30);
+}
+
+static void test_who_holds_the_poi_has_a_name(void **state)
+{
+    static const struct { const char *name; uint8_t poi; } kinds[] = {
+        { "auto", BOARD_POI_AUTO }, { "mouse", BOARD_POI_MOUSE }, { "touch", BOARD_POI_TOUCH },
+        { "pad", BOARD_POI_PAD },   { "usb", BOARD_POI_USB },     { "bot", BOARD_POI_BOT },
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        const char *const argv[] = { "kingyo", "--poi", kinds[i].name };
+        assert_int_equal(parse(COUNT(argv), argv), 0);
+        assert_int_equal(options.poi, kinds[i].poi);
+    }
+}
+
+static void test_a_keyboard_counts_or_not_as_its_operator_says(void **state)
+{
+    static const char *const on[] = { "kingyo", "--keyboard", "on" };
+    static const char *const off[] = { "kingyo", "--keyboard=off" };
+    static const char *const perhaps[] = { "kingyo", "--keyboard", "perhaps" };
+    (void)state;
+    assert_int_equal(parse(COUNT(on), on), 0);
+    assert_int_equal(options.keyboard, BOARD_KEYBOARD_ON);
+    assert_int_equal(parse(COUNT(off), off), 0);
+    assert_int_equal(options.keyboard, BOARD_KEYBOARD_OFF);
+    assert_int_equal(parse(COUNT(perhaps), perhaps), -1);
+}
+
+static void test_controllers_and_lines_are_named_one_after_the_other(void **state)
+{
+    /* clang-format off */
+    static const char *const argv[] = {
+        "kingyo", "--usb", "057e:2009", "--usb=054c:09cc:A1:B2", "--line", "start=BTN_START",
+        "--line=coin=pinctrl-bcm2711:17,low,up", "--line", "start=BTN_A",
+    };
+    /* clang-format on */
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.usb_count, 2);
+    assert_string_equal(options.usb[0], "057e:2009");
+    assert_string_equal(options.usb[1], "054c:09cc:A1:B2");
+    assert_int_equal(options.line_count, 3);
+    assert_string_equal(options.line[1], "coin=pinctrl-bcm2711:17,low,up");
+}
+
+static void test_no_more_controllers_or_lines_than_there_is_room_for(void **state)
+{
+    const char *argv[2 * (BOARD_LINE_MAX + 2)] = { "kingyo" };
+    (void)state;
+    for (uint32_t i = 0; i <= BOARD_USB_MAX; i++) {
+        argv[1 + 2 * i] = "--usb";
+        argv[2 + 2 * i] = "1209:0001";
+    }
+    assert_int_equal(parse(1 + 2 * (int)BOARD_USB_MAX, argv), 0);
+    assert_int_equal(parse(3 + 2 * (int)BOARD_USB_MAX, argv), -1);
+    for (uint32_t i = 0; i <= BOARD_LINE_MAX; i++) {
+        argv[1 + 2 * i] = "--line";
+        argv[2 + 2 * i] = "tilt=T";
+    }
+    assert_int_equal(parse(1 + 2 * (int)BOARD_LINE_MAX, argv), 0);
+    assert_int_equal(parse(3 + 2 * (int)BOARD_LINE_MAX, argv), -1);
+}
+
+static void test_a_wrong_wire_is_told_with_what_is_wrong_about_it(void **state)
+{
+    static const char *const no_role[] = { "kingyo", "--line", "jump=BTN" };
+    static const char *const clash[] = { "kingyo", "--line", "start=A", "--line", "left=A" };
+    (void)state;
+    assert_int_equal(parse(COUNT(no_role), no_role), -1);
+    assert_non_null(strstr(error, "--line: 'jump=BTN': "));
+    assert_int_equal(parse(COUNT(clash), clash), -1);
+    assert_non_null(strstr(error, "start and left are both on A"));
+}
+
+static void test_demo_needs_no_seconds(void **state)
+{
+    static const char *const last[] = { "kingyo", "--demo" };
+    static const char *const middle[] = { "kingyo", "--demo", "--lang", "ja" };
+    (void)state;
+    assert_int_equal(parse(COUNT(last), last), 0);
+    assert_int_equal(options.demo_s, OPTIONS_DEMO_S);
+    assert_int_equal(parse(COUNT(middle), middle), 0);
+    assert_int_equal(options.demo_s, OPTIONS_DEMO_S);
+    assert_int_equal(asked(SET_LANGUAGE), LANGUAGE_JA);
+}
+
+static const char *const wrong[][4] = {
+    { "kingyo", "--fly", NULL },
+    { "kingyo", "fish", NULL },
+    { "kingyo", "-", NULL },
+    { "kingyo", "", NULL },
+    { "kingyo", "--window", "800", NULL },
+    { "kingyo", "--window", "x600", NULL },
+    { "kingyo", "--window", "800x", NULL },
+    { "kingyo", "--window", "800x600x2", NULL },
+    { "kingyo", "--window", "319x600", NULL },
+    { "kingyo", "--window", "99999999999999999999999x600", NULL },
+    { "kingyo", "--poi", "net", NULL },
+    { "kingyo", "--usb", "057e", NULL },
+    { "kingyo", "--usb", "057e:200", NULL },
+    { "kingyo", "--usb", "057e:20090", NULL },
+    { "kingyo", "--usb", "057g:2009", NULL },
+    { "kingyo", "--usb", "057e-2009", NULL },
+    { "kingyo", "--usb", NULL },
+    { "kingyo", "--line", "start", NULL },
+    { "kingyo", "--line", "=A", NULL },
+    { "kingyo", "--lang", "fr", NULL },
+    { "kingyo", "--seed", "-1", NULL },
+    { "kingyo", "--seed", "4294967296", NULL },
+    { "kingyo", "--seed", "12a", NULL },
+    { "kingyo", "--seed", "0x10", NULL },
+    { "kingyo", "--seed", " 1", NULL },
+    { "kingyo", "--fish", "0", NULL },
+    { "kingyo", "--fish", "2048", NULL },
+    { "kingyo", "--mode", "tournament", NULL },
+    { "kingyo", "--mode", "", NULL },
+    { "kingyo", "--mode", NULL },
+    { "kingyo", "--grade", "3", NULL },
+    { "kingyo", "--grade", "8", NULL },
+    { "kingyo", "--grade", "5.5", NULL },
+    { "kingyo", "--players", "0", NULL },
+    { "kingyo", "--players", "5", NULL },
+    { "kingyo", "--players", "two", NULL },
+    { "kingyo", "--demo", "4", NULL },
+    { "kingyo", "--demo", "601", NULL },
+    { "kingyo", "--demo=", NULL },
+    { "kingyo", "--record", NULL },
+    { "kingyo", "--record", "--demo", NULL },
+    { "kingyo", "--record=", NULL },
+    { "kingyo", "--help=yes", NULL },
+};
+
+static void test_a_wrong_option_is_one_line_that_names_it(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        int argc = 0;
+        while (argc < 4 && wrong[i][argc]) {
+            argc++;
+        }
+        assert_int_equal(parse(argc, wrong[i]), -1);
+        assert_true(strlen(error) > 10);
+        assert_null(strchr(error, '\n'));
+    }
+}
+
+static void check_most(const char *tank, uint8_t preset)
+{
+    char count[16], most[16];
+    const char *const fish_first[] = { "kingyo", "--fish", count, "--tank", tank };
+    const char *const tank_first[] = { "kingyo", "--tank", tank, "--fish", count };
+    const unsigned max = tank_preset_fish_max(tank_preset(preset), 1.0f);
+    snprintf(count, sizeof count, "%u", max);
+    assert_int_equal(parse(COUNT(fish_first), fish_first), 0);
+    assert_int_equal(asked(SET_FISH), max);
+    assert_int_equal(options.tank, preset);
+    assert_int_equal(parse(COUNT(tank_first), tank_first), 0);
+    memcpy(most, count, sizeof most);
+    snprintf(count, sizeof count, "%u", max + 1u);
+    assert_int_equal(parse(COUNT(fish_first), fish_first), -1);
+    assert_non_null(strstr(error, most)); /* It says how many would be right. */
+    assert_int_equal(parse(COUNT(tank_first), tank_first), -1);
+}
+
+static void test_as_many_fish_as_the_tank_holds_and_not_one_more(void **state)
+{
+    (void)state;
+    check_most("festival", TANK_PRESET_FESTIVAL);
+    check_most("thesis", TANK_PRESET_THESIS);
+    check_most("official", TANK_PRESET_OFFICIAL);
+}
+
+static void test_the_stall_opens_the_festival_tank_and_no_unknown_one(void **state)
+{
+    static const char *const none[] = { "kingyo" };
+    static const char *const unknown[] = { "kingyo", "--tank", "pond" };
+    (void)state;
+    assert_int_equal(parse(COUNT(none), none), 0);
+    assert_int_equal(options.tank, TANK_PRESET_FESTIVAL);
+    assert_int_equal(parse(COUNT(unknown), unknown), -1);
+    assert_non_null(strstr(error, "festival, thesis or official"));
+}
+
+static void test_a_mode_is_one_of_three_or_asked_for(void **state)
+{
+    static const char *const modes[] = { "festival", "championship", "practice" };
+    (void)state;
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        const char *const argv[] = { "kingyo", "--mode", modes[mode] };
+        assert_int_equal(parse(COUNT(argv), argv), 0);
+        assert_int_equal(asked(SET_MODES), 1 << mode);
+    }
+    const char *const argv[] = { "kingyo", "--mode=choose" };
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(asked(SET_MODES), OPTIONS_MODES_ALL);
+}
+
+static struct settings settings;
+
+/* With what the operator's menu has saved, if anything. */
+static void settle(uint32_t saved_id, int32_t saved)
+{
+    options_first(&options, &settings);
+    if (saved_id < SETTING_COUNT) {
+        settings.value[saved_id] = saved;
+    }
+    options_last(&options, &settings);
+}
+
+static void test_what_is_asked_reaches_the_stall(void **state)
+{
+    static const char *const all[] = { "kingyo", "--mode", "practice", "--grade", "7", "--players",
+                                       "4", "--fish", "50", "--lang", "en", "--coins", "3",
+                                       "--tickets", "10", "--set", "volume=35" };
+    struct core_config core = { .preset = TANK_PRESET_THESIS };
+    (void)state;
+    assert_int_equal(parse(COUNT(all), all), 0);
+    settle(SETTING_COUNT, 0);
+    settings_apply(&settings, &core);
+    assert_int_equal(core.modes, 1u << MODE_PRACTICE);
+    assert_int_equal(core.grade, 7);
+    assert_int_equal(core.players, 4);
+    assert_int_equal(core.fish_count, 50);
+    assert_int_equal(core.credit_coins, 3);
+    assert_int_equal(core.ticket_fish, 10);
+    assert_int_equal(core.language, LANGUAGE_EN);
+    assert_int_equal(settings.value[SET_VOLUME], 35);
+}
+
+static void test_nothing_asked_is_every_standard(void **state)
+{
+    static const char *const none[] = { "kingyo" };
+    (void)state;
+    assert_int_equal(parse(COUNT(none), none), 0);
+    settle(SETTING_COUNT, 0);
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        assert_int_equal(settings.value[id], settings_entry(id)->standard);
+        assert_int_equal(options_query(&options, id), 0);
+    }
+}
+
+static void test_no_coins_is_free_play_whatever_the_menu_said(void **state)
+{
+    static const char *const argv[] = { "kingyo", "--coins", "0" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    settle(SET_PLAY, PLAY_PAID);
+    assert_int_equal(settings.value[SET_PLAY], PLAY_FREE);
+}
+
+/* Standard, locale, file, menu, command line: each later one wins. */
+static void test_each_later_voice_wins(void **state)
+{
+    static const char *const none[] = { "kingyo" };
+    static const char *const said[] = { "kingyo", "--set", "language=ja" };
+    (void)state;
+    assert_int_equal(parse(COUNT(none), none), 0);
+    options.machine.is_set[SET_LANGUAGE] = 1;
+    options.machine.value[SET_LANGUAGE] = LANGUAGE_EN;
+    settle(SETTING_COUNT, 0);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_EN);
+    options.file.is_set[SET_LANGUAGE] = 1;
+    options.file.value[SET_LANGUAGE] = LANGUAGE_JA;
+    settle(SETTING_COUNT, 0);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_JA);
+    settle(SET_LANGUAGE, LANGUAGE_EN);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_EN);
+    assert_int_equal(parse(COUNT(said), said), 0);
+    settle(SET_LANGUAGE, LANGUAGE_EN);
+    assert_int_equal(settings.value[SET_LANGUAGE], LANGUAGE_JA);
+}
+
+static void test_a_setting_that_is_wrong_is_told_with_its_range(void **state)
+{
+    static const char *const price[] = { "kingyo", "--set", "price=21" };
+    static const char *const none[] = { "kingyo", "--set", "colour=red" };
+    static const char *const bare[] = { "kingyo", "--set", "price" };
+    static const char *const secret[] = { "kingyo", "--set", "seat1-xx=5" };
+    (void)state;
+    assert_int_equal(parse(COUNT(price), price), -1);
+    assert_non_null(strstr(error, "--set: 'price=21': expected 1 to 20"));
+    assert_int_equal(parse(COUNT(none), none), -1);
+    assert_non_null(strstr(error, "kingyoctl config defaults"));
+    assert_int_equal(parse(COUNT(bare), bare), -1);
+    assert_int_equal(parse(COUNT(secret), secret), -1);
+}
+
+static void test_a_stall_never_has_more_fish_than_its_tank_holds(void **state)
+{
+    struct core_config core = { .preset = TANK_PRESET_FESTIVAL };
+    (void)state;
+    settings_reset(&settings);
+    settings.value[SET_FISH] = settings_entry(SET_FISH)->max;
+    settings_apply(&settings, &core);
+    assert_int_equal(core.fish_count, tank_preset_fish_max(tank_preset(core.preset), 1.0f));
+}
+
+static void test_recording_a_replay_is_refused(void **state)
+{
+    static const char *const argv[] = { "kingyo", "--record", "a", "--replay", "b" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), -1);
+}
+
+static void test_a_path_longer_than_any_is_refused(void **state)
+{
+    static char path[OPTIONS_PATH_MAX + 1];
+    const char *const argv[] = { "kingyo", "--data", path };
+    (void)state;
+    memset(path, 'a', OPTIONS_PATH_MAX);
+    assert_int_equal(parse(COUNT(argv), argv), -1);
+    path[OPTIONS_PATH_MAX - 1] = '\0';
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+}
+
+static void test_a_number_is_decimal_whatever_it_begins_with(void **state)
+{
+    static const char *const argv[] = { "kingyo", "--seed", "010" };
+    (void)state;
+    assert_int_equal(parse(COUNT(argv), argv), 0);
+    assert_int_equal(options.seed, 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_option_is_understood),
+        cmocka_unit_test(test_who_holds_the_poi_has_a_name),
+        cmocka_unit_test(test_a_keyboard_counts_or_not_as_its_operator_says),
+        cmocka_unit_test(test_controllers_and_lines_are_named_one_after_the_other),
+        cmocka_unit_test(test_no_more_controllers_or_lines_than_there_is_room_for),
+        cmocka_unit_test(test_a_wrong_wire_is_told_with_what_is_wrong_about_it),
+        cmocka_unit_test(test_demo_needs_no_seconds),
+        cmocka_unit_test(test_a_wrong_option_is_one_line_that_names_it),
+        cmocka_unit_test(test_as_many_fish_as_the_tank_holds_and_not_one_more),
+        cmocka_unit_test(test_the_stall_opens_the_festival_tank_and_no_unknown_one),
+        cmocka_unit_test(test_a_mode_is_one_of_three_or_asked_for),
+        cmocka_unit_test(test_what_is_asked_reaches_the_stall),
+        cmocka_unit_test(test_nothing_asked_is_every_standard),
+        cmocka_unit_test(test_no_coins_is_free_play_whatever_the_menu_said),
+        cmocka_unit_test(test_each_later_voice_wins),
+        cmocka_unit_test(test_a_setting_that_is_wrong_is_told_with_its_range),
+        cmocka_unit_test(test_a_stall_never_has_more_fish_than_its_tank_holds),
+        cmocka_unit_test(test_recording_a_replay_is_refused),
+        cmocka_unit_test(test_a_path_longer_than_any_is_refused),
+        cmocka_unit_test(test_a_number_is_decimal_whatever_it_begins_with),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

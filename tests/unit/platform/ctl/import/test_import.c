@@ -1,0 +1,522 @@
+/* test_import.c -- meshes from elsewhere: found the right way up, joined, and the same shapes. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "core/morph/morph.h"
+#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/morph/morph_mesh.h"
+#include "platform/ctl/morph/morph_options.h"
+#include "platform/species/reader.h"
+
+#define COUNTS 2.5f /* Rounding there and back, in steps of the tables. */
+
+static struct import_mesh mesh;
+static struct import_report report;
+static struct species_slot slot;
+static struct species_card card;
+static vec3 shapes[MORPH_KEY_MAX][MESH_VERTEX_MAX];
+static char why[IMPORT_WHY_SIZE], fault[VALIDATE_WHY_SIZE];
+static char folder[] = "/tmp/kingyo-import-XXXXXX";
+
+static const char *path_of(const char *name)
+{
+    static char paths[4][128];
+    static int next;
+    char *path = paths[next++ % 4];
+    snprintf(path, sizeof paths[0], "%s/%s", folder, name);
+    return path;
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    char command[96];
+    (void)state;
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    return system(command);
+}
+
+static const struct import_options *plan_of(const struct species *like)
+{
+    static struct import_options plan;
+    plan = (struct import_options){ .id = "imported",
+                                    .front = AXIS_NONE,
+                                    .up = AXIS_Y,
+                                    .measure = like->card.measure,
+                                    .motion = 255,
+                                    .form = 255,
+                                    .template_id = TEMPLATE_OWN,
+                                    .unit_m = 1.0,
+                                    .like = like };
+    return &plan;
+}
+
+static enum exit_code build_from(const struct import_options *plan)
+{
+    report = (struct import_report){ .front = AXIS_NONE };
+    memset(&slot.species, 0, sizeof slot.species);
+    if (import_orient(&mesh, plan, &report, why) != EXIT_OK ||
+        import_build(&mesh, &slot, &report, why) != EXIT_OK ||
+        import_life(&mesh, plan, &slot, &report, why) != EXIT_OK) {
+        return EXIT_BAD_DATA;
+    }
+    slot.tables[1] = slot.tables[0];
+    slot.species.lod[1] = slot.species.lod[0];
+    return species_validate(&slot.species, fault) ? EXIT_OK : EXIT_NOT_SO;
+}
+
+static void shape_keys(const struct species *species)
+{
+    static struct morph_pose pose;
+    const struct species_mesh *near = &species->lod[0];
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        morph_key_pose(near, species->card.key_count, key, &pose);
+        morph_shape(near, species->card.key_count, &pose, shapes[key], NULL);
+    }
+}
+
+/* The greatest distance of a vertex of the species to the imported vertex nearest to it in all keys
+ * at once, of the same part. */
+static float farthest_vertex(const struct species *species)
+{
+    const struct species_mesh *ours = &species->lod[0], *theirs = &slot.species.lod[0];
+    float worst = 0.0f;
+    for (uint32_t i = 0; i < ours->vertex_count; i++) {
+        float best = INFINITY;
+        for (uint32_t j = 0; j < theirs->vertex_count; j++) {
+            float far = theirs->vertices[j].part == ours->vertices[i].part ? 0.0f : INFINITY;
+            for (uint32_t key = 0; key < species->card.key_count && far < best; key++) {
+                const vec3 d = v3_sub(morph_position(theirs, key, j), shapes[key][i]);
+                far = fmaxf(far, fmaxf(fabsf(d.x), fmaxf(fabsf(d.y), fabsf(d.z))));
+            }
+            best = fminf(best, far);
+        }
+        worst = fmaxf(worst, best);
+    }
+    return worst;
+}
+
+/* ---- OBJ ------------------------------------------------------------------------------------- */
+
+/* A key as another program would write it: its own axes and unit, quads' two triangles, a group a
+ * part. `turn` 0: ours; 1: nose to +x; 2: z is up. */
+static void write_obj(const struct species *species, uint32_t key, const char *path, int turn,
+                      float unit)
+{
+    const struct species_mesh *near = &species->lod[0];
+    FILE *out = fopen(path, "w");
+    assert_non_null(out);
+    fprintf(out, "# a fish\nmtllib none.mtl\n");
+    for (uint32_t i = 0; i < near->vertex_count; i++) {
+        const vec3 p = v3_scale(shapes[key][i], unit);
+        const vec3 q = turn == 0 ? p : turn == 1 ? v3(-p.z, p.y, p.x) : v3(p.x, -p.z, p.y);
+        fprintf(out, "v %.9g %.9g %.9g\n", (double)q.x, (double)q.y, (double)q.z);
+    }
+    uint32_t part = PART_COUNT;
+    for (uint32_t i = 0; i < near->index_count; i += 3) {
+        const uint16_t *t = &near->indices[i];
+        if (near->vertices[t[0]].part != part) {
+            part = near->vertices[t[0]].part;
+            fprintf(out, "g %s\n", part_names[part]);
+        }
+        fprintf(out, "f %u//1 %u//1 %d\n", t[0] + 1u, t[1] + 1u,
+                (int)t[2] - (int)near->vertex_count);
+    }
+    fclose(out);
+}
+
+static void read_objs(const struct species *species, int turn, float unit)
+{
+    shape_keys(species);
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        write_obj(species, key, path_of("key.obj"), turn, unit);
+        assert_int_equal(import_obj(&mesh, key, path_of("key.obj"), why), EXIT_OK);
+    }
+}
+
+static void test_shapes_from_obj_files_are_the_same_within_quantisation(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        const struct species *species = species_table[i];
+        read_objs(species, 0, 1.0f);
+        mesh.is_ours = true; /* Drawn at our size and place: nothing is to be moved. */
+        struct import_options plan = *plan_of(species);
+        plan.front = AXIS_MINUS_Z;
+        assert_int_equal(build_from(&plan), EXIT_OK);
+        assert_true(farthest_vertex(species) <= COUNTS * slot.species.lod[0].reach / 32767.0f);
+    }
+}
+
+static void test_front_and_up_and_unit_are_found(void **state)
+{
+    (void)state;
+    static const struct {
+        int turn;
+        uint8_t up, front;
+    } cases[] = { { 0, AXIS_Y, AXIS_MINUS_Z }, { 1, AXIS_Y, AXIS_X }, { 2, AXIS_Z, AXIS_Y } };
+    for (size_t i = 0; i < 3; i++) {
+        read_objs(&species_wakin, cases[i].turn, 137.0f);
+        struct import_options plan = *plan_of(&species_wakin);
+        plan.up = cases[i].up;
+        assert_int_equal(build_from(&plan), EXIT_OK);
+        assert_int_equal(report.front, cases[i].front);
+        assert_float_equal(report.size[0], 137.0f, 1.0f);
+        /* The body's middle is moved to the axis, so shapes agree but for that shift. */
+        assert_string_equal(slot.species.card.id, "imported");
+    }
+}
+
+static void test_a_fish_that_lies_along_up_is_told_to_say_up(void **state)
+{
+    (void)state;
+    read_objs(&species_wakin, 2, 1.0f);
+    struct import_options plan = *plan_of(&species_wakin); /* Its nose is to +y. */
+    assert_int_equal(build_from(&plan), EXIT_BAD_DATA);
+    assert_string_equal(why, "front: longest along +y, where its back would be; say --up AXIS");
+}
+
+static void test_a_fish_without_eyes_is_faced_by_its_thicker_half(void **state)
+{
+    (void)state;
+    read_objs(&species_wakin, 1, 1.0f);
+    for (uint32_t i = 0; i < mesh.group_count; i++) {
+        snprintf(mesh.group_names[i], IMPORT_NAME_SIZE, "mesh_%u", i);
+    }
+    assert_int_equal(import_orient(&mesh, plan_of(&species_wakin), &report, why), EXIT_OK);
+    assert_int_equal(report.front, AXIS_X);
+}
+
+static void test_parts_are_known_by_words_in_names(void **state)
+{
+    (void)state;
+    assert_int_equal(import_part("Fin_Dorsal.001"), PART_DORSAL);
+    assert_int_equal(import_part("dorsal_2"), PART_DORSAL_2);
+    assert_int_equal(import_part("EyeLeft"), PART_EYE);
+    assert_int_equal(import_part("caudal fin"), PART_TAIL);
+    assert_int_equal(import_part("Cube"), PART_BODY);
+}
+
+static void write_text(const char *path, const char *text)
+{
+    FILE *out = fopen(path, "w");
+    assert_non_null(out);
+    fputs(text, out);
+    fclose(out);
+}
+
+#define TETRA "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n"
+
+static void test_bad_obj_files_are_named_with_their_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *complaint;
+    } cases[] = {
+        { "", ":0: no vertices" },
+        { "v 0 0 0\n", ":1: no faces" },
+        { "v 0 0\n", ":1: a vertex has three numbers" },
+        { "v 0 0 nan\n", ":1: 'nan' is no number" },
+        { "v 0 0 1e30\n", ":1: '1e30' is no number" },
+        { TETRA "f 1 2 9\n", ":9: corner '9' names no vertex" },
+        { TETRA "f 1 2 0\n", ":9: corner '0' names no vertex" },
+        { TETRA "f 1 2 -5\n", ":9: corner '-5' names no vertex" },
+        { TETRA "f 1 2 99999999999999999999\n", ":9: corner '99999999999999999999' names no" },
+        { TETRA "f 1/7 2 3\n", ":9: corner '1/7' names no texture coordinate" },
+        { TETRA "f 1 2\n", ":9: a face has three corners" },
+        { TETRA "f 1 \033[31m\n", ":9: corner '?[31m' names no vertex" },
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_text(path_of("bad.obj"), cases[i].text);
+        assert_int_equal(import_obj(&mesh, 0, path_of("bad.obj"), why), EXIT_BAD_DATA);
+        if (!strstr(why, cases[i].complaint)) {
+            fail_msg("'%s' and not '%s'", why, cases[i].complaint);
+        }
+    }
+    assert_int_equal(import_obj(&mesh, 0, path_of("none.obj"), why), EXIT_IO);
+}
+
+static void test_shapes_of_another_topology_are_refused(void **state)
+{
+    (void)state;
+    write_text(path_of("a.obj"), TETRA);
+    assert_int_equal(import_obj(&mesh, 0, path_of("a.obj"), why), EXIT_OK);
+    write_text(path_of("b.obj"), "v 5 5 5\n" TETRA);
+    assert_int_equal(import_obj(&mesh, 1, path_of("b.obj"), why), EXIT_BAD_DATA);
+    assert_non_null(strstr(why, ":5: more than 4 vertices, which the first shape has"));
+    write_text(path_of("b.obj"), TETRA "f 1 2 3\n");
+    assert_int_equal(import_obj(&mesh, 1, path_of("b.obj"), why), EXIT_BAD_DATA);
+    assert_non_null(strstr(why, ":9: more than 4 triangles"));
+    write_text(path_of("b.obj"),
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 3 4\n");
+    assert_int_equal(import_obj(&mesh, 1, path_of("b.obj"), why), EXIT_BAD_DATA);
+    assert_non_null(strstr(why, ":8: this face joins other vertices"));
+}
+
+static void test_a_model_that_is_too_fine_is_told_what_to_do(void **state)
+{
+    (void)state;
+    FILE *out = fopen(path_of("fine.obj"), "w");
+    assert_non_null(out);
+    for (uint32_t i = 0; i < 1500; i++) {
+        fprintf(out, "v %u %u %u\n", i, i % 7, i % 3);
+    }
+    for (uint32_t i = 3; i <= 1500; i++) {
+        fprintf(out, "f %u %u %u\n", i - 2, i - 1, i);
+    }
+    fclose(out);
+    for (uint32_t key = 0; key < 3; key++) {
+        assert_int_equal(import_obj(&mesh, key, path_of("fine.obj"), why), EXIT_OK);
+    }
+    struct import_options plan = *plan_of(&species_wakin);
+    plan.front = AXIS_X;
+    plan.measure = MEASURE_TOTAL;
+    assert_int_equal(build_from(&plan), EXIT_BAD_DATA);
+    assert_non_null(strstr(why, "vertices: more than 1024; reduce the model"));
+}
+
+/* ---- Life ------------------------------------------------------------------------------------ */
+
+static void test_lengths_that_are_told_have_a_growth_that_says_so_too(void **state)
+{
+    (void)state;
+    static struct species drawn;
+    drawn = species_wakin;
+    drawn.card.scale_knot_count = 2; /* By hand, for its own lengths. */
+    drawn.card.scale_knots[0] = (struct scale_knot){ 0.0f, 0.005f };
+    drawn.card.scale_knots[1] = (struct scale_knot){ 1.0f, 0.15f };
+    read_objs(&species_wakin, 0, 1.0f);
+    struct import_options plan = *plan_of(&drawn);
+    plan.front = AXIS_MINUS_Z;
+    plan.length_count = 5;
+    for (uint32_t key = 0; key < 5; key++) {
+        plan.lengths_mm[key] = 500.0 * (key + 1u);
+    }
+    if (build_from(&plan) != EXIT_OK) {
+        fail_msg("%s %s", why, fault);
+    }
+    card = slot.species.card;
+    assert_float_equal(card.key_age_days[4], species_wakin.card.key_age_days[4], 0.0f);
+    assert_float_equal(growth_length_m(&card.growth, card.key_age_days[4]), 2.5f, 1e-4f);
+    assert_float_equal(life_length_m(&card, life_progress(&card, card.key_age_days[2])), 1.5f,
+                       1e-4f);
+    plan.length_count = 0; /* Nothing told: as that species is. */
+    assert_int_equal(build_from(&plan), EXIT_OK);
+    assert_memory_equal(&slot.species.card.growth, &drawn.card.growth, sizeof drawn.card.growth);
+    assert_int_equal(slot.species.card.scale_knot_count, 2);
+}
+
+static void test_ages_that_growth_does_not_bear_out_are_refused(void **state)
+{
+    (void)state;
+    read_objs(&species_wakin, 0, 1.0f);
+    struct import_options plan = *plan_of(&species_wakin);
+    plan.front = AXIS_MINUS_Z;
+    plan.growth_count = 5;
+    const struct growth *g = &species_wakin.card.growth;
+    const double growth[5] = { 1e3 * (double)g->length_inf_m, (double)g->k_per_year,
+                               (double)g->t0_year, 5.0, (double)g->fade_year };
+    memcpy(plan.growth, growth, sizeof growth);
+    plan.growth[1] *= 0.5; /* Half as fast: older at each length than the goldfish was. */
+    if (build_from(&plan) != EXIT_OK) {
+        fail_msg("%s %s", why, fault);
+    }
+    card = slot.species.card;
+    assert_true(card.key_age_days[4] > 1.5f * species_wakin.card.key_age_days[4]);
+    assert_float_equal(growth_length_m(&card.growth, card.key_age_days[4]), 0.15f, 1e-4f);
+    plan.growth[1] *= 2.0;
+    plan.age_count = 5;
+    for (uint32_t key = 0; key < 5; key++) {
+        plan.ages_days[key] = 100.0 * key;
+    }
+    assert_int_equal(build_from(&plan), EXIT_NOT_SO);
+    assert_non_null(strstr(fault, "aoko/length_m: 0.02 at 100 days, where growth says "));
+}
+
+static void test_weights_that_a_file_rounded_are_a_graph(void **state)
+{
+    (void)state;
+    read_objs(&species_wakin, 0, 1.0f);
+    struct import_options plan = *plan_of(&species_wakin);
+    plan.front = AXIS_MINUS_Z;
+    mesh.time_count = 3;
+    for (uint32_t i = 0; i < 3; i++) {
+        mesh.times[i] = (float)i;
+        memset(mesh.weights[i], 0, sizeof mesh.weights[i]);
+        mesh.weights[i][2 * i] = 0.6f;
+        mesh.weights[i][1] = 0.40005f;
+    }
+    if (build_from(&plan) != EXIT_OK) {
+        fail_msg("%s %s", why, fault);
+    }
+    assert_int_equal(slot.species.card.curves[0].knot_count, 3);
+    assert_float_equal(slot.species.card.curves[0].knots[1].weight[2], 0.6f / 1.00005f, 1e-6f);
+}
+
+static void read_three(const char *text)
+{
+    write_text(path_of("fin.obj"), text);
+    for (uint32_t key = 0; key < 3; key++) {
+        assert_int_equal(import_obj(&mesh, key, path_of("fin.obj"), why), EXIT_OK);
+    }
+    memset(&slot.species, 0, sizeof slot.species);
+    assert_int_equal(import_build(&mesh, &slot, &report, why), EXIT_OK);
+}
+
+static void test_a_sheet_is_seen_from_both_sides(void **state)
+{
+    (void)state;
+    static const char fin[] = "v .1 1 0\nv .5 1 0\nv .5 1.5 0\n";
+    char text[512];
+    snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\n", fin);
+    read_three(text);
+    const struct species_mesh *near = &slot.species.lod[0];
+    assert_int_equal(near->index_count, 3 * (4 + 2));
+    assert_int_equal(near->indices[12], near->indices[15]); /* The same corners, ... */
+    assert_int_equal(near->indices[13], near->indices[17]); /* ... the other way round. */
+    assert_int_equal(near->indices[14], near->indices[16]);
+    snprintf(text, sizeof text, TETRA "g dorsal\n%sf 5 6 7\nf 7 6 5\n", fin);
+    read_three(text); /* Drawn with two sides, it has two. */
+    assert_int_equal(near->index_count, 3 * (4 + 2));
+    snprintf(text, sizeof text, TETRA "%s", "f 1 3 2\n"); /* A body is no sheet. */
+    read_three(text);
+    assert_int_equal(near->index_count, 3 * 5);
+}
+
+/* ---- A template that was fitted -------------------------------------------------------------- */
+
+static void test_a_fitted_template_lives_as_is_told(void **state)
+{
+    (void)state;
+    struct import_options plan = *plan_of(&species_wakin);
+    plan.id = "fitted";
+    plan.age_count = 5;
+    for (uint32_t key = 0; key < 5; key++) {
+        plan.ages_days[key] = 10.0 * (key + 1u);
+    }
+    card = species_wakin.card;
+    assert_int_equal(import_fitted_life(&plan, &card, why), EXIT_OK);
+    assert_string_equal(card.id, "fitted");
+    for (uint32_t key = 0; key < 5; key++) {
+        assert_float_equal(growth_length_m(&card.growth, 10.0f * (float)(key + 1u)),
+                           species_wakin.card.key_length_m[key], 1e-6f);
+    }
+    plan.age_count = 4;
+    assert_int_equal(import_fitted_life(&plan, &card, why), EXIT_BAD_DATA);
+    assert_string_equal(why, "--ages-days: 4, and there are 5 shapes");
+}
+
+/* ---- glTF ------------------------------------------------------------------------------------ */
+
+static void export_glb(const char *id, const char *path)
+{
+    static struct morph_options pick;
+    const char *const words[] = { id };
+    assert_int_equal(morph_options_read(&pick, "test", MORPH_REQUIRES_CURVES, NULL, 0, 1, words),
+                     EXIT_OK);
+    assert_int_equal(morph_glb_write(&pick, path), EXIT_OK);
+}
+
+static void test_what_was_exported_comes_back_within_quantisation(void **state)
+{
+    (void)state;
+    if (!import_flat_is_available()) {
+        print_message("built without assimp: no glTF is read\n");
+        skip();
+    }
+    for (uint32_t i = 0; i < species_table_count; i++) {
+        const struct species *species = species_table[i];
+        export_glb(species->card.id, path_of("fish.glb"));
+        assert_int_equal(import_scene(&mesh, path_of("fish.glb"), why), EXIT_OK);
+        assert_true(mesh.is_ours && mesh.has_life);
+        assert_int_equal(mesh.measure, species->card.measure);
+        struct import_options plan = *plan_of(species);
+        plan.like = NULL;
+        if (build_from(&plan) != EXIT_OK) {
+            fail_msg("%s: %s %s", species->card.id, why, fault);
+        }
+        card = slot.species.card;
+        assert_int_equal(card.key_count, species->card.key_count);
+        for (uint32_t key = 0; key < card.key_count; key++) {
+            assert_string_equal(card.key_names[key], species->card.key_names[key]);
+            assert_float_equal(card.key_length_m[key], species->card.key_length_m[key],
+                               1e-5f * card.key_length_m[key]);
+            assert_float_equal(card.key_age_days[key], species->card.key_age_days[key],
+                               1e-4f * card.key_age_days[key]);
+        }
+        for (uint32_t key = 0; key < card.key_count; key++) {
+            const struct species_coat *drawn = &species->coats[key]; /* All but its marks. */
+            const struct species_coat *back = &slot.species.coats[key];
+            assert_int_equal(back->mark_count, 0);
+            assert_int_equal(back->back, drawn->back);
+            assert_int_equal(back->flank, drawn->flank);
+            assert_int_equal(back->belly, drawn->belly);
+            assert_int_equal(back->fin, drawn->fin);
+            assert_int_equal(back->iris, drawn->iris);
+            assert_int_equal(back->clear, drawn->clear);
+            assert_int_equal(back->shine, drawn->shine);
+        }
+        shape_keys(species);
+        const float far = farthest_vertex(species);
+        if (!(far <= COUNTS * slot.species.lod[0].reach / 32767.0f)) {
+            fail_msg("%s: %g lengths off", species->card.id, (double)far);
+        }
+    }
+}
+
+static void test_a_damaged_scene_costs_one_line(void **state)
+{
+    (void)state;
+    static uint8_t bytes[4u * 1024u * 1024u];
+    if (!import_flat_is_available()) {
+        skip();
+    }
+    export_glb("wakin", path_of("fish.glb"));
+    FILE *in = fopen(path_of("fish.glb"), "rb");
+    const size_t size = fread(bytes, 1, sizeof bytes, in);
+    fclose(in);
+    for (size_t cut = 0; cut < size; cut += size / 12 + 1) {
+        FILE *out = fopen(path_of("cut.glb"), "wb");
+        fwrite(bytes, 1, cut, out);
+        fclose(out);
+        assert_int_equal(import_scene(&mesh, path_of("cut.glb"), why), EXIT_BAD_DATA);
+        assert_null(strchr(why, '\n'));
+        assert_non_null(strstr(why, "cut.glb: "));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_shapes_from_obj_files_are_the_same_within_quantisation),
+        cmocka_unit_test(test_front_and_up_and_unit_are_found),
+        cmocka_unit_test(test_a_fish_that_lies_along_up_is_told_to_say_up),
+        cmocka_unit_test(test_a_fish_without_eyes_is_faced_by_its_thicker_half),
+        cmocka_unit_test(test_parts_are_known_by_words_in_names),
+        cmocka_unit_test(test_bad_obj_files_are_named_with_their_line),
+        cmocka_unit_test(test_shapes_of_another_topology_are_refused),
+        cmocka_unit_test(test_a_model_that_is_too_fine_is_told_what_to_do),
+        cmocka_unit_test(test_lengths_that_are_told_have_a_growth_that_says_so_too),
+        cmocka_unit_test(test_ages_that_growth_does_not_bear_out_are_refused),
+        cmocka_unit_test(test_weights_that_a_file_rounded_are_a_graph),
+        cmocka_unit_test(test_a_sheet_is_seen_from_both_sides),
+        cmocka_unit_test(test_a_fitted_template_lives_as_is_told),
+        cmocka_unit_test(test_what_was_exported_comes_back_within_quantisation),
+        cmocka_unit_test(test_a_damaged_scene_costs_one_line),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

@@ -1,0 +1,215 @@
+/* test_caption.c -- canvas and plate: what is covered, written and measured on a picture. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <string.h>
+
+#include "core/morph/species.h"
+#include "platform/ctl/lib/caption.h"
+#include "platform/key_colour.h"
+
+#define WIDTH 200u
+#define HEIGHT 80u
+#define WHITE 0xffffffu
+
+static struct canvas white_canvas(void)
+{
+    struct canvas canvas;
+    assert_true(canvas_open(&canvas, WIDTH, HEIGHT));
+    canvas_fill(&canvas, (struct canvas_box){ 0.0f, 0.0f, WIDTH, HEIGHT }, WHITE, WHITE);
+    return canvas;
+}
+
+/* How many pixels' worth of the light is gone in the columns from `left` to `right`. */
+static float ink(const struct canvas *canvas, uint32_t left, uint32_t right)
+{
+    float sum = 0.0f;
+    for (uint32_t y = 0; y < canvas->height; y++) {
+        for (uint32_t x = left; x < right; x++) {
+            sum += 1.0f - canvas->pixels[y * canvas->width + x].y;
+        }
+    }
+    return sum;
+}
+
+static void test_edges_between_pixels_cover_them_in_part(void **state)
+{
+    (void)state;
+    struct canvas canvas = white_canvas();
+    canvas_fill(&canvas, (struct canvas_box){ 10.25f, 20.5f, 7.5f, 3.25f }, 0, 0);
+    assert_true(f_abs(ink(&canvas, 0, WIDTH) - 7.5f * 3.25f) < 1e-3f);
+    assert_true(f_abs(canvas.pixels[22 * WIDTH + 10].y - 0.25f) < 1e-5f);
+    canvas_close(&canvas);
+}
+
+static void test_what_lies_outside_is_cut_off(void **state)
+{
+    (void)state;
+    struct canvas canvas = white_canvas();
+    canvas_fill(&canvas, (struct canvas_box){ -50.0f, -50.0f, 60.0f, 60.0f }, 0, 0);
+    canvas_fill(&canvas, (struct canvas_box){ 500.0f, 500.0f, 60.0f, 60.0f }, 0, 0);
+    assert_true(f_abs(ink(&canvas, 0, WIDTH) - 100.0f) < 1e-3f);
+    canvas_words(&canvas, -20.0f, 300.0f, 40.0f, ALIGN_LEFT, 0, "far below");
+    canvas_shade(&canvas, (struct canvas_box){ 190.0f, 70.0f, 40.0f, 40.0f }, 0.5f);
+    canvas_close(&canvas);
+}
+
+static void test_colours_come_back_from_linear_light(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i <= 255; i++) {
+        const float c = (float)i / 255.0f;
+        const vec3 back = canvas_srgb(canvas_linear(v3(c, c, c)));
+        assert_true(f_abs(back.x - c) < 1e-5f);
+    }
+}
+
+static void test_words_stand_where_they_are_aligned(void **state)
+{
+    (void)state;
+    const enum canvas_align aligns[3] = { ALIGN_RIGHT, ALIGN_CENTRE, ALIGN_LEFT };
+    for (uint32_t i = 0; i < 3; i++) {
+        struct canvas canvas = white_canvas();
+        canvas_words(&canvas, 100.0f, 50.0f, 24.0f, aligns[i], 0, "HHHH");
+        const float left = ink(&canvas, 0, 100), right = ink(&canvas, 100, WIDTH);
+        assert_true(left + right > 200.0f);
+        assert_true(i == 0 ? right == 0.0f : i == 2 ? left == 0.0f : f_abs(left - right) < 20.0f);
+        canvas_close(&canvas);
+    }
+}
+
+static void test_larger_words_have_more_ink_in_proportion(void **state)
+{
+    (void)state;
+    struct canvas small = white_canvas(), large = white_canvas();
+    canvas_words(&small, 100.0f, 60.0f, 16.0f, ALIGN_CENTRE, 0, "mm");
+    canvas_words(&large, 100.0f, 60.0f, 48.0f, ALIGN_CENTRE, 0, "mm");
+    const float ratio = ink(&large, 0, WIDTH) / ink(&small, 0, WIDTH);
+    assert_true(ratio > 8.0f && ratio < 10.0f); /* 3 x 3 */
+    canvas_close(&small);
+    canvas_close(&large);
+}
+
+static void says_age(float days, const char *wanted)
+{
+    char words[CAPTION_WORDS_SIZE];
+    caption_age(words, days);
+    assert_string_equal(words, wanted);
+}
+
+static void says_length(float length_m, const char *wanted)
+{
+    char words[CAPTION_WORDS_SIZE];
+    caption_length(words, length_m);
+    assert_string_equal(words, wanted);
+}
+
+static void test_ages_and_lengths_are_said_in_their_own_units(void **state)
+{
+    (void)state;
+    says_age(0.0f, "hatching");
+    says_age(12.34f, "12.3 days");
+    says_age(400.0f, "400 days");
+    says_age(1461.0f, "4.0 years");
+    says_length(0.0005f, "0.50 mm");
+    says_length(0.0204f, "20.4 mm");
+    says_length(0.45f, "45.0 cm");
+    says_length(2.083f, "2.08 m");
+}
+
+static void test_names_are_written_as_people_write_them(void **state)
+{
+    (void)state;
+    char words[CAPTION_WORDS_SIZE];
+    caption_name(words, "long_leaf_2");
+    assert_string_equal(words, "long leaf 2");
+    caption_name(words, "0123456789012345678901234567890123456789012345678901234567890123456789");
+    assert_int_equal(strlen(words), CAPTION_WORDS_SIZE - 1);
+}
+
+static void test_bars_are_one_two_or_five_of_a_unit(void **state)
+{
+    (void)state;
+    static const float wanted[][2] = { { 0.0019f, 0.001f }, { 0.002f, 0.002f }, { 0.0049f, 0.002f },
+                                       { 0.005f, 0.005f },  { 0.99f, 0.5f },    { 1.0f, 1.0f },
+                                       { 1e-5f, 1e-5f },    { 37.0f, 20.0f } };
+    for (uint32_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
+        const float got = caption_round_length_m(wanted[i][0]);
+        assert_true(f_abs(got / wanted[i][1] - 1.0f) < 1e-4f);
+    }
+}
+
+static void test_a_bar_is_as_long_as_it_says(void **state)
+{
+    (void)state;
+    struct canvas canvas = white_canvas();
+    /* 3 px a millimetre, at most 100 px: 20 mm, so 60 px, from 70 to 130. */
+    caption_bar(&canvas, 100.0f, 30.0f, 100.0f, 3000.0f, 10.0f);
+    assert_true(canvas.pixels[30 * WIDTH + 71].y < 0.5f);
+    assert_true(canvas.pixels[30 * WIDTH + 128].y < 0.5f);
+    assert_true(ink(&canvas, 0, 70) == 0.0f && ink(&canvas, 130, WIDTH) == 0.0f);
+    canvas_close(&canvas);
+}
+
+static void test_weights_fill_their_bar_in_their_shares(void **state)
+{
+    (void)state;
+    struct canvas canvas = white_canvas();
+    const float weights[MORPH_KEY_MAX] = { 0.25f, 0.0f, 0.75f };
+    caption_weights(&canvas, (struct canvas_box){ 0.0f, 0.0f, 200.0f, 10.0f }, 3, weights);
+    const vec3 red = canvas_colour(key_colour(3, 0)), blue = canvas_colour(key_colour(3, 2));
+    assert_true(f_abs(canvas.pixels[49].x - red.x) < 1e-5f);
+    assert_true(f_abs(canvas.pixels[50].z - blue.z) < 1e-5f);
+    assert_true(f_abs(canvas.pixels[199].z - blue.z) < 1e-5f);
+    canvas_close(&canvas);
+}
+
+static void test_three_keys_are_red_green_and_blue(void **state)
+{
+    (void)state;
+    for (uint32_t key = 0; key < 3; key++) {
+        const vec3 c = canvas_colour(key_colour(3, key));
+        const float channel[3] = { c.x, c.y, c.z };
+        assert_true(channel[key] > channel[(key + 1) % 3] && channel[key] > channel[(key + 2) % 3]);
+    }
+}
+
+/* By position from the youngest to the oldest: the lab, sheets and graphs ask the same table. */
+static void test_keys_begin_red_and_each_has_a_colour_of_its_own(void **state)
+{
+    (void)state;
+    for (uint32_t count = 2; count <= MORPH_KEY_MAX; count++) {
+        assert_int_equal(key_colour(count, 0), key_colour(3, 0));
+        for (uint32_t i = 0; i < count; i++) {
+            for (uint32_t j = 0; j < i; j++) {
+                assert_int_not_equal(key_colour(count, i), key_colour(count, j));
+            }
+        }
+        if (count <= 6) {
+            assert_int_equal(key_colour(count, count - 1u), key_colour(3, 2));
+        }
+    }
+    assert_int_equal(key_colour(5, 2), key_colour(3, 1)); /* Red, orange, GREEN, teal, blue. */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_three_keys_are_red_green_and_blue),
+        cmocka_unit_test(test_keys_begin_red_and_each_has_a_colour_of_its_own),
+        cmocka_unit_test(test_edges_between_pixels_cover_them_in_part),
+        cmocka_unit_test(test_what_lies_outside_is_cut_off),
+        cmocka_unit_test(test_colours_come_back_from_linear_light),
+        cmocka_unit_test(test_words_stand_where_they_are_aligned),
+        cmocka_unit_test(test_larger_words_have_more_ink_in_proportion),
+        cmocka_unit_test(test_ages_and_lengths_are_said_in_their_own_units),
+        cmocka_unit_test(test_names_are_written_as_people_write_them),
+        cmocka_unit_test(test_bars_are_one_two_or_five_of_a_unit),
+        cmocka_unit_test(test_a_bar_is_as_long_as_it_says),
+        cmocka_unit_test(test_weights_fill_their_bar_in_their_shares),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

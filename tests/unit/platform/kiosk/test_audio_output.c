@@ -1,0 +1,130 @@
+/* test_audio_output.c -- as loud as the operator set it, now and then while nobody plays, and on a
+ * card that may come late and go. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "drivers/sim/audio_sim.h"
+#include "platform/kiosk/audio_output.h"
+
+#define S 1000000000ull
+
+static struct audio_output voice;
+static struct audio_sim sim;
+static struct hal_audio audio;
+static struct settings settings;
+static struct output output;
+
+static int set_up(void **state)
+{
+    (void)state;
+    memset(&voice, 0, sizeof voice);
+    memset(&sim, 0, sizeof sim);
+    audio = audio_sim_device(&sim);
+    settings_reset(&settings);
+    output.sound_count = 0;
+    output_sound(&output, SOUND_DIP, 0.5f, 0.0f);
+    return 0;
+}
+
+static uint32_t put(int is_attract, uint64_t now_ns)
+{
+    return audio_output_play(&voice, &audio, &output, &settings, is_attract, now_ns);
+}
+
+static void test_the_slider_is_a_power_and_its_foot_is_silence(void **state)
+{
+    (void)state;
+    audio_output_open(&voice, &audio, 1 * S);
+    settings.value[SET_VOLUME] = 100;
+    put(0, 2 * S);
+    assert_float_equal(sim.gain, 0.5f, 1e-6f);
+    settings.value[SET_VOLUME] = 50;
+    put(0, 2 * S);
+    assert_float_equal(sim.gain, 0.125f, 1e-6f);
+    settings.value[SET_VOLUME] = 0;
+    put(0, 2 * S);
+    assert_int_equal(sim.played[SOUND_DIP], 2);
+}
+
+static uint32_t heard_in_ten_shows(int32_t every)
+{
+    sim.played[SOUND_DIP] = 0;
+    voice.attract_ns = 0;
+    settings.value[SET_ATTRACT_SOUND] = every;
+    for (uint64_t show = 0; show < 10; show++) {
+        put(1, (100u + show * AUDIO_OUTPUT_SHOW_S) * S);
+    }
+    return sim.played[SOUND_DIP];
+}
+
+static void test_of_attract_each_nth_show_is_heard_and_a_game_always(void **state)
+{
+    (void)state;
+    audio_output_open(&voice, &audio, 1 * S);
+    assert_int_equal(heard_in_ten_shows(0), 0);
+    assert_int_equal(heard_in_ten_shows(1), 10);
+    assert_int_equal(heard_in_ten_shows(3), 4);
+    assert_int_equal(heard_in_ten_shows(10), 1);
+    settings.value[SET_ATTRACT_SOUND] = 0;
+    put(0, 2000 * S);
+    assert_int_equal(sim.played[SOUND_DIP], 2);
+}
+
+static void test_a_card_that_is_plugged_in_after_the_start_is_heard(void **state)
+{
+    (void)state;
+    sim.gone = 1;
+    audio_output_open(&voice, &audio, 10 * S);
+    for (uint64_t ms = 0; ms < 3000; ms += 10) {
+        assert_int_equal(put(0, 10 * S + ms * 1000000ull), 0); /* None, and no fault. */
+    }
+    assert_in_range(sim.open_count, 3, 4);
+    sim.gone = 0;
+    put(0, 14 * S);
+    assert_int_equal(sim.played[SOUND_DIP], 1);
+}
+
+static void test_a_silent_attract_looks_for_a_card_too(void **state)
+{
+    (void)state;
+    settings.value[SET_ATTRACT_SOUND] = 0;
+    sim.gone = 1;
+    audio_output_open(&voice, &audio, 10 * S);
+    sim.gone = 0;
+    put(1, 12 * S);
+    assert_int_equal(sim.open_count, 2);
+    assert_int_equal(voice.retry_ns, 0);
+}
+
+static void test_a_card_that_goes_is_one_fault(void **state)
+{
+    (void)state;
+    audio_output_open(&voice, &audio, 10 * S);
+    output_sound(&output, SOUND_DIP, 0.5f, 0.0f);
+    sim.gone = 1;
+    assert_int_equal(put(0, 11 * S), 1);
+    assert_int_equal(put(0, 11 * S + S / 2), 0);
+    assert_int_equal(put(0, 13 * S), 0);
+    sim.gone = 0;
+    put(0, 15 * S);
+    assert_int_equal(sim.played[SOUND_DIP], 2);
+}
+
+#define TEST(test) cmocka_unit_test_setup(test, set_up)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(test_the_slider_is_a_power_and_its_foot_is_silence),
+        TEST(test_of_attract_each_nth_show_is_heard_and_a_game_always),
+        TEST(test_a_card_that_is_plugged_in_after_the_start_is_heard),
+        TEST(test_a_silent_attract_looks_for_a_card_too),
+        TEST(test_a_card_that_goes_is_one_fault),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

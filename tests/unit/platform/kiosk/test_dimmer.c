@@ -1,0 +1,209 @@
+/* test_dimmer.c -- light while somebody is there, dim when nobody was, dark at night, and never
+ * long in one place. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "platform/kiosk/dimmer.h"
+
+#define FRAME_NS 16666667ull
+#define S 1000000000ull
+
+static struct dimmer dimmer;
+static struct settings settings;
+static struct input input;
+static struct display_settings display_settings;
+static uint64_t now_ns;
+
+static int set_up(void **state)
+{
+    (void)state;
+    memset(&dimmer, 0, sizeof dimmer);
+    memset(&input, 0, sizeof input);
+    settings_reset(&settings);
+    now_ns = 77 * S;
+    return 0;
+}
+
+static void frame(int is_attract)
+{
+    now_ns += FRAME_NS;
+    dimmer_notice(&dimmer, &input, is_attract);
+    display_settings = dimmer_step(&dimmer, &settings, &input, is_attract, now_ns);
+    input.pressed = input.coin_count[0] = 0;
+}
+
+static void frames(uint64_t seconds, int is_attract)
+{
+    for (uint64_t end_ns = now_ns + seconds * S; now_ns < end_ns;) {
+        frame(is_attract);
+    }
+}
+
+static void test_it_is_as_bright_as_the_operator_set_it(void **state)
+{
+    (void)state;
+    frame(1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    settings.value[SET_BRIGHTNESS] = 40;
+    settings.value[SET_ROTATION] = 3;
+    settings.value[SET_OVERSCAN_X] = 25;
+    settings.value[SET_OVERSCAN_Y] = 50;
+    frame(0);
+    assert_float_equal(display_settings.light, 0.4f, 1e-6f);
+    assert_int_equal(display_settings.rotation, 3);
+    assert_float_equal(display_settings.inset_x, 0.025f, 1e-6f);
+    assert_float_equal(display_settings.inset_y, 0.050f, 1e-6f);
+}
+
+static void test_after_a_while_alone_it_dims_gently_and_a_coin_wakes_it_at_once(void **state)
+{
+    (void)state;
+    settings.value[SET_DIM_AFTER_MIN] = 5;
+    settings.value[SET_DIM] = 30;
+    frame(1);
+    frames(299, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    frames(2, 1);
+    assert_true(display_settings.light < 1.0f && display_settings.light > 0.5f);
+    frames(4, 1);
+    assert_float_equal(display_settings.light, 0.3f, 1e-4f);
+    input.coin_count[0] = 1;
+    frames(1, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    frames(298, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+}
+
+static void test_it_never_dims_in_a_game_nor_where_the_operator_wants_none(void **state)
+{
+    (void)state;
+    settings.value[SET_DIM_AFTER_MIN] = 5;
+    frames(600, 0);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    settings.value[SET_DIM_AFTER_MIN] = 0;
+    frames(600, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+}
+
+static void test_a_hand_that_moves_keeps_it_awake_and_a_noisy_sensor_does_not(void **state)
+{
+    (void)state;
+    settings.value[SET_DIM_AFTER_MIN] = 5;
+    input.poi[0].link = POI_SOURCE_LIVE;
+    frame(1);
+    for (uint32_t i = 0; i < 310u * 60u; i++) {
+        input.poi[0].target.position_m.x = i % 2u ? 0.004f : -0.004f;
+        input.poi[0].target.position_m.z = i % 300u ? 0.0f : 0.0f / 0.0f;
+        frame(1);
+    }
+    assert_true(display_settings.light < 0.6f);
+    input.poi[0].target.position_m = v3(0.05f, 0.0f, 0.0f);
+    frames(1, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+}
+
+static void night(int32_t from, int32_t to, uint16_t day, uint16_t minute)
+{
+    settings.value[SET_NIGHT_FROM_MIN] = from;
+    settings.value[SET_NIGHT_TO_MIN] = to;
+    input.day = day;
+    input.minute = minute;
+}
+
+static void test_at_night_it_is_dark_until_somebody_comes(void **state)
+{
+    (void)state;
+    night(22 * 60, 6 * 60, 9700, 23 * 60);
+    frame(1);
+    frames(DIMMER_NIGHT_IDLE_S + 5u, 1);
+    assert_float_equal(display_settings.light, 0.0f, 1e-6f);
+    input.pressed = INPUT_START;
+    frames(1, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    frames(DIMMER_NIGHT_IDLE_S + 5u, 1);
+    assert_float_equal(display_settings.light, 0.0f, 1e-6f);
+    night(22 * 60, 6 * 60, 9701, 6 * 60);
+    frames(1, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+}
+
+static void test_a_clock_that_was_never_set_knows_no_night(void **state)
+{
+    (void)state;
+    settings.value[SET_DIM_AFTER_MIN] = 0;
+    night(0, 1425, 0, 600);
+    frame(1);
+    frames(DIMMER_NIGHT_IDLE_S + 5u, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    night(600, 600, 9700, 600);
+    frames(5, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    night(600, 660, 9700, 660);
+    frames(5, 1);
+    assert_float_equal(display_settings.light, 1.0f, 1e-6f);
+    night(600, 660, 9700, 659);
+    frames(5, 1);
+    assert_float_equal(display_settings.light, 0.0f, 1e-6f);
+}
+
+/* A day of attract at two frames a second: of the 9 x 9 places of 720 lines, how many are seen, and
+ * the longest that it stays in one. */
+static void test_what_stands_still_wanders_by_a_pixel_every_few_minutes(void **state)
+{
+    (void)state;
+    uint8_t seen[9][9] = { { 0 } };
+    uint32_t places = 0, stays = 0, longest = 0;
+    int32_t before_x = 0, before_y = 0;
+    frame(1);
+    for (uint32_t i = 0; i < 24u * 3600u * 20u; i++) {
+        now_ns += 50u * 1000000ull;
+        display_settings = dimmer_step(&dimmer, &settings, &input, 1, now_ns);
+        const int32_t x = (int32_t)f_floor(display_settings.shift_x * 720.0f + 0.5f);
+        const int32_t y = (int32_t)f_floor(display_settings.shift_y * 720.0f + 0.5f);
+        assert_in_range(x + 4, 0, 8);
+        assert_in_range(y + 4, 0, 8);
+        const int32_t step = (x - before_x) * (x - before_x) + (y - before_y) * (y - before_y);
+        assert_in_range(step, 0, 2);
+        stays = step ? 0 : stays + 1u;
+        longest = stays > longest ? stays : longest;
+        places += !seen[y + 4][x + 4];
+        seen[y + 4][x + 4] = 1;
+        before_x = x;
+        before_y = y;
+    }
+    print_message("%u of 81 places, never longer than %u s in one\n", places, longest / 20u);
+    assert_true(places > 70u);
+    assert_true(longest < 10u * 60u * 20u);
+}
+
+static void test_under_a_hand_that_aims_nothing_moves(void **state)
+{
+    (void)state;
+    frames(300, 1);
+    const struct display_settings before = display_settings;
+    frames(600, 0);
+    assert_float_equal(display_settings.shift_x, before.shift_x, 1e-7f);
+    assert_float_equal(display_settings.shift_y, before.shift_y, 1e-7f);
+}
+
+#define TEST(test) cmocka_unit_test_setup(test, set_up)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(test_it_is_as_bright_as_the_operator_set_it),
+        TEST(test_after_a_while_alone_it_dims_gently_and_a_coin_wakes_it_at_once),
+        TEST(test_it_never_dims_in_a_game_nor_where_the_operator_wants_none),
+        TEST(test_a_hand_that_moves_keeps_it_awake_and_a_noisy_sensor_does_not),
+        TEST(test_at_night_it_is_dark_until_somebody_comes),
+        TEST(test_a_clock_that_was_never_set_knows_no_night),
+        TEST(test_what_stands_still_wanders_by_a_pixel_every_few_minutes),
+        TEST(test_under_a_hand_that_aims_nothing_moves),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

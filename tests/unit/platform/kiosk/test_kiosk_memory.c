@@ -1,0 +1,162 @@
+/* test_kiosk_memory.c -- the running frame loop allocates nothing: every malloc in it is
+ * trapped.
+ *
+ * The C library lets a program put its own malloc in front; under a sanitizer, which has its
+ * own, the test has nothing to say and skips. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "core/tank/preset.h"
+#include "drivers/null.h"
+#include "drivers/sim/audio_sim.h"
+#include "drivers/sim/buttons_sim.h"
+#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/display_sim.h"
+#include "drivers/sim/pointer_sim.h"
+#include "drivers/sim/storage_sim.h"
+#include "platform/kiosk/kiosk.h"
+#include "platform/kiosk/recorder.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HAS_TRAP 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
+    __has_feature(memory_sanitizer)
+#define HAS_TRAP 0
+#endif
+#endif
+#if !defined(HAS_TRAP) && defined(__GLIBC__)
+#define HAS_TRAP 1
+#elif !defined(HAS_TRAP)
+#define HAS_TRAP 0
+#endif
+
+static uint32_t allocations;
+
+#if HAS_TRAP
+/* glibc's own names for what we stand in front of. */
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *old, size_t size);
+
+void *malloc(size_t size)
+{
+    allocations++;
+    return __libc_malloc(size);
+}
+
+void *calloc(size_t count, size_t size)
+{
+    allocations++;
+    return __libc_calloc(count, size);
+}
+
+void *realloc(void *old, size_t size)
+{
+    allocations++;
+    return __libc_realloc(old, size);
+}
+#endif
+
+static struct {
+    struct clock_sim clock;
+    struct display_sim display;
+    struct buttons_sim buttons;
+    struct pointer_sim poi;
+    struct storage_sim storage;
+    struct audio_sim audio;
+    struct hal hal;
+    struct kiosk kiosk;
+    struct recorder recorder;
+} rig;
+
+#define STEP_NS 16666667ull
+
+static void open_rig(const char *record_path)
+{
+    static const struct button_event press[] = { { .time_ns = 500000000, .pressed = INPUT_START } };
+    static struct pointer_report reports[3000];
+    for (uint32_t i = 0; i < 3000; i++) {
+        reports[i] = (struct pointer_report){
+            .time_ns = i * 8000000ull,
+            .x_px = 200.0f + (float)(i % 800u),
+            .y_px = 300.0f,
+            .width_px = 1280,
+            .height_px = 720,
+            .buttons = i / 100u % 2u ? POINTER_DIP : 0,
+            .wheel_notches = i % 300u == 0 ? 1.0f : 0.0f,
+        };
+    }
+    rig.hal = null_hal();
+    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.display = display_sim_device(&rig.display);
+    rig.buttons = (struct buttons_sim){ .clock = rig.hal.clock, .events = press, .event_count = 1 };
+    rig.hal.buttons = buttons_sim_device(&rig.buttons);
+    pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    rig.poi.reports = reports;
+    rig.poi.report_count = 3000;
+    rig.hal.poi[0] = pointer_sim_device(&rig.poi);
+    rig.hal.storage = storage_sim_device(&rig.storage);
+    rig.hal.audio = audio_sim_device(&rig.audio);
+    const struct kiosk_config config = {
+        .core = { .seed = 3, .fish_count = 60, .round_s = 10 },
+        .tap = recorder_tap(&rig.recorder),
+    };
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
+    assert_int_equal(recorder_begin(&rig.recorder, record_path, &rig.kiosk.core), 0);
+}
+
+/* Attract, a whole round with dips, a recording, a lost and found poi, the result. */
+static void test_the_running_frame_loop_allocates_nothing(void **state)
+{
+    char path[] = "/tmp/kingyo-memory-XXXXXX";
+    (void)state;
+#if !HAS_TRAP
+    skip();
+#endif
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    close(fd);
+    open_rig(path);
+    rig.poi.unplug_at = 1200;
+    rig.poi.replug_ns = 10500000000ull;
+    const uint32_t before = allocations;
+    for (uint32_t i = 0; i < 1200; i++) {
+        rig.clock.now_ns += STEP_NS;
+        kiosk_frame(&rig.kiosk, &rig.hal);
+    }
+    const uint32_t during = allocations - before;
+    assert_int_equal(recorder_end(&rig.recorder), 0);
+    unlink(path);
+    assert_int_equal(rig.kiosk.core.tick, 2400);
+    assert_int_equal(rig.storage.record.id, 2); /* A round began, ended, and another began. */
+    assert_int_equal(rig.storage.entry.kind, LEDGER_BEGIN);
+    assert_int_equal(during, 0);
+}
+
+static void test_the_trap_sees_an_allocation(void **state)
+{
+    (void)state;
+#if !HAS_TRAP
+    skip();
+#endif
+    const uint32_t before = allocations;
+    void *volatile bytes = malloc(16);
+    free(bytes);
+    assert_int_equal(allocations - before, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_trap_sees_an_allocation),
+        cmocka_unit_test(test_the_running_frame_loop_allocates_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

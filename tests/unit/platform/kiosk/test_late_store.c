@@ -1,0 +1,292 @@
+/* test_late_store.c -- a stall begins without its store and people pay all the same: when the card
+ * comes back each coin is in the books, once, and the stall goes on from it without a hand. The
+ * kiosk and the store are the real ones; the devices are simulated, and time is. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "drivers/null.h"
+#include "drivers/sim/clock_sim.h"
+#include "platform/kiosk/kiosk.h"
+#include "platform/store/storage.h"
+
+#define FRAME_NS 16666667ull
+#define PRICE 2u
+
+static char dir[64], file[96], away[96];
+
+static struct rig {
+    struct clock_sim clock;
+    struct storage storage;
+    struct hal hal;
+    struct kiosk kiosk;
+    struct button_sample buttons; /* Of the next frame. */
+    uint32_t locked;              /* The slot, as it was told last. */
+} rig;
+
+static int poll_buttons(void *self, struct button_sample *out)
+{
+    (void)self;
+    *out = rig.buttons;
+    rig.buttons = (struct button_sample){ 0 };
+    return HAL_OK;
+}
+
+static const char *describe(void *self)
+{
+    (void)self;
+    return "a slot";
+}
+
+/* The hand that a slot wants to see before it opens. */
+static int poll_hand(void *self, struct poi_sample *out, uint32_t max)
+{
+    (void)self;
+    (void)max;
+    *out = (struct poi_sample){ .time_ns = rig.clock.now_ns, .has_wrist = 1,
+                                .target.position_m = { 0.0f, 0.1f, 0.0f } };
+    return 1;
+}
+
+static int open_hand(void *self)
+{
+    (void)self;
+    return HAL_OK;
+}
+
+static int feel(void *self, const struct poi_force *force)
+{
+    (void)self;
+    (void)force;
+    return HAL_OK;
+}
+
+static void look(void *self, const struct view *view,
+                 const struct display_settings *display_settings)
+{
+    (void)self;
+    (void)view;
+    (void)display_settings;
+}
+
+static int set_switch(void *self, enum hal_switch which, int active)
+{
+    (void)self;
+    rig.locked = which == HAL_COIN_LOCKOUT ? (uint32_t)active : rig.locked;
+    return HAL_OK;
+}
+
+static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
+{
+    (void)self;
+    (void)which;
+    (void)count;
+    return HAL_OK;
+}
+
+/* As a start of the program: whatever the store remembers, and nothing else. */
+static uint32_t pending(void *self, enum hal_switch which)
+{
+    (void)self;
+    (void)which;
+    return 0;
+}
+
+static void begin(void)
+{
+    static const struct hal_buttons_ops buttons = { poll_buttons, describe };
+    static const struct hal_switches_ops switches = { set_switch, pulse_switch, describe, pending };
+    static const struct hal_poi_ops hand = { .open = open_hand,
+                                             .poll = poll_hand,
+                                             .set_force = feel,
+                                             .set_view = look,
+                                             .describe = describe };
+    static struct kiosk_config config;
+    config = (struct kiosk_config){ .core = { .seed = 5, .fish_count = 4, .round_s = 10,
+                                              .credit_coins = PRICE } };
+    memset(&rig, 0, sizeof rig);
+    rig.locked = 1; /* As it begins. */
+    rig.clock.now_ns = FRAME_NS;
+    rig.storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    rig.hal = null_hal();
+    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.storage = storage_device(&rig.storage);
+    rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
+    rig.hal.switches = (struct hal_switches){ .ops = &switches };
+    rig.hal.poi[0] = (struct hal_poi){ .ops = &hand };
+    rig.hal.storage.ops->open(rig.hal.storage.self);
+    rig.hal.storage.ops->load(rig.hal.storage.self, &config.core.persistent);
+    config.core.credit_coins = PRICE;
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
+}
+
+static enum kiosk_end frames(uint32_t count)
+{
+    enum kiosk_end end = KIOSK_RUNS;
+    for (uint32_t i = 0; i < count && end == KIOSK_RUNS; i++) {
+        rig.clock.now_ns += FRAME_NS;
+        end = kiosk_frame(&rig.kiosk, &rig.hal);
+        storage_work(&rig.storage);
+    }
+    return end;
+}
+
+static void drop_coins(uint32_t line, uint32_t count)
+{
+    rig.buttons.coin_count[line] = count;
+    assert_int_equal(frames(2), KIOSK_RUNS);
+}
+
+static void end(void)
+{
+    assert_int_equal(kiosk_close_store(&rig.kiosk, &rig.hal), 0);
+}
+
+static uint32_t audit(enum audit_id id)
+{
+    return rig.kiosk.core.game.audits.count[id];
+}
+
+static const struct balance *balance(void)
+{
+    return &rig.kiosk.core.game.ledger.balance;
+}
+
+/* An evening of one coin, half a credit, and then the card is pulled. */
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(dir, "/tmp/kingyo-late-XXXXXX");
+    if (!mkdtemp(dir)) {
+        return -1;
+    }
+    snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
+    snprintf(away, sizeof away, "%s-away", dir);
+    begin();
+    drop_coins(0, 1);
+    frames(5);
+    assert_int_equal(audit(AUDIT_COINS_1), 1);
+    end();
+    if (rename(dir, away) != 0 || mkdir(dir, 0755) != 0) {
+        return -1;
+    }
+    return symlink("/tmp/kingyo-no-such-card/kingyo.db", file); /* Nothing that could be opened. */
+}
+
+static void put_card_back(void)
+{
+    assert_int_equal(unlink(file), 0);
+    assert_int_equal(rmdir(dir), 0);
+    assert_int_equal(rename(away, dir), 0);
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    char command[192];
+    rig.hal.storage.ops->close(rig.hal.storage.self);
+    snprintf(command, sizeof command, "rm -rf %s %s", dir, away);
+    return system(command);
+}
+
+static void test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_opens(void **state)
+{
+    (void)state;
+    begin();
+    assert_int_equal(frames(10), KIOSK_RUNS);
+    assert_int_equal(rig.locked, 1);
+    drop_coins(0, 1);
+    assert_int_equal(frames(60), KIOSK_RUNS);
+    assert_int_equal(balance()->units, 1);
+    put_card_back();
+    assert_int_equal(frames(200), KIOSK_RESTART);
+    end();
+    begin();
+    assert_int_equal(frames(60), KIOSK_RUNS);
+    assert_int_equal(audit(AUDIT_COINS_1), 2);
+    assert_int_equal(audit(AUDIT_UNITS), 2);
+    assert_int_equal(audit(AUDIT_BOOTS), 2); /* That one had nobody to count it. */
+    assert_int_equal(balance()->paid, 1);    /* The half of before, and this one. */
+    assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.ledger).paid, 1);
+    assert_int_equal(rig.locked, 0);
+}
+
+static void test_credits_and_every_line_come_over_and_nothing_twice(void **state)
+{
+    (void)state;
+    begin();
+    frames(10);
+    drop_coins(0, 2 * PRICE);
+    drop_coins(1, 3);
+    rig.buttons.pressed = INPUT_SERVICE;
+    frames(2);
+    const uint32_t units = audit(AUDIT_UNITS), paid = balance()->paid;
+    assert_int_equal(balance()->service, 1);
+    put_card_back();
+    assert_int_equal(frames(200), KIOSK_RESTART);
+    end();
+    for (uint32_t start = 0; start < 2u; start++) {
+        begin();
+        frames(60);
+        assert_int_equal(audit(AUDIT_COINS_1), 1 + 2 * PRICE);
+        assert_int_equal(audit(AUDIT_COINS_2), 3);
+        assert_int_equal(audit(AUDIT_UNITS), 1 + units);
+        assert_int_equal(audit(AUDIT_CREDITS_SERVICE), 1);
+        assert_int_equal(balance()->service, 1);
+        assert_int_equal(PRICE * balance()->paid + balance()->units, 1 + units);
+        assert_true(balance()->paid >= paid);
+        end();
+    }
+}
+
+/* The card is there and takes nothing: the stall waits with what it owes, however long. */
+static void test_money_waits_for_a_card_that_can_be_written(void **state)
+{
+    (void)state;
+    sqlite3 *other;
+    begin();
+    drop_coins(0, 1);
+    put_card_back();
+    assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
+    assert_int_equal(frames(3), KIOSK_RUNS);
+    assert_int_equal(rig.hal.storage.ops->offline_merged(rig.hal.storage.self), HAL_ERR_BUSY);
+    drop_coins(0, 1); /* Another one falls while the first is on its way. */
+    assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
+    sqlite3_close(other);
+    enum kiosk_end how = KIOSK_RUNS;
+    for (uint32_t i = 0; i < 300u && how == KIOSK_RUNS; i++) {
+        rig.storage.look_due_ms = 0; /* As if the wait were over. */
+        how = frames(1);
+    }
+    assert_int_equal(how, KIOSK_RESTART);
+    end();
+    begin();
+    frames(60);
+    assert_int_equal(audit(AUDIT_COINS_1), 3);
+    assert_int_equal(PRICE * balance()->paid + balance()->units,
+                     3); /* Though two had become one. */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(
+            test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_opens, set_up,
+            tear_down),
+        cmocka_unit_test_setup_teardown(
+            test_credits_and_every_line_come_over_and_nothing_twice, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_money_waits_for_a_card_that_can_be_written, set_up,
+                                        tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

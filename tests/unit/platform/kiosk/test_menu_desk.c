@@ -1,0 +1,444 @@
+/* test_menu_desk.c -- an operator with two buttons, a desk, and a controller that he teaches to be
+ * a poi: from presses and raw reports to what is shown and who leads the ring. Every part between
+ * the wire and the picture is the kiosk's own. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/game/menu/menu_pages.h"
+#include "core/tank/preset.h"
+#include "drivers/hid/controller_manager.h"
+#include "drivers/null.h"
+#include "drivers/sim/display_sim.h"
+#include "drivers/sim/hid_device_list_sim.h"
+#include "drivers/sim/storage_sim.h"
+#include "platform/kiosk/kiosk.h"
+#include "tests/unit/support/hid_wire.h"
+
+#define FRAME_NS 16666667ull
+#define ROW 2u
+#define MIDDLE 0.5f
+
+static struct rig {
+    struct clock_sim clock;
+    struct display_sim display;
+    struct hid_wire wire;
+    struct hid_device_list_sim device_list;
+    struct hid_mapping_store book;
+    struct poi_hid poi;
+    struct controller_manager desk;
+    struct storage_sim storage;
+    struct hal hal;
+    struct kiosk kiosk;
+    struct button_sample buttons; /* Of the next frame. */
+    float x, z;                   /* The stick, [0, 1] each. */
+    uint8_t trigger;
+    uint32_t lockout, input_coin_pulses, ticket_pulses, lamp; /* What the cabinet was told. */
+} rig;
+
+/* ---- A cabinet ------------------------------------------------------------------------------ */
+
+static int poll_buttons(void *self, struct button_sample *out)
+{
+    (void)self;
+    *out = rig.buttons;
+    rig.buttons = (struct button_sample){ 0 };
+    return HAL_OK;
+}
+
+static const char *describe_buttons(void *self)
+{
+    (void)self;
+    return "two buttons and a slot";
+}
+
+static int set_switch(void *self, enum hal_switch which, int active)
+{
+    (void)self;
+    *(which == HAL_START_LAMP ? &rig.lamp : &rig.lockout) = (uint32_t)active;
+    return HAL_OK;
+}
+
+static int pulse_switch(void *self, enum hal_switch which, uint32_t count)
+{
+    (void)self;
+    *(which == HAL_TICKET ? &rig.ticket_pulses : &rig.input_coin_pulses) += count;
+    return HAL_OK;
+}
+
+static void say_stick(void)
+{
+    wire_put(&rig.wire, -1, USAGE_X, wire_share(&rig.wire, -1, USAGE_X, rig.x));
+    wire_put(&rig.wire, -1, USAGE_Y, wire_share(&rig.wire, -1, USAGE_Y, rig.z));
+    wire_send(&rig.wire, wire_put(&rig.wire, -1, USAGE_BUTTON + 1u, rig.trigger));
+}
+
+static void frames(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        rig.clock.now_ns += FRAME_NS;
+        say_stick();
+        assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
+    }
+}
+
+static void push(uint32_t button)
+{
+    rig.buttons.pressed = button;
+    frames(10);
+}
+
+static const struct scene_menu *shown(void)
+{
+    return &rig.display.scene.menu;
+}
+
+static void point_at(uint32_t tag)
+{
+    for (uint32_t i = 0; i < MENU_TAG_MAX && shown()->tag != tag; i++) {
+        push(INPUT_SERVICE);
+    }
+    assert_int_equal(shown()->tag, tag);
+}
+
+static uint32_t pending(void *self, enum hal_switch which)
+{
+    (void)self;
+    (void)which;
+    return 0;
+}
+
+static int set_up(void **state)
+{
+    static const struct hal_buttons_ops buttons = { poll_buttons, describe_buttons };
+    static const struct hal_switches_ops switches = { set_switch, pulse_switch, describe_buttons,
+                                                      pending };
+    static const struct kiosk_config config = {
+        .core = { .seed = 5, .fish_count = 8, .round_s = 10, .credit_coins = 2 }
+    };
+    struct hid_port_sim *const seats[POI_MAX] = { &rig.wire.port };
+    struct poi_hid *const pois[POI_MAX] = { &rig.poi };
+    (void)state;
+    memset(&rig, 0, sizeof rig);
+    rig.lockout = 1; /* As it begins. */
+    rig.x = rig.z = MIDDLE;
+    rig.clock.now_ns = FRAME_NS;
+    wire_load(&rig.wire, &rig.clock, "025-ci-xusb-flightstick");
+    snprintf(rig.wire.face.identity.name, HID_TEXT_SIZE, "Flight Stick");
+    rig.wire.port.absent = 1; /* It lies there, and sits nowhere yet. */
+    hid_device_list_sim_init(&rig.device_list, seats);
+    hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
+    hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
+    rig.hal = null_hal();
+    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.display = display_sim_device(&rig.display);
+    rig.hal.storage = storage_sim_device(&rig.storage);
+    rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
+    rig.hal.switches = (struct hal_switches){ .ops = &switches };
+    poi_hid_init(&rig.poi, hid_port_sim_port(&rig.wire.port), rig.hal.clock,
+                 hid_mapping_store_mapper(&rig.book), &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    controller_manager_init(&rig.desk, hid_device_list_sim_device(&rig.device_list), &rig.book,
+                            pois);
+    rig.hal.controllers = controller_manager_device(&rig.desk);
+    rig.hal.poi[0] = poi_hid_device(&rig.poi);
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
+    frames(2);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    hid_mapping_store_close(&rig.book);
+    return 0;
+}
+
+static void open_the_row(void)
+{
+    push(INPUT_TEST);
+    assert_int_equal(rig.display.scene.phase, PHASE_MENU);
+    point_at(menu_tag_of(MENU_DEVICES));
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_CONTROLLERS));
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLERS);
+    point_at(ROW);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLER);
+}
+
+/* ---- The quit key --------------------------------------------------------------------------- */
+
+static void test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest(void **state)
+{
+    (void)state;
+    static const uint8_t pages[] = { MENU_CONTROLLERS, MENU_DEVICES, MENU_TOP };
+    open_the_row();
+    for (uint32_t i = 0; i < sizeof pages; i++) {
+        rig.buttons.quit = 1;
+        push(0);
+        assert_int_equal(shown()->page, pages[i]);
+    }
+    assert_int_equal(shown()->pressed_count[1], 0); /* LEFT was not. */
+    rig.buttons.quit = 1;
+    push(0);
+    assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
+    rig.buttons.quit = 1;
+    assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
+    rig.buttons.quit = 1;
+    assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_QUIT);
+}
+
+static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order(void **state)
+{
+    (void)state;
+    enum kiosk_end end = KIOSK_RUNS;
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_UPKEEP));
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_RESTART));
+    push(INPUT_TEST);
+    push(INPUT_SERVICE); /* From "back" round to "yes". */
+    assert_int_equal(shown()->tag, CONFIRM_YES);
+    rig.buttons.pressed = INPUT_TEST;
+    for (uint32_t i = 0; i < 400u && end == KIOSK_RUNS; i++) { /* 6 s: a store may be slow. */
+        rig.clock.now_ns += FRAME_NS;
+        end = kiosk_frame(&rig.kiosk, &rig.hal);
+    }
+    assert_int_equal(end, KIOSK_RESTART);
+    assert_int_equal(rig.device_list.choose_count + rig.device_list.release_count, 0);
+}
+
+/* A card that came late is gone on from, but not while somebody plays, and not before it has what
+ * was paid: here it takes its time. */
+static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays(void **state)
+{
+    (void)state;
+    struct balance *balance = &rig.kiosk.core.game.ledger.balance;
+    push(INPUT_TEST);
+    assert_int_equal(rig.display.scene.phase, PHASE_MENU);
+    rig.storage.wants_restart = 1;
+    rig.storage.late_polls = 30;
+    balance->paid = 1;
+    balance->unlogged = 3;
+    frames(10);
+    assert_int_equal(rig.storage.late_purse.paid, 0);
+    rig.buttons.quit = 1;
+    frames(10);
+    assert_int_equal(rig.storage.late_purse.paid, 1);
+    assert_int_equal(rig.storage.late_purse.unlogged, 3);
+    balance->unlogged = 4;
+    enum kiosk_end end = KIOSK_RUNS;
+    for (uint32_t i = 0; i < 100u && end == KIOSK_RUNS; i++) {
+        rig.clock.now_ns += FRAME_NS;
+        end = kiosk_frame(&rig.kiosk, &rig.hal);
+    }
+    assert_int_equal(end, KIOSK_RESTART);
+    assert_int_equal(rig.storage.late_purse.paid, 1);
+    assert_int_equal(rig.storage.late_purse.unlogged, 4);
+}
+
+/* ---- Names ---------------------------------------------------------------------------------- */
+
+static void test_controllers_and_lines_have_names_in_the_menu_alone(void **state)
+{
+    (void)state;
+    assert_string_equal(rig.display.scene.devices.lines, "");
+    open_the_row();
+    assert_non_null(strstr(rig.display.scene.devices.controller[ROW], "Flight Stick"));
+    assert_string_equal(rig.display.scene.devices.controller[0], "");
+    assert_string_equal(rig.display.scene.devices.lines, "two buttons and a slot");
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE);
+}
+
+/* ---- Choosing ------------------------------------------------------------------------------- */
+
+static void test_what_is_chosen_plays_and_what_is_released_does_not(void **state)
+{
+    (void)state;
+    open_the_row();
+    point_at(ROW_CHOOSE);
+    push(INPUT_TEST);
+    assert_int_equal(rig.device_list.choose_count, 1);
+    frames(90); /* A seat is looked for once a second. */
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_ACTIVE);
+    assert_int_equal(rig.kiosk.hands[0].link, POI_SOURCE_LIVE);
+    point_at(ROW_RELEASE);
+    push(INPUT_TEST);
+    assert_int_equal(rig.device_list.release_count, 1);
+    frames(90);
+    assert_int_equal(rig.device_list.choose_count, 1);
+    assert_int_equal(rig.device_list.release_count, 1); /* Each order was told once. */
+}
+
+/* ---- Learning ------------------------------------------------------------------------------- */
+
+static void show_step(uint8_t step, float x, float z, uint8_t trigger)
+{
+    assert_int_equal(shown()->controllers.learn_step, step);
+    rig.x = x;
+    rig.z = z;
+    rig.trigger = trigger;
+    frames(60);
+    point_at(LEARNS_NEXT);
+    push(INPUT_TEST);
+}
+
+/* The stick's way is turned round, as on a cabinet that it was built into backwards. */
+static void learn_backwards(void)
+{
+    open_the_row();
+    point_at(ROW_LEARN);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_LEARN);
+    frames(90);
+    show_step(LEARN_REST, MIDDLE, MIDDLE, 0);
+    show_step(LEARN_LEFT, 1.0f, MIDDLE, 0);
+    show_step(LEARN_RIGHT, 0.0f, MIDDLE, 0);
+    show_step(LEARN_FAR, MIDDLE, 1.0f, 0);
+    show_step(LEARN_NEAR, MIDDLE, 0.0f, 0);
+    show_step(LEARN_DIP, MIDDLE, MIDDLE, 1);
+    rig.trigger = 0;
+    frames(30);
+    assert_int_equal(shown()->controllers.learn_step, LEARN_TRY);
+}
+
+/* Whither the ring goes when the stick goes right. */
+static float way_right_m(void)
+{
+    rig.x = rig.z = MIDDLE;
+    frames(60);
+    const float before_m = rig.kiosk.input.poi[0].target.position_m.x;
+    rig.x = 1.0f;
+    frames(60);
+    const float after_m = rig.kiosk.input.poi[0].target.position_m.x;
+    rig.x = MIDDLE;
+    return after_m - before_m;
+}
+
+static void test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught(void **state)
+{
+    (void)state;
+    learn_backwards();
+    assert_true(way_right_m() < -0.02f); /* Already while it is tried. */
+    point_at(LEARNS_KEEP);
+    push(INPUT_TEST);
+    frames(5);
+    assert_int_equal(shown()->page, MENU_CONTROLLERS);
+    assert_int_equal(shown()->controllers.learn_step, LEARN_NONE);
+    assert_non_null(hid_mapping_store_find(&rig.book, &rig.wire.face.identity));
+    assert_true(way_right_m() < -0.02f);
+}
+
+static void test_what_was_not_kept_is_forgotten(void **state)
+{
+    (void)state;
+    learn_backwards();
+    point_at(LEARNS_END);
+    push(INPUT_TEST);
+    frames(5);
+    assert_int_equal(shown()->page, MENU_CONTROLLER);
+    assert_null(hid_mapping_store_find(&rig.book, &rig.wire.face.identity));
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_FREE); /* As it was. */
+    point_at(ROW_CHOOSE);
+    push(INPUT_TEST);
+    frames(90);
+    assert_true(way_right_m() > 0.02f);
+}
+
+static void test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_goes_on(void **state)
+{
+    (void)state;
+    open_the_row();
+    point_at(ROW_LEARN);
+    push(INPUT_TEST);
+    frames(90);
+    show_step(LEARN_REST, MIDDLE, MIDDLE, 0);
+    hid_device_list_sim_plug(&rig.device_list, ROW, NULL);
+    frames(10);
+    assert_int_equal(shown()->controllers.learn_step, LEARN_FAILED);
+    point_at(LEARNS_END);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLER);
+    frames(2);
+    assert_int_equal(shown()->controllers.state[ROW], CONTROLLER_NONE); /* Nobody chose it. */
+    point_at(ROW_BACK);
+    push(INPUT_TEST);
+    assert_int_equal(shown()->page, MENU_CONTROLLERS);
+}
+
+/* ---- Money ---------------------------------------------------------------------------------- */
+
+static void drop(uint32_t coins)
+{
+    rig.buttons.coin_count[0] = coins;
+    frames(2);
+}
+
+static void go_back(void)
+{
+    point_at(menu_tag_count(shown()->page) - 1u);
+    push(INPUT_TEST);
+}
+
+static void test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_box(void **state)
+{
+    (void)state;
+    assert_int_equal(rig.lockout, 1); /* There is no poi: what would a coin buy? */
+    push(INPUT_TEST);
+    assert_int_equal(rig.lockout, 1); /* Nothing is sold in the menu. */
+    point_at(menu_tag_of(MENU_DEVICES));
+    push(INPUT_TEST);
+    point_at(menu_tag_of(MENU_LINES));
+    push(INPUT_TEST);
+    assert_int_equal(rig.lockout, 0); /* The operator tries the mechanism. */
+    drop(7);
+    assert_int_equal(shown()->test_coins, 7);
+    assert_int_equal(rig.input_coin_pulses, 7);
+    assert_int_equal(rig.display.scene.credit.credits + rig.display.scene.credit.units, 0);
+    go_back();
+    assert_int_equal(rig.lockout, 1);
+    go_back();
+    go_back();
+    open_the_row();
+    point_at(ROW_CHOOSE);
+    push(INPUT_TEST);
+    frames(90);
+    drop(1); /* It was on its way as the slot closed: another test. */
+    for (uint32_t i = 0; i < 4; i++) {
+        go_back();
+    }
+    assert_int_equal(rig.display.scene.phase, PHASE_ATTRACT);
+    assert_int_equal(rig.lockout, 0);
+    drop(3);
+    assert_int_equal(rig.input_coin_pulses, 11);
+    assert_int_equal(rig.display.scene.credit.credits, 1);
+    assert_int_equal(rig.display.scene.credit.units, 1);
+    frames(30);
+    assert_int_equal(rig.input_coin_pulses, 11);
+}
+
+#define IN_CABINET(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        IN_CABINET(test_controllers_and_lines_have_names_in_the_menu_alone),
+        IN_CABINET(
+            test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order),
+        IN_CABINET(
+            test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays),
+        IN_CABINET(test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest),
+        IN_CABINET(test_what_is_chosen_plays_and_what_is_released_does_not),
+        IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),
+        IN_CABINET(test_what_was_not_kept_is_forgotten),
+        IN_CABINET(test_a_stick_that_is_pulled_out_while_it_learns_fails_and_the_menu_goes_on),
+        IN_CABINET(test_the_slot_opens_for_a_test_or_for_play_and_the_meter_counts_the_box),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,260 @@
+/* test_sdl_play.c -- rounds played with a game pad and with fingers: SDL's own joystick, made of
+ * memory, and SDL's own finger events, through the drivers and the frame loop, until fish lie in
+ * the bowl. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <SDL.h>
+#include <cmocka.h>
+
+#include "core/game/control/controller.h"
+#include "core/tank/preset.h"
+#include "drivers/gamepad/gamepad_poi.h"
+#include "drivers/null.h"
+#include "drivers/pointer/mouse_poi.h"
+#include "drivers/sim/clock_sim.h"
+#include "platform/kiosk/kiosk.h"
+#include "tests/unit/support/calm_fish.h"
+
+#define FRAME_NS 16666667ull
+#define WIDTH 1280u
+#define HEIGHT 720u
+
+/* Where whoever plays wants the ring to be. */
+static struct sdl_player {
+    struct clock_sim clock;
+    struct gamepads gamepads;
+    struct mouse_poi pointer;
+    struct hal hal;
+    struct kiosk kiosk;
+    void (*say)(void);  /* Puts the wish into SDL's queue. */
+    vec3 over_m;
+    uint8_t dips;
+    float x, y;         /* Of the finger that leads, in the window. */
+    uint8_t second_is_down;
+} player;
+
+static const struct view *stall_view(void)
+{
+    return &tank_preset(TANK_PRESET_FESTIVAL)->view;
+}
+
+static vec3 ring_m(void)
+{
+    return player.kiosk.core.poi[0].position_m;
+}
+
+static void frame(void)
+{
+    player.clock.now_ns += FRAME_NS;
+    player.say();
+    SDL_PumpEvents();
+    kiosk_frame(&player.kiosk, &player.hal);
+    assert_false(controller_is_lost(&player.kiosk.core, 0));
+}
+
+static void frames(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        frame();
+    }
+}
+
+/* ---- Hands ---------------------------------------------------------------------------------- */
+
+static SDL_Joystick *joystick(void)
+{
+    return SDL_GameControllerGetJoystick(player.gamepads.pad[0].controller);
+}
+
+/* A thumb pushes fully from 8 cm on; inside 15 % of the way the stick is dead. */
+static Sint16 push_of(float way_m)
+{
+    const float push = f_clamp(way_m / 0.08f, -1.0f, 1.0f);
+    return (Sint16)((push > 0.0f ? 4900.0f : push < 0.0f ? -4900.0f : 0.0f) + push * 27800.0f);
+}
+
+static void say_pad(void)
+{
+    const vec3 way = v3_sub(player.over_m, ring_m());
+    SDL_JoystickSetVirtualAxis(joystick(), SDL_CONTROLLER_AXIS_LEFTX, push_of(way.x));
+    SDL_JoystickSetVirtualAxis(joystick(), SDL_CONTROLLER_AXIS_LEFTY, push_of(way.z));
+    SDL_JoystickSetVirtualButton(joystick(), SDL_CONTROLLER_BUTTON_A, player.dips);
+}
+
+static void to_window(vec3 point, float *x, float *y)
+{
+    const struct basis axes = view_basis(stall_view());
+    const vec3 body = vec_basis_to_body(&axes, v3_sub(point, stall_view()->eye_m));
+    const float aspect = (float)WIDTH / (float)HEIGHT;
+    const float tan_y = view_half_height_tan(stall_view(), aspect);
+    *x = 0.5f * (body.x / -body.z / (tan_y * aspect) + 1.0f);
+    *y = 0.5f * (1.0f - body.y / -body.z / tan_y);
+}
+
+static void push_finger(uint32_t type, SDL_FingerID id, float x, float y)
+{
+    SDL_Event event = { .type = type };
+    event.tfinger.fingerId = id;
+    event.tfinger.x = x;
+    event.tfinger.y = y;
+    assert_int_equal(SDL_PushEvent(&event), 1);
+}
+
+/* The finger slides to where the wished place shows, slowly under water. */
+static void say_fingers(void)
+{
+    float x;
+    float y;
+    const float pace = player.dips ? 0.0035f : 0.0070f;
+    const float plane_m = player.dips ? POINTER_DIP_M : 0.0f;
+    to_window(v3(player.over_m.x, plane_m, player.over_m.z), &x, &y);
+    player.x += f_clamp(x - player.x, -pace, pace);
+    player.y += f_clamp(y - player.y, -pace, pace);
+    push_finger(SDL_FINGERMOTION, 1, player.x, player.y);
+    if (player.dips != player.second_is_down) {
+        push_finger(player.dips ? SDL_FINGERDOWN : SDL_FINGERUP, 2, 0.9f, 0.9f);
+        player.second_is_down = player.dips;
+    }
+}
+
+/* ---- Rounds --------------------------------------------------------------------------------- */
+
+static void begin_round(uint32_t seed)
+{
+    const struct kiosk_config config = { .core = { .seed = seed, .fish_count = 300 } };
+    player.over_m = v3(0.0f, POINTER_HOVER_M, 0.0f);
+    player.dips = 0;
+    assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);
+    frames(20);
+    player.kiosk.input.pressed = INPUT_START;
+    while (player.kiosk.core.game.phase != PHASE_ROUND) {
+        frame();
+        assert_true(player.kiosk.core.tick < 10 * CORE_TICK_HZ);
+    }
+}
+
+static const struct fish *choose(void)
+{
+    return calmest_fish(&player.kiosk.core.tank, ring_m(), POINTER_DIP_M);
+}
+
+static void go_to(vec3 over_m, float near_m, uint32_t frames_max)
+{
+    player.over_m = over_m;
+    for (uint32_t i = 0; i < frames_max; i++) {
+        const vec3 way = v3_sub(over_m, ring_m());
+        if (v3_length(v3(way.x, 0.0f, way.z)) < near_m) {
+            return;
+        }
+        frame();
+    }
+}
+
+/* In beside it, under it, up, and over the bowl: what a person does. While it comes up a stick is
+ * let go. */
+static void try_once(int flies)
+{
+    const struct fish *fish = choose();
+    if (!fish) {
+        frames(20);
+        return;
+    }
+    const float side = fish->position_m.x > 0.0f ? -0.08f : 0.08f;
+    go_to(v3_add(fish->position_m, v3(side, 0.0f, 0.0f)), 0.015f, 150);
+    player.dips = 1;
+    frames(22);
+    for (uint32_t i = 0; i < 45; i++) {
+        player.over_m = fish->position_m;
+        frame();
+    }
+    player.dips = 0;
+    for (uint32_t i = 0; i < 35; i++) {
+        player.over_m = flies ? ring_m() : player.over_m;
+        frame();
+    }
+    if (player.kiosk.core.poi[0].carried_count > 0) {
+        const vec3 bowl_m = player.kiosk.core.bowl[0].position_m;
+        go_to(v3(bowl_m.x, POINTER_HOVER_M, bowl_m.z), 0.012f, 200);
+        frames(100);
+    }
+}
+
+static uint32_t landed_in(uint32_t rounds, int flies, const char *what)
+{
+    uint32_t landed = 0;
+    for (uint32_t seed = 1; seed <= rounds; seed++) {
+        begin_round(seed);
+        for (uint32_t i = 0; i < 12 && player.kiosk.core.game.phase == PHASE_ROUND; i++) {
+            try_once(flies);
+        }
+        landed += player.kiosk.core.game.player[0].caught;
+    }
+    print_message("%s: %u fish in %u rounds\n", what, landed, rounds);
+    return landed;
+}
+
+/* ---- Tests ---------------------------------------------------------------------------------- */
+
+static int begin(void **state)
+{
+    (void)state;
+    memset(&player, 0, sizeof player);
+    player.clock.now_ns = 1000000000ull;
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    SDL_InitSubSystem(SDL_INIT_VIDEO);
+    SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
+    player.hal = null_hal();
+    player.hal.clock = clock_sim_device(&player.clock);
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    while (SDL_NumJoysticks() > 0 && SDL_JoystickDetachVirtual(0) == 0) {
+    }
+    gamepads_close(&player.gamepads);
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    return 0;
+}
+
+static void test_a_pad_lands_fish(void **state)
+{
+    (void)state;
+    gamepads_init(&player.gamepads, player.hal.clock, stall_view());
+    assert_int_equal(gamepads_open(&player.gamepads, NULL), HAL_OK);
+    assert_true(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER,
+                                          SDL_CONTROLLER_AXIS_MAX,
+                                          SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1, 0) >= 0);
+    gamepads_poll(&player.gamepads);
+    assert_non_null(player.gamepads.pad[0].controller);
+    player.hal.poi[0] = gamepad_poi_device(&player.gamepads, 0);
+    player.say = say_pad;
+    assert_true(landed_in(4, 1, "a pad") >= 4);
+}
+
+static void test_fingers_land_fish(void **state)
+{
+    (void)state;
+    mouse_poi_init(&player.pointer, player.hal.clock, stall_view(), WIDTH, HEIGHT,
+                   POINTER_FILTER_TOUCH);
+    player.hal.poi[0] = mouse_poi_device(&player.pointer);
+    player.say = say_fingers;
+    player.x = player.y = 0.5f;
+    push_finger(SDL_FINGERDOWN, 1, player.x, player.y);
+    assert_true(landed_in(4, 0, "fingers") >= 4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_a_pad_lands_fish, begin, end),
+        cmocka_unit_test_setup_teardown(test_fingers_land_fish, begin, end),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,541 @@
+/* test_session_recorder.c -- each score that is ranked has its replay, the replay is that of its
+ * round, and the judge believes nothing else. */
+#include <fenv.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/base/float_env.h"
+#include "core/pin.h"
+#include "drivers/sim/storage_sim.h"
+#include "platform/cpu.h"
+#include "platform/kiosk/replay_verifier.h"
+#include "platform/kiosk/score_playback.h"
+#include "platform/kiosk/session_recorder.h"
+
+static struct core core, bots;
+static struct output output, unheard;
+static struct input input;
+static struct session_recorder chapters;
+static struct replay_verifier judge;
+static struct storage_sim sim;
+static struct hal_storage storage;
+static uint8_t room[SESSION_RECORDER_SIZE];
+static int hand_is_away;
+
+/* A bot plays in a tank of its own; a controller does in ours what its hand did there: a person's
+ * play as far as this kiosk can see. */
+static void tick(uint32_t pressed)
+{
+    struct input by_bot = { .pressed = pressed, .poi[0].link = POI_SOURCE_BOT };
+    unheard.sound_count = output.sound_count = 0;
+    core_tick(&bots, &by_bot, &unheard);
+    input.pressed = pressed;
+    input.store_well = 1;
+    input.record_saved_id = storage.ops->saved_id(storage.self);
+    input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
+                                       .has_wrist = 1,
+                                       .target = bots.game.hand_pose[0] };
+    input.poi[0].link = hand_is_away ? POI_SOURCE_ABSENT : POI_SOURCE_LIVE;
+    const uint32_t before = output.entry_id;
+    core_tick(&core, &input, &output);
+    for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
+        storage.ops->append(storage.self, &output.entries[id % LEDGER_RING]);
+    }
+    session_recorder_tick(&chapters, &input, &core, &output);
+    session_recorder_offer(&chapters, &storage);
+}
+
+static void ticks(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        tick(0);
+    }
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    struct core_config config = { .seed = 11, .round_s = 20, .lanes = cpu_lanes() };
+    settings_reset(&config.persistent.settings);
+    memset(&sim, 0, sizeof sim);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    memset(&chapters.totals, 0, sizeof chapters.totals);
+    chapters.round_id = chapters.missed = chapters.is_lent = 0;
+    sim.replay = room;
+    sim.replay_room = sizeof room;
+    storage = storage_sim_device(&sim);
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    assert_int_equal(core_init(&bots, &config), CORE_OK);
+    session_recorder_begin(&chapters, &core);
+    return 0;
+}
+
+/* From attract to the end of a round. Returns the entry of the round. */
+static uint32_t play(void)
+{
+    const uint32_t before = sim.record.id;
+    ticks(2u * CORE_TICK_HZ);
+    tick(INPUT_START);
+    for (uint32_t i = 0; i < 90u * CORE_TICK_HZ && sim.record.id == before; i++) {
+        tick(0);
+    }
+    assert_true(sim.record.id != before && sim.record.caught > 0 && !sim.record.by_bot);
+    ticks(2);
+    return sim.record.id;
+}
+
+/* Nobody stands there, until attract begins anew; the bot's own tank is this one from then on. */
+static void rest(void)
+{
+    hand_is_away = 1;
+    for (uint32_t i = 0; i < 240u * CORE_TICK_HZ && !core_is_fresh(&core); i++) {
+        tick(0);
+    }
+    assert_true(core_is_fresh(&core));
+    hand_is_away = 0;
+    bots = core;
+}
+
+/* Where the ledger has dropped the round's entry: replay and ranking alone. */
+static enum replay_verdict says(uint32_t round_id)
+{
+    static const struct ledger_entry dropped;
+    return replay_verifier_result(&judge, &core.game.ranking, round_id, &dropped);
+}
+
+static enum replay_verdict judged(const uint8_t *bytes, size_t size, uint32_t round_id)
+{
+    if (replay_verifier_begin(&judge, bytes, size) == 0) {
+        while (replay_verifier_tick(&judge)) {
+        }
+    }
+    return replay_verifier_result(&judge, &core.game.ranking, round_id, &sim.round);
+}
+
+static void test_a_ranked_round_has_its_replay_and_is_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, round_id);
+    assert_int_equal(chapters.missed, 0);
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(judge.round.round.caught, sim.record.caught);
+    assert_int_equal(judged(room, sim.replay_size, round_id + 1u), REPLAY_VERDICT_OTHER);
+}
+
+/* Settings of the stall that the replay begins with. */
+static const struct settings *settings_of(const uint8_t *bytes, size_t size)
+{
+    static struct replay_reader reader;
+    assert_int_equal(replay_open_in(&reader, bytes, size), 0);
+    replay_close(&reader);
+    return &reader.header.config.persistent.settings;
+}
+
+static void lock(uint32_t pin)
+{
+    core.config.persistent.settings.value[SET_PIN] = pin_hide(pin, 5);
+    core.game.settings_edit.told = core.config.persistent.settings;
+    static struct core_config config;
+    config = core.config;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    session_recorder_begin(&chapters, &core);
+}
+
+static void test_a_kept_replay_holds_no_pin_and_is_genuine(void **state)
+{
+    (void)state;
+    lock(4071);
+    const int32_t kept = core.config.persistent.settings.value[SET_PIN];
+    const uint32_t first_id = play();
+    assert_int_equal(settings_of(room, sim.replay_size)->value[SET_PIN], PIN_WITHHELD);
+    assert_int_equal(judged(room, sim.replay_size, first_id), REPLAY_VERDICT_GENUINE);
+    rest(); /* The next chapter begins with a ledger that knows the PIN. */
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, round_id);
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_int_equal(core.config.persistent.settings.value[SET_PIN], kept);
+    static struct replay_reader reader;
+    assert_int_equal(replay_open_in(&reader, room, sim.replay_size), 0);
+    const struct core_config *config = &reader.header.config;
+    assert_int_equal(config->persistent.settings.value[SET_PIN], PIN_WITHHELD);
+    assert_int_equal(config->session.settings_edit.told.value[SET_PIN], PIN_WITHHELD);
+    replay_close(&reader);
+}
+
+/* Begins a chapter whose ledger has `told` while the setting is already `kept`. */
+static void begin_with_pin(int32_t told, int32_t kept)
+{
+    static struct core_config config;
+    rest(); /* The next chapter carries `told` in its configuration. */
+    config = core.config;
+    config.persistent.settings.value[SET_PIN] = kept;
+    config.session.settings_edit.told.value[SET_PIN] = told;
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    session_recorder_begin(&chapters, &core);
+}
+
+static void test_a_replay_after_a_change_of_the_pin_is_genuine(void **state)
+{
+    const int32_t a = pin_hide(4071, 5), b = pin_hide(1234, 9);
+    const int32_t told_kept[][2] = { { a, 0 }, { 0, a }, { a, b } };
+    (void)state;
+    play();
+    for (uint32_t i = 0; i < sizeof told_kept / sizeof told_kept[0]; i++) {
+        begin_with_pin(told_kept[i][0], told_kept[i][1]);
+        assert_int_equal(core.game.settings_edit.told.value[SET_PIN], told_kept[i][0]);
+        const uint32_t round_id = play();
+        assert_int_equal(sim.replay_id, round_id);
+        const struct settings *start = settings_of(room, sim.replay_size);
+        assert_true(start->value[SET_PIN] == 0 || start->value[SET_PIN] == PIN_WITHHELD);
+        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    }
+}
+
+static void test_the_chapter_in_memory_keeps_the_pin_that_a_panic_replays(void **state)
+{
+    (void)state;
+    lock(4071);
+    const int32_t kept = core.config.persistent.settings.value[SET_PIN];
+    play();
+    assert_int_not_equal(kept, PIN_WITHHELD);
+    const size_t size = (size_t)chapters.writer.offset + REPLAY_END_SIZE;
+    assert_int_equal(settings_of(chapters.memory, size)->value[SET_PIN], kept);
+}
+
+static void test_a_chapter_in_which_a_pin_is_typed_holds_it(void **state)
+{
+    (void)state;
+    lock(4071);
+    tick(INPUT_TEST);
+    core.game.menu.pin_count = 1; /* As after the first digit. */
+    tick(0);
+    assert_true(chapters.has_pin);
+    lock(4071); /* Another chapter. */
+    assert_false(chapters.has_pin);
+}
+
+static void test_a_chapter_that_holds_a_pin_keeps_no_replay(void **state)
+{
+    (void)state;
+    lock(4071);
+    chapters.has_pin = 1;
+    play();
+    assert_int_equal(chapters.missed, 1);
+    assert_int_equal(sim.replay_id, 0);
+}
+
+static void test_a_judge_that_begins_in_a_wrong_float_mode_judges_the_same(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    fesetround(FE_UPWARD);
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_true(float_env_is_standard());
+    fesetround(FE_TONEAREST);
+}
+
+static void test_a_judge_whose_core_is_refused_says_that_nothing_was_checked(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    assert_int_equal(replay_verifier_begin(&judge, room, sim.replay_size), 0);
+    fesetround(FE_UPWARD);
+    while (replay_verifier_tick(&judge)) {
+    }
+    fesetround(FE_TONEAREST);
+    assert_int_equal(says(round_id), REPLAY_VERDICT_UNCHECKED);
+}
+
+static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    struct rank_row *row = &core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
+    assert_int_equal(row->round_id, round_id);
+    row->caught++;
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    row->caught--;
+    row->seat = 1;
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+    row->seat = 0;
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
+}
+
+/* Each of these alone is another round than the one that was written down when it was played. */
+static void test_a_replay_of_another_round_than_the_ledgers_is_not_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    const struct ledger_entry kept = sim.round;
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    for (uint32_t i = 0; i < 13; i++) {
+        struct round_record *round = &sim.round.round;
+        uint32_t *const words[] = { &sim.round.boot,   &sim.round.tick,    &round->seed,
+                                    &round->start_tick, &round->end_tick,
+                                    &round->player[0].scoops, &round->player[0].hole_area_mm2 };
+        uint8_t *const bytes[] = { &round->grade, &round->players, &sim.round.kind,
+                                   &round->preset };
+        uint16_t *const stall[] = { &round->fish_count, &round->round_s };
+        if (i < 7) {
+            ++*words[i];
+        } else if (i < 11) {
+            ++*bytes[i - 7u];
+        } else {
+            ++*stall[i - 11u];
+        }
+        assert_int_equal(replay_verifier_result(&judge, &core.game.ranking, round_id, &sim.round),
+                         REPLAY_VERDICT_OTHER);
+        sim.round = kept;
+    }
+    sim.round = (struct ledger_entry){ 0 }; /* So old that the ledger dropped it. */
+    assert_int_equal(replay_verifier_result(&judge, &core.game.ranking, round_id, &sim.round),
+                     REPLAY_VERDICT_GENUINE);
+}
+
+/* What the judge found is turned by hand, one thing at a time: each alone is enough. */
+static void test_each_thing_that_does_not_agree_is_enough(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    struct rank_row *row = &core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
+    const struct rank_row ranked = *row;
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    static struct replay_verifier found;
+    found = judge;
+
+    judge.round.round.players = 2; /* The seat did not play, whatever stands beside it. */
+    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    judge = found;
+    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    *row = ranked;
+    row->round_id = round_id + 1u; /* The ranking's is another, with the same catch. */
+    assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
+    *row = ranked;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
+    judge.said.ticks++; /* It ended before its end. */
+    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    judge = found;
+    judge.round.round.by_bot = 1;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    judge = found;
+    judge.round.round.unscored = 1;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    judge = found;
+    judge.replayer.difference.found = 1;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    judge = found;
+    judge.replayer.damaged = 1;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_DAMAGED);
+    judge = found;
+    judge.is_damaged = 1;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_DAMAGED);
+    judge = found;
+    row->caught--;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
+    row->caught++;
+    assert_int_equal(says(round_id), REPLAY_VERDICT_GENUINE);
+}
+
+static void test_a_replay_that_was_altered_is_damaged(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    for (size_t at = 7; at < sim.replay_size; at += sim.replay_size / 20u) {
+        room[at] ^= 1u;
+        assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_DAMAGED);
+        room[at] ^= 1u;
+    }
+    assert_int_equal(judged(room, sim.replay_size - 1u, round_id), REPLAY_VERDICT_DAMAGED);
+    assert_int_equal(judged(room, 0, round_id), REPLAY_VERDICT_DAMAGED);
+}
+
+static void test_the_next_chapters_round_needs_nothing_of_the_first(void **state)
+{
+    (void)state;
+    play();
+    rest();
+    assert_int_equal(chapters.totals.ticks, 0);
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, round_id);
+    assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
+    assert_in_range(judge.said.ticks, 20u * CORE_TICK_HZ, 40u * CORE_TICK_HZ);
+}
+
+static void test_a_replay_waits_until_its_score_is_on_disk(void **state)
+{
+    (void)state;
+    sim.delay_polls = 1000;
+    const uint32_t round_id = play();
+    assert_int_equal(sim.replay_id, 0);
+    ticks(1100);
+    assert_int_equal(sim.replay_id, round_id);
+}
+
+static void test_a_store_without_replays_loses_nothing_else(void **state)
+{
+    (void)state;
+    sim.replay = NULL;
+    play();
+    assert_int_equal(chapters.round_id, 0);
+    assert_int_equal(chapters.missed, 0);
+    sim.replay = room;
+    sim.replay_room = 100; /* No replay is so small: the card is full. */
+    rest();
+    play();
+    assert_int_equal(chapters.round_id, 0);
+    assert_int_equal(chapters.missed, 1);
+}
+
+/* ---- A score is shown again ----------------------------------------------------------------- */
+
+static struct score_playback playback;
+static struct scene scene;
+static uint64_t watch_ns; /* Each look at the stopwatch takes a third of what a frame may seek. */
+
+static uint64_t look_at_watch(void *self)
+{
+    (void)self;
+    return watch_ns += SCORE_PLAYBACK_SEEK_NS / 3u + 1u;
+}
+
+static const struct hal_clock_ops slow_ops = { .now_ns = look_at_watch };
+static const struct hal_clock no_stopwatch, slow_stopwatch = { .ops = &slow_ops };
+
+static void frame(void)
+{
+    static struct hal hal;
+    hal.storage = storage;
+    score_playback_frame(&playback, &hal, &no_stopwatch, &core.game.ranking, 2);
+    core_scene(&core, &scene);
+    score_playback_show(&playback, &scene, &output);
+}
+
+/* Frames until it is something else; at most a minute and a half of them. */
+static uint32_t frames_while(uint8_t what)
+{
+    uint32_t count = 0;
+    while (playback.state == what && count < 5400u) {
+        frame();
+        count++;
+    }
+    return count;
+}
+
+static void test_a_score_is_shown_again_and_told_to_be_genuine(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    ticks(200);
+    sim.replay_polls_left = 30; /* The card takes half a second. */
+    score_playback_request(&playback, round_id);
+    frame();
+    assert_int_equal(scene.playback, ENCORE_SEEKS);
+    assert_in_range(frames_while(ENCORE_SEEKS), 29, 40);
+    assert_int_equal(playback.state, ENCORE_PLAYS);
+    const uint32_t shown = frames_while(ENCORE_PLAYS);
+    assert_in_range(shown, 10u * 60u, 60u * 60u); /* In its own time. */
+    assert_int_equal(scene.playback, ENCORE_GENUINE);
+    assert_int_equal(scene.caught[0], sim.record.caught);
+    assert_int_equal(frames_while(ENCORE_GENUINE), SCORE_PLAYBACK_END_TICKS / 2u);
+    assert_int_equal(scene.playback, ENCORE_OFF);
+}
+
+static void test_a_long_replay_is_read_in_slices_that_a_frame_can_bear(void **state)
+{
+    (void)state;
+    static struct hal hal;
+    const uint32_t round_id = play();
+    uint32_t frames = 0;
+    hal.storage = storage;
+    sim.replay_polls_left = 0;
+    score_playback_request(&playback, round_id);
+    score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.ranking, 2);
+    score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.ranking, 2);
+    for (; !playback.has_play && frames < 1000u; frames++) {
+        const uint32_t before = playback.judge.replayer.reader.tick;
+        score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.ranking, 2);
+        assert_true(playback.judge.replayer.reader.tick <= before + 3u * CORE_TICK_HZ);
+        score_playback_show(&playback, &scene, &output);
+        assert_int_equal(scene.playback, ENCORE_SEEKS);
+    }
+    assert_in_range(frames, playback.judge.said.ticks / (3u * CORE_TICK_HZ) - 1u, 100);
+    assert_true(frames >= 3u);
+    score_playback_end(&playback);
+}
+
+static void test_a_button_or_a_dip_ends_it(void **state)
+{
+    (void)state;
+    struct poi_input poi[POI_MAX] = { { .link = POI_SOURCE_LIVE, .target.position_m.y = -0.05f } };
+    const uint32_t round_id = play();
+    score_playback_request(&playback, round_id);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(score_playback_handle_input(&playback, 0, poi),
+                     0); /* Down since it was asked for. */
+    poi[0].target.position_m.y = 0.05f;
+    assert_int_equal(score_playback_handle_input(&playback, 0, poi), 0);
+    poi[0].target.position_m.y = -0.05f;
+    assert_int_equal(score_playback_handle_input(&playback, 0, poi), 1);
+    assert_int_equal(playback.state, ENCORE_OFF);
+    score_playback_request(&playback, round_id);
+    assert_int_equal(score_playback_handle_input(&playback, INPUT_SERVICE, poi), 1);
+    frame();
+    assert_int_equal(scene.playback, ENCORE_OFF);
+}
+
+static void test_a_score_without_a_replay_says_so(void **state)
+{
+    (void)state;
+    const uint32_t round_id = play();
+    score_playback_request(&playback, round_id + 5u);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(scene.playback, ENCORE_NONE);
+    score_playback_end(&playback);
+    room[sim.replay_size / 2u] ^= 4u;
+    score_playback_request(&playback, round_id);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(scene.playback, ENCORE_OTHER);
+    score_playback_end(&playback);
+    sim.replay = NULL;
+    score_playback_request(&playback, round_id);
+    frames_while(ENCORE_SEEKS);
+    assert_int_equal(scene.playback, ENCORE_NONE);
+    score_playback_end(&playback);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup(name, set_up)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_ranked_round_has_its_replay_and_is_genuine),
+        TEST(test_a_kept_replay_holds_no_pin_and_is_genuine),
+        TEST(test_a_replay_after_a_change_of_the_pin_is_genuine),
+        TEST(test_the_chapter_in_memory_keeps_the_pin_that_a_panic_replays),
+        TEST(test_a_chapter_in_which_a_pin_is_typed_holds_it),
+        TEST(test_a_chapter_that_holds_a_pin_keeps_no_replay),
+        TEST(test_a_judge_that_begins_in_a_wrong_float_mode_judges_the_same),
+        TEST(test_a_judge_whose_core_is_refused_says_that_nothing_was_checked),
+        TEST(test_a_score_that_was_written_by_hand_is_not_genuine),
+        TEST(test_a_replay_of_another_round_than_the_ledgers_is_not_genuine),
+        TEST(test_each_thing_that_does_not_agree_is_enough),
+        TEST(test_a_replay_that_was_altered_is_damaged),
+        TEST(test_the_next_chapters_round_needs_nothing_of_the_first),
+        TEST(test_a_replay_waits_until_its_score_is_on_disk),
+        TEST(test_a_store_without_replays_loses_nothing_else),
+        TEST(test_a_score_is_shown_again_and_told_to_be_genuine),
+        TEST(test_a_long_replay_is_read_in_slices_that_a_frame_can_bear),
+        TEST(test_a_button_or_a_dip_ends_it),
+        TEST(test_a_score_without_a_replay_says_so),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,108 @@
+/* test_still_mouse.c -- a mouse that lies still points at other water once another tank is in the
+ * picture: through the real decoder and the real frame loop, that is no motion of a hand's. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/tank/preset.h"
+#include "drivers/null.h"
+#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/pointer_sim.h"
+#include "platform/kiosk/kiosk.h"
+
+static struct {
+    struct clock_sim clock;
+    struct pointer_sim poi;
+    struct hal hal;
+    struct kiosk kiosk;
+    struct pointer_report report;
+} seat;
+
+static void frame(uint64_t frame_ns)
+{
+    seat.clock.now_ns += frame_ns;
+    seat.report.time_ns = seat.clock.now_ns;
+    seat.poi.reports = &seat.report;
+    seat.poi.report_count = 1;
+    seat.poi.next = 0;
+    kiosk_frame(&seat.kiosk, &seat.hal);
+}
+
+/* A stall in attract, the pointer a little below the middle of the window. */
+static void sit_down(void)
+{
+    const struct kiosk_config config = { .core = { .seed = 5, .modes = 1u << MODE_CHAMPIONSHIP } };
+    memset(&seat, 0, sizeof seat);
+    seat.report = (struct pointer_report){
+        .x_px = 640.0f, .y_px = 400.0f, .width_px = 1280, .height_px = 720
+    };
+    seat.hal = null_hal();
+    seat.hal.clock = clock_sim_device(&seat.clock);
+    pointer_sim_init(&seat.poi, seat.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    seat.hal.poi[0] = pointer_sim_device(&seat.poi);
+    assert_int_equal(kiosk_init(&seat.kiosk, &seat.hal, &config), CORE_OK);
+    for (uint32_t i = 0; i < 10; i++) {
+        frame(16666667ull);
+    }
+}
+
+static vec3 hand_m(void)
+{
+    return seat.kiosk.core.game.validation[0].newest.position_m;
+}
+
+static void lie_still(uint64_t frame_ns)
+{
+    sit_down();
+    seat.kiosk.input.pressed = INPUT_START;
+    frame(frame_ns);
+    const vec3 before_m = hand_m();
+    assert_int_equal(seat.kiosk.core.game.phase, PHASE_READY);
+    while (seat.kiosk.core.game.phase == PHASE_READY) {
+        frame(frame_ns);
+        assert_int_equal(seat.kiosk.core.game.player[0].fouls, 0);
+    }
+    assert_true(v3_length(v3_sub(hand_m(), before_m)) > PLAYER_STIR_M); /* As if it had moved. */
+}
+
+static void test_a_mouse_that_only_lies_there_commits_no_foul(void **state)
+{
+    (void)state;
+    lie_still(16666667ull);
+}
+
+static void test_nor_does_it_where_pictures_are_slow(void **state)
+{
+    (void)state;
+    lie_still(130000000ull);
+    lie_still(900000000ull);
+}
+
+static void test_it_does_once_it_is_moved_and_held_over_fish(void **state)
+{
+    (void)state;
+    sit_down();
+    seat.kiosk.input.pressed = INPUT_START;
+    for (uint32_t i = 0; i < 90; i++) {
+        frame(16666667ull);
+    }
+    seat.report.x_px = 700.0f;
+    while (seat.kiosk.core.game.phase != PHASE_ROUND) {
+        frame(16666667ull);
+    }
+    assert_int_equal(seat.kiosk.core.game.player[0].fouls, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_mouse_that_only_lies_there_commits_no_foul),
+        cmocka_unit_test(test_nor_does_it_where_pictures_are_slow),
+        cmocka_unit_test(test_it_does_once_it_is_moved_and_held_over_fish),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

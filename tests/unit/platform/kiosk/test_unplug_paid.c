@@ -1,0 +1,182 @@
+/* test_unplug_paid.c -- a round that was paid for, and a poi whose cable comes out of it at each of
+ * a thousand reports: the round waits, goes on when the cable is in again, no credit is lost.
+ *
+ * Raw reports of our own poi, through its twin, the decoder and the frame loop. Each of the
+ * thousand plays starts from a copy of the whole kiosk as it was before that report. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/game/pause.h"
+#include "core/tank/preset.h"
+#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_hid.h"
+#include "drivers/hid/poi_report.h"
+#include "drivers/null.h"
+#include "drivers/sim/storage_sim.h"
+#include "platform/kiosk/kiosk.h"
+#include "tests/unit/support/hid_wire.h"
+#include "tests/unit/support/purse.h"
+
+#define REPORT_NS 8333333ull /* 120 a second, two a frame. */
+#define UNPLUGS 1000u
+#define PRICE 2u
+
+static struct rig {
+    struct clock_sim clock;
+    struct hid_wire wire;
+    struct poi_hid poi;
+    struct storage_sim storage;
+    struct hal hal;
+    struct kiosk kiosk;
+    uint32_t report_count;
+} rig, saved;
+
+/* A hand that goes round over the tank and dips now and then, with a tremor. */
+static void report(void)
+{
+    const float t = (float)rig.report_count * (float)REPORT_NS * 1e-9f;
+    const float down = f_smoothstep(0.2f, 0.6f, f_sin(2.1f * t));
+    const struct poi_report says = {
+        .target = { .position_m = v3(0.12f * f_sin(0.9f * t), 0.05f - 0.09f * down,
+                                     0.08f * f_cos(0.7f * t)),
+                    .angles = { .pitch_rad = 0.2f + 1e-3f * f_sin(40.0f * t) } },
+        .sequence = (uint8_t)rig.report_count,
+    };
+    uint8_t bytes[POI_REPORT_SIZE];
+    rig.clock.now_ns += REPORT_NS;
+    poi_report_encode(&says, bytes);
+    hid_port_sim_report(&rig.wire.port, bytes, sizeof bytes);
+    if (++rig.report_count % 2u == 0) {
+        assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
+    }
+}
+
+static void reports(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        report();
+    }
+}
+
+static const struct game *game(void)
+{
+    return &rig.kiosk.core.game;
+}
+
+static void pay(uint32_t coins)
+{
+    rig.kiosk.input.coin_count[0] += coins;
+    reports(4);
+}
+
+static int set_up(void **state)
+{
+    static const struct kiosk_config config = {
+        .core = { .seed = 5, .fish_count = 8, .round_s = 60, .grade = 4, .credit_coins = PRICE }
+    };
+    (void)state;
+    memset(&rig, 0, sizeof rig);
+    wire_begin(&rig.wire, &rig.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
+    rig.hal = null_hal();
+    rig.hal.clock = clock_sim_device(&rig.clock);
+    poi_hid_init(&rig.poi, hid_port_sim_port(&rig.wire.port), rig.hal.clock,
+                 (struct hid_mapper){ 0 }, &tank_preset(TANK_PRESET_FESTIVAL)->view);
+    rig.hal.poi[0] = poi_hid_device(&rig.poi);
+    rig.hal.storage = storage_sim_device(&rig.storage);
+    assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
+    reports(60);
+    pay(2u * PRICE); /* This round, and one that waits. */
+    rig.kiosk.input.pressed = INPUT_START;
+    while (game()->phase != PHASE_ROUND) {
+        report();
+        assert_true(rig.kiosk.core.tick < 10u * CORE_TICK_HZ);
+    }
+    reports(60);
+    assert_int_equal(purse_credits(&rig.kiosk.core), 1);
+    assert_int_equal(game()->paused, 0);
+    return 0;
+}
+
+static void pull_out(void)
+{
+    rig.wire.port.absent = 1;
+    rig.wire.port.unplug_at = rig.wire.port.said_count; /* Before the next report. */
+}
+
+static void put_in(void)
+{
+    rig.wire.port.absent = 0;
+    rig.wire.port.unplug_at = HID_SIM_NEVER;
+}
+
+/* Until the round goes on; in reports. */
+static uint32_t wait_for_the_round(void)
+{
+    uint32_t waited = 0;
+    while (game()->paused && game()->phase == PHASE_ROUND && waited < 1000u) {
+        report();
+        waited++;
+    }
+    return waited;
+}
+
+static void test_at_each_of_a_thousand_reports_the_round_waits_and_no_credit_is_lost(void **state)
+{
+    uint32_t slowest = 0, sum = 0, resumed = 0;
+    (void)state;
+    for (uint32_t i = 0; i < UNPLUGS; i++) {
+        saved = rig;
+        const uint32_t caught = game()->player[0].caught;
+        const float left_s = game_seconds_left(game(), rig.kiosk.core.tick);
+        pull_out();
+        reports(24);
+        assert_int_equal(game()->paused, 1);
+        assert_int_equal(game()->hints.shown, HINT_LOST_POI);
+        put_in();
+        const uint32_t waited = wait_for_the_round();
+        assert_int_equal(game()->phase, PHASE_ROUND);
+        assert_int_equal(game()->paused, 0);
+        assert_true(left_s - game_seconds_left(game(), rig.kiosk.core.tick) < 0.1f);
+        assert_int_equal(game()->player[0].caught, caught);
+        assert_int_equal(purse_credits(&rig.kiosk.core), 1);
+        assert_int_equal(purse_audit(&rig.kiosk.core, AUDIT_REFUNDS), 0);
+        slowest = waited > slowest ? waited : slowest;
+        sum += waited;
+        resumed++;
+        rig = saved;
+        report();
+    }
+    assert_int_equal(resumed, UNPLUGS);
+    assert_true(slowest <= 160u); /* A look a second, and a quarter of one to be believed. */
+    print_message("# %u unplugs: the round goes on %.2f s after the cable is in (mean), %.2f s at "
+                  "most; 0 credits lost\n",
+                  UNPLUGS, 1e-9 * (double)REPORT_NS * sum / UNPLUGS,
+                  1e-9 * (double)REPORT_NS * slowest);
+}
+
+static void test_a_cable_that_stays_out_ends_the_round_and_pays_it_back(void **state)
+{
+    (void)state;
+    pull_out();
+    reports(GAME_LOST_TICKS_MAX + 2u * CORE_TICK_HZ);
+    assert_true(game()->phase != PHASE_ROUND);
+    assert_int_equal(purse_credits(&rig.kiosk.core), 2);
+    assert_int_equal(purse_audit(&rig.kiosk.core, AUDIT_REFUNDS), 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(
+            test_at_each_of_a_thousand_reports_the_round_waits_and_no_credit_is_lost, set_up),
+        cmocka_unit_test_setup(test_a_cable_that_stays_out_ends_the_round_and_pays_it_back,
+                               set_up),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

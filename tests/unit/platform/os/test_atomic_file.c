@@ -1,0 +1,267 @@
+/* test_atomic_file.c -- a file is whole or not there, a PNG too. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
+
+#include "platform/ctl/lib/canvas.h"
+#include "platform/os/atomic_file.h"
+
+static char folder[] = "/tmp/kingyo_out_XXXXXX";
+static char path[64];
+
+static int set_up(void **state)
+{
+    (void)state;
+    snprintf(path, sizeof path, "%s/file", mkdtemp(folder));
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    unlink(path);
+    return rmdir(folder);
+}
+
+static int exists(const char *name)
+{
+    struct stat status;
+    return stat(name, &status) == 0;
+}
+
+/* A disk that is full after so many bytes. */
+static void limit_files(rlim_t size)
+{
+    struct rlimit limit;
+    signal(SIGXFSZ, SIG_IGN);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &limit), 0);
+    limit.rlim_cur = size;
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
+}
+
+static void write_much(FILE *file)
+{
+    static const char block[4096];
+    for (uint32_t i = 0; i < 64; i++) {
+        fwrite(block, 1, sizeof block, file);
+    }
+}
+
+static void test_what_was_written_is_there(void **state)
+{
+    (void)state;
+    struct atomic_file out;
+    struct stat status;
+    assert_int_equal(atomic_file_open(&out, path), 0);
+    write_much(out.file);
+    assert_int_equal(atomic_file_close(&out), 0);
+    assert_int_equal(stat(path, &status), 0);
+    assert_int_equal(status.st_size, 64 * 4096);
+    unlink(path);
+}
+
+static void test_half_a_file_is_removed(void **state)
+{
+    (void)state;
+    struct atomic_file out;
+    assert_int_equal(atomic_file_open(&out, path), 0);
+    limit_files(10000);
+    write_much(out.file);
+    const int error = atomic_file_close(&out);
+    limit_files(RLIM_INFINITY);
+    assert_int_equal(error, -EFBIG);
+    assert_false(exists(path));
+}
+
+/* All fits into the buffer: only closing finds out. */
+static void test_a_full_device_is_told_and_stays(void **state)
+{
+    (void)state;
+    struct atomic_file out;
+    assert_int_equal(atomic_file_open(&out, "/dev/full"), 0);
+    fputs("x", out.file);
+    assert_int_equal(atomic_file_close(&out), -ENOSPC);
+    assert_true(exists("/dev/full"));
+}
+
+static void test_a_file_that_cannot_be_opened_is_left_alone(void **state)
+{
+    (void)state;
+    struct atomic_file out;
+    char below[80];
+    assert_int_equal(atomic_file_open(&out, folder), -EISDIR);
+    assert_true(exists(folder));
+    snprintf(below, sizeof below, "%s/no/file", folder);
+    assert_int_equal(atomic_file_open(&out, below), -ENOENT);
+}
+
+static void test_half_a_picture_is_removed(void **state)
+{
+    (void)state;
+    struct canvas canvas;
+    assert_true(canvas_open(&canvas, 200, 200));
+    for (uint32_t i = 0; i < 200 * 200; i++) { /* Nothing that packs well. */
+        canvas.pixels[i].x = (float)(i * 2654435761u >> 8) / 16777216.0f;
+    }
+    limit_files(1000);
+    assert_int_equal(canvas_write_png(&canvas, path), -EFBIG);
+    limit_files(RLIM_INFINITY);
+    assert_false(exists(path));
+    assert_int_equal(canvas_write_png(&canvas, path), 0);
+    assert_true(exists(path));
+    canvas_close(&canvas);
+}
+
+/* ---- What is no plain file ------------------------------------------------------------------- */
+
+static mode_t kind_of(const char *name)
+{
+    struct stat status;
+    assert_int_equal(lstat(name, &status), 0);
+    return status.st_mode & S_IFMT;
+}
+
+static void write_words(const char *name, const char *words)
+{
+    FILE *file = fopen(name, "w");
+    assert_non_null(file);
+    fputs(words, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void reads(const char *name, const char *words)
+{
+    char is[64] = "";
+    FILE *file = fopen(name, "r");
+    assert_non_null(file);
+    assert_true(fread(is, 1, sizeof is - 1, file) == strlen(words));
+    fclose(file);
+    assert_string_equal(is, words);
+}
+
+static int write_new(int (*open_out)(struct atomic_file *, const char *), const char *name)
+{
+    struct atomic_file out;
+    const int error = open_out(&out, name);
+    if (error != 0) {
+        return error;
+    }
+    fputs("new", out.file);
+    return atomic_file_close(&out);
+}
+
+static void test_a_full_disk_leaves_the_file_that_was_there(void **state)
+{
+    (void)state;
+    struct atomic_file out;
+    write_words(path, "old");
+    assert_int_equal(chmod(path, 0640), 0);
+    assert_int_equal(atomic_file_open(&out, path), 0);
+    limit_files(10000);
+    write_much(out.file);
+    reads(path, "old");
+    const int error = atomic_file_close(&out);
+    limit_files(RLIM_INFINITY);
+    assert_int_equal(error, -EFBIG);
+    reads(path, "old");
+    assert_int_equal(write_new(atomic_file_open, path), 0);
+    reads(path, "new");
+    struct stat status;
+    assert_int_equal(stat(path, &status), 0);
+    assert_int_equal(status.st_mode & 0777, 0640);
+    unlink(path);
+}
+
+static void test_a_pipe_takes_what_is_written_and_stays(void **state)
+{
+    (void)state;
+    char is[8] = "";
+    assert_int_equal(mkfifo(path, 0600), 0);
+    assert_int_equal(write_new(atomic_file_open, path), -ENXIO); /* Nobody reads: no waiting. */
+    const int reader = open(path, O_RDONLY | O_NONBLOCK);
+    assert_true(reader >= 0);
+    assert_int_equal(write_new(atomic_file_open_durable, path), -ENOTSUP);
+    assert_int_equal(write_new(atomic_file_open, path), 0);
+    assert_int_equal(read(reader, is, sizeof is), 3);
+    assert_string_equal(is, "new");
+    close(reader);
+    assert_int_equal(kind_of(path), S_IFIFO);
+    unlink(path);
+}
+
+/* Whoever may make nodes sees whether one is replaced. */
+static void test_a_device_is_never_replaced(void **state)
+{
+    (void)state;
+    if (mknod(path, S_IFCHR | 0600, makedev(1, 7)) != 0) { /* A /dev/full of our own. */
+        skip();
+    }
+    const int fd = open(path, O_WRONLY | O_CLOEXEC);
+    const int opens = fd >= 0; /* Not where folders are mounted without devices. */
+    if (opens) {
+        close(fd);
+    }
+    assert_int_equal(write_new(atomic_file_open, path), opens ? -ENOSPC : -EACCES);
+    assert_int_equal(write_new(atomic_file_open_durable, path), -ENOTSUP);
+    assert_int_equal(kind_of(path), S_IFCHR);
+    unlink(path);
+    if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) { /* A disk takes nothing at all. */
+        assert_int_equal(write_new(atomic_file_open, path), -ENOTSUP);
+        assert_int_equal(kind_of(path), S_IFBLK);
+        unlink(path);
+    }
+}
+
+static void test_a_link_stays_one_and_leads_nowhere_new(void **state)
+{
+    (void)state;
+    char link[80], part[80];
+    snprintf(link, sizeof link, "%s/link", folder);
+    snprintf(part, sizeof part, "%s" ATOMIC_FILE_PART, path);
+    assert_int_equal(symlink(path, link), 0);
+    assert_int_equal(write_new(atomic_file_open, link), -ENOENT);
+    assert_int_equal(write_new(atomic_file_open_durable, link), -ENOENT);
+    assert_false(exists(path));
+    write_words(path, "old");
+    assert_int_equal(write_new(atomic_file_open, link), 0);
+    assert_int_equal(kind_of(link), S_IFLNK);
+    reads(path, "new");
+    /* A link where the part is to be is no way to another's file. */
+    unlink(link);
+    write_words(link, "theirs");
+    assert_int_equal(symlink(link, part), 0);
+    assert_int_equal(write_new(atomic_file_open_durable, path), 0);
+    reads(link, "theirs");
+    reads(path, "new");
+    assert_false(exists(part));
+    unlink(link);
+    unlink(path);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_was_written_is_there),
+        cmocka_unit_test(test_half_a_file_is_removed),
+        cmocka_unit_test(test_a_full_device_is_told_and_stays),
+        cmocka_unit_test(test_a_file_that_cannot_be_opened_is_left_alone),
+        cmocka_unit_test(test_half_a_picture_is_removed),
+        cmocka_unit_test(test_a_full_disk_leaves_the_file_that_was_there),
+        cmocka_unit_test(test_a_pipe_takes_what_is_written_and_stays),
+        cmocka_unit_test(test_a_device_is_never_replaced),
+        cmocka_unit_test(test_a_link_stays_one_and_leads_nowhere_new),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

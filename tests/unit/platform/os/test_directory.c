@@ -1,0 +1,80 @@
+/* test_directory.c -- folders are made where they can be, and the reason is told where not. */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <cmocka.h>
+
+#include "platform/os/directory.h"
+
+static char root[] = "/tmp/kingyo-folder-XXXXXX";
+
+static int make_root(void **state)
+{
+    (void)state;
+    return mkdtemp(root) ? 0 : -1;
+}
+
+static int remove_root(void **state)
+{
+    char command[64];
+    (void)state;
+    snprintf(command, sizeof command, "rm -rf %s", root);
+    return system(command);
+}
+
+static int make_below(const char *name)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", root, name);
+    return directory_make(path);
+}
+
+static void test_all_folders_on_the_way_are_made_and_twice_is_no_harm(void **state)
+{
+    char path[128];
+    struct stat status;
+    (void)state;
+    assert_int_equal(make_below("a/b/c"), 0);
+    assert_int_equal(make_below("a/b/c/"), 0);
+    snprintf(path, sizeof path, "%s/a/b/c", root);
+    assert_int_equal(stat(path, &status), 0);
+    assert_true(S_ISDIR(status.st_mode));
+}
+
+static void test_a_file_in_the_way_is_told(void **state)
+{
+    char path[128];
+    (void)state;
+    snprintf(path, sizeof path, "%s/file", root);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fclose(file);
+    assert_int_equal(make_below("file"), -ENOTDIR);
+    assert_int_equal(make_below("file/below"), -ENOTDIR);
+}
+
+static void test_a_path_of_no_or_too_many_bytes_is_refused(void **state)
+{
+    static char path[DIRECTORY_PATH_MAX + 1];
+    (void)state;
+    assert_int_equal(directory_make(""), -ENOENT);
+    memset(path, 'a', DIRECTORY_PATH_MAX);
+    assert_int_equal(directory_make(path), -ENAMETOOLONG);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_folders_on_the_way_are_made_and_twice_is_no_harm),
+        cmocka_unit_test(test_a_file_in_the_way_is_told),
+        cmocka_unit_test(test_a_path_of_no_or_too_many_bytes_is_refused),
+    };
+    return cmocka_run_group_tests(tests, make_root, remove_root);
+}

@@ -1,0 +1,410 @@
+/* test_display_gl.c -- the real display without a screen: events, sizes, sockets and limits, and
+ * how the picture lies on the screen. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "core/game/lab/album.h"
+#include "core/game/menu/menu.h"
+#include "platform/render/display_gl.h"
+#include "tests/unit/support/display_stand.h"
+
+static bool is_minimised;
+
+/* In SDL's place: its offscreen driver minimises nothing. */
+void SDL_GL_GetDrawableSize(SDL_Window *window, int *width, int *height)
+{
+    SDL_GetWindowSize(window, width, height);
+    if (is_minimised) {
+        *width = *height = 0;
+    }
+}
+
+static void test_it_says_what_draws_and_how_finely(void **state)
+{
+    (void)state;
+    assert_non_null(strstr(device.ops->describe(device.self), "OpenGL ES 3"));
+    assert_non_null(strstr(device.ops->describe(device.self), "320x180, scene "));
+}
+
+static void test_the_same_scene_is_the_same_picture(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+static void test_a_picture_needs_a_frame_and_room(void **state)
+{
+    (void)state;
+    struct hal_image image = { .rgb = pixels[0], .size = PIXELS_SIZE };
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_ERR_IO);
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    image.size = PIXELS_SIZE - 1u;
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_ERR_IO);
+    image.size = PIXELS_SIZE;
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+}
+
+static void test_it_takes_quit_and_leaves_other_devices_their_events(void **state)
+{
+    (void)state;
+    struct display_events events;
+    SDL_Event event = { .type = SDL_MOUSEMOTION };
+    SDL_PushEvent(&event);
+    event.type = SDL_KEYDOWN;
+    SDL_PushEvent(&event);
+    assert_int_equal(device.ops->poll(device.self, &events), HAL_OK);
+    assert_int_equal(events.quit, 0);
+    event.type = SDL_QUIT;
+    SDL_PushEvent(&event);
+    assert_int_equal(device.ops->poll(device.self, &events), HAL_OK);
+    assert_int_equal(events.quit, 1);
+    assert_int_equal(events.lost, 0);
+    assert_true(SDL_HasEvent(SDL_MOUSEMOTION));
+    assert_true(SDL_HasEvent(SDL_KEYDOWN));
+    SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
+}
+
+static void test_the_picture_follows_the_size_of_the_window(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    SDL_SetWindowSize(display.window, 200, 160);
+    struct hal_image image = { .rgb = pixels[1], .size = PIXELS_SIZE };
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+    assert_int_equal(image.width, 200);
+    assert_int_equal(image.height, 160);
+    assert_non_null(strstr(device.ops->describe(device.self), "200x160"));
+}
+
+/* As a window manager does that ignores the smallest size. */
+static void test_a_window_of_a_few_pixels_is_drawn_into(void **state)
+{
+    (void)state;
+    static const int sides[][2] = { { 1, 1 }, { 3, 200 }, { 200, 3 }, { 8, 8 } };
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_ROUND, PHASE_MENU };
+    alarm(60);
+    for (uint32_t i = 0; i < 12u; i++) {
+        SDL_SetWindowSize(display.window, sides[i % 4u][0], sides[i % 4u][1]);
+        scene.phase = phases[i / 4u];
+        scene.menu.page = MENU_CARD;
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+        assert_int_equal(glGetError(), GL_NO_ERROR);
+    }
+    alarm(0);
+}
+
+static uint32_t steps_drawn;
+
+static void count_step(void *context, enum render_step step)
+{
+    (void)context;
+    (void)step;
+    steps_drawn++;
+}
+
+static void test_on_demand_only_what_becomes_a_picture_is_drawn(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    display.config.on_demand = true;
+    display.renderer.on_step = count_step;
+    for (uint32_t i = 0; i < 50u; i++) {
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    }
+    assert_int_equal(steps_drawn, 0);
+    picture(pixels[1]);
+    assert_true(steps_drawn > 0);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+/* A hint is faded in from the frame in which it appeared, drawn or not. */
+static void test_a_picture_on_demand_shows_the_hint_of_the_frames_before(void **state)
+{
+    (void)state;
+    scene.phase = PHASE_ROUND;
+    scene.hint = HINT_TORN;
+    for (uint32_t way = 0; way < 2u; way++) {
+        display.renderer.ui.memory.hint = HINT_NONE;
+        display.config.on_demand = way != 0;
+        scene.tick = 1000;
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+        scene.tick = 1000 + CORE_TICK_HZ;
+        picture(pixels[way]);
+    }
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+#define SIDE HEIGHT /* Of a square screen: SDL's offscreen surface keeps its first size. */
+
+/* A point of a square picture, where it is after that many quarter turns clockwise. */
+static uint32_t turned_at(uint32_t rotation, uint32_t x, uint32_t y)
+{
+    for (uint32_t i = 0; i < rotation; i++) {
+        const uint32_t left = x;
+        x = SIDE - 1u - y;
+        y = left;
+    }
+    return (y * SIDE + x) * 3u;
+}
+
+static void square(uint8_t rgb[PIXELS_SIZE], uint32_t rotation)
+{
+    struct hal_image image = { .rgb = rgb, .size = PIXELS_SIZE };
+    device.ops->set_transform(device.self,
+                              &(struct display_settings){ .rotation = rotation, .light = 1.0f });
+    for (uint32_t i = 0; i < 20u; i++) { /* Until the album's paint is fine. */
+        assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
+    }
+    assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
+    assert_int_equal(image.width, SIDE);
+}
+
+/* The whole of what there is: tank, words, a fish on the album's page. */
+static void show_turned(uint8_t phase, uint32_t rotation)
+{
+    uint64_t sum = 0;
+    scene.phase = phase;
+    square(pixels[0], 0);
+    square(pixels[1], rotation);
+    for (uint32_t i = 0; i < SIDE * SIDE * 3u; i++) {
+        const uint32_t at = i / 3u;
+        const int32_t a = pixels[0][i];
+        const int32_t b = pixels[1][turned_at(rotation, at % SIDE, at / SIDE) + i % 3u];
+        sum += (uint64_t)(a > b ? a - b : b - a);
+    }
+    const float mean = (float)sum / (float)(SIDE * SIDE * 3u);
+    print_message("phase %u, %u quarters: mean difference %.2f of 255\n", phase, rotation,
+                  (double)mean);
+    assert_true(mean < 1.5f);
+}
+
+static void test_a_turned_picture_is_the_same_picture_turned(void **state)
+{
+    (void)state;
+    static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_ALBUM };
+    core.tank.fish[0].gait = GAIT_BOWL;
+    core.tank.fish[0].holder = 0;
+    album_clear(&core.game.album);
+    album_note(&core, 0, 1);
+    core.game.phase = PHASE_ALBUM;
+    core_scene(&core, &scene);
+    scene.phase_s = 5.0f;
+    memset(scene.slope[RIPPLE_Z / 2], 100, sizeof scene.slope[0]); /* Waves bend the floor. */
+    SDL_SetWindowSize(display.window, (int)SIDE, (int)SIDE);
+    for (uint32_t i = 0; i < 3u * sizeof phases; i++) {
+        show_turned(phases[i / 3u], 1u + i % 3u);
+    }
+}
+
+static void test_a_screen_is_upright_as_its_picture_is(void **state)
+{
+    (void)state;
+    struct display_events events;
+    for (uint32_t rotation = 0; rotation < 4; rotation++) {
+        device.ops->set_transform(
+            device.self, &(struct display_settings){ .rotation = rotation, .light = 1.0f });
+        assert_int_equal(device.ops->poll(device.self, &events), HAL_OK);
+        assert_int_equal(events.upright, rotation & 1u);
+    }
+}
+
+static void test_beside_the_picture_the_screen_is_black(void **state)
+{
+    (void)state;
+    const struct display_settings inset = { .inset_x = 0.1f, .inset_y = 0.2f, .light = 1.0f };
+    device.ops->set_transform(device.self, &inset);
+    picture(pixels[0]);
+    uint32_t lit = 0;
+    for (uint32_t y = 0; y < HEIGHT; y++) {
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            const uint8_t *pixel = pixels[0] + (y * WIDTH + x) * 3u;
+            const int is_inside = x >= 32u && x < WIDTH - 32u && y >= 36u && y < HEIGHT - 36u;
+            lit += is_inside && pixel[0] + pixel[1] + pixel[2] > 0;
+            assert_true(is_inside || pixel[0] + pixel[1] + pixel[2] == 0);
+        }
+    }
+    assert_true(lit > 256u * 108u * 9u / 10u);
+}
+
+static void test_half_the_light_is_half_of_each_colour_and_none_is_black(void **state)
+{
+    (void)state;
+    device.ops->set_transform(device.self, &(struct display_settings){ .light = 1.0f });
+    picture(pixels[0]);
+    device.ops->set_transform(device.self, &(struct display_settings){ .light = 0.5f });
+    picture(pixels[1]);
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        assert_in_range(pixels[1][i] + 2 - pixels[0][i] / 2, 0, 4);
+    }
+    device.ops->set_transform(device.self, &(struct display_settings){ .light = 0.0f });
+    picture(pixels[1]);
+    for (uint32_t i = 0; i < PIXELS_SIZE; i++) {
+        assert_int_equal(pixels[1][i], 0);
+    }
+}
+
+static void test_it_takes_every_pixel_of_a_dense_screen(void **state)
+{
+    (void)state;
+    assert_true(SDL_GetWindowFlags(display.window) & SDL_WINDOW_ALLOW_HIGHDPI);
+}
+
+static void test_a_minimised_window_is_asked_again_and_no_fault(void **state)
+{
+    (void)state;
+    picture(pixels[0]);
+    is_minimised = true;
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_BUSY);
+    is_minimised = false;
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+static uint32_t ends;
+
+static void count_end(void *context)
+{
+    (void)context;
+    ends++;
+}
+
+static void test_a_driver_that_resets_is_gone_and_opened_again_as_it_was(void **state)
+{
+    (void)state;
+    struct display_events events;
+    ends = 0;
+    display_gl_on_lost(&display, count_end, NULL);
+    device.ops->set_transform(device.self,
+                              &(struct display_settings){ .rotation = 2, .light = 1.0f });
+    picture(pixels[0]);
+    gl_fail(&display.renderer.status, "as if the driver had reset");
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
+    assert_int_equal(device.ops->poll(device.self, &events), HAL_ERR_GONE);
+    assert_int_equal(events.lost, 0); /* Not for good. */
+    assert_int_equal(ends, 0);
+    assert_non_null(strstr(device.ops->describe(device.self), "as if the driver had reset"));
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+}
+
+/* A socket of a card that is made of files. */
+static void plug(const char *folder, const char *socket, const char *status)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, socket);
+    mkdir(path, 0700);
+    snprintf(path, sizeof path, "%s/%s/status", folder, socket);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(status, file);
+    fclose(file);
+}
+
+static void unmake(const char *folder)
+{
+    char command[128];
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    assert_int_equal(system(command), 0);
+}
+
+static void test_only_sockets_with_a_screen_count(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/kingyo-drm-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(connectors_read("/nonexistent").count, 0);
+    plug(folder, "renderD128", "connected\n");
+    plug(folder, "card1", "connected\n");
+    plug(folder, "card1-Writeback-1", "unknown\n");
+    plug(folder, "card1-HDMI-A-1", "disconnected\n");
+    plug(folder, "card1-HDMI-A-2", "connected\n");
+    const struct connectors one = connectors_read(folder);
+    assert_int_equal(one.count, 2);
+    assert_int_equal(one.connected, 1);
+    plug(folder, "card1-HDMI-A-1", "connected\n");
+    plug(folder, "card1-HDMI-A-2", "disconnected\n");
+    const struct connectors other = connectors_read(folder);
+    assert_int_equal(other.connected, 1);
+    assert_true(one.which != other.which);
+    unmake(folder);
+}
+
+/* Polls as if a second had passed since it looked. */
+static int look(struct display_events *events)
+{
+    display.looked_ns -= 2000000000ull;
+    return device.ops->poll(device.self, events);
+}
+
+/* As on a card without a window system; what draws is off screen all the same. */
+static void test_a_screen_that_is_pulled_out_is_gone_until_it_is_back(void **state)
+{
+    (void)state;
+    struct display_events events;
+    char folder[] = "/tmp/kingyo-drm-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    plug(folder, "card0-HDMI-A-1", "connected\n");
+    display.config.sockets = folder;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    display.is_bare = true;
+    picture(pixels[0]);
+    assert_int_equal(look(&events), HAL_OK);
+    plug(folder, "card0-HDMI-A-1", "disconnected\n");
+    assert_int_equal(look(&events), HAL_OK); /* It may have wobbled. */
+    plug(folder, "card0-HDMI-A-1", "connected\n");
+    assert_int_equal(look(&events), HAL_OK);
+    plug(folder, "card0-HDMI-A-1", "disconnected\n");
+    assert_int_equal(look(&events), HAL_OK);
+    assert_int_equal(look(&events), HAL_ERR_GONE);
+    assert_int_equal(events.lost, 0);
+    assert_non_null(strstr(device.ops->describe(device.self), "pulled out"));
+    assert_int_equal(device.ops->present(device.self, &scene), HAL_ERR_GONE);
+    setenv("SDL_VIDEODRIVER", "kmsdrm", 1);
+    display.config.off_screen = false;
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_GONE); /* SDL is not even asked. */
+    assert_non_null(strstr(device.ops->describe(device.self), "none is plugged in"));
+    unsetenv("SDL_VIDEODRIVER");
+    display.config.off_screen = true;
+    plug(folder, "card0-HDMI-A-1", "connected\n");
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    picture(pixels[1]);
+    assert_memory_equal(pixels[0], pixels[1], PIXELS_SIZE);
+    unmake(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        WITH_DISPLAY(test_it_says_what_draws_and_how_finely),
+        WITH_DISPLAY(test_the_same_scene_is_the_same_picture),
+        WITH_DISPLAY(test_a_picture_needs_a_frame_and_room),
+        WITH_DISPLAY(test_it_takes_quit_and_leaves_other_devices_their_events),
+        WITH_DISPLAY(test_the_picture_follows_the_size_of_the_window),
+        WITH_DISPLAY(test_a_window_of_a_few_pixels_is_drawn_into),
+        WITH_DISPLAY(test_on_demand_only_what_becomes_a_picture_is_drawn),
+        WITH_DISPLAY(test_a_picture_on_demand_shows_the_hint_of_the_frames_before),
+        WITH_DISPLAY(test_a_turned_picture_is_the_same_picture_turned),
+        WITH_DISPLAY(test_a_screen_is_upright_as_its_picture_is),
+        WITH_DISPLAY(test_beside_the_picture_the_screen_is_black),
+        WITH_DISPLAY(test_half_the_light_is_half_of_each_colour_and_none_is_black),
+        WITH_DISPLAY(test_it_takes_every_pixel_of_a_dense_screen),
+        WITH_DISPLAY(test_a_minimised_window_is_asked_again_and_no_fault),
+        WITH_DISPLAY(test_a_driver_that_resets_is_gone_and_opened_again_as_it_was),
+        cmocka_unit_test(test_only_sockets_with_a_screen_count),
+        WITH_DISPLAY(test_a_screen_that_is_pulled_out_is_gone_until_it_is_back),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

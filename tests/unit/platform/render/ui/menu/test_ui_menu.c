@@ -1,0 +1,549 @@
+/* test_ui_menu.c -- the operator's menu as it is drawn: all of it on the screen and read from a
+ * metre, in both languages, whatever the screen. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "core/game/menu/menu_pages.h"
+#include "platform/render/ui/menu/ui_menu.h"
+#include "platform/render/ui/ui_screens.h"
+#include "tests/unit/support/glyphs.h"
+
+#define ROUNDING_PX 0.6f
+
+static const struct { float width, height; } sizes[] = {
+    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 }, { 1080, 1920 }, { 1024, 768 },
+    { 640, 360 }, { 480, 800 }, { 3440, 1440 },
+};
+#define SIZE_COUNT (sizeof sizes / sizeof *sizes)
+
+static struct scene scene;
+static struct ui_batch batch;
+static struct ui_memory memory;
+
+/* A page with everything on it that there can be, the longest names first. */
+static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
+{
+    memset(&scene, 0, sizeof scene);
+    scene.tick = 1000;
+    scene.phase = PHASE_MENU;
+    scene.phase_s = 3.0f;
+    scene.language = language;
+    struct scene_menu *menu = &scene.menu;
+    *menu = (struct scene_menu){ .page = page, .tags = tags, .upright = (uint8_t)upright,
+                                 .row = 1, .held = 0x155u, .test_coins = 9999,
+                                 .coin_s = 0.1f, .has_hand = 1, .presses = 1,
+                                 .x = 400.0f, .y = 300.0f };
+    settings_reset(&menu->settings);
+    menu->fish_max = 2048u;
+    menu->chosen = 0;
+    menu->from = MENU_HOURS;
+    menu->pin = 9999;
+    menu->pin_count = MENU_PIN_DIGITS;
+    menu->pin_wait_s = 160.0f;
+    menu->boot = 9999u;
+    menu->last_id = menu->saved_id = 999999u;
+    for (uint32_t i = 0; i < SCENE_AUDIT_MAX; i++) {
+        menu->audit[i] = 99999u; /* Nine years of thirty plays a day. */
+    }
+    memset(scene.devices.about, 'W', sizeof scene.devices.about);
+    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
+        scene.devices.about[i][SCENE_LINE_SIZE - 1u] = 0;
+    }
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        scene.devices.axes[i] = (struct scene_axes){ POI_SOURCE_LIVE,
+                                                     { -99.0f, 99.0f, NAN },
+                                                     { 1000.0f, -1000.0f, INFINITY },
+                                                     4294967295u,
+                                                     INFINITY };
+    }
+    scene.credit = (struct scene_credit){ .price = 20, .credits = 4294967295u, .coin_s = 0.1f };
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        menu->controllers.state[i] = (uint8_t)(i % CONTROLLER_STATE_COUNT);
+        memset(scene.devices.controller[i], 'W', SCENE_NAME_SIZE - 1u);
+    }
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        menu->pressed_count[i] = MENU_COUNT_MAX;
+    }
+    memset(scene.devices.lines, 'm', SCENE_LINE_SIZE - 1u);
+    memset(scene.devices.controllers, 'm', SCENE_LINE_SIZE - 1u);
+    scene.devices.button_faults = 4294967295u;
+    memset(scene.devices.line, 0xff, sizeof scene.devices.line);
+    menu->controllers.file_count = UINT8_MAX;
+    menu->file_first = 160;
+    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
+        scene.devices.file[i].state = (uint8_t)(i % FILE_STATE_COUNT);
+        memset(scene.devices.file[i].name, 'W', SCENE_FILE_SIZE - 1u);
+        memset(scene.devices.file[i].words, 'W', SCENE_LINE_SIZE - 1u);
+    }
+}
+
+static void lay_out(uint32_t size)
+{
+    memory = (struct ui_memory){ 0 };
+    ui_screens(&batch, &memory, &scene, sizes[size].width, sizes[size].height);
+    assert_int_equal(batch.dropped_count, 0);
+    assert_int_equal(batch.unbaked_count, 0);
+    assert_true(batch.quad_count > 0);
+}
+
+static void expect_inside(uint32_t size)
+{
+    for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
+        const struct ui_vertex *v = &batch.vertices[i];
+        if (batch.kinds[i / 4u] != UI_GLOW &&
+            (v->x < -ROUNDING_PX || v->y < -ROUNDING_PX || v->x > sizes[size].width + ROUNDING_PX ||
+             v->y > sizes[size].height + ROUNDING_PX)) {
+            fail_msg("page %d step %d language %d on %gx%g: quad %u of kind %d reaches %.1f,%.1f",
+                     scene.menu.page, scene.menu.controllers.learn_step, scene.language,
+                     (double)sizes[size].width, (double)sizes[size].height, i / 4u,
+                     batch.kinds[i / 4u], (double)v->x, (double)v->y);
+        }
+    }
+}
+
+static int is_upright(uint32_t size)
+{
+    return sizes[size].width < POINTER_UPRIGHT_ASPECT * sizes[size].height;
+}
+
+static void test_nothing_leaves_the_screen_on_any_page(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * MENU_PAGE_COUNT * LANGUAGE_COUNT; k++) {
+        const uint32_t size = k % SIZE_COUNT;
+        const uint8_t page = (uint8_t)(k / SIZE_COUNT % MENU_PAGE_COUNT);
+        const uint32_t all = (1u << menu_tag_count(page)) - 1u;
+        const uint32_t last = (all + 1u) / 2u;
+        for (uint8_t step = 0; step < LEARN_STEP_COUNT; step++) {
+            for (uint32_t bare = 0; bare < 2u; bare++) {
+                set_page(page, (uint16_t)(bare ? last : all),
+                         (uint8_t)(k / (SIZE_COUNT * MENU_PAGE_COUNT)), is_upright(size));
+                scene.menu.controllers.learn_step = step;
+                memset(scene.menu.audit, 0xff, sizeof scene.menu.audit);
+                scene.tick += 37u * step; /* Another moment of what moves. */
+                lay_out(size);
+                expect_inside(size);
+            }
+        }
+    }
+}
+
+/* A 24 inch screen is 30 cm high: 2.4 % of it is a letter of 7 mm, 25 minutes of arc from a metre.
+ * The lines that name devices shrink to their room, and are for who stands before it; the letters
+ * of the test card are looked at from near, and not read. */
+static void test_every_word_is_read_from_a_metre(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < MENU_PAGE_COUNT * LANGUAGE_COUNT * LEARN_STEP_COUNT; k++) {
+        const uint8_t page = (uint8_t)(k % MENU_PAGE_COUNT);
+        const uint32_t all = (1u << menu_tag_count(page)) - 1u;
+        set_page(page, (uint16_t)all, (uint8_t)(k / MENU_PAGE_COUNT % LANGUAGE_COUNT), 0);
+        scene.menu.controllers.learn_step = (uint8_t)(k / (MENU_PAGE_COUNT * LANGUAGE_COUNT));
+        memset(&scene.devices, 0, sizeof scene.devices);
+        snprintf(scene.devices.controller[1], SCENE_NAME_SIZE, "054c:09cc Wireless Controller");
+        lay_out(0);
+        for (uint32_t i = 0; i < batch.quad_count && page != MENU_CARD; i++) {
+            if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 0.024f * 720.0f) {
+                fail_msg("page %d step %d language %d: letter %u is %.1f px", page,
+                         scene.menu.controllers.learn_step, scene.language, i,
+                         (double)glyph_em_px(&batch, i));
+            }
+        }
+    }
+}
+
+static uint32_t count_kind(enum ui_kind kind)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        count += batch.kinds[i] == kind;
+    }
+    return count;
+}
+
+static void test_a_board_is_drawn_for_each_controller_that_is_there(void **state)
+{
+    (void)state;
+    uint32_t before = 0;
+    for (uint32_t there = 0; there <= CONTROLLER_MAX; there++) {
+        set_page(MENU_CONTROLLERS, (uint16_t)(1u << ROWS_BACK | ((1u << there) - 1u)), 0, 0);
+        lay_out(0);
+        const uint32_t boards = count_kind(UI_WOOD);
+        assert_int_equal(boards, there + 1u); /* And the way back. */
+        assert_true(there == 0 || boards > before);
+        before = boards;
+    }
+}
+
+static void test_with_none_plugged_in_the_reason_is_shown(void **state)
+{
+    (void)state;
+    set_page(MENU_CONTROLLERS, 1u << ROWS_BACK, LANGUAGE_EN, 0);
+    scene.devices.controllers[0] = 0;
+    lay_out(0);
+    const uint32_t without = count_kind(UI_GLYPH);
+    snprintf(scene.devices.controllers, SCENE_LINE_SIZE, "no libusb in this build");
+    lay_out(0);
+    assert_int_equal(count_kind(UI_GLYPH), without + 19u); /* Its letters; spaces are no quads. */
+}
+
+/* As long as a writer of reasons can make one, in letters and gaps as words have them. */
+static uint32_t set_reason(const char *name)
+{
+    static const char words[] = "curve 2: knot 5: its weights sum to 1.250000; ";
+    char *out = scene.devices.file[0].words;
+    uint32_t letters = 0;
+    for (uint32_t i = 0; i < SCENE_LINE_SIZE - 1u; i++) {
+        out[i] = words[i % (sizeof words - 1u)];
+        letters += out[i] != ' ';
+    }
+    snprintf(scene.devices.file[0].name, SCENE_FILE_SIZE, "%s", name);
+    scene.devices.file[0].state = FILE_REFUSED;
+    return letters;
+}
+
+static void test_the_longest_reason_is_read_whole_however_the_screen_stands(void **state)
+{
+    (void)state;
+    for (uint32_t size = 0; size < SIZE_COUNT; size++) {
+        const int upright = is_upright(size);
+        const float unit = upright ? sizes[size].width / 854.0f
+                                   : fminf(sizes[size].width / 1280.0f,
+                                           sizes[size].height / 720.0f);
+        set_page(MENU_FILES, 1u << FILES_BACK, LANGUAGE_EN, upright);
+        memset(&scene.devices, 0, sizeof scene.devices);
+        scene.menu.controllers.file_count = 2;
+        scene.menu.file_first = 1;
+        snprintf(scene.devices.file[0].name, SCENE_FILE_SIZE, "x");
+        scene.devices.file[0].state = FILE_REFUSED;
+        lay_out(size);
+        const uint32_t without = count_kind(UI_GLYPH);
+        const uint32_t letters = set_reason("x");
+        lay_out(size);
+        assert_int_equal(count_kind(UI_GLYPH), without + letters);
+        expect_inside(size);
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 21.9f * unit) {
+                fail_msg("on %gx%g letter %u shrank to %.1f units", (double)sizes[size].width,
+                         (double)sizes[size].height, i, (double)(glyph_em_px(&batch, i) / unit));
+            }
+        }
+    }
+}
+
+static void test_a_slip_is_drawn_for_each_row_that_there_is(void **state)
+{
+    (void)state;
+    for (uint32_t count = 0; count <= 2u * SCENE_FILE_MAX; count++) {
+        for (int upright = 0; upright < 2; upright++) {
+            const uint32_t shown = menu_files_shown(upright);
+            set_page(MENU_FILES, 1u << FILES_BACK, LANGUAGE_JA, upright);
+            scene.menu.controllers.file_count = (uint8_t)count;
+            scene.menu.file_first = (uint8_t)(count > shown ? shown : 0u);
+            const uint32_t left = count - scene.menu.file_first;
+            lay_out(upright ? 4 : 0);
+            assert_int_equal(count_kind(UI_WASHI), left < shown ? left : shown);
+        }
+    }
+}
+
+/* Brightness of a button's lamp: that of the round panel. */
+static uint32_t lit_lamps(void)
+{
+    uint32_t lit = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct ui_vertex *v = &batch.vertices[i * 4u];
+        lit += batch.kinds[i] == UI_PANEL && v->fill[0] == 0xff && v->fill[1] == 0xd0;
+    }
+    return lit;
+}
+
+static void test_a_lamp_is_lit_for_each_button_that_is_held(void **state)
+{
+    (void)state;
+    uint32_t held = 0;
+    for (uint32_t i = 0; i <= INPUT_BUTTON_COUNT; i++) {
+        set_page(MENU_LINES, 1u, LANGUAGE_JA, 0);
+        scene.menu.coin_s = 60.0f;
+        scene.menu.held = held;
+        lay_out(0);
+        assert_int_equal(lit_lamps(), i);
+        held = held << 1 | 1u;
+    }
+    scene.menu.coin_s = 0.0f; /* One falls just now. */
+    lay_out(0);
+    assert_int_equal(lit_lamps(), INPUT_BUTTON_COUNT + 1u);
+}
+
+static uint32_t count_fill(uint8_t red, uint8_t green)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < batch.quad_count; i++) {
+        const struct ui_vertex *v = &batch.vertices[i * 4u];
+        count += batch.kinds[i] == UI_PANEL && v->fill[0] == red && v->fill[1] == green;
+    }
+    return count;
+}
+
+static void test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i <= INPUT_BUTTON_COUNT; i++) {
+        for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+            set_page(MENU_LINES, 1u, language, i & 1u);
+            lay_out(i & 1u ? 4 : 0);
+            assert_int_equal(count_fill(0xb3, 0x26), 0);
+            const uint32_t lamps = lit_lamps() + count_fill(0x3a, 0x2a);
+            scene.devices.buttons_missing = 1u << i;
+            lay_out(i & 1u ? 4 : 0);
+            assert_int_equal(count_fill(0xb3, 0x26), 1);
+            assert_int_equal(lit_lamps() + count_fill(0x3a, 0x2a), lamps - 1u);
+        }
+    }
+}
+
+static void test_the_state_of_the_lines_is_read_whole_from_a_metre(void **state)
+{
+    (void)state;
+    for (int upright = 0; upright < 2; upright++) {
+        const float unit = upright ? 1080.0f / 854.0f : 1.0f;
+        set_page(MENU_LINES, 1u, LANGUAGE_EN, upright);
+        scene.devices.lines[0] = 0;
+        scene.devices.button_faults = 12;
+        lay_out(upright ? 4 : 0);
+        const uint32_t without = count_kind(UI_GLYPH);
+        snprintf(scene.devices.lines, SCENE_LINE_SIZE,
+                 "libgpiod 1.6.3: 0 of 3 lines; no start, coin, start-lamp (BTN_START: there is no "
+                 "GPIO chip in /dev)");
+        lay_out(upright ? 4 : 0);
+        assert_int_equal(count_kind(UI_GLYPH), without + 82u); /* Spaces are no quads. */
+        for (uint32_t i = 0; i < batch.quad_count; i++) {
+            if (batch.kinds[i] == UI_GLYPH && glyph_em_px(&batch, i) < 21.0f * unit) {
+                fail_msg("letter %u is %.1f units", i, (double)(glyph_em_px(&batch, i) / unit));
+            }
+        }
+    }
+}
+
+/* A window manager may ignore the smallest window. Its size may be no multiple of anything. */
+static void test_every_page_is_laid_out_in_a_window_of_any_size(void **state)
+{
+    (void)state;
+    static const float sides[] = { 1.0f, 2.0f, 8.0f, 17.0f, 240.0f, 8192.0f };
+    const uint32_t count = sizeof sides / sizeof sides[0];
+    alarm(30); /* A step of 0 never ends. */
+    for (uint32_t k = 0; k < count * count * MENU_PAGE_COUNT; k++) {
+        const float width = sides[k % count], height = sides[k / count % count];
+        set_page((uint8_t)(k / (count * count)), 0xffffu, LANGUAGE_EN, width < height);
+        ui_screens(&batch, &memory, &scene, width, height);
+        assert_int_equal(batch.dropped_count, 0);
+    }
+    for (uint8_t phase = 0; phase <= PHASE_LEADERBOARD; phase++) {
+        /* The lab is left out because its screen needs a fish. */
+        for (uint32_t k = 0; k < count * count && phase != PHASE_LAB; k++) {
+            scene.phase = phase;
+            ui_screens(&batch, &memory, &scene, sides[k % count], sides[k / count]);
+            assert_int_equal(batch.dropped_count, 0);
+        }
+    }
+    alarm(0);
+}
+
+static void test_in_a_round_the_question_is_read_over_the_tank(void **state)
+{
+    (void)state;
+    memset(&scene, 0, sizeof scene);
+    scene.phase = PHASE_ROUND;
+    scene.phase_s = 20.0f;
+    scene.seconds_left = 30.0f;
+    lay_out(0);
+    const uint32_t without = count_kind(UI_GLYPH);
+    scene.asks_menu = scene.asks_quit = 1;
+    for (uint32_t size = 0; size < SIZE_COUNT; size++) {
+        lay_out(size);
+        expect_inside(size);
+    }
+    lay_out(0);
+    assert_true(count_kind(UI_GLYPH) > without + 15u);
+}
+
+/* The plate of what colours on the paper mean is 256 units wide and 18 from the right edge, and
+ * reaches 204 units down. */
+static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT; k++) {
+        const uint32_t size = k % SIZE_COUNT;
+        const float width = sizes[size].width;
+        const float unit = fminf(sizes[size].height / 720.0f, width / 860.0f);
+        const float left = width - 274.0f * unit, y = 0.215f * sizes[size].height;
+        if (y > 240.0f * unit) {
+            continue; /* An upright screen: it lies below the plates. */
+        }
+        memset(&scene, 0, sizeof scene);
+        scene.phase = PHASE_ROUND;
+        scene.phase_s = 20.0f;
+        scene.language = (uint8_t)(k / SIZE_COUNT);
+        scene.asks_menu = 1;
+        lay_out(size);
+        for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
+            const struct ui_vertex *v = &batch.vertices[i];
+            if (batch.kinds[i / 4u] == UI_GLYPH && fabsf(v->y - y) < 20.0f * unit &&
+                v->x > left) {
+                fail_msg("language %d on %gx%g: a letter at %.1f of %.1f", scene.language,
+                         (double)width, (double)sizes[size].height, (double)v->x, (double)left);
+            }
+        }
+    }
+}
+
+static void expect_range(uint32_t id, const char *expected)
+{
+    char words[TEXT_LINE_MAX];
+    const struct menu_view view = { .frame = { .language = LANGUAGE_EN }, .scene = &scene,
+                                    .menu = &scene.menu, .devices = &scene.devices };
+    menu_range_words(&view, id, words, sizeof words);
+    assert_string_equal(words, expected);
+}
+
+static void test_a_range_says_what_there_is_to_choose_and_its_unit(void **state)
+{
+    (void)state;
+    set_page(MENU_MONEY, 0x7ffu, LANGUAGE_EN, 0);
+    expect_range(SET_PLAY, "free / paid / event    default free");
+    expect_range(SET_CREDIT_EXPIRY_MIN, "5 - 240 min    default never");
+    expect_range(SET_NIGHT_TO_MIN, "00:00 - 23:45    default 00:00");
+    expect_range(SET_GRADE, "No. 4 - 7    default the mode's own");
+    expect_range(SET_OVERSCAN_X, "0.0 - 10.0 %    default 0.0 %");
+    expect_range(SET_ATTRACT_SOUND, "silent / 1 - 10    default every loop");
+}
+
+static uint32_t quads_of(uint8_t page)
+{
+    scene.menu.page = page;
+    scene.menu.tags = (uint16_t)((1u << menu_tag_count(page)) - 1u);
+    lay_out(0);
+    expect_inside(0);
+    return batch.quad_count;
+}
+
+/* From the first page on, whoever opens the menu. */
+static void test_what_is_to_be_looked_at_marks_the_way_to_it(void **state)
+{
+    static const uint8_t pages[] = { MENU_TOP, MENU_UPKEEP };
+    (void)state;
+    for (size_t i = 0; i < sizeof pages; i++) {
+        set_page(pages[i], 0, LANGUAGE_EN, 0);
+        const uint32_t bare = quads_of(pages[i]);
+        scene.devices.files_refused = 1;
+        assert_int_equal(quads_of(pages[i]), bare + 2u); /* A disc, and its "!". */
+        scene.devices.files_refused = 0;
+        scene.devices.machine.aside = 1;
+        assert_int_equal(quads_of(pages[i]), bare + 2u);
+        scene.devices.machine.aside = 0;
+        scene.devices.machine.missed = 1;
+        assert_int_equal(quads_of(pages[i]), bare + 2u);
+    }
+}
+
+/* Scores that nobody will see again are told of where the store is. */
+static void test_replays_that_could_not_be_kept_are_told_on_the_stores_slip(void **state)
+{
+    (void)state;
+    for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+        set_page(MENU_FILES, 0, language, 0);
+        memset(scene.devices.file, 0, sizeof scene.devices.file);
+        scene.menu.controllers.file_count = 1;
+        scene.menu.file_first = 0;
+        snprintf(scene.devices.file[0].words, SCENE_LINE_SIZE, "/data/kingyo.db");
+        const uint32_t bare = quads_of(MENU_FILES);
+        scene.devices.machine.missed = 3;
+        assert_in_range(quads_of(MENU_FILES) - bare, 15, 60);
+    }
+}
+
+static void test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too(void **state)
+{
+    (void)state;
+    set_page(MENU_MODES, 0, LANGUAGE_JA, 0);
+    const int32_t standard = settings_entry(SET_MODES)->standard;
+    const uint32_t bare = quads_of(MENU_MODES);
+    scene.menu.settings.value[SET_MODES] = standard ^ 1;
+    /* Its seal, and 出さない has two letters more than 出す. */
+    assert_int_equal(standard & 1, 1);
+    assert_int_equal(quads_of(MENU_MODES), bare + 1u + 2u);
+    set_page(MENU_UPKEEP, 0, LANGUAGE_EN, 0);
+    const uint32_t without = quads_of(MENU_UPKEEP);
+    scene.menu.settings.value[SET_PIN] = 407;
+    assert_int_equal(quads_of(MENU_UPKEEP), without + 1u);
+}
+
+/* Every row in every state that it can be in, with the longest figures, on every screen. */
+static void test_ready_for_opening_stays_on_its_page_whatever_it_says(void **state)
+{
+    /* clang-format off */
+    /* clang-format off */
+    static const struct scene_machine machines[] = {
+        { 0 },
+        { .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1,
+          .backup_min = 179, .room_mib = 4294967295u, .has_heat = 1, .heat_margin_c = 2147483647 },
+        { .has_looked = 1, .keeps = KEEPS_FOLDER, .watch = WATCH_NO_LIMIT, .has_backup = 1,
+          .backup_min = 4294967295u, .room_mib = 63, .has_heat = 1, .heat_margin_c = 9,
+          .aside = 4294967295u },
+        { .has_looked = 1, .keeps = KEEPS_MEMORY, .watch = WATCH_DEAF, .room_mib = 7,
+          .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
+        { .has_looked = 1, .keeps = KEEPS_NOT }, { .has_looked = 1, .keeps = KEEPS_NOWHERE },
+        { .has_looked = 255, .keeps = 255, .watch = 255 },
+    /* clang-format on */
+    };
+    /* clang-format on */
+    const uint32_t count = sizeof machines / sizeof machines[0];
+    (void)state;
+    for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * count * 4u; k++) {
+        const uint32_t size = k % SIZE_COUNT, way = k / (SIZE_COUNT * LANGUAGE_COUNT * count);
+        set_page(MENU_SELF_TEST, (1u << SELF_TAGS) - 1u,
+                 (uint8_t)(k / SIZE_COUNT % LANGUAGE_COUNT), is_upright(size));
+        scene.devices.machine = machines[k / (SIZE_COUNT * LANGUAGE_COUNT) % count];
+        scene.devices.frames_a_second = way & 1u ? 4294967295u : 0u;
+        scene.devices.files_refused = way & 1u;
+        scene.menu.self = (struct scene_self_test){
+            .heard = (uint8_t)(way % 3u), .moved = (uint8_t)(way % 3u), .players = 4,
+            .store = (uint8_t)(way % SELF_STATES), .clock = way & 1u ? SELF_GOOD : SELF_LOOK,
+            .seconds_left = way & 2u ? 20u : 0u, .day = 65535u, .minute = 1439u,
+        };
+        lay_out(size);
+        expect_inside(size);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_is_to_be_looked_at_marks_the_way_to_it),
+        cmocka_unit_test(test_replays_that_could_not_be_kept_are_told_on_the_stores_slip),
+        cmocka_unit_test(test_what_is_not_as_it_came_has_a_seal_on_pages_of_their_own_too),
+        cmocka_unit_test(test_ready_for_opening_stays_on_its_page_whatever_it_says),
+        cmocka_unit_test(test_nothing_leaves_the_screen_on_any_page),
+        cmocka_unit_test(test_every_word_is_read_from_a_metre),
+        cmocka_unit_test(test_a_range_says_what_there_is_to_choose_and_its_unit),
+        cmocka_unit_test(test_a_board_is_drawn_for_each_controller_that_is_there),
+        cmocka_unit_test(test_with_none_plugged_in_the_reason_is_shown),
+        cmocka_unit_test(test_the_longest_reason_is_read_whole_however_the_screen_stands),
+        cmocka_unit_test(test_a_slip_is_drawn_for_each_row_that_there_is),
+        cmocka_unit_test(test_a_lamp_is_lit_for_each_button_that_is_held),
+        cmocka_unit_test(test_a_wired_line_that_is_not_there_has_a_red_slip_and_no_lamp),
+        cmocka_unit_test(test_the_state_of_the_lines_is_read_whole_from_a_metre),
+        cmocka_unit_test(test_the_question_lies_beside_what_hangs_in_a_practice_round),
+        cmocka_unit_test(test_every_page_is_laid_out_in_a_window_of_any_size),
+        cmocka_unit_test(test_in_a_round_the_question_is_read_over_the_tank),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,192 @@
+/* The stall's words: decoding, numbers, and that every letter was baked. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "assets.h"
+#include "platform/render/gl_util.h"
+#include "platform/render/ui/text.h"
+
+static uint32_t first(const char *bytes)
+{
+    return text_next(&bytes);
+}
+
+static void test_utf8_of_every_length_is_decoded(void **state)
+{
+    (void)state;
+    const char *at = "A\xc3\xa9\xe9\x87\x91\xf0\x9f\x90\x9f"; /* A, e acute, gold, fish */
+    assert_int_equal(text_next(&at), 'A');
+    assert_int_equal(text_next(&at), 0xe9);
+    assert_int_equal(text_next(&at), 0x91d1);
+    assert_int_equal(text_next(&at), 0x1f41f);
+    assert_int_equal(text_next(&at), 0);
+    assert_int_equal(text_next(&at), 0); /* The end stays the end. */
+}
+
+static void test_malformed_bytes_are_marked_and_skipped_one_by_one(void **state)
+{
+    (void)state;
+    static const char *const malformed[] = {
+        "\x80",             /* a tail with no head */
+        "\xc0\xaf",         /* overlong slash */
+        "\xe0\x80\xaf",     /* the same in three bytes */
+        "\xf0\x80\x80\xaf", /* and in four */
+        "\xed\xa0\x80",     /* half of a surrogate pair */
+        "\xf4\x90\x80\x80", /* beyond the last code point */
+        "\xff",
+        "\xe9\x87",         /* cut short by the end */
+        "\xe9\x41",         /* cut short by another letter */
+    };
+    for (size_t i = 0; i < sizeof malformed / sizeof *malformed; i++) {
+        assert_int_equal(first(malformed[i]), TEXT_MALFORMED);
+    }
+    const char *at = "\xe9" "A";
+    assert_int_equal(text_next(&at), TEXT_MALFORMED);
+    assert_int_equal(text_next(&at), 'A');
+}
+
+static void test_every_byte_string_comes_to_its_end(void **state)
+{
+    (void)state;
+    uint32_t random = 1;
+    for (uint32_t round = 0; round < 20000; round++) {
+        char bytes[12];
+        for (size_t i = 0; i + 1 < sizeof bytes; i++) {
+            random = random * 1664525u + 1013904223u;
+            bytes[i] = (char)(random >> 24);
+        }
+        bytes[sizeof bytes - 1] = 0;
+        const char *at = bytes;
+        while (text_next(&at) != 0) {
+            assert_true(at <= bytes + sizeof bytes - 1);
+        }
+        assert_ptr_equal(at, bytes + strlen(bytes));
+    }
+}
+
+static void test_every_word_has_its_glyphs_in_the_font_for_small_text(void **state)
+{
+    (void)state;
+    for (uint8_t language = 0; language < LANGUAGE_COUNT; language++) {
+        for (uint32_t key = 0; key < TEXT_COUNT; key++) {
+            const char *at = text_words(language, (enum text_key)key);
+            assert_true(*at != 0);
+            for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
+                assert_int_not_equal(code, TEXT_MALFORMED);
+                assert_non_null(text_glyph(FONT_BODY, code));
+            }
+        }
+    }
+}
+
+static void test_the_title_can_be_brushed(void **state)
+{
+    (void)state;
+    const char *at = text_words(LANGUAGE_JA, TEXT_TITLE);
+    for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
+        assert_non_null(text_glyph(FONT_BRUSH, code));
+    }
+}
+
+static void test_no_page_of_glyphs_is_larger_than_every_driver_takes(void **state)
+{
+    (void)state;
+    assert_in_range(ASSET_FONT_WIDTH, 1, GL_TEXTURE_SURE);
+    assert_in_range(ASSET_FONT_ROWS, 1, GL_TEXTURE_SURE);
+    assert_in_range(ASSET_FONT_PAGES, 1, GL_LAYERS_SURE);
+}
+
+static void test_glyphs_are_in_order_and_each_on_one_page(void **state)
+{
+    (void)state;
+    for (uint32_t font = 0; font < FONT_COUNT; font++) {
+        const struct font *face = &asset_fonts[font];
+        for (uint32_t i = 0; i < face->glyph_count; i++) {
+            const struct font_glyph *glyph = &face->glyphs[i];
+            assert_true(i == 0 || face->glyphs[i - 1].code < glyph->code);
+            assert_true(glyph->x + glyph->width <= ASSET_FONT_WIDTH);
+            assert_true(glyph->y % ASSET_FONT_ROWS + glyph->height <= ASSET_FONT_ROWS);
+            assert_true(glyph->y / ASSET_FONT_ROWS < ASSET_FONT_PAGES);
+            assert_ptr_equal(text_glyph((enum font_id)font, glyph->code), glyph);
+        }
+    }
+}
+
+static void test_a_missing_character_is_shown_as_a_question_mark(void **state)
+{
+    (void)state;
+    const uint32_t cuneiform = 0x12000;
+    assert_null(text_glyph(FONT_BODY, cuneiform));
+    assert_ptr_equal(text_glyph_or_mark(FONT_BODY, cuneiform), text_glyph(FONT_BODY, '?'));
+    assert_float_equal(text_width_em(FONT_BODY, "\xf0\x92\x80\x80", 0.0f),
+                       text_width_em(FONT_BODY, "?", 0.0f), 1e-6f);
+}
+
+static void test_spacing_stands_between_letters_only(void **state)
+{
+    (void)state;
+    const float one = text_width_em(FONT_BODY, "A", 0.5f);
+    const float plain = text_width_em(FONT_BODY, "A", 0.0f);
+    assert_float_equal(one, plain, 1e-6f);
+    assert_float_equal(text_width_em(FONT_BODY, "AAA", 0.5f), 3.0f * plain + 1.0f, 1e-5f);
+    assert_float_equal(text_width_em(FONT_BODY, "", 0.5f), 0.0f, 1e-6f);
+}
+
+static void test_a_number_takes_the_place_of_the_braces(void **state)
+{
+    (void)state;
+    char out[32];
+    text_number(out, sizeof out, "best {} fish", 12);
+    assert_string_equal(out, "best 12 fish");
+    text_number(out, sizeof out, "{}", 0);
+    assert_string_equal(out, "0");
+    text_number(out, sizeof out, "{}", 4294967295u);
+    assert_string_equal(out, "4294967295");
+    text_number(out, sizeof out, "none", 7);
+    assert_string_equal(out, "none");
+    text_number(out, sizeof out, "{}{}", 7);
+    assert_string_equal(out, "7{}");
+}
+
+static void test_a_line_that_is_too_long_is_cut_at_a_whole_character(void **state)
+{
+    (void)state;
+    char out[6];
+    memset(out, 'x', sizeof out);
+    text_number(out, sizeof out, "\xe9\x87\x91\xe9\xad\x9a", 0); /* Two of three bytes; five fit. */
+    assert_string_equal(out, "\xe9\x87\x91");
+    text_number(out, 3, "{}", 123);
+    assert_string_equal(out, ""); /* Half a number would be another number. */
+}
+
+static void test_an_unknown_language_speaks_japanese(void **state)
+{
+    (void)state;
+    assert_string_equal(text_words(200, TEXT_TITLE), text_words(LANGUAGE_JA, TEXT_TITLE));
+    assert_string_not_equal(text_words(LANGUAGE_EN, TEXT_TITLE),
+                            text_words(LANGUAGE_JA, TEXT_TITLE));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_utf8_of_every_length_is_decoded),
+        cmocka_unit_test(test_malformed_bytes_are_marked_and_skipped_one_by_one),
+        cmocka_unit_test(test_every_byte_string_comes_to_its_end),
+        cmocka_unit_test(test_every_word_has_its_glyphs_in_the_font_for_small_text),
+        cmocka_unit_test(test_the_title_can_be_brushed),
+        cmocka_unit_test(test_no_page_of_glyphs_is_larger_than_every_driver_takes),
+        cmocka_unit_test(test_glyphs_are_in_order_and_each_on_one_page),
+        cmocka_unit_test(test_a_missing_character_is_shown_as_a_question_mark),
+        cmocka_unit_test(test_spacing_stands_between_letters_only),
+        cmocka_unit_test(test_a_number_takes_the_place_of_the_braces),
+        cmocka_unit_test(test_a_line_that_is_too_long_is_cut_at_a_whole_character),
+        cmocka_unit_test(test_an_unknown_language_speaks_japanese),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,63 @@
+/* test_ui_batch.c -- the list of quads: full, aligned, and each letter cut from its own place. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "platform/render/ui/ui_batch.h"
+
+static struct ui_batch batch;
+
+static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **state)
+{
+    (void)state;
+    ui_batch_clear(&batch);
+    const struct ui_shape shape = { .box = { 0, 0, 9, 9 }, .kind = UI_PANEL, .fill = 0xffffffffu };
+    for (uint32_t i = 0; i < UI_QUADS_MAX + 5u; i++) {
+        ui_shape(&batch, &shape);
+    }
+    assert_int_equal(batch.quad_count, UI_QUADS_MAX);
+    assert_int_equal(batch.dropped_count, 5);
+}
+
+static void test_text_shrinks_to_its_room_and_aligns(void **state)
+{
+    (void)state;
+    const struct ui_text style = { .font = FONT_BODY, .size_px = 40.0f, .align = 0.5f,
+                                   .fill = 0xffffffffu, .fit_px = 100.0f };
+    ui_batch_clear(&batch);
+    assert_float_equal(ui_text(&batch, &style, 200.0f, 50.0f, "WWWWWWWW"), 100.0f, 0.01f);
+    assert_true(ui_text_size(&style, "WWWWWWWW") < 40.0f);
+    assert_float_equal(ui_text_size(&style, "W"), 40.0f, 0.001f);
+    assert_true(batch.vertices[0].x >= 148.0f);
+    assert_true(batch.vertices[batch.quad_count * 4u - 1u].x <= 252.0f);
+}
+
+static void test_a_letter_as_wide_as_it_can_be_takes_nothing_of_the_letter_beside_it(void **state)
+{
+    (void)state;
+    const struct font_glyph *glyph = text_glyph(FONT_BRUSH, '8');
+    const struct ui_text widest = { .font = FONT_BRUSH, .size_px = 300.0f, .fill = 0xffffffffu,
+                                    .line = 0xffffffffu, .outline_em = 1.0f };
+    ui_batch_clear(&batch);
+    ui_text(&batch, &widest, 0.0f, 300.0f, "8");
+    assert_int_equal(batch.quad_count, 2); /* The outline, and the letter on it. */
+    for (uint32_t i = 0; i < 4u; i++) { /* A filter reaches half a texel around a point. */
+        const float right = batch.vertices[i].u - (float)glyph->x;
+        const float down = batch.vertices[i].v - (float)glyph->y;
+        assert_true(right >= 0.5f && right <= (float)glyph->width - 0.5f);
+        assert_true(down >= 0.5f && down <= (float)glyph->height - 0.5f);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_full_batch_drops_and_counts_instead_of_overrunning),
+        cmocka_unit_test(test_text_shrinks_to_its_room_and_aligns),
+        cmocka_unit_test(test_a_letter_as_wide_as_it_can_be_takes_nothing_of_the_letter_beside_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

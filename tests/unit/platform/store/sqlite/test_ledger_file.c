@@ -1,0 +1,599 @@
+/* test_ledger_file.c -- what the file of the ledger holds, that it is written whole or not at all,
+ * and that a file of yesterday's Kingyo keeps its rounds. The old files were written by the
+ * versions of that time: tests/unit/platform/store/files/. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "platform/store/sqlite/ledger_file.h"
+#include "tests/unit/support/ledger_stand.h"
+
+/* The one number that a query yields, to another program. */
+static int ask(const char *query)
+{
+    sqlite3 *db;
+    sqlite3_stmt *statement;
+    assert_int_equal(sqlite3_open_v2(path, &db, SQLITE_OPEN_READONLY, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_prepare_v2(db, query, -1, &statement, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
+    const int answer = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    sqlite3_close(db);
+    return answer;
+}
+
+static void open_file(void)
+{
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
+}
+
+static void reopen(void)
+{
+    ledger_file_close(&file);
+    open_file();
+}
+
+static void write_entry(const struct ledger_entry *entry)
+{
+    assert_int_equal(ledger_file_write(&file, entry, 1), SQLITE_OK);
+}
+
+/* Every field another number, and none that another kind would have. */
+static struct ledger_entry full_entry(uint32_t id, uint8_t kind)
+{
+    return (struct ledger_entry){
+        .id = id,
+        .boot = 3,
+        .tick = 1200,
+        .day = 9821,
+        .minute = 1170,
+        .kind = kind,
+        .detail = 1,
+        .count = 2,
+        .value = kind == LEDGER_SETTING ? -5 : 5, /* Only a setting may be negative. */
+        .balance = { .units = 1,
+                     .bonus_units = 7,
+                     .paid = 4,
+                     .service = 2,
+                     .unlogged = 6,
+                     .open = 2 },
+        .health = { .up_s = 600, .dropped_ticks = 12, .device_faults = 9 },
+    };
+}
+
+static struct ledger_entry round_entry(uint32_t id, uint8_t mode, uint32_t first, uint32_t third)
+{
+    struct ledger_entry entry = full_entry(id, LEDGER_ROUND);
+    entry.round = (struct round_record){
+        .id = id,
+        .seed = 11,
+        .start_tick = 600,
+        .end_tick = 22200,
+        .caught = first + third,
+        .fish_count = 70,
+        .round_s = 180,
+        .preset = 2,
+        .mode = mode,
+        .grade = 5,
+        .players = 1u << 0 | 1u << 2,
+        .player = { [0] = { .caught = first, .scoops = 21, .hole_area_mm2 = 150, .sheets = 1,
+                            .fouls = 2 },
+                    [2] = { .caught = third, .scoops = 5, .torn_tick = 1234, .sheets = 3,
+                            .fouls = 1 } },
+    };
+    return entry;
+}
+
+static struct ledger_entry setting_entry(uint32_t id, uint32_t setting, int32_t value)
+{
+    return (struct ledger_entry){ .id = id, .boot = 1, .kind = LEDGER_SETTING,
+                                  .detail = (uint8_t)setting, .count = setting >> 8,
+                                  .value = value };
+}
+
+/* ---- Entries -------------------------------------------------------------------------------- */
+
+static void test_an_entry_comes_back_with_every_field(void **state)
+{
+    (void)state;
+    struct ledger_entry entry = full_entry(1, LEDGER_COINS), found;
+    strcpy(entry.name, "きんぎょ");
+    open_file();
+    write_entry(&entry);
+    reopen();
+    assert_int_equal(ledger_file_entry(&file, 1, &found), SQLITE_OK);
+    assert_memory_equal(&found, &entry, sizeof entry);
+    assert_int_equal(ledger_file_entry(&file, 2, &found), SQLITE_NOTFOUND);
+    entry = full_entry(2, LEDGER_SETTING);
+    write_entry(&entry);
+    assert_int_equal(ledger_file_entry(&file, 2, &found), SQLITE_OK);
+    assert_memory_equal(&found, &entry, sizeof entry);
+}
+
+static void test_a_round_comes_back_with_every_player(void **state)
+{
+    (void)state;
+    const struct ledger_entry entry = round_entry(1, MODE_CHAMPIONSHIP, 30, 4);
+    struct ledger_entry found;
+    open_file();
+    write_entry(&entry);
+    reopen();
+    assert_int_equal(ledger_file_entry(&file, 1, &found), SQLITE_OK);
+    assert_memory_equal(&found, &entry, sizeof entry);
+}
+
+static void test_the_newest_entry_says_what_is_in_the_purse(void **state)
+{
+    (void)state;
+    struct ledger_entry entry = full_entry(1, LEDGER_COINS);
+    struct persistent_state memory = { 0 };
+    open_file();
+    write_entry(&entry);
+    entry.id = 2;
+    entry.balance.paid = 9;
+    write_entry(&entry);
+    reopen();
+    ledger_content_load(&file.content, &memory);
+    assert_memory_equal(&memory.ledger.balance, &entry.balance, sizeof entry.balance);
+    assert_int_equal(memory.ledger.last_id, 2);
+    assert_int_equal(memory.ledger.boots, 3);
+}
+
+static void test_entries_that_are_there_already_are_passed_over(void **state)
+{
+    (void)state;
+    struct ledger_entry entries[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        entries[i] = round_entry(i + 1, MODE_FESTIVAL, 2, 0);
+    }
+    open_file();
+    assert_int_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
+    assert_int_equal(ledger_file_write(&file, entries, 3), SQLITE_OK);
+    assert_int_equal(ask("SELECT count(*) FROM rounds"), 3);
+    assert_int_equal(ask("SELECT count FROM audits WHERE name = 'caught'"), 6);
+}
+
+static void test_a_batch_is_written_whole_or_not_at_all(void **state)
+{
+    (void)state;
+    struct ledger_entry entries[2] = { full_entry(1, LEDGER_COINS),
+                                       round_entry(2, MODE_FESTIVAL, 1, 2) };
+    open_file();
+    do_sql("INSERT INTO round_players VALUES (2, 2, 0, 0, 0, 0, 0, 0, '')");
+    assert_int_not_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
+    assert_int_equal(ask("SELECT count(*) FROM entries"), 0);
+    assert_int_equal(file.content.memory.ledger.last_id, 0);
+    do_sql("DELETE FROM round_players");
+    assert_int_equal(ledger_file_write(&file, entries, 2), SQLITE_OK);
+    assert_int_equal(ask("SELECT count(*) FROM entries"), 2);
+    assert_int_equal(ask("SELECT count(*) FROM round_players"), 2);
+}
+
+static void test_a_flipped_bit_in_the_purse_is_found(void **state)
+{
+    (void)state;
+    const struct ledger_entry entry = full_entry(1, LEDGER_COINS);
+    open_file();
+    write_entry(&entry);
+    ledger_file_close(&file);
+    do_sql("UPDATE entries SET paid = paid + 64");
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
+}
+
+/* ---- What they add up to -------------------------------------------------------------------- */
+
+static void test_a_flipped_bit_in_what_entries_add_up_to_is_found(void **state)
+{
+    (void)state;
+    static const char *const flips[] = {
+        "UPDATE settings SET value = value + 4",
+        "UPDATE audits SET count = count - 8 WHERE name = 'caught'",
+        "UPDATE ranking SET caught = caught + 16",
+        "UPDATE ranking SET name = 'b'",
+        "UPDATE state SET value = value + 1 WHERE name = 'ranking-boot'",
+        "DELETE FROM settings",
+    };
+    const struct ledger_entry round = round_entry(2, MODE_FESTIVAL, 11, 6);
+    const struct ledger_entry volume = { .id = 1, .boot = 3, .kind = LEDGER_SETTING,
+                                         .detail = SET_VOLUME, .value = 40 };
+    for (size_t i = 0; i < sizeof flips / sizeof flips[0]; i++) {
+        open_file();
+        write_entry(&volume);
+        write_entry(&round);
+        reopen();
+        ledger_file_close(&file);
+        do_sql(flips[i]);
+        assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
+        assert_int_equal(truncate(path, 0), 0);
+    }
+}
+
+static void test_a_file_from_before_there_were_tallies_is_read(void **state)
+{
+    (void)state;
+    const struct ledger_entry first = round_entry(1, MODE_FESTIVAL, 5, 6);
+    const struct ledger_entry next = round_entry(2, MODE_FESTIVAL, 5, 6);
+    open_file();
+    write_entry(&first);
+    ledger_file_close(&file);
+    do_sql("DELETE FROM state WHERE name LIKE 'tally-%';"
+           "DELETE FROM audits WHERE name = 'tally'");
+    open_file();
+    write_entry(&next);
+    ledger_file_close(&file);
+    do_sql("UPDATE audits SET count = 1 WHERE name = 'caught'");
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
+}
+
+static void test_the_sums_on_disk_are_those_of_the_core(void **state)
+{
+    (void)state;
+    static struct persistent_state sums, found;
+    struct ledger_entry entries[12];
+    for (uint32_t i = 0; i < 12; i++) {
+        entries[i] = i % 3 == 0 ? full_entry(i + 1, (uint8_t)(LEDGER_BOOT + i))
+                                : round_entry(i + 1, (uint8_t)(i % 2), i, 20 - i);
+        audits_note(&sums.audits, &entries[i]);
+        ranking_note(&sums.ranking, &entries[i]);
+    }
+    open_file();
+    assert_int_equal(ledger_file_write(&file, entries, 5), SQLITE_OK);
+    assert_int_equal(ledger_file_write(&file, entries + 5, 7), SQLITE_OK);
+    reopen();
+    ledger_content_load(&file.content, &found);
+    assert_memory_equal(&found.audits, &sums.audits, sizeof sums.audits);
+    assert_true(ranking_hash(0, &found.ranking) == ranking_hash(0, &sums.ranking));
+}
+
+static void test_a_name_is_kept_with_the_round_and_can_be_taken_back(void **state)
+{
+    (void)state;
+    const struct ledger_entry round = round_entry(1, MODE_FESTIVAL, 5, 6);
+    struct ledger_entry name = { .id = 2, .boot = 3, .kind = LEDGER_NAME, .detail = 2, .count = 1,
+                                 .name = "らんちゅう" };
+    open_file();
+    write_entry(&round);
+    write_entry(&name);
+    assert_int_equal(ask("SELECT count(*) FROM round_players WHERE seat = 2 AND"
+                         " name = 'らんちゅう'"),
+                     1);
+    assert_string_equal(file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].name,
+                        "らんちゅう");
+    reopen();
+    assert_string_equal(file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].name,
+                        "らんちゅう");
+    name = (struct ledger_entry){ .id = 3, .boot = 3, .kind = LEDGER_NAME, .detail = 2,
+                                  .count = 1 };
+    write_entry(&name);
+    assert_int_equal(ask("SELECT count(*) FROM entries WHERE name <> ''"), 0);
+    assert_int_equal(ask("SELECT count(*) FROM round_players WHERE name <> ''"), 0);
+    assert_int_equal(ask("SELECT count(*) FROM ranking WHERE name <> ''"), 0);
+}
+
+static void test_only_settings_that_were_turned_are_kept(void **state)
+{
+    (void)state;
+    struct persistent_state memory = { 0 };
+    const struct ledger_entry volume = setting_entry(1, SET_VOLUME, 35);
+    const struct ledger_entry seat = setting_entry(2, SET_CALIBRATION_END - 1, -12345);
+    settings_reset(&memory.settings);
+    memory.settings.value[SET_PRICE] = 3; /* As a configuration file may say. */
+    open_file();
+    write_entry(&volume);
+    write_entry(&seat);
+    reopen();
+    ledger_content_load(&file.content, &memory);
+    assert_int_equal(memory.settings.value[SET_VOLUME], 35);
+    assert_int_equal(memory.settings.value[SET_CALIBRATION_END - 1], -12345);
+    assert_int_equal(memory.settings.value[SET_PRICE], 3);
+    assert_int_equal(ask("SELECT count(*) FROM settings"), 2);
+}
+
+static void test_a_factory_reset_forgets_every_setting(void **state)
+{
+    (void)state;
+    struct ledger_entry entries[3] = { setting_entry(1, SET_VOLUME, 35),
+                                       full_entry(2, LEDGER_FACTORY),
+                                       setting_entry(3, SET_PRICE, 2) };
+    open_file();
+    assert_int_equal(ledger_file_write(&file, entries, 1), SQLITE_OK);
+    assert_int_equal(ledger_file_write(&file, entries, 3), SQLITE_OK);
+    reopen();
+    assert_int_equal(file.content.has_setting[SET_VOLUME], 0);
+    assert_int_equal(file.content.has_setting[SET_PRICE], 1);
+    assert_int_equal(ask("SELECT count(*) FROM settings"), 1);
+}
+
+static void test_what_is_no_setting_of_ours_does_no_harm(void **state)
+{
+    (void)state;
+    open_file();
+    ledger_file_close(&file);
+    do_sql("DELETE FROM state; DELETE FROM audits;"
+           "INSERT INTO settings VALUES ('volume', 1000), ('of-tomorrow', 1), ('price', 2);"
+           "INSERT INTO audits VALUES ('of-tomorrow', 7);"
+           "INSERT INTO ranking VALUES (0, 0, 999, 1, 1, 1, 1, ''), (9, 0, 0, 1, 1, 1, 1, '')");
+    open_file();
+    assert_int_equal(file.content.has_setting[SET_VOLUME], 0);
+    assert_int_equal(file.content.memory.settings.value[SET_PRICE], 2);
+    assert_int_equal(ask("SELECT count(*) FROM settings WHERE name = 'of-tomorrow'"), 1);
+}
+
+/* ---- Replays, and what falls out ------------------------------------------------------------ */
+
+static void test_a_replay_comes_back_byte_for_byte(void **state)
+{
+    (void)state;
+    static uint8_t bytes[300000], found[300000];
+    size_t size = 0;
+    for (size_t i = 0; i < sizeof bytes; i++) {
+        bytes[i] = (uint8_t)(i * 2654435761u >> 24);
+    }
+    open_file();
+    assert_int_equal(ledger_file_put_replay(&file, 7, bytes, sizeof bytes), SQLITE_OK);
+    reopen();
+    assert_int_equal(ledger_file_get_replay(&file, 7, found, sizeof found, &size), SQLITE_OK);
+    assert_int_equal(size, sizeof bytes);
+    assert_memory_equal(found, bytes, sizeof bytes);
+    assert_int_equal(ledger_file_get_replay(&file, 7, found, 1000, &size), SQLITE_TOOBIG);
+    assert_int_equal(ledger_file_get_replay(&file, 8, found, sizeof found, &size),
+                     SQLITE_NOTFOUND);
+}
+
+static void test_replays_go_when_their_rounds_fall_out_of_the_ranking(void **state)
+{
+    (void)state;
+    open_file();
+    for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) { /* Each better than the one before. */
+        struct ledger_entry entry = round_entry(id, MODE_FESTIVAL, id, 0);
+        entry.round.players = 1;
+        write_entry(&entry);
+        assert_int_equal(ledger_file_put_replay(&file, id, "replay", 6), SQLITE_OK);
+        assert_int_equal(ledger_file_prune(&file), SQLITE_OK);
+    }
+    assert_int_equal(ask("SELECT count(*) FROM replays"), RANK_ROWS);
+    assert_int_equal(ask("SELECT count(*) FROM replays WHERE round = 1"), 0);
+    assert_int_equal(ask("SELECT count(*) FROM rounds"), RANK_ROWS + 1);
+}
+
+static void test_old_entries_go_and_the_newest_stay(void **state)
+{
+    (void)state;
+    static struct ledger_entry entries[1000];
+    open_file();
+    for (uint32_t id = 1; id <= LEDGER_FILE_ENTRIES + 300; id += 1000) {
+        for (uint32_t i = 0; i < 1000; i++) {
+            entries[i] = full_entry(id + i, LEDGER_COINS);
+        }
+        assert_int_equal(ledger_file_write(&file, entries, 1000), SQLITE_OK);
+    }
+    const int last = ask("SELECT max(id) FROM entries");
+    assert_int_equal(ledger_file_prune(&file), SQLITE_OK);
+    assert_int_equal(ask("SELECT count(*) FROM entries"), LEDGER_FILE_ENTRIES);
+    assert_int_equal(ask("SELECT max(id) FROM entries"), last);
+    reopen();
+    assert_int_equal(file.content.memory.ledger.last_id, last);
+}
+
+/* ---- Old files ------------------------------------------------------------------------------ */
+
+static void test_a_file_of_the_first_version_keeps_its_rounds(void **state)
+{
+    (void)state;
+    take_version(1);
+    assert_int_equal(ask("PRAGMA user_version"), 0);
+    open_file();
+    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    assert_int_equal(ask("SELECT count(*) FROM rounds WHERE mode = 0 AND grade = 6 AND players = 1"
+                         " AND (entry, seed, start_tick, end_tick, caught, by_bot) IN"
+                         " (VALUES (1, 7, 360, 7560, 3, 0), (2, 7, 8000, 9000, 9, 1),"
+                         " (3, 8, 9500, 9900, 2, 0))"),
+                     3);
+    assert_int_equal(ask("SELECT count(*) FROM round_players JOIN rounds ON round = entry WHERE"
+                         " seat = 0 AND round_players.caught = rounds.caught AND fouls = 0 AND"
+                         " scoops IS NULL AND hole_area_mm2 IS NULL AND torn_tick IS NULL"),
+                     3);
+    const struct rank_row *best = file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER];
+    assert_int_equal(best[0].caught, 3); /* A bot's nine are none. */
+    assert_int_equal(best[1].caught, 2);
+    assert_int_equal(best[2].caught, 0);
+    const struct ledger_entry next = round_entry(4, MODE_FESTIVAL, 6, 0); /* And goes on. */
+    write_entry(&next);
+    reopen();
+    assert_int_equal(file.content.memory.ledger.last_id, 4);
+}
+
+static void test_a_file_of_the_second_version_keeps_rounds_and_players(void **state)
+{
+    (void)state;
+    struct ledger_entry first;
+    take_version(2);
+    assert_int_equal(ask("PRAGMA user_version"), 2);
+    open_file();
+    assert_int_equal(ledger_file_entry(&file, 1, &first), SQLITE_OK);
+    assert_int_equal(first.kind, LEDGER_ROUND);
+    assert_int_equal(first.round.seed, 11);
+    assert_int_equal(first.round.mode, MODE_CHAMPIONSHIP);
+    assert_int_equal(first.round.grade, 5);
+    assert_int_equal(first.round.players, 1u << 0 | 1u << 2);
+    assert_int_equal(first.round.player[0].scoops, 41);
+    assert_int_equal(first.round.player[2].torn_tick, 1234);
+    assert_int_equal(first.round.player[2].fouls, 1);
+    assert_int_equal(ask("SELECT count(*) FROM rounds"), 4);
+    assert_int_equal(ask("SELECT count(*) FROM round_players"), 6);
+    assert_int_equal(ask("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
+    const struct ranking *ranking = &file.content.memory.ranking;
+    assert_int_equal(ranking->row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught, 30);
+    assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][0].caught, 3);
+    assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][1].round_id, 4);
+    assert_int_equal(ranking->row[MODE_FESTIVAL][RANK_EVER][2].caught, 2);
+    assert_in_range(first.day, 9460, 9461); /* 2025-11-25, wherever on Earth. */
+    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 34 + 3 + 5); /* 9: a bot's. */
+}
+
+/* What version-3.db holds, and version-4.db and version-5.db: the same file, brought up to date. */
+static void holds_nine_entries_and_a_replay(void)
+{
+    struct ledger_entry round;
+    size_t size = 0;
+    char replay[8] = "";
+    const struct persistent_state *memory = &file.content.memory;
+    assert_int_equal(memory->ledger.last_id, 9);
+    assert_int_equal(memory->ledger.boots, 2);
+    assert_int_equal(memory->ledger.balance.paid, 2);
+    assert_int_equal(memory->settings.value[SET_VOLUME], 35);
+    assert_int_equal(memory->audits.count[AUDIT_CAUGHT], 7);
+    assert_string_equal(memory->ranking.row[MODE_FESTIVAL][RANK_WEEK][0].name, "きんぎょ");
+    assert_int_equal(ledger_file_entry(&file, 6, &round), SQLITE_OK);
+    assert_int_equal(round.round.player[1].torn_tick, 7000);
+    assert_int_equal(ledger_file_get_replay(&file, 6, replay, sizeof replay, &size), SQLITE_OK);
+    assert_string_equal(replay, "replay");
+    assert_int_equal(round.round.fish_count, 0); /* What it was played in was not kept. */
+    for (uint32_t id = 1; id <= 9; id++) {
+        assert_int_equal(ledger_file_entry(&file, id, &round), SQLITE_OK); /* Its sum is right. */
+    }
+}
+
+static void test_a_file_of_the_third_version_keeps_all_and_goes_on(void **state)
+{
+    (void)state;
+    struct ledger_entry found, next = round_entry(10, MODE_FESTIVAL, 6, 0);
+    take_version(3);
+    assert_int_equal(ask("PRAGMA user_version"), 3);
+    open_file();
+    holds_nine_entries_and_a_replay();
+    write_entry(&next);
+    reopen();
+    assert_int_equal(ledger_file_entry(&file, 10, &found), SQLITE_OK);
+    assert_int_equal(found.round.fish_count, 70);
+    assert_int_equal(found.round.round_s, 180);
+    assert_int_equal(found.round.preset, 2);
+    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    assert_int_equal(ask("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'old%'"), 0);
+}
+
+/* The tables are the same, but an older Kingyo would misread rows that this one writes. */
+static void test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_today(void **state)
+{
+    (void)state;
+    take_version(4);
+    assert_int_equal(ask("PRAGMA user_version"), 4);
+    assert_int_equal(ledger_file_inspect(&file, path), SQLITE_SCHEMA);
+    open_file();
+    holds_nine_entries_and_a_replay();
+    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    reopen();
+    holds_nine_entries_and_a_replay();
+}
+
+static void test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found(void **state)
+{
+    (void)state;
+    take_version(4);
+    open_file();
+    const struct ledger_entry next = round_entry(10, MODE_FESTIVAL, 6, 0);
+    write_entry(&next); /* The file of the fourth version had no tallies yet. */
+    ledger_file_close(&file);
+    do_sql("PRAGMA user_version = 4; UPDATE ranking SET caught = caught + 1");
+    assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_CORRUPT);
+    assert_int_equal(ask("PRAGMA user_version"), 4);
+}
+
+static void test_a_file_of_this_version_is_read_as_it_is(void **state)
+{
+    (void)state;
+    take_version(5);
+    assert_int_equal(ask("PRAGMA user_version"), LEDGER_FILE_VERSION);
+    open_file();
+    holds_nine_entries_and_a_replay();
+}
+
+static void test_a_file_is_brought_up_to_date_once(void **state)
+{
+    (void)state;
+    take_version(2);
+    open_file();
+    reopen();
+    assert_int_equal(ask("SELECT count(*) FROM entries"), 4);
+}
+
+static void test_what_cannot_be_brought_up_to_date_stays_as_it_was(void **state)
+{
+    (void)state;
+    take_version(1);
+    do_sql("CREATE TABLE ranking (of_somebody_else)"); /* A late step will fail. */
+    assert_int_not_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
+    assert_null(file.db);
+    assert_int_equal(ask("PRAGMA user_version"), 0);
+    assert_int_equal(ask("SELECT count(*) FROM pragma_table_info('rounds')"), 8);
+    assert_int_equal(ask("SELECT count(*) FROM rounds"), 3);
+}
+
+static void test_a_file_of_a_later_version_is_left_alone(void **state)
+{
+    (void)state;
+    take_version(2);
+    do_sql("PRAGMA user_version = 6; PRAGMA journal_mode = WAL"); /* As that one likes it. */
+    assert_int_equal(ledger_file_open(&file, path, NULL), LEDGER_FILE_NEWER);
+    assert_null(file.db);
+    assert_string_equal(ledger_file_error(LEDGER_FILE_NEWER), "a later Kingyo wrote it");
+    assert_int_equal(ask("PRAGMA user_version"), 6);
+    assert_int_equal(ask("SELECT journal_mode = 'wal' FROM pragma_journal_mode"), 1);
+}
+
+static void test_who_only_looks_changes_nothing(void **state)
+{
+    (void)state;
+    const struct ledger_entry round = round_entry(1, MODE_FESTIVAL, 5, 6);
+    take_version(2);
+    assert_int_equal(ledger_file_inspect(&file, path), SQLITE_SCHEMA);
+    assert_int_equal(ask("PRAGMA user_version"), 2);
+    unlink(path);
+    open_file();
+    write_entry(&round);
+    ledger_file_close(&file);
+    assert_int_equal(ledger_file_inspect(&file, path), SQLITE_OK);
+    assert_int_equal(file.content.memory.audits.count[AUDIT_CAUGHT], 11);
+    const struct ledger_entry next = round_entry(2, MODE_FESTIVAL, 5, 6);
+    assert_int_not_equal(ledger_file_write(&file, &next, 1), SQLITE_OK);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_an_entry_comes_back_with_every_field),
+        TEST(test_a_round_comes_back_with_every_player),
+        TEST(test_the_newest_entry_says_what_is_in_the_purse),
+        TEST(test_entries_that_are_there_already_are_passed_over),
+        TEST(test_a_batch_is_written_whole_or_not_at_all),
+        TEST(test_a_flipped_bit_in_the_purse_is_found),
+        TEST(test_a_flipped_bit_in_what_entries_add_up_to_is_found),
+        TEST(test_a_file_from_before_there_were_tallies_is_read),
+        TEST(test_the_sums_on_disk_are_those_of_the_core),
+        TEST(test_a_name_is_kept_with_the_round_and_can_be_taken_back),
+        TEST(test_only_settings_that_were_turned_are_kept),
+        TEST(test_a_factory_reset_forgets_every_setting),
+        TEST(test_what_is_no_setting_of_ours_does_no_harm),
+        TEST(test_a_replay_comes_back_byte_for_byte),
+        TEST(test_replays_go_when_their_rounds_fall_out_of_the_ranking),
+        TEST(test_old_entries_go_and_the_newest_stay),
+        TEST(test_a_file_of_the_first_version_keeps_its_rounds),
+        TEST(test_a_file_of_the_second_version_keeps_rounds_and_players),
+        TEST(test_a_file_of_the_third_version_keeps_all_and_goes_on),
+        TEST(test_a_file_of_the_fourth_version_keeps_all_and_gets_the_version_of_today),
+        TEST(test_a_flipped_bit_in_a_file_of_the_fourth_version_is_found),
+        TEST(test_a_file_of_this_version_is_read_as_it_is),
+        TEST(test_a_file_is_brought_up_to_date_once),
+        TEST(test_what_cannot_be_brought_up_to_date_stays_as_it_was),
+        TEST(test_a_file_of_a_later_version_is_left_alone),
+        TEST(test_who_only_looks_changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,300 @@
+/* test_ledger_pin.c -- a PIN that an older Kingyo stored in plain digits leaves the database, its
+ * log, a backup and the tail, byte for byte, and still opens the menu. */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "core/pin.h"
+#include "platform/store/sqlite/ledger_backup.h"
+#include "platform/store/sqlite/ledger_file.h"
+#include "platform/store/sqlite/ledger_mirror.h"
+
+#define PIN 4071
+#define ENTRIES 400u /* More than four pages of rows. */
+
+/* ---- libc's syncs, of which one fails -------------------------------------------------------- */
+
+static uint32_t syncs;          /* Calls so far. */
+static uint32_t failing = ~0u; /* The number of the call that fails. */
+
+static int sync_or_fail(void)
+{
+    if (syncs++ == failing) {
+        errno = EIO;
+        return -1;
+    }
+    return 0;
+}
+
+#pragma GCC diagnostic ignored "-Wredundant-decls"
+int fsync(int fd)
+{
+    (void)fd;
+    return sync_or_fail();
+}
+
+int fdatasync(int fd)
+{
+    (void)fd;
+    return sync_or_fail();
+}
+
+static void fail_sync(uint32_t number)
+{
+    syncs = 0;
+    failing = number;
+}
+
+/* ---- The files ------------------------------------------------------------------------------- */
+
+static char folder[] = "/tmp/kingyo-pin-XXXXXX";
+static char path[64], other[80];
+
+static const char *beside(const char *suffix)
+{
+    snprintf(other, sizeof other, "%s%s", path, suffix);
+    return other;
+}
+
+static int setup(void **state)
+{
+    (void)state;
+    strcpy(folder + sizeof folder - 7, "XXXXXX");
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/kingyo.db", folder);
+    fail_sync(~0u);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    static const char *const suffixes[] = { "", "-wal", "-shm", ".copy", ".tail" };
+    for (size_t i = 0; i < sizeof suffixes / sizeof suffixes[0]; i++) {
+        unlink(beside(suffixes[i]));
+    }
+    return rmdir(folder);
+}
+
+/* Every second entry tells of the PIN; the others change the volume. */
+static struct ledger_entry entry_of(uint32_t id)
+{
+    return (struct ledger_entry){ .id = id,
+                                  .boot = 1,
+                                  .tick = id,
+                                  .kind = LEDGER_SETTING,
+                                  .detail = id % 2u ? SET_PIN : SET_VOLUME,
+                                  .value = id % 2u ? PIN : 50 };
+}
+
+static void write_as_before(struct ledger_file *file)
+{
+    static struct ledger_entry entries[ENTRIES];
+    for (uint32_t i = 0; i < ENTRIES; i++) {
+        entries[i] = entry_of(i + 1u);
+    }
+    assert_int_equal(ledger_file_write(file, entries, ENTRIES), 0);
+}
+
+/* How often the bytes of `file` hold `wanted`; a file that is not there holds nothing. */
+static unsigned count_in(const char *file, const void *wanted, size_t size)
+{
+    static uint8_t bytes[4u * 1024u * 1024u];
+    FILE *in = fopen(file, "rb");
+    const size_t length = in ? fread(bytes, 1, sizeof bytes, in) : 0;
+    unsigned count = 0;
+    for (size_t i = 0; i + size <= length; i++) {
+        count += memcmp(bytes + i, wanted, size) == 0;
+    }
+    if (in) {
+        fclose(in);
+    }
+    return count;
+}
+
+/* SQLite stores the digits as a number of two bytes. In a row of the settings they follow the name,
+ * in a row of the entries `kind` and `detail`, because a `count` of 0 takes no byte. Rows in free
+ * pages look the same. */
+static unsigned plain_settings_in(const char *suffix)
+{
+    static const uint8_t row[] = { 'p', 'i', 'n', PIN >> 8, PIN & 0xFF };
+    return count_in(beside(suffix), row, sizeof row);
+}
+
+static unsigned plain_entries_in(const char *suffix)
+{
+    static const uint8_t row[] = { LEDGER_SETTING, SET_PIN, PIN >> 8, PIN & 0xFF };
+    return count_in(beside(suffix), row, sizeof row);
+}
+
+static unsigned plain_in(const char *suffix)
+{
+    return plain_settings_in(suffix) + plain_entries_in(suffix);
+}
+
+/* Runs `sql` as another program would; such a program leaves old bytes in free pages. */
+static void do_sql(const char *sql)
+{
+    sqlite3 *db = NULL;
+    assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(db, "PRAGMA secure_delete = OFF", NULL, NULL, NULL), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(db, sql, NULL, NULL, NULL), SQLITE_OK);
+    sqlite3_close(db);
+}
+
+/* A database with the PIN in the settings, in 100 entries and in free pages. */
+static void make_old_database(void)
+{
+    struct ledger_file file;
+    unlink(path);
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    write_as_before(&file);
+    ledger_file_close(&file);
+    do_sql("DELETE FROM entries WHERE id BETWEEN 101 AND 300");
+    assert_int_equal(plain_settings_in(""), 1);
+    assert_true(plain_entries_in("") > 100); /* Rows alone are 100. */
+}
+
+static void test_an_old_database_is_migrated_byte_for_byte(void **state)
+{
+    (void)state;
+    struct ledger_file file;
+    make_old_database();
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    const int32_t kept = file.content.memory.settings.value[SET_PIN];
+    assert_true(kept < 0 && pin_matches(kept, PIN));
+    for (uint32_t id = 1; id <= ENTRIES; id += id == 100u ? 201u : 1u) {
+        struct ledger_entry entry, wanted = entry_of(id);
+        wanted.value = id % 2u ? kept : wanted.value;
+        assert_int_equal(ledger_file_entry(&file, id, &entry), 0); /* Its sum is right, too. */
+        assert_memory_equal(&entry, &wanted, sizeof entry);
+    }
+    assert_int_equal(plain_in("") + plain_in("-wal"), 0);
+    assert_int_equal(ledger_backup_make(&file, beside(".copy"), true), 0);
+    assert_int_equal(plain_in(".copy"), 0);
+    ledger_file_close(&file);
+    assert_int_equal(plain_in("") + plain_in("-wal"), 0);
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0); /* Its tallies are right. */
+    assert_int_equal(file.content.memory.settings.value[SET_PIN], kept);
+    ledger_file_close(&file);
+}
+
+/* The number of the sync that fails runs through all of those in an open. */
+static void test_a_migration_that_fails_is_finished_at_the_next_start(void **state)
+{
+    (void)state;
+    struct ledger_file file;
+    uint32_t number = 0, unfinished = 0;
+    bool is_over = false; /* Set when the open made fewer syncs than `number`. */
+    for (; !is_over; number++) {
+        make_old_database();
+        fail_sync(number);
+        ledger_file_open(&file, path, NULL); /* An error is possible and leaves it closed. */
+        ledger_file_close(&file);
+        is_over = syncs <= number;
+        fail_sync(~0u);
+        unfinished += plain_in("") > 0;
+        assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+        assert_true(pin_matches(file.content.memory.settings.value[SET_PIN], PIN));
+        ledger_file_close(&file);
+        assert_int_equal(plain_in("") + plain_in("-wal"), 0);
+    }
+    print_message("%u syncs, %u opens left plain digits\n", number, unfinished);
+    assert_true(number > 3 && unfinished > 1);
+}
+
+static void test_a_migration_beside_a_reader_is_finished_at_the_next_start(void **state)
+{
+    (void)state;
+    struct ledger_file file;
+    sqlite3 *reader = NULL;
+    make_old_database();
+    assert_int_equal(sqlite3_open(path, &reader), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(reader, "BEGIN; SELECT * FROM entries", NULL, NULL, NULL), 0);
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    assert_true(pin_matches(file.content.memory.settings.value[SET_PIN], PIN));
+    assert_true(plain_in("") > 0); /* The reader needs the old pages. */
+    sqlite3_close(reader);
+    ledger_file_close(&file);
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    ledger_file_close(&file);
+    assert_int_equal(plain_in("") + plain_in("-wal"), 0);
+}
+
+static void test_a_setting_that_is_no_pin_is_not_migrated_at_every_start(void **state)
+{
+    (void)state;
+    struct ledger_file file;
+    struct ledger_entry entry = entry_of(2);
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    assert_int_equal(ledger_file_write(&file, &entry, 1), 0);
+    ledger_file_close(&file);
+    do_sql("DELETE FROM state; INSERT INTO settings VALUES ('pin', 10000)");
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    assert_int_equal(sqlite3_total_changes(file.db), 0); /* VACUUM is not run either. */
+    ledger_file_close(&file);
+}
+
+static void test_a_database_without_a_pin_is_not_written(void **state)
+{
+    (void)state;
+    struct ledger_file file;
+    struct ledger_entry entry = entry_of(2);
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    assert_int_equal(ledger_file_write(&file, &entry, 1), 0);
+    entry = entry_of(3);
+    entry.value = pin_hide(PIN, 9);
+    assert_int_equal(ledger_file_write(&file, &entry, 1), 0);
+    ledger_file_close(&file);
+    assert_int_equal(ledger_file_open(&file, path, NULL), 0);
+    assert_int_equal(file.content.memory.settings.value[SET_PIN], entry.value);
+    ledger_file_close(&file);
+}
+
+static void test_the_tail_is_migrated_byte_for_byte(void **state)
+{
+    (void)state;
+    struct ledger_mirror tail;
+    struct ledger_entry entry = entry_of(7), found;
+    const size_t size = offsetof(struct ledger_entry, value) + sizeof entry.value;
+    assert_int_equal(ledger_mirror_open(&tail, beside(".tail")), 0);
+    assert_int_equal(ledger_mirror_write(&tail, &entry, 1), 0);
+    ledger_mirror_close(&tail);
+    assert_int_equal(count_in(beside(".tail"), &entry, size), 1);
+    tail =
+        ledger_mirror_inspect(beside(".tail")); /* Who only reads is given the hidden one, too. */
+    assert_true(ledger_mirror_entry(&tail, 7, &found) && pin_matches(found.value, PIN));
+    ledger_mirror_close(&tail);
+    assert_int_equal(ledger_mirror_open(&tail, beside(".tail")), 0);
+    assert_int_equal(count_in(beside(".tail"), &entry, size), 0);
+    assert_true(ledger_mirror_entry(&tail, 7, &found));
+    assert_true(found.value < 0 && pin_matches(found.value, PIN));
+    ledger_mirror_close(&tail);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_an_old_database_is_migrated_byte_for_byte, setup,
+                                        teardown),
+        cmocka_unit_test_setup_teardown(
+            test_a_migration_that_fails_is_finished_at_the_next_start, setup, teardown),
+        cmocka_unit_test_setup_teardown(
+            test_a_migration_beside_a_reader_is_finished_at_the_next_start, setup, teardown),
+        cmocka_unit_test_setup_teardown(
+            test_a_setting_that_is_no_pin_is_not_migrated_at_every_start, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_a_database_without_a_pin_is_not_written, setup,
+                                        teardown),
+        cmocka_unit_test_setup_teardown(test_the_tail_is_migrated_byte_for_byte, setup, teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

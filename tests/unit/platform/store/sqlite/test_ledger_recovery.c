@@ -1,0 +1,112 @@
+/* test_ledger_recovery.c -- what a damaged file and the tail add to a new list of entries. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "platform/store/sqlite/ledger_recovery.h"
+#include "tests/unit/support/ledger_stand.h"
+
+static char from_path[96], to_path[96], tail_path[96];
+
+static int set_up_paths(void **state)
+{
+    set_up(state);
+    snprintf(from_path, sizeof from_path, "%s/from.db", folder);
+    snprintf(to_path, sizeof to_path, "%s/to.db", folder);
+    snprintf(tail_path, sizeof tail_path, "%s/from.db.tail", folder);
+    return 0;
+}
+
+static struct ledger_entry coin(uint32_t id)
+{
+    return (struct ledger_entry){ .id = id,
+                                  .boot = 1,
+                                  .tick = 100u * id,
+                                  .day = 9000,
+                                  .kind = LEDGER_COINS,
+                                  .count = 1,
+                                  .value = 1,
+                                  .balance.paid = id };
+}
+
+static void put_file(const char *at, uint32_t count)
+{
+    assert_int_equal(ledger_file_open(&file, at, NULL), SQLITE_OK);
+    for (uint32_t id = 1; id <= count; id++) {
+        const struct ledger_entry entry = coin(id);
+        assert_int_equal(ledger_file_write(&file, &entry, 1), SQLITE_OK);
+    }
+    ledger_file_close(&file);
+}
+
+static void put_tail(uint32_t first, uint32_t last)
+{
+    struct ledger_mirror tail;
+    assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
+    for (uint32_t id = first; id <= last; id++) {
+        const struct ledger_entry entry = coin(id);
+        assert_int_equal(ledger_mirror_write(&tail, &entry, 1), 0);
+    }
+    ledger_mirror_close(&tail);
+}
+
+/* Salvages into the new file and expects entries 1 to `last` in it. */
+static void expect_salvaged(const char *from, uint32_t last, uint32_t entries)
+{
+    struct ledger_file to;
+    struct ledger_recovered salvaged;
+    struct ledger_entry entry;
+    struct ledger_mirror tail = ledger_mirror_inspect(tail_path);
+    assert_int_equal(ledger_file_open(&to, to_path, NULL), SQLITE_OK);
+    assert_int_equal(ledger_recover(from, &tail, &to, &salvaged), SQLITE_OK);
+    assert_int_equal(salvaged.entries, entries);
+    assert_int_equal(salvaged.lost, 0);
+    assert_int_equal(to.content.memory.ledger.last_id, last);
+    assert_int_equal(to.content.memory.ledger.balance.paid, last);
+    for (uint32_t id = 1; id <= last; id++) {
+        assert_int_equal(ledger_file_entry(&to, id, &entry), SQLITE_OK);
+        assert_int_equal(entry.tick, 100u * id);
+    }
+    ledger_file_close(&to);
+    ledger_mirror_close(&tail);
+}
+
+static void test_entries_beyond_the_new_list_come_from_the_damaged_file(void **state)
+{
+    (void)state;
+    put_file(from_path, 5);
+    put_file(to_path, 2);
+    expect_salvaged(from_path, 5, 3);
+}
+
+static void test_entries_beyond_the_damaged_file_come_from_the_tail(void **state)
+{
+    (void)state;
+    put_file(from_path, 3);
+    put_file(to_path, 1);
+    put_tail(2, 6);
+    expect_salvaged(from_path, 6, 5);
+}
+
+static void test_without_a_file_the_tail_alone_is_read(void **state)
+{
+    (void)state;
+    put_file(to_path, 2);
+    put_tail(1, 4);
+    expect_salvaged(NULL, 4, 2);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up_paths, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_entries_beyond_the_new_list_come_from_the_damaged_file),
+        TEST(test_entries_beyond_the_damaged_file_come_from_the_tail),
+        TEST(test_without_a_file_the_tail_alone_is_read),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

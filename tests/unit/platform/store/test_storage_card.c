@@ -1,0 +1,672 @@
+/* test_storage_card.c -- a card that is slow, stuck, full, read-only, away or somebody else's: the
+ * store says so, takes what it can, and goes on with it when it can. The moods are made where the
+ * store's libraries call the kernel (tests/power/tape.h). */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "platform/store/storage.h"
+#include "tests/power/tape.h"
+
+static char dir[64], file[96];
+static struct tape tape;
+static struct storage storage;
+static struct hal_storage device;
+
+/* A file system that is mounted read-only says so to root, too. */
+static bool is_read_only;
+int __real_access(const char *path, int mode);
+int __wrap_access(const char *path, int mode);
+int __wrap_access(const char *path, int mode)
+{
+    if (is_read_only && (mode & W_OK)) {
+        errno = EROFS;
+        return -1;
+    }
+    return __real_access(path, mode);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(dir, "/tmp/kingyo-card-XXXXXX");
+    if (!mkdtemp(dir)) {
+        return -1;
+    }
+    snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
+    tape_begin(&tape, dir, NULL, 0);
+    tape_sync_us(0);
+    tape_refuse(0);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    device = storage_device(&storage);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    char command[96];
+    is_read_only = false;
+    tape_sync_us(0);
+    tape_refuse(0);
+    device.ops->close(device.self);
+    tape_end();
+    tape_free(&tape);
+    snprintf(command, sizeof command, "rm -rf %s", dir);
+    return system(command);
+}
+
+static int keep(uint32_t id)
+{
+    const struct ledger_entry coin = { .id = id,
+                                       .boot = 1,
+                                       .tick = 100 * id,
+                                       .kind = LEDGER_COINS,
+                                       .count = 1,
+                                       .value = 1,
+                                       .balance = { .paid = id } };
+    return device.ops->append(device.self, &coin);
+}
+
+static uint32_t saved_id(void)
+{
+    return device.ops->saved_id(device.self);
+}
+
+static int is_well(void)
+{
+    return device.ops->is_healthy(device.self);
+}
+
+static const char *text(void)
+{
+    return device.ops->describe(device.self);
+}
+
+static int64_t now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+}
+
+static void pause_ms(long ms)
+{
+    nanosleep(&(struct timespec){ ms / 1000, ms % 1000 * 1000000L }, NULL);
+}
+
+static void wait_until_saved(uint32_t id)
+{
+    for (int i = 0; i < 1000 && saved_id() < id; i++) {
+        pause_ms(10);
+    }
+    assert_int_equal(saved_id(), id);
+}
+
+static int count_entries(void)
+{
+    sqlite3 *db;
+    sqlite3_stmt *statement;
+    assert_int_equal(sqlite3_open_v2(file, &db, SQLITE_OPEN_READONLY, NULL), SQLITE_OK);
+    sqlite3_prepare_v2(db, "SELECT count(*) FROM entries", -1, &statement, NULL);
+    assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
+    const int count = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    sqlite3_close(db);
+    return count;
+}
+
+static void refuses_and_goes_on(int error, const char *words)
+{
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    keep(1);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+    assert_true(is_well());
+    tape_refuse(error);
+    for (uint32_t id = 2; id <= STORAGE_QUEUE_MAX + 1; id++) {
+        assert_int_equal(keep(id), HAL_OK);
+    }
+    assert_int_equal(keep(STORAGE_QUEUE_MAX + 2), HAL_ERR_BUSY);
+    for (int i = 0; i < 3; i++) {
+        storage_work(&storage);
+        assert_int_equal(saved_id(), 1);
+        assert_false(is_well());
+    }
+    assert_non_null(strstr(text(), words));
+    assert_int_equal(device.ops->refused_count(device.self), 3);
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), STORAGE_QUEUE_MAX + 1);
+    assert_true(is_well());
+    assert_int_equal(count_entries(), STORAGE_QUEUE_MAX + 1);
+}
+
+static void test_a_full_card_takes_what_waited_when_it_has_room_again(void **state)
+{
+    (void)state;
+    refuses_and_goes_on(ENOSPC, "free some space");
+}
+
+static void test_a_card_that_fails_takes_what_waited_when_it_works_again(void **state)
+{
+    (void)state;
+    refuses_and_goes_on(EIO, "64 entries not written: disk I/O error; it is retried each second");
+}
+
+static void test_a_card_that_turned_read_only_takes_what_waited_when_it_is_not(void **state)
+{
+    (void)state;
+    refuses_and_goes_on(EROFS, "64 entries not written");
+}
+
+static void test_no_frame_waits_for_a_slow_card(void **state)
+{
+    (void)state;
+    storage.by_hand = 0;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    pause_ms(300); /* The first backup. */
+    tape_sync_us(200000);
+    int64_t longest_ms = 0;
+    for (uint32_t id = 1; id <= 20; id++) {
+        const int64_t begin_ms = now_ms();
+        assert_int_equal(keep(id), HAL_OK);
+        saved_id();
+        is_well();
+        const int64_t took_ms = now_ms() - begin_ms;
+        longest_ms = took_ms > longest_ms ? took_ms : longest_ms;
+        pause_ms(10);
+    }
+    assert_true(longest_ms < 100); /* A sync alone is 200. */
+    wait_until_saved(20);
+    assert_true(is_well()); /* Slow is no fault. */
+}
+
+static void test_a_card_that_does_not_come_back_is_told(void **state)
+{
+    (void)state;
+    storage.by_hand = 0;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    pause_ms(300);
+    tape_sync_us(999999);
+    keep(1);
+    pause_ms(100);
+    assert_true(is_well());
+    atomic_fetch_sub(&storage.busy_since_ms, STORAGE_STUCK_MS); /* As if that were longer ago. */
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "has not answered for 3 s; 1 entries wait"));
+    tape_sync_us(0);
+    wait_until_saved(1);
+    assert_true(is_well());
+}
+
+/* A name that leads nowhere yet: nothing that could be opened. */
+static void take_card_away(void)
+{
+    assert_int_equal(symlink("/tmp/kingyo-no-such-card/kingyo.db", file), 0);
+}
+
+/* By another program: nothing of that is on the tape. */
+static void put_away(void)
+{
+    char command[128];
+    snprintf(command, sizeof command, "rm %s", file);
+    assert_int_equal(system(command), 0);
+}
+
+static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    take_card_away();
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_ERR_ABSENT);
+    assert_int_equal(keep(1), HAL_ERR_ABSENT);
+    assert_false(is_well());
+    put_away();
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(keep(2), HAL_OK);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 2);
+}
+
+/* What it holds is no less than what this kiosk knows: it would be written over. */
+static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    char command[256];
+    take_card_away();
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    put_away();
+    snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-5.db %s", file);
+    assert_int_equal(system(command), 0);
+    storage_work(&storage);
+    assert_int_equal(keep(1), HAL_ERR_ABSENT);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "restart"));
+    assert_int_equal(device.ops->wants_restart(device.self), 1);
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 9);
+    assert_int_equal(device.ops->wants_restart(device.self), 0);
+}
+
+/* Its credits are there, and coins are taken as soon as it can be written: no start is needed. */
+static void test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    keep(1);
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    is_read_only = true;
+    tape_refuse(EROFS);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.balance.paid, 1);
+    keep(2);
+    storage_work(&storage);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "not written"));
+    is_read_only = false;
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(saved_id(), 2);
+}
+
+static void test_somebody_elses_card_is_not_written_on(void **state)
+{
+    (void)state;
+    char command[256];
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    keep(1);
+    storage_work(&storage);
+    tape_refuse(EIO);
+    keep(2);
+    storage_work(&storage); /* The card is pulled; another one is put in. */
+    snprintf(command, sizeof command,
+             "rm %s*; cp tests/unit/platform/store/files/version-5.db %s", file, file);
+    assert_int_equal(system(command), 0);
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "not the card that it began with"));
+    assert_int_equal(count_entries(), 9);
+    assert_int_equal(saved_id(), 1);
+    assert_int_equal(device.ops->wants_restart(device.self), 0); /* Here it would change purses. */
+}
+
+/* ---- A card that is full when the kiosk starts ----------------------------------------------- */
+
+/* As a kill leaves it: five entries, some of them in the log alone, and no index of it. */
+static void leave_five_entries_in_the_log(void)
+{
+    char command[400];
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    for (uint32_t id = 1; id <= 5; id++) {
+        keep(id);
+        storage_work(&storage);
+    }
+    snprintf(command, sizeof command, "cd %s && mkdir left && cp -a " STORAGE_FILE " " STORAGE_FILE
+             "-wal left", dir);
+    assert_int_equal(system(command), 0);
+    device.ops->close(device.self);
+    snprintf(command, sizeof command, "cd %s && rm -f " STORAGE_FILE "* && mv left/* . && "
+             "rmdir left", dir);
+    assert_int_equal(system(command), 0);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+}
+
+/* `proven`: the newest entry that counts as on disk while the card is full. */
+static void remembers_and_goes_on(uint32_t proven)
+{
+    static struct persistent_state memory;
+    tape_refuse(ENOSPC);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 5);
+    assert_int_equal(memory.ledger.balance.paid, 5);
+    assert_false(is_well());
+    assert_non_null(strstr(text(), "full; free some space"));
+    assert_int_equal(saved_id(), proven);
+    assert_int_equal(keep(6), HAL_OK); /* It waits. */
+    storage_work(&storage);
+    assert_false(is_well());
+    assert_int_equal(saved_id(), proven);
+    tape_refuse(0);
+    storage.look_due_ms = 0; /* As if a second were over; nothing here tells of the room. */
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(saved_id(), 6);
+    assert_int_equal(count_entries(), 6);
+}
+
+static void test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room(void **state)
+{
+    (void)state;
+    leave_five_entries_in_the_log();
+    remembers_and_goes_on(0); /* A log that cannot be written again may not be on disk. */
+}
+
+static void test_so_is_one_that_was_closed_in_good_order(void **state)
+{
+    (void)state;
+    device.ops->open(device.self);
+    for (uint32_t id = 1; id <= 5; id++) {
+        keep(id);
+    }
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    remembers_and_goes_on(5); /* All of it is in the database. */
+}
+
+static void test_others_may_read_a_full_card_meanwhile(void **state)
+{
+    (void)state;
+    leave_five_entries_in_the_log();
+    tape_refuse(ENOSPC);
+    device.ops->open(device.self);
+    tape_refuse(0);
+    assert_int_equal(count_entries(), 5);
+}
+
+/* ---- A card that is of no use, as long as it lasts ------------------------------------------- */
+
+static void put_a_later_kingyos_file(void)
+{
+    char command[256];
+    snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-5.db %s", file);
+    assert_int_equal(system(command), 0);
+    sqlite3 *db;
+    assert_int_equal(sqlite3_open(file, &db), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(db, "PRAGMA user_version = 99", NULL, NULL, NULL), SQLITE_OK);
+    sqlite3_close(db);
+}
+
+/* How often it was looked through. */
+static uint32_t looks(void)
+{
+    return device.ops->refused_count(device.self);
+}
+
+/* Both would give out the same numbers, and each take the other's coins for its own. */
+static void test_a_second_stall_at_one_folder_waits_until_the_first_has_ended(void **state)
+{
+    (void)state;
+    static struct storage second;
+    second = (struct storage){ .dir = dir, .by_hand = 1 };
+    const struct hal_storage other = storage_device(&second);
+    const struct ledger_entry coin = { .id = 1, .boot = 1, .kind = LEDGER_COINS, .count = 1 };
+    device.ops->open(device.self);
+    keep(1);
+    storage_work(&storage);
+    assert_int_equal(other.ops->open(other.self), HAL_ERR_IO);
+    assert_int_equal(other.ops->append(other.self, &coin), HAL_ERR_ABSENT);
+    assert_non_null(strstr(other.ops->describe(other.self), "another Kingyo has it open"));
+    storage_work(&second);
+    assert_false(other.ops->is_healthy(other.self));
+    device.ops->close(device.self);
+    storage_work(&second);
+    assert_true(other.ops->wants_restart(other.self)); /* The first stall's list lies there. */
+    other.ops->close(other.self);
+}
+
+static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **state)
+{
+    (void)state;
+    put_a_later_kingyos_file();
+    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    storage_work(&storage);
+    assert_int_equal(looks(), 1);
+    for (int64_t wait_ms = STORAGE_RETRY_MS, i = 0; i < 8; i++) {
+        storage_work(&storage);
+        assert_int_equal(looks(), 1 + i); /* Not before its time ... */
+        assert_int_equal(storage.look_wait_ms, wait_ms);
+        storage.look_due_ms -= wait_ms;
+        storage_work(&storage);
+        assert_int_equal(looks(), 2 + i); /* ... and then once. */
+        wait_ms = 2 * wait_ms < STORAGE_RETRY_MS_MAX ? 2 * wait_ms : STORAGE_RETRY_MS_MAX;
+    }
+    assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
+}
+
+static bool is_beside(const char *suffix)
+{
+    char path[160];
+    snprintf(path, sizeof path, "%s%s", file, suffix);
+    return access(path, F_OK) == 0;
+}
+
+static void keep_eight_and_close(void)
+{
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    for (uint32_t id = 1; id <= 8; id++) {
+        assert_int_equal(keep(id), HAL_OK);
+        storage_work(&storage); /* The backup has the first. */
+    }
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+}
+
+/* All that there is is shown, nothing of it is replaced by less, and the slot stays shut. */
+static void is_read_and_left(void)
+{
+    static struct persistent_state memory;
+    tape_refuse(ENOSPC);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 8);
+    assert_int_equal(memory.ledger.balance.paid, 8);
+    assert_int_equal(memory.audits.count[AUDIT_UNITS], 8);
+    assert_false(is_well());
+    assert_int_equal(keep(9), HAL_OK);
+    for (int i = 0; i < 4; i++) {
+        storage.look_due_ms = 0;
+        storage_work(&storage);
+        assert_false(is_beside(".damaged-1") || is_beside(".missing-1") || is_beside(".new"));
+        assert_false(is_well());
+    }
+    tape_refuse(0);
+    storage.look_due_ms = 0;
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(saved_id(), 9);
+    assert_int_equal(count_entries(), 9);
+}
+
+static void test_a_damaged_file_on_a_full_card_is_read_and_left(void **state)
+{
+    static const char dirt[4096] = { 1, 2, 3 };
+    (void)state;
+    keep_eight_and_close();
+    FILE *out = fopen(file, "r+b");
+    assert_non_null(out);
+    fseek(out, 3 * (long)sizeof dirt, SEEK_SET);
+    assert_int_equal(fwrite(dirt, sizeof dirt, 1, out), 1);
+    fclose(out);
+    is_read_and_left();
+    assert_true(is_beside(".damaged-1"));
+}
+
+static void test_so_is_what_is_there_without_the_file(void **state)
+{
+    (void)state;
+    keep_eight_and_close();
+    assert_int_equal(unlink(file), 0);
+    is_read_and_left();
+    assert_true(is_beside(".missing-1"));
+}
+
+static void test_room_that_others_take_and_give_is_no_reason_to_look(void **state)
+{
+    (void)state;
+    put_a_later_kingyos_file();
+    device.ops->open(device.self);
+    storage_work(&storage);
+    storage.room = 0; /* A gigabyte was freed since. */
+    storage_work(&storage);
+    assert_int_equal(looks(), 1);
+}
+
+static void test_a_file_that_changes_is_looked_at_at_once(void **state)
+{
+    (void)state;
+    put_a_later_kingyos_file();
+    device.ops->open(device.self);
+    for (int i = 0; i < 8; i++) {
+        storage.look_due_ms = 0;
+        storage_work(&storage);
+    }
+    assert_int_equal(storage.look_wait_ms, STORAGE_RETRY_MS_MAX);
+    put_away(); /* That card is pulled, and a fresh one put in. */
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(keep(1), HAL_OK);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+}
+
+/* ---- Replays -------------------------------------------------------------------------------- */
+
+static const uint8_t replay[] = "all that the hand did";
+
+static void play_round(uint32_t id, uint32_t caught)
+{
+    const struct ledger_entry round = {
+        .id = id,
+        .boot = 1,
+        .kind = LEDGER_ROUND,
+        .round = { .id = id, .caught = caught, .players = 1, .player = { { .caught = caught } } },
+    };
+    assert_int_equal(device.ops->append(device.self, &round), HAL_OK);
+}
+
+static struct ledger_entry fetched;
+
+static int fetch(uint32_t round_id, uint8_t *bytes, size_t size)
+{
+    assert_int_equal(device.ops->fetch_replay(device.self, round_id, bytes, size, &fetched),
+                     HAL_OK);
+    assert_int_equal(device.ops->replay_fetched(device.self), HAL_ERR_BUSY);
+    storage_work(&storage);
+    return device.ops->replay_fetched(device.self);
+}
+
+static void test_a_ranked_rounds_replay_is_kept_and_comes_back(void **state)
+{
+    (void)state;
+    uint8_t found[64];
+    device.ops->open(device.self);
+    play_round(1, 5); /* Written in the same go, before its replay. */
+    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    assert_int_equal(device.ops->store_replay(device.self, 2, replay, sizeof replay), HAL_ERR_BUSY);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 0);
+    storage_work(&storage);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
+    assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
+    assert_memory_equal(found, replay, sizeof replay);
+    assert_int_equal(fetched.id, 1); /* And the round's own entry with it. */
+    assert_int_equal(fetched.round.caught, 5);
+    assert_int_equal(fetch(1, found, 4), HAL_ERR_ABSENT);
+    assert_int_equal(fetch(7, found, sizeof found), HAL_ERR_ABSENT);
+}
+
+static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
+{
+    (void)state;
+    uint8_t found[64];
+    device.ops->open(device.self);
+    for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) {
+        play_round(id, id <= RANK_ROWS ? 9 : 1);
+    }
+    device.ops->store_replay(device.self, RANK_ROWS + 1, replay, sizeof replay);
+    storage_work(&storage);
+    assert_int_equal(device.ops->stored_replay_id(device.self), RANK_ROWS + 1);
+    assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_ABSENT);
+}
+
+/* A round that is not on disk is not among the best there: its replay would be dropped. */
+static void test_a_replay_is_written_after_its_round_and_never_before(void **state)
+{
+    (void)state;
+    uint8_t found[64];
+    device.ops->open(device.self);
+    tape_refuse(ENOSPC);
+    play_round(1, 5);
+    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    for (int i = 0; i < 3; i++) {
+        storage_work(&storage);
+        assert_int_equal(saved_id(), 0);
+        assert_int_equal(device.ops->stored_replay_id(device.self), 0);
+    }
+    tape_refuse(0);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
+    assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
+}
+
+static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
+{
+    (void)state;
+    device.ops->open(device.self);
+    play_round(1, 5);
+    storage_work(&storage);
+    tape_refuse(ENOSPC);
+    device.ops->store_replay(device.self, 1, replay, sizeof replay);
+    storage_work(&storage);
+    storage_work(&storage);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 0); /* Tried again, ... */
+    storage.put_since_ms -= STORAGE_REPLAY_MS;                    /* ... but not for ever. */
+    storage_work(&storage);
+    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
+    tape_refuse(0);
+    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_full_card_takes_what_waited_when_it_has_room_again),
+        TEST(test_a_card_that_fails_takes_what_waited_when_it_works_again),
+        TEST(test_a_card_that_turned_read_only_takes_what_waited_when_it_is_not),
+        TEST(test_no_frame_waits_for_a_slow_card),
+        TEST(test_a_card_that_does_not_come_back_is_told),
+        TEST(test_a_card_that_comes_late_and_is_fresh_is_used),
+        TEST(test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart),
+        TEST(test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not),
+        TEST(test_somebody_elses_card_is_not_written_on),
+        TEST(test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_has_room),
+        TEST(test_so_is_one_that_was_closed_in_good_order),
+        TEST(test_others_may_read_a_full_card_meanwhile),
+        TEST(test_a_second_stall_at_one_folder_waits_until_the_first_has_ended),
+        TEST(test_a_file_that_is_of_no_use_is_looked_at_ever_less_often),
+        TEST(test_a_damaged_file_on_a_full_card_is_read_and_left),
+        TEST(test_so_is_what_is_there_without_the_file),
+        TEST(test_room_that_others_take_and_give_is_no_reason_to_look),
+        TEST(test_a_file_that_changes_is_looked_at_at_once),
+        TEST(test_a_ranked_rounds_replay_is_kept_and_comes_back),
+        TEST(test_a_round_that_is_not_ranked_keeps_no_replay),
+        TEST(test_a_replay_is_written_after_its_round_and_never_before),
+        TEST(test_a_replay_that_the_card_refuses_is_given_back),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

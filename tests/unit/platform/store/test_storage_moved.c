@@ -1,0 +1,319 @@
+/* test_storage_moved.c -- a data folder that is deleted, renamed, replaced or mounted over while
+ * the kiosk runs: the store reports it within a second, although nothing is written, and
+ * acknowledges nothing until the folder is back. */
+#include <sched.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "platform/store/storage.h"
+
+#define WITHIN_MS 1500 /* A second, and what a loaded machine needs. */
+
+static char top[64], dir[96], path[128];
+static struct storage storage;
+static struct hal_storage device;
+
+static void begin(int by_hand)
+{
+    storage = (struct storage){ .dir = dir, .by_hand = (uint8_t)by_hand };
+    device = storage_device(&storage);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(top, "/tmp/kingyo-moved-XXXXXX");
+    if (!mkdtemp(top)) {
+        return -1;
+    }
+    snprintf(dir, sizeof dir, "%s/data", top);
+    snprintf(path, sizeof path, "%s/" STORAGE_FILE, dir);
+    return 0;
+}
+
+static void do_shell(const char *text)
+{
+    char command[400];
+    snprintf(command, sizeof command, "cd %s && %s", top, text);
+    assert_int_equal(system(command), 0);
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    device.ops->close(device.self);
+    do_shell("rm -rf /tmp/kingyo-moved-gone; cd / && rm -rf \"$OLDPWD\"");
+    return 0;
+}
+
+static void pause_ms(long ms)
+{
+    nanosleep(&(struct timespec){ ms / 1000, ms % 1000 * 1000000L }, NULL);
+}
+
+static int is_well(void)
+{
+    return device.ops->is_healthy(device.self);
+}
+
+static int keep(uint32_t id)
+{
+    const struct ledger_entry coin = { .id = id,
+                                       .boot = 1,
+                                       .tick = 100 * id,
+                                       .kind = LEDGER_COINS,
+                                       .count = 1,
+                                       .value = 1,
+                                       .balance = { .paid = id } };
+    return device.ops->append(device.self, &coin);
+}
+
+static uint32_t saved_id(void)
+{
+    return device.ops->saved_id(device.self);
+}
+
+static void wait_until_well(int well, long most_ms)
+{
+    for (long ms = 0; ms < most_ms && is_well() != well; ms += 10) {
+        pause_ms(10);
+    }
+    assert_int_equal(is_well(), well);
+}
+
+static void save_three(void)
+{
+    begin(0);
+    for (uint32_t id = 1; id <= 3; id++) {
+        assert_int_equal(keep(id), HAL_OK);
+    }
+    for (int i = 0; i < 500 && saved_id() < 3; i++) {
+        pause_ms(10);
+    }
+    assert_int_equal(saved_id(), 3);
+    pause_ms(300); /* The first backup. */
+    assert_true(is_well());
+}
+
+/* After each way nothing is acknowledged, however long the kiosk goes on. */
+static void is_detected_after(const char *what)
+{
+    save_three();
+    do_shell(what);
+    wait_until_well(0, WITHIN_MS);
+    const char *text = device.ops->describe(device.self);
+    assert_non_null(strstr(text, "removed or replaced"));
+    assert_non_null(strstr(text, "restart the kiosk"));
+    keep(4);
+    pause_ms(1100);
+    assert_false(is_well());
+    assert_int_equal(saved_id(), 3);
+}
+
+static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    is_detected_after("rm -rf data");
+    assert_int_equal(device.ops->close(device.self), 0);
+    begin(1);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 4); /* The one that waited as well. */
+    assert_int_equal(memory.audits.count[AUDIT_COINS_1], 4);
+    assert_non_null(strstr(device.ops->describe(device.self), "kingyo.db was missing"));
+}
+
+static void test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    is_detected_after("rm -rf data && mkdir data");
+    assert_int_equal(device.ops->close(device.self), 0);
+    begin(1);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 4);
+}
+
+static void test_a_deleted_folder_in_whose_place_is_another_keeps_the_other_as_it_is(void **state)
+{
+    (void)state;
+    is_detected_after("rm -rf data && mkdir data && "
+                      "cp $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
+    assert_int_equal(device.ops->close(device.self), 1); /* Entry 4 was never acknowledged. */
+    do_shell("cmp -s $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
+    begin(1);
+}
+
+static void test_a_renamed_folder_is_detected_and_used_again_when_it_is_back(void **state)
+{
+    (void)state;
+    is_detected_after("mv data away");
+    do_shell("mv away data");
+    wait_until_well(1, WITHIN_MS);
+    for (int i = 0; i < 200 && saved_id() < 4; i++) {
+        pause_ms(10);
+    }
+    assert_int_equal(saved_id(), 4);
+}
+
+static void test_a_replaced_folder_is_detected_and_the_old_one_is_used_again(void **state)
+{
+    (void)state;
+    struct stat about;
+    is_detected_after("mv data away && mkdir data");
+    assert_int_equal(stat(path, &about), -1); /* No new list is begun there. */
+    do_shell("rmdir data && mv away data");
+    wait_until_well(1, WITHIN_MS);
+}
+
+static void test_a_folder_with_another_list_in_its_place_is_detected(void **state)
+{
+    (void)state;
+    save_three();
+    do_shell("mv data away && mkdir data && "
+             "cp $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
+    wait_until_well(0, WITHIN_MS);
+    keep(4);
+    pause_ms(1100);
+    assert_false(is_well());
+    assert_int_equal(saved_id(), 3);
+}
+
+static void test_a_file_that_is_deleted_or_replaced_is_detected(void **state)
+{
+    (void)state;
+    is_detected_after("rm data/kingyo.db");
+    device.ops->close(device.self);
+    do_shell("rm -rf data");
+    is_detected_after("mv data/kingyo.db data/old && cp data/old data/kingyo.db && "
+                      "rm data/old data/kingyo.db-*");
+}
+
+static void test_a_log_that_is_deleted_is_detected_and_loses_nothing(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    begin(1);
+    keep(1);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+    do_shell("rm data/kingyo.db-wal");
+    keep(2);
+    storage_work(&storage);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 2);
+    do_shell("rm -f data/kingyo.db-wal.lost");
+    device.ops->close(device.self);
+    begin(1);
+    device.ops->load(device.self, &memory);
+    assert_int_equal(memory.ledger.last_id, 2);
+}
+
+static void test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_again(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    save_three();
+    const uint32_t refused = device.ops->refused_count(device.self);
+    do_shell("rm data/kingyo.db-wal");
+    wait_until_well(0, WITHIN_MS);
+    assert_non_null(strstr(device.ops->describe(device.self), "removed or replaced"));
+    assert_true(device.ops->refused_count(device.self) > refused);
+    keep(4);
+    wait_until_well(1, 2 * WITHIN_MS);
+    for (int i = 0; i < 200 && saved_id() < 4; i++) {
+        pause_ms(10);
+    }
+    assert_int_equal(saved_id(), 4);
+    assert_int_equal(device.ops->close(device.self), 0);
+    begin(1);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 4);
+}
+
+static void test_a_log_that_is_deleted_right_before_the_end_loses_nothing(void **state)
+{
+    (void)state;
+    static struct persistent_state memory;
+    begin(1);
+    keep(1);
+    storage_work(&storage);
+    keep(2);
+    do_shell("rm data/kingyo.db-wal");
+    assert_int_equal(device.ops->close(device.self), 0);
+    begin(1);
+    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(memory.ledger.last_id, 2);
+}
+
+static void test_an_entry_is_not_acknowledged_from_a_file_that_went_meanwhile(void **state)
+{
+    (void)state;
+    begin(1);
+    keep(1);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+    do_shell("mv data away"); /* With no look in between. */
+    keep(2);
+    storage_work(&storage);
+    assert_int_equal(saved_id(), 1);
+    assert_false(is_well());
+    do_shell("mv away data");
+    storage_work(&storage);
+    assert_true(is_well());
+    assert_int_equal(saved_id(), 2);
+}
+
+/* Needs a mount namespace of its own; where there is none the test says so. */
+static void test_a_folder_that_is_mounted_over_is_detected(void **state)
+{
+    (void)state;
+    if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0) {
+        skip();
+    }
+    save_three();
+    assert_int_equal(mount("none", dir, "tmpfs", 0, NULL), 0);
+    wait_until_well(0, WITHIN_MS);
+    keep(4);
+    pause_ms(1100);
+    assert_false(is_well());
+    assert_int_equal(saved_id(), 3);
+    assert_int_equal(umount(dir), 0);
+    wait_until_well(1, WITHIN_MS);
+    for (int i = 0; i < 200 && saved_id() < 4; i++) {
+        pause_ms(10);
+    }
+    assert_int_equal(saved_id(), 4);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_a_deleted_folder_is_detected_and_saved_at_the_end),
+        TEST(test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end),
+        TEST(test_a_deleted_folder_in_whose_place_is_another_keeps_the_other_as_it_is),
+        TEST(test_a_renamed_folder_is_detected_and_used_again_when_it_is_back),
+        TEST(test_a_replaced_folder_is_detected_and_the_old_one_is_used_again),
+        TEST(test_a_folder_with_another_list_in_its_place_is_detected),
+        TEST(test_a_file_that_is_deleted_or_replaced_is_detected),
+        TEST(test_a_log_that_is_deleted_is_detected_and_loses_nothing),
+        TEST(test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_again),
+        TEST(test_a_log_that_is_deleted_right_before_the_end_loses_nothing),
+        TEST(test_an_entry_is_not_acknowledged_from_a_file_that_went_meanwhile),
+        TEST(test_a_folder_that_is_mounted_over_is_detected),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,294 @@
+/* test_storage_sync.c -- a sync that fails: nothing is acknowledged before its bytes were written
+ * again and synced. `make test-power` tries the same at places by seed. */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+#include <sqlite3.h>
+
+#include "platform/store/storage.h"
+
+static char dir[64], file[96], wal[96], tail[96];
+static struct storage storage;
+static struct hal_storage device;
+
+/* ---- libc's file functions, of which syncs of one file fail ---------------------------------- */
+
+static const char *failing; /* Its path; null: no sync fails. "" is every file. */
+static uint32_t fails_left; /* So many syncs of it. */
+static uint64_t written;    /* Bytes into `watched`. */
+static const char *watched;
+
+static int is_of(int fd, const char *path)
+{
+    struct stat one, other;
+    return path && (!path[0] || (fstat(fd, &one) == 0 && stat(path, &other) == 0 &&
+                                 one.st_ino == other.st_ino));
+}
+
+static int sync_or_fail(int fd)
+{
+    if (fails_left > 0 && is_of(fd, failing)) {
+        fails_left--;
+        errno = EIO;
+        return -1;
+    }
+    return 0;
+}
+
+#pragma GCC diagnostic ignored "-Wredundant-decls"
+int fsync(int fd)
+{
+    return sync_or_fail(fd);
+}
+
+int fdatasync(int fd)
+{
+    return sync_or_fail(fd);
+}
+
+static ssize_t note_write(int fd, const void *bytes, size_t size, off_t at)
+{
+    written += is_of(fd, watched) ? size : 0u;
+    return syscall(SYS_pwrite64, fd, bytes, size, at);
+}
+
+ssize_t pwrite(int fd, const void *bytes, size_t size, off_t at)
+{
+    return note_write(fd, bytes, size, at);
+}
+
+ssize_t pwrite64(int fd, const void *bytes, size_t size, off64_t at)
+{
+    return note_write(fd, bytes, size, at);
+}
+
+static void fail_syncs(const char *path, uint32_t count)
+{
+    failing = path;
+    fails_left = count;
+}
+
+/* ---- The store ------------------------------------------------------------------------------- */
+
+static int set_up(void **state)
+{
+    (void)state;
+    strcpy(dir, "/tmp/kingyo-sync-XXXXXX");
+    if (!mkdtemp(dir)) {
+        return -1;
+    }
+    snprintf(file, sizeof file, "%s/" STORAGE_FILE, dir);
+    snprintf(wal, sizeof wal, "%s/" STORAGE_FILE "-wal", dir);
+    snprintf(tail, sizeof tail, "%s/" STORAGE_FILE STORAGE_MIRROR_SUFFIX, dir);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    device = storage_device(&storage);
+    fail_syncs(NULL, 0);
+    watched = NULL;
+    written = 0;
+    return device.ops->open(device.self) == HAL_OK ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    char command[80];
+    device.ops->close(device.self);
+    snprintf(command, sizeof command, "rm -rf %s", dir);
+    return system(command);
+}
+
+static void drop_coins(uint32_t first, uint32_t last)
+{
+    for (uint32_t id = first; id <= last; id++) {
+        const struct ledger_entry coin = { .id = id, .boot = 1, .tick = id, .kind = LEDGER_COINS,
+                                           .count = 1 };
+        assert_int_equal(device.ops->append(device.self, &coin), HAL_OK);
+    }
+    storage_work(&storage);
+}
+
+static uint32_t saved(void)
+{
+    return device.ops->saved_id(device.self);
+}
+
+static uint64_t size_of(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 ? (uint64_t)about.st_size : 0u;
+}
+
+/* ---- Tests ----------------------------------------------------------------------------------- */
+
+static void test_after_a_failed_sync_of_the_log_its_bytes_are_written_again(void **state)
+{
+    (void)state;
+    drop_coins(1, 1);
+    watched = wal;
+    fail_syncs(wal, 2); /* At COMMIT, and when the file is closed. */
+    drop_coins(2, 3);
+    assert_int_equal(saved(), 1);
+    assert_false(device.ops->is_healthy(device.self));
+    const uint64_t size = size_of(wal);
+    assert_true(size > 0);
+    written = 0;
+    storage_work(&storage);
+    assert_int_equal(saved(), 3);
+    assert_true(device.ops->is_healthy(device.self));
+    assert_true(written >= size);
+}
+
+static void test_while_every_sync_fails_nothing_is_acknowledged(void **state)
+{
+    (void)state;
+    drop_coins(1, 2);
+    fail_syncs("", UINT32_MAX);
+    for (uint32_t id = 3; id < 12; id++) {
+        drop_coins(id, id);
+        assert_int_equal(saved(), 2);
+        assert_false(device.ops->is_healthy(device.self));
+    }
+    fail_syncs(NULL, 0);
+    storage_work(&storage);
+    assert_int_equal(saved(), 11);
+    assert_true(device.ops->is_healthy(device.self));
+}
+
+static void test_a_failed_sync_of_the_tail_alone_is_not_acknowledged(void **state)
+{
+    (void)state;
+    drop_coins(1, 1);
+    watched = tail;
+    fail_syncs(tail, 1);
+    drop_coins(2, 2);
+    assert_int_equal(saved(), 1);
+    assert_false(device.ops->is_healthy(device.self));
+    written = 0;
+    storage_work(&storage);
+    assert_int_equal(saved(), 2);
+    assert_true(written >= LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE);
+}
+
+static void test_a_failed_checkpoint_closes_the_file_and_loses_nothing(void **state)
+{
+    (void)state;
+    fail_syncs(file, 1);
+    uint32_t id = 0;
+    while (fails_left > 0 && id < 500u) {
+        id++;
+        drop_coins(id, id);
+    }
+    assert_int_equal(fails_left, 0);
+    assert_int_equal(saved(), id - 1u);
+    assert_false(device.ops->is_healthy(device.self));
+    assert_null(storage.file.db);
+    watched = wal;
+    written = 0;
+    const uint64_t size = size_of(wal);
+    storage_work(&storage);
+    assert_int_equal(saved(), id);
+    assert_true(written >= size);
+}
+
+/* Copies the database and its log as SIGKILL leaves them, and puts the copy in their place. */
+static void be_killed(void)
+{
+    char command[512];
+    snprintf(command, sizeof command, "mkdir %s/copy && cp %s %s %s %s/copy", dir, file, wal, tail,
+             dir);
+    assert_int_equal(system(command), 0);
+    device.ops->close(device.self);
+    snprintf(command, sizeof command, "mv %s/copy/* %s", dir, dir);
+    assert_int_equal(system(command), 0);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+}
+
+static void test_a_log_that_is_found_at_the_start_is_written_again_before_it_counts(void **state)
+{
+    (void)state;
+    drop_coins(1, 5);
+    be_killed();
+    watched = wal;
+    written = 0;
+    const uint64_t size = size_of(wal);
+    assert_true(size > 0);
+    fail_syncs(wal, 1);
+    assert_int_not_equal(device.ops->open(device.self), HAL_OK);
+    device.ops->close(device.self);
+    storage = (struct storage){ .dir = dir, .by_hand = 1 };
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(saved(), 5);
+    assert_true(written >= 2u * size);
+}
+
+static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledged(void **state)
+{
+    (void)state;
+    sqlite3 *other = NULL;
+    drop_coins(1, 5);
+    be_killed();
+    assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
+    assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
+    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(saved(), 0);
+        assert_false(device.ops->is_healthy(device.self));
+        storage_work(&storage); /* The lock still lasts. */
+    }
+    assert_non_null(strstr(device.ops->describe(device.self), "another program holds it"));
+    assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
+    watched = wal;
+    written = 0;
+    fail_syncs(wal, 1);
+    storage_work(&storage); /* After the failed sync the file is opened again. */
+    assert_int_equal(fails_left, 0);
+    assert_int_equal(saved(), 5);
+    assert_true(device.ops->is_healthy(device.self));
+    assert_true(written >= 2u * size_of(wal));
+    sqlite3_close(other);
+}
+
+static void test_a_name_taken_back_is_written_again_after_a_failed_sync_of_the_tail(void **state)
+{
+    (void)state;
+    struct ledger_entry name = { .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1,
+                                 .name = "A WORD" };
+    device.ops->append(device.self, &name);
+    storage_work(&storage);
+    memset(name.name, 0, sizeof name.name);
+    name.id = 2;
+    struct ledger_mirror own = ledger_mirror_inspect(tail);
+    ledger_mirror_close(&own);
+    assert_int_equal(ledger_mirror_open(&own, tail), 0);
+    assert_int_equal(ledger_mirror_erase_name(&own, 9, 1), 0);
+    watched = tail;
+    written = 0;
+    assert_int_equal(ledger_mirror_erase_name(&own, 9, 1), 0);
+    assert_int_equal(written, LEDGER_MIRROR_SLOT_SIZE);
+    ledger_mirror_close(&own);
+}
+
+int main(void)
+{
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        TEST(test_after_a_failed_sync_of_the_log_its_bytes_are_written_again),
+        TEST(test_while_every_sync_fails_nothing_is_acknowledged),
+        TEST(test_a_failed_sync_of_the_tail_alone_is_not_acknowledged),
+        TEST(test_a_failed_checkpoint_closes_the_file_and_loses_nothing),
+        TEST(test_a_log_that_is_found_at_the_start_is_written_again_before_it_counts),
+        TEST(test_a_log_that_another_program_locks_at_the_start_is_not_acknowledged),
+        TEST(test_a_name_taken_back_is_written_again_after_a_failed_sync_of_the_tail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,238 @@
+/* test_system_health.c -- a machine made of files: what is looked at, and what is marked as
+ * seen. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "platform/system_health.h"
+
+static char root[64], checked[96], heat[96];
+static time_t calendar_ahead_s, monotonic_ahead_s;
+
+/* In the place of the C library's: the test's own calendar, and its own patience. */
+int clock_gettime(clockid_t clock, struct timespec *out)
+{
+    const int result = (int)syscall(SYS_clock_gettime, clock, out);
+    out->tv_sec += clock == CLOCK_REALTIME ? calendar_ahead_s : monotonic_ahead_s;
+    return result;
+}
+
+static void write_file(const char *name, const char *words)
+{
+    char path[192];
+    snprintf(path, sizeof path, "%s/%s", root, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(words, file);
+    fclose(file);
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    calendar_ahead_s = monotonic_ahead_s = 0;
+    strcpy(root, "/var/tmp/kingyo-machine-XXXXXX");
+    if (!mkdtemp(root)) {
+        return -1;
+    }
+    snprintf(checked, sizeof checked, "%s/checked", root);
+    snprintf(heat, sizeof heat, "%s/heat", root);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    char command[128];
+    (void)state;
+    snprintf(command, sizeof command, "rm -r %s", root);
+    return system(command);
+}
+
+static struct system_health machine_here(void)
+{
+    return (struct system_health){ .data = root, .checked = checked, .heat = heat };
+}
+
+static struct scene_machine look(struct system_health *machine)
+{
+    struct scene_machine says = { .watch = WATCH_DEAF, .missed = 3 };
+    system_health_sample(machine, &says);
+    assert_int_equal(says.has_looked, 1);
+    assert_int_equal(says.watch, WATCH_DEAF); /* The frame loop's own. */
+    assert_int_equal(says.missed, 3);
+    return says;
+}
+
+static void test_the_boards_own_check_says_whether_the_data_persist(void **state)
+{
+    struct system_health machine = machine_here(), nowhere = { .checked = checked, .heat = heat };
+    struct system_health gone = { .data = "/nowhere/at/all", .checked = checked, .heat = heat };
+    struct system_health memory = { .data = "/dev/shm", .checked = checked, .heat = heat };
+    (void)state;
+    assert_int_equal(look(&machine).keeps, KEEPS_FOLDER);
+    write_file("checked", "kept: /dev/mmcblk0p3, ext4; start 7 of this disk, ...\n");
+    assert_int_equal(look(&machine).keeps, KEEPS_PROVEN);
+    assert_int_equal(look(&memory).keeps, KEEPS_MEMORY); /* Whatever another folder is. */
+    write_file("checked", "not kept: /dev/loop0 is memory\n");
+    assert_int_equal(look(&machine).keeps, KEEPS_NOT);
+    write_file("checked", "");
+    assert_int_equal(look(&machine).keeps, KEEPS_FOLDER);
+    assert_int_equal(look(&nowhere).keeps, KEEPS_NOWHERE);
+    assert_int_equal(look(&gone).keeps, KEEPS_NOWHERE);
+    assert_int_equal(look(&gone).room_mib, 0);
+    assert_true(look(&machine).room_mib > 0);
+}
+
+static void test_a_backup_ages_by_the_clock_that_nobody_sets(void **state)
+{
+    struct system_health machine = machine_here();
+    (void)state;
+    assert_int_equal(look(&machine).has_backup, 0);
+    write_file("kingyo.db.backup", "x");
+    assert_int_equal(look(&machine).has_backup, 1);
+    assert_int_equal(look(&machine).backup_min, 0);
+    calendar_ahead_s = 40 * 365 * 86400; /* The network says what day it is. */
+    assert_int_equal(look(&machine).backup_min, 0);
+    monotonic_ahead_s = 61 * 60;
+    assert_int_equal(look(&machine).backup_min, 61);
+    write_file("kingyo.db.backup.new", "y");
+    char from[160], to[160];
+    snprintf(from, sizeof from, "%s/kingyo.db.backup.new", root);
+    snprintf(to, sizeof to, "%s/kingyo.db.backup", root);
+    assert_int_equal(rename(from, to), 0); /* The next hour's. */
+    assert_int_equal(look(&machine).backup_min, 0);
+}
+
+static void test_a_backup_of_an_earlier_evening_is_as_old_as_its_date(void **state)
+{
+    struct system_health machine = machine_here();
+    (void)state;
+    write_file("kingyo.db.backup", "x");
+    calendar_ahead_s = 5 * 3600;
+    assert_in_range(look(&machine).backup_min, 299, 301);
+}
+
+static void test_a_clock_behind_its_own_files_was_set_back(void **state)
+{
+    struct system_health machine = machine_here(), later = machine_here();
+    (void)state;
+    write_file("kingyo.db", "x");
+    assert_int_equal(look(&machine).is_clock_back, 0);
+    calendar_ahead_s = -3600; /* Summer time ends. */
+    assert_int_equal(look(&machine).is_clock_back, 0);
+    calendar_ahead_s = -86400;
+    assert_int_equal(look(&later).is_clock_back, 1);
+    write_file("kingyo.db", "xx"); /* What it writes now says nothing. */
+    assert_int_equal(look(&later).is_clock_back, 1);
+    calendar_ahead_s = 0;
+    assert_int_equal(look(&later).is_clock_back, 0);
+}
+
+static void test_heat_is_a_margin_where_there_is_a_sensor(void **state)
+{
+    struct system_health machine = machine_here();
+    char zone[128];
+    (void)state;
+    assert_int_equal(look(&machine).has_heat, 0);
+    mkdir(heat, 0700);
+    snprintf(zone, sizeof zone, "%s/thermal_zone0", heat);
+    mkdir(zone, 0700);
+    write_file("heat/thermal_zone0/temp", "71500\n");
+    assert_int_equal(look(&machine).has_heat, 1);
+    assert_int_equal(look(&machine).heat_margin_c, 8);
+    write_file("heat/thermal_zone0/temp", "83000\n");
+    assert_int_equal(look(&machine).heat_margin_c, -3);
+}
+
+static void test_what_was_set_aside_counts_until_it_is_acknowledged(void **state)
+{
+    struct system_health machine = machine_here();
+    (void)state;
+    write_file("kingyo.db.damaged-1", "x");
+    write_file("kingyo.db.damaged-1-wal", "x"); /* Its journal. */
+    write_file("kingyo.db.damaged-2", "x");
+    write_file("kingyo.db.damaged-", "x");      /* Nothing of ours. */
+    assert_int_equal(look(&machine).aside, 2);
+    assert_int_equal(system_health_mark_seen(&machine), 0);
+    assert_int_equal(look(&machine).aside, 0);
+    assert_true(system_health_is_seen(root, "kingyo.db.damaged-2"));
+    struct system_health restarted = machine_here();
+    assert_int_equal(look(&restarted).aside, 0);
+    write_file("kingyo.db.damaged-3", "x");
+    assert_int_equal(look(&restarted).aside, 1);
+    assert_int_equal(system_health_quarantine_of("kingyo.db.damaged-1.seen"),
+                     SYSTEM_HEALTH_QUARANTINE_NONE);
+    write_file("kingyo.db.missing-4", "");
+    write_file("kingyo.db.tail.other-5", "");
+    write_file("kingyo.db.backup.other-6", "");
+    assert_int_equal(look(&restarted).aside, 4);
+}
+
+static int is_told(struct system_health *machine, uint32_t aside)
+{
+    struct scene_machine says = { .watch = WATCH_FED };
+    for (uint32_t i = 0; i < 500u; i++) { /* 5 s, before a second look is due. */
+        system_health_read(machine, &says);
+        if (says.has_looked && says.aside == aside) {
+            return says.watch == WATCH_FED;
+        }
+        usleep(10000);
+    }
+    return 0;
+}
+
+static void test_its_thread_looks_and_marks_and_the_frame_loop_only_asks(void **state)
+{
+    static struct system_health machine;
+    struct scene_machine says = { 0 };
+    (void)state;
+    write_file("kingyo.db.damaged-1", "x");
+    machine = machine_here();
+    system_health_read(&machine, &says); /* Nobody looks yet. */
+    assert_int_equal(says.has_looked, 0);
+    system_health_start(&machine);
+    assert_true(is_told(&machine, 1));
+    while (!system_health_acknowledge(&machine)) {
+        usleep(1000);
+    }
+    assert_true(is_told(&machine, 0));
+    pthread_mutex_lock(&machine.lock); /* While it copies, what was known stays. */
+    says = (struct scene_machine){ .room_mib = 77 };
+    system_health_read(&machine, &says);
+    assert_int_equal(says.room_mib, 77);
+    assert_false(system_health_acknowledge(&machine));
+    pthread_mutex_unlock(&machine.lock);
+    system_health_stop(&machine);
+    assert_true(system_health_is_seen(root, "kingyo.db.damaged-1"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_the_boards_own_check_says_whether_the_data_persist,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_backup_ages_by_the_clock_that_nobody_sets, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_a_backup_of_an_earlier_evening_is_as_old_as_its_date,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_clock_behind_its_own_files_was_set_back, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_heat_is_a_margin_where_there_is_a_sensor, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_what_was_set_aside_counts_until_it_is_acknowledged,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(
+            test_its_thread_looks_and_marks_and_the_frame_loop_only_asks, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,78 @@
+/* bot_stall.h -- a stall in which a bot of any technique plays the first poi through controller
+ * input. */
+#ifndef KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
+#define KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
+
+#include "core/core.h"
+#include "core/game/rules.h"
+
+struct bot_stall {
+    struct core core;
+    struct input input;
+    struct output output;
+    struct bot bot;
+};
+
+/* Opens a stall of `config` with a bot of `technique`. Both the bot and the stall use the seed
+ * of `config`. */
+static inline void bot_stall_open(struct bot_stall *stall, const struct core_config *config,
+                                  const struct technique *technique)
+{
+    assert_int_equal(core_init(&stall->core, config), CORE_OK);
+    memset(&stall->input, 0, sizeof stall->input);
+    memset(&stall->output, 0, sizeof stall->output);
+    bot_init(&stall->bot, technique, config->seed);
+    stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
+    stall->core.game.hand_pose[0] = stall->bot.hand.pose; /* The pose begins over the middle of
+                                                             the tank. */
+    stall->core.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
+}
+
+/* Returns the view of the stall for the bot of player 0. */
+static inline struct vision bot_stall_sight(const struct bot_stall *stall)
+{
+    return (struct vision){ .core = &stall->core, .player = 0 };
+}
+
+/* Runs one tick. Presses START while no round is played; otherwise only the bot's pose is input. */
+static inline void bot_stall_tick(struct bot_stall *stall)
+{
+    const uint8_t phase = stall->core.game.phase;
+    const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
+    const struct vision vision = bot_stall_sight(stall);
+    stall->input.pressed = idle && stall->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+    stall->input.poi[0] = (struct poi_input){
+        .link = POI_SOURCE_LIVE,
+        .has_wrist = 1,
+        .trembles = 1,
+        .target = bot_tick(&stall->bot, &vision),
+    };
+    stall->output.sound_count = 0;
+    assert_int_equal(core_tick(&stall->core, &stall->input, &stall->output), CORE_OK);
+}
+
+/* Runs ticks until the round has begun. */
+static inline void bot_stall_begin(struct bot_stall *stall)
+{
+    for (uint32_t i = 0; i < 20u * CORE_TICK_HZ && stall->core.game.phase != PHASE_ROUND; i++) {
+        bot_stall_tick(stall);
+    }
+    assert_int_equal(stall->core.game.phase, PHASE_ROUND);
+}
+
+/* Runs ticks until the bot enters `stage`. Returns 1 if the bot did so within `seconds`. */
+static inline int bot_stall_until(struct bot_stall *stall, uint8_t stage, uint32_t seconds)
+{
+    for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {
+        if (stall->bot.stage == stage) {
+            return 1;
+        }
+        if (stall->core.game.phase == PHASE_RESULT) {
+            return 0;
+        }
+        bot_stall_tick(stall);
+    }
+    return 0;
+}
+
+#endif

@@ -1,0 +1,63 @@
+/* paid_stand.h -- the fixture of game_stand.h with a price of three coins for a round. */
+#ifndef KINGYO_TESTS_UNIT_SUPPORT_PAID_STAND_H
+#define KINGYO_TESTS_UNIT_SUPPORT_PAID_STAND_H
+
+#include "tests/unit/support/game_stand.h"
+
+#define PRICE 3u
+#define CREDITS_MAX 99u /* Default of SET_CREDIT_MAX. */
+
+/* Initializes the stall with a price. This is a cmocka setup function. */
+static inline int setup_paid(void **state)
+{
+    (void)state;
+    const struct core_config config = {
+        .seed = 7, .fish_count = 12, .round_s = ROUND_S, .credit_coins = PRICE, .ticket_fish = 5
+    };
+    assert_int_equal(core_init(&core, &config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    clear_sounds();
+    hold_at(ABOVE_M);
+    input.store_well = 1;
+    step();
+    return 0;
+}
+
+/* Inserts coins during one tick. */
+static inline void drop(uint32_t coins)
+{
+    input.coin_count[0] = coins;
+    step();
+    input.coin_count[0] = 0;
+}
+
+/* Returns the credit balance. */
+static inline const struct balance *balance(void)
+{
+    return &core.game.ledger.balance;
+}
+
+/* Returns the number of credits. */
+static inline uint32_t credits(void)
+{
+    return purse_credits(&core);
+}
+
+/* Returns an audit counter. */
+static inline uint32_t audit(enum audit_id id)
+{
+    return purse_audit(&core, id);
+}
+
+/* Inserts the price of one round, presses START and runs until the round has begun. */
+static inline void play_a_paid_round(void)
+{
+    drop(PRICE);
+    press(INPUT_START);
+    steps(GAME_READY_TICKS);
+    assert_int_equal(core.game.phase, PHASE_ROUND);
+    assert_int_equal(credits(), 0);
+}
+
+#endif

@@ -1,0 +1,45 @@
+/* purse.h -- queries of the credits, refunds and ledger entries of a stall under test. */
+#ifndef KINGYO_TESTS_UNIT_SUPPORT_PURSE_H
+#define KINGYO_TESTS_UNIT_SUPPORT_PURSE_H
+
+#include "core/core.h"
+
+/* Returns the number of paid credits and service credits together. */
+static inline uint32_t purse_credits(const struct core *core)
+{
+    return core->game.ledger.balance.paid + core->game.ledger.balance.service;
+}
+
+/* Returns an audit counter. */
+static inline uint32_t purse_audit(const struct core *core, enum audit_id id)
+{
+    return core->game.audits.count[id];
+}
+
+/* Returns the ledger entry `id`, which must be one of the newest LEDGER_RING entries. */
+static inline const struct ledger_entry *purse_entry(const struct output *out, uint32_t id)
+{
+    return &out->entries[id % LEDGER_RING];
+}
+
+/* Returns the number of entries of this kind among the newest LEDGER_RING entries. */
+static inline uint32_t purse_count(const struct output *out, enum ledger_kind kind)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < LEDGER_RING; i++) {
+        count += out->entries[i].id != 0 && out->entries[i].kind == kind;
+    }
+    return count;
+}
+
+/* Returns 1 if the newest round record is equal to the stored entry with its id. */
+static inline int purse_keeps_record(const struct output *out)
+{
+    const struct round_record *record = &out->record;
+    const struct ledger_entry *entry = purse_entry(out, record->id);
+    return record->id != 0 && entry->id == record->id && entry->kind == LEDGER_ROUND &&
+           entry->round.seed == record->seed && entry->round.end_tick == record->end_tick &&
+           entry->round.mode == record->mode && entry->round.caught == record->caught;
+}
+
+#endif

@@ -1,0 +1,43 @@
+/* skewed_twin.h -- a simulated poi whose sensors use a rotated and shifted coordinate frame of the
+ * tank. */
+#ifndef KINGYO_TESTS_UNIT_SUPPORT_SKEWED_TWIN_H
+#define KINGYO_TESTS_UNIT_SUPPORT_SKEWED_TWIN_H
+
+#include <string.h>
+
+#include "core/game/control/calibration.h"
+
+/* Transform from true positions and angles to the sensors' coordinate frame. */
+struct twin {
+    float xx, xz, zx, zz;
+    vec3 shift_m;
+    float pitch_rad, roll_rad;
+};
+
+/* Returns the position that the sensors measure at `at_m`. */
+static inline vec3 seen_point(const struct twin *twin, vec3 at_m)
+{
+    return v3(twin->xx * at_m.x + twin->xz * at_m.z + twin->shift_m.x, at_m.y + twin->shift_m.y,
+              twin->zx * at_m.x + twin->zz * at_m.z + twin->shift_m.z);
+}
+
+/* Returns the pose that the sensors measure for the true pose `at`. */
+static inline struct poi_target seen(const struct twin *twin, struct poi_target at)
+{
+    const float x = -f_sin(at.angles.yaw_rad), z = -f_cos(at.angles.yaw_rad);
+    return (struct poi_target){
+        .position_m = seen_point(twin, at.position_m),
+        .angles = { f_atan2(-(twin->xx * x + twin->xz * z), -(twin->zx * x + twin->zz * z)),
+                    at.angles.pitch_rad + twin->pitch_rad, at.angles.roll_rad + twin->roll_rad },
+    };
+}
+
+/* Writes calibration values and their check value into the settings of a player. */
+static inline void set_values(struct settings *settings, uint32_t seat, const int32_t *value)
+{
+    memcpy(&settings->value[calibration_setting(seat)], value,
+           CALIBRATION_VALUES * sizeof *value);
+    settings->value[calibration_check_setting(seat)] = calibration_check(value);
+}
+
+#endif

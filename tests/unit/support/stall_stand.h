@@ -1,0 +1,119 @@
+/* stall_stand.h -- test fixture of a whole stall that is played only by inputs, as in the kiosk. */
+#ifndef KINGYO_TESTS_UNIT_SUPPORT_STALL_STAND_H
+#define KINGYO_TESTS_UNIT_SUPPORT_STALL_STAND_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core/core.h"
+
+#define STAND_ABOVE_M 0.06f
+#define STAND_BELOW_M (-0.05f)
+
+static struct core core;
+static struct input input;
+static struct output output;
+static struct scene scene;
+static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind after the stall was opened or
+                                        the counts were cleared. */
+
+/* Initializes the core with `config` and resets the input, the output and the sound counts. */
+static inline void open_stall(const struct core_config *config)
+{
+    assert_int_equal(core_init(&core, config), CORE_OK);
+    memset(&input, 0, sizeof input);
+    memset(&output, 0, sizeof output);
+    memset(sounds, 0, sizeof sounds);
+}
+
+/* Runs one tick of the core. Buttons are pressed for one tick only. */
+static inline void tick(void)
+{
+    output.sound_count = 0;
+    assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
+    input.pressed = 0;
+    for (uint32_t i = 0; i < output.sound_count; i++) {
+        sounds[output.sounds[i].sound]++;
+    }
+}
+
+/* Runs `count` ticks. */
+static inline void ticks(uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        tick();
+    }
+}
+
+/* Presses `buttons` for one tick. */
+static inline void press(uint32_t buttons)
+{
+    input.pressed = buttons;
+    tick();
+}
+
+/* Holds the poi of player `index` at `at_m`, level and with an orientation, until the next call. */
+static inline void hold(uint32_t index, vec3 at_m)
+{
+    input.poi[index] = (struct poi_input){
+        .link = POI_SOURCE_LIVE,
+        .has_wrist = 1,
+        .target.position_m = at_m,
+    };
+}
+
+/* Moves the poi of player `index` straight to `to_m` at 0.5 m/s, the speed of an unhurried arm. */
+static inline void lead(uint32_t index, vec3 to_m)
+{
+    const vec3 way_m = v3_sub(to_m, input.poi[index].target.position_m);
+    const uint32_t count = 1u + (uint32_t)(v3_length(way_m) / (0.5f * CORE_TICK_S));
+    for (uint32_t i = 0; i < count; i++) {
+        const vec3 step_m = v3_scale(way_m, 1.0f / (float)count);
+        input.poi[index].target.position_m = v3_add(input.poi[index].target.position_m, step_m);
+        tick();
+    }
+}
+
+/* Brings a poi over the given place, keeps it visible there for half a second, and dips it straight
+ * down. */
+static inline void dip(uint32_t index, float x_m, float z_m)
+{
+    hold(index, v3(x_m, STAND_ABOVE_M, z_m));
+    ticks(60);
+    lead(index, v3(x_m, STAND_BELOW_M, z_m));
+}
+
+/* Returns the current scene. The result is valid until the next call. */
+static inline const struct scene *look(void)
+{
+    core_scene(&core, &scene);
+    return &scene;
+}
+
+/* Runs ticks until `phase`. Fails the test if `ticks_max` ticks are not enough. */
+static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
+{
+    for (uint32_t i = 0; core.game.phase != phase && i < ticks_max; i++) {
+        tick();
+    }
+    assert_int_equal(core.game.phase, phase);
+}
+
+/* Removes all paper of a poi. */
+static inline void tear_all(uint32_t index)
+{
+    struct sheet *sheet = &core.poi[index].sheet;
+    for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
+        if (sheet->state[i] == CELL_PAPER) {
+            sheet->state[i] = CELL_HOLE;
+        }
+    }
+    sheet->paper_cells = 0;
+}
+
+#endif

@@ -1,0 +1,228 @@
+/* usb_kinds.h -- simulated USB devices, and a frame loop that reads them, for the USB tests. */
+#ifndef KINGYO_TESTS_UNIT_SUPPORT_USB_KINDS_H
+#define KINGYO_TESTS_UNIT_SUPPORT_USB_KINDS_H
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <libusb.h>
+
+#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_report.h"
+#include "drivers/usb/usb_transport.h"
+#include "platform/os/clock.h"
+#include "tests/unit/support/usb_stand.h"
+
+/* Boot keyboard of HID 1.11, appendix E.6. */
+static const uint8_t keyboard_descriptor[] = {
+    0x05, 0x01, 0x09, 0x06, 0xa1, 0x01, 0x05, 0x07, 0x19, 0xe0, 0x29, 0xe7, 0x15, 0x00, 0x25, 0x01,
+    0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0x95, 0x01, 0x75, 0x08, 0x81, 0x01, 0x95, 0x05, 0x75, 0x01,
+    0x05, 0x08, 0x19, 0x01, 0x29, 0x05, 0x91, 0x02, 0x95, 0x01, 0x75, 0x03, 0x91, 0x01, 0x95, 0x06,
+    0x75, 0x08, 0x15, 0x00, 0x25, 0x65, 0x05, 0x07, 0x19, 0x00, 0x29, 0x65, 0x81, 0x00, 0xc0,
+};
+
+/* A joystick with two axes of a byte each and eight buttons, without report ids. */
+static const uint8_t joystick_descriptor[] = {
+    0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08,
+    0x95, 0x02, 0x81, 0x02, 0x05, 0x09, 0x19, 0x01, 0x29, 0x08, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01,
+    0x95, 0x08, 0x81, 0x02, 0xc0,
+};
+
+/* Eight vendor-defined bytes, as in the first interface of tablets and receivers. */
+static const uint8_t vendor_descriptor[] = {
+    0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 0x08,
+    0x95, 0x08, 0x81, 0x02, 0xc0,
+};
+
+#define OWN_INTERFACE                                                                              \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .packet_size = 64, .has_out = 1,                                \
+        .descriptor = poi_descriptor, .descriptor_size = POI_DESCRIPTOR_SIZE,                      \
+    }
+#define KEYBOARD_INTERFACE                                                                         \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .subclass = 1, .protocol = 1, .packet_size = 8,                 \
+        .descriptor = keyboard_descriptor, .descriptor_size = sizeof keyboard_descriptor,          \
+    }
+#define VENDOR_INTERFACE                                                                           \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .packet_size = 8, .descriptor = vendor_descriptor,              \
+        .descriptor_size = sizeof vendor_descriptor,                                               \
+    }
+#define JOYSTICK_INTERFACE                                                                         \
+    {                                                                                              \
+        .class = LIBUSB_CLASS_HID, .packet_size = 8, .descriptor = joystick_descriptor,            \
+        .descriptor_size = sizeof joystick_descriptor,                                             \
+    }
+
+/* A Kingyo poi that another maker built with an id of its own. */
+static const struct stand_kind own_poi = {
+    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A1", .is_bound = 1,
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind second_poi = {
+    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A2", .is_bound = 1,
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind plain_poi = { /* A poi without a serial number. */
+    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .is_bound = 1,
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind bench_poi = { /* A poi that no kernel driver has bound. */
+    .vendor = 0x1209, .product = 0x0001, .name = "Bench poi",
+    .interface_count = 1, .interface = { OWN_INTERFACE },
+};
+static const struct stand_kind joystick = {
+    .vendor = 0x046d, .product = 0xc215, .name = "Joystick", .serial = "J7", .is_bound = 1,
+    .interface_count = 1, .interface = { JOYSTICK_INTERFACE },
+};
+static const struct stand_kind keyboard = {
+    .vendor = 0x046a, .product = 0x0001, .name = "Keyboard", .is_bound = 1,
+    .interface_count = 1, .interface = { KEYBOARD_INTERFACE },
+};
+
+/* Folders of one test, and the USB thread that uses them. */
+struct usb_bench {
+    char folder[64], sysfs[96], choices[96];
+    struct usb_seats *seats;
+    char why[HAL_TEXT_SIZE];
+    pthread_mutex_t lock; /* Lock of the members below, which the USB thread writes. */
+    uint32_t told_count;
+    char told[HAL_TEXT_SIZE];
+};
+
+/* Callback of the USB thread for a reported line. Takes the lock. */
+static inline void bench_tell(void *self, const char *line)
+{
+    struct usb_bench *bench = self;
+    pthread_mutex_lock(&bench->lock);
+    snprintf(bench->told, sizeof bench->told, "%s", line);
+    bench->told_count++;
+    pthread_mutex_unlock(&bench->lock);
+}
+
+/* Returns the number of lines that were reported, and copies the newest one. */
+static inline uint32_t bench_told(struct usb_bench *bench, char line[HAL_TEXT_SIZE])
+{
+    pthread_mutex_lock(&bench->lock);
+    const uint32_t count = bench->told_count;
+    snprintf(line, HAL_TEXT_SIZE, "%s", bench->told);
+    pthread_mutex_unlock(&bench->lock);
+    return count;
+}
+
+/* Creates the folders and an empty bus. */
+static inline void bench_prepare(struct usb_bench *bench)
+{
+    pthread_mutex_init(&bench->lock, NULL);
+    bench->told_count = 0;
+    snprintf(bench->folder, sizeof bench->folder, "/tmp/kingyo-usb-XXXXXX");
+    if (!mkdtemp(bench->folder)) {
+        abort();
+    }
+    snprintf(bench->sysfs, sizeof bench->sysfs, "%s/sys", bench->folder);
+    snprintf(bench->choices, sizeof bench->choices, "%s/usb.txt", bench->folder);
+    stand_begin(bench->sysfs);
+}
+
+/* Starts the USB thread with the given clock and the listed devices. */
+static inline void bench_start_with(struct usb_bench *bench, struct hal_clock clock,
+                                    const struct usb_key *listed, uint32_t listed_count)
+{
+    const struct usb_transport_config config = {
+        .clock = clock,
+        .choices = bench->choices,
+        .listed = listed,
+        .listed_count = listed_count,
+        .sysfs = bench->sysfs,
+        .tell = bench_tell,
+        .tell_self = bench,
+    };
+    bench->seats = usb_transport_start(&config, bench->why);
+}
+
+/* Starts the USB thread with the real clock and the listed devices. */
+static inline void bench_start(struct usb_bench *bench, const struct usb_key *listed,
+                               uint32_t listed_count)
+{
+    bench_start_with(bench, clock_device(), listed, listed_count);
+}
+
+/* Ends the thread and removes the folder. Returns the number of resources that were not released,
+ * plus 1 if the folder could not be removed. */
+static inline uint32_t bench_end(struct usb_bench *bench)
+{
+    char command[128];
+    usb_transport_stop(bench->seats);
+    const uint32_t left = stand_end();
+    snprintf(command, sizeof command, "rm -r '%s'", bench->folder);
+    return left + (system(command) != 0);
+}
+
+/* Returns row `index` of the device list. */
+static inline struct hid_row bench_row(struct usb_bench *bench, uint32_t index)
+{
+    struct hid_row rows[CONTROLLER_MAX];
+    const struct hid_device_list device_list = usb_transport_roster(bench->seats);
+    device_list.ops->rows(device_list.self, rows);
+    return rows[index];
+}
+
+#define BENCH_WAIT_MS 5000u
+
+/* Waits until row `index` has the given state. Returns 0 on timeout. */
+static inline int bench_until(struct usb_bench *bench, uint32_t index, uint8_t state)
+{
+    for (uint32_t i = 0; i < BENCH_WAIT_MS * 5u; i++) {
+        if (bench_row(bench, index).state == state) {
+            return 1;
+        }
+        usleep(200);
+    }
+    return 0;
+}
+
+/* Waits until slot `index` has a device. Returns 0 on timeout. */
+static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid_device_info *face)
+{
+    const struct hid_port port = usb_transport_port(bench->seats, index);
+    for (uint32_t i = 0; i < BENCH_WAIT_MS * 5u; i++) {
+        if (port.ops->open(port.self, face) == HAL_OK) {
+            return 1;
+        }
+        usleep(200);
+    }
+    return 0;
+}
+
+/* Waits for the next result of take() that is not 0. Returns that result, or 0 on timeout. */
+static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid_raw *raw)
+{
+    const struct hid_port port = usb_transport_port(bench->seats, index);
+    for (uint32_t i = 0; i < BENCH_WAIT_MS * 20u; i++) {
+        const int result = port.ops->take(port.self, raw);
+        if (result != 0) {
+            return result;
+        }
+        usleep(50);
+    }
+    return 0;
+}
+
+/* Sends a report that contains its number. */
+static inline void bench_say(uint32_t device, uint32_t number)
+{
+    uint8_t bytes[POI_REPORT_SIZE] = { POI_REPORT_ID, (uint8_t)number, (uint8_t)(number >> 8) };
+    stand_report(device, bytes, sizeof bytes);
+}
+
+/* Returns the number in a report of bench_say(). */
+static inline uint32_t bench_number(const struct hid_raw *raw)
+{
+    return (uint32_t)raw->bytes[1] | (uint32_t)raw->bytes[2] << 8;
+}
+
+#endif

@@ -1,0 +1,117 @@
+/* usb_stand_bus.h -- internal declarations of the simulated bus of usb_stand.h, which its source
+ * files share. */
+#ifndef KINGYO_TESTS_UNIT_SUPPORT_USB_STAND_BUS_H
+#define KINGYO_TESTS_UNIT_SUPPORT_USB_STAND_BUS_H
+
+#include <pthread.h>
+#include <stdint.h>
+
+#include <libusb.h>
+
+#include "tests/unit/support/usb_stand.h"
+
+#define BUS 3u
+#define IN_ENDPOINT 0x81u
+#define OUT_ENDPOINT 0x02u
+#define PENDING_MAX 16u
+#define DONE_MAX 4096u
+#define HANDLE_MAX 64u
+
+struct wire_report {
+    uint32_t size;
+    uint8_t bytes[1024];
+};
+
+struct libusb_context {
+    int fd;
+};
+
+struct libusb_device {
+    uint32_t index;
+    uint32_t references;
+    uint8_t attached, port;
+    const struct stand_kind *kind;
+    struct stand_seen seen;
+    struct wire_report *wire;
+    uint32_t wire_first, wire_count;
+    int fail;                  /* Status of the next transfer, an enum libusb_transfer_status; 0
+                                  means no fault. */
+    struct libusb_transfer *pending[PENDING_MAX]; /* Pending transfers, oldest first. */
+    uint32_t pending_count;
+};
+
+struct libusb_device_handle {
+    struct libusb_device *device;
+    int fd;
+    uint32_t claimed;          /* Claimed interfaces, one bit each. */
+    uint8_t auto_detaches;
+};
+
+/* The next action of libusb_handle_events(): the callback of a transfer or of a hot-plug event. */
+struct done {
+    struct libusb_transfer *transfer;
+    struct libusb_device *device;
+    libusb_hotplug_event event;
+    uint64_t at_ns;
+};
+
+struct stand_bus {
+    pthread_mutex_t lock;
+    char sysfs[256];
+    struct libusb_context context;
+    struct libusb_device *devices[STAND_DEVICE_MAX];
+    uint32_t device_count;
+    struct done done[DONE_MAX];
+    uint32_t done_count;
+    libusb_hotplug_callback_fn hotplug;
+    void *hotplug_self;
+    libusb_pollfd_added_cb fd_added;
+    libusb_pollfd_removed_cb fd_removed;
+    void *fd_self;
+    struct libusb_device_handle *handles[HANDLE_MAX];
+    struct stand_faults faults;
+    uint32_t lists, transfers, breaches, calls;
+    uint8_t is_running, has_thread;
+    pthread_t thread;          /* The drivers' thread, which is the thread that first requested the
+                                  list of devices. */
+    int in_transfer_callback, in_hotplug_callback;
+};
+
+extern struct stand_bus bus;
+
+
+/* Takes the lock of the bus. */
+void bus_lock(void);
+/* Releases the lock of the bus. */
+void bus_unlock(void);
+
+/* The caller of each function below holds the lock. */
+void bus_breach(const char *what);
+void bus_note_call(const char *name); /* Counts a call from any thread. */
+void bus_note_talk(const char *name); /* Counts a call that communicates with a device and therefore
+                                         blocks. */
+void bus_ring(int fd);
+
+/* Calls all due callbacks. The lock is released during the callbacks, as libusb does while it waits
+ * for events or for the end of a request. */
+void bus_call_back(void);
+
+/* Completes the transfer immediately or after `delay_ms`. */
+void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms);
+
+/* Assigns queued reports to pending transfers. */
+void bus_run_wire(struct libusb_device *device);
+/* Delivers output reports to the device, unless a fault holds them back. */
+void bus_run_outs(struct libusb_device *device);
+/* Removes `transfer` from the pending transfers. Returns 0 if it is not pending. */
+int bus_take_pending(struct libusb_device *device, const struct libusb_transfer *transfer);
+
+/* Writes the report descriptor of the interface to /sys, as if a kernel driver had bound it. */
+void bus_show_driver(const struct libusb_device *device, uint32_t interface);
+/* Removes the report descriptor of the interface from /sys. */
+void bus_hide_driver(const struct libusb_device *device, uint32_t interface);
+
+/* Returns the time of the monotonic clock in ns. */
+uint64_t bus_now_ns(void);
+
+#endif

@@ -1,2 +1,0 @@
-/* test_lanes_wide.c -- test_lanes.c once more, as the Makefile builds kernels for eight lanes. */
-#include "tests/unit/test_lanes.c"
