@@ -1,6 +1,7 @@
 #!/bin/bash
-# test_boundaries.sh -- `make boundaries` fails when one bad line is added, for every rule it proves.
+# test_boundaries.sh -- `make boundaries` fails when one bad line is added to a source or a header.
 #
+# Each rule between two folders has a test of its own in test_includes.sh, without a compiler.
 # Works in a copy of the tree. BUILD is the folder that make uses; what is built there is copied too,
 # so that only the file with the bad line is compiled again. Speaks TAP.
 set -u
@@ -54,8 +55,8 @@ refuses core/view.c 'float kept_busy(float x); float sinf(float); float kept_bus
     'sinf: needed by' 'the core may not call libm, declared by hand or not'
 refuses core/view.c 'void *hoard(void); void *malloc(unsigned long); void *hoard(void) { return malloc(1); }' \
     'malloc: needed by' 'nor allocate'
-refuses core/game/bot/targeting.c '#include "core/tank/tank.h"' 'a bot knows the stall' 'a bot may not look into the tank'
-refuses core/game/bot/bot.c '#include "core/core.h"' 'a bot knows the stall' 'nor at the whole of the state'
+refuses core/game/bot/targeting.c '#include "core/tank/tank.h"' 'a bot knows the game' 'a bot may not look into the tank'
+refuses core/game/bot/bot.c '#include "core/core.h"' 'a bot knows the game' 'nor at the whole of the state'
 refuses "${driver:-drivers/a.c}" '#include "core/core.h"' 'a driver includes only' \
     "a driver may not see the core's state"
 refuses "${driver:-drivers/a.c}" '#include "platform/board.h"' 'a driver includes only' 'nor the board'
