@@ -24,8 +24,11 @@ TEST_SCRIPTS := $(wildcard tests/boundaries/test_*.sh tests/replay/test_*.sh tes
     tests/metrics/test_*.sh)
 TEST_ALONE := $(wildcard tests/e2e/test_*.sh)
 TEST_PROGRAMS := $(UNIT) $(GPIO_TEST) $(TEST_SCRIPTS) $(TEST_ALONE:%=@%)
+ifneq ($(ONLY),)
+TEST_PROGRAMS := $(foreach program,$(TEST_PROGRAMS),$(if $(findstring $(ONLY),$(notdir $(program))),$(program)))
+endif
 
-## test/test: Set up, build and run all tests; the last line counts them
+## test/test: Set up, build and run all tests; ONLY=import runs tests of that name
 test:
 	@board/setup.sh test
 	+@$(MAKE) --no-print-directory -j$(JOBS) tests

@@ -98,6 +98,8 @@ inside() { # RELEASE COMMAND...
 }
 
 # Both orders of both commands, each from nothing; then a package goes and comes again in the built tree.
+# Every `make test` sets up, builds and links everything. The first one of a release runs all tests, the
+# others only those of `import`, whose results depend on the package that goes and comes (assimp).
 for release in "${releases[@]}"; do
     step "$release" 'minimal root' make_root "$release" || continue
     step "$release" 'make test first' inside "$release" make test
@@ -105,11 +107,11 @@ for release in "${releases[@]}"; do
     step "$release" 'minimal root again' make_root "$release" || continue
     step "$release" 'make run' inside "$release" make run
     step "$release" 'make run again' inside "$release" make run
-    step "$release" 'make test' inside "$release" make test
-    step "$release" 'make test again' inside "$release" make test
+    step "$release" 'make test' inside "$release" make test ONLY=import
+    step "$release" 'make test again' inside "$release" make test ONLY=import
     step "$release" 'a package removed' inside "$release" apt-get -qq remove -y libassimp-dev
     step "$release" 'make run without it' inside "$release" make run
-    step "$release" 'make test adds it' inside "$release" make test
+    step "$release" 'make test adds it' inside "$release" make test ONLY=import
     step "$release" 'make run with it' inside "$release" make run
     unmount "$release"
 done
