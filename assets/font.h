@@ -22,9 +22,9 @@ struct font {
     const char *name;
     const struct font_glyph *glyphs; /* Ordered by `code`. */
     uint32_t glyph_count;
-    float em_px;                     /* Atlas pixels of one em. */
-    float ascent_em, descent_em;     /* Both positive; their sum is a line's height. */
-    float cap_em;                    /* Height of a capital or a digit, for vertical centring. */
+    float em_px;                 /* Atlas pixels of one em. */
+    float ascent_em, descent_em; /* Both positive; their sum is a line's height. */
+    float cap_em;                /* Height of a capital or a digit, for vertical centring. */
 };
 
 #endif

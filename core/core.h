@@ -42,19 +42,19 @@ struct core_config {
                             only one mode is on offer; 0: the mode's default, else 6. */
     uint8_t players;     /* Number of bowls at the tank, 1 .. POI_MAX; 0 counts as 1. */
     uint8_t credit_coins; /* Price of a round in units, 1 .. CREDIT_COINS_MAX; 0: free play. */
-    uint8_t ticket_fish; /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0: no tickets. */
-    uint8_t rules_7;     /* 1: the configuration comes from a recording of format 7 and uses the
-                            rules of that format (replay_initial_state_decode()). Hashes exclude
-                            this field because hashes of format 7 did not contain it. */
-    uint8_t lanes;       /* SIMD width in floats: 4, or 8 on x86-64 with AVX2; 0 counts as 4. The
-                            width changes no result, so hashes and recordings exclude it. */
+    uint8_t ticket_fish;  /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0: no tickets. */
+    uint8_t rules_7;      /* 1: the configuration comes from a recording of format 7 and uses the
+                             rules of that format (replay_initial_state_decode()). Hashes exclude
+                             this field because hashes of format 7 did not contain it. */
+    uint8_t lanes;        /* SIMD width in floats: 4, or 8 on x86-64 with AVX2; 0 counts as 4.
+                             The width changes no result, so hashes and recordings exclude it. */
     struct persistent_state
         persistent; /* Persistent state that the store loaded at startup. The settings in it do
                        not override the fields above; see settings_apply(). */
     struct game_session session; /* State carried over from the previous session; all zero at the
                                     start of the kiosk. */
-    struct lab_book book; /* Custom species and saved growth graphs, as loaded from the data
-                             folder. */
+    struct lab_book book;        /* Custom species and saved growth graphs, as loaded from the
+                                    data folder. */
 };
 
 struct core {

@@ -16,12 +16,12 @@
 
 /* Display options. All zero is a picture of the screen's size at zero brightness. */
 struct display_settings {
-    uint32_t rotation;        /* Quarter turns clockwise, 0 .. 3. */
-    float inset_x, inset_y;   /* [0, DISPLAY_INSET_MAX]: black margin at each side of the screen, as
-                                 a share of the screen's width (x) and height (y). */
-    float shift_x, shift_y;   /* [-0.01, 0.01] of the screen's height; moves the picture against
-                                 burn-in. */
-    float light;              /* Brightness [0, 1]; at 0 the display may skip drawing. */
+    uint32_t rotation;      /* Quarter turns clockwise, 0 .. 3. */
+    float inset_x, inset_y; /* [0, DISPLAY_INSET_MAX]: black margin at each side of the screen,
+                               as a share of the screen's width (x) and height (y). */
+    float shift_x, shift_y; /* [-0.01, 0.01] of the screen's height; moves the picture against
+                               burn-in. */
+    float light;            /* Brightness [0, 1]; at 0 the display may skip drawing. */
 };
 
 /* The transform for one screen size. */

@@ -10,8 +10,8 @@
 
 #include "core/base/vec.h"
 
-#define CORE_TICK_HZ 120u /* Ticks per second. The step length is fixed: two ticks per frame at 60
-                             Hz. */
+/* Ticks per second. The step length is fixed: two ticks per frame at 60 Hz. */
+#define CORE_TICK_HZ 120u
 
 /* Longest time that a round is paused for lost pois, and that the slot of a lost poi is
  * reserved. */
@@ -37,8 +37,8 @@ enum input_button {
 };
 #define INPUT_BUTTON_COUNT 9u
 
-#define COIN_LINE_COUNT 3u /* Coin acceptors report small, middle and large coins on one line
-                              each. */
+/* Coin acceptors report small, middle and large coins on one line each. */
+#define COIN_LINE_COUNT 3u
 
 #define CONTROLLER_MAX 8u /* Four controllers in play and four spare controllers. */
 
@@ -86,10 +86,10 @@ struct controller_status {
 
 enum poi_source {
     POI_SOURCE_ABSENT = 0, /* No controller is assigned. */
-    POI_SOURCE_LOST = 1, /* The controller was connected before; the poi moves out of the water
-                            and waits. */
-    POI_SOURCE_LIVE = 2, /* `target` is up to date. */
-    POI_SOURCE_BOT = 3,  /* The core's own bot controls this poi. */
+    POI_SOURCE_LOST = 1,   /* The controller was connected before; the poi moves out of the water
+                              and waits. */
+    POI_SOURCE_LIVE = 2,   /* `target` is up to date. */
+    POI_SOURCE_BOT = 3,    /* The core's own bot controls this poi. */
 };
 
 /* Target pose of the ring's centre. A spring pulls the poi to this pose, so the poi may lag. */
@@ -129,9 +129,9 @@ struct shade_input {
 #define SHADE_RADIUS_MAX_M 0.30f /* Radius of a person who leans over the tank. */
 
 struct input {
-    uint32_t held;            /* Buttons that are down, as bits of enum input_button. */
-    uint32_t pressed;         /* Buttons that went down, as bits of enum input_button. Each press
-                                 appears in exactly one tick's input. */
+    uint32_t held;    /* Buttons that are down, as bits of enum input_button. */
+    uint32_t pressed; /* Buttons that went down, as bits of enum input_button. Each press appears
+                         in exactly one tick's input. */
     uint32_t coin_count[COIN_LINE_COUNT]; /* Pulses of each coin line since the last tick. Each
                                              pulse appears in exactly one tick's input. */
     uint32_t record_saved_id; /* Id of the newest ledger entry (core/ledger.h) that is confirmed on

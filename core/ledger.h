@@ -84,8 +84,8 @@ enum round_payment {
     PAYMENT_PAID,          /* Paid credit, from purse.paid. */
     PAYMENT_SERVICE,       /* Service credit, from purse.service. */
     PAYMENT_KIND_MASK = 3, /* Mask of the values above. */
-    PAYMENT_SPENT = 4, /* Flag: the credit is not refundable, because two thirds of the round
-                          were played or the credit was already refunded once. */
+    PAYMENT_SPENT = 4,     /* Flag: the credit is not refundable, because two thirds of the round
+                              were played or the credit was already refunded once. */
 };
 
 struct balance {
@@ -108,7 +108,7 @@ struct balance {
 
 /* Machine faults since the previous LEDGER_HEALTH entry. */
 struct health {
-    uint32_t up_s;          /* Seconds since the kiosk started, independent of earlier entries. */
+    uint32_t up_s; /* Seconds since the kiosk started, independent of earlier entries. */
     uint32_t dropped_ticks;
     uint32_t device_faults;
 };
@@ -118,17 +118,17 @@ struct round_record {
     uint32_t id;   /* Id of the round's ledger entry; 0: no record. */
     uint32_t seed; /* Seed of the tank that was played. */
     uint32_t start_tick;
-    uint32_t end_tick; /* start_tick plus the ticks that were played; pauses are excluded. */
-    uint32_t caught;   /* Fish caught by all players together. */
+    uint32_t end_tick;   /* start_tick plus the ticks that were played; pauses are excluded. */
+    uint32_t caught;     /* Fish caught by all players together. */
     uint16_t fish_count; /* Fish in the tank, caught ones included; 0: unknown, because an earlier
                             version of Kingyo wrote the record. The same holds for `round_s` and
                             `preset`. */
-    uint16_t round_s; /* Configured length of the round in seconds. */
-    uint8_t preset;   /* enum tank_preset_id */
-    uint8_t by_bot;   /* 1: the bot played, so the record is no score. */
-    uint8_t mode;     /* enum game_mode */
-    uint8_t grade;    /* Grade of the paper, 4 .. 7. */
-    uint8_t players;  /* Bit mask of the slots that took part. */
+    uint16_t round_s;    /* Configured length of the round in seconds. */
+    uint8_t preset;      /* enum tank_preset_id */
+    uint8_t by_bot;      /* 1: the bot played, so the record is no score. */
+    uint8_t mode;        /* enum game_mode */
+    uint8_t grade;       /* Grade of the paper, 4 .. 7. */
+    uint8_t players;     /* Bit mask of the slots that took part. */
     uint8_t unscored; /* 1: the mode keeps no score, so the record counts only as a played round. */
     struct player_record {
         uint32_t caught;
@@ -143,13 +143,13 @@ struct round_record {
 };
 
 struct ledger_entry {
-    uint32_t id;     /* Id of the entry; 0: no entry. */
-    uint32_t boot;   /* Start number of the kiosk. */
-    uint32_t tick;   /* Tick within that start. `boot` and `tick` order the entries without a
-                        clock. */
-    uint16_t day;    /* Day from the clock, as input.day; a hint only, as `minute` is. */
+    uint32_t id;   /* Id of the entry; 0: no entry. */
+    uint32_t boot; /* Start number of the kiosk. */
+    uint32_t tick; /* Tick within that start. `boot` and `tick` order the entries without a
+                      clock. */
+    uint16_t day;  /* Day from the clock, as input.day; a hint only, as `minute` is. */
     uint16_t minute;
-    uint8_t kind;    /* enum ledger_kind */
+    uint8_t kind; /* enum ledger_kind */
     uint8_t detail;
     uint32_t count;
     int32_t value;

@@ -11,24 +11,24 @@
 #include "core/lab_edit_record.h"
 #include "core/ledger.h"
 
-#define OUTPUT_SOUND_MAX 16u /* Capacity for one frame; more sounds in one frame cannot be
-                                distinguished. */
+/* Capacity for one frame; more sounds in one frame cannot be distinguished. */
+#define OUTPUT_SOUND_MAX 16u
 
 enum sound {
     SOUND_NONE = 0,
-    SOUND_DIP,     /* The ring enters the water. */
-    SOUND_LIFT,    /* The ring leaves the water, dripping. */
-    SOUND_CATCH,   /* A fish lands in the bowl. */
-    SOUND_SLAP,    /* A tail hits the paper. */
-    SOUND_TEAR,    /* A hole opens. */
-    SOUND_GONE,    /* The paper becomes useless. */
-    SOUND_START,   /* A round begins. */
-    SOUND_TICK,    /* Countdown of the last seconds, one sound per second. */
-    SOUND_RESULT,  /* The round is over. */
-    SOUND_CALL,    /* Time announcement: one minute, two minutes, ten seconds left. */
-    SOUND_FOUL,    /* Whistle for a foul. */
-    SOUND_CHOOSE,  /* The selection moves to another mode. */
-    SOUND_COIN,    /* A coin was accepted. */
+    SOUND_DIP,    /* The ring enters the water. */
+    SOUND_LIFT,   /* The ring leaves the water, dripping. */
+    SOUND_CATCH,  /* A fish lands in the bowl. */
+    SOUND_SLAP,   /* A tail hits the paper. */
+    SOUND_TEAR,   /* A hole opens. */
+    SOUND_GONE,   /* The paper becomes useless. */
+    SOUND_START,  /* A round begins. */
+    SOUND_TICK,   /* Countdown of the last seconds, one sound per second. */
+    SOUND_RESULT, /* The round is over. */
+    SOUND_CALL,   /* Time announcement: one minute, two minutes, ten seconds left. */
+    SOUND_FOUL,   /* Whistle for a foul. */
+    SOUND_CHOOSE, /* The selection moves to another mode. */
+    SOUND_COIN,   /* A coin was accepted. */
     SOUND_COUNT,
 };
 
@@ -48,10 +48,10 @@ struct poi_force {
     float tear;      /* Amount of paper torn in this tick, [0, 1]; 1 from ten cells on. */
 };
 
-#define POI_FORCE_N_MAX 20.0f    /* The largest force that a wrist resists. */
-#define POI_TORQUE_N_M_MAX 4.0f  /* POI_FORCE_N_MAX at the end of a 13 cm handle, times 1.5. */
-#define POI_DRAG_N_FULL 2.0f     /* Drag broadside at 0.8 m/s, which is the most that paper
-                                    withstands. */
+#define POI_FORCE_N_MAX 20.0f   /* The largest force that a wrist resists. */
+#define POI_TORQUE_N_M_MAX 4.0f /* POI_FORCE_N_MAX at the end of a 13 cm handle, times 1.5. */
+/* Drag broadside at 0.8 m/s, which is the most that paper withstands. */
+#define POI_DRAG_N_FULL 2.0f
 
 /* Commands of the operator for a controller. */
 enum controller_command_kind {
@@ -62,12 +62,12 @@ enum controller_command_kind {
     COMMAND_LEARN,   /* Start the learn wizard; the controller is attached while the wizard runs. */
     COMMAND_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
     COMMAND_LEARN_KEEP, /* Save the learned mapping for this vendor:product:serial. */
-    COMMAND_LEARN_END, /* Discard the learned mapping, and return the controller to its driver if
-                          it was not attached before. */
-    COMMAND_RESTART,   /* Restart the kiosk; applies to no controller. */
-    COMMAND_REPLAY,    /* Show the replay of round `round_id`; applies to no controller. */
-    COMMAND_SEEN,      /* The operator has read which databases were quarantined; applies to no
-                          controller. */
+    COMMAND_LEARN_END,  /* Discard the learned mapping, and return the controller to its driver
+                           if it was not attached before. */
+    COMMAND_RESTART,    /* Restart the kiosk; applies to no controller. */
+    COMMAND_REPLAY,     /* Show the replay of round `round_id`; applies to no controller. */
+    COMMAND_SEEN,       /* The operator has read which databases were quarantined; applies to no
+                           controller. */
 };
 
 struct controller_command {
@@ -94,10 +94,10 @@ struct output {
     uint32_t command_count; /* Commands since the start; command n, from 0, is in orders[n %
                                CONTROLLER_COMMAND_MAX]. */
     struct controller_command commands[CONTROLLER_COMMAND_MAX];
-    uint32_t entry_id;      /* Id of the newest entry; entry n is in entries[n % LEDGER_RING]. */
+    uint32_t entry_id; /* Id of the newest entry; entry n is in entries[n % LEDGER_RING]. */
     struct ledger_entry entries[LEDGER_RING];
-    struct round_record record; /* The newest finished round, for readers that do not need the
-                                   ledger. */
+    struct round_record record;    /* The newest finished round, for readers that do not need the
+                                      ledger. */
     struct graph_edit_record edit; /* The newest edit of a species. An edit that the store did
                                       not read before the next edit is not saved, and is lost at
                                       the next start. */

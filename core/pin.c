@@ -14,8 +14,16 @@ int32_t pin_hide(uint32_t pin, uint32_t salt)
 {
     CORE_ASSERT(pin <= PIN_MAX);
     const uint32_t own = (salt & SALT_MASK) != 0 ? salt & SALT_MASK : 1u;
-    const uint8_t message[] = { 'k', 'i', 'n', 'g', 'y', 'o', (uint8_t)(own >> 8), (uint8_t)own,
-                                (uint8_t)(pin >> 8), (uint8_t)pin };
+    const uint8_t message[] = { 'k',
+                                'i',
+                                'n',
+                                'g',
+                                'y',
+                                'o',
+                                (uint8_t)(own >> 8),
+                                (uint8_t)own,
+                                (uint8_t)(pin >> 8),
+                                (uint8_t)pin };
     uint32_t digest[SHA256_WORDS];
     if (pin == 0) {
         return 0;

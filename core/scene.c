@@ -76,8 +76,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     const struct shade_cast *cast = &core->tank.shade[SHADE_MAX + index].cast;
     out->shade_dark = cast->present ? cast->dark : 0.0f;
     out->water_m = carried_water_m(poi);
-    out->shows_stress =
-        core->game.phase == PHASE_ROUND && rules_of(core->game.mode)->shows_stress;
+    out->shows_stress = core->game.phase == PHASE_ROUND && rules_of(core->game.mode)->shows_stress;
     show_sheet(&poi->sheet, out);
 }
 

@@ -58,22 +58,22 @@ enum time_call {
 /* Hints for the player. The renderer supplies the text in the scene's language. */
 enum scene_hint {
     HINT_NONE = 0,
-    HINT_START,       /* Press START to play. */
-    HINT_MOVE,        /* Move the poi over a fish. */
-    HINT_DIP,         /* Hold the button to dip. */
-    HINT_LIFT,        /* Release the button to lift. */
-    HINT_BOWL,        /* Carry the fish to the bowl. */
-    HINT_TILT,        /* The wheel tilts the poi. */
-    HINT_SLOWLY,      /* Fast movement tears paper. */
-    HINT_GLIDE,       /* Dip beside a fish, slide under it, lift softly. */
-    HINT_TORN,        /* The paper is gone. */
-    HINT_LOST_POI,    /* The controller is disconnected, and the round is paused. */
-    HINT_WET_ALL,     /* Wet the whole paper, because paper tears between wet and dry areas. */
-    HINT_NO_SHADE,    /* Keep the shadow off the water before the start. */
-    HINT_CLEAR_RIM,   /* Lift the whole ring out of the water before the bowl. */
-    HINT_CHOOSE,      /* LEFT and RIGHT select, START begins. */
-    HINT_COIN,        /* Insert a coin to play. */
-    HINT_PAID_BACK,   /* The round ended because no poi was left; the credit was refunded. */
+    HINT_START,     /* Press START to play. */
+    HINT_MOVE,      /* Move the poi over a fish. */
+    HINT_DIP,       /* Hold the button to dip. */
+    HINT_LIFT,      /* Release the button to lift. */
+    HINT_BOWL,      /* Carry the fish to the bowl. */
+    HINT_TILT,      /* The wheel tilts the poi. */
+    HINT_SLOWLY,    /* Fast movement tears paper. */
+    HINT_GLIDE,     /* Dip beside a fish, slide under it, lift softly. */
+    HINT_TORN,      /* The paper is gone. */
+    HINT_LOST_POI,  /* The controller is disconnected, and the round is paused. */
+    HINT_WET_ALL,   /* Wet the whole paper, because paper tears between wet and dry areas. */
+    HINT_NO_SHADE,  /* Keep the shadow off the water before the start. */
+    HINT_CLEAR_RIM, /* Lift the whole ring out of the water before the bowl. */
+    HINT_CHOOSE,    /* LEFT and RIGHT select, START begins. */
+    HINT_COIN,      /* Insert a coin to play. */
+    HINT_PAID_BACK, /* The round ended because no poi was left; the credit was refunded. */
     HINT_COUNT,
 };
 
@@ -85,18 +85,18 @@ enum language {
 
 /* State of the credits. */
 struct scene_credit {
-    uint8_t price;           /* Units per credit; 0: free play. */
-    uint8_t is_event;        /* 1: free play because of an event. */
-    uint8_t unpaid;          /* 1: no credit is available, so no round can start. */
-    uint8_t warnings;        /* enum credit_warning */
-    uint8_t came_back;       /* 1: the last round was refunded, and none of its results were
-                                counted. */
-    uint8_t coin_units;      /* Units per pulse of the first coin line. */
-    uint32_t units;          /* Units inserted towards the next credit. */
-    uint32_t credits;        /* Credits that can be played. */
-    uint32_t coming;         /* Credits that are not on disk yet. */
-    float coin_s, asked_s;   /* Seconds since the last coin, and since the last start attempt
-                                without a credit; a day or more: never. */
+    uint8_t price;         /* Units per credit; 0: free play. */
+    uint8_t is_event;      /* 1: free play because of an event. */
+    uint8_t unpaid;        /* 1: no credit is available, so no round can start. */
+    uint8_t warnings;      /* enum credit_warning */
+    uint8_t came_back;     /* 1: the last round was refunded, and none of its results were
+                              counted. */
+    uint8_t coin_units;    /* Units per pulse of the first coin line. */
+    uint32_t units;        /* Units inserted towards the next credit. */
+    uint32_t credits;      /* Credits that can be played. */
+    uint32_t coming;       /* Credits that are not on disk yet. */
+    float coin_s, asked_s; /* Seconds since the last coin, and since the last start attempt
+                              without a credit; a day or more: never. */
 };
 
 #endif

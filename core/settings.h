@@ -13,28 +13,27 @@
 
 enum setting_id {
     /* Money. A unit is the value of the smallest coin. */
-    SET_PLAY = 0,       /* enum play_kind */
-    SET_PRICE,          /* Units per credit. */
-    SET_COIN_1,         /* Units per pulse of each coin line. */
+    SET_PLAY = 0, /* enum play_kind */
+    SET_PRICE,    /* Units per credit. */
+    SET_COIN_1,   /* Units per pulse of each coin line. */
     SET_COIN_2,
     SET_COIN_3,
-    SET_BONUS_UNITS,    /* Units inserted in a row that earn the bonus; 0: no bonus. */
-    SET_BONUS_CREDITS,  /* Credits that the bonus adds. */
+    SET_BONUS_UNITS,   /* Units inserted in a row that earn the bonus; 0: no bonus. */
+    SET_BONUS_CREDITS, /* Credits that the bonus adds. */
     SET_CREDIT_MAX,
     SET_CREDIT_EXPIRY_MIN, /* Minutes without activity after which credits expire; 0: never. */
-    SET_TICKET_FISH,    /* Fish per ticket; 0: no tickets. */
+    SET_TICKET_FISH,       /* Fish per ticket; 0: no tickets. */
     /* Game. */
-    SET_MODES,          /* Modes on offer, one bit each (1 << enum game_mode, or 1 <<
-                           CHOICE_LAB). */
-    SET_GRADE,          /* Paper grade; 0: the mode's default. */
-    SET_ROUND_S,        /* Round length in seconds; 0: the mode's default. */
-    SET_FISH,           /* Number of fish; 0: the tank's default. */
+    SET_MODES,   /* Modes on offer, one bit each (1 << enum game_mode, or 1 << CHOICE_LAB). */
+    SET_GRADE,   /* Paper grade; 0: the mode's default. */
+    SET_ROUND_S, /* Round length in seconds; 0: the mode's default. */
+    SET_FISH,    /* Number of fish; 0: the tank's default. */
     SET_PLAYERS,
     SET_LANGUAGE,
-    SET_NAMES,          /* 1: ranked players are prompted for a name. */
+    SET_NAMES, /* 1: ranked players are prompted for a name. */
     /* Sound. */
-    SET_VOLUME,         /* Volume in per cent. */
-    SET_ATTRACT_SOUND,  /* Every n-th loop of attract mode plays sound; 0: no sound. */
+    SET_VOLUME,        /* Volume in per cent. */
+    SET_ATTRACT_SOUND, /* Every n-th loop of attract mode plays sound; 0: no sound. */
     /* Picture. */
     SET_ROTATION,       /* Quarter turns clockwise. */
     SET_OVERSCAN_X,     /* Per mille of the width that is lost at each side. */
@@ -46,7 +45,7 @@ enum setting_id {
     SET_NIGHT_TO_MIN,   /* Minute of the day at which the picture returns; equal to
                            SET_NIGHT_FROM_MIN: never dark. */
     /* Operator. */
-    SET_PIN,            /* PIN in the form of core/pin.h; 0: no PIN is required. */
+    SET_PIN, /* PIN in the form of core/pin.h; 0: no PIN is required. */
     /* Calibration of each slot's controller, nine values per slot: see
      * core/game/control/calibration.h. The menu does not show these as numbers. */
     SET_CALIBRATION,

@@ -6,8 +6,7 @@
 struct basis view_basis(const struct view *view)
 {
     const vec3 back = v3_normalize_or(v3_sub(view->eye_m, view->target_m), v3(0.0f, 0.0f, 1.0f));
-    const vec3 right =
-        v3_normalize_or(v3_cross(v3(0.0f, 1.0f, 0.0f), back), v3(1.0f, 0.0f, 0.0f));
+    const vec3 right = v3_normalize_or(v3_cross(v3(0.0f, 1.0f, 0.0f), back), v3(1.0f, 0.0f, 0.0f));
     return (struct basis){ .right = right, .up = v3_cross(back, right), .back = back };
 }
 

@@ -24,10 +24,10 @@ enum input_kind {
 
 struct input_source {
     struct hal_poi poi;
-    struct hal_fan fan;           /* The source's fan; ops null: no fan. */
-    int (*is_there)(void *self);  /* Returns 1 if the source can be used now; null: always. */
-    void *self;                   /* First argument of is_there(). */
-    uint8_t kind;                 /* enum input_kind */
+    struct hal_fan fan;          /* The source's fan; ops null: no fan. */
+    int (*is_there)(void *self); /* Returns 1 if the source can be used now; null: always. */
+    void *self;                  /* First argument of is_there(). */
+    uint8_t kind;                /* enum input_kind */
     /* 1: the source is used if no other source is available, even if is_there() returns 0. For
      * example, a mouse at rest can play alone, but not as a second player. */
     uint8_t stands_in;
@@ -36,12 +36,12 @@ struct input_source {
 struct input_mux {
     struct input_source source[INPUT_SOURCE_MAX];
     uint32_t source_count;
-    uint32_t there;           /* Sources available at the last check, one bit each. */
-    uint32_t idle;            /* Available sources that are open without a slot. */
-    struct view view;         /* Camera view set last. */
+    uint32_t there;   /* Sources available at the last check, one bit each. */
+    uint32_t idle;    /* Available sources that are open without a slot. */
+    struct view view; /* Camera view set last. */
     struct display_settings display_settings; /* Image geometry set last; a new source gets both. */
     uint8_t has_view;
-    const char *empty_line;   /* Description of the first slot while it is empty. */
+    const char *empty_line; /* Description of the first slot while it is empty. */
     struct seat {
         struct input_mux *mux;
         uint8_t index;

@@ -20,35 +20,34 @@ enum board_keyboard {
     BOARD_KEYBOARD_AUTO = 0, /* ON on a desktop. OFF in a service because a stranger may plug a
                                 keyboard in. */
     BOARD_KEYBOARD_ON,
-    BOARD_KEYBOARD_OFF,      /* Ignores all keys: no key acts as a button, a coin or quit. */
+    BOARD_KEYBOARD_OFF, /* Ignores all keys: no key acts as a button, a coin or quit. */
 };
 
 /* Controllers that can be named: the number of rows in struct controller_status. */
 #define BOARD_USB_MAX 8u
-#define BOARD_USB_SIZE 74u   /* "VVVV:PPPP:" and a serial number of 63 bytes. */
-#define BOARD_LINE_MAX 32u   /* GPIO line options: every role once, and again as override. */
-#define BOARD_LINE_SIZE 128u /* "coin-counter=LABEL:OFFSET,low,up,pulse=100ms/100ms" and some
-                                reserve. */
+#define BOARD_USB_SIZE 74u /* "VVVV:PPPP:" and a serial number of 63 bytes. */
+#define BOARD_LINE_MAX 32u /* GPIO line options: every role once, and again as override. */
+/* "coin-counter=LABEL:OFFSET,low,up,pulse=100ms/100ms" and some reserve. */
+#define BOARD_LINE_SIZE 128u
 
 struct library;
 
 struct board_options {
-    uint8_t poi;               /* enum board_poi */
-    uint32_t usb_count;        /* USB controllers that play without being chosen in the menu. */
+    uint8_t poi;        /* enum board_poi */
+    uint32_t usb_count; /* USB controllers that play without being chosen in the menu. */
     const char (*usb)[BOARD_USB_SIZE];
-    uint32_t line_count;       /* GPIO line options; the last one for a role counts. */
+    uint32_t line_count; /* GPIO line options; the last one for a role counts. */
     const char (*line)[BOARD_LINE_SIZE];
-    uint8_t keyboard;          /* enum board_keyboard, but never AUTO, because the caller resolves
-                                  AUTO. */
-    uint8_t off_screen;        /* 1: render without a screen, to take pictures. */
-    uint8_t on_demand;         /* 1: off screen, draw only the frames that become pictures. */
+    uint8_t keyboard;   /* enum board_keyboard, but never AUTO, because the caller resolves AUTO. */
+    uint8_t off_screen; /* 1: render without a screen, to take pictures. */
+    uint8_t on_demand;  /* 1: off screen, draw only the frames that become pictures. */
     uint8_t full_screen;
-    uint8_t waits_for_screen;  /* 1: a screen may be connected after the start. Until then the
-                                  display returns HAL_ERR_GONE. */
-    uint32_t width, height;    /* Window or picture size in pixels; 0 is the board's default. */
+    uint8_t waits_for_screen; /* 1: a screen may be connected after the start. Until then the
+                                 display returns HAL_ERR_GONE. */
+    uint32_t width, height;   /* Window or picture size in pixels; 0 is the board's default. */
     uint8_t mute;
-    const char *data_dir;      /* Folder of the store; null stores nothing. */
-    struct view view;          /* View from which the rays of a pointer device start. */
+    const char *data_dir;          /* Folder of the store; null stores nothing. */
+    struct view view;              /* View from which the rays of a pointer device start. */
     const struct library *library; /* Species files of makers to show (platform/species/library.h);
                                       null: none. */
     /* Called when the display is lost for good, from inside the display call that detected the

@@ -46,15 +46,15 @@ struct hal_clock_ops {
 /* Pixels of the frame presented last, top row first. */
 struct hal_image {
     uint32_t width, height;
-    uint8_t *rgb;        /* Buffer of `size` bytes, owned by the caller. */
+    uint8_t *rgb; /* Buffer of `size` bytes, owned by the caller. */
     size_t size;
 };
 
 /* Events of the windowing system since the last poll. */
 struct display_events {
-    uint8_t quit;        /* 1 if the user closed the window or the session ends. */
-    uint8_t lost;        /* Level: 1 if the display is lost for good and can show nothing more. */
-    uint8_t upright;     /* Level: 1 if width / height is below POINTER_UPRIGHT_ASPECT. */
+    uint8_t quit;    /* 1 if the user closed the window or the session ends. */
+    uint8_t lost;    /* Level: 1 if the display is lost for good and can show nothing more. */
+    uint8_t upright; /* Level: 1 if width / height is below POINTER_UPRIGHT_ASPECT. */
 };
 
 /* Smallest window size in points; below this size the text is unreadable. A window manager may
@@ -84,18 +84,18 @@ struct hal_display_ops {
 
 /* One decoded controller report: a pose and its arrival time. */
 struct poi_sample {
-    uint64_t time_ns;         /* Arrival time on the clock of hal_clock_ops. */
-    uint8_t was_stamped;      /* 1: time of a real report; 0: time of a synthesized sample, between
-                                 two reports or at rest. */
+    uint64_t time_ns;    /* Arrival time on the clock of hal_clock_ops. */
+    uint8_t was_stamped; /* 1: time of a real report; 0: time of a synthesized sample, between
+                            two reports or at rest. */
     uint8_t has_wrist;
     uint8_t trembles;         /* As in struct poi_input. */
     struct poi_target target; /* Unvalidated values from the device, with any bit pattern. */
 };
-#define HAL_POI_SAMPLES_MAX 64u /* Enough for 1,000 Hz reports over a 16 ms frame, with reserve for
-                                   a slow frame. */
+/* Enough for 1,000 Hz reports over a 16 ms frame, with reserve for a slow frame. */
+#define HAL_POI_SAMPLES_MAX 64u
 
 struct hal_poi_ops {
-    int (*open)(void *self);  /* Opens the device, and reopens it after HAL_ERR_GONE. */
+    int (*open)(void *self); /* Opens the device, and reopens it after HAL_ERR_GONE. */
     /* Copies at most `max` samples that arrived since the last poll, oldest first. Returns their
      * number. */
     int (*poll)(void *self, struct poi_sample *out, uint32_t max);
@@ -111,34 +111,34 @@ struct hal_poi_ops {
 
 /* A fan: a device that a player holds over the water beside the poi or in place of a poi. */
 struct hal_fan_ops {
-    int (*open)(void *self);  /* Opens the device, and reopens it after HAL_ERR_GONE. */
+    int (*open)(void *self); /* Opens the device, and reopens it after HAL_ERR_GONE. */
     /* Writes the current position. Called after all pois were polled because a fan may share its
      * device with a poi. */
     int (*poll)(void *self, struct shade_input *out);
     const char *(*describe)(void *self);
 };
 
-#define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT) /* The bit of the first coin line; the other
-                                                       coin lines follow. */
+/* The bit of the first coin line; the other coin lines follow. */
+#define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT)
 #define HAL_LINE_COUNT (INPUT_BUTTON_COUNT + COIN_LINE_COUNT)
 
 /* Button levels now, and the debounced edges since the last poll. A coin pulse of 20 ms is not
  * lost. */
 struct button_sample {
-    uint32_t held, pressed;   /* Bits of enum input_button. */
-    uint32_t raw;             /* Levels before debouncing; same bits as `missing`. */
-    struct line_sample {      /* Counts since the last poll, indexed by the bit numbers of
-                                 `missing`. */
-        uint32_t edges;       /* Level changes, including contact bounces. */
-        uint32_t faults;      /* Share of this line in `faults` below. */
+    uint32_t held, pressed; /* Bits of enum input_button. */
+    uint32_t raw;           /* Levels before debouncing; same bits as `missing`. */
+    struct line_sample {    /* Counts since the last poll, indexed by the bit numbers of
+                               `missing`. */
+        uint32_t edges;     /* Level changes, including contact bounces. */
+        uint32_t faults;    /* Share of this line in `faults` below. */
     } line[HAL_LINE_COUNT];
     uint32_t coin_count[COIN_LINE_COUNT];
-    uint32_t faults;          /* Line faults since the last poll: stuck coin inputs, lost edges,
-                                 lines that disappeared or were absent at the start. */
-    uint32_t missing;         /* Wired inputs whose GPIO line is absent: bits of enum input_button,
-                                 and HAL_MISSING_COIN. */
-    uint8_t quit;             /* 1: the quit key of a desktop was pressed. Always 0 in a cabinet. */
-    uint8_t full_screen;      /* 1: the full-screen key of a desktop was pressed. */
+    uint32_t faults;     /* Line faults since the last poll: stuck coin inputs, lost edges, lines
+                            that disappeared or were absent at the start. */
+    uint32_t missing;    /* Wired inputs whose GPIO line is absent: bits of enum input_button,
+                            and HAL_MISSING_COIN. */
+    uint8_t quit;        /* 1: the quit key of a desktop was pressed. Always 0 in a cabinet. */
+    uint8_t full_screen; /* 1: the full-screen key of a desktop was pressed. */
 };
 
 struct hal_buttons_ops {
@@ -239,10 +239,10 @@ struct hal_storage_ops {
                                                          round is on disk. */
     int (*store_edit)(void *self, const struct graph_edit_record *edit); /* As append(). */
     uint32_t (*stored_edit_id)(void *self);                              /* As saved_id(). */
-    int (*edits_failed)(void *self); /* Returns 1 if edits cannot be stored, or if the last
-                                        attempt failed. */
-    uint32_t (*refused_count)(void *self);      /* Returns the number of writes that failed since
-                                                   open(). */
+    int (*edits_failed)(void *self);       /* Returns 1 if edits cannot be stored, or if the last
+                                              attempt failed. */
+    uint32_t (*refused_count)(void *self); /* Returns the number of writes that failed since
+                                              open(). */
     int (*is_healthy)(
         void *self); /* Returns 1 if entries are stored and the last write succeeded. */
     /* Returns 1 if there was no store at the start and a store has appeared since. Only a restart

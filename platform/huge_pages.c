@@ -15,8 +15,8 @@ static size_t whole_pages(size_t size)
 void *huge_pages_alloc(size_t size)
 {
     const size_t used = whole_pages(size);
-    char *mapped = mmap(NULL, used + HUGE_PAGE, PROT_READ | PROT_WRITE,
-                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    char *mapped =
+        mmap(NULL, used + HUGE_PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapped == MAP_FAILED) {
         return NULL;
     }

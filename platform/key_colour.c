@@ -7,10 +7,10 @@ enum { RED, ORANGE, YELLOW, LIME, GREEN, TEAL, BLUE, NAVY };
 
 uint32_t key_colour(uint32_t key_count, uint32_t key)
 {
-    static const uint32_t colours[] = { [RED] = 0xd23a2c,   [ORANGE] = 0xdc7415,
-                                        [YELLOW] = 0xc9a012, [LIME] = 0x7ba32b,
-                                        [GREEN] = 0x2f9a4e, [TEAL] = 0x1c97a0,
-                                        [BLUE] = 0x2f6fd0,  [NAVY] = 0x27408b };
+    static const uint32_t colours[] = {
+        [RED] = 0xd23a2c,   [ORANGE] = 0xdc7415, [YELLOW] = 0xc9a012, [LIME] = 0x7ba32b,
+        [GREEN] = 0x2f9a4e, [TEAL] = 0x1c97a0,   [BLUE] = 0x2f6fd0,   [NAVY] = 0x27408b
+    };
     static const uint8_t of_count[MORPH_KEY_MAX + 1u][MORPH_KEY_MAX] = {
         [2] = { RED, BLUE },
         [3] = { RED, GREEN, BLUE },

@@ -13,16 +13,19 @@
 /* Size of the signal stack in bytes. core_hash() and the file's writer need less than 4 KiB, but a
  * library's handler may also run on this stack. */
 #define STACK_SIZE (64u * 1024u)
-#define OTHER_WAIT_MS 5000 /* Time to wait until another thread has written its panic evidence; a
-                              slow card's sync. */
+/* Time to wait until another thread has written its panic evidence; a slow card's sync. */
+#define OTHER_WAIT_MS 5000
 
 typedef void (*wish_function)(void *self, const char *reason);
 
 static const struct {
     int number;
     const char *name;
-} fatal[] = { { SIGSEGV, "SIGSEGV" }, { SIGBUS, "SIGBUS" }, { SIGFPE, "SIGFPE" },
-              { SIGILL, "SIGILL" }, { SIGABRT, "SIGABRT" } };
+} fatal[] = { { SIGSEGV, "SIGSEGV" },
+              { SIGBUS, "SIGBUS" },
+              { SIGFPE, "SIGFPE" },
+              { SIGILL, "SIGILL" },
+              { SIGABRT, "SIGABRT" } };
 #define FATAL_COUNT (sizeof fatal / sizeof fatal[0])
 
 static uint8_t stack[STACK_SIZE];

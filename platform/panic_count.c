@@ -15,8 +15,17 @@
 #include "platform/replay/replay_bytes.h"
 
 #define MAGIC "KGPANIC1"
-enum { AT_TOTAL = 8, AT_LEFT = 12, AT_LEFT_BOOT = 16, AT_EARLY = 24, AT_COUNT = 28, AT_RECENT = 32,
-       RECENT_SIZE = 12, AT_ATTEMPT = AT_RECENT + RECENT_SIZE * (int)PANICS_RECENT, AT_SUM = 72 };
+enum {
+    AT_TOTAL = 8,
+    AT_LEFT = 12,
+    AT_LEFT_BOOT = 16,
+    AT_EARLY = 24,
+    AT_COUNT = 28,
+    AT_RECENT = 32,
+    RECENT_SIZE = 12,
+    AT_ATTEMPT = AT_RECENT + RECENT_SIZE * (int)PANICS_RECENT,
+    AT_SUM = 72
+};
 _Static_assert(AT_ATTEMPT + 4 <= AT_SUM && AT_SUM + 8 == PANICS_SIZE,
                "all fields have their place");
 
@@ -100,8 +109,8 @@ const char *panics_left_name(uint32_t left)
 static int open_file(int folder, int flags)
 {
     struct stat about;
-    const int file = openat(folder, PANICS_FILE,
-                            flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600);
+    const int file =
+        openat(folder, PANICS_FILE, flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600);
     if (file < 0) { /* A link, a socket, or a FIFO or folder opened for writing. */
         return errno == ELOOP || errno == ENXIO || errno == EISDIR ? -ENOTSUP : -errno;
     }

@@ -12,12 +12,12 @@
 #include <stdint.h>
 
 #define PANICS_FILE "panics"
-#define PANICS_SIZE 80u        /* Size of the file in bytes: less than one sector, so that a power
-                                  cut cannot tear it. */
-#define PANICS_RECENT 3u       /* Number of the newest panics that are stored. */
-#define PANICS_WITHIN_S 600u   /* Time window in seconds for PANICS_RECENT panics. */
-#define PANICS_OTHER_MAX 100u  /* Names that are tried to rename a foreign object. */
-#define PANICS_FILES 10u       /* Replays of panics that are stored: panic-0.kgr to panic-9.kgr. */
+/* Size of the file in bytes: less than one sector, so that a power cut cannot tear it. */
+#define PANICS_SIZE 80u
+#define PANICS_RECENT 3u      /* Number of the newest panics that are stored. */
+#define PANICS_WITHIN_S 600u  /* Time window in seconds for PANICS_RECENT panics. */
+#define PANICS_OTHER_MAX 100u /* Names that are tried to rename a foreign object. */
+#define PANICS_FILES 10u      /* Replays of panics that are stored: panic-0.kgr to panic-9.kgr. */
 
 enum panics_left { LEFT_NOTHING = 0, LEFT_SETTINGS, LEFT_REPLAYS, LEFT_NAMES, LEFT_COUNT };
 
@@ -30,8 +30,8 @@ struct panics {
     uint32_t count;     /* Valid entries in `recent`, newest first. */
     uint32_t attempt;   /* enum panics_left of an attempt that began and has not ended; else 0. */
     struct {
-        uint64_t boot;  /* Boot of the machine. */
-        uint32_t up_s;  /* Seconds since that boot. */
+        uint64_t boot; /* Boot of the machine. */
+        uint32_t up_s; /* Seconds since that boot. */
     } recent[PANICS_RECENT];
 };
 

@@ -34,10 +34,13 @@ struct system_health {
     struct scene_machine newest;
 
     /* Fields of the thread only. */
-    int64_t written_s;   /* Time of the newest file at the first check; 0: none. */
-    struct { uint64_t inode; int64_t mtime_s; long mtime_ns; } backup; /* Identity of the backup
-                                                                          seen last. */
-    int64_t backup_s;    /* Time when that backup was made, on the monotonic clock. */
+    int64_t written_s; /* Time of the newest file at the first check; 0: none. */
+    struct {
+        uint64_t inode;
+        int64_t mtime_s;
+        long mtime_ns;
+    } backup;         /* Identity of the backup seen last. */
+    int64_t backup_s; /* Time when that backup was made, on the monotonic clock. */
     bool has_begun;
 };
 

@@ -8,8 +8,8 @@
 #include <time.h>
 
 #define PATH_SIZE 512
-#define TRIP_MAX 12u         /* The kernel's maximum for a zone. */
-#define SANE_MIN_MDEG 0      /* Sensor values outside this range are ignored. */
+#define TRIP_MAX 12u    /* The kernel's maximum for a zone. */
+#define SANE_MIN_MDEG 0 /* Sensor values outside this range are ignored. */
 #define SANE_MAX_MDEG 150000
 
 /* ---- The kernel's files --------------------------------------------------------------------- */

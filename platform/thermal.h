@@ -11,8 +11,8 @@
 #include <stdint.h>
 
 #define THERMAL_LOOK_S 5u
-#define THERMAL_LIMIT_MDEG 80000    /* Default limit if no zone states one; boards slow down from
-                                       this temperature on. */
+/* Default limit if no zone states one; boards slow down from this temperature on. */
+#define THERMAL_LIMIT_MDEG 80000
 #define THERMAL_UNKNOWN_MDEG 999000 /* Margin if there is no sensor. */
 
 /* Returns the margin of the hottest zone under `root`, a folder like /sys/class/thermal, in
@@ -22,14 +22,14 @@ int32_t thermal_read(const char *root);
 /* State of the monitor. The caller owns the structure and clears it. The address must not change
  * while the thread runs. */
 struct thermal {
-    const char *root;   /* Null: /sys/class/thermal. */
+    const char *root; /* Null: /sys/class/thermal. */
     pthread_t thread;
     bool runs;
     pthread_mutex_t lock;
     pthread_cond_t bell;
-    bool ends;          /* Protected by `lock`. */
+    bool ends; /* Protected by `lock`. */
     atomic_int margin_mdeg;
-    atomic_uint looks;  /* Number of measurements so far. */
+    atomic_uint looks; /* Number of measurements so far. */
 };
 
 /* Starts the thread. If no thread can be created, the margin remains unknown. */

@@ -10,11 +10,11 @@
 struct watchdog {
     struct hal_clock clock;
     int socket_fd;
-    uint64_t period_ns;    /* Interval between two notifications that are actually sent. */
+    uint64_t period_ns; /* Interval between two notifications that are actually sent. */
     uint64_t last_kick_ns;
     uint8_t told_ready;
-    uint8_t has_limit;     /* 1: the manager restarts a process that is silent for too long. */
-    uint8_t is_deaf;       /* 1: the manager did not accept the last notification. */
+    uint8_t has_limit; /* 1: the manager restarts a process that is silent for too long. */
+    uint8_t is_deaf;   /* 1: the manager did not accept the last notification. */
     char text[HAL_TEXT_SIZE];
 };
 

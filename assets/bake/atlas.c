@@ -43,8 +43,9 @@ struct atlas atlas_pack(struct glyph **glyphs, uint32_t count, const char *list)
     atlas.page_count = lay_out(glyphs, count, atlas.page_rows);
     if (atlas.page_count > FONT_PAGES_MAX) {
         bake_fail("%s: %u glyphs fill %u pages of %ux%u texels, and FONT_PAGES_MAX is %u: give a "
-                  "font fewer em pixels or fewer keys", list, count, atlas.page_count,
-                  FONT_ATLAS_WIDTH, FONT_PAGE_ROWS_MAX, FONT_PAGES_MAX);
+                  "font fewer em pixels or fewer keys",
+                  list, count, atlas.page_count, FONT_ATLAS_WIDTH, FONT_PAGE_ROWS_MAX,
+                  FONT_PAGES_MAX);
     }
     while (lay_out(glyphs, count, atlas.page_rows - 4u) == atlas.page_count) {
         atlas.page_rows -= 4u;

@@ -18,7 +18,7 @@ struct glyph {
     int index;      /* Index in the font file. */
     uint8_t *field; /* width x height distances; null for a glyph without ink. */
     int width, height, left_px, top_px;
-    uint32_t x, y;  /* Position in the atlas: page n begins at row n * page_rows. */
+    uint32_t x, y; /* Position in the atlas: page n begins at row n * page_rows. */
 };
 
 /* Orders the glyphs by height and places each on one page. Uses as few pages as possible, and pages

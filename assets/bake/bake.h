@@ -12,21 +12,21 @@
 #include <stdio.h>
 
 /* Sizes in texels; bake_header() repeats them for the renderer. */
-#define CAUSTICS_SIZE 256u        /* Side of one tile, a power of two for mipmaps. */
-#define CAUSTICS_FRAMES 32u       /* Layers of one loop; choose_waves() explains the number. */
-#define PATTERN_WIDTH 128u        /* From snout to tail root. */
-#define PATTERN_HEIGHT 64u        /* Round the girth, from the back. */
+#define CAUSTICS_SIZE 256u  /* Side of one tile, a power of two for mipmaps. */
+#define CAUSTICS_FRAMES 32u /* Layers of one loop; choose_waves() explains the number. */
+#define PATTERN_WIDTH 128u  /* From snout to tail root. */
+#define PATTERN_HEIGHT 64u  /* Round the girth, from the back. */
 #define PATTERN_LAYERS 12u
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u
-#define FONT_ATLAS_WIDTH 2048u    /* Texture width that OpenGL ES 3.0 guarantees. */
-#define FONT_PAGE_ROWS_MAX 2048u  /* Texture height that OpenGL ES 3.0 guarantees. */
-#define FONT_PAGES_MAX 2u         /* 8 MiB of texture are enough for the text. */
-#define FONT_EDGE 160u            /* Distance value on the outline: most of the range is outside. */
-#define FONT_STEP 16u             /* Value per atlas pixel: reaches 10 px out and 6 px in. */
+#define FONT_ATLAS_WIDTH 2048u   /* Texture width that OpenGL ES 3.0 guarantees. */
+#define FONT_PAGE_ROWS_MAX 2048u /* Texture height that OpenGL ES 3.0 guarantees. */
+#define FONT_PAGES_MAX 2u        /* 8 MiB of texture are enough for the text. */
+#define FONT_EDGE 160u           /* Distance value on the outline: most of the range is outside. */
+#define FONT_STEP 16u            /* Value per atlas pixel: reaches 10 px out and 6 px in. */
 #define FONT_MAX 8u
-#define TEXT_LANGUAGES 2u         /* Same as LANGUAGE_COUNT of core/scene.h, in its order. */
+#define TEXT_LANGUAGES 2u /* Same as LANGUAGE_COUNT of core/scene.h, in its order. */
 #define TEXT_KEYS_MAX 1024u
 
 /* Ends the bake with one line on standard error and exit code 65 (bad input data). */
@@ -52,7 +52,7 @@ void bake_paper(uint8_t *r8);
 /* The user interface's text: assets/text/ja.txt and en.txt, read and compared. */
 struct text_line {
     char *key, *words;
-    uint32_t line;          /* Line number in its file, from 1. */
+    uint32_t line; /* Line number in its file, from 1. */
 };
 
 struct text_file {

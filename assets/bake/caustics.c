@@ -14,19 +14,19 @@
 #include "assets/bake/noise.h"
 
 #define WAVES 28
-#define RAYS_PER_TEXEL 4u               /* In each direction: 16 rays a texel keep the picture
-                                           smooth. */
+/* In each direction: 16 rays a texel keep the picture smooth. */
+#define RAYS_PER_TEXEL 4u
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
-#define WAVE_NUMBER_MIN 1.9f            /* Minimum wave number, in cycles per tile. */
+#define WAVE_NUMBER_MIN 1.9f /* Minimum wave number, in cycles per tile. */
 #define WAVE_NUMBER_MAX 6.6f
-#define FOCUS 0.033f                    /* Tiles that a ray moves per unit of slope, which
-                                           corresponds to the depth. */
-#define EXPOSURE 0.30f                  /* Light 1 (flat water) becomes 1 - exp(-0.30). */
+/* Tiles that a ray moves per unit of slope, which corresponds to the depth. */
+#define FOCUS 0.033f
+#define EXPOSURE 0.30f /* Light 1 (flat water) becomes 1 - exp(-0.30). */
 
 struct wave {
-    int32_t kx, ky;    /* Cycles per tile. */
-    int32_t turns;     /* Cycles per loop; the sign is the direction. */
-    uint32_t phase;    /* Steps of 1 / RAYS of a turn. */
+    int32_t kx, ky; /* Cycles per tile. */
+    int32_t turns;  /* Cycles per loop; the sign is the direction. */
+    uint32_t phase; /* Steps of 1 / RAYS of a turn. */
     float slope_x, slope_y;
 };
 

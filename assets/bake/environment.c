@@ -25,7 +25,8 @@ static void glow(struct colour *at, struct colour light, float amount)
 static void add_lanterns(struct colour *at, float x, float y, float z)
 {
     static const struct colour paper = { 1.0f, 0.56f, 0.22f }, red = { 1.0f, 0.26f, 0.12f };
-    static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f }, { -0.45f, 0.80f, 6.0f },
+    static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f },
+                                      { -0.45f, 0.80f, 6.0f },
                                       { 0.35f, 0.90f, 5.0f } }; /* z, height, number of lanterns */
     for (uint32_t row = 0; row < 3; row++) {
         const int32_t count = (int32_t)rows[row][2];
@@ -49,7 +50,7 @@ static struct colour sky(float x, float y, float z)
     const float low = expf(-3.2f * y);
     const float cloud = noise_2d_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
     struct colour at = { 0.018f, 0.030f, 0.085f };
-    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low);            /* Light of the fair. */
+    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low); /* Light of the fair. */
     glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f },
          noise_ramp(0.45f, 0.75f, cloud) * (1.0f - low));
     return at;

@@ -198,9 +198,9 @@ static void draw_face(struct face *face)
     for (uint32_t i = 0; i < face->glyph_count; i++) {
         struct glyph *glyph = &face->glyphs[i];
         int width = 0, height = 0;
-        glyph->field = stbtt_GetGlyphSDF(&face->info, face->scale, glyph->index, FONT_PADDING,
-                                         FONT_EDGE, (float)FONT_STEP, &width, &height,
-                                         &glyph->left_px, &glyph->top_px);
+        glyph->field =
+            stbtt_GetGlyphSDF(&face->info, face->scale, glyph->index, FONT_PADDING, FONT_EDGE,
+                              (float)FONT_STEP, &width, &height, &glyph->left_px, &glyph->top_px);
         if (width != glyph->width || height != glyph->height) {
             bake_fail("font %s: U+%04X was measured %dx%d and drawn %dx%d", face->name,
                       (unsigned)glyph->code, glyph->width, glyph->height, width, height);

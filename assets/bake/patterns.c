@@ -11,19 +11,19 @@
 #include "assets/bake/noise.h"
 
 #define PATCHES_MAX 6u
-#define GIRTH 0.85f          /* Girth in body lengths, which makes round patches round. */
-#define SCALE_ROWS 22.0f     /* Number of rows from gill to tail root. */
+#define GIRTH 0.85f      /* Girth in body lengths, which makes round patches round. */
+#define SCALE_ROWS 22.0f /* Number of rows from gill to tail root. */
 #define SCALES_ROUND 12.0f
-#define GILL 0.23f           /* Border of head and trunk. A head has no scales. */
+#define GILL 0.23f /* Border of head and trunk. A head has no scales. */
 
 struct patch {
     float u, v, length, width; /* Centre, and half extents in body lengths. */
 };
 
 struct design {
-    float base;              /* Redness everywhere: 1 covers the fish, 0 leaves it white. */
-    float belly;             /* Height on the flanks up to which the belly stays white. */
-    float ragged;            /* Strength of the noise that moves the edges. */
+    float base;   /* Redness everywhere: 1 covers the fish, 0 leaves it white. */
+    float belly;  /* Height on the flanks up to which the belly stays white. */
+    float ragged; /* Strength of the noise that moves the edges. */
     struct patch patches[PATCHES_MAX];
 };
 

@@ -16,8 +16,12 @@ int32_t text_utf8_next(const char **at)
     if (s[0] == 0) {
         return 0;
     }
-    const uint32_t tail = s[0] < 0x80u ? 0u : s[0] < 0xc2u ? 4u : s[0] < 0xe0u ? 1u
-                        : s[0] < 0xf0u ? 2u : s[0] < 0xf5u ? 3u : 4u;
+    const uint32_t tail = s[0] < 0x80u   ? 0u
+                          : s[0] < 0xc2u ? 4u
+                          : s[0] < 0xe0u ? 1u
+                          : s[0] < 0xf0u ? 2u
+                          : s[0] < 0xf5u ? 3u
+                                         : 4u;
     *at += 1;
     if (tail > 3u) {
         return -1;

@@ -20,9 +20,8 @@ static struct {
     uint8_t has_gpio;
 } devices;
 
-static int read_wires(struct gpio_wire wires[GPIO_ROLE_COUNT],
-                      const char (*line)[BOARD_LINE_SIZE], uint32_t count,
-                      char why[HAL_TEXT_SIZE])
+static int read_wires(struct gpio_wire wires[GPIO_ROLE_COUNT], const char (*line)[BOARD_LINE_SIZE],
+                      uint32_t count, char why[HAL_TEXT_SIZE])
 {
     for (uint32_t i = 0; i < count; i++) {
         if (!gpio_wire_read(line[i], wires, why)) {
@@ -57,12 +56,11 @@ static void open_lines(struct hal *hal, const struct board_options *options)
 {
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
     char why[HAL_TEXT_SIZE];
-    if (options->line_count == 0 ||
-        read_wires(wires, options->line, options->line_count, why)) {
+    if (options->line_count == 0 || read_wires(wires, options->line, options->line_count, why)) {
         return; /* board_check_lines() has already validated the options. */
     }
-    devices.has_gpio = buttons_gpio_start(&devices.gpio, gpio_lines_device(), wires, hal->clock) ==
-                       HAL_OK;
+    devices.has_gpio =
+        buttons_gpio_start(&devices.gpio, gpio_lines_device(), wires, hal->clock) == HAL_OK;
     if (!devices.has_gpio) {
         hal->switches = null_switches("no lines: the kernel gives no thread for them");
         return;
@@ -75,8 +73,8 @@ static void open_lines(struct hal *hal, const struct board_options *options)
 /* Drops key events at SDL's queue if the keys are no buttons, because no driver would read them. */
 static void ignore_keys(void)
 {
-    static const Uint32 types[] = { SDL_KEYDOWN, SDL_KEYUP, SDL_TEXTINPUT, SDL_TEXTEDITING,
-                                    SDL_TEXTEDITING_EXT, SDL_KEYMAPCHANGED };
+    static const Uint32 types[] = { SDL_KEYDOWN,     SDL_KEYUP,           SDL_TEXTINPUT,
+                                    SDL_TEXTEDITING, SDL_TEXTEDITING_EXT, SDL_KEYMAPCHANGED };
     screen_ignore(types, sizeof types / sizeof types[0]);
 }
 

@@ -55,8 +55,8 @@ void screen_open(struct hal *hal, const struct board_options *options)
                                            reopened. */
     ignore_foreign_events();
     if (hal->display.ops->open(display) != HAL_OK && !options->waits_for_screen) {
-        snprintf(devices.text, sizeof devices.text, "%.*s",
-                 (int)sizeof devices.text - 1, hal->display.ops->describe(display));
+        snprintf(devices.text, sizeof devices.text, "%.*s", (int)sizeof devices.text - 1,
+                 hal->display.ops->describe(display));
         hal->display = null_display(devices.text);
     }
 }
@@ -85,8 +85,9 @@ int board_has_screen(char *why, size_t why_size)
 {
     const int has_windows = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
     if (!has_windows && !is_set("SDL_VIDEODRIVER") && !has_graphics_card()) {
-        snprintf(why, why_size, "neither DISPLAY nor WAYLAND_DISPLAY is set, and there is no "
-                                "graphics card");
+        snprintf(why, why_size,
+                 "neither DISPLAY nor WAYLAND_DISPLAY is set, and there is no "
+                 "graphics card");
         return 0;
     }
     drm_card_prefer();

@@ -22,11 +22,11 @@ struct quaternion {
 };
 
 struct attitude {
-    uint8_t knows;         /* 1 if gravity was measured. */
+    uint8_t knows; /* 1 if gravity was measured. */
     struct quaternion turn;
-    vec3 bias_rad_s;       /* Bias of the gyroscope, in the axes of the poi. */
-    float still_s;         /* Seconds for which the poi has been still. */
-    float ahead_rad;       /* Heading that counts as straight ahead. */
+    vec3 bias_rad_s; /* Bias of the gyroscope, in the axes of the poi. */
+    float still_s;   /* Seconds for which the poi has been still. */
+    float ahead_rad; /* Heading that counts as straight ahead. */
     uint8_t has_ahead;
 };
 

@@ -16,18 +16,18 @@ struct readings {
     float wire[DRAW_WIRE_COUNT]; /* Converter steps of each wire, a mean of several samples. */
     /* 1 if the chip computes `turn`. Otherwise `gyro` and `accel` are valid. */
     uint8_t fuses;
-    struct quaternion turn;      /* Rotation from the chip's axes to a world with +z up. */
+    struct quaternion turn; /* Rotation from the chip's axes to a world with +z up. */
     vec3 gyro_rad_s, accel_m_s2;
-    uint8_t buttons;             /* Pressed buttons, enum poi_button. */
+    uint8_t buttons; /* Pressed buttons, enum poi_button. */
 };
 
 struct board_pose {
     const struct poi_config *config;
     struct attitude attitude;
     struct steady steady;
-    struct quaternion mount;       /* Rotation from the chip's axes to the axes of the poi. */
-    enum draw_wires_result wires;  /* Result of the wires in the last step. */
-    vec3 eye_m;                    /* Unfiltered position at which the wires meet. */
+    struct quaternion mount;      /* Rotation from the chip's axes to the axes of the poi. */
+    enum draw_wires_result wires; /* Result of the wires in the last step. */
+    vec3 eye_m;                   /* Unfiltered position at which the wires meet. */
 };
 
 /* Initializes the state. `config` must outlive `pose`. The caller guarantees a valid and calibrated

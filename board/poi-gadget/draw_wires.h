@@ -11,7 +11,7 @@
 #include "core/base/vec.h"
 
 #define DRAW_WIRE_COUNT 3u
-#define DRAW_WIRE_MAX_M 3.0f      /* Maximum wire length, the longest of cheap spools. */
+#define DRAW_WIRE_MAX_M 3.0f /* Maximum wire length, the longest of cheap spools. */
 /* Tolerance with which the wires may fail to meet, because of sag, stretch and the 5 mm eye. */
 #define DRAW_WIRE_SLACK_M 0.020f
 /* Distance from the spools' plane below which the height is too inaccurate. */
@@ -23,7 +23,7 @@ enum draw_wires_result {
     DRAW_WIRES_LENGTH,
     /* The wires do not meet because a wire hangs slack, is caught or is broken. */
     DRAW_WIRES_APART,
-    DRAW_WIRES_HIGH,   /* The wires meet within DRAW_WIRE_NEAR_M of the spools' plane. */
+    DRAW_WIRES_HIGH, /* The wires meet within DRAW_WIRE_NEAR_M of the spools' plane. */
     DRAW_WIRES_RESULT_COUNT,
 };
 

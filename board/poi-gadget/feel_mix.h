@@ -14,7 +14,7 @@
 #define FEEL_SILENT_S 0.25f
 /* Share of the motor's level for drag. The rest is reserved for slaps and tears. */
 #define FEEL_DRAG_SHARE 0.5f
-#define FEEL_SLAP_S 0.060f      /* Time in which a slap decays. */
+#define FEEL_SLAP_S 0.060f /* Time in which a slap decays. */
 #define FEEL_TEAR_S 0.150f
 #define FEEL_RATTLE_HZ 25.0f /* Rattle frequency, which resembles paper rather than an engine. */
 

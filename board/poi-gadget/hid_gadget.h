@@ -13,9 +13,9 @@ struct hid_gadget {
     /* Path of the device. The path "-" writes reports to standard output and gives no force
      * feedback. */
     const char *path;
-    int fd;                 /* File descriptor, or -1 if the device is not open. */
-    uint8_t sequence;       /* Sequence number of the next sent report. */
-    uint32_t shut_count;    /* Number of consecutive writes that found no host. */
+    int fd;              /* File descriptor, or -1 if the device is not open. */
+    uint8_t sequence;    /* Sequence number of the next sent report. */
+    uint32_t shut_count; /* Number of consecutive writes that found no host. */
     uint32_t sent_count;
     /* Number of reports that were dropped because the host had not fetched the previous report or
      * no host is present. */

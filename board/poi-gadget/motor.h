@@ -11,7 +11,7 @@ struct motor {
     /* File descriptors of the duty and the light, or -1 if the part is absent. */
     int duty_fd, light_fd;
     uint32_t period_ns;
-    float least;           /* Lowest duty at which the motor turns. */
+    float least; /* Lowest duty at which the motor turns. */
     uint32_t light_most;
     uint32_t duty_ns, light_value; /* Values of the duty and the light that were written last. */
 };

@@ -8,7 +8,7 @@
 struct pose_glide {
     uint8_t begun; /* 1 if the hand has a pose. */
     struct pose_line from, to;
-    float at_s;    /* Seconds since the start of the glide, up to to.glide_s. */
+    float at_s; /* Seconds since the start of the glide, up to to.glide_s. */
 };
 
 /* Returns whether the hand has reached its goal. Also returns true if no goal was set yet. */

@@ -6,9 +6,9 @@
 #include "drivers/hid/poi_report.h"
 
 enum pose_result {
-    POSE_NEW = 1,    /* A report is available. Its position is NaN if the position is unknown. */
-    POSE_NONE = 0,   /* No report is available yet. */
-    POSE_END = -1,   /* The source has ended. */
+    POSE_NEW = 1,  /* A report is available. Its position is NaN if the position is unknown. */
+    POSE_NONE = 0, /* No report is available yet. */
+    POSE_END = -1, /* The source has ended. */
     /* The input is not a valid pose. An error line was printed to standard error. */
     POSE_BAD = -2,
 };

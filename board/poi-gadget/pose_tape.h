@@ -15,10 +15,10 @@
 struct pose_tape {
     char text[POSE_TAPE_SIZE];
     uint32_t size;
-    uint32_t line;           /* Number of the last used line, counted from 1. */
-    uint8_t ended;           /* 1 if no more text will arrive. */
+    uint32_t line; /* Number of the last used line, counted from 1. */
+    uint8_t ended; /* 1 if no more text will arrive. */
     struct pose_glide glide;
-    const char *why;         /* Error of line `line`. */
+    const char *why; /* Error of line `line`. */
 };
 
 /* pose_tape_room() returns the free part of the buffer and sets `room` to its size, at most

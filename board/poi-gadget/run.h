@@ -28,8 +28,8 @@ struct feel_sink {
 
 struct run_options {
     const char *device; /* Path of the device /dev/hidgN, or "-" for standard output. */
-    uint32_t rate_hz; /* Report rate, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
-    float seconds; /* Duration in seconds. A value of 0 means no limit. */
+    uint32_t rate_hz;   /* Report rate, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
+    float seconds;      /* Duration in seconds. A value of 0 means no limit. */
 };
 
 /* Runs until the source ends, the duration has passed or a signal arrives. Prints statistics to

@@ -29,7 +29,7 @@ static const struct stroke {
     { 0, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
     /* Enters the water along the paper's plane. */
     { 0, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },
-    { 0, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f },    /* Glides under the fish. */
+    { 0, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f }, /* Glides under the fish. */
     /* Lifts the poi level, so that the water drains. */
     { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },
     { 1, 0, 1.1f, 0.00f, 0.020f, 0.00f, 2.0f, 0.0f },

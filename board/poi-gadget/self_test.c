@@ -13,7 +13,7 @@
 #include "board/poi-gadget/sensors.h"
 #include "platform/os/print.h"
 
-#define LOOKS 50u             /* Number of readings of the sensors at rest. */
+#define LOOKS 50u /* Number of readings of the sensors at rest. */
 #define LOOK_S 0.02f
 /* Greatest noise in converter steps, 2 mm. Means of four readings vary less on a working
  * converter. */

@@ -3,7 +3,7 @@
 
 #include "core/base/rng.h"
 
-#define STEPS 4096.0f       /* Steps of a 12-bit converter. */
+#define STEPS 4096.0f /* Steps of a 12-bit converter. */
 /* Wire length for the full range of the converter: ten turns of a drum with a circumference of 100
  * mm. */
 #define WIRE_SPAN_M 1.0f

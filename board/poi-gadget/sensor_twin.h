@@ -14,7 +14,7 @@ struct sensor_twin {
      * samples and has less noise. */
     float noise_steps;
     vec3 gyro_bias_rad_s; /* Simulated bias of the gyroscope. */
-    uint8_t fuses; /* 1 if the chip computes a quaternion, as a BNO055 does. */
+    uint8_t fuses;        /* 1 if the chip computes a quaternion, as a BNO055 does. */
     uint8_t begun;
     uint32_t step;
     struct quaternion before;

@@ -19,7 +19,7 @@ struct sensors {
     /* 1 if the quaternion's scalar part is first (see sensors.c). */
     uint8_t scalar_first;
     struct keys keys;
-    uint32_t failed_count;          /* Number of readings in which a chip did not answer. */
+    uint32_t failed_count; /* Number of readings in which a chip did not answer. */
 };
 
 /* Opens the sensors that `config` names, under `root`. Returns 1. Returns 0 and writes one line to

@@ -9,9 +9,9 @@
 
 #include "core/base/vec.h"
 
-#define STEADY_REST_HZ 4.0f      /* Corner frequency at rest. */
-#define STEADY_HZ_PER_M_S 60.0f  /* Increase of the corner frequency for each m/s of speed. */
-#define STEADY_SPEED_HZ 6.0f     /* Corner frequency of the speed filter. */
+#define STEADY_REST_HZ 4.0f     /* Corner frequency at rest. */
+#define STEADY_HZ_PER_M_S 60.0f /* Increase of the corner frequency for each m/s of speed. */
+#define STEADY_SPEED_HZ 6.0f    /* Corner frequency of the speed filter. */
 
 struct steady {
     int begun;

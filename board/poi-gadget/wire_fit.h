@@ -18,7 +18,7 @@ struct wire_fit {
     /* Converter step and wire length of each mark. The arrays have POI_CONFIG_MARK_MAX elements. */
     float step[8], length_m[8];
     float zero_m, step_m; /* Results: the length at step 0 and the length of one step. */
-    float miss_m; /* Error of the worst mark. */
+    float miss_m;         /* Error of the worst mark. */
 };
 
 /* Adds one mark: the converter steps and the length of the wire. */

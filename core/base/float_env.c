@@ -57,8 +57,7 @@ int float_env_is_standard(void)
 {
     int is_standard = 1;
     for (uint32_t i = 0; i < CASE_COUNT; i++) {
-        const float sum =
-            float_of(cases[i].x) * float_of(cases[i].y) + float_of(cases[i].z);
+        const float sum = float_of(cases[i].x) * float_of(cases[i].y) + float_of(cases[i].z);
         is_standard &= bits_of(sum) == cases[i].sum;
     }
     return is_standard && quad_is_standard(0) && quad_is_standard(4);

@@ -49,13 +49,13 @@ static inline float f_smoothstep(float low, float high, float x)
 }
 
 float f_floor(float x);
-float f_sin(float x);              /* |error| < 2e-6 for |x| < 1000. */
-float f_cos(float x);              /* Same limits as f_sin(). */
-float f_atan2(float y, float x);   /* (-pi, pi], |error| < 3e-6; (0, 0) gives 0. */
-float f_acos(float x);             /* Clamps x to [-1, 1] first; |error| < 1e-4. */
-float f_exp(float x);              /* Relative error < 3e-6; saturates outside [-87, 88]. */
-float f_log(float x);              /* x > 0, normal; absolute error < 3e-6 for x in [1e-6, 1e6]. */
-float f_wrap_angle(float x);       /* Returns the same direction in [-pi, pi), for |x| < 1000. */
+float f_sin(float x);            /* |error| < 2e-6 for |x| < 1000. */
+float f_cos(float x);            /* Same limits as f_sin(). */
+float f_atan2(float y, float x); /* (-pi, pi], |error| < 3e-6; (0, 0) gives 0. */
+float f_acos(float x);           /* Clamps x to [-1, 1] first; |error| < 1e-4. */
+float f_exp(float x);            /* Relative error < 3e-6; saturates outside [-87, 88]. */
+float f_log(float x);            /* x > 0, normal; absolute error < 3e-6 for x in [1e-6, 1e6]. */
+float f_wrap_angle(float x);     /* Returns the same direction in [-pi, pi), for |x| < 1000. */
 int f_is_finite(float x);
 
 #endif

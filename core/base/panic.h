@@ -12,7 +12,6 @@
 _Noreturn void core_panic(const char *condition, const char *file, int line);
 
 /* Asserts one condition; also active in release builds. */
-#define CORE_ASSERT(condition)                                                                     \
-    ((condition) ? (void)0 : core_panic(#condition, __FILE__, __LINE__))
+#define CORE_ASSERT(condition) ((condition) ? (void)0 : core_panic(#condition, __FILE__, __LINE__))
 
 #endif

@@ -12,10 +12,10 @@ struct rng_key {
 };
 
 uint32_t rng_u32(struct rng_key key);
-float rng_unit(struct rng_key key);                          /* Uniform in [0, 1). */
-float rng_range(struct rng_key key, float low, float high);  /* Uniform in [low, high). */
-float rng_normal(struct rng_key key);                        /* Mean 0, standard deviation 1, within
-                                                                +-6. */
+float rng_unit(struct rng_key key);                         /* Uniform in [0, 1). */
+float rng_range(struct rng_key key, float low, float high); /* Uniform in [low, high). */
+float rng_normal(struct rng_key key);                       /* Mean 0, standard deviation 1,
+                                                               within +-6. */
 
 /* A single list for the whole core, so that no two uses share a purpose by accident. */
 enum rng_purpose {

@@ -6,9 +6,9 @@
 #include "core/game/table_setup.h"
 
 #define SWAP_TICKS (2u * CORE_TICK_HZ) /* Time for which the bot keeps a torn poi. */
-#define BOWL_MAX 10u                   /* Fish in the bot's bowl at which the bowl is emptied,
-                                          because otherwise the bot would empty the tank over
-                                          night. */
+/* Fish in the bot's bowl at which the bowl is emptied, because otherwise the bot would empty the
+ * tank over night. */
+#define BOWL_MAX 10u
 
 void attract_begin(struct core *core)
 {

@@ -14,11 +14,11 @@
 #include "core/scene.h"
 
 #define FOUL_APART_TICKS (2u * CORE_TICK_HZ)
-#define FOUL_SHADE_S 1.5f /* Time for which a shadow must rest over fish before the start to be a
-                             foul. */
-#define FOUL_SETTLE_TICKS 144u /* First 1.2 s of READY, without stance checks. In that time a poi
-                                  moves from the rest position to its controller, and two of the
-                                  longest frames pass. */
+/* Time for which a shadow must rest over fish before the start to be a foul. */
+#define FOUL_SHADE_S 1.5f
+/* First 1.2 s of READY, without stance checks. In that time a poi moves from the rest position
+ * to its controller, and two of the longest frames pass. */
+#define FOUL_SETTLE_TICKS 144u
 
 struct core;
 

@@ -127,15 +127,13 @@ int game_may_scoop(const struct core *core, uint32_t index)
 {
     const struct game *game = &core->game;
     const int in_time = game->phase == PHASE_ROUND && game_seconds_left(game, core->tick) > 0.0f;
-    return game->phase == PHASE_ATTRACT ||
-           (in_time && !game->paused && !game->player[index].out);
+    return game->phase == PHASE_ATTRACT || (in_time && !game->paused && !game->player[index].out);
 }
 
 int game_pumps(const struct game *game, uint32_t tick)
 {
     const uint32_t elapsed = (tick - game->phase_tick) % (GAME_STALE_TICKS + GAME_AIR_TICKS);
-    return game->phase == PHASE_ATTRACT ? elapsed >= GAME_STALE_TICKS
-                                        : game->phase != PHASE_ROUND;
+    return game->phase == PHASE_ATTRACT ? elapsed >= GAME_STALE_TICKS : game->phase != PHASE_ROUND;
 }
 
 /* Returns the timeout of the selection screen in ticks since its start. */
@@ -177,13 +175,13 @@ static uint64_t hash_target(uint64_t hash, const struct poi_target *target)
 
 uint64_t game_hash(uint64_t hash, const struct game *game)
 {
-    const uint32_t words[] = { game->phase,      game->language,   game->mode,
-                               game->lab_chosen,
-                               game->bot_played, game->played,     game->paused,
-                               game->call,       game->call_tick,  game->phase_tick,
-                               game->round_tick, game->point_tick, game->lost_ticks,
-                               game->gone_tick,  game->round_s,    game->round_count,
-                               game->waited_ticks, game->turn_tick,  game->paused_ticks };
+    const uint32_t words[] = { game->phase,       game->language,     game->mode,
+                               game->lab_chosen,  game->bot_played,   game->played,
+                               game->paused,      game->call,         game->call_tick,
+                               game->phase_tick,  game->round_tick,   game->point_tick,
+                               game->lost_ticks,  game->gone_tick,    game->round_s,
+                               game->round_count, game->waited_ticks, game->turn_tick,
+                               game->paused_ticks };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

@@ -34,17 +34,17 @@
 #include "core/poi/catch/catch.h"
 #include "core/scene.h"
 
-#define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ) /* Length of READY in the festival and in
-                                                           practice. */
-#define GAME_RESULT_TICKS (12u * CORE_TICK_HZ)  /* Time to read the result and to call a friend. */
-#define GAME_GONE_TICKS (3u * CORE_TICK_HZ)     /* Time to see the hole before the result covers
-                                                   it. */
-#define GAME_CARRY_TICKS (3u * CORE_TICK_HZ)    /* Time after the end of the round to carry the last
-                                                   fish to the bowl. */
-#define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)     /* Delay before START counts in the result, so
-                                                         that an earlier press is ignored. */
-#define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u) /* Delay before a dip counts; longer, because
-                                                         a dip happens more easily by accident. */
+/* Length of READY in the festival and in practice. */
+#define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ)
+#define GAME_RESULT_TICKS (12u * CORE_TICK_HZ) /* Time to read the result and to call a friend. */
+/* Time to see the hole before the result covers it. */
+#define GAME_GONE_TICKS (3u * CORE_TICK_HZ)
+/* Time after the end of the round to carry the last fish to the bowl. */
+#define GAME_CARRY_TICKS (3u * CORE_TICK_HZ)
+/* Delay before START counts in the result, so that an earlier press is ignored. */
+#define GAME_AGAIN_TICKS (3u * CORE_TICK_HZ / 2u)
+/* Delay before a dip counts; longer, because a dip happens more easily by accident. */
+#define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u)
 /* Time without input after which the selection returns to attract mode. */
 #define GAME_MODE_SELECT_TICKS (15u * CORE_TICK_HZ)
 /* Longest selection time; motion for that long comes from a poi swinging on its cord. */
@@ -52,8 +52,8 @@
 /* Time to see the items before a press counts. */
 #define GAME_MODE_SELECT_TICKS_MIN (CORE_TICK_HZ / 2u)
 #define GAME_STALE_TICKS (115u * CORE_TICK_HZ) /* Time in attract mode for which the pump is off. */
-#define GAME_AIR_TICKS (45u * CORE_TICK_HZ)    /* Time in attract mode for which the pump bubbles,
-                                                  alternating with GAME_STALE_TICKS. */
+/* Time in attract mode for which the pump bubbles, alternating with GAME_STALE_TICKS. */
+#define GAME_AIR_TICKS (45u * CORE_TICK_HZ)
 #define GAME_POI_GRADE 6u      /* Paper grade that real stalls use most; the default. */
 #define GAME_DIP_Y_M (-0.010f) /* Height that a pose must cross downward to count as a dip. */
 
@@ -70,43 +70,42 @@ struct game {
     uint32_t phase_tick; /* Tick at which the phase began; moved forward while the round's clock is
                             paused. */
     uint32_t round_tick; /* Tick at which the round began; never moved. */
-    uint32_t paused_ticks; /* Ticks for which the round's clock was paused, for any reason. */
-    uint32_t point_tick; /* In CHOOSE: tick of the last selection. */
-    uint32_t lost_ticks; /* Ticks for which the current pause without any active player has
-                            lasted. */
-    uint32_t waited_ticks; /* Ticks of all pauses without any active player in this round. */
-    uint32_t gone_tick;  /* Tick at which the last player was out; moved forward during pauses; 0
-                            while players are active. In attract mode: tick at which the bot's paper
-                            was torn or its bowl was full. */
+    uint32_t paused_ticks;   /* Ticks for which the round's clock was paused, for any reason. */
+    uint32_t point_tick;     /* In CHOOSE: tick of the last selection. */
+    uint32_t lost_ticks;     /* Ticks for which the current pause without any active player has
+                                lasted. */
+    uint32_t waited_ticks;   /* Ticks of all pauses without any active player in this round. */
+    uint32_t gone_tick;      /* Tick at which the last player was out; moved forward during
+                                pauses; 0 while players are active. In attract mode: tick at
+                                which the bot's paper was torn or its bowl was full. */
     uint32_t language_until; /* Tick at which attract mode ends a visitor's choice of language; 0:
                                 no choice. */
-    uint32_t turn_tick;   /* Tick at which a new session starts (session.h); 0: not requested. */
-    uint32_t round_s;     /* Length of this round in seconds. */
-    uint32_t round_count; /* Number of started rounds; part of the seed of the next paper. */
+    uint32_t turn_tick;      /* Tick at which a new session starts (session.h); 0: not requested. */
+    uint32_t round_s;        /* Length of this round in seconds. */
+    uint32_t round_count;    /* Number of started rounds; part of the seed of the next paper. */
     struct ledger ledger;
     struct audits audits;
     struct ranking ranking;
     struct settings_edit settings_edit;
     struct name name;
     struct player player[POI_MAX];
-    uint8_t holder[POI_MAX];         /* enum poi_source of the last tick: the source that controlled
-                                        the poi. */
-    uint32_t grip_tick[POI_MAX];     /* Tick at which the current source took control of the poi. */
+    uint8_t holder[POI_MAX];     /* enum poi_source of the last tick: the source that controlled
+                                    the poi. */
+    uint32_t grip_tick[POI_MAX]; /* Tick at which the current source took control of the poi. */
     struct poi_target hand_pose[POI_MAX]; /* Target pose of each poi in the last tick, after
                                              smoothing and failsafe. */
-    float live_y_m[POI_MAX];         /* Height of the controller pose in the last tick; -1 if the
-                                        input was invalid. A dip is a downward crossing of
-                                        GAME_DIP_Y_M. */
+    float live_y_m[POI_MAX]; /* Height of the controller pose in the last tick; -1 if the input
+                                was invalid. A dip is a downward crossing of GAME_DIP_Y_M. */
     struct input_validation validation[POI_MAX]; /* Input validation of each controller. */
-    uint32_t return_ticks[POI_MAX];  /* Ticks since the poi began to return to the controller's
-                                        pose; 0: the poi follows the controller. */
-    uint8_t was_lost[POI_MAX];       /* 1 while the poi returns after an input loss. Damage is
-                                        disabled until the poi arrives. */
+    uint32_t return_ticks[POI_MAX];   /* Ticks since the poi began to return to the controller's
+                                         pose; 0: the poi follows the controller. */
+    uint8_t was_lost[POI_MAX];        /* 1 while the poi returns after an input loss. Damage is
+                                         disabled until the poi arrives. */
     uint32_t immunity_ticks[POI_MAX]; /* Ticks of damage immunity used so far during returns;
                                          decreases while the player controls the poi. */
-    uint32_t outlier_ticks[POI_MAX]; /* Ticks for which the reported pose has required a motion
-                                        that no arm can make. */
-    uint32_t rest_ticks[POI_MAX];    /* Ticks for which the player has not used the poi. */
+    uint32_t outlier_ticks[POI_MAX];  /* Ticks for which the reported pose has required a motion
+                                         that no arm can make. */
+    uint32_t rest_ticks[POI_MAX];     /* Ticks for which the player has not used the poi. */
     struct hints hints;
     struct bot bot[POI_MAX];
     struct credit credit;

@@ -17,8 +17,8 @@
 #define HEALTH_LOG_TICKS (120u * CORE_TICK_HZ)
 
 struct health_log {
-    uint8_t is_told;       /* 1: the LEDGER_BOOT of this start is written. */
-    uint32_t told_tick;    /* Tick of the last LEDGER_HEALTH. */
+    uint8_t is_told;                       /* 1: the LEDGER_BOOT of this start is written. */
+    uint32_t told_tick;                    /* Tick of the last LEDGER_HEALTH. */
     uint32_t dropped_ticks, device_faults; /* Values of the input at the last LEDGER_HEALTH. */
     uint32_t told_shakes;
     uint32_t away_ticks[POI_MAX]; /* Ticks for which a slot in play has been without its

@@ -5,18 +5,18 @@
 #include "core/core.h"
 #include "core/game/pause.h"
 
-#define LOOK_TICKS 12u            /* Ticks between two evaluations: ten per second. */
-#define MOVED_M 0.15f             /* Distance that counts as a deliberate motion. */
-#define HASTE_M_S 0.35f           /* Speed through water that counts as too fast. */
-#define HASTE_CELLS 3u            /* Cells torn between two evaluations that trigger the hint. */
+#define LOOK_TICKS 12u  /* Ticks between two evaluations: ten per second. */
+#define MOVED_M 0.15f   /* Distance that counts as a deliberate motion. */
+#define HASTE_M_S 0.35f /* Speed through water that counts as too fast. */
+#define HASTE_CELLS 3u  /* Cells torn between two evaluations that trigger the hint. */
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
-#define TILT_RAD 0.15f            /* Pitch that counts as a deliberate tilt. */
-#define FRUITLESS_DIPS 2u         /* Dips without a catch after which the technique is explained. */
-#define ABOVE_M 0.045f            /* Horizontal distance at which a fish counts as above the
-                                     ring. */
-#define WET_CELL 0.2f             /* Wetness of a cell after a quarter of a second under water. */
-#define WET_PART_MIN 0.15f        /* Shares of wet paper between which the paper counts as partly
-                                     wet. */
+#define TILT_RAD 0.15f    /* Pitch that counts as a deliberate tilt. */
+#define FRUITLESS_DIPS 2u /* Dips without a catch after which the technique is explained. */
+/* Horizontal distance at which a fish counts as above the ring. */
+#define ABOVE_M 0.045f
+#define WET_CELL 0.2f /* Wetness of a cell after a quarter of a second under water. */
+/* Shares of wet paper between which the paper counts as partly wet. */
+#define WET_PART_MIN 0.15f
 #define WET_PART_MAX 0.85f
 #define POURED_TICKS (4u * CORE_TICK_HZ) /* Time for which the hint about pouring is shown. */
 
@@ -51,7 +51,8 @@ static void turn_to_pupil(struct hints *hints, const struct core *core)
     for (uint8_t i = 0; i < POI_MAX; i++) {
         if (pause_holds(core, i)) {
             if (i != hints->pupil) {
-                *hints = (struct hints){ .pupil = i, .shown = hints->shown,
+                *hints = (struct hints){ .pupil = i,
+                                         .shown = hints->shown,
                                          .shown_tick = hints->shown_tick,
                                          .paper_cells = core->poi[i].sheet.paper_cells };
             }
@@ -99,8 +100,7 @@ static void observe(struct hints *hints, const struct core *core, struct view_of
     hints->learned |= hints->moved_m > MOVED_M ? BIT(HINT_MOVE) : 0u;
     hints->learned |= poi->immersed > 0.5f ? BIT(HINT_MOVE) | BIT(HINT_DIP) : 0u;
     hints->learned |= fish.held && poi->immersed <= 0.0f ? BIT(HINT_LIFT) : 0u;
-    hints->learned |=
-        player_of(hints, core)->caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
+    hints->learned |= player_of(hints, core)->caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
     hints->learned |=
         f_abs(core->game.hand_pose[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
     if (hints->haste_cells >= HASTE_CELLS) {
@@ -220,7 +220,7 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     case PHASE_MENU:
         return HINT_NONE;
     case PHASE_RESULT:
-        return game->credit.came_back                                 ? HINT_PAID_BACK
+        return game->credit.came_back                                  ? HINT_PAID_BACK
                : core->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? want_to_play(core)
                                                                        : HINT_NONE;
     default:

@@ -5,15 +5,15 @@
 
 #include "core/input.h"
 
-#define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ)    /* Longest pause without any active player; then
-                                                       the round ends. */
-#define GAME_LOST_TICKS_OTHERS (10u * CORE_TICK_HZ) /* Longest single pause for one controller while
-                                                       others could play. */
-#define GAME_WAIT_TICKS_OTHERS (30u * CORE_TICK_HZ) /* Longest total pause per round for one
-                                                       controller while others could play. */
-#define GAME_WAIT_TICKS_MAX POI_WAIT_TICKS_MAX      /* Longest total pause per round without any
-                                                       active player, so that a loose plug ends a
-                                                       round too. */
+/* Longest pause without any active player; then the round ends. */
+#define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ)
+/* Longest single pause for one controller while others could play. */
+#define GAME_LOST_TICKS_OTHERS (10u * CORE_TICK_HZ)
+/* Longest total pause per round for one controller while others could play. */
+#define GAME_WAIT_TICKS_OTHERS (30u * CORE_TICK_HZ)
+/* Longest total pause per round without any active player, so that a loose plug ends a round
+ * too. */
+#define GAME_WAIT_TICKS_MAX POI_WAIT_TICKS_MAX
 _Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
                    GAME_WAIT_TICKS_OTHERS <= GAME_WAIT_TICKS_MAX,
                "no wait outlasts the seat that is kept");

@@ -5,12 +5,12 @@
 
 uint64_t player_hash(uint64_t hash, const struct player *player)
 {
-    const uint32_t words[] = { player->plays,     player->out,    player->handed,
-                               player->points,    player->fouls,  player->foul,
-                               player->foul_tick, player->caught, player->scoops,
-                               player->torn_tick, player->first_torn_tick,
-                               player->sheets_before, player->lost_ticks,
-                               player->waited_ticks, player->stance };
+    const uint32_t words[] = {
+        player->plays,      player->out,          player->handed,          player->points,
+        player->fouls,      player->foul,         player->foul_tick,       player->caught,
+        player->scoops,     player->torn_tick,    player->first_torn_tick, player->sheets_before,
+        player->lost_ticks, player->waited_ticks, player->stance
+    };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

@@ -9,7 +9,7 @@
 #define WIDE_HEIGHT 720.0f
 #define UPRIGHT_WIDTH 854.0f
 #define UPRIGHT_HEIGHT 1400.0f
-#define DEPTH_MIN_M 0.05f  /* Smallest depth before the camera; nearer points are on no screen. */
+#define DEPTH_MIN_M 0.05f /* Smallest depth before the camera; nearer points are on no screen. */
 
 struct layout_point pointer_layout_size(int upright)
 {

@@ -17,7 +17,7 @@
 /* Narrower screens (width over height) use the portrait canvas. */
 #define POINTER_UPRIGHT_ASPECT 0.61f
 
-#define POINTER_PRESS_Y_M 0.010f   /* Height below which a pose presses. */
+#define POINTER_PRESS_Y_M 0.010f /* Height below which a pose presses. */
 /* Height above which the press ends; a mouse hovers at 0.035. */
 #define POINTER_RELEASE_Y_M 0.018f
 /* Distance on the canvas within which a pointer counts as resting. */

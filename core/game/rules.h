@@ -14,23 +14,23 @@
 #include "core/scene.h"
 
 #define RULES_STALLS_TANK 0xffu /* The configured tank. */
-#define RULES_READY_S 3u        /* Time to take the poi and find the bowl, in modes without an
-                                   umpire. */
+/* Time to take the poi and find the bowl, in modes without an umpire. */
+#define RULES_READY_S 3u
 
 struct rules {
-    const char *name;      /* Name on the command line. */
-    uint8_t tank;          /* enum tank_preset_id, or RULES_STALLS_TANK */
-    uint8_t grade;         /* Grade of the paper; 0: the configured grade. */
+    const char *name; /* Name on the command line. */
+    uint8_t tank;     /* enum tank_preset_id, or RULES_STALLS_TANK */
+    uint8_t grade;    /* Grade of the paper; 0: the configured grade. */
     uint32_t round_s;
-    uint32_t ready_s;      /* Time to take the poi before the start. */
-    uint8_t renews_paper;  /* 1: useless paper is replaced after a second, when the poi is clear of
-                              the water; 0: the player is out. */
-    uint8_t judges;        /* 1: fouls are counted, and fish caught by a foul do not count. 0: every
-                              fish in the bowl counts, as at a real stall. */
-    uint8_t calls;         /* 1: the time is announced. */
-    uint8_t coaches;       /* 1: hints explain the next step; 0: hints only report fouls. */
+    uint32_t ready_s;     /* Time to take the poi before the start. */
+    uint8_t renews_paper; /* 1: useless paper is replaced after a second, when the poi is clear
+                             of the water; 0: the player is out. */
+    uint8_t judges;       /* 1: fouls are counted, and fish caught by a foul do not count. 0:
+                             every fish in the bowl counts, as at a real stall. */
+    uint8_t calls;        /* 1: the time is announced. */
+    uint8_t coaches;      /* 1: hints explain the next step; 0: hints only report fouls. */
     uint8_t shows_stress;
-    uint8_t keeps_score;   /* 1: the round produces a record and can be ranked. */
+    uint8_t keeps_score; /* 1: the round produces a record and can be ranked. */
 };
 
 /* Returns the rules of `mode`. `mode` must be < MODE_COUNT, else the function asserts. */

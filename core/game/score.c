@@ -13,8 +13,7 @@ static uint32_t valid(const struct rules *rules, const struct catch_result *caug
     return rules->judges ? caught->landed : caught->bowled;
 }
 
-void game_score(struct core *core, const struct catch_result caught[POI_MAX],
-                struct output *output)
+void game_score(struct core *core, const struct catch_result caught[POI_MAX], struct output *output)
 {
     struct game *game = &core->game;
     if (game->phase != PHASE_ROUND) {

@@ -27,7 +27,7 @@
 
 /* State carried over from the previous session. All zero: the kiosk has just started. */
 struct game_session {
-    uint32_t tick;  /* First tick of this session; 0 at the kiosk's start. */
+    uint32_t tick; /* First tick of this session; 0 at the kiosk's start. */
     uint32_t command_count, edit_save_id, edit_saved_id; /* Command and edit ids, as in struct
                                                             menu and struct lab. */
     struct ledger ledger;

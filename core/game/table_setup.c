@@ -69,8 +69,8 @@ static uint32_t fish_count(const struct core_config *config, uint8_t preset)
  * number of fish or players. */
 static int is_set_up(const struct core *core, uint8_t preset)
 {
-    int is_so = preset == core->tank.preset &&
-                core->tank.fish_count == fish_count(&core->config, preset);
+    int is_so =
+        preset == core->tank.preset && core->tank.fish_count == fish_count(&core->config, preset);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         is_so = is_so && core->bowl[i].present == (i < player_count(&core->config));
     }
@@ -124,8 +124,7 @@ void table_setup_prepare(struct core *core, uint8_t preset)
     if (is_set_up(core, preset)) {
         return;
     }
-    const struct rng_key key = { core->config.seed, core->game.round_count, preset,
-                                 RNG_TANK_SEED };
+    const struct rng_key key = { core->config.seed, core->game.round_count, preset, RNG_TANK_SEED };
     open_tank(core, preset, rng_u32(key));
     place_all(core, tank_preset(preset));
 }

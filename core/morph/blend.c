@@ -73,8 +73,8 @@ static float vertex_weight(const struct species_vertex *vertex, const struct mor
     return sum * (1.0f / 255.0f); /* 255 times this factor is exactly 1. */
 }
 
-vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count,
-                 const struct morph_pose *pose, uint32_t vertex)
+vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                 uint32_t vertex)
 {
     vec3 counts = { 0.0f, 0.0f, 0.0f };
     CORE_ASSERT(vertex < mesh->vertex_count);

@@ -27,7 +27,7 @@ struct blending {
     const struct species_mesh *mesh;
     const struct morph_pose *pose;
     uint32_t key_count;
-    uint8_t key[MORPH_KEY_MAX]; /* Keys with a weight in any curve. */
+    uint8_t key[MORPH_KEY_MAX];  /* Keys with a weight in any curve. */
     flanes whole[MORPH_KEY_MAX]; /* Weights of these keys for vertices that only the curve of the
                                     whole fish moves. */
 };

@@ -37,8 +37,7 @@ float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t ind
         return rise(points);
     }
     const uint32_t last = count - 1u;
-    const struct cubic_point *middle =
-        &points[index == 0 ? 1u : index == last ? last - 1u : index];
+    const struct cubic_point *middle = &points[index == 0 ? 1u : index == last ? last - 1u : index];
     const float h0 = middle->at - middle[-1].at, d0 = rise(middle - 1);
     const float h1 = middle[1].at - middle->at, d1 = rise(middle);
     if (index == 0) {

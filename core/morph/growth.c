@@ -12,7 +12,7 @@
 
 #define DAYS_PER_YEAR 365.25f
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR) /* The oldest goldfish on record lived for 43 years. */
-#define FADE_NONE_YEAR 1e-6f /* Half a minute: no fade. */
+#define FADE_NONE_YEAR 1e-6f                 /* Half a minute: no fade. */
 #define BISECTIONS 24                        /* 14,610 days halved 24 times are 0.001 days. */
 
 /* Returns how far the curve exceeds the last measured length, or 0 if it does not. In that case the
@@ -28,8 +28,7 @@ static float curve_lead_m(const struct growth *growth, float age_days)
 static float beyond_points_m(const struct growth *growth, float age_days)
 {
     const struct growth_point *last = &growth->points[growth->point_count - 1];
-    const float since_years =
-        (f_min(age_days, AGE_MAX_DAYS) - last->age_days) / DAYS_PER_YEAR;
+    const float since_years = (f_min(age_days, AGE_MAX_DAYS) - last->age_days) / DAYS_PER_YEAR;
     const float young = f_exp(-f_max(since_years, 0.0f) / growth->fade_year);
     return last->length_m + curve_lead_m(growth, age_days) * (1.0f - young);
 }
@@ -44,8 +43,7 @@ static float point_slope(const struct growth *growth, const struct cubic_point *
         return cubic_slope(points, count, index);
     }
     const struct cubic_point *last = &points[index];
-    const float steepest =
-        3.0f * (last->value - last[-1].value) / (last->at - last[-1].at);
+    const float steepest = 3.0f * (last->value - last[-1].value) / (last->at - last[-1].at);
     const float onward = curve_lead_m(growth, last->at) / (growth->fade_year * DAYS_PER_YEAR);
     return f_clamp(onward, 0.0f, f_max(steepest, 0.0f));
 }
@@ -94,8 +92,7 @@ struct growth growth_shifted(const struct growth *growth)
 static float age_in_span(const struct growth *growth, float from_days, float to_days,
                          float length_m)
 {
-    const bool rises =
-        growth_length_m(growth, to_days) > growth_length_m(growth, from_days);
+    const bool rises = growth_length_m(growth, to_days) > growth_length_m(growth, from_days);
     for (int i = 0; i < BISECTIONS; i++) {
         const float middle = 0.5f * (from_days + to_days);
         if ((growth_length_m(growth, middle) < length_m) == rises) {
@@ -115,8 +112,7 @@ float growth_age_between(const struct growth *growth, float from_days, float to_
         return from;
     }
     for (uint32_t i = 0; i <= growth->point_count; i++) {
-        const float point_days =
-            i < growth->point_count ? growth->points[i].age_days : to_days;
+        const float point_days = i < growth->point_count ? growth->points[i].age_days : to_days;
         const float to = f_clamp(point_days, from, to_days);
         const float next_m = growth_length_m(growth, to);
         if ((at_m < length_m) != (next_m < length_m) || next_m == length_m) {

@@ -21,8 +21,8 @@ static uint32_t last_key(const struct species_card *card)
 static bool goes_by_length(const struct species_card *card, uint32_t key)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
-    const bool rises = growth_length_m(&card->growth, age[1]) >
-                       growth_length_m(&card->growth, age[0]);
+    const bool rises =
+        growth_length_m(&card->growth, age[1]) > growth_length_m(&card->growth, age[0]);
     return length[0] != length[1] && (length[1] > length[0]) == rises &&
            growth_is_one_way(&card->growth, age[0], age[1]);
 }

@@ -9,20 +9,22 @@
 #include "core/morph/morph.h"
 
 #define PI 3.14159265f
-#define SOFT_U 0.006f      /* Half the width of a soft edge along the body. */
-#define SOFT_HEIGHT 0.03f  /* Half the width of a soft edge across the flank. */
-#define UNEVEN 0.35f       /* Random variation of the size of a spot. */
-#define CELL_RIM 0.2f      /* Share of a spot's cell near its border that never holds the centre of
-                              a spot. */
-#define BOW_HEIGHT 0.35f   /* Height of a flank in body lengths, for the bow of the gill cover. */
-#define SIDE_RIM 0.25f     /* Sine around the girth: width of the soft edge of a flank. */
-#define SLIT_HEIGHT 7.0f   /* Head of 0.14 lengths: factor from the width of a slit to a share of
-                              the height. */
+#define SOFT_U 0.006f     /* Half the width of a soft edge along the body. */
+#define SOFT_HEIGHT 0.03f /* Half the width of a soft edge across the flank. */
+#define UNEVEN 0.35f      /* Random variation of the size of a spot. */
+/* Share of a spot's cell near its border that never holds the centre of a spot. */
+#define CELL_RIM 0.2f
+#define BOW_HEIGHT 0.35f /* Height of a flank in body lengths, for the bow of the gill cover. */
+#define SIDE_RIM 0.25f   /* Sine around the girth: width of the soft edge of a flank. */
+/* Head of 0.14 lengths: factor from the width of a slit to a share of the height. */
+#define SLIT_HEIGHT 7.0f
 
 /* Distance from back to belly over one flank in body lengths, and its reduction at the tail root.
  * Marks do not use the mesh; the body form makes spots round enough. */
-static const struct { float lengths, taper; } flanks[] = {
-    [FORM_FUSIFORM] = { 0.36f, 0.60f }, [FORM_COMPRESSED] = { 0.42f, 0.70f },
+static const struct {
+    float lengths, taper;
+} flanks[] = {
+    [FORM_FUSIFORM] = { 0.36f, 0.60f },  [FORM_COMPRESSED] = { 0.42f, 0.70f },
     [FORM_DEPRESSED] = { 0.50f, 0.85f }, [FORM_EEL] = { 0.09f, 0.40f },
     [FORM_PUFFER] = { 0.52f, 0.75f },
 };
@@ -41,8 +43,8 @@ struct mark_point mark_point_of(const struct species_vertex *at, enum body_form 
     point.down = 1.0f - f_abs(at->v * 2.0f - 1.0f);
     point.right = f_sin(2.0f * PI * at->v);
     point.broad = flanks[form].lengths;
-    point.flank = flanks[form].lengths *
-                  (1.0f - flanks[form].taper * f_smoothstep(0.45f, 1.0f, at->u));
+    point.flank =
+        flanks[form].lengths * (1.0f - flanks[form].taper * f_smoothstep(0.45f, 1.0f, at->u));
     return point;
 }
 
@@ -183,8 +185,7 @@ static float mouth(const struct species_mark *m, const struct mark_point *at)
     const float along = at->u / f_max(m->to, 1e-3f);
     const float line = f_lerp(m->high, m->low, f_clamp(along, 0.0f, 1.0f));
     const float width = 0.5f * m->width * SLIT_HEIGHT * (1.0f - 0.5f * f_clamp(along, 0.0f, 1.0f));
-    return disc(f_abs(at->height - line), width) *
-           (1.0f - f_smoothstep(0.92f, 1.06f, along));
+    return disc(f_abs(at->height - line), width) * (1.0f - f_smoothstep(0.92f, 1.06f, along));
 }
 
 /* Returns the cover of an arc that bows backward at its middle. */

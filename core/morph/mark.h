@@ -7,13 +7,13 @@
 /* A point of the skin or of a fin, in the coordinates of marks. */
 struct mark_point {
     uint8_t part, side;
-    float u;       /* Along the body, or along the base of a fin. */
-    float height;  /* 0 belly .. 1 back; for a fin 0 root .. 1 tip. */
-    float down;    /* Around the flank, 0 back .. 1 belly; for a fin 1 .. 0. */
-    float right;   /* -1 left .. 1 right, 0 on the midlines. */
-    float flank;   /* Distance of `down` from 0 to 1, in body lengths; for a fin in lengths of its
-                      base. */
-    float broad;   /* `flank` at the broadest place of the body. */
+    float u;      /* Along the body, or along the base of a fin. */
+    float height; /* 0 belly .. 1 back; for a fin 0 root .. 1 tip. */
+    float down;   /* Around the flank, 0 back .. 1 belly; for a fin 1 .. 0. */
+    float right;  /* -1 left .. 1 right, 0 on the midlines. */
+    float flank;  /* Distance of `down` from 0 to 1, in body lengths; for a fin in lengths of its
+                     base. */
+    float broad;  /* `flank` at the broadest place of the body. */
 };
 
 struct mark_point mark_point_of(const struct species_vertex *at, enum body_form form);

@@ -186,8 +186,8 @@ struct morph_point {
               uint32_t vertex);
 
 /* Returns the position of a vertex before its anchor moves it. */
-vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count,
-                 const struct morph_pose *pose, uint32_t vertex);
+vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                 uint32_t vertex);
 
 /* Convert the position (counts times reach) and the unit normal of a point. */
 vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex);
@@ -222,9 +222,9 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
 /* paint.c: colour */
 
 struct paint {
-    vec3 colour;  /* sRGB, [0, 1] each. */
-    float clear;  /* [0, 1] transparency. */
-    float shine;  /* [0, 1] */
+    vec3 colour; /* sRGB, [0, 1] each. */
+    float clear; /* [0, 1] transparency. */
+    float shine; /* [0, 1] */
 };
 
 /* Returns the paint at vertex coordinates `at` (u, v, part, side), at vertices or between them. The

@@ -7,11 +7,11 @@
 
 #include "core/base/panic.h"
 
-#define PUPIL 0.52f       /* Share of the eye's visible radius. */
+#define PUPIL 0.52f /* Share of the eye's visible radius. */
 #define IRIS_SHINE 0.6f
-#define BACK_SHINE 0.35f  /* Share of the flank's shine: scales on the back lie under dark skin. */
-#define STALK_FROM 0.96f  /* Position from which the skin blends into the tail fin, up to the tail
-                             root. */
+#define BACK_SHINE 0.35f /* Share of the flank's shine: scales on the back lie under dark skin. */
+/* Position from which the skin blends into the tail fin, up to the tail root. */
+#define STALK_FROM 0.96f
 #define STALK_FIN 0.9f    /* Share of the fin's paint at the tail root. */
 #define MARK_OPAQUE 0.85f /* Pigment on a transparent larva is visible and slightly translucent. */
 
@@ -78,8 +78,8 @@ static struct paint mean_paint(const struct species *species, const float *share
  * differently. */
 static bool same_mark(const struct species_mark *a, const struct species_mark *b)
 {
-    const bool field = a->from == b->from && a->to == b->to && a->low == b->low &&
-                       a->high == b->high;
+    const bool field =
+        a->from == b->from && a->to == b->to && a->low == b->low && a->high == b->high;
     return a->kind == b->kind && a->part == b->part && a->count == b->count && a->seed == b->seed &&
            (a->kind != MARK_SPOTS || field);
 }

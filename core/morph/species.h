@@ -12,21 +12,21 @@
 
 #include "core/base/vec.h"
 
-#define MORPH_KEY_MAX 8u       /* Limit of the vertex shader's attributes. */
-#define MORPH_CURVE_MAX 4u     /* The curve of the whole fish and those of three parts: the four
-                                  masks of a vertex. */
-#define GRAPH_KNOT_MAX 12u     /* A hand-drawn curve with more knots would be a table. */
-#define GROWTH_POINT_MAX 12u   /* The conger has the most: nine measured lengths. */
-#define SPECIES_NAME_SIZE 24u  /* Size with the terminating zero: a-z, 0-9 and _. */
-#define SPECIES_LOD_COUNT 2u   /* 0 near, 1 far. */
+#define MORPH_KEY_MAX 8u /* Limit of the vertex shader's attributes. */
+/* The curve of the whole fish and those of three parts: the four masks of a vertex. */
+#define MORPH_CURVE_MAX 4u
+#define GRAPH_KNOT_MAX 12u    /* A hand-drawn curve with more knots would be a table. */
+#define GROWTH_POINT_MAX 12u  /* The conger has the most: nine measured lengths. */
+#define SPECIES_NAME_SIZE 24u /* Size with the terminating zero: a-z, 0-9 and _. */
+#define SPECIES_LOD_COUNT 2u  /* 0 near, 1 far. */
 #define SPECIES_BUILT_IN 7u
-#define SPECIES_EXTRA_MAX 8u   /* Fixed slots for packed files of makers. */
+#define SPECIES_EXTRA_MAX 8u /* Fixed slots for packed files of makers. */
 #define SPECIES_MAX (SPECIES_BUILT_IN + SPECIES_EXTRA_MAX)
-#define MESH_VERTEX_MAX 1024u  /* Per level of detail; a near bigeye has 847. */
+#define MESH_VERTEX_MAX 1024u /* Per level of detail; a near bigeye has 847. */
 #define MESH_INDEX_MAX 8192u
-#define ANCHOR_MAX 96u         /* A root for each ray column of each fin, and two eyes. */
+#define ANCHOR_MAX 96u /* A root for each ray column of each fin, and two eyes. */
 #define ANCHOR_NONE 255u
-#define MARK_MAX 8u            /* Painted marks of one key. */
+#define MARK_MAX 8u /* Painted marks of one key. */
 
 enum species_part {
     PART_BODY = 0,
@@ -36,9 +36,9 @@ enum species_part {
     PART_ANAL = 4,
     PART_PECTORAL = 5,
     PART_PELVIC = 6,
-    PART_DORSAL_2 = 7,      /* Second dorsal fin of a tuna. */
-    PART_FINLET_UPPER = 8,  /* The finlets behind a tuna's second dorsal fin. */
-    PART_FINLET_LOWER = 9,  /* The finlets behind a tuna's anal fin. */
+    PART_DORSAL_2 = 7,     /* Second dorsal fin of a tuna. */
+    PART_FINLET_UPPER = 8, /* The finlets behind a tuna's second dorsal fin. */
+    PART_FINLET_LOWER = 9, /* The finlets behind a tuna's anal fin. */
     PART_COUNT,
 };
 
@@ -117,7 +117,7 @@ struct graph {
  * cubic. The last point fades into von Bertalanffy's curve (2005 thesis, eq. 3.3). */
 struct growth {
     float length_inf_m, k_per_year, t0_year;
-    float fade_year; /* > 0; after a few times this duration only the curve remains. */
+    float fade_year;      /* > 0; after a few times this duration only the curve remains. */
     uint32_t point_count; /* 1 .. GROWTH_POINT_MAX */
     struct growth_point {
         float age_days, length_m;
@@ -141,7 +141,7 @@ enum body_form { FORM_FUSIFORM, FORM_COMPRESSED, FORM_DEPRESSED, FORM_EEL, FORM_
 /* The life of a species: plain data of about 2 KiB. */
 struct species_card {
     char id[SPECIES_NAME_SIZE];
-    uint8_t key_count;       /* 3 .. MORPH_KEY_MAX */
+    uint8_t key_count; /* 3 .. MORPH_KEY_MAX */
     uint8_t measure, motion, form;
     uint8_t thesis_key[3];   /* Keys that chapter 4 of the 2005 thesis used. */
     uint8_t thesis_template; /* enum graph_template of chapter 4. */
@@ -154,23 +154,31 @@ struct species_card {
     struct scale_knot {
         float progress, length_m;
     } scale_knots[GRAPH_KNOT_MAX];
-    uint8_t curve_count;      /* 1 .. MORPH_CURVE_MAX; curve 0 is that of the whole fish. */
+    uint8_t curve_count; /* 1 .. MORPH_CURVE_MAX; curve 0 is that of the whole fish. */
     char curve_names[MORPH_CURVE_MAX][SPECIES_NAME_SIZE];
     struct graph curves[MORPH_CURVE_MAX];
 };
 
 /* Paint of a key; colours are 0xRRGGBB in sRGB. */
 enum mark_kind {
-    MARK_SPOTS, MARK_BANDS, MARK_STRIPES, MARK_EDGE, MARK_PATCH, MARK_SIDE, MARK_ROWS,
-    MARK_MOUTH, MARK_GILL, MARK_COUNT,
+    MARK_SPOTS,
+    MARK_BANDS,
+    MARK_STRIPES,
+    MARK_EDGE,
+    MARK_PATCH,
+    MARK_SIDE,
+    MARK_ROWS,
+    MARK_MOUTH,
+    MARK_GILL,
+    MARK_COUNT,
 };
 
 struct species_mark {
-    uint8_t kind;    /* enum mark_kind; mark.c defines the meaning of the other members. */
-    uint8_t part;    /* enum species_part that bears the mark. */
+    uint8_t kind; /* enum mark_kind; mark.c defines the meaning of the other members. */
+    uint8_t part; /* enum species_part that bears the mark. */
     uint8_t count, seed;
     uint32_t colour;
-    float from, to;  /* Range along u. */
+    float from, to; /* Range along u. */
     float width;
     float slant;
     float low, high; /* Range of height along v: 0 belly .. 1 back. */
@@ -178,8 +186,8 @@ struct species_mark {
 
 struct species_coat {
     uint32_t back, flank, belly, fin, iris;
-    uint8_t clear;   /* 0 opaque .. 255 transparent, as larvae are. */
-    uint8_t shine;   /* 0 dull .. 255 silver. */
+    uint8_t clear; /* 0 opaque .. 255 transparent, as larvae are. */
+    uint8_t shine; /* 0 dull .. 255 silver. */
     uint8_t mark_count;
     struct species_mark marks[MARK_MAX];
 };

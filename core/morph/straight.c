@@ -53,8 +53,8 @@ static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
 
 /* Bakes the vertices on anchors into the body frame of key `key`; other vertices keep their
  * bits. */
-static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
-                     float reach, struct straight_memory *memory, struct species_point *out)
+static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key, float reach,
+                     struct straight_memory *memory, struct species_point *out)
 {
     key_shape(mesh, key_count, key, memory);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -74,8 +74,8 @@ static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32
 static void straighten_mesh(const struct species_mesh *from, uint32_t key_count, uint32_t lod,
                             struct straight_memory *memory, struct species_mesh *out)
 {
-    const float reach = from->anchor_count > 0 ? straight_reach(from, key_count, memory)
-                                               : from->reach;
+    const float reach =
+        from->anchor_count > 0 ? straight_reach(from, key_count, memory) : from->reach;
     for (uint32_t key = 0; key < key_count && from->anchor_count > 0; key++) {
         bake_key(from, key_count, key, reach, memory, memory->points[lod][key]);
         out->points[key] = memory->points[lod][key];

@@ -9,8 +9,8 @@
 #define CN_PER_SINE 2.0f    /* Circular wing at small angles: 1.79 per radian, increasing. */
 #define NU_M2_S 1.0e-6f     /* Water at 20 C. */
 #define ENTRY_HALF_M 0.005f /* Half the depth over which a level disc submerges. */
-#define OPEN_DEPTH_M 0.06f  /* 1.5 radii below the surface, the surface has no effect on the
-                               disc. */
+/* 1.5 radii below the surface, the surface has no effect on the disc. */
+#define OPEN_DEPTH_M 0.06f
 
 float disc_immersed(float radius_m, float centre_y_m, float up_y)
 {

@@ -11,16 +11,16 @@
  * / stiffness: 25 ms in air, 56 ms broadside under water. */
 #define HAND_N_M 215.0f
 #define HAND_LAG_AIR_S 0.0250f
-#define HAND_N_MAX 20.0f     /* Limit of a wrist; beyond it the poi gives way. */
+#define HAND_N_MAX 20.0f /* Limit of a wrist; beyond it the poi gives way. */
 
 /* A hand that pushes against a slow obstacle slows down with it. Once free, the poi moves at the
  * recent speed of the hand and catches up slowly, because the spring alone would shoot it off at
  * 3.7 m/s. A freely moving ring lags by its speed times the lag. The limit is pace (1 + 4 lag). A
  * freely moving ring never reaches that limit: its speed stays at pace exp(lag / 0.3 s). */
-#define CATCH_UP_PER_S 4.0f /* Rate at which the ring catches up with its lag. */
-#define CATCH_UP_M_S 1.0f   /* Highest additional speed while it catches up. */
-#define PACE_TAU_S 0.30f    /* Time constant with which the speed of the hand decays. */
-#define PACE_MAX_M_S 4.0f   /* No arm is faster, but an input report may be. */
+#define CATCH_UP_PER_S 4.0f  /* Rate at which the ring catches up with its lag. */
+#define CATCH_UP_M_S 1.0f    /* Highest additional speed while it catches up. */
+#define PACE_TAU_S 0.30f     /* Time constant with which the speed of the hand decays. */
+#define PACE_MAX_M_S 4.0f    /* No arm is faster, but an input report may be. */
 #define EDGE_ADDED_KG 0.010f /* Mass of water that the ring drags along its plane. */
 
 /* Returns the speed of the ring on one axis: mass m, drag D v, spring k (bounded) and damper c,

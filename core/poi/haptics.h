@@ -10,7 +10,7 @@
 #include "core/output.h"
 #include "core/poi/poi.h"
 
-#define POI_GRIP_M 0.130f /* Distance from the ring's centre to the hand, along the handle. */
+#define POI_GRIP_M 0.130f     /* Distance from the ring's centre to the hand, along the handle. */
 #define POI_SLAP_N_FULL 0.15f /* The hardest slap of a 5 cm fish in air. */
 #define POI_TEAR_CELLS_FULL 10.0f
 

@@ -11,8 +11,8 @@
 #define FEEL_M_S2_MAX 6.0f /* A stop at a wall acts on the ring, not on the paper. */
 
 #define SIGMA_N_M 0.072f
-#define CLING_M 0.0054f /* Height to which a plate lifts water before it separates: 2 sqrt(sigma /
-                           rho g). */
+/* Height to which a plate lifts water before it separates: 2 sqrt(sigma / rho g). */
+#define CLING_M 0.0054f
 
 vec3 load_weight_n(const struct poi *poi)
 {
@@ -23,8 +23,8 @@ vec3 load_weight_n(const struct poi *poi)
 vec3 load_water_n(const struct poi *poi, const struct basis *axes)
 {
     const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
-    const vec3 water_n = v3(-poi->edge_n_s_m * v.x, poi->slam_n - poi->drag_n_s_m * v.y,
-                            -poi->edge_n_s_m * v.z);
+    const vec3 water_n =
+        v3(-poi->edge_n_s_m * v.x, poi->slam_n - poi->drag_n_s_m * v.y, -poi->edge_n_s_m * v.z);
     return vec_basis_to_world(axes, water_n);
 }
 

@@ -49,9 +49,9 @@ struct poi {
     float pace_m_s;              /* Recent highest speed of the hand. */
     uint8_t
         reaction; /* Bits of enum obstacle_reaction: how fish blocked the ring in the last tick. */
-    uint8_t stopped; /* 1 if walls, floor or a bowl blocked the ring in this tick. */
+    uint8_t stopped;   /* 1 if walls, floor or a bowl blocked the ring in this tick. */
     uint8_t jam_ticks; /* Ticks since fish block the ring against a hand that pulls up; <= 255. */
-    uint8_t clings;  /* 1 if the ring was in the water and the meniscus still clings to its edge. */
+    uint8_t clings; /* 1 if the ring was in the water and the meniscus still clings to its edge. */
     vec3 angular_velocity_rad_s; /* Rates of yaw, pitch and roll, in that order. */
     vec3 spin_rad_s;             /* World rotation; only the part that turns the normal. */
     vec3 acceleration_m_s2;      /* Filtered acceleration of the last few ticks, which acts on water
@@ -70,11 +70,11 @@ struct poi {
     float drip_kg;               /* Water that hangs below the paper until it forms a drop. */
     uint8_t drops;               /* Drops that fell in the last tick. */
     uint8_t laden_ticks;         /* Ticks until the poi tips back after the last fish left it. */
-    float tip;         /* [0, 1] progress of the tip toward the bowl. */
-    vec3 tip_toward;   /* Direction of the tip: horizontal, unit, chosen at its start. */
-    float pressure_pa; /* Pressure on the paper in the last tick, positive toward +up. */
-    uint32_t dips;     /* Scoops: times a player put the poi into the water. */
-    uint8_t is_in;     /* 1 during such a scoop. */
+    float tip;                   /* [0, 1] progress of the tip toward the bowl. */
+    vec3 tip_toward;             /* Direction of the tip: horizontal, unit, chosen at its start. */
+    float pressure_pa;           /* Pressure on the paper in the last tick, positive toward +up. */
+    uint32_t dips;               /* Scoops: times a player put the poi into the water. */
+    uint8_t is_in;               /* 1 during such a scoop. */
     uint32_t slap_tick, tear_tick; /* Ticks of the last slap sound and the last tear sound. */
     struct sheet sheet;
     struct sheet_events strain; /* Effect of the last tick on the paper. */

@@ -1,15 +1,15 @@
 /* ring_pairs.c -- contact of two flat discs: overlap, direction of least overlap, separation. */
 #include "core/poi/ring_pairs.h"
 
-#define ASIDE_M_S 0.6f       /* Equal to the speed of a ring that slides off a bowl's hull
-                                (ring_constraints.c). */
-#define PARALLEL 1e-4f       /* Squared sine below which two normals count as parallel. */
-#define GAP_M 0.0002f        /* Gap left between two separated rings. */
+/* Equal to the speed of a ring that slides off a bowl's hull (ring_constraints.c). */
+#define ASIDE_M_S 0.6f
+#define PARALLEL 1e-4f /* Squared sine below which two normals count as parallel. */
+#define GAP_M 0.0002f  /* Gap left between two separated rings. */
 
 /* Two rings in one tick. */
 struct rings {
-    vec3 up_a, up_b;         /* Unit normals. */
-    vec3 apart_m, before_m;  /* Vector between the centres, now and before the tick. */
+    vec3 up_a, up_b;        /* Unit normals. */
+    vec3 apart_m, before_m; /* Vector between the centres, now and before the tick. */
 };
 
 static float extents_m(const struct rings *rings, vec3 axis)

@@ -4,17 +4,17 @@
  * as it outruns the ripples, at 0.23 m/s. */
 #include "core/poi/surface_disturbance.h"
 
-#define HEAVE_SHARE 0.5f   /* Share of a disc's vertical motion that the surface above it
-                              follows. */
+/* Share of a disc's vertical motion that the surface above it follows. */
+#define HEAVE_SHARE 0.5f
 #define HEAVE_DEPTH_M 0.03f /* Depth over which that share decays. */
-#define HEAVE_MAX_M 0.003f /* Limit per tick. */
+#define HEAVE_MAX_M 0.003f  /* Limit per tick. */
 #define PLUNGE_MAX_M 0.004f
 #define BOW_RADIUS_M 0.012f
-#define BOW_SHARE 0.25f    /* Share of its motion along the surface by which a cutting edge presses
-                              the surface. */
-#define BOW_MAX_M 0.0012f  /* Limit per tick. */
-#define LEVEL_SLOPE 0.15f  /* A ring flatter than 9 degrees has no two cutting points: all of it
-                              enters. */
+/* Share of its motion along the surface by which a cutting edge presses the surface. */
+#define BOW_SHARE 0.25f
+#define BOW_MAX_M 0.0012f /* Limit per tick. */
+/* A ring flatter than 9 degrees has no two cutting points: all of it enters. */
+#define LEVEL_SLOPE 0.15f
 #define DROP_RADIUS_M 0.008f
 #define DROP_M 0.0005f
 
@@ -32,8 +32,8 @@ static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, ve
     float slope;
     const vec3 rise = uphill(up, &slope);
     const vec3 along = v3_cross(up, rise);
-    const float reach = slope > LEVEL_SLOPE ? -poi->position_m.y / (POI_OUTER_RADIUS_M * slope)
-                                            : 1.0f;
+    const float reach =
+        slope > LEVEL_SLOPE ? -poi->position_m.y / (POI_OUTER_RADIUS_M * slope) : 1.0f;
     if (f_abs(reach) >= 1.0f) {
         return;
     }

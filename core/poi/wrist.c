@@ -4,22 +4,22 @@
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-#define TURN_RAD_S 80.0f     /* In air; lags by 25 ms. */
-#define TURN_KG_M2 1.2e-4f   /* Inertia of the poi's 7 g, 13 cm from the hand. */
+#define TURN_RAD_S 80.0f   /* In air; lags by 25 ms. */
+#define TURN_KG_M2 1.2e-4f /* Inertia of the poi's 7 g, 13 cm from the hand. */
 #define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S) /* Torque per radian. */
 
 #define TIP_RAD (55.0f * F_DEG) /* Steep enough for a fish to roll over the ring. */
 #define TIP_PER_S 3.0f
-#define TIP_NEAR 0.45f /* Distance of ring and mouth centres, in sums of their radii, for the full
-                          tip. */
-#define TIP_FAR 0.95f  /* The same distance for no tip. */
+/* Distance of ring and mouth centres, in sums of their radii, for the full tip. */
+#define TIP_NEAR 0.45f
+#define TIP_FAR 0.95f     /* The same distance for no tip. */
 #define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish leaves the ring. */
-#define TIP_HIT 0.65f     /* Distance from the mouth's centre, in its radii, below which the tip is
-                             full. */
+/* Distance from the mouth's centre, in its radii, below which the tip is full. */
+#define TIP_HIT 0.65f
 #define TIP_BACK_SHARE 0.4f
-#define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u) /* The poi stays tipped for this time after the last
-                                               fish, so that a fish still rolling over the ring
-                                               falls in. */
+/* The poi stays tipped for this time after the last fish, so that a fish still rolling over the
+ * ring falls in. */
+#define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u)
 #define TIP_EDGE_M 0.010f /* Height of the lower edge above the mouth while tipped. */
 
 /* ---- Over the bowl -------------------------------------------------------------------------- */
@@ -69,7 +69,7 @@ void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
 /* The wrist that tips the ring also lifts it, because the fish would otherwise slide out below the
  * bowl's mouth. */
 struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
-                                struct poi_target target)
+                               struct poi_target target)
 {
     if (poi->tip <= 0.0f) {
         return target;
@@ -108,8 +108,7 @@ static void turn_angle(float *angle, float *speed, float goal, struct turn_water
     const float error = f_wrap_angle(goal - *angle), dt = CORE_TICK_S;
     const float mass = TURN_KG_M2 + water.kg_m2;
     const float damping = 2.0f * f_sqrt(TURN_N_M * mass) + water.n_m_s;
-    *speed = (mass * *speed + dt * TURN_N_M * error) /
-             (mass + dt * damping + dt * dt * TURN_N_M);
+    *speed = (mass * *speed + dt * TURN_N_M * error) / (mass + dt * damping + dt * dt * TURN_N_M);
     *angle = f_wrap_angle(*angle + dt * *speed);
 }
 
@@ -118,8 +117,7 @@ void wrist_turn(struct poi *poi, struct angles goal)
     const struct basis before = vec_basis_from_angles(poi->angles);
     vec3 *rate = &poi->angular_velocity_rad_s;
     const vec3 side = v3(f_cos(poi->angles.yaw_rad), 0.0f, -f_sin(poi->angles.yaw_rad));
-    turn_angle(&poi->angles.yaw_rad, &rate->x, goal.yaw_rad,
-               turn_water(poi, before.up.y, rate->x));
+    turn_angle(&poi->angles.yaw_rad, &rate->x, goal.yaw_rad, turn_water(poi, before.up.y, rate->x));
     turn_angle(&poi->angles.pitch_rad, &rate->y, goal.pitch_rad,
                turn_water(poi, v3_dot(before.up, side), rate->y));
     turn_angle(&poi->angles.roll_rad, &rate->z, goal.roll_rad, turn_water(poi, 0.0f, rate->z));

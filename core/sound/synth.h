@@ -12,33 +12,33 @@
 #include "core/output.h"
 
 #define SYNTH_RATE_HZ 48000u
-#define SYNTH_VOICE_MAX 16u  /* More voices at once are indistinct; a new sound replaces the
-                                oldest. */
+/* More voices at once are indistinct; a new sound replaces the oldest. */
+#define SYNTH_VOICE_MAX 16u
 #define SYNTH_LAYER_MAX 4u   /* Bursts and tones of one sound. */
 #define SYNTH_PLUCK_MAX 256u /* Longest string: 48000 / 256 = 188 Hz. */
 
 /* State of one active burst or tone. */
 struct synth_layer {
-    float phase;          /* For a tone: turns, [0, 1). */
-    float hz;             /* Present frequency; glides. */
-    float level;          /* Envelope; decays. */
-    float low, band;      /* State of the noise filter. */
+    float phase;               /* For a tone: turns, [0, 1). */
+    float hz;                  /* Present frequency; glides. */
+    float level;               /* Envelope; decays. */
+    float low, band;           /* State of the noise filter. */
     float decay, cutoff, gate; /* Factors of this control step: decay of the level, cutoff of the
                                   filter, gate of the roughness. */
 };
 
 struct synth_voice {
-    uint8_t sound;        /* enum sound; SOUND_NONE: free. */
+    uint8_t sound; /* enum sound; SOUND_NONE: free. */
     uint32_t age_frames;
     float left, right;
-    uint32_t noise;       /* State of the voice's own noise generator. */
+    uint32_t noise;                   /* State of the voice's own noise generator. */
     uint32_t string_count, string_at; /* Delay line of a plucked string; 0: no string. */
     float string[SYNTH_PLUCK_MAX];
     struct synth_layer layer[SYNTH_LAYER_MAX];
 };
 
 struct synth {
-    uint32_t played;      /* Sounds played so far; seeds their noise. */
+    uint32_t played; /* Sounds played so far; seeds their noise. */
     struct synth_voice voice[SYNTH_VOICE_MAX];
 };
 

@@ -40,24 +40,24 @@ struct behavior_params {
     float wall_within_s;   /* Distance as a time at the present speed. */
 
     /* Behavior of living fish beyond the thesis. */
-    float kick_rad;       /* Standard deviation of the turn at each kick, for a fish that glides. A
-                             fish that does not glide keeps its course until its gait changes. */
-    uint8_t glides;       /* 1: beats its tail and coasts in turn. */
-    uint8_t banks;        /* 1: rolls into its turns. */
-    float flow_share;     /* [0, 1] share of the flow around a poi (flow.h) that carries the fish
-                             along. */
-    float wall_follow;    /* [0, 1] strength of a wall's attraction along itself. */
-    float shade_dwell_s;  /* A shade attracts fish after it has been still for this time. */
+    float kick_rad;      /* Standard deviation of the turn at each kick, for a fish that glides.
+                            A fish that does not glide keeps its course until its gait changes. */
+    uint8_t glides;      /* 1: beats its tail and coasts in turn. */
+    uint8_t banks;       /* 1: rolls into its turns. */
+    float flow_share;    /* [0, 1] share of the flow around a poi (flow.h) that carries the fish
+                            along. */
+    float wall_follow;   /* [0, 1] strength of a wall's attraction along itself. */
+    float shade_dwell_s; /* A shade attracts fish after it has been still for this time. */
     uint8_t shade_draws_bursts; /* 1: a shade also attracts fish that burst; section 3.5 moves every
                                    fish. */
-    uint8_t shade_frights; /* 1: a new or moving shade startles fish. */
-    uint8_t escapes;      /* 1: C-starts away from the poi and other stimuli. */
+    uint8_t shade_frights;      /* 1: a new or moving shade startles fish. */
+    uint8_t escapes;            /* 1: C-starts away from the poi and other stimuli. */
 
     /* Surface breathing (section 3.6). */
-    uint8_t air_by_oxygen;  /* 1: triggered by low oxygen of the water; 0: by low stamina. */
+    uint8_t air_by_oxygen;        /* 1: triggered by low oxygen of the water; 0: by low stamina. */
     float gulp_min_s, gulp_max_s; /* Duration of a bout, uniform between both. */
-    float gulp_gain_per_s;  /* Stamina gained while the mouth is at the surface film. */
-    float stifle_per_s;     /* Stamina lost per second in water without oxygen; begins at 4 mg/L. */
+    float gulp_gain_per_s;        /* Stamina gained while the mouth is at the surface film. */
+    float stifle_per_s; /* Stamina lost per second in water without oxygen; begins at 4 mg/L. */
 };
 
 #endif

@@ -7,8 +7,8 @@
 #include "core/tank/behavior_params.h"
 #include "core/tank/collision/box.h"
 
-#define TANK_FISH_KIOSK 2048u /* Capacity for the deepest tank; preset.h has the limit of each
-                                 tank. */
+/* Capacity for the deepest tank; preset.h has the limit of each tank. */
+#define TANK_FISH_KIOSK 2048u
 /* `kingyoctl tank` and the benchmark compile a tank with more capacity
  * (platform/ctl/tank/tank.mk). */
 #ifndef TANK_FISH_MAX
@@ -71,8 +71,8 @@ struct fish {
     float speed_m_s; /* Speed along the nose by the fish's own fins, >= 0. */
     struct angles angles;
     float yaw_rate_rad_s;
-    vec3 push_m_s;   /* Repulsion by near fish (the thesis' repulsion). */
-    float climb_m_s; /* Vertical speed by swim bladder, fins and pitch, + up. */
+    vec3 push_m_s;     /* Repulsion by near fish (the thesis' repulsion). */
+    float climb_m_s;   /* Vertical speed by swim bladder, fins and pitch, + up. */
     float heading_rad; /* Goal of the yaw, reached at a bounded rate. */
     float drawn_rad;   /* Offset of the nose from the heading due to a shade, + left. */
     float brake;       /* [0, 1] share of the speed that a fish ahead leaves. */
@@ -117,12 +117,12 @@ struct fish {
                            water depth, + up. */
 
     /* Startle state; see startle.h and escape.h. */
-    float alarm; /* [0, 1] alarm; decays. */
-    float habit; /* [0, 1] habituation to startling stimuli; decays. */
-    float startle_s;   /* Time left of the latency. */
+    float alarm;     /* [0, 1] alarm; decays. */
+    float habit;     /* [0, 1] habituation to startling stimuli; decays. */
+    float startle_s; /* Time left of the latency. */
     vec3 startle_from_m;
-    float refractory_s; /* Time until the fish can start again. */
-    float escape_s;     /* Time from the start of the last C-start to this tick. */
+    float refractory_s;      /* Time until the fish can start again. */
+    float escape_s;          /* Time from the start of the last C-start to this tick. */
     float escape_from_rad;   /* Yaw at the start of the C-start. */
     float escape_turn_rad;   /* Turn of the head in stage 1, + left. */
     float escape_course_rad; /* Turn of the body in the whole start, + left. */

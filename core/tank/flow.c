@@ -1,13 +1,13 @@
 /* flow.c -- Lamb's flow around a disc in still water, and the flow at the edge of the ring. */
 #include "core/tank/flow.h"
 
-#define EDGE_SHARE 0.16f     /* Share of the speed along the plane that the water at the ring
-                                has. */
-#define BODY_SHARE 0.3f      /* Least distance from the sharp edge in radii, because a body is
-                                larger than a point. */
-#define ENTRY_HALF_M 0.005f  /* A level disc submerges over twice this distance. */
+/* Share of the speed along the plane that the water at the ring has. */
+#define EDGE_SHARE 0.16f
+/* Least distance from the sharp edge in radii, because a body is larger than a point. */
+#define BODY_SHARE 0.3f
+#define ENTRY_HALF_M 0.005f /* A level disc submerges over twice this distance. */
 #define STILL_M_S 1e-4f
-#define FAR 6.0f             /* In radii: a five-hundredth of the speed remains at this distance. */
+#define FAR 6.0f /* In radii: a five-hundredth of the speed remains at this distance. */
 
 /* Returns the share [0, 1] of the disc that is under water, from the heights of its lowest and
  * highest points. */

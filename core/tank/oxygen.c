@@ -9,10 +9,10 @@
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f
 #define HPA_PER_ATM 1013.25f
-#define STILL_M_H 0.03f     /* k_L of a still surface is 2 to 5 cm/h. */
-#define PUMP_PER_H 5.0f     /* kLa of an air stone is 2 to 10 per hour. */
-#define COST_MG_KG_M 0.6f   /* Cost of transport, 5 cm goldfish (Li). */
-#define STEP_H 0.005f       /* Longest step of the balance; the rates are constant within a step. */
+#define STILL_M_H 0.03f   /* k_L of a still surface is 2 to 5 cm/h. */
+#define PUMP_PER_H 5.0f   /* kLa of an air stone is 2 to 10 per hour. */
+#define COST_MG_KG_M 0.6f /* Cost of transport, 5 cm goldfish (Li). */
+#define STEP_H 0.005f     /* Longest step of the balance; the rates are constant within a step. */
 #define LITRES_PER_M3 1000.0f
 
 /* Returns 1000 K / T minus its value at 25 C, in a form without cancellation. The terms of the
@@ -43,10 +43,8 @@ float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
     const float z = inverse_kelvin(temperature_c);
     const float p = pressure_hpa / HPA_PER_ATM;
     const float u = vapour_atm(z);
-    const float theta =
-        0.000975f - temperature_c * (1.426e-5f - temperature_c * 6.436e-8f);
-    return saturation_at_1_atm(z) * ((p - u) * (1.0f - theta * p)) /
-           ((1.0f - u) * (1.0f - theta));
+    const float theta = 0.000975f - temperature_c * (1.426e-5f - temperature_c * 6.436e-8f);
+    return saturation_at_1_atm(z) * ((p - u) * (1.0f - theta * p)) / ((1.0f - u) * (1.0f - theta));
 }
 
 /* Routine rate of young Carassius auratus grandoculis, 15 to 30 C (Yamanaka): 0.0674 W^-0.193

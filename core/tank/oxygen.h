@@ -13,8 +13,8 @@
 
 #define OXYGEN_TEMPERATURE_MIN_C 0.0f
 #define OXYGEN_TEMPERATURE_MAX_C 40.0f
-#define OXYGEN_PRESSURE_MIN_HPA 870.0f  /* Pressure at sea level in the eye of the strongest
-                                           typhoon. */
+/* Pressure at sea level in the eye of the strongest typhoon. */
+#define OXYGEN_PRESSURE_MIN_HPA 870.0f
 #define OXYGEN_PRESSURE_MAX_HPA 1085.0f /* Highest pressure at sea level ever measured. */
 #define OXYGEN_PRESSURE_HPA 1013.25f    /* The standard atmosphere. */
 #define OXYGEN_MAX_MG_L 20.0f

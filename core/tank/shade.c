@@ -6,12 +6,12 @@
 #include "core/tank/behavior/gait.h"
 
 #define EDGE_TAU_S 0.10f
-#define PULL_PER_S 0.60f     /* Eq. 3.5: S = 0.01 per frame at 60 frames per second. */
-#define HARDLY_M_S 0.005f    /* Slower resulting velocities have no direction. */
+#define PULL_PER_S 0.60f        /* Eq. 3.5: S = 0.01 per frame at 60 frames per second. */
+#define HARDLY_M_S 0.005f       /* Slower resulting velocities have no direction. */
 #define FULL_LENGTHS_PER_S 0.1f /* Push of near fish that stops the attraction completely. */
-#define FRIGHT_RIM_M 0.02f   /* Distance before its edge at which a shade is seen to approach. */
-#define FRIGHT_TIME_S 0.04f /* Time to an alarm of 1 under a fan; the nerve latency follows
-                               (startle.h). */
+#define FRIGHT_RIM_M 0.02f      /* Distance before its edge at which a shade is seen to approach. */
+/* Time to an alarm of 1 under a fan; the nerve latency follows (startle.h). */
+#define FRIGHT_TIME_S 0.04f
 #define FRIGHT_PLAIN_DARK 0.60f /* A darker shade does not startle more than this one. */
 
 static int is_finite(const struct shade_cast *cast)
@@ -76,8 +76,7 @@ float shade_pull_m_s(const struct shade *shade, const struct behavior_params *pa
     }
     const float reach_m = f_max(0.0f, SHADE_FIELD_RADII * radius_m - distance_m);
     const float calm_m = SHADE_CALM_RADII * radius_m;
-    const float fade =
-        (distance_m - calm_m) / (SHADE_DEAD_RADII * radius_m - calm_m);
+    const float fade = (distance_m - calm_m) / (SHADE_DEAD_RADII * radius_m - calm_m);
     return PULL_PER_S * reach_m * f_clamp(fade, 0.0f, 1.0f);
 }
 
@@ -123,8 +122,7 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
     const vec3 drawn = v3_muladd(less_crowd(pull_m_s, fish), own, course->speed_m_s);
     const vec3 wanted = v3_limit(drawn, f_max(course->speed_m_s, gait_speed_max_m_s(fish, params)));
     const float along_m_s = -f_sin(yaw_rad) * wanted.x - f_cos(yaw_rad) * wanted.z;
-    course->heading_rad =
-        v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;
+    course->heading_rad = v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;
     course->speed_m_s = f_max(0.0f, along_m_s);
     return 1;
 }

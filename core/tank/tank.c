@@ -9,8 +9,8 @@
 #include "core/tank/behavior/swim.h"
 #include "core/tank/collision/reentry.h"
 
-#define STIRS_M 0.0001f /* Motion per tick; an obstacle slower than 12 mm/s is not a poi in use. */
-#define BUBBLE_TICKS 6u /* 20 bubbles per second rise. */
+#define STIRS_M 0.0001f  /* Motion per tick; an obstacle slower than 12 mm/s is not a poi in use. */
+#define BUBBLE_TICKS 6u  /* 20 bubbles per second rise. */
 #define BUBBLES_M 0.014f /* Radius of the bubbles around the stone. */
 #define STONE_INSET_M 0.045f
 #define BUBBLE_RADIUS_M 0.012f
@@ -19,8 +19,8 @@
 #define GULP_DEPTH_M 0.0004f
 #define PUSH_SHARE 0.344f /* Share per query: pushes rise and decay within a twelfth of a second. */
 #define BORNE_M_S 0.05f
-#define ROOM_PER_S 2.0f  /* A fish that had no room recovers its full turning rate in half a
-                            second. */
+/* A fish that had no room recovers its full turning rate in half a second. */
+#define ROOM_PER_S 2.0f
 
 struct tank_bounds tank_bounds(const struct tank *tank)
 {
@@ -200,8 +200,8 @@ static void bubble(struct tank *tank, uint32_t tick)
     const struct rng_key key = { tank->seed, tick, 0, RNG_WATER_BUBBLE };
     const struct rng_key other = { tank->seed, tick, 1, RNG_WATER_BUBBLE };
     const vec3 stone = tank_stone_m(tank->size_m);
-    const vec3 off = v3(rng_range(key, -BUBBLES_M, BUBBLES_M), 0.0f,
-                        rng_range(other, -BUBBLES_M, BUBBLES_M));
+    const vec3 off =
+        v3(rng_range(key, -BUBBLES_M, BUBBLES_M), 0.0f, rng_range(other, -BUBBLES_M, BUBBLES_M));
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
 }
 

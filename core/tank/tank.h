@@ -22,7 +22,7 @@ _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each play
 
 struct tank {
     uint32_t seed;
-    uint8_t preset; /* enum tank_preset_id */
+    uint8_t preset;        /* enum tank_preset_id */
     uint8_t lanes, search; /* As in struct tank_config; no hash covers these two members. */
     vec3 size_m;
     float wall_height_m;
@@ -61,8 +61,8 @@ struct tank_config {
     uint8_t pump;                   /* 1 if the air stone bubbles. */
     uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX, whose places are kept clear of
                                        fish at the start. */
-    uint8_t lanes;  /* 0, 4 or 8 (core/base/simd.h): affects speed only. */
-    uint8_t search; /* enum pair_search: affects speed only. */
+    uint8_t lanes;                  /* 0, 4 or 8 (core/base/simd.h): affects speed only. */
+    uint8_t search;                 /* enum pair_search: affects speed only. */
 };
 
 #define TANK_OXYGEN_SATURATED (-1.0f) /* Starts with water saturated with oxygen. */
@@ -98,11 +98,11 @@ void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t 
 struct tank_stage {
     vec3 position_m;
     struct angles angles;
-    float length_m;   /* 0: the length that the tank gave the fish. */
-    float speed_m_s;  /* Along the nose, >= 0. */
-    float stamina;    /* [0, 1] */
-    uint8_t gait;     /* GAIT_REST, GAIT_SWIM, GAIT_BURST or GAIT_SURFACE, for its longest
-                         duration. */
+    float length_m;  /* 0: the length that the tank gave the fish. */
+    float speed_m_s; /* Along the nose, >= 0. */
+    float stamina;   /* [0, 1] */
+    uint8_t gait;    /* GAIT_REST, GAIT_SWIM, GAIT_BURST or GAIT_SURFACE, for its longest
+                        duration. */
 };
 
 /* Places the first `count` <= fish_count fish of a tank that was just opened. Bodies must be in the

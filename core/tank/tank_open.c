@@ -14,7 +14,7 @@
 #define PLACE_TRIES 12u /* Tries to find a place clear of the bowl; afterwards any place is used. */
 #define START_ROUNDS_MAX 100u /* Full tanks take 3 to 48 rounds. */
 #define START_DRAWS_MAX 8u    /* 1 % of the smallest tanks get stuck and need other places. */
-#define START_SHOVE_M 0.004f /* Largest push per round. */
+#define START_SHOVE_M 0.004f  /* Largest push per round. */
 
 /* ---- Validation ------------------------------------------------------------------------------ */
 
@@ -63,8 +63,7 @@ static struct oxygen oxygen_of(const struct tank_config *config)
 {
     const int full = config->oxygen_mg_l == TANK_OXYGEN_SATURATED;
     return (struct oxygen){
-        .dissolved_mg_l = full ? oxygen_saturation_mg_l(config->temperature_c,
-                                                        config->pressure_hpa)
+        .dissolved_mg_l = full ? oxygen_saturation_mg_l(config->temperature_c, config->pressure_hpa)
                                : config->oxygen_mg_l,
         .temperature_c = config->temperature_c,
         .pressure_hpa = config->pressure_hpa,
@@ -188,9 +187,7 @@ static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float 
 {
     const struct gait_chance share = gait_shares(stamina);
     const float draw = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_GAIT });
-    return draw < share.swim                 ? GAIT_SWIM
-           : draw < share.swim + share.burst ? GAIT_BURST
-                                             : GAIT_REST;
+    return draw < share.swim ? GAIT_SWIM : draw < share.swim + share.burst ? GAIT_BURST : GAIT_REST;
 }
 
 static struct fish hatch(const struct tank *tank, const struct tank_config *config, uint32_t index)

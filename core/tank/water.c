@@ -12,8 +12,8 @@
 #define WAVE_KEEP 0.986f   /* Share of the velocity kept per step: waves decay in about a second. */
 #define LEVEL_KEEP 0.9985f /* Share of the height kept per step: the level returns to 0. */
 #define COURANT_MAX 0.45f  /* (c dt / dx)^2 along each axis; the scheme diverges at 0.5 + 0.5. */
-#define HEIGHT_MAX_M 0.02f /* Higher waves would leave a tank whose walls stand 6 cm above the
-                              water. */
+/* Higher waves would leave a tank whose walls stand 6 cm above the water. */
+#define HEIGHT_MAX_M 0.02f
 #define SLOPE_SCALE 508.0f /* scene.h: +-127 stands for a slope of +-0.25. */
 
 void water_init(struct water *water)
@@ -71,10 +71,10 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
 float water_height_m(const struct water *water, vec3 size_m, float x_m, float z_m)
 {
     const float(*height)[RIPPLE_X] = water->height_m[water->newest];
-    const float x = f_clamp((x_m / size_m.x + 0.5f) * (float)RIPPLE_X - 0.5f, 0.0f,
-                            (float)RIPPLE_X - 1.001f);
-    const float z = f_clamp((z_m / size_m.z + 0.5f) * (float)RIPPLE_Z - 0.5f, 0.0f,
-                            (float)RIPPLE_Z - 1.001f);
+    const float x =
+        f_clamp((x_m / size_m.x + 0.5f) * (float)RIPPLE_X - 0.5f, 0.0f, (float)RIPPLE_X - 1.001f);
+    const float z =
+        f_clamp((z_m / size_m.z + 0.5f) * (float)RIPPLE_Z - 0.5f, 0.0f, (float)RIPPLE_Z - 1.001f);
     const uint32_t column = (uint32_t)x, row = (uint32_t)z;
     const float right = x - (float)column, near = z - (float)row;
     const float far_m = f_lerp(height[row][column], height[row][column + 1u], right);

@@ -63,7 +63,7 @@ struct gamepad_decoder {
     struct gamepad_imu_filter tilt;
     struct gamepad_report now; /* The newest report. */
     vec3 stick_twist;          /* Pitch, yaw, roll from the right stick, as in stick_report. */
-    uint64_t time_ns;       /* Time of the last report or sample. */
+    uint64_t time_ns;          /* Time of the last report or sample. */
     uint8_t trigger_down;
     uint32_t held, pressed; /* Buttons that are down, and press edges, enum input_button. */
 };

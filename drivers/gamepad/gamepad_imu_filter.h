@@ -16,13 +16,13 @@
 
 /* State of the filter. Axes are SDL's: +x right, +y up out of the buttons, +z toward the player. */
 struct gamepad_imu_filter {
-    vec3 up;             /* Upward direction in the pad's axes. */
-    uint8_t knows_down;  /* 1 after the first valid acceleration. */
+    vec3 up;            /* Upward direction in the pad's axes. */
+    uint8_t knows_down; /* 1 after the first valid acceleration. */
     uint8_t knows_rest;
     float rest_pitch_rad, rest_roll_rad;
-    uint64_t turn_ns;    /* Time to which `up` was rotated. */
-    uint64_t weigh_ns;   /* Time of the newest acceleration. */
-    uint64_t rest_ns;    /* Time to which the rest attitude was updated. */
+    uint64_t turn_ns;  /* Time to which `up` was rotated. */
+    uint64_t weigh_ns; /* Time of the newest acceleration. */
+    uint64_t rest_ns;  /* Time to which the rest attitude was updated. */
     vec3 rate_rad_s;
 };
 

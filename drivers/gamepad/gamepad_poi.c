@@ -5,9 +5,9 @@
 
 #include "core/base/panic.h"
 
-#define RUMBLE_MS 250           /* The motors stop after this time if the kiosk hangs. */
+#define RUMBLE_MS 250 /* The motors stop after this time if the kiosk hangs. */
 #define RUMBLE_AGAIN_NS 100000000ull
-#define RUMBLE_STEP 2048        /* Smallest change that a thumb can feel, of 65,535. */
+#define RUMBLE_STEP 2048 /* Smallest change that a thumb can feel, of 65,535. */
 
 int gamepad_poi_is_present(void *self)
 {

@@ -188,8 +188,8 @@ static void press(struct gamepads *gamepads, const SDL_ControllerButtonEvent *ev
     struct gamepad *pad = pad_of(gamepads, event->which);
     if (pad && event->button < 32) {
         const uint32_t bit = 1u << event->button;
-        pad->now.buttons = event->state == SDL_PRESSED ? pad->now.buttons | bit
-                                                       : pad->now.buttons & ~bit;
+        pad->now.buttons =
+            event->state == SDL_PRESSED ? pad->now.buttons | bit : pad->now.buttons & ~bit;
         gamepads_queue_report(pad, time_ns);
     }
 }

@@ -31,8 +31,8 @@ struct gamepad {
     uint8_t was_here;
     struct gamepad_report now;
     struct gamepad_queue track;
-    struct gamepad_rumble rumble;           /* Motor levels sent last. */
-    uint64_t rumble_ns;                     /* Time at which `rumble` was sent. */
+    struct gamepad_rumble rumble; /* Motor levels sent last. */
+    uint64_t rumble_ns;           /* Time at which `rumble` was sent. */
     uint8_t cannot_rumble;
     char text[HAL_TEXT_SIZE];
 };

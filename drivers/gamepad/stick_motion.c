@@ -7,7 +7,7 @@
 #define TWIST_TAU_S 0.06f /* The same as the wheel's tilt in pointer_poi.c. */
 /* Largest integration step; small enough that the step size does not matter. */
 #define STEP_MAX_S 0.008f
-#define GAP_MAX_S 1.0f    /* After a longer pause of the calls the poi has not moved. */
+#define GAP_MAX_S 1.0f /* After a longer pause of the calls the poi has not moved. */
 
 /* Share of half the image's width and height that the poi may reach from the middle. */
 #define SEEN 0.94f

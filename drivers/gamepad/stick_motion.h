@@ -23,9 +23,9 @@
 /* The complete state of the controls at one moment. */
 struct stick_report {
     uint64_t time_ns;
-    vec3 push;         /* Components in -1 .. 1; non-finite components count as 0. */
+    vec3 push;  /* Components in -1 .. 1; non-finite components count as 0. */
     vec3 twist; /* Pitch, yaw, roll as shares of STICK_MOTION_TILT_MAX_RAD; checked likewise. */
-    uint32_t buttons;  /* enum pointer_button bits that are down. */
+    uint32_t buttons; /* enum pointer_button bits that are down. */
 };
 
 struct stick_motion {
@@ -35,12 +35,12 @@ struct stick_motion {
     vec3 low_m[2], high_m[2];
     struct stick_report report;
     struct dip dip;
-    vec3 place_m;        /* Position over the still water, before the dip. */
-    vec3 speed_m_s;      /* Velocity, smoothed like the motion of an arm. */
-    vec3 twist_rad;      /* Pitch, yaw, roll of the ring after smoothing. */
-    vec3 shade_m;        /* Last position of the fan; x and z. */
-    float swing;         /* [0, 1]: progress of the fan's way in, as in pointer_fan. */
-    uint64_t time_ns;    /* Time of the newest report or sample. */
+    vec3 place_m;     /* Position over the still water, before the dip. */
+    vec3 speed_m_s;   /* Velocity, smoothed like the motion of an arm. */
+    vec3 twist_rad;   /* Pitch, yaw, roll of the ring after smoothing. */
+    vec3 shade_m;     /* Last position of the fan; x and z. */
+    float swing;      /* [0, 1]: progress of the fan's way in, as in pointer_fan. */
+    uint64_t time_ns; /* Time of the newest report or sample. */
 };
 
 /* Initializes the poi to hover over the middle of the water. `view` is copied. */

@@ -6,10 +6,10 @@
 
 /* Button of each input line; 0 for coins. */
 static const uint32_t button_of[GPIO_INPUT_COUNT] = {
-    [GPIO_START] = INPUT_START,     [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
-    [GPIO_OK] = INPUT_OK,           [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,
-    [GPIO_TILT] = INPUT_TILT,       [GPIO_COIN] = 0,          [GPIO_COIN2] = 0,
-    [GPIO_COIN3] = 0,               [GPIO_DOOR] = INPUT_DOOR,
+    [GPIO_START] = INPUT_START, [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
+    [GPIO_OK] = INPUT_OK,       [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,
+    [GPIO_TILT] = INPUT_TILT,   [GPIO_COIN] = 0,          [GPIO_COIN2] = 0,
+    [GPIO_COIN3] = 0,           [GPIO_DOOR] = INPUT_DOOR,
 };
 
 static uint32_t buttons_of(uint32_t roles)

@@ -24,11 +24,11 @@ struct coin_mech {
     uint64_t width_min_ns, width_max_ns; /* Shortest and longest width of a coin, both inclusive. */
     uint64_t begin_ns, end_ns;           /* Start and end of the current pulse. */
     uint8_t state;                       /* enum coin_state */
-    bool spoilt; /* 1 if the pulse does not count, because its start was not seen. */
-    bool sticks;                         /* 1 if the pulse is too long and was counted as stuck. */
-    uint64_t width_ns;                   /* Width of the last coin. */
-    uint32_t coins, too_short, stuck;    /* Coins and faults since the start. */
-    uint32_t cut;                        /* Pulses whose end was not seen, since the start. */
+    bool spoilt;       /* 1 if the pulse does not count, because its start was not seen. */
+    bool sticks;       /* 1 if the pulse is too long and was counted as stuck. */
+    uint64_t width_ns; /* Width of the last coin. */
+    uint32_t coins, too_short, stuck; /* Coins and faults since the start. */
+    uint32_t cut;                     /* Pulses whose end was not seen, since the start. */
 };
 
 /* Returns the initial state. If `active` is set, the sensor is already covered, which does not

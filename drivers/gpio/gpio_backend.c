@@ -191,8 +191,7 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
 
 /* ---- The device ----------------------------------------------------------------------------- */
 
-static int backend_list(void *self,
-                        void (*tell)(void *context, const struct gpio_line_info *line),
+static int backend_list(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                         void *context)
 {
     const struct gpio_backend *backend = self;

@@ -37,7 +37,7 @@ struct gpio_backend {
     uint32_t held;             /* Requested lines, one bit for each role. */
     int fds[GPIO_INPUT_COUNT]; /* Edge event descriptors, or -1 for a line without edges. */
     struct gpio_dev_poll_state looks;
-    uint8_t went;              /* 1 after a chip was removed, until wait() reports it. */
+    uint8_t went; /* 1 after a chip was removed, until wait() reports it. */
     char text[HAL_TEXT_SIZE];
 };
 

@@ -8,10 +8,10 @@
 
 #include "drivers/gpio/gpio_config_token.h"
 
-#define COIN_DEBOUNCE_US 3000u  /* Coin switches bounce for 1 to 3 ms. */
-#define COIN_MIN_US 15000u      /* Shortest common pulse: 25 ms - 20 %, less 5 ms of bounce. */
-#define COIN_MAX_US 250000u     /* Longest common pulse: 200 ms + 20 %, rounded up. */
-#define PULSE_ON_US 100000u     /* Electromechanical meters do five to ten steps a second. */
+#define COIN_DEBOUNCE_US 3000u /* Coin switches bounce for 1 to 3 ms. */
+#define COIN_MIN_US 15000u     /* Shortest common pulse: 25 ms - 20 %, less 5 ms of bounce. */
+#define COIN_MAX_US 250000u    /* Longest common pulse: 200 ms + 20 %, rounded up. */
+#define PULSE_ON_US 100000u    /* Electromechanical meters do five to ten steps a second. */
 #define PULSE_OFF_US 100000u
 
 /* Name and default debounce time of each role. */
@@ -30,7 +30,7 @@ static const struct {
     [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
     [GPIO_COIN2] = { "coin2", COIN_DEBOUNCE_US },
     [GPIO_COIN3] = { "coin3", COIN_DEBOUNCE_US },
-    [GPIO_DOOR] = { "door", 50000 },      /* A door switch rattles. */
+    [GPIO_DOOR] = { "door", 50000 }, /* A door switch rattles. */
     [GPIO_START_LAMP] = { "start-lamp", 0 },
     [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
     [GPIO_TICKET] = { "ticket", 0 },
@@ -240,8 +240,8 @@ void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE])
 
 static bool is_same_line(const struct gpio_wire *a, const struct gpio_wire *b)
 {
-    return a->wired && b->wired && strcmp(a->name, b->name) == 0 &&
-           strcmp(a->chip, b->chip) == 0 && a->offset == b->offset;
+    return a->wired && b->wired && strcmp(a->name, b->name) == 0 && strcmp(a->chip, b->chip) == 0 &&
+           a->offset == b->offset;
 }
 
 bool gpio_config_agrees(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE])

@@ -124,14 +124,16 @@ void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
     }
 }
 
-void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
-                          const char *denied, uint32_t chip_count)
+void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
+                          uint32_t chip_count)
 {
     char line[GPIO_WIRE_TEXT_SIZE];
     gpio_wire_text(wire, line);
     if (denied[0]) {
-        snprintf(why, HAL_TEXT_SIZE, "%s: %.20s is not ours to open: put the kiosk's user "
-                                     "into its group", line, denied);
+        snprintf(why, HAL_TEXT_SIZE,
+                 "%s: %.20s is not ours to open: put the kiosk's user "
+                 "into its group",
+                 line, denied);
     } else if (chip_count == 0) {
         snprintf(why, HAL_TEXT_SIZE, "%s: there is no GPIO chip in /dev", line);
     } else {

@@ -61,7 +61,7 @@ void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
 
 /* Writes why no chip has the line. `denied` is the path of a chip that could not be opened, or
  * "". */
-void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
-                          const char *denied, uint32_t chip_count);
+void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
+                          uint32_t chip_count);
 
 #endif

@@ -68,8 +68,8 @@ static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *e
                          edge->time_ns <= input->told_ns + GPIO_PAIR_NS &&
                          edge->time_ns >= input->blinked_ns + debounce->period_ns;
     const bool active = debounce->raw;
-    const bool rests = !active && !debounce->stable &&
-                       edge->time_ns >= debounce->since_ns + GPIO_UNDER_WAY_NS;
+    const bool rests =
+        !active && !debounce->stable && edge->time_ns >= debounce->since_ns + GPIO_UNDER_WAY_NS;
     input->doubtful += is_pair;
     input->blinked_ns = rests && !is_pair ? edge->time_ns : NEVER;
     input->told_ns = edge->taken_ns;

@@ -39,15 +39,15 @@ struct gpio_edge_filter {
     struct debounce debounce;
     /* Time stamp of the last edge if it was a null edge at rest, otherwise UINT64_MAX. */
     uint64_t blinked_ns;
-    uint64_t told_ns;     /* Time at which the edge `blinked_ns` was received. */
+    uint64_t told_ns; /* Time at which the edge `blinked_ns` was received. */
     /* Edges up to this time are ignored, because a polled level replaced them. */
     uint64_t believed_ns;
     struct gpio_poll_edges other;
-    uint32_t blinks;      /* Null edges since the start. */
-    uint32_t late;        /* Late edges corrected by a polled level, since the start. */
+    uint32_t blinks; /* Null edges since the start. */
+    uint32_t late;   /* Late edges corrected by a polled level, since the start. */
     /* Pairs of null edges, either two glitches or a missed pulse, since the start. */
     uint32_t doubtful;
-    uint32_t lost;        /* Edges lost or too late, since the start. */
+    uint32_t lost; /* Edges lost or too late, since the start. */
 };
 
 /* Returns the state of a line that has been at `active` since `now_ns`. */

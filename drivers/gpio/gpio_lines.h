@@ -72,18 +72,18 @@ struct gpio_wire {
     char chip[GPIO_TEXT_SIZE]; /* Chip label; "" with a line name: any chip. */
     uint32_t offset;
     uint8_t active_low;
-    uint8_t bias;              /* enum gpio_bias */
-    uint32_t debounce_us;      /* Debounce time of an input; ignored for outputs. */
-    uint32_t pulse_min_us;     /* For coins: shortest and longest pulse. */
+    uint8_t bias;          /* enum gpio_bias */
+    uint32_t debounce_us;  /* Debounce time of an input; ignored for outputs. */
+    uint32_t pulse_min_us; /* For coins: shortest and longest pulse. */
     uint32_t pulse_max_us;
-    uint32_t pulse_on_us;      /* For outputs: pulse length, and the pause after it. */
+    uint32_t pulse_on_us; /* For outputs: pulse length, and the pause after it. */
     uint32_t pulse_off_us;
 };
 
 /* An edge event of the kernel. */
 struct gpio_edge {
-    uint64_t time_ns;     /* CLOCK_MONOTONIC time of the interrupt. */
-    uint8_t role;         /* enum gpio_role */
+    uint64_t time_ns; /* CLOCK_MONOTONIC time of the interrupt. */
+    uint8_t role;     /* enum gpio_role */
     /* Level after the edge, after active_low. The kernel reads the level shortly after the
      * interrupt, so it can be wrong. */
     uint8_t active;
@@ -97,8 +97,8 @@ struct gpio_edge {
 
 /* A line of a chip, as shown by `kingyoctl lines list` and `doctor`. */
 struct gpio_line_info {
-    char device[GPIO_TEXT_SIZE];   /* Device name, such as "gpiochip0". */
-    char chip[GPIO_TEXT_SIZE];     /* Label of the chip. */
+    char device[GPIO_TEXT_SIZE]; /* Device name, such as "gpiochip0". */
+    char chip[GPIO_TEXT_SIZE];   /* Label of the chip. */
     uint32_t offset;
     char name[GPIO_TEXT_SIZE];     /* "" if the board gives no name. */
     char consumer[GPIO_TEXT_SIZE]; /* Current user of the line; "" if unused or unknown. */
@@ -132,7 +132,10 @@ struct gpio_lines_ops {
     const char *(*describe)(void *self); /* Returns a name such as "libgpiod 1.6.3". */
 };
 
-struct gpio_lines { const struct gpio_lines_ops *ops; void *self; };
+struct gpio_lines {
+    const struct gpio_lines_ops *ops;
+    void *self;
+};
 
 /* Returns the backend of this build. The state of the backend is static, because a kiosk has one
  * cabinet. */

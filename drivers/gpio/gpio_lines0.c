@@ -11,8 +11,9 @@ static int none_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
 {
     (void)self;
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
-        snprintf(why[i], HAL_TEXT_SIZE, "%s", wires[i].wired
-                 ? "built without libgpiod: install libgpiod-dev and build again" : "");
+        snprintf(why[i], HAL_TEXT_SIZE, "%s",
+                 wires[i].wired ? "built without libgpiod: install libgpiod-dev and build again"
+                                : "");
     }
     return HAL_ERR_ABSENT;
 }

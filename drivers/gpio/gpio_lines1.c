@@ -17,8 +17,8 @@ static struct held {
     /* Null if the line is not held. Each line opens its chip separately. */
     struct gpiod_chip *chip;
     struct gpiod_line *line;
-    uint8_t active;          /* Level after the last edge. */
-    uint8_t was_full;        /* 1 if the last read found the queue full. */
+    uint8_t active;   /* Level after the last edge. */
+    uint8_t was_full; /* 1 if the last read found the queue full. */
 } lines[GPIO_ROLE_COUNT];
 
 /* ---- Requesting lines ----------------------------------------------------------------------- */
@@ -62,8 +62,8 @@ static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_e
         .request_type = !gpio_role_is_input(role) ? GPIOD_LINE_REQUEST_DIRECTION_OUTPUT
                         : has_edges               ? GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES
                                                   : GPIOD_LINE_REQUEST_DIRECTION_INPUT,
-        .flags = bias_flags[wire->bias] |
-                 (wire->active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0),
+        .flags =
+            bias_flags[wire->bias] | (wire->active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0),
     };
     struct held *held = &lines[role];
     const int failed = gpiod_line_request(held->line, &config, gpio_role_begins_active(role));

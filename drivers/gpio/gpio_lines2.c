@@ -12,7 +12,7 @@
 #define QUEUE_SIZE GPIO_EDGES_MAX /* Requested size; the kernel's default is 16 for each line. */
 
 static struct held {
-    struct gpiod_chip *chip;                /* Null if the line is not held. */
+    struct gpiod_chip *chip; /* Null if the line is not held. */
     unsigned int offset;
     struct gpiod_line_request *request;     /* Null if the line was not requested yet. */
     struct gpiod_edge_event_buffer *buffer; /* Buffer of an input with edge detection. */
@@ -82,17 +82,17 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
     const bool is_input = gpio_role_is_input(role);
     gpiod_line_settings_set_active_low(settings, wire->active_low != 0);
     int failed = gpiod_line_settings_set_bias(settings, biases[wire->bias]);
-    failed |= gpiod_line_settings_set_direction(
-        settings, is_input ? GPIOD_LINE_DIRECTION_INPUT : GPIOD_LINE_DIRECTION_OUTPUT);
+    failed |= gpiod_line_settings_set_direction(settings, is_input ? GPIOD_LINE_DIRECTION_INPUT
+                                                                   : GPIOD_LINE_DIRECTION_OUTPUT);
     if (has_edges) {
         failed |= gpiod_line_settings_set_edge_detection(settings, GPIOD_LINE_EDGE_BOTH);
         failed |= gpiod_line_settings_set_event_clock(settings, GPIOD_LINE_CLOCK_MONOTONIC);
         gpiod_line_settings_set_debounce_period_us(
             settings, kernel_may_debounce(role) ? wire->debounce_us : 0);
     } else if (!is_input) {
-        failed |= gpiod_line_settings_set_output_value(
-            settings, gpio_role_begins_active(role) ? GPIOD_LINE_VALUE_ACTIVE
-                                                    : GPIOD_LINE_VALUE_INACTIVE);
+        failed |= gpiod_line_settings_set_output_value(settings, gpio_role_begins_active(role)
+                                                                     ? GPIOD_LINE_VALUE_ACTIVE
+                                                                     : GPIOD_LINE_VALUE_INACTIVE);
     }
     return failed;
 }
@@ -168,8 +168,8 @@ static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
     struct held *held = &lines[role];
     const int count = gpiod_line_request_read_edge_events(held->request, held->buffer, max);
     for (int i = 0; i < count; i++) {
-        out[i] = edge_of(held, role,
-                         gpiod_edge_event_buffer_get_event(held->buffer, (unsigned long)i));
+        out[i] =
+            edge_of(held, role, gpiod_edge_event_buffer_get_event(held->buffer, (unsigned long)i));
     }
     return count;
 }
@@ -185,9 +185,9 @@ static int get(enum gpio_role role)
 
 static int gpio_lines2_set(enum gpio_role role, int active)
 {
-    return gpiod_line_request_set_value(
-        lines[role].request, lines[role].offset,
-        active ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE);
+    return gpiod_line_request_set_value(lines[role].request, lines[role].offset,
+                                        active ? GPIOD_LINE_VALUE_ACTIVE
+                                               : GPIOD_LINE_VALUE_INACTIVE);
 }
 
 static int debounces(enum gpio_role role)

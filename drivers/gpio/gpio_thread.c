@@ -9,8 +9,8 @@
 #include "drivers/gpio/gpio_thread_lines.h"
 
 #define NS_PER_MS 1000000u
-#define WATCH_NS 100000000u  /* Polling interval of all lines, with or without edges. */
-#define STOP_STEPS_MAX 200u  /* Steps of 10 ms: ten pulses of the slowest meters. */
+#define WATCH_NS 100000000u /* Polling interval of all lines, with or without edges. */
+#define STOP_STEPS_MAX 200u /* Steps of 10 ms: ten pulses of the slowest meters. */
 #define STOP_STEP_NS 10000000
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
@@ -24,8 +24,8 @@ static void take_turn(struct gpio_thread *reader, enum gpio_role role,
         coin_mech_edge(&reader->coin[role - GPIO_COIN], turn.time_ns, turn.active);
         return;
     }
-    reader->levels = turn.active ? reader->levels | gpio_role_bit(role)
-                                 : reader->levels & ~gpio_role_bit(role);
+    reader->levels =
+        turn.active ? reader->levels | gpio_role_bit(role) : reader->levels & ~gpio_role_bit(role);
     /* Stored before `pressed`, so that a reader of the press also sees the level. */
     atomic_store(&reader->held, reader->levels);
     if (turn.active) {
@@ -194,8 +194,8 @@ void gpio_thread_step(struct gpio_thread *reader)
     if (gpio_thread_missing_bits(reader) != 0 && gpio_thread_now_ns(reader) >= reader->retry_ns) {
         gpio_thread_request_lines(reader);
     }
-    const int count = reader->lines.ops->wait(reader->lines.self, edges, GPIO_EDGES_MAX,
-                                              wait_ms(reader));
+    const int count =
+        reader->lines.ops->wait(reader->lines.self, edges, GPIO_EDGES_MAX, wait_ms(reader));
     if (count == HAL_ERR_GONE) {
         gpio_thread_lose_lines(reader);
         publish(reader); /* Publishes counts before the lines are requested again. */

@@ -33,37 +33,37 @@ struct gpio_thread {
     struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring with all default times filled in. */
 
     /* The following fields are used only by the reader thread. */
-    uint32_t had;                            /* Held lines, one bit for each role. */
-    uint32_t lit;                            /* Outputs that were last set active. */
-    uint64_t retry_ns;                       /* Time of the next request of missing lines. */
-    uint64_t watch_ns;                       /* Next time at which all levels are read. */
-    uint64_t coin_look_ns[COIN_LINE_COUNT];  /* Next time at which each coin line is read. */
+    uint32_t had;                           /* Held lines, one bit for each role. */
+    uint32_t lit;                           /* Outputs that were last set active. */
+    uint64_t retry_ns;                      /* Time of the next request of missing lines. */
+    uint64_t watch_ns;                      /* Next time at which all levels are read. */
+    uint64_t coin_look_ns[COIN_LINE_COUNT]; /* Next time at which each coin line is read. */
     struct gpio_edge_filter inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin[COIN_LINE_COUNT];
     struct pulse_train trains[GPIO_OUTPUT_COUNT];
-    uint32_t levels;                         /* Debounced levels, one bit for each role. */
-    struct gpio_total total;                 /* Totals for the caller of gpio_thread_step(). */
+    uint32_t levels;         /* Debounced levels, one bit for each role. */
+    struct gpio_total total; /* Totals for the caller of gpio_thread_step(). */
 
     /* The following fields are shared by both threads. */
     /* Buttons that are down, and press edges, one bit for each role. */
     _Atomic uint32_t held, pressed;
-    _Atomic uint32_t coins[COIN_LINE_COUNT]; /* Coins of each line since the last read. */
-    _Atomic uint32_t faults;                 /* Faults since the last read. */
-    _Atomic uint32_t raw;                    /* Levels before debouncing, one bit for each role. */
+    _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Coins of each line since the last read. */
+    _Atomic uint32_t faults;                  /* Faults since the last read. */
+    _Atomic uint32_t raw;                     /* Levels before debouncing, one bit for each role. */
     _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges including bounces, since the last read. */
     _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line, since the last read. */
     _Atomic uint32_t missing; /* Wired lines that are not held, one bit for each role. */
-    _Atomic uint32_t wanted; /* Outputs that must be active, one bit for each role. */
+    _Atomic uint32_t wanted;  /* Outputs that must be active, one bit for each role. */
     /* Pulses requested and not yet taken by the reader. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT];
-    _Atomic uint32_t owed;                   /* Unfinished pulses of all held outputs. */
+    _Atomic uint32_t owed; /* Unfinished pulses of all held outputs. */
     /* Unfinished pulses of each output, held or missing. */
     _Atomic uint32_t pending[GPIO_OUTPUT_COUNT];
     _Atomic int stop;
     pthread_t thread;
     int runs;
 
-    pthread_mutex_t mutex;                   /* Protects `why` and `text`. */
+    pthread_mutex_t mutex; /* Protects `why` and `text`. */
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE];
     char text[HAL_TEXT_SIZE];
 };

@@ -36,8 +36,8 @@ static void begin_input(struct gpio_thread *reader, enum gpio_role role)
         lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
     reader->inputs[role] = gpio_edge_filter_begin(period_us * 1000ull, active, now);
     if (gpio_role_is_coin(role)) {
-        reader->coin[role - GPIO_COIN] = coin_mech_begin(
-            wire->pulse_min_us * 1000ull, wire->pulse_max_us * 1000ull, active, now);
+        reader->coin[role - GPIO_COIN] = coin_mech_begin(wire->pulse_min_us * 1000ull,
+                                                         wire->pulse_max_us * 1000ull, active, now);
     } else if (active) { /* Pressed already, so there is no press edge. */
         reader->levels |= gpio_role_bit(role);
     }

@@ -20,10 +20,10 @@ struct controller_manager {
     struct hid_row row[CONTROLLER_MAX]; /* Device list at the last poll. */
     struct hid_learn learn;
     uint8_t learn_row;
-    uint8_t learn_seat;                /* Slot of the attached controller, otherwise POI_MAX. */
-    uint8_t learn_waits;               /* 1 while the chosen controller is not attached yet. */
-    uint8_t keeps, forgets;            /* 1 while a busy store makes the next poll retry. */
-    uint8_t writes;                    /* 1 while the learned mapping is being written. */
+    uint8_t learn_seat;     /* Slot of the attached controller, otherwise POI_MAX. */
+    uint8_t learn_waits;    /* 1 while the chosen controller is not attached yet. */
+    uint8_t keeps, forgets; /* 1 while a busy store makes the next poll retry. */
+    uint8_t writes;         /* 1 while the learned mapping is being written. */
     /* 1 if the controller was free before learning. Such a controller is released afterwards
      * unless its mapping is kept. */
     uint8_t gives_back;

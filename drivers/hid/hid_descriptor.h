@@ -16,7 +16,7 @@
 #define HID_PUSH_MAX 8u                /* Pushed globals; real devices push 1. */
 #define HID_FIELD_BITS_MAX 256u        /* Largest Report Size of one field. */
 #define HID_REPORT_BITS_MAX 65536u /* 8 KiB in one report; the largest real one has 7,487 bytes. */
-#define HID_FIELD_MAX 65536u /* Fields of all groups; fits one report of single bits. */
+#define HID_FIELD_MAX 65536u       /* Fields of all groups; fits one report of single bits. */
 
 enum hid_flag { /* Bits of an Input item, HID 1.11 section 6.2.2.5. */
                 HID_CONSTANT = 1u << 0,
@@ -44,7 +44,7 @@ struct hid_group {
     int64_t logical_min, logical_max;
     /* Both 0 if not declared; the logical range then applies. */
     int64_t physical_min, physical_max;
-    int32_t unit_exponent;              /* Exponent of the unit as a power of ten. */
+    int32_t unit_exponent; /* Exponent of the unit as a power of ten. */
     uint32_t unit;
     uint16_t range_first, range_count; /* Usages of the group, in hid_descriptor.range. */
 };

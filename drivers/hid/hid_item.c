@@ -2,7 +2,7 @@
  * data. */
 #include "drivers/hid/hid_item.h"
 
-#define LONG_ITEM 0xfeu   /* Followed by a size byte, a tag byte and data: section 6.2.2.3. */
+#define LONG_ITEM 0xfeu /* Followed by a size byte, a tag byte and data: section 6.2.2.3. */
 #define LONG_HEAD_SIZE 3u
 
 int32_t hid_item_signed(uint32_t data, uint8_t size)

@@ -6,8 +6,8 @@
 #include "core/base/fmath.h"
 #include "drivers/hid/hid_mapping_infer.h"
 
-#define REST_NS 1000000000ull  /* Duration of LEARN_REST at which its progress is complete. */
-#define REST_REPORTS 8u        /* Reports that are needed for that as well. */
+#define REST_NS 1000000000ull /* Duration of LEARN_REST at which its progress is complete. */
+#define REST_REPORTS 8u       /* Reports that are needed for that as well. */
 
 /* ---- Fields --------------------------------------------------------------------------------- */
 
@@ -69,8 +69,7 @@ static void hear_rest(struct learn_field *field, int64_t value)
     field->rested = 1;
 }
 
-static void hear_field(struct hid_learn *learn, struct learn_field *field,
-                       struct hid_report report)
+static void hear_field(struct hid_learn *learn, struct learn_field *field, struct hid_report report)
 {
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);

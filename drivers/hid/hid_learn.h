@@ -13,7 +13,7 @@
 
 /* Fields recorded over all reports; a game pad has 90. Further fields are ignored. */
 #define LEARN_FIELD_MAX 256u
-#define LEARN_KEY_MAX 16u    /* Keys of array fields that are recorded. */
+#define LEARN_KEY_MAX 16u /* Keys of array fields that are recorded. */
 
 /* Recording of one field: absolute values, or for a relative field the sum of its values. */
 struct learn_field {
@@ -37,9 +37,9 @@ struct hid_learn {
     struct hid_descriptor descriptor;
     struct hid_mapping offered; /* The mapping without learning, whose buttons are kept. */
     struct hid_mapping map;     /* The learned mapping, valid in LEARN_TRY. */
-    uint8_t step;              /* enum learn_step */
-    uint32_t report_count;     /* Number of reports in the current step. */
-    uint64_t begun_ns, now_ns; /* Time of the first and the newest report of the current step. */
+    uint8_t step;               /* enum learn_step */
+    uint32_t report_count;      /* Number of reports in the current step. */
+    uint64_t begun_ns, now_ns;  /* Time of the first and the newest report of the current step. */
     uint32_t field_count, key_count;
     struct learn_field field[LEARN_FIELD_MAX];
     struct learn_key key[LEARN_KEY_MAX];

@@ -23,9 +23,9 @@
 /* The quantity that a field controls. */
 enum hid_role {
     HID_ROLE_NONE = 0,
-    HID_ROLE_X,        /* Positive to the player's right and right in the image. */
-    HID_ROLE_Y,        /* Positive upward. */
-    HID_ROLE_Z,        /* Positive toward the player and down in the image. */
+    HID_ROLE_X, /* Positive to the player's right and right in the image. */
+    HID_ROLE_Y, /* Positive upward. */
+    HID_ROLE_Z, /* Positive toward the player and down in the image. */
     HID_ROLE_PITCH,
     HID_ROLE_YAW,
     HID_ROLE_ROLL,
@@ -39,7 +39,7 @@ enum hid_role {
     HID_ROLE_LEFT,
     HID_ROLE_RIGHT,
     HID_ROLE_OK,
-    HID_ROLE_HAT,      /* Hat directions as buttons: LEFT, RIGHT, and OK for up and down. */
+    HID_ROLE_HAT, /* Hat directions as buttons: LEFT, RIGHT, and OK for up and down. */
     HID_ROLE_COUNT,
 };
 

@@ -21,9 +21,7 @@ int32_t hid_mapping_auto_place(const struct hid_descriptor *descriptor,
         const struct hid_range *range = &descriptor->range[group->range_first + i];
         if (usage >= range->first && usage <= range->last) {
             const uint32_t index = first + (usage - range->first);
-            return !(group->flags & HID_VARIABLE) ? 0
-                   : index < group->count         ? (int32_t)index
-                                                  : -1;
+            return !(group->flags & HID_VARIABLE) ? 0 : index < group->count ? (int32_t)index : -1;
         }
         first += range->last - range->first + 1u;
     }

@@ -125,9 +125,8 @@ static float press_share(const struct hid_learn *learn, const struct learn_field
                : hid_mapping_infer_share_of(learn, field, way_in(field, LEARN_DIP));
 }
 
-static const struct learn_field *best_press(const struct hid_learn *learn,
-                                            const struct learn_field *x,
-                                            const struct learn_field *z)
+static const struct learn_field *
+best_press(const struct hid_learn *learn, const struct learn_field *x, const struct learn_field *z)
 {
     const struct learn_field *best = NULL;
     float best_share = PRESS_MIN;
@@ -167,8 +166,8 @@ float hid_mapping_infer_clarity(const struct hid_learn *learn)
 
 /* ---- Building the mapping ------------------------------------------------------------------- */
 
-static struct hid_binding binding_of(const struct hid_learn *learn,
-                                     const struct learn_field *field, enum hid_role role)
+static struct hid_binding binding_of(const struct hid_learn *learn, const struct learn_field *field,
+                                     enum hid_role role)
 {
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     return (struct hid_binding){
@@ -204,8 +203,8 @@ static int is_stick(const struct hid_learn *learn, const struct learn_field *fie
     }
 }
 
-static void bind_axis(struct hid_learn *learn, const struct learn_field *field,
-                      enum hid_role role, enum learn_step one, enum learn_step other)
+static void bind_axis(struct hid_learn *learn, const struct learn_field *field, enum hid_role role,
+                      enum learn_step one, enum learn_step other)
 {
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const struct ways ways = ways_of(field, one, other);
@@ -217,8 +216,8 @@ static void bind_axis(struct hid_learn *learn, const struct learn_field *field,
         binding.manner = HID_BINDING_RATE;
         binding.rest = rest_of(field);
         binding.full = rest_of(field) + ways.back;
-        binding.dead = (int64_t)(DEAD_SHARE * f_abs((float)ways.back)) +
-                       (field->rest_high - field->rest_low);
+        binding.dead =
+            (int64_t)(DEAD_SHARE * f_abs((float)ways.back)) + (field->rest_high - field->rest_low);
     } else {
         binding.manner = HID_BINDING_POSITION;
         binding.rest = rest_of(field) + ways.there;

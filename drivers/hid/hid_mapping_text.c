@@ -16,7 +16,7 @@ static const char *const source_words[] = { "none", "own", "known", "offered", "
 static const char *const style_words[] = { "none", "pose", "pointer", "fly" };
 static const char *const manner_words[] = { "place", "rate", "step", "press", "hat" };
 static const char *const role_words[] = {
-    "none", "x",   "y",        "z",        "pitch", "yaw",  "roll",  "tilt", "dip",
+    "none",  "x",   "y",        "z",        "pitch", "yaw",  "roll",  "tilt", "dip",
     "level", "fan", "in-range", "sequence", "start", "left", "right", "ok",   "hat",
 };
 

@@ -12,7 +12,7 @@
 
 #include "platform/hal.h"
 
-#define HID_REPORT_MAX 256u      /* Bytes; game pads send 64, the largest pen tablets 192. */
+#define HID_REPORT_MAX 256u   /* Bytes; game pads send 64, the largest pen tablets 192. */
 #define HID_REPORTS_MAX 1024u /* Capacity of a slot's queue: 1,000 Hz for a stall of one second. */
 #define HID_DESCRIPTOR_MAX 4096u /* Bytes; Linux reads no more. */
 #define HID_TEXT_SIZE 64u
@@ -74,6 +74,9 @@ struct hid_port_ops {
     const char *(*describe)(void *self);
 };
 
-struct hid_port { const struct hid_port_ops *ops; void *self; };
+struct hid_port {
+    const struct hid_port_ops *ops;
+    void *self;
+};
 
 #endif

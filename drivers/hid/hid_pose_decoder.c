@@ -165,9 +165,7 @@ static uint32_t hat_buttons(const struct hid_pose_decoder *hand)
     for (uint32_t i = 0; i < hand->map.count; i++) {
         const int direction = (int)hand->value[i];
         if (hand->map.binding[i].role == HID_ROLE_HAT && direction >= 0) {
-            buttons |= direction >= 5              ? INPUT_LEFT
-                       : direction % 4 == 0        ? INPUT_OK
-                                                   : INPUT_RIGHT;
+            buttons |= direction >= 5 ? INPUT_LEFT : direction % 4 == 0 ? INPUT_OK : INPUT_RIGHT;
         }
     }
     return buttons;

@@ -35,14 +35,14 @@ struct hid_pose_decoder {
     /* Bit set of the stick bindings that were near their rest at least once. The value of any
      * other stick is ignored, because such a stick is missing or broken. */
     uint32_t awake;
-    uint64_t time_ns;           /* Arrival of the newest report. */
-    uint64_t range_ns;          /* Last time the pen was in range. */
-    uint32_t held;              /* Buttons that are down, enum input_button. */
-    uint32_t pressed;           /* Press edges that were not read yet. */
+    uint64_t time_ns;  /* Arrival of the newest report. */
+    uint64_t range_ns; /* Last time the pen was in range. */
+    uint32_t held;     /* Buttons that are down, enum input_button. */
+    uint32_t pressed;  /* Press edges that were not read yet. */
     uint8_t sequence, has_sequence;
-    uint8_t present;            /* 1 after the first position was decoded. */
+    uint8_t present; /* 1 after the first position was decoded. */
     uint32_t report_count, refused_count;
-    uint32_t gap_count;         /* Reports lost according to the sequence number. */
+    uint32_t gap_count; /* Reports lost according to the sequence number. */
 };
 
 /* Initializes the decoder. `face` is only read; `map` and `view` are copied. Returns 0, or -1 if

@@ -7,8 +7,7 @@ uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct h
     if (group->range_count == 0) {
         return 0;
     }
-    const struct hid_range *last =
-        &descriptor->range[group->range_first + group->range_count - 1u];
+    const struct hid_range *last = &descriptor->range[group->range_first + group->range_count - 1u];
     return last->place + (last->last - last->first) + 1u;
 }
 

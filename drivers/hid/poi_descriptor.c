@@ -8,9 +8,9 @@
 #include <string.h>
 
 const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
-    0x05, 0x01,       /* Usage Page (Generic Desktop) */
-    0x09, 0x08,       /* Usage (Multi-axis Controller) */
-    0xa1, 0x01,       /* Collection (Application) */
+    0x05, 0x01, /* Usage Page (Generic Desktop) */
+    0x09, 0x08, /* Usage (Multi-axis Controller) */
+    0xa1, 0x01, /* Collection (Application) */
 
     0x85, 0x01,       /*   Report ID (1): pose */
     0x06, 0x4b, 0xff, /*   Usage Page (ours) */
@@ -46,17 +46,17 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0x81, 0x42,       /*     Input (Data, Variable, Absolute, Null State) */
     0xc0,             /*   End Collection */
 
-    0x05, 0x09,       /*   Usage Page (Button) */
-    0x19, 0x01,       /*   Usage Minimum (1) */
-    0x29, 0x08,       /*   Usage Maximum (8) */
-    0x15, 0x00,       /*   Logical Minimum (0) */
-    0x25, 0x01,       /*   Logical Maximum (1) */
-    0x35, 0x00,       /*   Physical Minimum (0) */
-    0x45, 0x01,       /*   Physical Maximum (1) */
-    0x65, 0x00,       /*   Unit (none) */
-    0x75, 0x01,       /*   Report Size (1) */
-    0x95, 0x08,       /*   Report Count (8) */
-    0x81, 0x02,       /*   Input (Data, Variable, Absolute) */
+    0x05, 0x09, /*   Usage Page (Button) */
+    0x19, 0x01, /*   Usage Minimum (1) */
+    0x29, 0x08, /*   Usage Maximum (8) */
+    0x15, 0x00, /*   Logical Minimum (0) */
+    0x25, 0x01, /*   Logical Maximum (1) */
+    0x35, 0x00, /*   Physical Minimum (0) */
+    0x45, 0x01, /*   Physical Maximum (1) */
+    0x65, 0x00, /*   Unit (none) */
+    0x75, 0x01, /*   Report Size (1) */
+    0x95, 0x08, /*   Report Count (8) */
+    0x81, 0x02, /*   Input (Data, Variable, Absolute) */
 
     0x85, 0x02,       /*   Report ID (2): force feedback */
     0x06, 0x4b, 0xff, /*   Usage Page (ours) */

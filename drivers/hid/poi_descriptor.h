@@ -16,11 +16,11 @@
 #define POI_PAGE 0xff4bu
 
 enum poi_usage { /* Usages of POI_PAGE. */
-    POI_USAGE_SEQUENCE = 0x01,
-    POI_USAGE_FEEL = 0x02,     /* Collection of the force feedback report. */
-    POI_USAGE_FORCE_X = 0x10,  /* 0x10 .. 0x12: X, Y, Z. */
-    POI_USAGE_TORQUE_X = 0x13, /* 0x13 .. 0x15: X, Y, Z. */
-    POI_USAGE_DRAG = 0x16,     /* 0x16 .. 0x18: drag, slap, tear. */
+                 POI_USAGE_SEQUENCE = 0x01,
+                 POI_USAGE_FEEL = 0x02,     /* Collection of the force feedback report. */
+                 POI_USAGE_FORCE_X = 0x10,  /* 0x10 .. 0x12: X, Y, Z. */
+                 POI_USAGE_TORQUE_X = 0x13, /* 0x13 .. 0x15: X, Y, Z. */
+                 POI_USAGE_DRAG = 0x16,     /* 0x16 .. 0x18: drag, slap, tear. */
 };
 
 extern const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE];

@@ -12,12 +12,12 @@
 #define POI_FAN_BACK_S 0.5f /* Time of the poi's return to the controller. */
 
 struct poi_fan {
-    struct poi_target hand;   /* Newest pose of the controller. */
-    struct poi_target waits;  /* Pose at which the poi waits, or from which it returns. */
+    struct poi_target hand;  /* Newest pose of the controller. */
+    struct poi_target waits; /* Pose at which the poi waits, or from which it returns. */
     uint8_t held;
-    float swing;              /* [0, 1]: 0 out of sight, 1 at the controller's position. */
-    float back;               /* [0, 1]: 1 when the poi has returned to the controller. */
-    uint64_t time_ns;         /* Time to which `swing` and `back` were computed. */
+    float swing;      /* [0, 1]: 0 out of sight, 1 at the controller's position. */
+    float back;       /* [0, 1]: 1 when the poi has returned to the controller. */
+    uint64_t time_ns; /* Time to which `swing` and `back` were computed. */
 };
 
 /* Initializes the state with the poi at the controller. */

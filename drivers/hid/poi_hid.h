@@ -32,7 +32,7 @@ struct poi_hid {
     struct hid_device_info face;
     struct hid_pose_decoder hand;
     uint8_t is_open;
-    uint8_t plays;         /* 1 if the current mapping can control the poi. */
+    uint8_t plays; /* 1 if the current mapping can control the poi. */
     uint8_t feel_sequence;
     char text[HAL_TEXT_SIZE];
 };

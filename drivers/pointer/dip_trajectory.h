@@ -13,7 +13,7 @@
 #define DIP_HOVER_M 0.035f    /* Above the water: clear of ripples, close enough to aim. */
 #define DIP_DEPTH_M (-0.050f) /* Below the surface: where the fish swim in a tank of 10 .. 20 cm. */
 #define DIP_DOWN_S 0.30f
-#define DIP_UP_S 0.46f        /* Slower than down, because wet paper carries water. */
+#define DIP_UP_S 0.46f /* Slower than down, because wet paper carries water. */
 
 #define DIP_SLANT_MAX_RAD (28.0f * F_DEG)
 #define DIP_SLANT_AT_M_S 0.40f

@@ -133,9 +133,8 @@ static void take_finger(struct mouse_poi *mouse, const SDL_TouchFingerEvent *fin
 static void notice_use(struct mouse_poi *mouse, const SDL_Event *event)
 {
     const int is_motion = event->type == SDL_MOUSEMOTION;
-    mouse->crept_px += is_motion ? f_abs((float)event->motion.xrel) +
-                                       f_abs((float)event->motion.yrel)
-                                 : CREEP_PX;
+    mouse->crept_px +=
+        is_motion ? f_abs((float)event->motion.xrel) + f_abs((float)event->motion.yrel) : CREEP_PX;
     if (mouse->crept_px >= CREEP_PX) {
         mouse->used_ns = mouse_now_ns(mouse);
         mouse->crept_px = 0.0f;

@@ -23,12 +23,12 @@ struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
     struct pointer_fan fan;
-    uint8_t fan_key;              /* 1 while the key F is down. */
-    uint8_t heeds;                /* enum pointer_filter, the enabled devices. */
-    uint32_t mouse_buttons;       /* enum pointer_button bits that are down. */
+    uint8_t fan_key;        /* 1 while the key F is down. */
+    uint8_t heeds;          /* enum pointer_filter, the enabled devices. */
+    uint32_t mouse_buttons; /* enum pointer_button bits that are down. */
     struct touch_fingers fingers;
-    uint64_t used_ns;             /* Time of the last use by a person; 0: never. */
-    float crept_px;               /* Motion in pixels since `used_ns`. */
+    uint64_t used_ns; /* Time of the last use by a person; 0: never. */
+    float crept_px;   /* Motion in pixels since `used_ns`. */
     struct display_settings
         display_settings; /* Image geometry set by look(); zero: the image fills the window. */
     struct pointer_report report; /* Last pointer state; the wheel is reset for each event. */

@@ -41,8 +41,7 @@ struct shade_input pointer_fan_shade(struct pointer_fan *fan, uint64_t time_ns)
 {
     swing_to_time(fan, time_ns);
     const float share = f_smoothstep(0.0f, 1.0f, fan->swing);
-    const vec3 there_m =
-        view_point_on_plane(&fan->view, fan->aspect, fan->ndc_x, fan->ndc_y, 0.0f);
+    const vec3 there_m = view_point_on_plane(&fan->view, fan->aspect, fan->ndc_x, fan->ndc_y, 0.0f);
     const vec3 rest_m =
         view_point_on_plane(&fan->view, fan->aspect, 0.6f * fan->ndc_x, REST_NDC_Y, 0.0f);
     const vec3 at_m = v3_lerp(rest_m, there_m, share);

@@ -10,14 +10,14 @@
 
 /* Size of the shadow in the 2013 thesis, and of a small uchiwa. */
 #define POINTER_FAN_RADIUS_M 0.10f
-#define POINTER_FAN_SWING_S 0.40f  /* Time from beyond the near edge to the pointer, or back. */
+#define POINTER_FAN_SWING_S 0.40f /* Time from beyond the near edge to the pointer, or back. */
 
 struct pointer_fan {
     struct view view;
     float ndc_x, ndc_y, aspect; /* Pointer position at the last fan report, like in pointer_poi. */
     uint8_t held;
-    float swing;                /* [0, 1]: 0 out of sight, 1 under the pointer. */
-    uint64_t time_ns;           /* Time to which `swing` was computed. */
+    float swing;      /* [0, 1]: 0 out of sight, 1 under the pointer. */
+    uint64_t time_ns; /* Time to which `swing` was computed. */
 };
 
 /* Initializes a fan that is out of sight. `view` is copied. */

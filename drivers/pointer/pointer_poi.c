@@ -85,9 +85,8 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
 /* Returns the remaining share of the return, smooth at both ends. */
 static float lag_left(const struct pointer_poi *pointer)
 {
-    return pointer->back_s > 0.0f
-               ? 1.0f - f_smoothstep(0.0f, pointer->back_s, pointer->back_done_s)
-               : 0.0f;
+    return pointer->back_s > 0.0f ? 1.0f - f_smoothstep(0.0f, pointer->back_s, pointer->back_done_s)
+                                  : 0.0f;
 }
 
 /* Stops the poi at its current position if `waits` is set, and otherwise starts its return to
@@ -106,9 +105,9 @@ static void wait_or_come_back(struct pointer_poi *pointer, float x, float y, int
     pointer->lag_x = at_x - x;
     pointer->lag_y = at_y - y;
     pointer->back_done_s = 0.0f;
-    pointer->back_s = BACK_S + BACK_S_PER_WIDTH * 0.5f *
-                                   f_sqrt(pointer->lag_x * pointer->lag_x +
-                                          pointer->lag_y * pointer->lag_y);
+    pointer->back_s =
+        BACK_S + BACK_S_PER_WIDTH * 0.5f *
+                     f_sqrt(pointer->lag_x * pointer->lag_x + pointer->lag_y * pointer->lag_y);
 }
 
 int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report)
@@ -151,8 +150,7 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
     const float left = lag_left(pointer);
     const float x = pointer->ndc_x + left * pointer->lag_x;
     const float y = pointer->ndc_y + left * pointer->lag_y;
-    const vec3 hand_m =
-        view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
+    const vec3 hand_m = view_point_on_plane(&pointer->view, pointer->aspect, x, y, stroke.height_m);
     pointer_poi_update_speed(pointer,
                              view_point_on_plane(&pointer->view, pointer->aspect, x, y, 0.0f));
     const vec3 lean = v3_limit(v3_scale(pointer->hand_m_s, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);

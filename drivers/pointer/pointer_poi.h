@@ -26,9 +26,9 @@ enum pointer_button {
 /* The complete state of a pointer at one moment, and the wheel's motion. */
 struct pointer_report {
     uint64_t time_ns;
-    float x_px, y_px; /* Pixels from the window's top left corner; any finite value. */
-    uint32_t width_px, height_px;      /* Size of the window; 0: not known. */
-    uint32_t buttons;                  /* enum pointer_button bits that are down. */
+    float x_px, y_px;             /* Pixels from the window's top left corner; any finite value. */
+    uint32_t width_px, height_px; /* Size of the window; 0: not known. */
+    uint32_t buttons;             /* enum pointer_button bits that are down. */
     float wheel_notches; /* Wheel motion since the last report; positive is away from the user. */
 };
 
@@ -45,19 +45,19 @@ struct pointer_poi {
     /* Position in the window, -1 .. 1, and the window's aspect ratio. */
     float ndc_x, ndc_y, aspect;
     uint32_t buttons;
-    uint64_t time_ns;           /* Time of the newest report or sample. */
+    uint64_t time_ns; /* Time of the newest report or sample. */
 
     /* Return after waiting: offset from the pointer at the start, duration in air, and the time
      * done. Under water the return is much slower. */
     float lag_x, lag_y;
     float back_s, back_done_s;
 
-    struct dip dip;             /* The current stroke. */
+    struct dip dip; /* The current stroke. */
     float tilt_rad, tilt_goal_rad;
 
     /* Pointer position on the still water at the last sample; its velocity. */
     vec3 hand_m, hand_m_s;
-    uint64_t hand_ns;           /* Time of `hand_m`; 0 before the first sample. */
+    uint64_t hand_ns; /* Time of `hand_m`; 0 before the first sample. */
 };
 
 /* Initializes the pointer in the middle of the window, with the ring level and hovering. `view`

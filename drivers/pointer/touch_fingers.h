@@ -31,11 +31,11 @@ struct touch_fingers {
     int64_t id[TOUCH_FINGER_MAX]; /* Ids of the fingers that are down. */
     uint32_t count;
     int64_t leader;
-    uint8_t has_leader;           /* 1 while the leader is down. */
-    float x, y;                   /* Last position of the leader, [0, 1]. */
-    uint8_t has_place;            /* 1 after the first touch. */
-    uint8_t dips;                 /* 1 while two or more fingers are down. */
-    uint8_t start_pressed;        /* 1 from the third finger's touch until it is read. */
+    uint8_t has_leader;    /* 1 while the leader is down. */
+    float x, y;            /* Last position of the leader, [0, 1]. */
+    uint8_t has_place;     /* 1 after the first touch. */
+    uint8_t dips;          /* 1 while two or more fingers are down. */
+    uint8_t start_pressed; /* 1 from the third finger's touch until it is read. */
 };
 
 /* Processes one event. Returns 1 if the state changed. Returns 0 for a position that is not

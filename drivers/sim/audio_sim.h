@@ -6,9 +6,9 @@
 
 struct audio_sim {
     uint32_t played[SOUND_COUNT];
-    float gain;          /* Gain of the sound played last. */
-    uint8_t fails;       /* 1 if every play must return HAL_ERR_IO. */
-    uint8_t gone;        /* 1 if every play must return HAL_ERR_GONE and open() must fail. */
+    float gain;    /* Gain of the sound played last. */
+    uint8_t fails; /* 1 if every play must return HAL_ERR_IO. */
+    uint8_t gone;  /* 1 if every play must return HAL_ERR_GONE and open() must fail. */
     uint32_t open_count;
 };
 

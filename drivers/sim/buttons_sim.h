@@ -7,8 +7,8 @@
 /* A scripted event. Scripts are sorted by time. */
 struct button_event {
     uint64_t time_ns;
-    uint32_t pressed;    /* enum input_button bits that are pressed by the event. */
-    uint32_t released;   /* enum input_button bits that are released by the event. */
+    uint32_t pressed;  /* enum input_button bits that are pressed by the event. */
+    uint32_t released; /* enum input_button bits that are released by the event. */
     uint32_t coin_count[COIN_LINE_COUNT];
     uint8_t quit, full_screen;
 };
@@ -17,7 +17,7 @@ struct buttons_sim {
     struct hal_clock clock;
     const struct button_event *events; /* Owned by the caller; must outlive the device. */
     uint32_t event_count;
-    uint32_t next;                     /* Index of the next event to play. */
+    uint32_t next; /* Index of the next event to play. */
     uint32_t held;
 };
 

@@ -7,7 +7,7 @@
 #include "platform/hal.h"
 
 struct display_sim {
-    struct scene scene;         /* Scene presented last. */
+    struct scene scene;                       /* Scene presented last. */
     struct display_settings display_settings; /* Image geometry set last. */
     uint32_t present_count;
     uint32_t full_screen_count; /* Number of full-screen toggles. */
@@ -15,8 +15,8 @@ struct display_sim {
     uint8_t away;               /* 1 if the display is unplugged and open() must fail. */
     uint8_t needs_open;         /* 1 after it was unplugged, until open() succeeds. */
     uint32_t open_count;
-    uint32_t fail_at;           /* Number of the present that fails with HAL_ERR_IO; 0: none. */
-    uint8_t quit;               /* 1 if the next poll must report that the window was closed. */
+    uint32_t fail_at; /* Number of the present that fails with HAL_ERR_IO; 0: none. */
+    uint8_t quit;     /* 1 if the next poll must report that the window was closed. */
     uint8_t opened;
 };
 

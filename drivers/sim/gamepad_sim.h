@@ -15,13 +15,13 @@ struct gamepad_sim {
     struct hal_clock clock;
     const struct gamepad_report *reports; /* Reports sorted by time; must outlive the device. */
     uint32_t report_count;
-    uint32_t next;                 /* Index of the next report to play. */
+    uint32_t next; /* Index of the next report to play. */
     /* Index of the report before which the pad is unplugged, or GAMEPAD_SIM_NEVER. */
     uint32_t unplug_at;
-    uint64_t replug_ns;            /* Time from which open() finds the pad again. */
-    uint32_t double_every;         /* Every n-th report arrives twice; 0: none. */
-    uint32_t jump_at; /* Report in which both sticks jump to a corner, or GAMEPAD_SIM_NEVER. */
-    uint32_t spoil_from, spoil_to; /* Range of reports with random bits. */
+    uint64_t replug_ns;    /* Time from which open() finds the pad again. */
+    uint32_t double_every; /* Every n-th report arrives twice; 0: none. */
+    uint32_t jump_at;      /* Report in which both sticks jump to a corner, or GAMEPAD_SIM_NEVER. */
+    uint32_t spoil_from, spoil_to;         /* Range of reports with random bits. */
     uint64_t silent_from_ns, silent_to_ns; /* Reports of this time arrive together at its end. */
     uint8_t gone;
     uint32_t open_count;

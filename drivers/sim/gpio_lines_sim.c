@@ -162,7 +162,9 @@ static int sim_list(void *self, void (*tell)(void *context, const struct gpio_li
             .is_output = !gpio_role_is_input(i),
         };
         snprintf(info.consumer, sizeof info.consumer, "%s",
-                 sim->held_by_others & 1u << i ? "another" : sim->held & 1u << i ? "kingyo" : "");
+                 sim->held_by_others & 1u << i ? "another"
+                 : sim->held & 1u << i         ? "kingyo"
+                                               : "");
         tell(context, &info);
     }
     return GPIO_ROLE_COUNT;

@@ -17,8 +17,8 @@ enum gpio_sim_what {
     GPIO_SIM_LEVEL = 0, /* Sets the wire of `role` to level `active` (after active_low). */
     /* A glitch that the kernel sees as one edge, on chips with one event bit for each line. */
     GPIO_SIM_SPARK,
-    GPIO_SIM_GONE,      /* Removes the chip of all lines. */
-    GPIO_SIM_BACK,      /* Returns the chip. Wires can change unseen meanwhile. */
+    GPIO_SIM_GONE, /* Removes the chip of all lines. */
+    GPIO_SIM_BACK, /* Returns the chip. Wires can change unseen meanwhile. */
 };
 
 struct gpio_sim_event {
@@ -56,7 +56,7 @@ struct gpio_lines_sim {
     struct gpio_sim_event next_event;
     bool has_next;
     uint32_t seed;
-    uint32_t held;                    /* Lines that are held, one bit for each role. */
+    uint32_t held; /* Lines that are held, one bit for each role. */
     uint32_t open_count;
     bool chip_is_away, went;
     struct gpio_sim_line {
@@ -68,13 +68,17 @@ struct gpio_lines_sim {
         uint32_t seen;          /* Number of the last edge that was read. */
         uint8_t was_full, last; /* State that infers losses as in gpio_lines1.c. */
         uint32_t first, count;  /* Positions in the ring buffer `queue`. */
-        struct { uint64_t time_ns; uint32_t number; uint8_t active; } queue[GPIO_SIM_QUEUE_MAX];
+        struct {
+            uint64_t time_ns;
+            uint32_t number;
+            uint8_t active;
+        } queue[GPIO_SIM_QUEUE_MAX];
     } lines[GPIO_INPUT_COUNT];
     uint32_t dropped;                 /* Number of edges dropped, of all lines. */
     uint8_t outputs[GPIO_ROLE_COUNT]; /* Output levels, after active_low. */
     uint8_t rests[GPIO_ROLE_COUNT];   /* Levels of undriven outputs: their bias, or low. */
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* Ring buffer of the newest output changes. */
-    uint32_t set_count;               /* Number of output changes so far. */
+    uint32_t set_count;                          /* Number of output changes so far. */
 };
 
 /* Initializes lines at rest, a chip, a kernel without delay, and queues of libgpiod 2.x. */

@@ -16,8 +16,8 @@ struct hid_device_list_sim {
     uint8_t barred[CONTROLLER_MAX]; /* 1 if the device may not play, such as a keyboard. */
     /* Last device of each row, which names a LOST controller. */
     struct hid_identity who[CONTROLLER_MAX];
-    uint8_t denied[CONTROLLER_MAX];           /* 1 if opening fails for lack of permission. */
-    uint8_t taken[CONTROLLER_MAX];            /* Slot + 1, or 0 if not attached. */
+    uint8_t denied[CONTROLLER_MAX]; /* 1 if opening fails for lack of permission. */
+    uint8_t taken[CONTROLLER_MAX];  /* Slot + 1, or 0 if not attached. */
     uint32_t choose_count, release_count;
 };
 

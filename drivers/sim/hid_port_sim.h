@@ -21,8 +21,8 @@ enum hid_sim_kind {
     HID_SIM_LONG,    /* Undeclared bytes behind the report. */
     HID_SIM_EMPTY,   /* An empty transfer, which a real transport must not pass on. */
     HID_SIM_WRONG_ID,
-    HID_SIM_JUMP,    /* Every byte behind the id at its extreme: all axes jump. */
-    HID_SIM_STUCK,   /* The bytes of the previous report. */
+    HID_SIM_JUMP,  /* Every byte behind the id at its extreme: all axes jump. */
+    HID_SIM_STUCK, /* The bytes of the previous report. */
     HID_SIM_KIND_COUNT,
 };
 
@@ -46,13 +46,13 @@ struct hid_port_sim {
     uint8_t absent;     /* 1 while no device is attached; the caller may change it. */
     uint8_t busy;       /* 1 makes send() return HAL_ERR_BUSY. */
 
-    uint32_t said_count;               /* Reports sent so far, which is the number of the next. */
+    uint32_t said_count; /* Reports sent so far, which is the number of the next. */
     uint8_t is_open, gone;
-    struct hid_raw last;               /* The report sent last. */
+    struct hid_raw last; /* The report sent last. */
     struct hid_raw ring[HID_REPORTS_MAX];
     uint32_t ring_first, ring_count;
     uint32_t lost_count, open_count;
-    uint8_t sent[HID_REPORT_MAX];      /* The newest output report. */
+    uint8_t sent[HID_REPORT_MAX]; /* The newest output report. */
     uint32_t sent_size, sent_count;
 };
 

@@ -16,18 +16,18 @@ struct pointer_sim {
     struct hal_clock clock;
     const struct pointer_report *reports; /* Reports sorted by time; must outlive the device. */
     uint32_t report_count;
-    uint32_t next;            /* Index of the next report to play. */
+    uint32_t next; /* Index of the next report to play. */
     /* Index of the report before which the mouse is unplugged, or POINTER_SIM_NEVER. */
     uint32_t unplug_at;
-    uint64_t replug_ns;       /* Time from which open() finds the mouse again. */
-    uint32_t double_every;    /* Every n-th report arrives twice; 0: none. */
-    uint32_t jump_at;         /* Index of the report at the far corner, or POINTER_SIM_NEVER. */
+    uint64_t replug_ns;    /* Time from which open() finds the mouse again. */
+    uint32_t double_every; /* Every n-th report arrives twice; 0: none. */
+    uint32_t jump_at;      /* Index of the report at the far corner, or POINTER_SIM_NEVER. */
     uint32_t spoil_from, spoil_to; /* Range of reports with random numbers, including NaN. */
-    uint32_t spoil_count;     /* Number of reports with random numbers so far. */
+    uint32_t spoil_count;          /* Number of reports with random numbers so far. */
     uint64_t silent_from_ns, silent_to_ns; /* Reports of this time arrive together at its end. */
     uint8_t gone;
     uint32_t open_count;
-    struct poi_force felt;    /* Force feedback that was set last. */
+    struct poi_force felt; /* Force feedback that was set last. */
     struct pointer_poi pointer;
     struct pointer_fan fan;
 };

@@ -26,20 +26,20 @@ enum sensor_fault {
 
 struct sensor_sim {
     struct hal_clock clock;
-    struct poi_target hand;    /* True pose, which the caller moves. */
-    uint64_t period_ns;        /* Time between two reports. */
-    uint8_t fault;             /* The selected fault, enum sensor_fault. */
-    uint64_t from_ns, to_ns;   /* Fault active from the first time until before the second. */
+    struct poi_target hand;  /* True pose, which the caller moves. */
+    uint64_t period_ns;      /* Time between two reports. */
+    uint8_t fault;           /* The selected fault, enum sensor_fault. */
+    uint64_t from_ns, to_ns; /* Fault active from the first time until before the second. */
 
-    uint64_t next_ns;          /* Time of the next report. */
-    uint32_t count;            /* Reports so far; also selects the noise. */
+    uint64_t next_ns; /* Time of the next report. */
+    uint32_t count;   /* Reports so far; also selects the noise. */
     uint32_t open_count;
-    struct poi_target last;    /* Pose in the last report. */
+    struct poi_target last; /* Pose in the last report. */
     /* Reports that SENSOR_HELD_BACK delays, oldest first. */
     struct poi_target held[SENSOR_SIM_HELD_MAX];
     uint32_t held_count;
-    struct view view;          /* Camera view set by look(). */
-    struct poi_force felt;     /* Force feedback set last. */
+    struct view view;      /* Camera view set by look(). */
+    struct poi_force felt; /* Force feedback set last. */
 };
 
 /* Initializes a sensor without faults at `rate_hz` >= 1 reports a second, at the middle of the

@@ -15,7 +15,7 @@ struct touch_sim {
     struct hal_clock clock;
     const struct touch_event *events; /* Events sorted by time; must outlive the device. */
     uint32_t event_count;
-    uint32_t next;                 /* Index of the next event to play. */
+    uint32_t next; /* Index of the next event to play. */
     /* Index of the event before which the screen is unplugged, or TOUCH_SIM_NEVER. */
     uint32_t unplug_at;
     uint64_t replug_ns;            /* Time from which open() finds the screen again. */

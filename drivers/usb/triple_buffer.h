@@ -14,8 +14,8 @@
 #define TRIPLE_BUFFER_FRESH 4u
 
 struct triple_buffer {
-    uint32_t writing;   /* Slot index, used only by the writer. */
-    uint32_t reading;   /* Slot index, used only by the reader. */
+    uint32_t writing; /* Slot index, used only by the writer. */
+    uint32_t reading; /* Slot index, used only by the reader. */
     atomic_uint middle;
 };
 

@@ -244,7 +244,7 @@ int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candi
                          const struct usb_candidate *b)
 {
     const uint32_t rank = rank_of(choice, a), other = rank_of(choice, b);
-    return rank != other         ? rank > other
+    return rank != other          ? rank > other
            : a->kind != b->kind   ? a->kind > b->kind
            : a->worth != b->worth ? a->worth > b->worth
                                   : a->identity->interface_number < b->identity->interface_number;

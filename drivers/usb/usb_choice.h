@@ -15,7 +15,7 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "drivers/hid/hid_port.h"
 
-#define USB_BENCH_VENDOR 0x1209u  /* pid.codes' test id, which no product may be sold with. */
+#define USB_BENCH_VENDOR 0x1209u /* pid.codes' test id, which no product may be sold with. */
 #define USB_BENCH_PRODUCT 0x0001u
 #define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* Size of "057e:2009:" with a serial number. */
 #define USB_REQUEST_MAX 32u /* Capacity of the rules: four pois, each replaced seven times. */

@@ -10,7 +10,7 @@
 #define HID_BOOT_KEYBOARD 1u       /* Value of bInterfaceProtocol, HID 1.11 section 4.3. */
 #define HID_CLASS_DESCRIPTOR 0x21u /* Descriptor type, HID 1.11 section 7.1. */
 #define HID_REPORT_DESCRIPTOR 0x22u
-#define PORT_DEPTH_MAX 7         /* Deepest nesting of hubs, USB 3.1 section 10.1. */
+#define PORT_DEPTH_MAX 7 /* Deepest nesting of hubs, USB 3.1 section 10.1. */
 
 /* ---- Classification ------------------------------------------------------------------------- */
 
@@ -20,8 +20,8 @@ static void name_port(libusb_device *device, char out[32])
     const int depth = libusb_get_port_numbers(device, ports, PORT_DEPTH_MAX);
     int length = snprintf(out, 32, "%u", libusb_get_bus_number(device));
     for (int i = 0; i < depth && length < 28; i++) {
-        length += snprintf(out + length, 32u - (size_t)length, "%c%u", i == 0 ? '-' : '.',
-                           ports[i]);
+        length +=
+            snprintf(out + length, 32u - (size_t)length, "%c%u", i == 0 ? '-' : '.', ports[i]);
     }
 }
 
@@ -43,8 +43,7 @@ static int read_pipe(const struct libusb_interface_descriptor *interface, struct
             out->in_packet_size = endpoint->wMaxPacketSize & 0x7ffu;
         }
     }
-    return out->in_endpoint && out->in_packet_size > 0u &&
-                   out->in_packet_size <= USB_TRANSFER_MAX
+    return out->in_endpoint && out->in_packet_size > 0u && out->in_packet_size <= USB_TRANSFER_MAX
                ? 0
                : -1;
 }

@@ -24,16 +24,16 @@ enum usb_device_fault {
 };
 
 struct usb_device {
-    libusb_device *device;  /* A counted reference; null if the entry is empty. */
+    libusb_device *device; /* A counted reference; null if the entry is empty. */
     uint8_t configuration;
     uint8_t serial_index, product_index; /* Indexes of string descriptors; 0: none. */
-    uint8_t is_boot;        /* 1 if the interface supports the boot protocol. */
-    uint8_t is_boot_keyboard; /* 1 for the boot protocol of a keyboard. */
-    uint32_t declared_size; /* Declared size of the report descriptor in bytes. */
-    uint8_t is_read;        /* 1 if `face.descriptor` was read from the device itself. */
-    uint8_t verdict;        /* enum usb_verdict */
-    uint8_t kind;           /* enum usb_kind */
-    uint8_t worth;          /* Rating by hid_mapping_score(). */
+    uint8_t is_boot;                     /* 1 if the interface supports the boot protocol. */
+    uint8_t is_boot_keyboard;            /* 1 for the boot protocol of a keyboard. */
+    uint32_t declared_size;              /* Declared size of the report descriptor in bytes. */
+    uint8_t is_read; /* 1 if `face.descriptor` was read from the device itself. */
+    uint8_t verdict; /* enum usb_verdict */
+    uint8_t kind;    /* enum usb_kind */
+    uint8_t worth;   /* Rating by hid_mapping_score(). */
     struct usb_pipe pipe;
     struct hid_device_info face; /* Identity and descriptor; descriptor_size 0: not known yet. */
 };

@@ -34,9 +34,9 @@ struct usb_device_entry {
     uint8_t is_seen;  /* 1 if the current comparison found the device. */
     /* Indexes; USB_INDEX_NONE: none. For `row`, CONTROLLER_MAX also means none. */
     uint32_t row, link, seat;
-    uint32_t drains;          /* Index of its previous link, which may still be closing. */
-    uint64_t met_ns;          /* Time at which the device was added. */
-    uint64_t due_ns;          /* Time at which the device is examined next. */
+    uint32_t drains; /* Index of its previous link, which may still be closing. */
+    uint64_t met_ns; /* Time at which the device was added. */
+    uint64_t due_ns; /* Time at which the device is examined next. */
 };
 
 struct usb_event_thread {
@@ -61,8 +61,8 @@ struct usb_event_thread {
     libusb_hotplug_callback_handle hotplug;
     uint8_t has_hotplug;
     uint8_t bus_changed, fds_changed, rows_changed;
-    uint64_t compare_ns;       /* Time of the next comparison without a hot-plug event. */
-    uint64_t settled_ns;       /* Comparisons repeat quickly until this time. */
+    uint64_t compare_ns; /* Time of the next comparison without a hot-plug event. */
+    uint64_t settled_ns; /* Comparisons repeat quickly until this time. */
     uint32_t fd_count;
     struct pollfd fd[USB_FD_MAX];
     struct usb_device_entry entry[USB_DEVICE_MAX];

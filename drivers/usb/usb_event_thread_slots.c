@@ -14,7 +14,7 @@
 #define RETRY_NS_MAX (60u * NS_PER_S)
 /* Limit of the count: the retry intervals are 2, 4, 8, 16 and 32 s, and then the longest. */
 #define FAILURES_MAX 6u
-#define SETTLE_NS (2u * NS_PER_S)  /* Time in which a driver binds and the udev rules run. */
+#define SETTLE_NS (2u * NS_PER_S) /* Time in which a driver binds and the udev rules run. */
 /* Time for which the slot of an unplugged controller is held. A round can wait equally long for
  * its controller. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
@@ -157,7 +157,7 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
         return;
     }
     entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
-    entry->failures = (uint8_t)(entry->trouble != USB_BROKEN      ? 0u
+    entry->failures = (uint8_t)(entry->trouble != USB_BROKEN     ? 0u
                                 : entry->failures < FAILURES_MAX ? entry->failures + 1u
                                                                  : FAILURES_MAX);
     if (handle) {

@@ -44,10 +44,10 @@ static void read_text(libusb_device_handle *handle, uint8_t index, char out[HID_
 static int interface_request(libusb_device_handle *handle, const struct usb_device *device,
                              uint8_t request, uint16_t value)
 {
-    const uint8_t type = LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS |
-                         LIBUSB_RECIPIENT_INTERFACE;
-    return libusb_control_transfer(handle, type, request, value,
-                                   device->pipe.interface_number, NULL, 0, REQUEST_MS);
+    const uint8_t type =
+        LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS | LIBUSB_RECIPIENT_INTERFACE;
+    return libusb_control_transfer(handle, type, request, value, device->pipe.interface_number,
+                                   NULL, 0, REQUEST_MS);
 }
 
 /* Reads the report descriptor with GET_DESCRIPTOR, HID 1.11 section 7.1.1. A kernel driver may
@@ -56,8 +56,8 @@ static int interface_request(libusb_device_handle *handle, const struct usb_devi
 static enum usb_device_fault read_descriptor(libusb_device_handle *handle,
                                              struct usb_device *device)
 {
-    const uint8_t type = LIBUSB_ENDPOINT_IN | LIBUSB_REQUEST_TYPE_STANDARD |
-                         LIBUSB_RECIPIENT_INTERFACE;
+    const uint8_t type =
+        LIBUSB_ENDPOINT_IN | LIBUSB_REQUEST_TYPE_STANDARD | LIBUSB_RECIPIENT_INTERFACE;
     uint8_t bytes[HID_DESCRIPTOR_MAX];
     const int size = libusb_control_transfer(
         handle, type, LIBUSB_REQUEST_GET_DESCRIPTOR, HID_REPORT_DESCRIPTOR << 8,
@@ -95,9 +95,8 @@ static enum usb_device_fault make_ready(libusb_device_handle *handle, struct usb
         interface_request(handle, device, HID_SET_PROTOCOL, 1u) == LIBUSB_ERROR_NO_DEVICE) {
         return USB_AWAY;
     }
-    return interface_request(handle, device, HID_SET_IDLE, 0u) == LIBUSB_ERROR_NO_DEVICE
-               ? USB_AWAY
-               : USB_FINE;
+    return interface_request(handle, device, HID_SET_IDLE, 0u) == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY
+                                                                                         : USB_FINE;
 }
 
 static enum usb_device_fault learn(libusb_device_handle *handle, struct usb_device *device,

@@ -36,10 +36,10 @@ struct usb_slot {
     uint32_t out_size, out_generation;
     uint8_t out_bytes[HID_REPORT_MAX];
     /* The following field is used only by the event thread. */
-    uint64_t last_ns;       /* Time stamp of the newest report. */
+    uint64_t last_ns; /* Time stamp of the newest report. */
     /* The following fields are used only by the frame loop. */
-    uint32_t opened;        /* Generation that the frame loop opened last; 0: none. */
-    uint8_t is_never;       /* 1 if USB is not available at all. */
+    uint32_t opened;  /* Generation that the frame loop opened last; 0: none. */
+    uint8_t is_never; /* 1 if USB is not available at all. */
     struct hid_identity identity;
     void (*wake)(void *self); /* Wakes the event thread for an output report; does not block. */
     void *wake_self;

@@ -57,8 +57,7 @@ void usb_sysfs_clean_text(char text[HID_TEXT_SIZE])
     printable(text);
 }
 
-void usb_sysfs_text(const char *root, const char *port, const char *name,
-                    char out[HID_TEXT_SIZE])
+void usb_sysfs_text(const char *root, const char *port, const char *name, char out[HID_TEXT_SIZE])
 {
     char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/bus/usb/devices/%s/%s", root, port, name);

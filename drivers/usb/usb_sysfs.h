@@ -12,8 +12,7 @@
 /* Reads a text of the device at `port` ("3-1.4"): "serial", "product" or "manufacturer". The
  * result is "" if there is none. Bytes that are not printable UTF-8 become '?', and the text is
  * truncated between two characters. */
-void usb_sysfs_text(const char *root, const char *port, const char *name,
-                    char out[HID_TEXT_SIZE]);
+void usb_sysfs_text(const char *root, const char *port, const char *name, char out[HID_TEXT_SIZE]);
 
 /* Reads the report descriptor of one interface. Returns its size, or 0 if no HID driver is
  * bound. At most HID_DESCRIPTOR_MAX bytes are read. */

@@ -121,8 +121,8 @@ static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
 static int transfer_size(const struct usb_pipe *pipe)
 {
     const uint32_t packet = pipe->in_packet_size;
-    const uint32_t packets = pipe->report_size_max ? (pipe->report_size_max + packet - 1u) / packet
-                                                   : 1u;
+    const uint32_t packets =
+        pipe->report_size_max ? (pipe->report_size_max + packet - 1u) / packet : 1u;
     const uint32_t size = packets * packet;
     return (int)(size <= USB_TRANSFER_MAX ? size : USB_TRANSFER_MAX / packet * packet);
 }

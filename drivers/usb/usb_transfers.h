@@ -14,8 +14,8 @@
 #include "drivers/usb/usb_slot.h"
 
 #define USB_IN_TRANSFER_COUNT 4u /* At 1,000 Hz the thread may be delayed by 3 ms without loss. */
-#define USB_TRANSFER_MAX 1024u /* Largest packet of an interrupt endpoint, USB 2.0 5.7.3. */
-#define USB_ERRORS_MAX 8u      /* Consecutive errors before the device is opened again. */
+#define USB_TRANSFER_MAX 1024u   /* Largest packet of an interrupt endpoint, USB 2.0 5.7.3. */
+#define USB_ERRORS_MAX 8u        /* Consecutive errors before the device is opened again. */
 /* Time after cancelling in which returning transfers still deliver reports. */
 #define USB_DETACH_MS 50u
 /* Timeout of an output report, after which force feedback would be late. */
@@ -26,7 +26,7 @@ struct usb_pipe {
     uint8_t interface_number;
     uint8_t in_endpoint;
     uint8_t has_report_ids;
-    uint8_t out_endpoint;     /* 0: output reports use the control pipe, HID 1.11 7.2.2. */
+    uint8_t out_endpoint; /* 0: output reports use the control pipe, HID 1.11 7.2.2. */
     uint16_t in_packet_size;
     uint32_t report_size_max; /* Bytes of the longest input report, including its id. */
 };

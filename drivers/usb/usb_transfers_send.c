@@ -21,12 +21,12 @@ static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
 static void fill_set_report(struct usb_transfers *link, uint32_t size)
 {
     struct usb_transfer_slot *out = &link->out;
-    const uint8_t request_type = LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS |
-                                 LIBUSB_RECIPIENT_INTERFACE;
+    const uint8_t request_type =
+        LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS | LIBUSB_RECIPIENT_INTERFACE;
     const uint8_t id = link->pipe.has_report_ids ? link->seat->out_bytes[0] : 0u;
     libusb_fill_control_setup(out->buffer, request_type, HID_SET_REPORT,
-                              (uint16_t)(HID_OUTPUT_REPORT | id),
-                              link->pipe.interface_number, (uint16_t)size);
+                              (uint16_t)(HID_OUTPUT_REPORT | id), link->pipe.interface_number,
+                              (uint16_t)size);
     memcpy(out->buffer + LIBUSB_CONTROL_SETUP_SIZE, link->seat->out_bytes, size);
     libusb_fill_control_transfer(out->transfer, link->handle, out->buffer, on_sent, out,
                                  USB_OUT_TIMEOUT_MS);

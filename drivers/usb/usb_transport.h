@@ -22,7 +22,7 @@ struct usb_transport_config {
     const char *choices;          /* File of chosen controllers; null: choices are not stored. */
     const struct usb_key *listed; /* Controllers that play regardless of the file (--usb). */
     uint32_t listed_count;
-    const char *sysfs;            /* Null: "/sys". Tests use a folder of their own. */
+    const char *sysfs; /* Null: "/sys". Tests use a folder of their own. */
     /* Reports in one line that a controller which should play cannot be opened. Called from the
      * event thread. If null, only hid_device_list_ops.describe() reports it. */
     void (*tell)(void *self, const char *line);

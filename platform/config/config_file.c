@@ -25,8 +25,8 @@ struct reading {
     char why[WHY_MAX];   /* Error in the line. */
 };
 
-__attribute__((format(printf, 2, 3)))
-static int object(struct reading *reading, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static int object(struct reading *reading, const char *format,
+                                                        ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -93,8 +93,10 @@ static int begin_section(struct reading *reading, char *text)
             return 0;
         }
     }
-    return object(reading, "unknown section [%.40s]; expected money, game, sound, picture, "
-                           "operator, devices or files; its lines are passed over", name);
+    return object(reading,
+                  "unknown section [%.40s]; expected money, game, sound, picture, "
+                  "operator, devices or files; its lines are passed over",
+                  name);
 }
 
 /* Returns 1 if the key is in its section; before the first section every key is accepted. */
@@ -104,8 +106,11 @@ static int is_here(struct reading *reading, const char *key, const char *section
         return 1;
     }
     if (section[0] == '\0') {
-        return object(reading, "'%s' is an option of the command line; 'kingyoctl config defaults' "
-                               "lists what took its place", key), 0;
+        return object(reading,
+                      "'%s' is an option of the command line; 'kingyoctl config defaults' "
+                      "lists what took its place",
+                      key),
+               0;
     }
     return object(reading, "'%s' belongs to [%s]", key, section), 0;
 }

@@ -15,10 +15,10 @@
 
 #define CONFIG_FILE_DEFAULT "/etc/kingyo/kingyo.conf"
 #define CONFIG_WARNINGS_MAX 20u /* Warnings for one file; further ones are only counted. */
-#define CONFIG_SIZE_MAX (1u << 20) /* Largest file in bytes; all keys with their comments take
-                                      5 KiB. */
-#define CONFIG_LINE_MAX (OPTIONS_PATH_MAX + 64u) /* Longest line in bytes; a longer line is skipped
-                                                    with a warning. */
+/* Largest file in bytes; all keys with their comments take 5 KiB. */
+#define CONFIG_SIZE_MAX (1u << 20)
+/* Longest line in bytes; a longer line is skipped with a warning. */
+#define CONFIG_LINE_MAX (OPTIONS_PATH_MAX + 64u)
 
 /* Reads `path` into `options`: settings into options->file, other keys as the command line does.
  * `warn` (may be null) gets "FILE:LINE: reason", with the range of a value. Returns 0, or a

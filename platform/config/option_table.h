@@ -11,7 +11,7 @@
 
 struct option {
     const char *name;
-    const char *value;     /* Name of the value in --help; null: no value; in brackets: optional. */
+    const char *value; /* Name of the value in --help; null: no value; in brackets: optional. */
     const char *help;
     const char *expects; /* Text about valid values. option_text() may extend it. */
     int (*set)(struct options *options, const char *value); /* Returns 1, or 0 if the value is

@@ -20,7 +20,7 @@
 /* Exit codes of `kingyo` and `kingyoctl`. */
 enum exit_code {
     EXIT_OK = 0,
-    EXIT_NOT_SO = 1,    /* The check failed, or the display was lost. */
+    EXIT_NOT_SO = 1, /* The check failed, or the display was lost. */
     EXIT_USAGE = 2,
     EXIT_BAD_DATA = 65, /* EX_DATAERR of sysexits.h. */
     EXIT_IO = 74,       /* EX_IOERR of sysexits.h. */
@@ -34,18 +34,18 @@ struct options_query_result {
 
 struct options {
     uint8_t help, version;
-    uint8_t demo;                  /* 1: play off screen and write pictures. */
-    uint32_t demo_s;               /* Length of the demonstration in seconds. */
-    uint32_t width, height;        /* Window size in pixels; 0: full screen. */
-    uint8_t poi;                   /* enum board_poi */
+    uint8_t demo;           /* 1: play off screen and write pictures. */
+    uint32_t demo_s;        /* Length of the demonstration in seconds. */
+    uint32_t width, height; /* Window size in pixels; 0: full screen. */
+    uint8_t poi;            /* enum board_poi */
     uint8_t has_seed;
     uint32_t seed;
-    uint8_t tank;                  /* enum tank_preset_id */
-    uint8_t is_file;               /* 1: the current values come from the file. */
+    uint8_t tank;                        /* enum tank_preset_id */
+    uint8_t is_file;                     /* 1: the current values come from the file. */
     struct options_query_result machine; /* Settings from the machine's locale. */
     struct options_query_result file;    /* Settings from the configuration file. */
     struct options_query_result words;   /* Settings from the command line. */
-    uint8_t keyboard;              /* enum board_keyboard */
+    uint8_t keyboard;                    /* enum board_keyboard */
     uint8_t usb_count, line_count;
     char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
     char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* "ROLE=LINE[,WORD...]" */

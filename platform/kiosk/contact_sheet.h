@@ -13,9 +13,9 @@
 #define SHEET_MARGIN 16u
 
 struct contact_sheet {
-    uint8_t *rgb;                 /* Pixels owned by the caller, contact_sheet_size() bytes. */
+    uint8_t *rgb; /* Pixels owned by the caller, contact_sheet_size() bytes. */
     uint32_t width, height;
-    uint32_t picture_height;      /* Follows from the aspect ratio of the pictures. */
+    uint32_t picture_height; /* Follows from the aspect ratio of the pictures. */
 };
 
 /* Computes the size of a sheet of `width` x `height` pictures. Fills all fields except `rgb`, and

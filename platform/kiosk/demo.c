@@ -15,16 +15,16 @@
 #include "platform/os/png.h"
 #include "platform/os/print.h"
 
-#define FRAME_NS 50000000ull     /* Six ticks a picture, about the time that a software renderer
-                                    needs. */
+/* Six ticks a picture, about the time that a software renderer needs. */
+#define FRAME_NS 50000000ull
 #define NS_PER_S 1000000000ull
-#define START_NS FRAME_NS        /* START is pressed at once. */
-#define PRELUDE_NS 100000000ull  /* Step of the time before the round, which is not shown. */
+#define START_NS FRAME_NS       /* START is pressed at once. */
+#define PRELUDE_NS 100000000ull /* Step of the time before the round, which is not shown. */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
 #define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u) /* Ticks after which each poi is over its water. */
-#define AFTER_ROUND_S 5u         /* Time to move the last fish to the bowl and to show the
-                                    result. */
-#define ROUND_S_MIN 25u          /* A shorter demonstration ends during the round. */
+/* Time to move the last fish to the bowl and to show the result. */
+#define AFTER_ROUND_S 5u
+#define ROUND_S_MIN 25u /* A shorter demonstration ends during the round. */
 #define FOLDER_DEFAULT "out/demo"
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
 
@@ -34,9 +34,9 @@ struct demo {
     struct contact_sheet sheet;
     uint64_t now_ns, end_ns;
     uint32_t shots;
-    uint32_t width, height;  /* Size of the pictures. */
-    int whole_replay;        /* 1: ends with the last tick of the recording; 0: ends at end_ns. */
-    int failed;              /* 1: a picture could not be made or written. */
+    uint32_t width, height; /* Size of the pictures. */
+    int whole_replay;       /* 1: ends with the last tick of the recording; 0: ends at end_ns. */
+    int failed;             /* 1: a picture could not be made or written. */
 };
 
 static void wire(struct demo *demo)
@@ -79,7 +79,7 @@ static enum exit_code demo_begin(struct demo *demo)
     }
     demo->whole_replay = options->replay[0] && !options->demo;
     demo->end_ns = demo->whole_replay ? demo->session->replayed.ticks * NS_PER_S / CORE_TICK_HZ
-                                : options->demo_s * NS_PER_S;
+                                      : options->demo_s * NS_PER_S;
     return run_common_begin(demo->session, &config);
 }
 
@@ -121,10 +121,9 @@ static void write_sheet(struct demo *demo)
 {
     char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/contact-sheet.png", demo->folder);
-    const int error =
-        demo->sheet.rgb
-            ? png_write(path, demo->sheet.rgb, demo->sheet.width, demo->sheet.height)
-            : 0;
+    const int error = demo->sheet.rgb
+                          ? png_write(path, demo->sheet.rgb, demo->sheet.width, demo->sheet.height)
+                          : 0;
     if (error) {
         log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", path, strerror(-error));
         demo->failed = 1;
@@ -162,8 +161,8 @@ static void demo_print_progress(const struct demo *demo)
     if (demo->now_ns % step_ns == 0 && demo->now_ns > 0) {
         fprintf(stderr, "%s%s: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
                 demo->session->options.replay[0] ? "replay" : "demo",
-                (double)demo->now_ns / (double)NS_PER_S,
-                (double)demo->end_ns / (double)NS_PER_S, demo->shots, on_terminal ? "" : "\n");
+                (double)demo->now_ns / (double)NS_PER_S, (double)demo->end_ns / (double)NS_PER_S,
+                demo->shots, on_terminal ? "" : "\n");
     }
 }
 

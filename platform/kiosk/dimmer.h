@@ -19,12 +19,12 @@
 #define DIMMER_SHIFT (1.0f / 180.0f)
 
 struct dimmer {
-    uint64_t seen_ns;          /* Time of the previous frame; 0: none. */
-    uint64_t touched_ns;       /* Time of the last input. */
-    float light;               /* Share [0, 1] of the operator's brightness; changes gradually. */
-    uint32_t wander_ms;        /* Phase of the movement; wraps at its period. */
-    uint8_t was_stirred;       /* 1: a press, a coin, a movement or a game since the last step. */
-    vec3 hand_m[POI_MAX];      /* Position of each poi at its last detected movement. */
+    uint64_t seen_ns;     /* Time of the previous frame; 0: none. */
+    uint64_t touched_ns;  /* Time of the last input. */
+    float light;          /* Share [0, 1] of the operator's brightness; changes gradually. */
+    uint32_t wander_ms;   /* Phase of the movement; wraps at its period. */
+    uint8_t was_stirred;  /* 1: a press, a coin, a movement or a game since the last step. */
+    vec3 hand_m[POI_MAX]; /* Position of each poi at its last detected movement. */
 };
 
 /* Detects input: a press, a coin, or a running game. Call before the frame's ticks. */

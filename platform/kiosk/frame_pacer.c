@@ -8,13 +8,13 @@
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
 #define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: possibly a frame of a 60 Hz display with jitter. */
 #define SURE_60_HZ_NS 1500000ull /* 55 .. 66 Hz: certainly a frame of a 60 Hz display. */
-#define SNAP_NS 6000000ll        /* Jitter of 3 ms moves the starts of two frames apart by this
-                                    much. */
-#define DRIFT_SHARE 8            /* Correction per frame, because no display has exactly 60 Hz. */
+/* Jitter of 3 ms moves the starts of two frames apart by this much. */
+#define SNAP_NS 6000000ll
+#define DRIFT_SHARE 8 /* Correction per frame, because no display has exactly 60 Hz. */
 
-#define WAITS_NS 16000000ull     /* A screen of 62 Hz or less paces the loop with its vertical
-                                    sync. */
-#define REST_SHARE 16            /* Frames in the mean: a quarter of a second. */
+/* A screen of 62 Hz or less paces the loop with its vertical sync. */
+#define WAITS_NS 16000000ull
+#define REST_SHARE 16 /* Frames in the mean: a quarter of a second. */
 
 static uint64_t distance(uint64_t a, uint64_t b)
 {

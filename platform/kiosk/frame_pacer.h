@@ -11,9 +11,9 @@
 
 struct frame_pacer {
     uint64_t last_ns;
-    int64_t owed;        /* Due time in units of 1/120 ns, so that one tick is an integer; < 0:
-                            ahead of time. */
-    uint64_t dropped;    /* Ticks that were due and never ran. */
+    int64_t owed;     /* Due time in units of 1/120 ns, so that one tick is an integer; < 0:
+                         ahead of time. */
+    uint64_t dropped; /* Ticks that were due and never ran. */
     uint8_t started;
 };
 
@@ -26,7 +26,7 @@ uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns);
 
 /* Frame limiter for a display without vertical sync, or much faster than 60 Hz. */
 struct frame_pacer_sleep {
-    uint64_t mean_ns;    /* Mean duration of a frame without the delay; 0: none yet. */
+    uint64_t mean_ns; /* Mean duration of a frame without the delay; 0: none yet. */
 };
 
 /* Returns the delay after a frame that took `took_ns`, including vertical sync, so that 60 frames a

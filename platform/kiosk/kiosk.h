@@ -41,15 +41,15 @@ struct kiosk_source {
 
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];       /* 1: the core's bot plays this poi, whatever devices exist. */
-    struct hal_clock stopwatch; /* Real time for statistics only; never reaches the core. */
+    uint8_t bot[POI_MAX];           /* 1: the core's bot plays this poi, whatever devices exist. */
+    struct hal_clock stopwatch;     /* Real time for statistics only; never reaches the core. */
     const struct file_notes *notes; /* Notes for the operator's menu; must outlive the kiosk. Null:
                                        none. */
     struct system_health *machine;  /* System health monitor; must outlive the kiosk. Null: none. */
     struct session_recorder *chapters; /* Session recorder; must outlive the kiosk. Null: none. */
     struct score_playback *playback;   /* Score playback; must outlive the kiosk. Null: none. */
-    struct kiosk_tap tap;       /* Null functions: no callbacks. */
-    struct kiosk_source source; /* Null function: the devices are the source. */
+    struct kiosk_tap tap;              /* Null functions: no callbacks. */
+    struct kiosk_source source;        /* Null function: the devices are the source. */
 };
 
 enum kiosk_end {
@@ -74,8 +74,7 @@ uint32_t kiosk_fault_count(const struct kiosk_faults *faults);
 struct kiosk {
     struct kiosk_config config;
     struct core core;
-    struct input input;    /* Input of the next tick; edges stay in it until one tick has used
-                              them. */
+    struct input input; /* Input of the next tick; edges stay in it until one tick has used them. */
     struct output output;
     struct poi_force
         felt[POI_MAX]; /* Forces of all ticks of the frame; see output_merge_force(). */
@@ -83,36 +82,36 @@ struct kiosk {
     struct frame_pacer pace;
     struct poi_sampler hands[POI_MAX];
     struct fan_sampler shades[SHADE_MAX];
-    uint64_t sampled_ns;   /* Time of the last device poll. */
+    uint64_t sampled_ns;       /* Time of the last device poll. */
     uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display; 0: not lost. */
     struct dimmer dimmer;
-    struct view view;      /* Camera view that display and pois were given last. */
+    struct view view; /* Camera view that display and pois were given last. */
     struct display_settings
         display_settings; /* Display transform that display and pois were given last. */
     struct saving saving;
     struct offline_flush late;
     struct audio_output voice;
     struct output_lines switches;
-    uint64_t restart_ns;       /* Time at which a restart no longer waits for the store; 0: no
-                                  restart is requested. */
-    uint64_t quit_until_ns;    /* Time until which a second press of the quit key ends the kiosk; 0:
-                                  no first press. */
-    uint32_t told_orders; /* Value of output.command_count up to which commands were executed. */
-    uint32_t wanted_replay_id; /* Round that the operator wants to see; 0: none. */
-    uint8_t has_acknowledged;  /* 1: the operator has acknowledged quarantined files, and the
-                                  monitor must mark them. */
+    uint64_t restart_ns;    /* Time at which a restart no longer waits for the store; 0: no
+                               restart is requested. */
+    uint64_t quit_until_ns; /* Time until which a second press of the quit key ends the kiosk; 0:
+                               no first press. */
+    uint32_t told_orders;   /* Value of output.command_count up to which commands were executed. */
+    uint32_t wanted_replay_id;    /* Round that the operator wants to see; 0: none. */
+    uint8_t has_acknowledged;     /* 1: the operator has acknowledged quarantined files, and the
+                                     monitor must mark them. */
     struct scene_machine machine; /* Newest system health. */
-    uint8_t end;           /* enum kiosk_end */
+    uint8_t end;                  /* enum kiosk_end */
 
     uint64_t frames;
     struct kiosk_faults faults;
-    uint32_t float_resets;    /* Frames before which the floating-point control had to be restored,
-                                 because a library had changed it. */
+    uint32_t float_resets; /* Frames before which the floating-point control had to be restored,
+                              because a library had changed it. */
     struct operator_view_lines lines; /* Statistics of button and coin lines. */
-    struct timing frame_time; /* Time between the starts of two frames, on the stopwatch. */
-    struct timing work_time;  /* Time from the start to the end of kiosk_frame(). */
-    struct timing report_wait; /* Time from a poi's report to the tick that uses it. */
-    uint64_t core_ns;         /* Time spent in ticks and scene. */
+    struct timing frame_time;         /* Time between the starts of two frames, on the stopwatch. */
+    struct timing work_time;          /* Time from the start to the end of kiosk_frame(). */
+    struct timing report_wait;        /* Time from a poi's report to the tick that uses it. */
+    uint64_t core_ns;                 /* Time spent in ticks and scene. */
     uint64_t frame_begin_ns;
 };
 

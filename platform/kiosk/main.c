@@ -124,9 +124,8 @@ static void last_wish(void *self, const char *reason)
 static enum exit_code run_without_screen(struct run_common *session, const char *why)
 {
     print_line(stdout, "No screen: %s. %s", why,
-               session->options.replay[0]
-                   ? "The replay is checked, and pictures of it are written."
-                   : "The bot plays, and pictures are written.");
+               session->options.replay[0] ? "The replay is checked, and pictures of it are written."
+                                          : "The bot plays, and pictures are written.");
     fflush(stdout);
     return demo_run(session);
 }

@@ -13,9 +13,9 @@
 
 /* State of the transfer. Zero: nothing was transferred yet. */
 struct offline_flush {
-    struct audits told;       /* Audits of this kiosk that are on disk in the store. */
+    struct audits told;        /* Audits of this kiosk that are on disk in the store. */
     struct balance told_purse; /* Balance of this kiosk that is on disk in the store. */
-    struct audits asked;      /* Audits that will be on disk when the current write succeeds. */
+    struct audits asked;       /* Audits that will be on disk when the current write succeeds. */
     struct balance asked_purse;
     uint8_t is_asked;
 };

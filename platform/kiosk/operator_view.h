@@ -23,8 +23,8 @@ void operator_view_lines_add(struct operator_view_lines *book, const struct butt
 
 /* Sources of the operator's view in the frame loop. */
 struct operator_view {
-    const struct file_notes *notes; /* May be null. */
-    const struct input *input;      /* Input of the last tick. */
+    const struct file_notes *notes;  /* May be null. */
+    const struct input *input;       /* Input of the last tick. */
     const struct poi_sampler *hands; /* Array of POI_MAX controllers. */
     const struct operator_view_lines *lines;
     uint32_t button_faults;

@@ -74,8 +74,8 @@ static void leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
     char words[LEDGER_LEAVE_WORDS] = "nothing was changed, because the attempt cannot be noted";
-    const char *cause = panics->is_early ? "a panic before the first frame"
-                                         : "three panics within ten minutes";
+    const char *cause =
+        panics->is_early ? "a panic before the first frame" : "three panics within ten minutes";
     const enum panics_left left = panics_try(panics);
     const int result = write_count(evidence) ? -1 : ledger_leave_out(evidence->data, left, words);
     if (result == 0) {
@@ -134,8 +134,12 @@ void evidence_open(struct evidence *evidence, const char *data, struct session_r
                    const struct core *core)
 {
     const int folder = data && data[0] ? open(data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
-    *evidence = (struct evidence){ .folder = folder + 1, .data = data, .chapters = chapters,
-                                   .core = core, .thread = gettid(), .boot = panics_boot(),
+    *evidence = (struct evidence){ .folder = folder + 1,
+                                   .data = data,
+                                   .chapters = chapters,
+                                   .core = core,
+                                   .thread = gettid(),
+                                   .boot = panics_boot(),
                                    .begun_s = panics_up_s() };
     if (folder < 0) {
         return;
@@ -171,8 +175,8 @@ static int make_file(int folder, const char *name)
     if (unlinkat(folder, name, 0) != 0 && errno != ENOENT) {
         return -errno;
     }
-    const int file = openat(folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                            0600);
+    const int file =
+        openat(folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     return file < 0 ? -errno : file;
 }
 

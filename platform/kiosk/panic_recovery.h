@@ -19,15 +19,15 @@
 /* State of the panic handler. The caller owns the structure and clears it. The address must not
  * change. */
 struct evidence {
-    int folder;              /* Descriptor of the data folder + 1; 0: none. */
-    const char *data;        /* Path of the data folder, for messages. */
+    int folder;                        /* Descriptor of the data folder + 1; 0: none. */
+    const char *data;                  /* Path of the data folder, for messages. */
     struct session_recorder *chapters; /* Null: no session is recorded. */
     const struct core *core;
-    pid_t thread;            /* Id of the thread that runs the core's ticks. */
+    pid_t thread; /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
-    uint32_t begun_s;        /* Start time in the units of panics_up_s(). */
-    struct panics panics;    /* Content of the file. */
-    atomic_uchar has_frame;  /* 1: the first frame was shown. */
+    uint32_t begun_s;          /* Start time in the units of panics_up_s(). */
+    struct panics panics;      /* Content of the file. */
+    atomic_uchar has_frame;    /* 1: the first frame was shown. */
     atomic_uchar has_panicked; /* 1: evidence_write() has begun and owns `panics`. */
     atomic_uchar is_clearing;  /* 1: a thread clears `panics` after a run without panics. */
 };

@@ -22,15 +22,15 @@ enum pin_sweep_stage {
 };
 
 struct pin_sweep {
-    uint8_t stage;      /* enum pin_sweep_stage */
-    uint8_t is_check;   /* 1: the new recording is being read and played. */
-    uint32_t round_id;  /* Round of the replay examined last; 0: none yet. */
-    uint32_t cleaned;   /* Replays that were replaced. */
-    uint32_t left;      /* Replays that still contain a PIN. */
+    uint8_t stage;     /* enum pin_sweep_stage */
+    uint8_t is_check;  /* 1: the new recording is being read and played. */
+    uint32_t round_id; /* Round of the replay examined last; 0: none yet. */
+    uint32_t cleaned;  /* Replays that were replaced. */
+    uint32_t left;     /* Replays that still contain a PIN. */
     struct replay_verifier judge;
     struct replay_writer writer;
-    struct ledger_entry kept;   /* Entry of the round in the ledger. */
-    size_t size;                /* Size of `replay` in bytes. */
+    struct ledger_entry kept;              /* Entry of the round in the ledger. */
+    size_t size;                           /* Size of `replay` in bytes. */
     uint8_t replay[SESSION_RECORDER_SIZE]; /* The stored recording. */
     uint8_t made[SESSION_RECORDER_SIZE];   /* The new recording. */
 };

@@ -6,8 +6,8 @@
 #define RETRY_NS 1000000000ull
 #define NS_PER_S 1000000000ull
 #define TICK_NS (NS_PER_S / CORE_TICK_HZ)
-#define UNSEEN_NS 100000000ull /* A longer interval without ticks is a gap in the observed
-                                  motion. */
+/* A longer interval without ticks is a gap in the observed motion. */
+#define UNSEEN_NS 100000000ull
 
 uint32_t poi_sampler_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns)
 {
@@ -45,8 +45,8 @@ static void lose(struct poi_sampler *hand, uint64_t now_ns)
 /* Counts a report. Synthesized samples of a resting pointer are not counted. */
 static void count_report(struct report_pace *pace, uint64_t time_ns)
 {
-    const uint64_t gap_ns = pace->last_ns > 0 && time_ns > pace->last_ns ? time_ns - pace->last_ns
-                                                                         : 0u;
+    const uint64_t gap_ns =
+        pace->last_ns > 0 && time_ns > pace->last_ns ? time_ns - pace->last_ns : 0u;
     pace->gap_ns = gap_ns > pace->gap_ns ? gap_ns : pace->gap_ns;
     pace->last_ns = time_ns;
     pace->count++;
@@ -58,9 +58,8 @@ static void turn_second(struct report_pace *pace, uint64_t now_ns)
     if (now_ns - pace->begin_ns < NS_PER_S) {
         return;
     }
-    const uint64_t silent_ns = pace->last_ns > 0 && now_ns > pace->last_ns
-                                   ? now_ns - pace->last_ns
-                                   : 0u;
+    const uint64_t silent_ns =
+        pace->last_ns > 0 && now_ns > pace->last_ns ? now_ns - pace->last_ns : 0u;
     pace->shown_count = pace->count;
     pace->shown_gap_ns = silent_ns > pace->gap_ns ? silent_ns : pace->gap_ns;
     pace->begin_ns = now_ns;

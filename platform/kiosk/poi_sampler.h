@@ -15,11 +15,11 @@
 
 /* Report rate of a controller, counted over one second and displayed during the next. */
 struct report_pace {
-    uint64_t begin_ns;        /* Start of the second that is counted. */
-    uint64_t last_ns;         /* Arrival time of the last report; 0: none yet. */
-    uint64_t gap_ns;          /* Longest gap between two reports in this second. */
+    uint64_t begin_ns; /* Start of the second that is counted. */
+    uint64_t last_ns;  /* Arrival time of the last report; 0: none yet. */
+    uint64_t gap_ns;   /* Longest gap between two reports in this second. */
     uint32_t count;
-    uint32_t shown_count;     /* Reports in the last complete second. */
+    uint32_t shown_count; /* Reports in the last complete second. */
     uint64_t shown_gap_ns;
 };
 
@@ -27,11 +27,11 @@ struct report_pace {
 struct poi_sampler {
     struct report_pace pace;
     struct resampler path;
-    uint64_t retry_ns;  /* Time of the next attempt to open a lost controller. */
-    uint64_t newest_ns; /* Arrival time of the newest report. */
-    uint8_t link;       /* enum poi_source, but never BOT. */
+    uint64_t retry_ns;           /* Time of the next attempt to open a lost controller. */
+    uint64_t newest_ns;          /* Arrival time of the newest report. */
+    uint8_t link;                /* enum poi_source, but never BOT. */
     uint8_t has_wrist, trembles; /* Flags of the newest report. */
-    uint8_t was_seen;   /* 1: the controller has sent at least one report since the start. */
+    uint8_t was_seen; /* 1: the controller has sent at least one report since the start. */
     uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* Arrival times of reports that no tick has used
                                                  yet. */
     uint32_t waiting_count;                   /* Entries in waiting_ns; further reports are not

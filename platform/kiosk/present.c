@@ -6,8 +6,8 @@
 #include "core/game/menu/menu_pages.h"
 #include "platform/kiosk/session_recorder.h"
 
-#define RESTART_WAIT_NS 5000000000ull /* Longest wait for the store before a restart; a slower card
-                                         is assumed to be full. */
+/* Longest wait for the store before a restart; a slower card is assumed to be full. */
+#define RESTART_WAIT_NS 5000000000ull
 #define RETRY_NS 1000000000ull /* Interval between attempts to reopen a lost display. */
 
 void present_view(struct kiosk *kiosk, const struct hal *hal)

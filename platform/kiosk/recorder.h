@@ -20,10 +20,10 @@ struct recorder {
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    const struct core *core;  /* Core to hash for the last, incomplete second. */
-    struct input begun;       /* Input of the running tick; valid while is_in_tick is 1. */
-    atomic_uchar is_in_tick;  /* 1 while core_tick() runs. */
-    atomic_uchar is_adding;   /* 1 while the tap changes `totals` and `writer`. */
+    const struct core *core; /* Core to hash for the last, incomplete second. */
+    struct input begun;      /* Input of the running tick; valid while is_in_tick is 1. */
+    atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
+    atomic_uchar is_adding;  /* 1 while the tap changes `totals` and `writer`. */
 };
 
 /* Counts rounds, caught fish, fouls, modes and players up to and including this tick. A count that

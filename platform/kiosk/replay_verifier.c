@@ -153,9 +153,8 @@ static int same_players(const struct round_record *a, const struct round_record 
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player_record *one = &a->player[i], *other = &b->player[i];
         same &= one->caught == other->caught && one->scoops == other->scoops &&
-                one->hole_area_mm2 == other->hole_area_mm2 &&
-                one->torn_tick == other->torn_tick && one->sheets == other->sheets &&
-                one->fouls == other->fouls;
+                one->hole_area_mm2 == other->hole_area_mm2 && one->torn_tick == other->torn_tick &&
+                one->sheets == other->sheets && one->fouls == other->fouls;
     }
     return same;
 }
@@ -174,10 +173,10 @@ static int is_entry(const struct ledger_entry *played, const struct ledger_entry
     const struct round_record *a = &played->round, *b = &kept->round;
     return kept->kind == LEDGER_ROUND && played->id == kept->id && played->boot == kept->boot &&
            played->tick == kept->tick && played->value == kept->value && a->seed == b->seed &&
-           a->start_tick == b->start_tick && a->end_tick == b->end_tick &&
-           a->caught == b->caught && a->by_bot == b->by_bot && a->mode == b->mode &&
-           a->grade == b->grade && a->players == b->players && a->unscored == b->unscored &&
-           same_players(a, b) && same_stall(a, b);
+           a->start_tick == b->start_tick && a->end_tick == b->end_tick && a->caught == b->caught &&
+           a->by_bot == b->by_bot && a->mode == b->mode && a->grade == b->grade &&
+           a->players == b->players && a->unscored == b->unscored && same_players(a, b) &&
+           same_stall(a, b);
 }
 
 enum replay_verdict replay_verifier_result(const struct replay_verifier *verifier,

@@ -21,9 +21,9 @@
 
 enum replay_verdict {
     REPLAY_VERDICT_GENUINE = 0,
-    REPLAY_VERDICT_OTHER,   /* The game differs from the recording (replayer.difference), or
-                               gives a score other than the ranking's. */
-    REPLAY_VERDICT_DAMAGED, /* The bytes are no valid recording: replayer.reader.problem. */
+    REPLAY_VERDICT_OTHER,     /* The game differs from the recording (replayer.difference), or
+                                 gives a score other than the ranking's. */
+    REPLAY_VERDICT_DAMAGED,   /* The bytes are no valid recording: replayer.reader.problem. */
     REPLAY_VERDICT_UNCHECKED, /* Not verified, because the core returned CORE_ERR_FLOAT. */
     REPLAY_VERDICT_COUNT,
 };
@@ -33,14 +33,14 @@ struct replay_verifier {
     struct core core;
     struct input input;
     struct output output;
-    struct replay_totals said;  /* Totals that the replay itself states. */
-    uint32_t round_tick;        /* First tick of the recorded second in which the last round
-                                   begins. */
-    struct ledger_entry round;  /* Newest round entry of this game; id 0: none yet. */
+    struct replay_totals said; /* Totals that the replay itself states. */
+    uint32_t round_tick;       /* First tick of the recorded second in which the last round
+                                  begins. */
+    struct ledger_entry round; /* Newest round entry of this game; id 0: none yet. */
     uint32_t seen_id;
     uint8_t is_damaged;
-    uint8_t is_refused;         /* 1: the core returned CORE_ERR_FLOAT. */
-    uint8_t is_read;            /* 1: the whole replay was parsed and is valid. */
+    uint8_t is_refused; /* 1: the core returned CORE_ERR_FLOAT. */
+    uint8_t is_read;    /* 1: the whole replay was parsed and is valid. */
     const uint8_t *bytes;
     size_t size;
 };

@@ -11,9 +11,8 @@
 /* First tick whose digest, or whose second's hash, differs from the recording. */
 struct replay_difference {
     uint8_t found;
-    uint8_t is_full;             /* 1: the digest was equal, but the full hash or a count was
-                                    not. */
-    uint32_t tick;               /* Counted from 0. */
+    uint8_t is_full; /* 1: the digest was equal, but the full hash or a count was not. */
+    uint32_t tick;   /* Counted from 0. */
     uint64_t recorded, computed;
 };
 
@@ -22,7 +21,7 @@ struct replayer {
     struct replay_totals totals; /* Totals computed so far. */
     struct recorder_tally tally;
     struct replay_difference difference;
-    uint8_t damaged;             /* 1: the file is invalid; see reader.problem. */
+    uint8_t damaged; /* 1: the file is invalid; see reader.problem. */
 };
 
 /* Opens a recording and sets `config` to its initial state. Returns 0, or -1 with

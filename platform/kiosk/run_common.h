@@ -23,19 +23,18 @@ struct run_common {
     struct kiosk kiosk;
     struct recorder recorder;
     struct replayer replayer;
-    struct score_playback playback;      /* Score playback. */
-    struct session_recorder chapters;    /* Session recorder, for the replays of scores and
-                                            panics. */
-    struct evidence evidence;            /* Writes the replay and the count in a panic. */
-    struct library library;              /* Species files of makers, read at start. */
-    struct file_notes notes;             /* Results of reading species and all other files. */
-    struct replay_totals replayed;       /* Totals that run_common_check() found in the file to
-                                            replay. */
-    struct system_health machine;        /* System health. */
-    struct status status;                /* Status file for monitoring tools. */
-    uint8_t *rgb;                        /* Buffer for pictures; grows with the window. */
+    struct score_playback playback;   /* Score playback. */
+    struct session_recorder chapters; /* Session recorder, for the replays of scores and panics. */
+    struct evidence evidence;         /* Writes the replay and the count in a panic. */
+    struct library library;           /* Species files of makers, read at start. */
+    struct file_notes notes;          /* Results of reading species and all other files. */
+    struct replay_totals replayed;    /* Totals that run_common_check() found in the file to
+                                         replay. */
+    struct system_health machine;     /* System health. */
+    struct status status;             /* Status file for monitoring tools. */
+    uint8_t *rgb;                     /* Buffer for pictures; grows with the window. */
     size_t rgb_size;
-    const volatile sig_atomic_t *stop;   /* Set by SIGINT and SIGTERM. */
+    const volatile sig_atomic_t *stop; /* Set by SIGINT and SIGTERM. */
 };
 
 /* Validates the whole replay before anything is opened. Returns an exit code. */

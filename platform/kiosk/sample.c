@@ -3,8 +3,8 @@
 
 #include "core/game/menu/menu_pages.h"
 
-#define QUIT_ASK_NS 5000000000ull /* Time for the second press; the same as for TEST in a round:
-                                     MENU_ASK_TICKS. */
+/* Time for the second press; the same as for TEST in a round: MENU_ASK_TICKS. */
+#define QUIT_ASK_NS 5000000000ull
 
 static void read_wall(struct kiosk *kiosk, const struct hal *hal)
 {

@@ -19,14 +19,13 @@
 #define SCORE_PLAYBACK_SEEK_TICKS 240u
 
 struct score_playback {
-    uint8_t state;       /* enum scene_encore */
-    uint8_t is_asked;    /* 1: the store is loading the replay. */
-    uint8_t is_open;     /* 1: the verifier has opened the replay. */
-    uint8_t has_play;    /* 1: the verifier has parsed the replay, and there is a picture to
-                            show. */
+    uint8_t state;    /* enum scene_encore */
+    uint8_t is_asked; /* 1: the store is loading the replay. */
+    uint8_t is_open;  /* 1: the verifier has opened the replay. */
+    uint8_t has_play; /* 1: the verifier has parsed the replay, and there is a picture to show. */
     uint32_t round_id;
-    uint32_t end_ticks;  /* Ticks since the result. */
-    float hand_y_m[POI_MAX]; /* Previous height of each poi, to detect a dip. */
+    uint32_t end_ticks;       /* Ticks since the result. */
+    float hand_y_m[POI_MAX];  /* Previous height of each poi, to detect a dip. */
     struct ledger_entry kept; /* The round's entry on disk. */
     struct replay_verifier judge;
     uint8_t bytes[SESSION_RECORDER_SIZE];

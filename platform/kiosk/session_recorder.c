@@ -92,12 +92,12 @@ static void keep_round(struct session_recorder *chapters, uint32_t round_id,
         chapters->missed++;
         return;
     }
-    chapters->replay_size = replay_copy(&chapters->writer, core_hash(core), chapters->replay,
-                                        sizeof chapters->replay);
+    chapters->replay_size =
+        replay_copy(&chapters->writer, core_hash(core), chapters->replay, sizeof chapters->replay);
     if (chapters->replay_size > 0) {
-        chapters->replay_size = replay_replace_start(chapters->replay, chapters->replay_size,
-                                                     sizeof chapters->replay, &chapters->start,
-                                                     &chapters->seal);
+        chapters->replay_size =
+            replay_replace_start(chapters->replay, chapters->replay_size, sizeof chapters->replay,
+                                 &chapters->start, &chapters->seal);
     }
     chapters->is_sealed = 0;
     chapters->round_id = chapters->replay_size > 0 ? round_id : 0;

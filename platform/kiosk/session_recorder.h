@@ -39,16 +39,16 @@ struct session_recorder {
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    uint32_t seen_id;   /* Newest ledger entry that was examined. */
-    uint32_t round_id;  /* Round of the replay in `replay`; 0: none. */
-    uint8_t is_lent;    /* 1: the store uses `replay`. */
-    uint8_t is_sealed;  /* 1: the checksums of `replay` are updated. */
+    uint32_t seen_id;  /* Newest ledger entry that was examined. */
+    uint32_t round_id; /* Round of the replay in `replay`; 0: none. */
+    uint8_t is_lent;   /* 1: the store uses `replay`. */
+    uint8_t is_sealed; /* 1: the checksums of `replay` are updated. */
     struct replay_seal seal;
-    uint8_t has_pin;    /* 1: digits of a PIN were typed in this session, so that no replay of it is
-                           kept. */
+    uint8_t has_pin; /* 1: digits of a PIN were typed in this session, so that no replay of it is
+                        kept. */
     size_t replay_size;
-    uint32_t missed;    /* Ranked rounds whose replay could not be kept. */
-    struct input begun;     /* Input of the running tick; valid while is_in_tick is 1. */
+    uint32_t missed;         /* Ranked rounds whose replay could not be kept. */
+    struct input begun;      /* Input of the running tick; valid while is_in_tick is 1. */
     atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
     atomic_uchar
         is_busy; /* From session_recorder_before() to the end of session_recorder_tick(). */

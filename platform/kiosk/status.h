@@ -24,15 +24,15 @@
 
 /* One report. Zero is a kiosk that has just started. */
 struct status_report {
-    uint64_t written_ms;   /* Time since power-on in ms, including sleep, to detect an outdated
-                              file. */
+    uint64_t written_ms; /* Time since power-on in ms, including sleep, to detect an outdated
+                            file. */
     uint32_t pid;
     uint32_t up_s;
-    uint32_t boot;         /* Starts counted by the store; 0: no store. */
-    uint8_t phase;         /* enum scene_phase */
+    uint32_t boot; /* Starts counted by the store; 0: no store. */
+    uint8_t phase; /* enum scene_phase */
     uint8_t players;
     struct balance balance;
-    uint32_t tickets_out;  /* Tickets passed to the dispenser, as counted in the audits. */
+    uint32_t tickets_out;        /* Tickets passed to the dispenser, as counted in the audits. */
     uint32_t entry_id, saved_id; /* Newest entry of the ledger, and newest entry on disk. */
     uint8_t store_well;
     uint64_t frames, dropped_ticks;
@@ -41,12 +41,12 @@ struct status_report {
     struct kiosk_faults faults;
     uint32_t float_resets; /* As in struct kiosk. */
     uint32_t buttons_missing;
-    uint16_t day, minute;  /* Date and time as in struct input; day 0: the clock was never set. */
+    uint16_t day, minute;   /* Date and time as in struct input; day 0: the clock was never set. */
     uint32_t files_refused; /* As in struct scene_devices. */
     struct scene_machine machine;
     uint32_t device_count;
     struct {
-        const char *part;  /* "display", "poi", ...; static. */
+        const char *part; /* "display", "poi", ...; static. */
         char text[HAL_TEXT_SIZE];
     } device[STATUS_DEVICES_MAX];
 };
@@ -62,13 +62,13 @@ struct status {
     pthread_mutex_t mutex; /* Protects the fields below it; the frame loop only tries to lock it. */
     pthread_cond_t changed;
     struct status_report report;
-    uint8_t is_fresh;      /* 1: `report` is not written yet. */
+    uint8_t is_fresh; /* 1: `report` is not written yet. */
     uint8_t stop;
-    atomic_uint failed;    /* Writes that failed; the first one is reported. */
+    atomic_uint failed; /* Writes that failed; the first one is reported. */
 
     uint8_t runs;
-    uint64_t next_ns;      /* Time of the next report. */
-    uint8_t told_well;     /* `store_well` in the last report that the thread got. */
+    uint64_t next_ns;  /* Time of the next report. */
+    uint8_t told_well; /* `store_well` in the last report that the thread got. */
     struct status_report draft;
     char text[STATUS_TEXT_MAX];
     char path[PATH_MAX], part[PATH_MAX];

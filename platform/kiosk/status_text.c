@@ -97,16 +97,18 @@ static void put_figures(struct text_out *text, const struct status_report *repor
 static const char *keeps_name(uint8_t keeps)
 {
     static const char *const names[] = {
-        [KEEPS_UNKNOWN] = "unknown", [KEEPS_PROVEN] = "proven",   [KEEPS_FOLDER] = "folder",
-        [KEEPS_MEMORY] = "memory",   [KEEPS_NOT] = "not",         [KEEPS_NOWHERE] = "nowhere",
+        [KEEPS_UNKNOWN] = "unknown", [KEEPS_PROVEN] = "proven", [KEEPS_FOLDER] = "folder",
+        [KEEPS_MEMORY] = "memory",   [KEEPS_NOT] = "not",       [KEEPS_NOWHERE] = "nowhere",
     };
     return keeps < sizeof names / sizeof names[0] ? names[keeps] : "unknown";
 }
 
 static const char *watch_name(uint8_t watch)
 {
-    static const char *const names[] = { [WATCH_NONE] = "none", [WATCH_NO_LIMIT] = "no-limit",
-                                         [WATCH_FED] = "fed", [WATCH_DEAF] = "deaf" };
+    static const char *const names[] = { [WATCH_NONE] = "none",
+                                         [WATCH_NO_LIMIT] = "no-limit",
+                                         [WATCH_FED] = "fed",
+                                         [WATCH_DEAF] = "deaf" };
     return watch < sizeof names / sizeof names[0] ? names[watch] : "none";
 }
 

@@ -5,11 +5,11 @@
 
 #include <stdint.h>
 
-#define TIMING_BIN_NS 50000u  /* Bin width of 0.05 ms, less than the variation of frame times. */
+#define TIMING_BIN_NS 50000u   /* Bin width of 0.05 ms, less than the variation of frame times. */
 #define TIMING_BIN_COUNT 8000u /* Fine bins, up to 0.4 s; coarse bins follow. */
 #define TIMING_SLOW_NS 20000000u
-#define TIMING_SLOW_COUNT 500u /* Coarse bins, up to 10 s; longer durations count in the last
-                                  one. */
+/* Coarse bins, up to 10 s; longer durations count in the last one. */
+#define TIMING_SLOW_COUNT 500u
 
 struct timing {
     uint64_t count, sum_ns, max_ns;

@@ -15,8 +15,7 @@
 
 struct atomic_file {
     FILE *file;
-    bool is_stream;       /* 1: a terminal, pipe or /dev/null that is written without a temporary
-                             file. */
+    bool is_stream; /* 1: a terminal, pipe or /dev/null that is written without a temporary file. */
     bool lasts;
     char place[PATH_MAX]; /* Resolved path of the target. */
     char part[PATH_MAX];

@@ -18,8 +18,8 @@ static uint64_t clock_now_ns(void *self)
 static int32_t days_since_2000(const struct tm *date)
 {
     const int32_t is_early = date->tm_mon < 2;
-    const int32_t year = date->tm_year - 100 - is_early;         /* Years since March 2000. */
-    const int32_t month = date->tm_mon - 2 + 12 * is_early;      /* 0 is March. */
+    const int32_t year = date->tm_year - 100 - is_early;    /* Years since March 2000. */
+    const int32_t month = date->tm_mon - 2 + 12 * is_early; /* 0 is March. */
     const int32_t before = 365 * year + year / 4 - year / 100 + year / 400;
     return before + (153 * month + 2) / 5 + date->tm_mday - 1 + DAYS_TO_MARCH_2000;
 }

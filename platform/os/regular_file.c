@@ -63,11 +63,11 @@ FILE *regular_file_open(const char *path, uint32_t size_max)
         errno = errno == ENXIO ? ENOTSUP : errno; /* A socket, or a device without its driver. */
         return NULL;
     }
-    const int error = fstat(handle, &about) != 0  ? errno
-                      : S_ISDIR(about.st_mode)    ? EISDIR
-                      : !S_ISREG(about.st_mode)   ? ENOTSUP
-                      : about.st_size > size_max  ? EFBIG
-                                                  : 0;
+    const int error = fstat(handle, &about) != 0 ? errno
+                      : S_ISDIR(about.st_mode)   ? EISDIR
+                      : !S_ISREG(about.st_mode)  ? ENOTSUP
+                      : about.st_size > size_max ? EFBIG
+                                                 : 0;
     if (error != 0) {
         close(handle);
         errno = error;
@@ -86,10 +86,10 @@ int regular_file_handle(const char *path, int flags, mode_t mode)
         errno = errno == ENXIO ? ENOTSUP : errno; /* A FIFO without a reader, or a socket. */
         return -1;
     }
-    int error = fstat(handle, &about) != 0  ? errno
-                : S_ISREG(about.st_mode)    ? 0
-                : S_ISDIR(about.st_mode)    ? EISDIR
-                                            : ENOTSUP;
+    int error = fstat(handle, &about) != 0 ? errno
+                : S_ISREG(about.st_mode)   ? 0
+                : S_ISDIR(about.st_mode)   ? EISDIR
+                                           : ENOTSUP;
     if (error == 0 && (flags & O_TRUNC) && ftruncate(handle, 0) != 0) {
         error = errno;
     }

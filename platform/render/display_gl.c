@@ -13,11 +13,11 @@
 
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
-#define LOOK_NS 1000000000ull /* The connectors are read once a second, which takes 40
-                                 microseconds. */
+/* The connectors are read once a second, which takes 40 microseconds. */
+#define LOOK_NS 1000000000ull
 #define LOOKS 2u
-#define PAINT_DRAWS 20u /* Number of frames in which a fish of lab or album is painted at full
-                           resolution. */
+/* Number of frames in which a fish of lab or album is painted at full resolution. */
+#define PAINT_DRAWS 20u
 
 static int display_gl_fail(struct display_gl *display, const char *what, const char *why)
 {

@@ -28,7 +28,7 @@ struct display_gl_config {
                           (quality.h). */
     uint32_t samples;  /* Multisampling; 0: chosen by renderer. */
     const struct library *library; /* Makers' species, as in struct renderer_config. */
-    const char *sockets; /* Directory of the kernel's connectors; null: /sys/class/drm. */
+    const char *sockets;           /* Directory of the kernel's connectors; null: /sys/class/drm. */
 };
 
 struct display_gl {
@@ -40,8 +40,8 @@ struct display_gl {
                            back buffer. */
     struct display_settings display_settings; /* Display geometry, also for the next screen. */
     bool has_shown, full_screen, is_placed;
-    bool lost;   /* The display shows nothing any more. open() starts it again. */
-    bool broken; /* The connection to an X server broke. No further call may use it. */
+    bool lost;    /* The display shows nothing any more. open() starts it again. */
+    bool broken;  /* The connection to an X server broke. No further call may use it. */
     bool is_bare; /* No window system: SDL draws on the card itself. */
     struct connectors plugged; /* Connectors at the time of opening. */
     uint64_t looked_ns;        /* Time of the last read of the connectors. */

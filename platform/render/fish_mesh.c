@@ -7,12 +7,12 @@
 #include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
-#define SURFACE_SIZE 4u /* Bytes: u, v, part, flexibility. */
-#define RIDES_SIZE 4u   /* Bytes: anchor, side, and two of padding. */
+#define SURFACE_SIZE 4u     /* Bytes: u, v, part, flexibility. */
+#define RIDES_SIZE 4u       /* Bytes: anchor, side, and two of padding. */
 #define PAINT_SIZE_BYTES 4u /* Two 16-bit fractions. */
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
-_Static_assert(MORPH_KEY_MAX * KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");
+_Static_assert(MORPH_KEY_MAX *KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");
 
 static uint8_t byte(float x)
 {
@@ -32,9 +32,8 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
     }
     const struct species_vertex *const vertex = &source->vertices[index];
     const uint8_t rest[BYTES_SIZE] = {
-        byte(vertex->u), byte(vertex->v), vertex->part,    vertex->flex,
-        vertex->mask[0], vertex->mask[1], vertex->mask[2], vertex->mask[3],
-        vertex->anchor,  vertex->side,
+        byte(vertex->u), byte(vertex->v), vertex->part,    vertex->flex,   vertex->mask[0],
+        vertex->mask[1], vertex->mask[2], vertex->mask[3], vertex->anchor, vertex->side,
     };
     float uv[2];
     paint_atlas_find(vertex, uv);

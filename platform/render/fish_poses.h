@@ -8,8 +8,8 @@
 #include "core/scene.h"
 #include "platform/render/gl_util.h"
 
-#define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX) /* Texels of one pose, of four
-                                                                    floats each. */
+/* Texels of one pose, of four floats each. */
+#define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)
 #define POSE_RUN 16u /* Number of rows that are uploaded together. */
 
 /* Writes a pose as morph.glsl reads it: two texels a curve, then two an anchor. Returns the number
@@ -24,7 +24,7 @@ void fish_poses_defines(char *out, size_t size, const struct species *species, b
 struct fish_poses {
     const struct species_mesh *mesh;
     GLuint texture;
-    uint32_t curve_count, width; /* Texels of a row. */
+    uint32_t curve_count, width;    /* Texels of a row. */
     float progress[SCENE_FISH_MAX]; /* Progress that each row shows; < 0: the row is not written
                                        yet. */
     uint32_t run_first, run_count;  /* Rows in `run` that are not uploaded yet. */

@@ -5,11 +5,11 @@
 
 #include "core/base/panic.h"
 
-#define EDGE 20          /* Of 255: texels whose coarse neighbours differ by more are painted from
-                            four points each. */
+/* Of 255: texels whose coarse neighbours differ by more are painted from four points each. */
+#define EDGE 20
 #define SCALE_ROWS_MIN 6u /* At least this many rows of dots are taken for scales. */
-#define LINES_MIN 40u     /* At least this many bands round a body are too fine for a painted
-                             sheet. */
+/* At least this many bands round a body are too fine for a painted sheet. */
+#define LINES_MIN 40u
 
 static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
 {
@@ -36,8 +36,10 @@ void fish_texture_close(struct fish_texture *skin)
 float fish_texture_scales(const struct fish_texture *skin)
 {
     /* About 30 scales on a carp, 50 on a bream. */
-    static const float along[] = { [FORM_FUSIFORM] = 31.0f, [FORM_COMPRESSED] = 50.0f,
-                                   [FORM_DEPRESSED] = 80.0f, [FORM_EEL] = 0.0f,
+    static const float along[] = { [FORM_FUSIFORM] = 31.0f,
+                                   [FORM_COMPRESSED] = 50.0f,
+                                   [FORM_DEPRESSED] = 80.0f,
+                                   [FORM_EEL] = 0.0f,
                                    [FORM_PUFFER] = 0.0f };
     const struct species_card *const card = &skin->species.card;
     const bool bare = card->motion == MOTION_WING || card->motion == MOTION_TUNA;

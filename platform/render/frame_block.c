@@ -9,10 +9,12 @@
 #define FAR_M 8.0f
 #define CAUSTIC_LAYERS_HZ 11.0f /* A loop of 32 layers takes about three seconds. */
 #define SECONDS_WRAP_TICKS (3600u * CORE_TICK_HZ)
-#define SHADOW_MARGIN 1.06f  /* The shadow map is larger than the floor, so that a fish at a wall
-                                has its whole shadow in the map. */
-#define SHADOW_DRIFT_X 0.26f /* Tangents x, z of the light that reaches the floor. The lamps hang to
-                                the right of and behind the player. */
+/* The shadow map is larger than the floor, so that a fish at a wall has its whole shadow in the
+ * map. */
+#define SHADOW_MARGIN 1.06f
+/* Tangents x, z of the light that reaches the floor. The lamps hang to the right of and behind
+ * the player. */
+#define SHADOW_DRIFT_X 0.26f
 #define SHADOW_DRIFT_Z 0.16f /* Tangent z of the light that reaches the floor. */
 
 /* Absorption is divided by the depth, so that a shallow tank is as blue as a deep one. */

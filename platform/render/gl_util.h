@@ -14,10 +14,10 @@
 
 #include "platform/hal.h"
 
-#define GL_RING 3u     /* Number of textures used in turn for texels that change each frame. */
+#define GL_RING 3u /* Number of textures used in turn for texels that change each frame. */
 #define GL_TEXTURE_SURE 2048u /* Texture size in texels a side that OpenGL ES 3.0 guarantees. */
-#define GL_LAYERS_SURE 256u   /* Number of layers of an array texture that OpenGL ES 3.0
-                                 guarantees. */
+/* Number of layers of an array texture that OpenGL ES 3.0 guarantees. */
+#define GL_LAYERS_SURE 256u
 
 /* The first failure as one line that names the object and the reason; empty while there is none. */
 struct gl_status {
@@ -36,7 +36,7 @@ struct gl_texture_desc {
     const uint8_t *pixels; /* Initial texels; null: contents undefined. */
     bool mipmaps;
     bool nearest; /* Nearest filtering, the only filter for 32-bit floats. */
-    GLenum wrap; /* Wrap mode; 0: GL_CLAMP_TO_EDGE. */
+    GLenum wrap;  /* Wrap mode; 0: GL_CLAMP_TO_EDGE. */
 };
 
 /* Creates a texture. A size larger than the driver supports fails with both sizes in the

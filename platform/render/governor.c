@@ -7,9 +7,9 @@
 #define STALL_NS (NS_PER_S / 4u)
 #define STALLS 3u /* After this many stalls in a row, drawing itself is assumed to be slow. */
 #define HZ 60u
-#define LATE_PERCENT 111u  /* Percent of a refresh period: on average one frame in nine is one
-                              period late. */
-#define HELD_S 60u         /* A finer step that was on time for this long is no longer a trial. */
+/* Percent of a refresh period: on average one frame in nine is one period late. */
+#define LATE_PERCENT 111u
+#define HELD_S 60u /* A finer step that was on time for this long is no longer a trial. */
 
 void governor_begin(struct governor *governor, uint32_t refresh_hz)
 {

@@ -12,26 +12,26 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define GOVERNOR_LOOK_S 2u        /* Seconds of frames that make one judgement. */
-#define GOVERNOR_PATIENCE_S 30u   /* Seconds on time after which a finer step is tried. */
-#define GOVERNOR_PATIENCE_MAX_S 1920u /* Upper limit of the wait, about half an hour. Each failed
-                                         trial doubles the wait. */
-#define GOVERNOR_HOT_MDEG 3000  /* A machine is hot if its temperature is less than this below its
-                                   throttling point, in m°C. */
-#define GOVERNOR_COOL_MDEG 8000 /* A machine is cool again if its temperature is more than this
-                                   below its throttling point, in m°C. */
+#define GOVERNOR_LOOK_S 2u      /* Seconds of frames that make one judgement. */
+#define GOVERNOR_PATIENCE_S 30u /* Seconds on time after which a finer step is tried. */
+/* Upper limit of the wait, about half an hour. Each failed trial doubles the wait. */
+#define GOVERNOR_PATIENCE_MAX_S 1920u
+/* A machine is hot if its temperature is less than this below its throttling point, in m°C. */
+#define GOVERNOR_HOT_MDEG 3000
+/* A machine is cool again if its temperature is more than this below its throttling point, in
+ * m°C. */
+#define GOVERNOR_COOL_MDEG 8000
 
 struct governor {
-    uint64_t turn_ns;     /* Refresh period of the screen, the shortest possible frame duration. */
-    uint64_t last_ns;     /* Time of the previous frame; 0: none. */
+    uint64_t turn_ns; /* Refresh period of the screen, the shortest possible frame duration. */
+    uint64_t last_ns; /* Time of the previous frame; 0: none. */
     uint64_t sum_ns, count; /* Total duration and number of the frames in the current judgement. */
-    uint32_t stalls;      /* Consecutive frames that took too long to be caused by drawing. */
-    uint32_t timely_s;    /* Seconds on time in a row. */
+    uint32_t stalls;        /* Consecutive frames that took too long to be caused by drawing. */
+    uint32_t timely_s;      /* Seconds on time in a row. */
     uint32_t patience_s;
-    uint8_t step;         /* Quality step needed for frames to be on time. */
-    uint8_t heat;         /* Quality step needed for the machine to stay cool, <=
-                             QUALITY_STEP_MAX. */
-    uint8_t is_trying;    /* The step was lowered on trial and may be too low. */
+    uint8_t step;      /* Quality step needed for frames to be on time. */
+    uint8_t heat;      /* Quality step needed for the machine to stay cool, <= QUALITY_STEP_MAX. */
+    uint8_t is_trying; /* The step was lowered on trial and may be too low. */
 };
 
 /* Initializes the governor. `refresh_hz` is the screen's rate; 0 or more than 60 counts as 60,

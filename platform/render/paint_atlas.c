@@ -9,11 +9,11 @@
 static const struct cell {
     uint8_t part, side;
 } cells[] = {
-    { PART_EYE, SIDE_RIGHT },        { PART_EYE, SIDE_LEFT },
-    { PART_PECTORAL, SIDE_RIGHT },   { PART_PECTORAL, SIDE_LEFT },
-    { PART_PELVIC, SIDE_RIGHT },     { PART_PELVIC, SIDE_LEFT },
-    { PART_TAIL, SIDE_MIDDLE },      { PART_DORSAL, SIDE_MIDDLE },
-    { PART_ANAL, SIDE_MIDDLE },      { PART_DORSAL_2, SIDE_MIDDLE },
+    { PART_EYE, SIDE_RIGHT },           { PART_EYE, SIDE_LEFT },
+    { PART_PECTORAL, SIDE_RIGHT },      { PART_PECTORAL, SIDE_LEFT },
+    { PART_PELVIC, SIDE_RIGHT },        { PART_PELVIC, SIDE_LEFT },
+    { PART_TAIL, SIDE_MIDDLE },         { PART_DORSAL, SIDE_MIDDLE },
+    { PART_ANAL, SIDE_MIDDLE },         { PART_DORSAL_2, SIDE_MIDDLE },
     { PART_FINLET_UPPER, SIDE_MIDDLE }, { PART_FINLET_LOWER, SIDE_MIDDLE },
 };
 #define CELL_COUNT ((uint32_t)(sizeof cells / sizeof *cells))

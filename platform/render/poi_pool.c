@@ -1,9 +1,9 @@
 /* poi_pool.c -- implementation of poi_pool.h. */
 #include "platform/render/poi_pool.h"
 
-#define LINES 12u   /* Samples along each side of the paper's square, 6.7 mm apart. */
-#define HALVINGS 12 /* Bisection steps: a span of some centimetres is reduced to a hundredth of a
-                       millimetre. */
+#define LINES 12u /* Samples along each side of the paper's square, 6.7 mm apart. */
+/* Bisection steps: a span of some centimetres is reduced to a hundredth of a millimetre. */
+#define HALVINGS 12
 
 /* Heights of the paper above the ring's centre, at samples over the disc. */
 struct relief {
@@ -24,8 +24,8 @@ static void survey(struct relief *relief, const struct scene_poi *poi)
         if (r2 > 1.0f) {
             continue;
         }
-        const float height_m = radius_m * (x * axes.right.y + z * axes.back.y) -
-                               poi->sag_m * (1.0f - r2) * axes.up.y;
+        const float height_m =
+            radius_m * (x * axes.right.y + z * axes.back.y) - poi->sag_m * (1.0f - r2) * axes.up.y;
         relief->height_m[relief->count++] = height_m;
         relief->low_m = f_min(relief->low_m, height_m);
         relief->high_m = f_max(relief->high_m, height_m);

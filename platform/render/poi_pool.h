@@ -4,8 +4,9 @@
 
 #include "core/scene.h"
 
-#define POI_FILM_M 0.0006f  /* Maximum thickness of the film that adheres to each face of the paper.
-                               Further water collects in the pool. */
+/* Maximum thickness of the film that adheres to each face of the paper. Further water collects
+ * in the pool. */
+#define POI_FILM_M 0.0006f
 #define POI_NO_POOL_M -1e3f /* A level below everything, for a poi without a pool. */
 
 struct poi_pool {

@@ -31,8 +31,8 @@ static const struct {
     const char *name;
     const struct machine *machine;
 } known[] = {
-    { "llvmpipe", &cpu },  { "softpipe", &cpu }, { "SwiftShader", &cpu }, { "Software", &cpu },
-    { "V3D", &board },     { "VC4", &board },    { "VideoCore", &board }, { "Mali", &board },
+    { "llvmpipe", &cpu },   { "softpipe", &cpu }, { "SwiftShader", &cpu }, { "Software", &cpu },
+    { "V3D", &board },      { "VC4", &board },    { "VideoCore", &board }, { "Mali", &board },
     { "Panfrost", &board }, { "Lima", &board },
 };
 

@@ -25,8 +25,9 @@ struct quality_wish {
 
 struct quality quality_choose(const struct quality_wish *wish);
 
-#define QUALITY_STEP_MAX 4u /* Number of steps. The last one draws the scene with a sixth of its
-                               pixels, which is the least usable picture. */
+/* Number of steps. The last one draws the scene with a sixth of its pixels, which is the least
+ * usable picture. */
+#define QUALITY_STEP_MAX 4u
 
 /* Returns a quality `step` steps lower than `best`, up to QUALITY_STEP_MAX; 0 is `best`. The
  * sharpness of text does not change. */

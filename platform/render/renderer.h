@@ -52,7 +52,7 @@ struct renderer {
     struct display_transform transform; /* Display geometry of the picture on a screen of the
                                            current size. */
     struct quality quality;
-    uint32_t step;                 /* Current step of quality_lower(). */
+    uint32_t step;                  /* Current step of quality_lower(). */
     uint32_t samples_max, side_max; /* Limits of the current context. */
     char gl_name[HAL_TEXT_SIZE / 2];
     struct frame frame;

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #ifndef GL_CONTEXT_LOST_KHR
-#define GL_CONTEXT_LOST_KHR 0x0507 /* From GL_KHR_robustness. Drivers without the extension never
-                                      return it. */
+/* From GL_KHR_robustness. Drivers without the extension never return it. */
+#define GL_CONTEXT_LOST_KHR 0x0507
 #endif
 
 static const char *gl_string(GLenum name)

@@ -3,8 +3,8 @@
 
 #include <stddef.h>
 
-#define THREE_QUARTER_RAD (14.0f * F_DEG) /* The fish turns this far toward the viewer, which gives
-                                             it depth. */
+/* The fish turns this far toward the viewer, which gives it depth. */
+#define THREE_QUARTER_RAD (14.0f * F_DEG)
 
 /* Rotates (x, y) by an angle whose cosine and sine are `c` and `s`. */
 static void specimen_rotate(vec3 *x, vec3 *y, float c, float s)
@@ -68,8 +68,8 @@ void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width
                   float height_px)
 {
     const struct specimen_bounds bounds = specimen_bounds(specimen);
-    const float length_px = f_min(width_px / (bounds.left + bounds.right),
-                                  height_px / (bounds.up + bounds.down));
+    const float length_px =
+        f_min(width_px / (bounds.left + bounds.right), height_px / (bounds.up + bounds.down));
     specimen->length_px = length_px;
     specimen->x_px = x_px + 0.5f * (width_px + (bounds.left - bounds.right) * length_px);
     specimen->y_px = y_px + 0.5f * (height_px + (bounds.up - bounds.down) * length_px);

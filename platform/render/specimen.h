@@ -12,18 +12,18 @@
 
 #include "core/morph/morph.h"
 
-#define SPECIMEN_MAX 24u /* Maximum of a screen: the lab's fish, its comparison fish and eight keys,
-                            or one album page. */
+/* Maximum of a screen: the lab's fish, its comparison fish and eight keys, or one album page. */
+#define SPECIMEN_MAX 24u
 
 struct specimen {
     const struct species *species; /* Species data, which must not change until the frame is
                                       drawn. */
-    uint32_t edition; /* Changes whenever `species` holds another fish. */
-    const struct morph_rig *rig; /* Rig, valid until the frame is drawn; null: the species' own
-                                    curves. */
-    float progress;              /* Progress through life, [0, 1]. */
-    float x_px, y_px;            /* Position of the body's centre (z = 0 of its frame). */
-    float length_px;             /* Pixels of one measure of the species; > 0. */
+    uint32_t edition;              /* Changes whenever `species` holds another fish. */
+    const struct morph_rig *rig;   /* Rig, valid until the frame is drawn; null: the species' own
+                                      curves. */
+    float progress;                /* Progress through life, [0, 1]. */
+    float x_px, y_px;              /* Position of the body's centre (z = 0 of its frame). */
+    float length_px;               /* Pixels of one measure of the species; > 0. */
     /* Rotation; 0 shows the left side with the nose to the left. Yaw turns the nose toward the
      * viewer, pitch turns the back toward the viewer, roll lowers the nose on the screen. */
     float yaw_rad, pitch_rad, roll_rad;

@@ -37,12 +37,12 @@
 #include "platform/replay/replay_initial_state.h"
 #include "platform/replay/replay_pose_delta.h"
 
-#define REPLAY_VERSION 8u /* Version that is written. Version 8 added the rules of tickets and
-                             refunds. */
-#define REPLAY_VERSION_MIN 7u /* Oldest version that is read; its recordings run under the rules of
-                                 that version. Older versions are rejected: 1 lacks shadows, 2
-                                 modes, 3 the growth lab, 4 credits and the operator's controllers,
-                                 5 the ledger, 6 wrong PINs. */
+/* Version that is written. Version 8 added the rules of tickets and refunds. */
+#define REPLAY_VERSION 8u
+/* Oldest version that is read; its recordings run under the rules of that version. Older
+ * versions are rejected: 1 lacks shadows, 2 modes, 3 the growth lab, 4 credits and the
+ * operator's controllers, 5 the ledger, 6 wrong PINs. */
+#define REPLAY_VERSION_MIN 7u
 #define REPLAY_HEADER_SIZE 52u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
@@ -73,7 +73,7 @@
 /* Parsed content of the header and the start. */
 struct replay_header {
     struct core_config config;
-    uint32_t version; /* REPLAY_VERSION_MIN .. REPLAY_VERSION */
+    uint32_t version;                  /* REPLAY_VERSION_MIN .. REPLAY_VERSION */
     char program[REPLAY_PROGRAM_SIZE]; /* KINGYO_VERSION of the recorder; zero-terminated. */
 };
 
@@ -86,7 +86,7 @@ struct replay_totals {
     uint32_t ticks, rounds, caught, fouls;
     uint16_t modes;   /* Modes of the rounds, one bit (1 << enum game_mode) each. */
     uint16_t players; /* Players who took part in a round, one bit each. */
-    uint64_t hash; /* core_hash after the last tick. */
+    uint64_t hash;    /* core_hash after the last tick. */
 };
 
 /* ---- Codec (replay_codec.c), pure ---- */
@@ -110,12 +110,12 @@ int replay_totals_agree(const struct replay_totals *a, const struct replay_total
 /* ---- Writer (replay_writer.c) ---- */
 
 struct replay_writer {
-    int fd;                  /* -1: no file. */
-    uint8_t *memory;         /* Destination of `memory_size` bytes in place of a file; else null. */
+    int fd;          /* -1: no file. */
+    uint8_t *memory; /* Destination of `memory_size` bytes in place of a file; else null. */
     size_t memory_size;
-    int error;               /* errno of the failure that ended the recording, or 0. */
-    uint64_t offset;         /* Offset of the end mark in bytes. */
-    uint64_t sum;            /* Checksum of the last complete chunk. */
+    int error;       /* errno of the failure that ended the recording, or 0. */
+    uint64_t offset; /* Offset of the end mark in bytes. */
+    uint64_t sum;    /* Checksum of the last complete chunk. */
     struct input last;
     struct replay_totals totals, saved; /* Totals of all ticks so far, and of the ticks on disk. */
     uint32_t digest_ticks;
@@ -196,19 +196,19 @@ struct replay_problem {
 };
 
 struct replay_reader {
-    int fd;                  /* -1: no file. */
-    const uint8_t *memory;   /* Source of `memory_size` bytes in place of a file; else null. */
+    int fd;                /* -1: no file. */
+    const uint8_t *memory; /* Source of `memory_size` bytes in place of a file; else null. */
     size_t memory_size;
-    uint64_t offset;         /* Offset of the next part in bytes. */
+    uint64_t offset; /* Offset of the next part in bytes. */
     uint64_t sum;
     struct replay_header header;
     struct replay_totals totals; /* Totals of the current chunk, or of the end. */
     struct input input;
     uint32_t digest_ticks;
-    uint8_t has_digest;      /* 1: the last tick of replay_next() has a digest. */
+    uint8_t has_digest; /* 1: the last tick of replay_next() has a digest. */
     uint32_t digest;
-    uint32_t tick;           /* Ticks returned by replay_next() so far. */
-    uint32_t chunk_left;     /* Ticks of the chunk that are not yet returned. */
+    uint32_t tick;       /* Ticks returned by replay_next() so far. */
+    uint32_t chunk_left; /* Ticks of the chunk that are not yet returned. */
     size_t payload_size, payload_used;
     uint8_t ended;
     uint8_t as_is; /* 1: decode with replay_decode_as_is(). Set after replay_open(), only by a

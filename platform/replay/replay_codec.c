@@ -71,8 +71,7 @@ static uint32_t machine_mask(const struct input *before, const struct input *inp
     const int dropped = input->dropped_ticks != before->dropped_ticks;
     const int faults = input->device_faults != before->device_faults;
     return (saved ? MACHINE_SAVED_ID : 0u) | (edited ? MACHINE_EDIT_ID : 0u) |
-           (levels ? MACHINE_LEVELS : 0u) |
-           (input->day != before->day ? MACHINE_DAY : 0u) |
+           (levels ? MACHINE_LEVELS : 0u) | (input->day != before->day ? MACHINE_DAY : 0u) |
            (input->minute != before->minute ? MACHINE_MINUTE : 0u) |
            (dropped ? MACHINE_DROPPED : 0u) | (faults ? MACHINE_FAULTS : 0u) |
            (input->tickets_done != before->tickets_done ? MACHINE_TICKETS : 0u);

@@ -5,8 +5,8 @@
 #include <string.h>
 
 enum {
-    HANDS_POI = 1u << 0,          /* Poi 0; the other pois follow. */
-    HANDS_SHADE = 1u << POI_MAX,  /* Fan 0, after the pois. */
+    HANDS_POI = 1u << 0,         /* Poi 0; the other pois follow. */
+    HANDS_SHADE = 1u << POI_MAX, /* Fan 0, after the pois. */
 };
 
 enum {
@@ -14,8 +14,8 @@ enum {
     HELD_HAS_FLOAT = 1u << 1, /* First float; the others follow. */
     POI_FLOATS = 6,
     SHADE_FLOATS = 3,
-    POI_HAS_AGE = 1u << 7,    /* Bit after those of the byte and the six floats. */
-    LINK_WRIST = 1u << 2,     /* Bits 0 and 1 hold the link. */
+    POI_HAS_AGE = 1u << 7, /* Bit after those of the byte and the six floats. */
+    LINK_WRIST = 1u << 2,  /* Bits 0 and 1 hold the link. */
     LINK_TREMBLES = 1u << 3,
     LINK_ALL = 15u,
 };
@@ -38,10 +38,9 @@ static struct held poi_held(const struct poi_input *poi)
 {
     const uint32_t byte = poi->link | (poi->has_wrist ? (uint32_t)LINK_WRIST : 0u) |
                           (poi->trembles ? (uint32_t)LINK_TREMBLES : 0u);
-    struct held held = { .byte = (uint8_t)byte,
-                         .has_age = 1,
-                         .age = poi->age_ticks,
-                         .float_count = POI_FLOATS };
+    struct held held = {
+        .byte = (uint8_t)byte, .has_age = 1, .age = poi->age_ticks, .float_count = POI_FLOATS
+    };
     memcpy(held.bits, &poi->target, sizeof poi->target);
     return held;
 }

@@ -166,9 +166,8 @@ static int read_header(struct replay_reader *reader)
     reader->digest_ticks = replay_get_u32(bytes + HEADER_DIGEST_TICKS);
     memcpy(reader->header.program, bytes + HEADER_PROGRAM, REPLAY_PROGRAM_SIZE);
     reader->offset = REPLAY_HEADER_SIZE;
-    return read_start(reader, replay_get_u32(bytes + HEADER_START))
-               ? -1
-               : read_book(reader, book_size);
+    return read_start(reader, replay_get_u32(bytes + HEADER_START)) ? -1
+                                                                    : read_book(reader, book_size);
 }
 
 int replay_open(struct replay_reader *reader, const char *path)
@@ -310,8 +309,8 @@ int replay_next(struct replay_reader *reader, struct input *input)
     }
     const uint8_t *payload = reader->bytes + REPLAY_CHUNK_HEAD_SIZE;
     const size_t left = reader->payload_size - reader->payload_used;
-    const size_t used = replay_decode_as_is(&reader->input, payload + reader->payload_used,
-                                            left, reader->as_is);
+    const size_t used =
+        replay_decode_as_is(&reader->input, payload + reader->payload_used, left, reader->as_is);
     const size_t digest_size = (reader->tick + 1u) % reader->digest_ticks == 0 ? 4 : 0;
     const uint64_t at = reader->offset + REPLAY_CHUNK_HEAD_SIZE + reader->payload_used;
     if (used == 0 || left - used < digest_size) {

@@ -117,10 +117,10 @@ static int open_empty(const char *path)
     if (fd < 0) {
         return -errno;
     }
-    const int error = fstat(fd, &status) != 0     ? errno
-                      : !S_ISREG(status.st_mode)  ? ENOTSUP
-                      : status.st_size > 0        ? EEXIST
-                                                  : 0;
+    const int error = fstat(fd, &status) != 0    ? errno
+                      : !S_ISREG(status.st_mode) ? ENOTSUP
+                      : status.st_size > 0       ? EEXIST
+                                                 : 0;
     if (error) {
         close(fd);
         return -error;
@@ -295,8 +295,7 @@ size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *o
     const size_t begun =
         writer->chunk_ticks > 0 ? REPLAY_CHUNK_HEAD_SIZE + writer->payload_size : 0;
     const size_t whole = (size_t)writer->offset + REPLAY_END_SIZE;
-    if (writer->memory == NULL ||
-        size < whole + (begun > 0 ? begun + REPLAY_SUM_SIZE : 0)) {
+    if (writer->memory == NULL || size < whole + (begun > 0 ? begun + REPLAY_SUM_SIZE : 0)) {
         return 0;
     }
     memcpy(out, writer->memory, whole);

@@ -14,10 +14,10 @@
 
 #define STATION_MAX 24 /* A real fish needs fewer stations than this. */
 #define RAY_MAX 12
-#define FINLET_MAX 10  /* A bigeye tuna has eight to ten above and below. */
-#define AREA_MAX 4     /* Maximum painted areas of one curve. */
-#define GILL_U 0.30f   /* Body coordinate of the gill cover's edge in every key, wherever it is
-                          drawn. */
+#define FINLET_MAX 10 /* A bigeye tuna has eight to ten above and below. */
+#define AREA_MAX 4    /* Maximum painted areas of one curve. */
+/* Body coordinate of the gill cover's edge in every key, wherever it is drawn. */
+#define GILL_U 0.30f
 
 /* A cross section: a superellipse of this height and width, its centre `offset` above the axis. */
 struct station {
@@ -105,7 +105,9 @@ struct detail {
     uint32_t rings, spokes;
     bool round_end; /* An additional ring rounds off the tail root. */
     uint32_t eye_rings, eye_spokes;
-    struct { uint32_t across, along; } fins[PART_COUNT];
+    struct {
+        uint32_t across, along;
+    } fins[PART_COUNT];
 };
 
 struct loft {

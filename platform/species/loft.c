@@ -9,8 +9,9 @@
 #include <string.h>
 
 #define RINGS_MAX 64
-#define CAP_AT 0.6    /* Position of the round end's ring, as a fraction of the way from the last
-                         ring to the closing point. */
+/* Position of the round end's ring, as a fraction of the way from the last ring to the closing
+ * point. */
+#define CAP_AT 0.6
 #define CAP_FACES 0.8 /* How much the end ring's normals face backward for each part outward. */
 
 /* clang-format off */

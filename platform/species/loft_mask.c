@@ -7,10 +7,10 @@
 
 #include <math.h>
 
-#define GILL_SOFT 0.07    /* Half width, in body coordinates, of the transition from head to
-                             trunk. */
-#define TAIL_SOFT 0.6     /* Fraction of the tail fin's length from which the tail's own curve moves
-                             it completely. */
+/* Half width, in body coordinates, of the transition from head to trunk. */
+#define GILL_SOFT 0.07
+/* Fraction of the tail fin's length from which the tail's own curve moves it completely. */
+#define TAIL_SOFT 0.6
 #define TAIL_ROOT_U 0.965 /* Body coordinate of the tail fin's root. */
 
 static double ramp(double from, double to, double x)

@@ -9,10 +9,10 @@
 #include <math.h>
 
 #define SAMPLES 256
-#define EVEN_SHARE 0.30 /* Fraction of the rings with even spacing, because the swimming wave bends
-                           the whole body. */
-#define HEAD_FAVOUR 1.9 /* Mouth, eyes and gill cover attract the viewer's attention and get more
-                           rings. */
+/* Fraction of the rings with even spacing, because the swimming wave bends the whole body. */
+#define EVEN_SHARE 0.30
+/* Mouth, eyes and gill cover attract the viewer's attention and get more rings. */
+#define HEAD_FAVOUR 1.9
 
 /* Writes back, belly and flank of a key at `u`, as fractions of its length. */
 static void outline(const struct key_text *key, double u, double out[3])

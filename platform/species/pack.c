@@ -12,8 +12,9 @@ static const uint8_t magic[8] = { 'K', 'F', 'I', 'S', 'H', '\r', '\n', 0x1a };
 
 /* A new field in these structures must be visited below, and the version must increase. */
 _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat) == 280 &&
-               sizeof(struct species_mark) == 32 && sizeof(struct species_vertex) == 16 &&
-               sizeof(struct species_anchor) == 68, "all that a pack holds is walked");
+                   sizeof(struct species_mark) == 32 && sizeof(struct species_vertex) == 16 &&
+                   sizeof(struct species_anchor) == 68,
+               "all that a pack holds is walked");
 
 /* Position in the bytes, and the direction of the copy. */
 struct tape {
@@ -339,9 +340,7 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX])
 {
     struct tape head = { .bytes = bytes, .size = HEAD_SIZE, .at = sizeof magic, .writing = true };
-    struct tape tape = {
-        .bytes = bytes, .size = PACK_SIZE_MAX, .at = HEAD_SIZE, .writing = true
-    };
+    struct tape tape = { .bytes = bytes, .size = PACK_SIZE_MAX, .at = HEAD_SIZE, .writing = true };
     walk_species(&tape, slot);
     assert(!tape.too_many && tape.at <= PACK_SIZE_MAX);
     uint32_t version = PACK_VERSION, size = (uint32_t)(tape.at - HEAD_SIZE);

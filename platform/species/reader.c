@@ -101,8 +101,8 @@ bool species_reader_choice(const struct species_reader *r, uint32_t index, const
             return true;
         }
         if (choices[i]) {
-            size += (size_t)snprintf(list + size, sizeof list - size, "%s%s",
-                                     size > 0 ? ", " : "", choices[i]);
+            size += (size_t)snprintf(list + size, sizeof list - size, "%s%s", size > 0 ? ", " : "",
+                                     choices[i]);
         }
     }
     return species_reader_error(r, "'%.40s' is no %s: %s", r->words[index], what, list);

@@ -36,8 +36,8 @@ struct station shape_section(const struct key_text *key, double x);
 v3d shape_body_point(const struct key_text *key, double u, double v);
 v3d shape_body_normal(const struct key_text *key, double u, double v);
 
-#define EYE_RIM_RAD 1.4 /* Angle from the pupil's centre to the rim where the ball meets the skin:
-                           80 degrees. */
+/* Angle from the pupil's centre to the rim where the ball meets the skin: 80 degrees. */
+#define EYE_RIM_RAD 1.4
 
 /* An eye: half an ellipsoid outward and half an ellipsoid inward, relative to the skin at (u, v),
  * its centre `sunk` below the skin. v leaves [0, 1) for an eye that has migrated over the back. */

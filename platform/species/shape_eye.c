@@ -4,15 +4,15 @@
 #include <math.h>
 
 #define PI 3.14159265358979323846
-#define HIGHEST 0.97     /* Maximum height of an eye's centre, as a fraction of the section's half
-                            height. */
-#define DROP_MAX 0.35    /* Maximum skin drop, as a fraction of the ball's radius. A sharper ridge
-                            is treated as this. */
-#define SUNK_MAX 0.6     /* Maximum depth of the centre, as a fraction of the head's half thickness
-                            there. */
-#define DEPTH_MAX 0.9    /* Maximum depth of the ball's back, so that it never emerges on the other
-                            side. */
-#define THINNEST 1e-3    /* A ball flatter than this has no usable normals. */
+/* Maximum height of an eye's centre, as a fraction of the section's half height. */
+#define HIGHEST 0.97
+/* Maximum skin drop, as a fraction of the ball's radius. A sharper ridge is treated as this. */
+#define DROP_MAX 0.35
+/* Maximum depth of the centre, as a fraction of the head's half thickness there. */
+#define SUNK_MAX 0.6
+/* Maximum depth of the ball's back, so that it never emerges on the other side. */
+#define DEPTH_MAX 0.9
+#define THINNEST 1e-3 /* A ball flatter than this has no usable normals. */
 
 /* Returns the girth coordinate from the back, in [0, 0.5], at which the right flank has height
  * `y`. */

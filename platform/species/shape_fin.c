@@ -4,28 +4,28 @@
 #include <math.h>
 
 #define PI 3.14159265358979323846
-#define FIN_SINK 0.014   /* Depth of fin roots below the skin, so that no gap is visible. */
-#define SHOWN_MIN 0.004  /* Minimum visible length of a ray, because a shorter ray has no usable
-                            normal. */
-#define SINK_SHARE 0.3   /* Maximum depth of fin roots, as a fraction of a thin body's thickness. */
-#define TAIL_SINK 0.035  /* Distance of the start of the tail's rays before the last ring. */
-#define STALK_SINK 1.2   /* Maximum of that distance for a thin stalk, in end depths of the
-                            stalk. */
-#define END_MAX 0.03     /* Distance of the body's closing point behind the last ring. */
-#define END_SHARE 0.25   /* Maximum of that distance, in end depths of the stalk. */
-#define SIDE_AT_ROOT 0.4 /* Fraction of a median ray's sideways turn at its root. The remainder
-                            grows along the ray. */
-#define THINNEST 0.2     /* Minimum reach of a tail's base up and down, as a fraction of half the
-                            stalk. */
+#define FIN_SINK 0.014 /* Depth of fin roots below the skin, so that no gap is visible. */
+/* Minimum visible length of a ray, because a shorter ray has no usable normal. */
+#define SHOWN_MIN 0.004
+#define SINK_SHARE 0.3  /* Maximum depth of fin roots, as a fraction of a thin body's thickness. */
+#define TAIL_SINK 0.035 /* Distance of the start of the tail's rays before the last ring. */
+/* Maximum of that distance for a thin stalk, in end depths of the stalk. */
+#define STALK_SINK 1.2
+#define END_MAX 0.03   /* Distance of the body's closing point behind the last ring. */
+#define END_SHARE 0.25 /* Maximum of that distance, in end depths of the stalk. */
+/* Fraction of a median ray's sideways turn at its root. The remainder grows along the ray. */
+#define SIDE_AT_ROOT 0.4
+/* Minimum reach of a tail's base up and down, as a fraction of half the stalk. */
+#define THINNEST 0.2
 #define RAY_STEPS 12
-#define EXIT_STEPS 24    /* Resolution with which the exit of a ray from the body is found. */
-#define EXIT_MAX 0.85    /* At least the remaining fraction of a ray is visible. */
-#define CUP_OPENS 0.05   /* Distance behind the stalk at which a tail has the full width of its
-                            rays. */
-#define JOIN_FROM 0.8    /* Position along an eel's dorsal and anal base from which the fin merges
-                            with the tail. */
-#define CLEAR_OF 1.02    /* A fin folded against the flank is this factor farther out than the
-                            skin. */
+#define EXIT_STEPS 24 /* Resolution with which the exit of a ray from the body is found. */
+#define EXIT_MAX 0.85 /* At least the remaining fraction of a ray is visible. */
+/* Distance behind the stalk at which a tail has the full width of its rays. */
+#define CUP_OPENS 0.05
+/* Position along an eel's dorsal and anal base from which the fin merges with the tail. */
+#define JOIN_FROM 0.8
+/* A fin folded against the flank is this factor farther out than the skin. */
+#define CLEAR_OF 1.02
 
 static struct ray ray_at(const struct fin *fin, double at)
 {

@@ -4,13 +4,15 @@
 #include "core/morph/morph.h"
 #include "platform/species/shape.h"
 
-#define REACH_MAX 3.9      /* Maximum reach in the species' measure; the quantized mesh can
-                              represent 4. */
-#define UNIT_MIN 0.2       /* Minimum length of the measure as a fraction of the drawing. A shorter
-                              measure indicates a wrong drawing. */
+/* Maximum reach in the species' measure; the quantized mesh can represent 4. */
+#define REACH_MAX 3.9
+/* Minimum length of the measure as a fraction of the drawing. A shorter measure indicates a
+ * wrong drawing. */
+#define UNIT_MIN 0.2
 #define EEL_SEAM (1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL)
-#define LENGTH_APART 0.02f /* Maximum relative difference between a key's length and the growth
-                              curve's length at the key's age. */
+/* Maximum relative difference between a key's length and the growth curve's length at the key's
+ * age. */
+#define LENGTH_APART 0.02f
 
 static bool check_eyes(const struct species_reader *r, const struct key_text *key)
 {

@@ -21,8 +21,8 @@ enum text_file_open text_file_open(const char *path, uint32_t size_max, FILE **o
 
 enum text_file_line {
     TEXT_FILE_LINE,
-    TEXT_FILE_END, /* No further line. ferror() distinguishes a read error from the end of the
-                      file. */
+    TEXT_FILE_END,  /* No further line. ferror() distinguishes a read error from the end of the
+                       file. */
     TEXT_FILE_LONG, /* The line has more than size - 2 characters. */
     TEXT_FILE_ZERO, /* The line contains a zero byte. */
 };

@@ -155,8 +155,9 @@ static bool key_named(const struct species_reader *r, uint32_t index, uint8_t *o
  * thesis. */
 bool text_read_thesis(struct species_reader *r)
 {
-    static const char *const templates[] = { [TEMPLATE_PAIRWISE] = "pairwise",
-                                             [TEMPLATE_SIMULTANEOUS] = "simultaneous" };
+    static const char *const templates[] = {
+        [TEMPLATE_PAIRWISE] = "pairwise", [TEMPLATE_SIMULTANEOUS] = "simultaneous"
+    };
     struct species_text *s = r->species;
     uint8_t *key = s->thesis_key;
     uint32_t template_id = 0;

@@ -9,11 +9,12 @@
 #include "platform/species/validate_parts.h"
 
 #define AGE_MAX_DAYS 14610.0f /* 40 years, the range of growth.c. */
-#define LENGTH_MIN_M 0.0005f  /* The smallest fish larvae are 1.5 mm; a third of that is certainly
-                                 an error. */
-#define LENGTH_MAX_M 20.0f    /* Length of a whale shark. */
-#define LENGTH_APART 0.02f    /* Maximum relative difference between a key's length and the growth
-                                 curve's length at the key's age. */
+/* The smallest fish larvae are 1.5 mm; a third of that is certainly an error. */
+#define LENGTH_MIN_M 0.0005f
+#define LENGTH_MAX_M 20.0f /* Length of a whale shark. */
+/* Maximum relative difference between a key's length and the growth curve's length at the key's
+ * age. */
+#define LENGTH_APART 0.02f
 
 bool validate_refuse(struct vetting *v, const char *format, ...)
 {

@@ -7,9 +7,9 @@
 
 #include "core/morph/morph.h"
 
-#define SIZE_TOLERANCE 0.04f  /* The far tail has few rays, so the outermost tip may be missing. */
-#define U_MIN (-2.0f)         /* An eye's u continues behind its rim. No surface exceeds these
-                                 bounds. */
+#define SIZE_TOLERANCE 0.04f /* The far tail has few rays, so the outermost tip may be missing. */
+/* An eye's u continues behind its rim. No surface exceeds these bounds. */
+#define U_MIN (-2.0f)
 #define U_MAX 4.0f
 #define FRONT_Z (-0.5f)
 

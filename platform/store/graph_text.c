@@ -10,10 +10,8 @@
 #define LINE_SIZE 256u
 
 static const char *const templates[TEMPLATE_COUNT] = {
-    [TEMPLATE_OWN] = "own",
-    [TEMPLATE_ORDINARY] = "ordinary",
-    [TEMPLATE_PAIRWISE] = "pairwise",
-    [TEMPLATE_SIMULTANEOUS] = "simultaneous",
+    [TEMPLATE_OWN] = "own",           [TEMPLATE_ORDINARY] = "ordinary",
+    [TEMPLATE_PAIRWISE] = "pairwise", [TEMPLATE_SIMULTANEOUS] = "simultaneous",
     [TEMPLATE_SMOOTH] = "smooth",
 };
 static const char *const lines[] = { [GRAPH_STRAIGHT] = "straight", [GRAPH_SMOOTH] = "smooth" };
@@ -68,8 +66,8 @@ struct reading {
     char words[LINE_SIZE]; /* That line, without comment and surrounding white space. */
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
-    int is_unreadable;     /* 1: the file ended or a line is malformed, and `why` is set; other
-                              checks are skipped. */
+    int is_unreadable; /* 1: the file ended or a line is malformed, and `why` is set; other
+                          checks are skipped. */
 };
 
 __attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading *reading,
@@ -130,8 +128,7 @@ static const char *after(const struct reading *reading, const char *word)
 {
     const size_t length = strlen(word);
     const char *rest = reading->words + length;
-    return strncmp(reading->words, word, length) == 0 && (*rest == ' ' || *rest == 0) ? rest
-                                                                                      : NULL;
+    return strncmp(reading->words, word, length) == 0 && (*rest == ' ' || *rest == 0) ? rest : NULL;
 }
 
 /* Reads a line "`word` VALUE" and returns the index of VALUE in `names`, or -1. */
@@ -309,4 +306,3 @@ int graph_file_parse(const char *text, size_t size, const struct species_card *c
     }
     return 0;
 }
-

@@ -235,9 +235,9 @@ static uint32_t lost_entries(const struct storage *storage)
     const unsigned pushed = atomic_load(&storage->pushed);
     uint32_t lost = 0;
     for (unsigned i = atomic_load(&storage->written); i != pushed; i++) {
-        lost += !storage->file.db || storage->file.refusal || storage->moved ||
-                storage->queue[i % STORAGE_QUEUE_MAX].id >
-                    storage->file.content.memory.ledger.last_id;
+        lost +=
+            !storage->file.db || storage->file.refusal || storage->moved ||
+            storage->queue[i % STORAGE_QUEUE_MAX].id > storage->file.content.memory.ledger.last_id;
     }
     return lost;
 }

@@ -46,24 +46,25 @@
 #define STORAGE_FILE "kingyo.db"
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_MIRROR_SUFFIX ".tail"
-#define STORAGE_NEW_SUFFIX ".new"       /* Finished replacement of a damaged file, until it is
-                                           renamed. */
-#define STORAGE_BEFORE_SUFFIX ".before-restore" /* Backup of a database that the operator replaced
-                                                   by a copy. */
-#define STORAGE_REPLACED_SUFFIX ".before-" /* Followed by a number: the database that the operator
-                                              replaced by a copy. */
+/* Finished replacement of a damaged file, until it is renamed. */
+#define STORAGE_NEW_SUFFIX ".new"
+/* Backup of a database that the operator replaced by a copy. */
+#define STORAGE_BEFORE_SUFFIX ".before-restore"
+/* Followed by a number: the database that the operator replaced by a copy. */
+#define STORAGE_REPLACED_SUFFIX ".before-"
 /* Followed by a number: a quarantined damaged file. */
 #define STORAGE_QUARANTINE_SUFFIX ".damaged-"
-#define STORAGE_MISSING_SUFFIX ".missing-" /* Followed by a number: an empty marker for a missing
-                                              file. */
-#define STORAGE_OTHER_SUFFIX ".other-"  /* After the name of a backup or mirror of a foreign ledger;
-                                           then a number. */
-#define STORAGE_LEFT_SUFFIX ".left-out-" /* Followed by a number: a copy made by
-                                            ledger_leave_out(). */
-#define STORAGE_SEEN_SUFFIX ".seen"     /* After such a name: the operator has acknowledged the
-                                           event. */
-#define STORAGE_STUCK_MS 3000 /* A card that blocks one write for this long is reported as
-                                 unhealthy. The worst internal pause of good cards is one second. */
+/* Followed by a number: an empty marker for a missing file. */
+#define STORAGE_MISSING_SUFFIX ".missing-"
+/* After the name of a backup or mirror of a foreign ledger; then a number. */
+#define STORAGE_OTHER_SUFFIX ".other-"
+/* Followed by a number: a copy made by ledger_leave_out(). */
+#define STORAGE_LEFT_SUFFIX ".left-out-"
+/* After such a name: the operator has acknowledged the event. */
+#define STORAGE_SEEN_SUFFIX ".seen"
+/* A card that blocks one write for this long is reported as unhealthy. The worst internal pause
+ * of good cards is one second. */
+#define STORAGE_STUCK_MS 3000
 /* Interval between two complete reads of an unusable file. The interval doubles from the first
  * value up to the second. */
 #define STORAGE_RETRY_MS 1000
@@ -78,8 +79,8 @@
 /* Twice the number of entries that the core can have unwritten, so that a slot is always free while
  * the card responds. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
-#define STORAGE_EDITS_MAX 4u /* Enough because the menu allows far less than four saved edits a
-                                second. */
+/* Enough because the menu allows far less than four saved edits a second. */
+#define STORAGE_EDITS_MAX 4u
 #define STORAGE_REPLAY_MS 10000 /* Time after which a replay that the card rejects is given up. */
 /* Limit in bytes for all memory of SQLite. The highest measured use was 4.2 MiB, with 100,000
  * entries, a backup and a replay of maximum length (SESSION_RECORDER_SIZE) for each ranked round.
@@ -93,12 +94,11 @@
 enum storage_replay_state { STORAGE_REPLAY_IDLE = 0, STORAGE_REPLAY_WAITS };
 struct storage_replay {
     uint32_t round_id;
-    const uint8_t *bytes;  /* Bytes to write, borrowed until the request ends. */
-    uint8_t *room;         /* Buffer for the bytes that are read, borrowed until the request
-                              ends. */
+    const uint8_t *bytes; /* Bytes to write, borrowed until the request ends. */
+    uint8_t *room;        /* Buffer for the bytes that are read, borrowed until the request ends. */
     size_t size;
     struct ledger_entry *round; /* Receives the ledger entry of the round that is read. */
-    atomic_int state;      /* enum storage_replay_state */
+    atomic_int state;           /* enum storage_replay_state */
 };
 
 #define OFFLINE_CREDITS_MAX 16u /* One entry for each coin line and each other credit kind. */
@@ -120,7 +120,7 @@ enum offline_credits_state {
 struct offline_credits {
     struct ledger_entry entries[OFFLINE_CREDITS_MAX];
     uint32_t count;
-    uint32_t boot;       /* Boot number of the entries in that database; 0: none assigned yet. */
+    uint32_t boot; /* Boot number of the entries in that database; 0: none assigned yet. */
     struct balance_change step; /* Change of the balance in that database. */
     atomic_int state;           /* enum offline_credits_state; NEW is handled at once. */
 };
@@ -139,21 +139,21 @@ struct storage_chore {
 /* State of the store. The caller owns the structure, sets the first four fields and clears the
  * rest. The address must not change while the store is open. */
 struct storage {
-    const char *dir;      /* Folder of the file; must outlive the store. Null: nothing is stored. */
+    const char *dir; /* Folder of the file; must outlive the store. Null: nothing is stored. */
     struct ledger_file_options how; /* Zero: defaults. With a custom vfs there is no backup. */
-    uint8_t by_hand;      /* 1: no thread is started; the caller calls storage_work() instead. */
+    uint8_t by_hand; /* 1: no thread is started; the caller calls storage_work() instead. */
     struct storage_chore chore;
 
-    struct ledger_file file; /* Used only by the thread while the thread runs. */
+    struct ledger_file file;     /* Used only by the thread while the thread runs. */
     struct ledger_content start; /* Content of the file at open(). */
     char path[STORAGE_PATH_SIZE];
     char text[HAL_TEXT_SIZE];
 
     pthread_t thread;
     sem_t wake;
-    bool running;         /* 1 between open() and close(). */
+    bool running; /* 1 between open() and close(). */
     bool has_thread;
-    bool closes;          /* 1 while close() runs: no new backup is started. */
+    bool closes; /* 1 while close() runs: no new backup is started. */
     atomic_bool stop;
     atomic_bool has_file; /* The database was opened at least once, so that entries are accepted. */
     bool has_to_rebuild;  /* The file is damaged or missing and has not been replaced yet. */
@@ -164,10 +164,10 @@ struct storage {
     uint32_t from_backup; /* Newest entry id in the backup that replaced a file. */
     struct ledger_recovered salvaged; /* Newer entries recovered from the damaged file and the
                                          mirror. */
-    atomic_int error;     /* SQLite code of the last failed write; 0: the last write succeeded. */
+    atomic_int error;      /* SQLite code of the last failed write; 0: the last write succeeded. */
     atomic_int edit_error; /* errno of the last failed edit; 0: the last write of an edit
                               succeeded. */
-    atomic_uint refused;  /* Failed writes, including retries. */
+    atomic_uint refused;   /* Failed writes, including retries. */
     atomic_llong busy_since_ms; /* Start of the current write on the monotonic clock; 0: no write
                                    runs. */
 
@@ -190,26 +190,25 @@ struct storage {
                                 0 and the store is reported as unhealthy. */
     uint32_t saved_boot, saved_tick; /* Boot and tick of the entry `saved_id`. Used by the thread
                                         only. */
-    uint64_t sight;          /* Hash of the file attributes at the last attempt to open. Used by the
-                                thread only. */
-    uint64_t room;           /* Free bytes on the card at the last attempt to open. Used by the
-                                thread only. */
-    int64_t look_due_ms;     /* Time of the next attempt, monotonic; 0: at once. Used by the thread
-                                only. */
-    int64_t look_wait_ms;    /* Interval to the next attempt. Used by the thread only. */
+    uint64_t sight;       /* Hash of the file attributes at the last attempt to open. Used by the
+                             thread only. */
+    uint64_t room;        /* Free bytes on the card at the last attempt to open. Used by the
+                             thread only. */
+    int64_t look_due_ms;  /* Time of the next attempt, monotonic; 0: at once. Used by the thread
+                             only. */
+    int64_t look_wait_ms; /* Interval to the next attempt. Used by the thread only. */
     struct storage_place places[STORAGE_PLACES]; /* Used by the thread only. */
-    bool moved;              /* The open file is no longer at its path. Used by the thread only. */
-    bool prunes;                     /* Entries, rounds or replays may exceed their limits, and
-                                        must be deleted (ledger_file_prune()). Used by the thread
-                                        only. */
-    struct ledger_mirror tail;       /* Ledger mirror: a second copy of the newest entries. Used
-                                        by the thread only. */
-    uint32_t tail_from;              /* First entry id that the mirror lacks; 0: none. Used by the
-                                        thread only. */
-    atomic_int tail_error;           /* errno of the last mirror write; 0: the write succeeded. */
-    struct ledger_backup backup;     /* Backup in progress. Used by the thread only. */
-    uint32_t backup_id;              /* Newest entry id when the last backup started. */
-    int64_t backup_due_s;            /* Time of the next backup on the monotonic clock. */
+    bool moved;  /* The open file is no longer at its path. Used by the thread only. */
+    bool prunes; /* Entries, rounds or replays may exceed their limits, and must be deleted
+                    (ledger_file_prune()). Used by the thread only. */
+    struct ledger_mirror tail;   /* Ledger mirror: a second copy of the newest entries. Used by
+                                    the thread only. */
+    uint32_t tail_from;          /* First entry id that the mirror lacks; 0: none. Used by the
+                                    thread only. */
+    atomic_int tail_error;       /* errno of the last mirror write; 0: the write succeeded. */
+    struct ledger_backup backup; /* Backup in progress. Used by the thread only. */
+    uint32_t backup_id;          /* Newest entry id when the last backup started. */
+    int64_t backup_due_s;        /* Time of the next backup on the monotonic clock. */
 
     struct offline_credits late;
     struct storage_replay put, get;

@@ -51,10 +51,14 @@ static uint64_t sight_of(const struct storage *storage)
     stat(storage->path, &file);
     statvfs(storage->dir, &card);
     const uint64_t words[] = {
-        (uint64_t)file.st_dev,         (uint64_t)file.st_ino,
-        (uint64_t)file.st_size,        (uint64_t)file.st_ctim.tv_sec,
-        (uint64_t)file.st_ctim.tv_nsec, (uint64_t)card.f_flag,
-        (uint64_t)access(storage->path, W_OK), (uint64_t)access(storage->dir, W_OK),
+        (uint64_t)file.st_dev,
+        (uint64_t)file.st_ino,
+        (uint64_t)file.st_size,
+        (uint64_t)file.st_ctim.tv_sec,
+        (uint64_t)file.st_ctim.tv_nsec,
+        (uint64_t)card.f_flag,
+        (uint64_t)access(storage->path, W_OK),
+        (uint64_t)access(storage->dir, W_OK),
     };
     uint64_t hash = HASH_START;
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
@@ -127,9 +131,9 @@ static bool is_anothers(struct storage *storage)
         return false;
     }
     return last_id > newest_id ||
-           (saved_id > 0 && (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
-                             entry.boot != storage->saved_boot ||
-                             entry.tick != storage->saved_tick));
+           (saved_id > 0 &&
+            (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
+             entry.boot != storage->saved_boot || entry.tick != storage->saved_tick));
 }
 
 /* Locks the folder, because two kiosk processes on one ledger would assign the same ids. Returns

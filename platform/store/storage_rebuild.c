@@ -33,9 +33,8 @@ static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 
 static unsigned number_in(const char *name, const char *suffix)
 {
-    const char *at = strncmp(name, STORAGE_FILE, sizeof STORAGE_FILE - 1u) == 0
-                         ? strstr(name, suffix)
-                         : NULL;
+    const char *at =
+        strncmp(name, STORAGE_FILE, sizeof STORAGE_FILE - 1u) == 0 ? strstr(name, suffix) : NULL;
     return at ? (unsigned)strtoul(at + strlen(suffix), NULL, 10) : 0u;
 }
 
@@ -116,10 +115,9 @@ static void remove_all(const struct storage *storage, const char *suffix)
 static bool open_backup(struct ledger_file *file, const char *backup)
 {
     *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
-    const bool is_good =
-        storage_has_path(backup) &&
-        sql_open(backup, SQLITE_OPEN_READONLY, NULL, &file->db) == SQLITE_OK &&
-        ledger_check(file->db) == SQLITE_OK;
+    const bool is_good = storage_has_path(backup) &&
+                         sql_open(backup, SQLITE_OPEN_READONLY, NULL, &file->db) == SQLITE_OK &&
+                         ledger_check(file->db) == SQLITE_OK;
     if (!is_good) {
         ledger_file_close(file);
     }
@@ -184,9 +182,8 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     remove_all(storage, PART_SUFFIX);
     int code = make_part(storage, part);
-    if (code == SQLITE_OK &&
-        ((is_missing && !leave_note(storage, number)) || rename(part, fresh) != 0 ||
-         ledger_sync_folder(fresh) != 0)) {
+    if (code == SQLITE_OK && ((is_missing && !leave_note(storage, number)) ||
+                              rename(part, fresh) != 0 || ledger_sync_folder(fresh) != 0)) {
         code = SQLITE_IOERR;
     }
     if (code != SQLITE_OK) {

@@ -72,9 +72,9 @@ static bool is_ranked(const struct storage *storage, uint32_t round_id)
 {
     const struct ranking *ranking = &storage->file.content.memory.ranking;
     for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-        const struct rank_row *row = &ranking->row[i / RANK_ROWS / RANK_PERIOD_COUNT]
-                                                  [i / RANK_ROWS % RANK_PERIOD_COUNT]
-                                                  [i % RANK_ROWS];
+        const struct rank_row *row =
+            &ranking->row[i / RANK_ROWS / RANK_PERIOD_COUNT][i / RANK_ROWS % RANK_PERIOD_COUNT]
+                         [i % RANK_ROWS];
         if (row->caught > 0 && row->round_id == round_id) {
             return true;
         }

@@ -144,8 +144,8 @@ static void bench_report(const char *path)
 
 #define ARRAYS (HID_BINDING_MAX - 3u) /* The two axes and the button also have one binding each. */
 #define ARRAY_USAGES 64u
-#define ELEMENT_BITS 4u  /* Size of one array element in bits. A report has room for 256 bytes of
-                            elements. */
+/* Size of one array element in bits. A report has room for 256 bytes of elements. */
+#define ELEMENT_BITS 4u
 #define ELEMENT_MAX 15u /* Value of every array element. */
 
 static struct hid_device_info face;
@@ -223,9 +223,9 @@ static double slow_report_us(struct hid_raw *raw, int is_learned)
 
 static void bench_slow_hand(void)
 {
-    static const struct view view = {
-        .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
-    };
+    static const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
+                                      .half_height_tan = 0.4f,
+                                      .aspect_min = 1.6f };
     struct hid_mapping map;
     struct hid_raw raw = { .time_ns = 1u };
     char of[96];

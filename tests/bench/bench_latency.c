@@ -30,8 +30,8 @@
 
 #define TRIALS 400u
 #define FRAMES_MAX 8u
-#define PIXEL_M 0.0006f /* Size of a pixel in the tank. 1,280 pixels cover a tank of 0.85 m and its
-                           rim. */
+/* Size of a pixel in the tank. 1,280 pixels cover a tank of 0.85 m and its rim. */
+#define PIXEL_M 0.0006f
 
 /* All objects that a copied stall needs. The struct contains no pointers to its own members except
  * those that wire() sets. */

@@ -25,11 +25,11 @@
 #include "platform/cpu.h"
 
 #define VERTICES 1000u /* Number of vertices of one fish. */
-#define ANCHORED 400u  /* Number of vertices that have an anchor. The near fish have about as many
-                          in fins and eyes. */
-#define ARENA_SIZE ((size_t)192 << 20) /* Size of the arena in bytes, which is six times the
-                                          last-level cache of the reference machine. See
-                                          `copied`. */
+/* Number of vertices that have an anchor. The near fish have about as many in fins and eyes. */
+#define ANCHORED 400u
+/* Size of the arena in bytes, which is six times the last-level cache of the reference machine.
+ * See `copied`. */
+#define ARENA_SIZE ((size_t)192 << 20)
 #define ROUNDS 15u
 #define GOAL 0.5
 
@@ -101,8 +101,10 @@ static double blend_s(uint32_t key_count, uint32_t lanes, size_t count, size_t a
     const double begin = now_s();
     for (size_t i = 0; i < count; i++) {
         struct one_fish *fish = &arena[i % among];
-        struct species_mesh mesh = { .vertex_count = VERTICES, .anchor_count = ANCHOR_MAX,
-                                     .reach = 1.0f, .vertices = fish->vertices,
+        struct species_mesh mesh = { .vertex_count = VERTICES,
+                                     .anchor_count = ANCHOR_MAX,
+                                     .reach = 1.0f,
+                                     .vertices = fish->vertices,
                                      .anchors = anchors };
         for (uint32_t key = 0; key < key_count; key++) {
             mesh.points[key] = fish->points[key];
@@ -157,8 +159,9 @@ static bool print_table(bool anchored, uint32_t lanes, FILE *tsv)
     static const uint32_t key_counts[] = { 3, 5, 8 };
     bool good = true;
     fill(anchored);
-    printf("%s, %u lanes\n", anchored ? "Two curves, 40 % of the vertices on anchors"
-                                      : "One curve, no anchors", lanes);
+    printf("%s, %u lanes\n",
+           anchored ? "Two curves, 40 % of the vertices on anchors" : "One curve, no anchors",
+           lanes);
     printf("  %4s %10s %12s %10s %8s %12s %14s\n", "keys", "bytes", "bound ns", "ns", "share",
            "in cache ns", "one by one ns");
     for (size_t i = 0; i < sizeof key_counts / sizeof key_counts[0]; i++) {

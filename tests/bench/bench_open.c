@@ -55,7 +55,8 @@ static double tick_ms(uint32_t pressed)
  * the stall's own tank after a result. */
 static int measure(uint32_t seed, double *open_ms, double *back_ms)
 {
-    const struct core_config config = { .seed = seed, .modes = 1u << MODE_CHAMPIONSHIP,
+    const struct core_config config = { .seed = seed,
+                                        .modes = 1u << MODE_CHAMPIONSHIP,
                                         .lanes = cpu_lanes() };
     if (core_init(&core, &config) != CORE_OK) {
         return -1;

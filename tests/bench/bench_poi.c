@@ -67,10 +67,10 @@ static double report(const char *what, uint32_t count)
 struct state {
     const char *what;
     float pressure_pa;
-    float slap_n, body_n;    /* Forces of each fish on the sheet, in N. 0 means that no fish lies
-                                there. */
+    float slap_n, body_n; /* Forces of each fish on the sheet, in N. 0 means that no fish lies
+                             there. */
     uint8_t half_wet;
-    uint8_t only_tearing;    /* 1 excludes the ticks in which no cell tears. */
+    uint8_t only_tearing; /* 1 excludes the ticks in which no cell tears. */
 };
 
 static void lay(const struct state *state, uint32_t seed, struct sheet *sheet)
@@ -245,7 +245,8 @@ int main(int argc, char **argv)
         fputs("what\tmedian_us\tp99_us\tticks\n", tsv);
     }
     printf("Microseconds a tick (No. 5; the core's budget for a tick is 8,333)\n"
-           "  %-58s %7s %7s %7s   %s\n", "", "median", "p99", "most", "ticks");
+           "  %-58s %7s %7s %7s   %s\n",
+           "", "median", "p99", "most", "ticks");
     for (uint32_t i = 0; i < sizeof states / sizeof states[0]; i++) {
         const double median_us = measure(&states[i]);
         worst_us = median_us > worst_us ? median_us : worst_us;

@@ -122,8 +122,7 @@ static int tell(uint32_t lost)
 
 int main(int argc, char **argv)
 {
-    double *const figures[] = { &bench.seconds, &bench.report_hz, &bench.frame_ms,
-                                &bench.work_ms };
+    double *const figures[] = { &bench.seconds, &bench.report_hz, &bench.frame_ms, &bench.work_ms };
     static const struct kiosk_config config = { .core = { .seed = 1 } };
     struct hal hal;
     pthread_t thread;

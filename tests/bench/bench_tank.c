@@ -25,14 +25,15 @@
 
 #define SAMPLES_MAX 4000u
 #define SAMPLES_MIN 8u
-#define MEASURE_NS 0.9e9      /* Measuring time for each number of fish. */
+#define MEASURE_NS 0.9e9 /* Measuring time for each number of fish. */
 #define WARM_NS 0.4e9
-#define WARM_TICKS 600u       /* Ticks of warm-up before a measurement. In these five seconds the
-                                 order of the start disappears. */
+/* Ticks of warm-up before a measurement. In these five seconds the order of the start
+ * disappears. */
+#define WARM_TICKS 600u
 /* Ticks between two clock readings. One of these ticks updates the broad phase. */
 #define BLOCK BROAD_PHASE_UPDATE_TICKS
-#define THESIS_FISH 600.0f    /* Number of fish on the floor area of the thesis, which gives the
-                                 density of the thesis. */
+/* Number of fish on the floor area of the thesis, which gives the density of the thesis. */
+#define THESIS_FISH 600.0f
 
 static struct tank *store;
 #define tank (*store)
@@ -78,8 +79,8 @@ static void row(const char *what, const char *name, uint32_t fish, uint32_t lane
 
 enum stage { THINK, MOVE, WATCH, GRID, PAIRS, MEET, PART, SETTLE, AIR, STAGE_COUNT };
 static const char *const stage_name[STAGE_COUNT] = {
-    [THINK] = "think",  [MOVE] = "move", [WATCH] = "watch",   [GRID] = "grid", [PAIRS] = "pairs",
-    [MEET] = "meet",    [PART] = "part", [SETTLE] = "settle", [AIR] = "air",
+    [THINK] = "think", [MOVE] = "move", [WATCH] = "watch",   [GRID] = "grid", [PAIRS] = "pairs",
+    [MEET] = "meet",   [PART] = "part", [SETTLE] = "settle", [AIR] = "air",
 };
 static double spent_ns[STAGE_COUNT], since_ns;
 static enum stage stage_now;
@@ -147,7 +148,7 @@ WRAP(PART, contact_solver_finish,
      (solver, broad_phase, place))
 WRAP(SETTLE, swim_settle_all, (const struct shoal *shoal, uint32_t lanes), (shoal, lanes))
 WRAP(AIR, oxygen_tick,
-     (struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
+     (struct oxygen * oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
       uint32_t tick),
      (oxygen, fish, fish_count, size_m, tick))
 
@@ -193,9 +194,14 @@ static void take_disc(float speed_m_s)
     const struct angles slant = { 0.0f, 35.0f * F_DEG, 0.0f };
     const struct basis axes = vec_basis_from_angles(slant);
     disc = (struct obstacle){
-        .kind = OBSTACLE_DISC, .centre_m = hand_m(), .radius_m = POI_OUTER_RADIUS_M,
-        .normal = axes.up, .axes = axes, .axes_before = axes,
-        .paper = paper, .paper_radius_m = POI_RADIUS_M,
+        .kind = OBSTACLE_DISC,
+        .centre_m = hand_m(),
+        .radius_m = POI_OUTER_RADIUS_M,
+        .normal = axes.up,
+        .axes = axes,
+        .axes_before = axes,
+        .paper = paper,
+        .paper_radius_m = POI_RADIUS_M,
     };
 }
 
@@ -527,8 +533,8 @@ static void print_table_4_2(void)
         const uint32_t fish = table_4_2[t].fish;
         const double grid = ticks_per_s(fish, PAIR_SEARCH_GRID),
                      each = ticks_per_s(fish, PAIR_SEARCH_ALL);
-        printf("  %6u   %12.1f %6.1f   %12.0f %12.0f\n", fish, table_4_2[t].grid,
-               table_4_2[t].all, grid, each);
+        printf("  %6u   %12.1f %6.1f   %12.0f %12.0f\n", fish, table_4_2[t].grid, table_4_2[t].all,
+               grid, each);
         row("ticks_per_s", "grid", fish, cpu_lanes(), grid);
         row("ticks_per_s", "all_pairs", fish, cpu_lanes(), each);
         fflush(stdout);
@@ -541,8 +547,10 @@ static const struct {
     const char *name;
     double ns[3];
 } peers[] = {
-    { "ODE, sweep and prune", { 1314, 1988, 3667 } }, { "OpenSteer", { 1340, 1829, 4128 } },
-    { "RVO2", { 1624, 2045, 4653 } },                 { "Bullet", { 2020, 3901, 5377 } },
+    { "ODE, sweep and prune", { 1314, 1988, 3667 } },
+    { "OpenSteer", { 1340, 1829, 4128 } },
+    { "RVO2", { 1624, 2045, 4653 } },
+    { "Bullet", { 2020, 3901, 5377 } },
     { "Jolt", { 4249, 5587, 8343 } },
 };
 

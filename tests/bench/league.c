@@ -37,8 +37,8 @@ static void tell_progress(void *self, uint32_t index)
     progress->played++;
     const uint32_t percent = 100u * progress->played / progress->count;
     const double took_s = now_s() - progress->begin_s;
-    const double left_s = took_s / (double)progress->played *
-                          (double)(progress->count - progress->played);
+    const double left_s =
+        took_s / (double)progress->played * (double)(progress->count - progress->played);
     if (progress->is_watched) {
         fprintf(stderr, "\r%s: %u of %u rounds, %.0f s, %.0f s to go   ", progress->speaker,
                 progress->played, progress->count, took_s, left_s);
@@ -99,12 +99,17 @@ static struct round_result *sort_results(const struct league *league,
 enum exit_code league_play(struct league *league)
 {
     const uint32_t count = league->seeds * league->arm_count;
-    struct progress progress = { .speaker = league->speaker, .count = count, .begin_s = now_s(),
+    struct progress progress = { .speaker = league->speaker,
+                                 .count = count,
+                                 .begin_s = now_s(),
                                  .is_watched = isatty(STDERR_FILENO) };
     struct round_plan *plans = plan_all(league);
     struct round_result *played = calloc(count, sizeof *played);
-    const struct rounds rounds = { .plans = plans, .results = played, .count = count,
-                                   .workers = rounds_workers(), .done = tell_progress,
+    const struct rounds rounds = { .plans = plans,
+                                   .results = played,
+                                   .count = count,
+                                   .workers = rounds_workers(),
+                                   .done = tell_progress,
                                    .self = &progress };
     const enum exit_code code = plans && played ? rounds_play(&rounds) : EXIT_NOT_SO;
     struct round_result *sorted = code == EXIT_OK ? sort_results(league, played) : NULL;
@@ -161,13 +166,11 @@ enum exit_code league_close(const struct league *league, FILE *file, const char 
 static void write_round(FILE *file, const char *arm, uint32_t seed,
                         const struct round_result *result)
 {
-    fprintf(file, "%s\t%u\t%u\t%u\t%u\t", arm, seed, result->caught, result->scoops,
-            result->fouls);
+    fprintf(file, "%s\t%u\t%u\t%u\t%u\t", arm, seed, result->caught, result->scoops, result->fouls);
     if (result->torn) {
         fprintf(file, "%.3f", result->torn_at_s);
     }
-    fprintf(file, "\t%u\t%016llx\n", result->hole_area_mm2,
-            (unsigned long long)result->state_hash);
+    fprintf(file, "\t%u\t%016llx\n", result->hole_area_mm2, (unsigned long long)result->state_hash);
 }
 
 enum exit_code league_write_rounds(const struct league *league, const char *folder,

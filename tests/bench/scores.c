@@ -60,8 +60,8 @@ static int tell_goal(const struct league *league, uint32_t arm, const struct goa
     league_caught(league, arm, caught);
     const struct summary found = summary_of(caught, league->seeds);
     const int met = is_met(goal, &found);
-    snprintf(wanted, sizeof wanted, goal->max_below ? "median %g to %g, most under %u"
-                                                    : "median %g to %g",
+    snprintf(wanted, sizeof wanted,
+             goal->max_below ? "median %g to %g, most under %u" : "median %g to %g",
              goal->median_min, goal->median_max, goal->max_below);
     printf("  %-20s %6.1f %6.1f %5u  %6.1f %5u  %-33s %s\n", goal->name, found.median, found.p90,
            found.max, mean_scoops(league, arm), count_torn(league, arm), wanted,
@@ -86,8 +86,8 @@ int main(int argc, char **argv)
     if (code != EXIT_OK) {
         return (int)code;
     }
-    printf("%u rounds each, seeds 0 to %u; %.0f s on %u cores\n\n", league.seeds,
-           league.seeds - 1u, league.took_s, rounds_workers());
+    printf("%u rounds each, seeds 0 to %u; %.0f s on %u cores\n\n", league.seeds, league.seeds - 1u,
+           league.took_s, rounds_workers());
     printf("  %-20s %6s %6s %5s  %6s %5s  %s\n", "fish caught", "median", "p90", "most", "scoops",
            "torn", "goal");
     for (size_t i = 0; i < GOAL_COUNT; i++) {

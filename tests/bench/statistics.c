@@ -9,9 +9,9 @@
 /* ---- Wilcoxon's signed-rank test ------------------------------------------------------------ */
 
 struct ranked {
-    double size;        /* |difference| */
+    double size; /* |difference| */
     int positive;
-    uint32_t twice;     /* Rank of the difference, doubled, because a mean rank can be a half. */
+    uint32_t twice; /* Rank of the difference, doubled, because a mean rank can be a half. */
 };
 
 static int by_size(const void *left, const void *right)
@@ -141,8 +141,7 @@ struct comparison statistics_compare(const uint32_t *a, const uint32_t *b, uint3
     }
     result.difference = result.mean_a - result.mean_b;
     if (count > 1) {
-        const double error =
-            spread_of(differences, count, result.difference) / sqrt((double)count);
+        const double error = spread_of(differences, count, result.difference) / sqrt((double)count);
         const double reach = statistics_t_95(count - 1u) * error;
         result.low = result.difference - reach;
         result.high = result.difference + reach;

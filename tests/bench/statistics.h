@@ -13,10 +13,10 @@
 
 struct comparison {
     double mean_a, mean_b;
-    double difference;    /* Mean of a - b. */
-    double low, high;     /* Lower and upper end of the 95 % confidence interval of `difference`.
-                             The interval is infinite for a single pair. */
-    double p;             /* Two-sided p value; 1 if no pair differs. */
+    double difference; /* Mean of a - b. */
+    double low, high;  /* Lower and upper end of the 95 % confidence interval of `difference`.
+                          The interval is infinite for a single pair. */
+    double p;          /* Two-sided p value; 1 if no pair differs. */
 };
 
 /* Compares `count` pairs, 1 .. STATISTICS_PAIRS_MAX. */

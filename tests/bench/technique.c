@@ -21,8 +21,9 @@
 #include "tests/bench/statistics.h"
 
 #define SEEDS_ENOUGH 200u
-#define PAYS_MIN 2u /* Number of habits that must pay when only a tenth of the seeds is played.
-                       These effects are large enough to show with few seeds. */
+/* Number of habits that must pay when only a tenth of the seeds is played. These effects are
+ * large enough to show with few seeds. */
+#define PAYS_MIN 2u
 /* Significance level for a wrong result: 5 % for all seven experiments together, a seventh of that
  * for each. Without this correction one run in three with few seeds would report a wrong result by
  * chance. */
@@ -61,8 +62,9 @@ struct trial {
 static enum exit_code add_arm(struct league *league, const char *folder, const char *name,
                               uint32_t *out)
 {
-    struct round_plan plan = { .mode = MODE_FESTIVAL, .grade = GRADE, .fish_count = FISH_COUNT,
-                               .round_s = ROUND_S };
+    struct round_plan plan = {
+        .mode = MODE_FESTIVAL, .grade = GRADE, .fish_count = FISH_COUNT, .round_s = ROUND_S
+    };
     char path[PATH_CHARS];
     snprintf(path, sizeof path, "%s/%s.bot", folder, name);
     const enum exit_code code = bot_file_read(speaker, path, &plan.technique);
@@ -105,15 +107,15 @@ static int all_is_well(const struct trial *trials, uint32_t seeds)
     uint32_t count[REPLAY_VERDICT_COUNT] = { 0 }, plainly_wrong = 0;
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
         count[trials[i].verdict]++;
-        plainly_wrong += trials[i].verdict == VERDICT_WRONG_WAY &&
-                         trials[i].found.p < PLAINLY_WRONG_P;
+        plainly_wrong +=
+            trials[i].verdict == VERDICT_WRONG_WAY && trials[i].found.p < PLAINLY_WRONG_P;
     }
     const uint32_t needed = seeds >= SEEDS_ENOUGH ? (uint32_t)EXPERIMENT_COUNT : PAYS_MIN;
     const int well = count[VERDICT_PAYS] >= needed && plainly_wrong == 0;
     printf("\n%s: %u of %zu pay, %u the wrong way, %u of these plainly (p < %.4f); "
            "with %u seeds %u must pay and none go plainly wrong\n",
-           well ? "so" : "NOT SO", count[VERDICT_PAYS], EXPERIMENT_COUNT,
-           count[VERDICT_WRONG_WAY], plainly_wrong, PLAINLY_WRONG_P, seeds, needed);
+           well ? "so" : "NOT SO", count[VERDICT_PAYS], EXPERIMENT_COUNT, count[VERDICT_WRONG_WAY],
+           plainly_wrong, PLAINLY_WRONG_P, seeds, needed);
     return well;
 }
 
@@ -131,8 +133,8 @@ static void print_trials(const struct league *league, const struct trial *trials
            "95 %% confidence by paired t; p by the exact two-sided signed-rank test\n\n"
            "  %-34s %6s %6s  %7s  %-16s %-7s %s\n",
            FISH_COUNT, GRADE, ROUND_S, league->seeds, league->first, league->took_s,
-           rounds_workers(),
-           "catches per poi: A over B", "A", "B", "A - B", "95 %", "p", "verdict");
+           rounds_workers(), "catches per poi: A over B", "A", "B", "A - B", "95 %", "p",
+           "verdict");
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
         const struct comparison *found = &trials[i].found;
         printf("  %-34s %6.2f %6.2f  %+7.2f  %+6.2f .. %+6.2f ", experiments[i].title,
@@ -152,9 +154,8 @@ static enum exit_code write_trials(const struct league *league, const struct tri
     fputs("technique\tseeds\tmean_a\tmean_b\tdifference\tlow\thigh\tp\tverdict\n", file);
     for (size_t i = 0; i < EXPERIMENT_COUNT; i++) {
         const struct comparison *found = &trials[i].found;
-        fprintf(file, "%s\t%u\t%.4f\t%.4f\t%.4f\t%.4f\t%.4f\t", experiments[i].title,
-                league->seeds, found->mean_a, found->mean_b, found->difference, found->low,
-                found->high);
+        fprintf(file, "%s\t%u\t%.4f\t%.4f\t%.4f\t%.4f\t%.4f\t", experiments[i].title, league->seeds,
+                found->mean_a, found->mean_b, found->difference, found->low, found->high);
         fprintf(file, "%.3g\t%s\n", found->p, verdict_names[trials[i].verdict]);
     }
     return league_close(league, file, "technique.tsv");

@@ -12,8 +12,9 @@
 #include <string.h>
 
 #define FISH_MAX 4096
-#define HEAD "tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm," \
-             "speed_cm_s,tail_hz,gait,stamina,avoiding\n"
+#define HEAD                                                                                       \
+    "tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm,"            \
+    "speed_cm_s,tail_hz,gait,stamina,avoiding\n"
 
 struct corners {
     double at[8][3], axis[3][3], centre[3], reach;
@@ -158,17 +159,16 @@ int main(int argc, char **argv)
         return 2;
     }
     while (fgets(line, sizeof line, file)) {
-        const int fields = sscanf(
-            line, "%ld,%ld,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%15[^,],%lf,%15[^\n]", &tick,
-            &index, v, v + 1, v + 2, v + 3, v + 4, v + 5, v + 6, v + 7, v + 8, v + 9, v + 10, gait,
-            &stamina, avoiding);
+        const int fields =
+            sscanf(line, "%ld,%ld,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%15[^,],%lf,%15[^\n]",
+                   &tick, &index, v, v + 1, v + 2, v + 3, v + 4, v + 5, v + 6, v + 7, v + 8, v + 9,
+                   v + 10, gait, &stamina, avoiding);
         if (tick != last) {
             replay_verifier_tick(&verdict, count);
             count = 0;
         }
-        if (fields != 16 || index != count || count == FISH_MAX ||
-            stamina < 0.0 || stamina > 100.0 ||
-            !is_one_of(gait, "burst swim rest escape surface held ") ||
+        if (fields != 16 || index != count || count == FISH_MAX || stamina < 0.0 ||
+            stamina > 100.0 || !is_one_of(gait, "burst swim rest escape surface held ") ||
             !is_one_of(avoiding, "none yaw pitch ")) {
             fprintf(stderr, "judge_trace: row %lu: %s", verdict.rows, line);
             return 1;

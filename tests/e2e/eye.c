@@ -5,12 +5,14 @@
 
 #include <X11/Xutil.h>
 
-#define BODY_PX 12   /* Half the side of a square that a small fish fills, in pixels. */
-#define ALONE_PX 34  /* Half the side of a larger square, in pixels. A fish counts as alone if other
-                        fish in this square cover no more pixels than the fish does. */
-#define RED_MIN 60   /* Number of warm pixels of the smallest fish that is worth a try. */
-#define RED_MAX 450  /* Number of warm pixels of the largest fish that is worth a try. The tail of a
-                        larger fish hangs over the rim and slaps. */
+#define BODY_PX 12 /* Half the side of a square that a small fish fills, in pixels. */
+/* Half the side of a larger square, in pixels. A fish counts as alone if other fish in this
+ * square cover no more pixels than the fish does. */
+#define ALONE_PX 34
+#define RED_MIN 60 /* Number of warm pixels of the smallest fish that is worth a try. */
+/* Number of warm pixels of the largest fish that is worth a try. The tail of a larger fish hangs
+ * over the rim and slaps. */
+#define RED_MAX 450
 
 int eye_open(struct eye *eye, const char *window)
 {
@@ -33,9 +35,9 @@ int eye_look(struct eye *eye, struct rect wanted)
         wanted.right < SCREEN_WIDTH ? wanted.right : SCREEN_WIDTH,
         wanted.bottom < SCREEN_HEIGHT ? wanted.bottom : SCREEN_HEIGHT,
     };
-    XImage *image = XGetImage(eye->display, eye->window, r.left, r.top,
-                              (unsigned)(r.right - r.left), (unsigned)(r.bottom - r.top), AllPlanes,
-                              ZPixmap);
+    XImage *image =
+        XGetImage(eye->display, eye->window, r.left, r.top, (unsigned)(r.right - r.left),
+                  (unsigned)(r.bottom - r.top), AllPlanes, ZPixmap);
     if (!image || image->bits_per_pixel != 32) {
         return 0;
     }

@@ -18,21 +18,22 @@
 #include "drivers/pointer/pointer_poi.h"
 #include "eye.h"
 
-#define LOOK_S 0.03          /* Time between two pictures. A screen shows at most 60 pictures per
-                                second. */
-#define CALM_LOOKS 12        /* Number of pictures in which fish are observed before one is
-                                chosen. */
+/* Time between two pictures. A screen shows at most 60 pictures per second. */
+#define LOOK_S 0.03
+/* Number of pictures in which fish are observed before one is chosen. */
+#define CALM_LOOKS 12
 #define CHOICE_MAX 40
-#define BLUE_PX_S 4.0f       /* Largest accepted rise of blue. A fish too deep for the ring is 10 to
-                                20 of 255 bluer. */
-#define PALE_BLUE 40         /* Limit of blue for a fish on the paper. A fish on the paper has about
-                                4, a fish under it 80 to 150, and 25 where the paper is torn. */
-#define ASIDE_PX 90.0f       /* Distance beside the fish at which the ring enters the water, so that
-                                the ring is not above the fish. The ring itself takes 50 px of this
-                                distance. */
-#define HOVER_PX_S 480.0f    /* Speed of the ring in the air. */
-#define UNDER_PX_S 150.0f    /* Speed of the ring under water. A higher speed tears the paper. */
-#define CARRY_PX_S 330.0f    /* Speed of the ring with a fish on the paper. */
+/* Largest accepted rise of blue. A fish too deep for the ring is 10 to 20 of 255 bluer. */
+#define BLUE_PX_S 4.0f
+/* Limit of blue for a fish on the paper. A fish on the paper has about 4, a fish under it 80 to
+ * 150, and 25 where the paper is torn. */
+#define PALE_BLUE 40
+/* Distance beside the fish at which the ring enters the water, so that the ring is not above the
+ * fish. The ring itself takes 50 px of this distance. */
+#define ASIDE_PX 90.0f
+#define HOVER_PX_S 480.0f /* Speed of the ring in the air. */
+#define UNDER_PX_S 150.0f /* Speed of the ring under water. A higher speed tears the paper. */
+#define CARRY_PX_S 330.0f /* Speed of the ring with a fish on the paper. */
 
 struct point {
     float x, y;
@@ -188,8 +189,8 @@ static int choose(struct track *best)
             *best = (struct track){
                 .at = at, .seen_s = time_s, .size = now[i].count, .blue = found[i].blue
             };
-            best->speed = (struct point){ (at.x - found[i].x) / passed_s,
-                                          (at.y - found[i].y) / passed_s };
+            best->speed =
+                (struct point){ (at.x - found[i].x) / passed_s, (at.y - found[i].y) / passed_s };
         }
     }
     return least < 1e8f;
@@ -246,8 +247,8 @@ static int try_once(void)
         return 1;
     }
     button(1);
-    int is_there = approach(&track, aside_px, UNDER_PX_S, 0.3) &&
-                   approach(&track, 0.0f, UNDER_PX_S, 1.5);
+    int is_there =
+        approach(&track, aside_px, UNDER_PX_S, 0.3) && approach(&track, 0.0f, UNDER_PX_S, 1.5);
     button(0);
     printf(", %s %.0f px off", is_there ? "scooped" : "away,",
            (double)distance(pointer, expected(&track)));

@@ -30,7 +30,9 @@ static void step(struct gpio_edge_filter *input, uint64_t now_ns, uint32_t what,
     }
     dated_ns = what < 2u ? now_ns : dated_ns + (now_ns - dated_ns) / 8u;
     const struct gpio_edge edge = {
-        .time_ns = dated_ns, .active = active, .lost_before = what == 3u ? 2u : 0u,
+        .time_ns = dated_ns,
+        .active = active,
+        .lost_before = what == 3u ? 2u : 0u,
         .taken_ns = now_ns,
     };
     take(gpio_edge_filter_edge(input, &edge, &turn), &turn);

@@ -10,18 +10,18 @@
 #include "drivers/hid/hid_pose_decoder.h"
 #include "tests/fuzz/trap.h"
 
-#define TIME_STEP_NS 500000u /* Unit of the byte of time. The byte gives up to 128 ms, and 255 means
-                                eight seconds. */
+/* Unit of the byte of time. The byte gives up to 128 ms, and 255 means eight seconds. */
+#define TIME_STEP_NS 500000u
 
 /* Time limit for one report on the clock of its thread. The sanitizers make the decoder about 20
  * times slower. */
 #define REPORT_NS_MAX 4000000ull
-#define REPORT_TRIES 3u /* Number of measurements of a report. One slow measurement can be caused by
-                           another process. */
+/* Number of measurements of a report. One slow measurement can be caused by another process. */
+#define REPORT_TRIES 3u
 
-static const struct view view = {
-    .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
-};
+static const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
+                                  .half_height_tan = 0.4f,
+                                  .aspect_min = 1.6f };
 static struct hid_device_info face;
 static struct hid_mapping map;
 static struct hid_pose_decoder hand, before;

@@ -19,9 +19,9 @@ static struct hid_pose_decoder hand;
 
 static void hold_learned(void)
 {
-    const struct view view = {
-        .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
-    };
+    const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
+                               .half_height_tan = 0.4f,
+                               .aspect_min = 1.6f };
     char text[HID_MAPPING_TEXT_SIZE];
     HOLD(hid_mapping_is_sound(&learn.map, &learn.descriptor));
     HOLD(learn.map.source == HID_MAPPING_LEARNED && hid_mapping_write(&learn.map, text) == 0);

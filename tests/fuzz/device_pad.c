@@ -10,12 +10,12 @@
 #include "drivers/pointer/touch_fingers.h"
 #include "tests/fuzz/trap.h"
 
-#define TIME_STEP_NS 500000u /* Unit of the byte of time. The byte gives up to 128 ms, and 255 means
-                                eight seconds. */
+/* Unit of the byte of time. The byte gives up to 128 ms, and 255 means eight seconds. */
+#define TIME_STEP_NS 500000u
 
-static const struct view view = {
-    .eye_m = { 0.0f, 0.9f, 0.7f }, .half_height_tan = 0.4f, .aspect_min = 1.6f
-};
+static const struct view view = { .eye_m = { 0.0f, 0.9f, 0.7f },
+                                  .half_height_tan = 0.4f,
+                                  .aspect_min = 1.6f };
 
 struct input_bytes {
     const uint8_t *at;

@@ -22,8 +22,7 @@ static void hold_report(const struct poi_report *report)
     HOLD(f_is_finite(turn.yaw_rad) && f_is_finite(turn.pitch_rad) && f_is_finite(turn.roll_rad));
     HOLD(f_abs(turn.yaw_rad) < 3.15f && f_abs(turn.pitch_rad) < 1.58f);
     poi_report_encode(report, bytes);
-    HOLD(poi_report_decode(bytes, sizeof bytes, &read) ==
-         v3_is_finite(report->target.position_m));
+    HOLD(poi_report_decode(bytes, sizeof bytes, &read) == v3_is_finite(report->target.position_m));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)

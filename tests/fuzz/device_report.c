@@ -9,8 +9,9 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "tests/fuzz/trap.h"
 
-#define FIELDS_HELD 512u /* Number of fields of one report that are compared. The largest reports
-                            have 65,536 fields, which would take too long. */
+/* Number of fields of one report that are compared. The largest reports have 65,536 fields,
+ * which would take too long. */
+#define FIELDS_HELD 512u
 
 static struct hid_descriptor descriptor;
 

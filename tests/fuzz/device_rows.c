@@ -10,8 +10,8 @@
 #include "platform/ctl/devices/hid_rows.h"
 #include "tests/fuzz/trap.h"
 
-#define FIELDS_SHOWN 4096u /* Number of fields that are printed. More fields repeat the same code
-                              and take longer. */
+/* Number of fields that are printed. More fields repeat the same code and take longer. */
+#define FIELDS_SHOWN 4096u
 
 static struct hid_descriptor descriptor;
 static uint8_t file_bytes[HID_FILE_SIZE];

@@ -25,7 +25,7 @@
 #define TICKS 3u
 
 /* Selects one row of a table without row ids by its position in the order of the names. */
-#define ROW_OF(table, column) \
+#define ROW_OF(table, column)                                                                      \
     table " SET " column " = ?1 WHERE name = (SELECT name FROM " table " LIMIT 1 OFFSET ?2)"
 #define SETTING_OF(column) ROW_OF("settings", column)
 #define AUDIT_OF(column) ROW_OF("audits", column)
@@ -49,7 +49,7 @@ static void put_cell(sqlite3 *db, const uint8_t *cell)
         AUDIT_OF("count"),                           "ranking SET caught = ?1 WHERE place = ?2",
         "ranking SET seat = ?1 WHERE place = ?2",    "ranking SET name = ?1 WHERE place = ?2",
         STATE_OF("value"),
-    /* clang-format on */
+        /* clang-format on */
     };
     /* clang-format on */
     char text[128];
@@ -62,10 +62,18 @@ static void put_cell(sqlite3 *db, const uint8_t *cell)
         return; /* A later schema has no such column. */
     }
     switch (cell[2] % 4u) {
-    case 0: sqlite3_bind_int64(put, 1, value); break;
-    case 1: sqlite3_bind_text(put, 1, (const char *)cell + 4, 8, SQLITE_TRANSIENT); break;
-    case 2: sqlite3_bind_blob(put, 1, cell + 4, 8, SQLITE_TRANSIENT); break;
-    default: sqlite3_bind_double(put, 1, (double)value / 256.0); break;
+    case 0:
+        sqlite3_bind_int64(put, 1, value);
+        break;
+    case 1:
+        sqlite3_bind_text(put, 1, (const char *)cell + 4, 8, SQLITE_TRANSIENT);
+        break;
+    case 2:
+        sqlite3_bind_blob(put, 1, cell + 4, 8, SQLITE_TRANSIENT);
+        break;
+    default:
+        sqlite3_bind_double(put, 1, (double)value / 256.0);
+        break;
     }
     sqlite3_bind_int64(put, 2, cell[1]);
     sqlite3_step(put);

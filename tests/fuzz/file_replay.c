@@ -13,8 +13,8 @@
 #include "tests/fuzz/trap.h"
 
 #define FILE_MAX 16384u
-#define PLAYED_TICKS_MAX 240u /* Number of ticks that are played. More ticks take longer and test
-                                 little more. */
+/* Number of ticks that are played. More ticks take longer and test little more. */
+#define PLAYED_TICKS_MAX 240u
 
 static uint8_t file[FILE_MAX];
 static size_t file_size;

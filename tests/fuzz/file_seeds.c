@@ -169,8 +169,8 @@ static void put_entries(const char *name, const uint8_t *head, size_t head_size)
 
 int main(int count, char **arguments)
 {
-    static const uint8_t even[1], cells[25] = { 2, 0, 4, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0,
-                                                7, 4, 0, 0, 2 };
+    static const uint8_t even[1],
+        cells[25] = { 2, 0, 4, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0, 7, 4, 0, 0, 2 };
     if (count != 2) {
         fputs("usage: file_seeds FOLDER\n", stderr);
         return 2;

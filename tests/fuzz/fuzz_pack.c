@@ -24,8 +24,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     static uint8_t mended[PACK_SIZE_MAX];
     try(bytes, size);
     if (size >= HEAD_SIZE && size <= PACK_SIZE_MAX) {
-        struct tape head = { .bytes = mended, .size = HEAD_SIZE, .at = sizeof magic,
-                             .writing = true };
+        struct tape head = {
+            .bytes = mended, .size = HEAD_SIZE, .at = sizeof magic, .writing = true
+        };
         memcpy(mended, bytes, size);
         uint32_t version = PACK_VERSION, body = (uint32_t)(size - HEAD_SIZE);
         uint32_t crc = crc32(mended + HEAD_SIZE, body);

@@ -125,8 +125,12 @@ static void fill_name(struct scene *scene, const struct shot *shot, int upright)
     static const uint16_t letters[SCENE_NAME_LETTERS] = u"きんぎょ";
     scene->player[0].place = 2;
     scene->player[0].period = 1;
-    scene->name = (struct scene_name){ .waits = 1, .key = 23, .letter_count = 4,
-                                       .upright = (uint8_t)upright, .has_hand = 1, .x = 420.0f,
+    scene->name = (struct scene_name){ .waits = 1,
+                                       .key = 23,
+                                       .letter_count = 4,
+                                       .upright = (uint8_t)upright,
+                                       .has_hand = 1,
+                                       .x = 420.0f,
                                        .y = 400.0f };
     memcpy(scene->name.letter, letters, sizeof letters);
     if (strcmp(shot->name, "latin") == 0) {
@@ -166,7 +170,8 @@ static void fill_cabinet(struct scene *scene, const char *name)
         { "warned", { .warnings = WARN_TILT | WARN_DOOR | WARN_NO_POI }, 0 },
         { "ask", { .price = 1 }, 1 },
         { "paidback",
-          { .price = 1, .credits = 1, .came_back = 1, .coin_s = 60.0f, .asked_s = 60.0f }, 0 },
+          { .price = 1, .credits = 1, .came_back = 1, .coin_s = 60.0f, .asked_s = 60.0f },
+          0 },
     };
     for (size_t i = 0; i < sizeof cabinets / sizeof *cabinets; i++) {
         if (strcmp(cabinets[i].name, name) == 0) {
@@ -178,8 +183,9 @@ static void fill_cabinet(struct scene *scene, const char *name)
 
 static void fill_encore(struct scene *scene, const char *name)
 {
-    static const char *const names[ENCORE_COUNT] = { "", "seeks", "encore", "genuine", "doubted",
-                                                     "" };
+    static const char *const names[ENCORE_COUNT] = {
+        "", "seeks", "encore", "genuine", "doubted", ""
+    };
     for (uint8_t i = 0; i < ENCORE_COUNT; i++) {
         scene->playback = strcmp(names[i], name) == 0 ? i : scene->playback;
     }
@@ -199,8 +205,8 @@ static void fill_scene(struct scene *scene, const struct shot *shot, uint8_t lan
     scene->best_today = shot->best;
     scene->language = language;
     scene->mode = shot->mode;
-    scene->modes = shot->two_modes ? 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE
-                                   : (1u << MODE_COUNT) - 1u;
+    scene->modes =
+        shot->two_modes ? 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE : (1u << MODE_COUNT) - 1u;
     scene->offer[MODE_FESTIVAL] = (struct scene_offer){ 60, 6 };
     scene->offer[MODE_CHAMPIONSHIP] = (struct scene_offer){ 180, 5 };
     scene->offer[MODE_PRACTICE] = (struct scene_offer){ 180, 6 };
@@ -252,12 +258,12 @@ static void draw_backdrop(GLuint source, int source_width, int source_height, in
         return;
     }
     const float scale = (float)height / (float)source_height;
-    const int used = (int)((float)width / scale) < source_width ? (int)((float)width / scale)
-                                                                : source_width;
+    const int used =
+        (int)((float)width / scale) < source_width ? (int)((float)width / scale) : source_width;
     const int left = (source_width - used) / 2;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
-    glBlitFramebuffer(left, 0, left + used, source_height, 0, 0, width, height,
-                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitFramebuffer(left, 0, left + used, source_height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      GL_LINEAR);
 }
 
 static GLuint load_backdrop(const char *path, int *width, int *height)
@@ -337,8 +343,8 @@ static int shoot(struct ui *ui, const struct shot *shot, uint8_t language, const
                 shot->name, ui->batch.unbaked_count);
         return 0;
     }
-    snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", out, shot->name,
-             language == 0 ? "ja" : "en", width, height);
+    snprintf(path, sizeof path, "%s/%s_%s_%dx%d.png", out, shot->name, language == 0 ? "ja" : "en",
+             width, height);
     if (!write_picture(path, width, height)) {
         fprintf(stderr, "ui_shots: cannot write %s\n", path);
         return 0;

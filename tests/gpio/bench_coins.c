@@ -41,9 +41,9 @@ static int report(const char *name, const struct rain_result *result, double too
            (double)result->time_ns * 1e-9 / 86400.0, took_s, result->looks,
            (double)result->longest_frame_ns * 1e-9, (double)result->longest_stall_ns * 1e-6);
     if (tsv) {
-        fprintf(tsv, "%s\t%u\t%u\t%u\t%u\t%u\t%u\t%u\t%u\n", name, result->coins,
-                result->counted, result->knocks, result->jams, result->sparks, result->faults,
-                result->doubtful, result->dropped);
+        fprintf(tsv, "%s\t%u\t%u\t%u\t%u\t%u\t%u\t%u\t%u\n", name, result->coins, result->counted,
+                result->knocks, result->jams, result->sparks, result->faults, result->doubtful,
+                result->dropped);
     }
     return difference == 0 && result->early == 0 && result->late == 0 &&
            result->faults - result->doubtful >=
@@ -61,7 +61,8 @@ int main(int argc, char **argv)
     }
     if (tsv) {
         fputs("interface\tcoins\tcounted\tknocks\tjams\tspark_pairs\tfaults\tdoubtful\t"
-              "dropped_edges\n", tsv);
+              "dropped_edges\n",
+              tsv);
     }
     for (uint8_t second = 0; second < 2; second++) {
         const struct rain_config config = {

@@ -71,8 +71,8 @@ static void add_sparks(struct coin_rain *rain)
 {
     static const struct gpio_sim_event spark = { .what = GPIO_SIM_SPARK, .role = GPIO_COIN };
     for (uint32_t i = 0; i < 2; i++) {
-        rain->time_ns += i ? between(&rain->seed, 16 * MS, 80 * MS)
-                           : between(&rain->seed, 30 * MS, 120 * MS);
+        rain->time_ns +=
+            i ? between(&rain->seed, 16 * MS, 80 * MS) : between(&rain->seed, 30 * MS, 120 * MS);
         rain->pulse[rain->edge_count] = spark;
         rain->pulse[rain->edge_count++].time_ns = rain->time_ns;
     }

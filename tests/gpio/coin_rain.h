@@ -9,35 +9,34 @@
 #include "drivers/gpio/buttons_gpio.h"
 #include "drivers/sim/gpio_lines_sim.h"
 
-#define RAIN_EDGES_MAX 14u /* Largest number of edges of one pulse: two contacts of at most 1 + 2 *
-                              3 edges. */
+/* Largest number of edges of one pulse: two contacts of at most 1 + 2 * 3 edges. */
+#define RAIN_EDGES_MAX 14u
 
 struct coin_rain {
-    uint32_t left;  /* Coins that have not fallen yet. */
+    uint32_t left;                        /* Coins that have not fallen yet. */
     uint32_t coins, knocks, jams, sparks; /* Coins, knocks, jams and pairs of sparks that have
                                              occurred. */
     uint64_t edges;
-    uint64_t time_ns;             /* Time at which the last pulse ended. */
+    uint64_t time_ns; /* Time at which the last pulse ended. */
     uint64_t seed;
     struct gpio_sim_event pulse[RAIN_EDGES_MAX];
     uint32_t edge_count, edge_next;
-    uint8_t falls;                /* 1 if the pulse in `pulse` is a coin. */
+    uint8_t falls; /* 1 if the pulse in `pulse` is a coin. */
 };
 
 /* Result of a simulation. */
 struct rain_result {
-    uint32_t coins, knocks, jams;   /* Coins, knocks and jams that occurred. */
-    uint32_t sparks;                /* Pairs of sparks that occurred. */
-    uint32_t doubtful;              /* Pairs of sparks that could have been a coin and must be
-                                       reported as faults. */
-    uint32_t counted, faults;       /* Coins and faults that the frame loop counted. */
-    uint32_t early;                 /* Polls at which more coins were counted than had fallen. */
-    uint32_t late;                  /* Polls at which a coin was missing that had fallen at least
-                                       200 ms earlier. */
-    uint32_t dropped;               /* Edges that were dropped because the kernel's queue was
-                                       full. */
-    uint32_t blinks;                /* Edges that changed nothing because the kernel read the level
-                                       late. */
+    uint32_t coins, knocks, jams; /* Coins, knocks and jams that occurred. */
+    uint32_t sparks;              /* Pairs of sparks that occurred. */
+    uint32_t doubtful;            /* Pairs of sparks that could have been a coin and must be
+                                     reported as faults. */
+    uint32_t counted, faults;     /* Coins and faults that the frame loop counted. */
+    uint32_t early;               /* Polls at which more coins were counted than had fallen. */
+    uint32_t late;                /* Polls at which a coin was missing that had fallen at least
+                                     200 ms earlier. */
+    uint32_t dropped;             /* Edges that were dropped because the kernel's queue was full. */
+    uint32_t blinks;              /* Edges that changed nothing because the kernel read the level
+                                     late. */
     uint32_t looks;
     uint64_t edges, longest_frame_ns, longest_stall_ns, time_ns;
 };
@@ -45,8 +44,8 @@ struct rain_result {
 struct rain_config {
     uint32_t coins;
     uint64_t seed;
-    uint8_t is_second;  /* 1 simulates libgpiod 2.x with a queue of 64 numbered edges. 0 simulates
-                           libgpiod 1.6 with a queue of 16 edges without numbers. */
+    uint8_t is_second; /* 1 simulates libgpiod 2.x with a queue of 64 numbered edges. 0 simulates
+                          libgpiod 1.6 with a queue of 16 edges without numbers. */
 };
 
 /* Runs the simulation of `config`. Returns its result. */

@@ -16,8 +16,10 @@ void fake_board_reset(void)
 {
     static const struct fake_chip fresh[FAKE_CHIPS] = {
         { .device = "gpiochip0", .label = "soc", .lines = { [1] = { .name = "HDMI_HPD" } } },
-        { .device = "gpiochip4", .label = "panel",
-          .lines = { [0] = { .name = "BTN_START" }, [2] = { .name = "COIN" },
+        { .device = "gpiochip4",
+          .label = "panel",
+          .lines = { [0] = { .name = "BTN_START" },
+                     [2] = { .name = "COIN" },
                      [3] = { .name = "LAMP" } } },
         { .device = "gpiochip11", .label = "door", .lines = { [5] = { .name = "DOOR" } } },
     };
@@ -70,11 +72,11 @@ void fake_chip_close(struct fake_chip *chip)
 
 int fake_line_request(struct fake_chip *chip, struct fake_line *line)
 {
-    errno = chip->gone                          ? ENODEV
-            : line->refuses                     ? line->refuses
+    errno = chip->gone                                                      ? ENODEV
+            : line->refuses                                                 ? line->refuses
             : line->has_no_edges && !line->is_output && !line->is_looked_at ? ENXIO
-            : line->consumer || line->requested ? EBUSY
-                                                : 0;
+            : line->consumer || line->requested                             ? EBUSY
+                                                                            : 0;
     if (errno) {
         return -1;
     }

@@ -21,13 +21,13 @@ struct fake_line {
     bool has_no_edges;    /* True if the line gives no interrupts. */
     bool is_looked_at;    /* True if the line was requested without edges. */
     bool requested;
-    int pipe[2];          /* Pipe with the queued edges. The pipe is open while the line is
-                             requested as an input. */
-    uint8_t value;        /* Logical level after active_low. */
-    uint32_t edges;       /* Number of edges after the request. */
+    int pipe[2];    /* Pipe with the queued edges. The pipe is open while the line is requested
+                       as an input. */
+    uint8_t value;  /* Logical level after active_low. */
+    uint32_t edges; /* Number of edges after the request. */
     /* Parameters of the current request. */
     bool is_output, active_low;
-    uint8_t bias;         /* Bias of the line, an enum gpio_bias. */
+    uint8_t bias;                     /* Bias of the line, an enum gpio_bias. */
     uint32_t debounce_us, queue_size; /* Debounce period and queue size, which only libgpiod 2.x
                                          sets. */
 };

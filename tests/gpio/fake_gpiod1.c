@@ -136,8 +136,7 @@ int gpiod_line_event_read_fd_multiple(int fd, struct gpiod_line_event *events,
     struct fake_line *line = NULL;
     for (uint32_t i = 0; i < FAKE_CHIPS * FAKE_LINES; i++) {
         struct fake_line *other = &fake_chips[i / FAKE_LINES].lines[i % FAKE_LINES];
-        if (other->requested && !other->is_output && !other->is_looked_at &&
-            other->pipe[0] == fd) {
+        if (other->requested && !other->is_output && !other->is_looked_at && other->pipe[0] == fd) {
             line = other;
         }
     }
@@ -146,8 +145,8 @@ int gpiod_line_event_read_fd_multiple(int fd, struct gpiod_line_event *events,
         events[i] = (struct gpiod_line_event){
             .ts = { .tv_sec = (time_t)(edges[i].time_ns / NS_PER_S),
                     .tv_nsec = (long)(edges[i].time_ns % NS_PER_S) },
-            .event_type = edges[i].active ? GPIOD_LINE_EVENT_RISING_EDGE
-                                          : GPIOD_LINE_EVENT_FALLING_EDGE,
+            .event_type =
+                edges[i].active ? GPIOD_LINE_EVENT_RISING_EDGE : GPIOD_LINE_EVENT_FALLING_EDGE,
         };
     }
     return count;

@@ -6,15 +6,36 @@
 
 #include "tests/gpio/fake_board.h"
 
-struct gpiod_chip { struct fake_chip *of; };
-struct gpiod_chip_info { struct fake_chip *of; };
-struct gpiod_line_info { struct fake_line *of; };
-struct gpiod_line_request { struct fake_chip *chip; struct fake_line *of; };
-struct gpiod_line_settings { struct fake_line as; };
-struct gpiod_line_config { unsigned int offset; struct fake_line as; };
-struct gpiod_request_config { size_t queue_size; };
-struct gpiod_edge_event { struct fake_edge edge; };
-struct gpiod_edge_event_buffer { size_t capacity; struct gpiod_edge_event events[64]; };
+struct gpiod_chip {
+    struct fake_chip *of;
+};
+struct gpiod_chip_info {
+    struct fake_chip *of;
+};
+struct gpiod_line_info {
+    struct fake_line *of;
+};
+struct gpiod_line_request {
+    struct fake_chip *chip;
+    struct fake_line *of;
+};
+struct gpiod_line_settings {
+    struct fake_line as;
+};
+struct gpiod_line_config {
+    unsigned int offset;
+    struct fake_line as;
+};
+struct gpiod_request_config {
+    size_t queue_size;
+};
+struct gpiod_edge_event {
+    struct fake_edge edge;
+};
+struct gpiod_edge_event_buffer {
+    size_t capacity;
+    struct gpiod_edge_event events[64];
+};
 
 struct gpiod_chip *gpiod_chip_open(const char *path)
 {
@@ -251,9 +272,9 @@ enum gpiod_line_value gpiod_line_request_get_value(struct gpiod_line_request *re
 {
     (void)offset;
     errno = ENODEV;
-    return request->chip->gone   ? GPIOD_LINE_VALUE_ERROR
+    return request->chip->gone  ? GPIOD_LINE_VALUE_ERROR
            : request->of->value ? GPIOD_LINE_VALUE_ACTIVE
-                                 : GPIOD_LINE_VALUE_INACTIVE;
+                                : GPIOD_LINE_VALUE_INACTIVE;
 }
 
 int gpiod_line_request_set_value(struct gpiod_line_request *request, unsigned int offset,
@@ -283,8 +304,7 @@ void gpiod_edge_event_buffer_free(struct gpiod_edge_event_buffer *buffer)
 }
 
 int gpiod_line_request_read_edge_events(struct gpiod_line_request *request,
-                                        struct gpiod_edge_event_buffer *buffer,
-                                        size_t max_events)
+                                        struct gpiod_edge_event_buffer *buffer, size_t max_events)
 {
     struct fake_edge edges[64];
     const size_t room = max_events < buffer->capacity ? max_events : buffer->capacity;

@@ -64,14 +64,11 @@ static Window find_window(XWindowAttributes *attributes)
 static void press_key(int key)
 {
     static const KeySym symbols[WHIM_KEY_COUNT] = {
-        [WHIM_KEY_START] = XK_space,    [WHIM_KEY_LEFT] = XK_Left,
-        [WHIM_KEY_RIGHT] = XK_Right,    [WHIM_KEY_UP] = XK_Up,
-        [WHIM_KEY_DOWN] = XK_Down,      [WHIM_KEY_ENTER] = XK_Return,
-        [WHIM_KEY_COIN] = XK_5,         [WHIM_KEY_COIN_2] = XK_6,
-        [WHIM_KEY_LANGUAGE] = XK_l,     [WHIM_KEY_FULL_SCREEN] = XK_F11,
-        [WHIM_KEY_TILT] = XK_F4,        [WHIM_KEY_UNUSED] = XK_x,
-        [WHIM_KEY_TEST] = XK_F2,        [WHIM_KEY_SERVICE] = XK_F3,
-        [WHIM_KEY_ESCAPE] = XK_Escape,
+        [WHIM_KEY_START] = XK_space,     [WHIM_KEY_LEFT] = XK_Left,  [WHIM_KEY_RIGHT] = XK_Right,
+        [WHIM_KEY_UP] = XK_Up,           [WHIM_KEY_DOWN] = XK_Down,  [WHIM_KEY_ENTER] = XK_Return,
+        [WHIM_KEY_COIN] = XK_5,          [WHIM_KEY_COIN_2] = XK_6,   [WHIM_KEY_LANGUAGE] = XK_l,
+        [WHIM_KEY_FULL_SCREEN] = XK_F11, [WHIM_KEY_TILT] = XK_F4,    [WHIM_KEY_UNUSED] = XK_x,
+        [WHIM_KEY_TEST] = XK_F2,         [WHIM_KEY_SERVICE] = XK_F3, [WHIM_KEY_ESCAPE] = XK_Escape,
     };
     const KeyCode code = XKeysymToKeycode(display, symbols[key]);
     XTestFakeKeyEvent(display, code, True, 0);

@@ -29,8 +29,9 @@
 
 #define FRAME_NS 16666667ull
 #define FRAMES_A_SECOND 60u
-#define FRAME_S 30u /* Time limit for a frame in seconds. A frame under the sanitizers on a busy
-                       machine takes about 0.1 s. */
+/* Time limit for a frame in seconds. A frame under the sanitizers on a busy machine takes about
+ * 0.1 s. */
+#define FRAME_S 30u
 #define WIDTH 320
 #define HEIGHT 240
 
@@ -69,13 +70,13 @@ static void push_key(SDL_Keycode code)
 static void press_key(int key)
 {
     static const SDL_Keycode codes[WHIM_KEY_COUNT] = {
-        [WHIM_KEY_START] = SDLK_SPACE,     [WHIM_KEY_LEFT] = SDLK_LEFT,
-        [WHIM_KEY_RIGHT] = SDLK_RIGHT,     [WHIM_KEY_UP] = SDLK_UP,
-        [WHIM_KEY_DOWN] = SDLK_DOWN,       [WHIM_KEY_ENTER] = SDLK_RETURN,
-        [WHIM_KEY_COIN] = SDLK_5,          [WHIM_KEY_COIN_2] = SDLK_6,
-        [WHIM_KEY_LANGUAGE] = SDLK_l,      [WHIM_KEY_FULL_SCREEN] = SDLK_F11,
-        [WHIM_KEY_TILT] = SDLK_F4,         [WHIM_KEY_UNUSED] = SDLK_x,
-        [WHIM_KEY_TEST] = SDLK_F2,         [WHIM_KEY_SERVICE] = SDLK_F3,
+        [WHIM_KEY_START] = SDLK_SPACE,   [WHIM_KEY_LEFT] = SDLK_LEFT,
+        [WHIM_KEY_RIGHT] = SDLK_RIGHT,   [WHIM_KEY_UP] = SDLK_UP,
+        [WHIM_KEY_DOWN] = SDLK_DOWN,     [WHIM_KEY_ENTER] = SDLK_RETURN,
+        [WHIM_KEY_COIN] = SDLK_5,        [WHIM_KEY_COIN_2] = SDLK_6,
+        [WHIM_KEY_LANGUAGE] = SDLK_l,    [WHIM_KEY_FULL_SCREEN] = SDLK_F11,
+        [WHIM_KEY_TILT] = SDLK_F4,       [WHIM_KEY_UNUSED] = SDLK_x,
+        [WHIM_KEY_TEST] = SDLK_F2,       [WHIM_KEY_SERVICE] = SDLK_F3,
         [WHIM_KEY_ESCAPE] = SDLK_ESCAPE,
     };
     push_key(codes[key]);
@@ -152,12 +153,10 @@ static int open_kiosk(void)
 {
     rig.storage = (struct storage_sim){ 0 };
     rig.hal.storage = storage_sim_device(&rig.storage);
-    const struct kiosk_config config = { .core = { .seed = rig.seed,
-                                                   .fish_count = 40,
-                                                   .players = 2,
-                                                   .round_s = 10,
-                                                   .modes = 15 },
-                                         .stopwatch = clock_device() };
+    const struct kiosk_config config = {
+        .core = { .seed = rig.seed, .fish_count = 40, .players = 2, .round_s = 10, .modes = 15 },
+        .stopwatch = clock_device()
+    };
     return kiosk_init(&rig.kiosk, &rig.hal, &config) == CORE_OK;
 }
 

@@ -4,18 +4,18 @@
 #include "core/base/rng.h"
 
 #define MOOD_STEPS 360u
-#define PLAYER_WEIGHTS 83u   /* Sums of the two columns of the table below. */
+#define PLAYER_WEIGHTS 83u /* Sums of the two columns of the table below. */
 #define OPERATOR_WEIGHTS 94u
 
 /* Relative frequency of each key for a player and for an operator. */
 static const uint8_t weights[WHIM_KEY_COUNT][2] = {
-    [WHIM_KEY_START] = { 20, 8 },     [WHIM_KEY_LEFT] = { 8, 8 },
-    [WHIM_KEY_RIGHT] = { 8, 8 },      [WHIM_KEY_UP] = { 8, 8 },
-    [WHIM_KEY_DOWN] = { 8, 8 },       [WHIM_KEY_ENTER] = { 8, 4 },
-    [WHIM_KEY_COIN] = { 8, 4 },       [WHIM_KEY_COIN_2] = { 4, 4 },
-    [WHIM_KEY_LANGUAGE] = { 4, 4 },   [WHIM_KEY_FULL_SCREEN] = { 1, 1 },
-    [WHIM_KEY_TILT] = { 1, 1 },       [WHIM_KEY_UNUSED] = { 3, 3 },
-    [WHIM_KEY_TEST] = { 0, 16 },      [WHIM_KEY_SERVICE] = { 0, 12 },
+    [WHIM_KEY_START] = { 20, 8 },   [WHIM_KEY_LEFT] = { 8, 8 },
+    [WHIM_KEY_RIGHT] = { 8, 8 },    [WHIM_KEY_UP] = { 8, 8 },
+    [WHIM_KEY_DOWN] = { 8, 8 },     [WHIM_KEY_ENTER] = { 8, 4 },
+    [WHIM_KEY_COIN] = { 8, 4 },     [WHIM_KEY_COIN_2] = { 4, 4 },
+    [WHIM_KEY_LANGUAGE] = { 4, 4 }, [WHIM_KEY_FULL_SCREEN] = { 1, 1 },
+    [WHIM_KEY_TILT] = { 1, 1 },     [WHIM_KEY_UNUSED] = { 3, 3 },
+    [WHIM_KEY_TEST] = { 0, 16 },    [WHIM_KEY_SERVICE] = { 0, 12 },
     [WHIM_KEY_ESCAPE] = { 2, 5 },
 };
 

@@ -33,15 +33,15 @@ enum whim_press {
 };
 
 struct whim {
-    int key;            /* Pressed key, an enum whim_key. -1 means that no key is pressed. */
-    int moves;          /* 1 moves the pointer to x_mille, y_mille. */
-    int x_mille;        /* Pointer x in thousandths of the window's width, -50 to 1049. */
-    int y_mille;        /* Pointer y in thousandths of the window's height, -50 to 1049. */
-    int press;          /* Button action, an enum whim_press. */
-    int wheel;          /* Steps of the wheel, -1 to 1. */
-    int width, height;  /* New size of the window in pixels. 0 keeps the size. */
-    int plugs;          /* 1 plugs or unplugs a device. */
-    uint32_t chance;    /* Random number for further draws of the caller. */
+    int key;           /* Pressed key, an enum whim_key. -1 means that no key is pressed. */
+    int moves;         /* 1 moves the pointer to x_mille, y_mille. */
+    int x_mille;       /* Pointer x in thousandths of the window's width, -50 to 1049. */
+    int y_mille;       /* Pointer y in thousandths of the window's height, -50 to 1049. */
+    int press;         /* Button action, an enum whim_press. */
+    int wheel;         /* Steps of the wheel, -1 to 1. */
+    int width, height; /* New size of the window in pixels. 0 keeps the size. */
+    int plugs;         /* 1 plugs or unplugs a device. */
+    uint32_t chance;   /* Random number for further draws of the caller. */
 };
 
 /* Returns the step of the monkey with `seed` at `step`. */

@@ -13,10 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TEXT_MAX (1u << 20) /* Largest size of a source file in bytes. The largest file has
-                               16 KiB. */
-#define SITES_MAX 65536u    /* Largest number of sites of all files together. A draw from more sites
-                               is refused. */
+/* Largest size of a source file in bytes. The largest file has 16 KiB. */
+#define TEXT_MAX (1u << 20)
+/* Largest number of sites of all files together. A draw from more sites is refused. */
+#define SITES_MAX 65536u
 
 /* A mutation. Replaces text[begin, end) by `before`, the old text if `keep` is set, and `after`. */
 struct site {
@@ -26,8 +26,8 @@ struct site {
 };
 
 struct scan {
-    char text[TEXT_MAX];  /* Text of the file. `code` is a copy in which comments and strings are
-                             blank. */
+    char text[TEXT_MAX]; /* Text of the file. `code` is a copy in which comments and strings are
+                            blank. */
     char code[TEXT_MAX];
     size_t size;
     uint32_t site_count;
@@ -59,8 +59,8 @@ static void blank(size_t from, size_t to)
 
 static size_t comment_end(size_t at)
 {
-    const char *end = scan.code[at + 1] == '*' ? strstr(scan.code + at + 2, "*/")
-                                               : strchr(scan.code + at, '\n');
+    const char *end =
+        scan.code[at + 1] == '*' ? strstr(scan.code + at + 2, "*/") : strchr(scan.code + at, '\n');
     return end ? (size_t)(end - scan.code) + (*end == '*' ? 2u : 0u) : scan.size;
 }
 
@@ -165,9 +165,9 @@ static int try_operator(size_t at)
     for (size_t i = 0; i < sizeof swaps / sizeof *swaps; i++) {
         const size_t length = strlen(swaps[i][0]);
         const char last = scan.code[at + length - 1];
-        const int matches = strncmp(scan.code + at, swaps[i][0], length - 1) == 0 &&
-                            (last == swaps[i][0][length - 1] ||
-                             (last == '\n' && swaps[i][0][length - 1] == ' '));
+        const int matches =
+            strncmp(scan.code + at, swaps[i][0], length - 1) == 0 &&
+            (last == swaps[i][0][length - 1] || (last == '\n' && swaps[i][0][length - 1] == ' '));
         if (matches) {
             const size_t end = last == '\n' ? at + length - 1 : at + length;
             add((struct site){ at, end, "operator", swaps[i][1], "", 0 });
@@ -200,10 +200,10 @@ static int starts_with_word(size_t at, const char *word)
 static int is_keyword(size_t at)
 {
     static const char *const words[] = {
-        "if",       "for",    "while",   "do",       "switch", "case",   "default", "else",
-        "return",   "static", "const",   "struct",   "enum",   "union",  "int",     "char",
-        "float",    "double", "void",    "unsigned", "goto",   "extern", "typedef", "long",
-        "uint8_t",  "size_t", "int16_t", "sqlite3",
+        "if",     "for",     "while",  "do",      "switch", "case",     "default",
+        "else",   "return",  "static", "const",   "struct", "enum",     "union",
+        "int",    "char",    "float",  "double",  "void",   "unsigned", "goto",
+        "extern", "typedef", "long",   "uint8_t", "size_t", "int16_t",  "sqlite3",
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (starts_with_word(at, words[i])) {
@@ -234,9 +234,9 @@ static void try_statement(size_t at)
     while (is_word(scan.code[word])) {
         word++;
     }
-    const int is_declared = scan.code[word] == ' ' && (is_word(scan.code[word + 1]) ||
-                                                       (scan.code[word + 1] == '*' &&
-                                                        scan.code[word + 2] != ' '));
+    const int is_declared =
+        scan.code[word] == ' ' && (is_word(scan.code[word + 1]) ||
+                                   (scan.code[word + 1] == '*' && scan.code[word + 2] != ' '));
     const int is_label = scan.code[word] == ':' || scan.code[word] == ',';
     if (word > at && !is_declared && !is_label) {
         add((struct site){ at, end, "statement removed", "", "", 0 });

@@ -36,12 +36,9 @@ struct mood {
 };
 
 static const struct mood moods[] = {
-    { "good, 5 ms a sync", 5000, 0 },
-    { "slow, 200 ms a sync", 200000, 0 },
-    { "full", 5000, ENOSPC },
-    { "good again", 5000, 0 },
-    { "read-only", 5000, EROFS },
-    { "good again", 5000, 0 },
+    { "good, 5 ms a sync", 5000, 0 }, { "slow, 200 ms a sync", 200000, 0 },
+    { "full", 5000, ENOSPC },         { "good again", 5000, 0 },
+    { "read-only", 5000, EROFS },     { "good again", 5000, 0 },
 };
 #define MOOD_COUNT (sizeof moods / sizeof moods[0])
 
@@ -65,8 +62,8 @@ static void fill_script(uint64_t begin_ns, uint64_t length_ns)
         event->pressed = count % 6u == 0 ? INPUT_START : 0u;
         event->released = INPUT_START;
     }
-    buttons = (struct buttons_sim){ .clock = clock_device(), .events = events,
-                                    .event_count = count };
+    buttons =
+        (struct buttons_sim){ .clock = clock_device(), .events = events, .event_count = count };
 }
 
 static int open_stall(const char *folder, uint32_t mood_s)

@@ -163,8 +163,7 @@ struct bench {
 };
 
 static void cut_once(const struct cutter *cutter, const struct disk *disk, size_t op, uint32_t way,
-                     const struct promise *promise, const struct bench *bench,
-                     struct tally *tally)
+                     const struct promise *promise, const struct bench *bench, struct tally *tally)
 {
     const enum disk_luck luck = (enum disk_luck)(way % DISK_LUCK_COUNT);
     const uint64_t seed = (uint64_t)op << 20 | (uint64_t)way << 8 | cutter->seed % 251u;
@@ -266,4 +265,3 @@ int cutter_run(const struct cutter *cutter, struct tally *sum)
     }
     return failed ? -1 : 0;
 }
-

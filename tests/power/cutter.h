@@ -13,7 +13,7 @@ struct tally {
     uint64_t cuts, second_cuts;
     uint64_t by_luck[DISK_LUCK_COUNT];
     uint64_t unopenable, lost, ghosts, differing, replays_lost, edits_lost;
-    uint64_t mornings; /* Number of cuts after which the stall was played on (go_on.h). */
+    uint64_t mornings;        /* Number of cuts after which the stall was played on (go_on.h). */
     uint64_t tickets_missing; /* Number of tickets that the ledger had removed and whose pulse had
                                  not begun. */
     uint64_t ahead; /* Number of cuts after which more entries were on the disk than were reported

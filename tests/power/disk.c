@@ -44,8 +44,7 @@ static struct disk_file *file_at(struct disk *disk, uint32_t number)
         const uint32_t room = 2u * number + 16u;
         disk->files = realloc(disk->files, room * sizeof *disk->files);
         disk_need(disk->files);
-        memset(disk->files + disk->file_room, 0,
-               (room - disk->file_room) * sizeof *disk->files);
+        memset(disk->files + disk->file_room, 0, (room - disk->file_room) * sizeof *disk->files);
         disk->file_room = room;
     }
     return &disk->files[number];
@@ -91,8 +90,7 @@ int disk_is_of_bytes(const struct tape_op *op)
     return op->kind == TAPE_WRITE || op->kind == TAPE_TRUNCATE;
 }
 
-void disk_apply_bytes(const struct tape *tape, const struct tape_op *op,
-                      struct disk_file *file)
+void disk_apply_bytes(const struct tape *tape, const struct tape_op *op, struct disk_file *file)
 {
     if (op->kind == TAPE_TRUNCATE) {
         disk_grow(file, op->offset);
@@ -151,8 +149,8 @@ uint32_t disk_put_folder(struct disk *disk, const char *folder,
     for (struct dirent *entry = dir ? readdir(dir) : NULL; entry; entry = readdir(dir)) {
         size_t size = 0;
         snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        uint8_t *bytes = entry->d_name[0] != '.' && count < DISK_NAMES_MAX
-                             ? disk_read(path, &size) : NULL;
+        uint8_t *bytes =
+            entry->d_name[0] != '.' && count < DISK_NAMES_MAX ? disk_read(path, &size) : NULL;
         if (bytes) {
             snprintf(names[count++], TAPE_NAME_SIZE, "%.63s", entry->d_name);
             disk_put(disk, entry->d_name, bytes, size);

@@ -40,8 +40,11 @@ struct disk {
     const struct tape *tape;
     struct disk_file *files; /* Durable content of the files, indexed by file number from 1. */
     uint32_t file_room;
-    struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[DISK_NAMES_MAX];
-    size_t *pending;         /* Operations in time order that no sync has made durable. */
+    struct {
+        char name[TAPE_NAME_SIZE];
+        uint32_t file;
+    } names[DISK_NAMES_MAX];
+    size_t *pending; /* Operations in time order that no sync has made durable. */
     size_t pending_count, pending_room;
 };
 

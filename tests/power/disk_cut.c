@@ -21,8 +21,8 @@ struct cut {
 
 static uint32_t draw(struct cut *cut)
 {
-    return rng_u32((struct rng_key){ (uint32_t)cut->seed, cut->draw++,
-                                     (uint32_t)(cut->seed >> 32), RNG_TEST });
+    return rng_u32((struct rng_key){ (uint32_t)cut->seed, cut->draw++, (uint32_t)(cut->seed >> 32),
+                                     RNG_TEST });
 }
 
 /* Returns a random number 0 .. 7. */
@@ -181,4 +181,3 @@ uint32_t disk_cut(const struct disk *disk, enum disk_luck luck, uint64_t seed, c
     }
     return count;
 }
-

@@ -18,7 +18,6 @@ void disk_apply_names(struct disk *disk, const struct tape_op *op);
 /* Returns 1 if the operation writes or truncates a file. */
 int disk_is_of_bytes(const struct tape_op *op);
 /* Applies a write or a truncation to the bytes of `file`. */
-void disk_apply_bytes(const struct tape *tape, const struct tape_op *op,
-                      struct disk_file *file);
+void disk_apply_bytes(const struct tape *tape, const struct tape_op *op, struct disk_file *file);
 
 #endif

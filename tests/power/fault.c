@@ -8,15 +8,15 @@
 static uint64_t own_failed[FAULT_CALL_COUNT];
 uint64_t *fault_failed = own_failed;
 const char *const fault_names[FAULT_CALL_COUNT] = {
-    [FAULT_FSYNC] = "fsync", [FAULT_FDATASYNC] = "fdatasync", [FAULT_WRITE] = "write",
+    [FAULT_FSYNC] = "fsync",   [FAULT_FDATASYNC] = "fdatasync", [FAULT_WRITE] = "write",
     [FAULT_PWRITE] = "pwrite", [FAULT_FTRUNCATE] = "ftruncate", [FAULT_RENAME] = "rename",
 };
 
 /* Approximate number of calls that a store makes in ten busy seconds. The first failing call is
  * drawn below these numbers. */
 static const uint32_t calls_usual[FAULT_CALL_COUNT] = {
-    [FAULT_FSYNC] = 24, [FAULT_FDATASYNC] = 60, [FAULT_WRITE] = 8,
-    [FAULT_PWRITE] = 320, [FAULT_FTRUNCATE] = 2, [FAULT_RENAME] = 8,
+    [FAULT_FSYNC] = 24,   [FAULT_FDATASYNC] = 60, [FAULT_WRITE] = 8,
+    [FAULT_PWRITE] = 320, [FAULT_FTRUNCATE] = 2,  [FAULT_RENAME] = 8,
 };
 
 static struct fault_plan running[FAULT_PLANS_MAX];
@@ -27,14 +27,14 @@ struct fault_plan fault_draw(uint64_t seed, uint32_t index)
     uint32_t draws[5];
     for (uint32_t i = 0; i < 5u; i++) {
         draws[i] = rng_u32((struct rng_key){ (uint32_t)seed, index, (uint32_t)(seed >> 32) ^ i,
-                                             RNG_TEST }) >> 8;
+                                             RNG_TEST }) >>
+                   8;
     }
     const uint32_t which = draws[0] % 8u;
     struct fault_plan plan = { .error = draws[1] % 2u ? EIO : ENOSPC };
-    plan.calls = which < FAULT_CALL_COUNT ? 1u << which
-                 : which == FAULT_CALL_COUNT
-                     ? 1u << FAULT_FSYNC | 1u << FAULT_FDATASYNC
-                     : (1u << FAULT_CALL_COUNT) - 1u;
+    plan.calls = which < FAULT_CALL_COUNT    ? 1u << which
+                 : which == FAULT_CALL_COUNT ? 1u << FAULT_FSYNC | 1u << FAULT_FDATASYNC
+                                             : (1u << FAULT_CALL_COUNT) - 1u;
     for (uint32_t call = 0; call < FAULT_CALL_COUNT; call++) {
         plan.first += plan.calls >> call & 1u ? calls_usual[call] : 0u;
     }

@@ -23,7 +23,7 @@ enum fault_call {
 struct fault_plan {
     uint32_t calls; /* Kinds of calls as a bit set of `1u << enum fault_call`. */
     uint32_t first, count;
-    int error;      /* errno of the failing calls: EIO or ENOSPC. */
+    int error; /* errno of the failing calls: EIO or ENOSPC. */
 };
 
 /* Draws a plan. In six of eight cases one kind of call fails, in one case both kinds of sync, in

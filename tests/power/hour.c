@@ -11,12 +11,20 @@
 #include "platform/cpu.h"
 #include "tests/power/tape.h"
 
-#define ROUND_S 20u /* Length of a round in seconds. Rounds are short so that many of them are
-                       played. */
+/* Length of a round in seconds. Rounds are short so that many of them are played. */
+#define ROUND_S 20u
 #define TICKS_A_FRAME 2u
 
-enum { DRAW_COIN = 1, DRAW_COINS, DRAW_SERVICE, DRAW_START, DRAW_FISH, DRAW_VOLUME, DRAW_RESET,
-       DRAW_EDIT };
+enum {
+    DRAW_COIN = 1,
+    DRAW_COINS,
+    DRAW_SERVICE,
+    DRAW_START,
+    DRAW_FISH,
+    DRAW_VOLUME,
+    DRAW_RESET,
+    DRAW_EDIT
+};
 
 int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
 {
@@ -97,7 +105,8 @@ static void land_fish(struct hour *hour)
 static void turn_volume(struct hour *hour)
 {
     const int32_t value = 5 * (int32_t)(draw(hour, DRAW_VOLUME) / 7919u % 21u);
-    const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = SET_VOLUME,
+    const struct ledger_entry entry = { .kind = LEDGER_SETTING,
+                                        .detail = SET_VOLUME,
                                         .value = value };
     if (ledger_write(&hour->core, &entry, &hour->output) != 0) {
         hour->core.config.persistent.settings.value[SET_VOLUME] = value;

@@ -18,23 +18,23 @@ struct hour {
     struct input input;
     struct output output;
     uint32_t seed;
-    uint32_t kept_id, acked_id;           /* Newest entry that was passed to the store, and newest
-                                             entry that is known to be committed. */
-    uint32_t replay_id, replay_acked_id;  /* Newest round that has a replay for the store, and
-                                             newest round whose replay is committed. */
-    uint32_t named_id;                    /* The last round whose player has a name. */
-    uint32_t pulse_ticks;                 /* Ticks left in the dispenser's pulse; 0 means that the
-                                             dispenser is idle. */
-    uint32_t coins, services, rounds;     /* Coins, SERVICE presses and rounds that were generated,
-                                             for comparison with the store. */
-    uint32_t replay_taken_id;             /* Newest round whose replay the store has accepted. */
-    uint32_t haste;                       /* Factor of the rates of coins, SERVICE and START; 0
-                                             means 1. */
-    uint32_t edit_each_s;                 /* Mean number of seconds between two saved graphs; 0
-                                             means that no graph is saved. */
-    uint32_t edit_number, edit_acked;     /* Newest graph that was passed to the store, and newest
-                                             committed graph. Graphs count from 1. */
-    uint32_t edit_first;                  /* Number of the graph before the store's graph 1. */
+    uint32_t kept_id, acked_id;          /* Newest entry that was passed to the store, and newest
+                                            entry that is known to be committed. */
+    uint32_t replay_id, replay_acked_id; /* Newest round that has a replay for the store, and
+                                            newest round whose replay is committed. */
+    uint32_t named_id;                   /* The last round whose player has a name. */
+    uint32_t pulse_ticks;                /* Ticks left in the dispenser's pulse; 0 means that the
+                                            dispenser is idle. */
+    uint32_t coins, services, rounds;    /* Coins, SERVICE presses and rounds that were
+                                            generated, for comparison with the store. */
+    uint32_t replay_taken_id;            /* Newest round whose replay the store has accepted. */
+    uint32_t haste;                      /* Factor of the rates of coins, SERVICE and START; 0
+                                            means 1. */
+    uint32_t edit_each_s;                /* Mean number of seconds between two saved graphs; 0
+                                            means that no graph is saved. */
+    uint32_t edit_number, edit_acked;    /* Newest graph that was passed to the store, and newest
+                                            committed graph. Graphs count from 1. */
+    uint32_t edit_first;                 /* Number of the graph before the store's graph 1. */
     uint8_t replay[HOUR_REPLAY_MAX];
     struct ledger_entry entries[HOUR_ENTRIES_MAX]; /* Entries indexed by their id. */
 };

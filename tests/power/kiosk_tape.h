@@ -17,7 +17,7 @@ struct kiosk_tape {
     struct tape tape; /* The recorded tape. Its two pointers are valid only in the process that set
                          them. */
     uint64_t failed[FAULT_CALL_COUNT];
-    uint32_t coins;   /* Number of dropped coins. */
+    uint32_t coins;    /* Number of dropped coins. */
     uint32_t refusals; /* Number of statuses that reported a store fault. */
     struct tape_op ops[KIOSK_OPS_MAX];
     uint8_t bytes[KIOSK_BYTES_MAX];

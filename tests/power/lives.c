@@ -17,11 +17,11 @@
 
 #define PATH_SIZE 300u
 #define PARTS_MAX 3u
-#define FRAMES 600u      /* Frames in a part, which are ten seconds. */
-#define HASTE 16u        /* Factor of the event rates, so that many entries fall into a part. */
-#define STARTS_MAX 3u    /* Number of retries of a start that was refused. */
+#define FRAMES 600u   /* Frames in a part, which are ten seconds. */
+#define HASTE 16u     /* Factor of the event rates, so that many entries fall into a part. */
+#define STARTS_MAX 3u /* Number of retries of a start that was refused. */
 #define CUTS_A_PART 6u
-#define BOOKS_MAX 1024u  /* Largest number of entries in a life. */
+#define BOOKS_MAX 1024u /* Largest number of entries in a life. */
 
 static struct hour hour;
 static struct tape tape;
@@ -44,7 +44,8 @@ struct life {
 static uint32_t draw(struct life *life)
 {
     return rng_u32((struct rng_key){ (uint32_t)life->seed, life->draws++,
-                                     (uint32_t)(life->seed >> 32), RNG_TEST }) >> 8;
+                                     (uint32_t)(life->seed >> 32), RNG_TEST }) >>
+           8;
 }
 
 /* ---- Playing -------------------------------------------------------------------------------- */

@@ -30,8 +30,9 @@
 #include "tests/power/tape.h"
 
 #define FRAMES_AN_HOUR (3600u * 60u)
-#define SYNC_US 200u /* Time of a sync in us. At the speed of this simulated hour this time stands
-                        for some tenths of a second, as on a slow card. */
+/* Time of a sync in us. At the speed of this simulated hour this time stands for some tenths of
+ * a second, as on a slow card. */
+#define SYNC_US 200u
 #define JOBS_MAX 16u
 #define PATH_SIZE 300u
 
@@ -136,7 +137,7 @@ static void tell_hour(const struct plan *plan)
 static int tell(const struct tally *sum, double seconds)
 {
     static const char *const luck[DISK_LUCK_COUNT] = {
-        "all there", "nothing there", "last write torn", "half of the sectors",
+        "all there",           "nothing there",  "last write torn", "half of the sectors",
         "one sector in eight", "seven in eight", "half, and dirt",
     };
     printf("  of what was not synced      cuts\n");
@@ -157,8 +158,8 @@ static int tell(const struct tally *sum, double seconds)
     if (sum->first[0]) {
         printf("  the first: %s\n", sum->first);
     }
-    return sum->lost || sum->ghosts || sum->differing || sum->unopenable ||
-           sum->replays_lost || sum->cuts == 0;
+    return sum->lost || sum->ghosts || sum->differing || sum->unopenable || sum->replays_lost ||
+           sum->cuts == 0;
 }
 
 static int tell_lives(const struct lives_tally *sum, double seconds)
@@ -199,7 +200,9 @@ static int run_lives(const struct plan *plan)
 
 static int read_plan(struct plan *plan, int argc, char **argv)
 {
-    *plan = (struct plan){ .cuts = 50000, .seed = 1, .frames = FRAMES_AN_HOUR,
+    *plan = (struct plan){ .cuts = 50000,
+                           .seed = 1,
+                           .frames = FRAMES_AN_HOUR,
                            .jobs = (uint32_t)sysconf(_SC_NPROCESSORS_ONLN),
                            .folder = "/dev/shm" };
     int good = 1;
@@ -245,8 +248,9 @@ static int run_hour(const struct plan *plan)
         points += (uint32_t)cutter_is_point(&tape.ops[i]);
     }
     struct tally sum = { 0 };
-    const struct cutter cutter = { &tape, books, plan->folder, (plan->cuts + points - 1u) / points,
-                                   plan->seed, plan->jobs };
+    const struct cutter cutter = { &tape,        books,
+                                   plan->folder, (plan->cuts + points - 1u) / points,
+                                   plan->seed,   plan->jobs };
     if (cutter_run(&cutter, &sum) != 0) {
         fprintf(stderr, "power: a worker died\n");
         return 1;

@@ -21,8 +21,8 @@
 #include "tests/power/kiosk_tape.h"
 
 #define PLANS 3u
-#define RENAMES 2u /* Number of renames that a kiosk makes in some seconds, which are those of its
-                      backup. */
+/* Number of renames that a kiosk makes in some seconds, which are those of its backup. */
+#define RENAMES 2u
 #define STATUS_MAX 65536u
 
 static struct kiosk_tape *map;

@@ -17,30 +17,30 @@
 #define TAPE_NAMES_MAX 64u
 
 enum tape_kind {
-    TAPE_CREATE,      /* Creates the empty file `name`. */
-    TAPE_WRITE,       /* Writes `size` bytes from tape byte `at` into `file` at `offset`. */
-    TAPE_TRUNCATE,    /* Truncates or extends `file` to `offset` bytes. */
-    TAPE_SYNC,        /* Syncs `file`. */
-    TAPE_SYNC_FAILED, /* Failed sync of `file`. Its dirty pages count as clean afterwards
-                         (disk.h). */
-    TAPE_SYNC_FOLDER, /* Syncs the names in folder `name`; "" is the watched folder itself. */
-    TAPE_RENAME,      /* Renames `name` to `to`. */
-    TAPE_UNLINK,      /* Deletes `name`. */
-    TAPE_KEPT,        /* Mark: ledger entry `offset` was passed to the store. */
-    TAPE_ACKED,       /* Mark: ledger entry `offset` was reported as committed. */
+    TAPE_CREATE,       /* Creates the empty file `name`. */
+    TAPE_WRITE,        /* Writes `size` bytes from tape byte `at` into `file` at `offset`. */
+    TAPE_TRUNCATE,     /* Truncates or extends `file` to `offset` bytes. */
+    TAPE_SYNC,         /* Syncs `file`. */
+    TAPE_SYNC_FAILED,  /* Failed sync of `file`. Its dirty pages count as clean afterwards
+                          (disk.h). */
+    TAPE_SYNC_FOLDER,  /* Syncs the names in folder `name`; "" is the watched folder itself. */
+    TAPE_RENAME,       /* Renames `name` to `to`. */
+    TAPE_UNLINK,       /* Deletes `name`. */
+    TAPE_KEPT,         /* Mark: ledger entry `offset` was passed to the store. */
+    TAPE_ACKED,        /* Mark: ledger entry `offset` was reported as committed. */
     TAPE_REPLAY_ACKED, /* Mark: the replay of round `offset` was reported as committed. */
-    TAPE_EDIT_KEPT,   /* Mark: graph number `offset` was passed to the store. */
-    TAPE_EDIT_ACKED,  /* Mark: graph number `offset` was reported as committed. */
-    TAPE_TICKET,      /* Mark: the dispenser pulse of ticket `offset` began. */
+    TAPE_EDIT_KEPT,    /* Mark: graph number `offset` was passed to the store. */
+    TAPE_EDIT_ACKED,   /* Mark: graph number `offset` was reported as committed. */
+    TAPE_TICKET,       /* Mark: the dispenser pulse of ticket `offset` began. */
     TAPE_KIND_COUNT,
 };
 
 struct tape_op {
-    uint8_t kind;    /* Kind of the operation, an enum tape_kind. */
-    uint32_t file;   /* File number from 1, in the order of creation. */
+    uint8_t kind;  /* Kind of the operation, an enum tape_kind. */
+    uint32_t file; /* File number from 1, in the order of creation. */
     uint32_t size;
     uint64_t offset;
-    size_t at;       /* Position in the tape's bytes. */
+    size_t at; /* Position in the tape's bytes. */
     char name[TAPE_NAME_SIZE], to[TAPE_NAME_SIZE];
 };
 
@@ -49,10 +49,10 @@ struct tape {
     uint8_t *bytes;
     size_t count, room, used, bytes_room;
     uint32_t files;
-    struct { char name[TAPE_NAME_SIZE]; uint32_t file; } names[TAPE_NAMES_MAX]; /* Names that exist
-                                                                                   at this moment,
-                                                                                   with their file
-                                                                                   numbers. */
+    struct {
+        char name[TAPE_NAME_SIZE];
+        uint32_t file;
+    } names[TAPE_NAMES_MAX]; /* Names that exist at this moment, with their file numbers. */
 };
 
 /* Starts to record the operations in `folder` and its subfolders on `tape`, which must be zeroed or

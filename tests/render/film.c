@@ -16,9 +16,9 @@
 #define LENGTH_M 0.07f
 #define MIDDLE_X_M 0.015f /* Middle of the distance that the fish covers in twelve ticks. */
 #define MIDDLE_Z_M 0.027f
-#define EYE_M 0.30f       /* Height of the camera above the water. */
-#define HALF_TAN 0.165f   /* Tangent of half the view angle. The picture shows 11 cm at the depth of
-                             the fish. */
+#define EYE_M 0.30f /* Height of the camera above the water. */
+/* Tangent of half the view angle. The picture shows 11 cm at the depth of the fish. */
+#define HALF_TAN 0.165f
 
 static struct core core;
 static struct scene scene;

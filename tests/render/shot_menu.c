@@ -103,8 +103,8 @@ static void keep_books(struct core *core)
 /* Fills the leaderboard with the scores of a festival evening. */
 static void rank_some(struct ranking *ranking)
 {
-    static const char *const guests[] = { "きんぎょ", "KINGYO", "", "たろうとはなこ", "マリー",
-                                          "A-1", "さくら" };
+    static const char *const guests[] = { "きんぎょ", "KINGYO", "",      "たろうとはなこ",
+                                          "マリー",   "A-1",    "さくら" };
     for (uint32_t i = 0; i < sizeof guests / sizeof guests[0]; i++) {
         struct rank_row *row = &ranking->row[MODE_FESTIVAL][RANK_DAY][i];
         *row = (struct rank_row){ .caught = 19u - 2u * i, .round_id = 100u + i };
@@ -116,8 +116,8 @@ static void rank_some(struct ranking *ranking)
 static void calibrate_some(struct calibrate *calibrate, uint8_t step)
 {
     calibrate->step = step < CALIBRATE_STEPS ? step : (uint8_t)CALIBRATE_REFUSED;
-    calibrate->fault = step < CALIBRATE_STEPS ? (uint8_t)CALIBRATION_UNEVEN
-                                              : (uint8_t)(step - CALIBRATE_STEPS);
+    calibrate->fault =
+        step < CALIBRATE_STEPS ? (uint8_t)CALIBRATION_UNEVEN : (uint8_t)(step - CALIBRATE_STEPS);
     calibrate->has_before = 1;
 }
 
@@ -203,8 +203,15 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     devices->frames_a_second = 60;
     devices->files_refused = 6;
     devices->machine = (struct scene_machine){
-        .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_NO_LIMIT, .has_backup = 1,
-        .backup_min = 7, .room_mib = 40, .has_heat = 1, .heat_margin_c = 21, .aside = 1,
+        .has_looked = 1,
+        .keeps = KEEPS_PROVEN,
+        .watch = WATCH_NO_LIMIT,
+        .has_backup = 1,
+        .backup_min = 7,
+        .room_mib = 40,
+        .has_heat = 1,
+        .heat_margin_c = 21,
+        .aside = 1,
         .missed = 2,
     };
     devices->line_raw = INPUT_LEFT | INPUT_DOOR | INPUT_TILT;
@@ -215,8 +222,8 @@ void shot_menu_name(struct scene_devices *devices, uint8_t file_first)
     devices->buttons_missing = INPUT_START | 1u << INPUT_BUTTON_COUNT;
     for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
         const uint32_t row = file_first + i;
-        devices->file[i] = row == 0 ? (struct scene_file){ FILE_USED, "",
-                                                           "/var/lib/kingyo/kingyo.db" }
+        devices->file[i] = row == 0
+                               ? (struct scene_file){ FILE_USED, "", "/var/lib/kingyo/kingyo.db" }
                            : row <= FILE_COUNT ? files[row - 1u]
                                                : (struct scene_file){ .state = FILE_UNKNOWN };
     }

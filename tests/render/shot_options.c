@@ -142,8 +142,13 @@ static void read_named(struct shot_options *o, const char *name, const char *val
 
 struct shot_options shot_options_parse(int argc, char **argv)
 {
-    struct shot_options o = { .seconds = 8.0f, .width = 1280, .height = 720, .out = "out/shot.png",
-                         .light = 1.0f, .stamina = -1.0f, .oxygen_mg_l = -1.0f };
+    struct shot_options o = { .seconds = 8.0f,
+                              .width = 1280,
+                              .height = 720,
+                              .out = "out/shot.png",
+                              .light = 1.0f,
+                              .stamina = -1.0f,
+                              .oxygen_mg_l = -1.0f };
     for (int i = 1; i < argc; i++) {
         const char *const value = i + 1 < argc ? argv[i + 1] : "";
         read_plain(&o, argv[i], value);

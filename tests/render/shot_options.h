@@ -8,21 +8,21 @@
 
 struct shot_options {
     float seconds, scale;
-    float stamina, oxygen_mg_l;  /* Stamina and oxygen of the water. A negative value selects the
-                                    preset's value. */
+    float stamina, oxygen_mg_l; /* Stamina and oxygen of the water. A negative value selects the
+                                   preset's value. */
     uint8_t plain;
     float close_x_m, close_z_m, close_m; /* Point of the surface at which a close camera looks, and
                                             the distance of the camera from it; 0 means no close
                                             camera. */
     uint32_t width, height, samples, fish, seed;
     uint8_t start, english, passes, paper, preset;
-    uint8_t stress, owner;       /* Options of --paper: `stress` colors the stress as in practice
-                                    mode, and `owner` is the player who owns the poi. */
+    uint8_t stress, owner; /* Options of --paper: `stress` colors the stress as in practice mode,
+                              and `owner` is the player who owns the poi. */
     float water_m, tilt_rad, heel_rad; /* Water on the paper, tilt of the poi, and tilt of the
                                           bowls. */
     uint8_t careless;
-    float follow_m;              /* Distance of a camera that follows the first poi; 0 means
-                                    none. */
+    float follow_m;               /* Distance of a camera that follows the first poi; 0 means
+                                     none. */
     uint8_t players, mode, modes; /* Number of players, mode under the pointer, and enabled
                                      modes. */
     uint8_t lab, compare, path, size_layer; /* The growth lab and its options. */
@@ -35,7 +35,7 @@ struct shot_options {
     uint8_t rotation;                       /* Rotation of the picture on the screen. */
     float inset, light, shift; /* Geometry of the picture, as in struct display_settings. */
     uint32_t species;
-    float progress;                         /* Progress of the growth lab's species in its life. */
+    float progress;         /* Progress of the growth lab's species in its life. */
     struct shade_input fan; /* Place of a fan. The command line gives X_CM,Z_CM. */
     const char *out;
 };

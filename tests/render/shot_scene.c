@@ -121,7 +121,7 @@ static void come_close(const struct shot_options *options, struct scene *scene)
 {
     scene->view.target_m = v3(options->close_x_m, -0.01f, options->close_z_m);
     scene->view.eye_m = v3(options->close_x_m, 0.75f * options->close_m,
-                          options->close_z_m + 0.66f * options->close_m);
+                           options->close_z_m + 0.66f * options->close_m);
 }
 
 static void follow(const struct shot_options *options, struct scene *scene)

@@ -135,8 +135,12 @@ static void read_value(struct options *o, const char *name, const char *value)
 
 static struct options parse(int count, char **words)
 {
-    struct options o = { .out = "out/specimen.png", .width = 420, .height = 260, .amplitude = 0.6f,
-                         .phase_rad = 1.0f, .water = 0x2f6c7cffu };
+    struct options o = { .out = "out/specimen.png",
+                         .width = 420,
+                         .height = 260,
+                         .amplitude = 0.6f,
+                         .phase_rad = 1.0f,
+                         .water = 0x2f6c7cffu };
     for (int i = 1; i < count; i++) {
         if (!read_flag(&o, words[i])) {
             read_value(&o, words[i], i + 1 < count ? words[i + 1] : "");
@@ -176,8 +180,9 @@ static void label(const struct options *o, const struct species *species,
     const float mm = 1e3f * life_length_m(&species->card, fish->progress);
     snprintf(words, sizeof words, mm < 1000.0f ? "%s %.3g mm" : "%s %.4g mm", species->card.id,
              (double)mm);
-    const struct ui_text style = { .font = FONT_BODY, .size_px = size_px, .align = 0.5f,
-                                   .fill = 0xffffffd0u };
+    const struct ui_text style = {
+        .font = FONT_BODY, .size_px = size_px, .align = 0.5f, .fill = 0xffffffd0u
+    };
     ui_text(&ui.batch, &style, x_px, y_px, words);
 }
 
@@ -205,10 +210,10 @@ static void show(const struct options *o, const struct species *species, uint32_
     const uint32_t steps = steps_of(o, species);
     ui_batch_clear(&ui.batch);
     ui_shape(&ui.batch, &(struct ui_shape){
-        .box = { 0.0f, (float)(row * o->height), sheet[0], (float)o->height },
-        .kind = UI_WATER,
-        .fill = o->water,
-        .line = 0x0f2c36ff });
+                            .box = { 0.0f, (float)(row * o->height), sheet[0], (float)o->height },
+                            .kind = UI_WATER,
+                            .fill = o->water,
+                            .line = 0x0f2c36ff });
     morph_rig_init(&rig, &species->card, (enum graph_template)o->template_id);
     for (uint32_t i = 0; i < steps; i++) {
         struct specimen fish = {

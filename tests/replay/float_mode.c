@@ -23,8 +23,7 @@ static void spoil_if_named(const char *function)
     }
 }
 
-__attribute__((constructor))
-static void load(void)
+__attribute__((constructor)) static void load(void)
 {
     spoil();
 }
@@ -32,7 +31,7 @@ static void load(void)
 ssize_t pread(int fd, void *bytes, size_t size, off_t offset)
 {
     ssize_t (*next)(int, void *, size_t, off_t) =
-        (ssize_t (*)(int, void *, size_t, off_t))dlsym(RTLD_NEXT, "pread");
+        (ssize_t(*)(int, void *, size_t, off_t))dlsym(RTLD_NEXT, "pread");
     spoil_if_named("pread");
     return next(fd, bytes, size, offset);
 }

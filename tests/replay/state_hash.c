@@ -17,9 +17,9 @@
 #include "tests/replay/growth_hash.h"
 
 #define SEED 20130213u
-#define START_TICK (2u * CORE_TICK_HZ)  /* Attract mode runs until this tick. */
-#define HAND_TICK (20u * CORE_TICK_HZ)  /* The bot plays until this tick, and scripted input plays
-                                           from this tick on. */
+#define START_TICK (2u * CORE_TICK_HZ) /* Attract mode runs until this tick. */
+/* The bot plays until this tick, and scripted input plays from this tick on. */
+#define HAND_TICK (20u * CORE_TICK_HZ)
 #define END_TICK (30u * CORE_TICK_HZ)
 
 _Noreturn void core_panic(const char *condition, const char *file, int line)
@@ -33,8 +33,8 @@ static struct poi_target hand_at(uint32_t tick)
 {
     const float s = (float)(tick - HAND_TICK) * CORE_TICK_S;
     return (struct poi_target){
-        .position_m = v3(0.15f * f_sin(1.1f * s), 0.01f + 0.05f * f_cos(F_PI * s),
-                         0.10f * f_cos(0.7f * s)),
+        .position_m =
+            v3(0.15f * f_sin(1.1f * s), 0.01f + 0.05f * f_cos(F_PI * s), 0.10f * f_cos(0.7f * s)),
         .angles = { .yaw_rad = 0.3f * f_sin(s), .pitch_rad = 0.4f * f_sin(F_PI * s) },
     };
 }

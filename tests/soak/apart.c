@@ -4,8 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#define CELL_M 0.11f /* Side of a grid cell, which is larger than the greatest distance of two
-                        touching fish of 8 cm, corner to corner. */
+/* Side of a grid cell, which is larger than the greatest distance of two touching fish of 8 cm,
+ * corner to corner. */
+#define CELL_M 0.11f
 #define CELLS_MAX 2048u
 #define RING_POINTS 96
 #define REVERSAL_RAD_S (20.0f * F_DEG)
@@ -131,8 +132,8 @@ static void look_at_walls(struct apart *apart, const struct tank *tank, const st
 static float from_box_m(const struct box *box, vec3 point_m)
 {
     const vec3 p = vec_basis_to_body(&box->axes, v3_sub(point_m, box->centre_m));
-    const vec3 q = v3(f_abs(p.x) - box->half_m.x, f_abs(p.y) - box->half_m.y,
-                      f_abs(p.z) - box->half_m.z);
+    const vec3 q =
+        v3(f_abs(p.x) - box->half_m.x, f_abs(p.y) - box->half_m.y, f_abs(p.z) - box->half_m.z);
     const vec3 out = v3(f_max(q.x, 0.0f), f_max(q.y, 0.0f), f_max(q.z, 0.0f));
     return v3_length(out) + f_min(f_max(q.x, f_max(q.y, q.z)), 0.0f);
 }
@@ -140,8 +141,8 @@ static float from_box_m(const struct box *box, vec3 point_m)
 static vec3 on_ring(const struct poi *poi, const struct basis *axes, float middle_m,
                     float angle_rad)
 {
-    const vec3 out = v3_add(v3_scale(axes->right, cosf(angle_rad)),
-                            v3_scale(axes->back, sinf(angle_rad)));
+    const vec3 out =
+        v3_add(v3_scale(axes->right, cosf(angle_rad)), v3_scale(axes->back, sinf(angle_rad)));
     return v3_muladd(poi->position_m, out, middle_m);
 }
 

@@ -55,9 +55,9 @@ static void next_stroke(struct drag *drag)
     /* The speed is uniform in its logarithm, so that slow strokes are as frequent as fast ones. */
     drag->speed_m_s = 0.1f * f_exp(draw(drag, 4, 0.0f, 2.708f));
     const float tilt = kind > 0.6f ? 90.0f : 50.0f;
-    drag->angles = (struct angles){ draw(drag, 5, -90.0f, 90.0f) * F_DEG,
-                                    draw(drag, 6, -tilt, tilt) * F_DEG,
-                                    draw(drag, 7, -tilt, tilt) * F_DEG };
+    drag->angles =
+        (struct angles){ draw(drag, 5, -90.0f, 90.0f) * F_DEG, draw(drag, 6, -tilt, tilt) * F_DEG,
+                         draw(drag, 7, -tilt, tilt) * F_DEG };
 }
 
 static void move_hand(struct drag *drag)

@@ -31,14 +31,14 @@ static struct apart apart;
  * walls. */
 #define PACE_MIN 0.5f
 #define REVERSALS_MAX_PER_S 1.0f
-#define YAW_RATE_MAX_RAD_S (720.0f * F_DEG) /* Yaw rate of a burst. Avoidance turns are not
-                                               faster. */
+/* Yaw rate of a burst. Avoidance turns are not faster. */
+#define YAW_RATE_MAX_RAD_S (720.0f * F_DEG)
 #define CROWDING_MAX 1.5f
 #define STUCK_MAX_S 5.0f
 #define LOOSE_MAX_S 0.5f
 
 static uint64_t reverted_count; /* Number of fish that were put back, summed over the ticks. */
-static int cells_missed;    /* 1 if the check of all pairs found a deeper overlap than the grid. */
+static int cells_missed; /* 1 if the check of all pairs found a deeper overlap than the grid. */
 
 static void run(const struct density *density, int dragged, uint32_t seconds, uint32_t seed)
 {
@@ -98,9 +98,8 @@ int main(int argc, char **argv)
     const uint32_t seconds = argc > 1 ? (uint32_t)strtoul(argv[1], 0, 10) : 600u;
     const uint32_t seed = argc > 2 ? (uint32_t)strtoul(argv[2], 0, 10) : 1u;
     int failed = 0;
-    printf("%-14s %-8s %6s %5s  %5s %5s %5s %5s %5s %5s  %4s %6s %5s %5s %5s %5s %5s %6s\n",
-           "tank", "",
-           "pairs", "other", "body", "wall", "floor", "surf", "ring", "hull", "pace", "deg/s",
+    printf("%-14s %-8s %6s %5s  %5s %5s %5s %5s %5s %5s  %4s %6s %5s %5s %5s %5s %5s %6s\n", "tank",
+           "", "pairs", "other", "body", "wall", "floor", "surf", "ring", "hull", "pace", "deg/s",
            "rev/s", "walls", "stuck", "loose", "lag", "back");
     for (uint32_t d = 0; d < sizeof densities / sizeof densities[0]; d++) {
         for (int dragged = 0; dragged < 2; dragged++) {

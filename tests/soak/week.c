@@ -34,11 +34,11 @@
 #define LINE_HOURS 6u
 #define OPEN_HOUR 10u
 #define CLOSE_HOUR 21u
-#define GROWTH_MAX (4 * 1024)       /* Allowed growth in bytes, for lines that a library is still
-                                       reading. */
-#define SQLITE_MAX (1536u * 1024u) /* Limit of SQLite's memory in bytes: the store's page cache
-                                      (1,024 KiB, which fills as pages are read), the backup's page
-                                      cache (256 KiB), statements and schema. */
+/* Allowed growth in bytes, for lines that a library is still reading. */
+#define GROWTH_MAX (4 * 1024)
+/* Limit of SQLite's memory in bytes: the store's page cache (1,024 KiB, which fills as pages are
+ * read), the backup's page cache (256 KiB), statements and schema. */
+#define SQLITE_MAX (1536u * 1024u)
 
 #define PIECE_HEAD sizeof(size_t) /* Size of the header of each block of the C library. */
 
@@ -213,9 +213,13 @@ static void pieces_end(void *self)
 static int count_pieces(void)
 {
     const sqlite3_mem_methods methods = {
-        .xMalloc = piece_take,   .xFree = free,       .xRealloc = piece_resize,
-        .xSize = piece_size,     .xRoundup = piece_round,
-        .xInit = pieces_begin,   .xShutdown = pieces_end,
+        .xMalloc = piece_take,
+        .xFree = free,
+        .xRealloc = piece_resize,
+        .xSize = piece_size,
+        .xRoundup = piece_round,
+        .xInit = pieces_begin,
+        .xShutdown = pieces_end,
     };
     return sqlite3_config(SQLITE_CONFIG_MALLOC, &methods);
 }
@@ -242,10 +246,10 @@ static void tell(uint32_t hour, const struct sample *sample)
     const struct audits *audits = &kiosk.core.game.audits;
     const uint32_t *count = audits->count;
     printf("  %4u h %7u %7u %7u %9.1f %9.1f %9.1f %9.1f %8llu\n", hour, count[AUDIT_COINS_1],
-           count[AUDIT_PLAYS_PAID] + count[AUDIT_PLAYS_SERVICE],
-           kiosk.core.game.ledger.last_id, (double)sample->ours / 1024.0,
-           (double)sample->sqlites / 1024.0, (double)sample->resident / 1048576.0,
-           (double)sample->file / 1024.0, (unsigned long long)kiosk.pace.dropped);
+           count[AUDIT_PLAYS_PAID] + count[AUDIT_PLAYS_SERVICE], kiosk.core.game.ledger.last_id,
+           (double)sample->ours / 1024.0, (double)sample->sqlites / 1024.0,
+           (double)sample->resident / 1048576.0, (double)sample->file / 1024.0,
+           (unsigned long long)kiosk.pace.dropped);
     fflush(stdout);
 }
 
@@ -312,8 +316,8 @@ static int tell_growth(const struct sample *first, const struct sample *last, ui
     const int grew = own > (double)GROWTH_MAX || last->sqlites > SQLITE_MAX;
     printf("  memory in use %s: without SQLite %+.1f KiB since hour %u; SQLite has %.1f of at most "
            "%.1f KiB\n",
-           grew ? "grew" : "did not grow", own / 1024.0, since_hour,
-           (double)last->sqlites / 1024.0, (double)SQLITE_MAX / 1024.0);
+           grew ? "grew" : "did not grow", own / 1024.0, since_hour, (double)last->sqlites / 1024.0,
+           (double)SQLITE_MAX / 1024.0);
     return grew;
 }
 

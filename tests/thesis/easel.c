@@ -10,8 +10,8 @@
 #include "platform/render/display_gl.h"
 
 #define ASPECT ((float)EASEL_WIDTH / (float)EASEL_HEIGHT)
-#define SIDE_EYE_M 6.5f /* Distance of the side camera. At this distance near and far fish have
-                           nearly the same size. */
+/* Distance of the side camera. At this distance near and far fish have nearly the same size. */
+#define SIDE_EYE_M 6.5f
 
 static struct core core; /* Core that is used only to make a scene of its tank. */
 static struct scene scene;

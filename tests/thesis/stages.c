@@ -23,9 +23,9 @@
 #define PAPER 0xf2f1ecu
 #define WATER_ABOVE 0xd3e4e6u
 #define WATER_BELOW 0x9fbfc6u
-#define COLUMNS 9u       /* Number of stages that `ways` draws. */
-#define HEAD_SHARE 0.26f /* Length of the head as a fraction of the body's length, for close
-                            views. */
+#define COLUMNS 9u /* Number of stages that `ways` draws. */
+/* Length of the head as a fraction of the body's length, for close views. */
+#define HEAD_SHARE 0.26f
 
 static const char name[] = "stages";
 
@@ -202,8 +202,10 @@ static enum exit_code draw_sizes(const struct morph_options *pick)
     fill(MARGIN, HEAD, WIDTH - 2.0f * MARGIN, height, WATER_ABOVE, WATER_BELOW);
     for (uint32_t key = 0; key < 3; key++) {
         const float width = room * length_m[key] / sum_m;
-        const struct spot spot = { .fish = pick->fish, .rig = &pick->rig,
-                                   .progress = 0.5f * (float)key, .view = VIEW_SIDE,
+        const struct spot spot = { .fish = pick->fish,
+                                   .rig = &pick->rig,
+                                   .progress = 0.5f * (float)key,
+                                   .view = VIEW_SIDE,
                                    .box = { left, HEAD, width, height },
                                    .scale_px = px_per_m * length_m[key] };
         draw_spot(&spot);
@@ -246,8 +248,7 @@ static void draw_head(const struct spot *spot)
     }
     fish_preview_draw(&portrait, spot->view, 0.5f * (b.left + b.right), 0.5f * (b.low + b.high),
                       spot->scale_px, &raster);
-    failed |=
-        !raster_finish(&raster, &canvas, (uint32_t)spot->box.left, (uint32_t)spot->box.top);
+    failed |= !raster_finish(&raster, &canvas, (uint32_t)spot->box.left, (uint32_t)spot->box.top);
     raster_close(&raster);
 }
 
@@ -259,7 +260,9 @@ static void draw_way(const struct species *fish, const struct morph_rig *rig,
     fill(MARGIN, top, WIDTH - 2.0f * MARGIN, 3.0f * height, WATER_ABOVE, WATER_BELOW);
     for (uint32_t i = 0; i < COLUMNS; i++) {
         const float progress = (float)i / (float)(COLUMNS - 1u);
-        struct spot spot = { .fish = fish, .rig = rig, .view = VIEW_SIDE,
+        struct spot spot = { .fish = fish,
+                             .rig = rig,
+                             .view = VIEW_SIDE,
                              .progress = drawn ? drawn_progress(drawn, progress) : progress,
                              .box = { MARGIN + (float)i * column, top, column, height },
                              .scale_px = 0.78f * column };

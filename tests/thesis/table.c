@@ -20,7 +20,7 @@ static const struct {
     uint32_t fish;
     double grid, all;
 } thesis[] = {
-    { 50, 362.0, 70.3 }, { 100, 175.0, 9.7 }, { 150, 91.0, 2.7 }, { 200, 60.4, 1.9 },
+    { 50, 362.0, 70.3 }, { 100, 175.0, 9.7 }, { 150, 91.0, 2.7 },  { 200, 60.4, 1.9 },
     { 250, 40.3, 0.5 },  { 300, 26.5, 0.3 },  { 400, 11.8, -1.0 }, { 600, 4.0, -1.0 },
 };
 
@@ -127,8 +127,9 @@ static void write_row(FILE *file, size_t row)
             1e3 * tick_ms[ALL], update_ms[GRID], update_ms[ALL], 1e3 / update_ms[GRID],
             1e3 / update_ms[ALL], 1e3 / tick_ms[GRID], 1e3 / tick_ms[ALL]);
     printf("  table 4.2: %3u fish: the thesis %5.1f updates a second, here %5.2f, each against "
-           "each %5.2f; without drawing %.0f and %.0f\n", thesis[row].fish, thesis[row].grid,
-           1e3 / update_ms[GRID], 1e3 / update_ms[ALL], 1e3 / tick_ms[GRID], 1e3 / tick_ms[ALL]);
+           "each %5.2f; without drawing %.0f and %.0f\n",
+           thesis[row].fish, thesis[row].grid, 1e3 / update_ms[GRID], 1e3 / update_ms[ALL],
+           1e3 / tick_ms[GRID], 1e3 / tick_ms[ALL]);
     fflush(stdout);
 }
 
@@ -141,7 +142,8 @@ int main(int argc, char **argv)
     }
     name_machine(file);
     fputs("fish,thesis_grid_fps,thesis_all_fps,tick_us_grid,tick_us_all,update_ms_grid,"
-          "update_ms_all,grid_fps,all_fps,grid_fps_undrawn,all_fps_undrawn\n", file);
+          "update_ms_all,grid_fps,all_fps,grid_fps_undrawn,all_fps_undrawn\n",
+          file);
     for (size_t i = 0; i < sizeof thesis / sizeof thesis[0]; i++) {
         write_row(file, i);
     }

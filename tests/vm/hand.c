@@ -17,25 +17,25 @@
 #include "tests/vm/twin.h"
 
 #define PLAN_TICKS_MAX (20u * CORE_TICK_HZ)
-#define HOME_TICKS (CORE_TICK_HZ)        /* Ticks for the way back to the rest place. */
-#define AFTER_TICKS (CORE_TICK_HZ / 2u)  /* Ticks for which the poi stays after a fish has fallen
-                                            into the bowl. */
-#define THINK_S 4.0                      /* Time from the newest known tick to the first tick of the
-                                            plan. */
-#define DELIVERY_S 0.10                  /* Part of THINK_S until the poi receives the plan. */
-#define TRIES_MAX 40u                    /* Number of random trials for one moment of the stall. */
-#define JITTERS 4u                       /* Number of additional delays with which a path is
-                                            simulated. */
-#define PACE_S 4.0                       /* Time over which the speed of the stall's clock is
-                                            measured. */
+#define HOME_TICKS (CORE_TICK_HZ) /* Ticks for the way back to the rest place. */
+/* Ticks for which the poi stays after a fish has fallen into the bowl. */
+#define AFTER_TICKS (CORE_TICK_HZ / 2u)
+/* Time from the newest known tick to the first tick of the plan. */
+#define THINK_S 4.0
+#define DELIVERY_S 0.10 /* Part of THINK_S until the poi receives the plan. */
+#define TRIES_MAX 40u   /* Number of random trials for one moment of the stall. */
+/* Number of additional delays with which a path is simulated. */
+#define JITTERS 4u
+/* Time over which the speed of the stall's clock is measured. */
+#define PACE_S 4.0
 #define PACE_MIN 0.2
-#define LATE_S 3.0                       /* Delay of a recording, which is at most a second and a
-                                            frame. */
+/* Delay of a recording, which is at most a second and a frame. */
+#define LATE_S 3.0
 
 struct plan {
     struct poi_target way[PLAN_TICKS_MAX + HOME_TICKS];
     uint32_t count;
-    uint32_t lands;  /* Number of the JITTERS + 1 simulations that landed a fish. */
+    uint32_t lands; /* Number of the JITTERS + 1 simulations that landed a fish. */
 };
 
 /* Speed of the stall's clock. A guest that draws slowly drops ticks, and its fish are slow. */
@@ -47,7 +47,7 @@ struct pace {
 
 static struct twin twin;
 static struct pace pace = { .rate = 1.0 };
-static struct core copy; /* The copy has a size of megabytes and does not fit on the stack. */
+static struct core copy;     /* The copy has a size of megabytes and does not fit on the stack. */
 static struct plan plans[2]; /* The best plan so far, and the plan in work. */
 
 static double now_s(void)
@@ -204,8 +204,7 @@ static void think_once(uint32_t seed)
     for (uint32_t i = 0; i < JITTERS; i++) {
         idea->lands += (uint32_t)lands((uint32_t)((int32_t)lead + jitter_ticks[i]), idea);
     }
-    if (idea->lands > best->lands ||
-        (idea->lands == best->lands && idea->count < best->count)) {
+    if (idea->lands > best->lands || (idea->lands == best->lands && idea->count < best->count)) {
         *best = *idea;
     }
 }

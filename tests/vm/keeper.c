@@ -26,7 +26,7 @@
 struct keeper {
     const char *device;
     int timeout_s;
-    int watchdog_fd;   /* Open watchdog device; -1 means that the watchdog is not armed yet. */
+    int watchdog_fd; /* Open watchdog device; -1 means that the watchdog is not armed yet. */
     unsigned fed;
     double fed_s, longest_s;
 };
@@ -78,8 +78,8 @@ static void feed(struct keeper *keeper)
 {
     const double time_s = now_s();
     if (keeper->watchdog_fd >= 0 && ioctl(keeper->watchdog_fd, WDIOC_KEEPALIVE, 0) == 0) {
-        keeper->longest_s = time_s - keeper->fed_s > keeper->longest_s ? time_s - keeper->fed_s
-                                                                       : keeper->longest_s;
+        keeper->longest_s =
+            time_s - keeper->fed_s > keeper->longest_s ? time_s - keeper->fed_s : keeper->longest_s;
         keeper->fed_s = time_s;
         keeper->fed++;
     }

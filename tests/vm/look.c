@@ -21,8 +21,8 @@ static void on_signal(int number)
 
 static void tell(FILE *file, const struct twin *twin)
 {
-    static const char *const buttons[] = { "start", "left", "right", "ok", "language",
-                                           "test", "service", "tilt", "door" };
+    static const char *const buttons[] = { "start", "left",    "right", "ok",  "language",
+                                           "test",  "service", "tilt",  "door" };
     const struct core *core = &twin->core;
     const struct balance *balance = &core->game.ledger.balance;
     fprintf(file, "ticks %u\ndiffers_at %u\n", twin->ticks, twin->differs_at);
@@ -45,10 +45,10 @@ static void tell(FILE *file, const struct twin *twin)
     const uint8_t phase = core->game.phase;
     fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);
     fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", phase, core->game.paused,
-           core->game.round_count, twin->caught);
+            core->game.round_count, twin->caught);
     fprintf(file, "link %u\nlost_spans %u\nlost_ms %u\npaused_ms %u\n", twin->input.poi[0].link,
-           twin->lost_spans, twin->lost_ticks * 1000u / CORE_TICK_HZ,
-           twin->paused_ticks * 1000u / CORE_TICK_HZ);
+            twin->lost_spans, twin->lost_ticks * 1000u / CORE_TICK_HZ,
+            twin->paused_ticks * 1000u / CORE_TICK_HZ);
     const vec3 at = twin->input.poi[0].target.position_m;
     fprintf(file, "hand_mm %.1f %.1f %.1f\n", (double)at.x * 1e3, (double)at.y * 1e3,
             (double)at.z * 1e3);

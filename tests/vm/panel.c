@@ -24,8 +24,8 @@
 
 #define PATH_SIZE 256
 #define LOOK_MS 10.0
-#define PULSES_MAX 100000u /* Limit of pulses on a machine that never generates the required
-                              length. */
+/* Limit of pulses on a machine that never generates the required length. */
+#define PULSES_MAX 100000u
 
 struct pulses {
     double width_ms, rest_ms, min_ms, max_ms;
@@ -105,8 +105,7 @@ static void tell(const char *path, uint32_t count)
     char part[PATH_SIZE];
     snprintf(part, sizeof part, "%s.new", path);
     FILE *file = fopen(part, "w");
-    if (!file || fprintf(file, "%u\n", count) < 0 || fclose(file) != 0 ||
-        rename(part, path) != 0) {
+    if (!file || fprintf(file, "%u\n", count) < 0 || fclose(file) != 0 || rename(part, path) != 0) {
         perror(path);
         exit(74);
     }
@@ -151,8 +150,7 @@ static void *look(void *self)
     return NULL;
 }
 
-__attribute__((noreturn))
-static void count_rises(const char *wire, const char *out)
+__attribute__((noreturn)) static void count_rises(const char *wire, const char *out)
 {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     snprintf(seen.path, sizeof seen.path, "%s/value", wire);

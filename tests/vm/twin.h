@@ -13,21 +13,21 @@
 #include "platform/replay/replay.h"
 
 struct twin {
-    const char *path;        /* Path of the recording, which may still grow. */
+    const char *path; /* Path of the recording, which may still grow. */
     struct replay_reader reader;
     struct core core;
-    struct input input;      /* Input of the newest tick. */
+    struct input input; /* Input of the newest tick. */
     struct output output;
-    uint32_t ticks;          /* Number of ticks taken so far. */
-    uint32_t coins;          /* Total number of coins in all inputs. */
-    uint32_t presses[9];     /* Number of presses of each button, indexed by the bit of enum
-                                input_button. */
-    uint32_t caught;         /* Number of landed fish, by the count in the recording. */
-    uint32_t lost_spans;     /* Number of times that the first poi was lost after it had been
-                                present. */
-    uint32_t lost_ticks;     /* Duration of the last loss of the first poi. */
-    uint32_t paused_ticks;   /* Number of ticks in which a round was paused because of a loss. */
-    uint32_t differs_at;     /* First tick whose digest differs from the kiosk's; 0 means none. */
+    uint32_t ticks;        /* Number of ticks taken so far. */
+    uint32_t coins;        /* Total number of coins in all inputs. */
+    uint32_t presses[9];   /* Number of presses of each button, indexed by the bit of enum
+                              input_button. */
+    uint32_t caught;       /* Number of landed fish, by the count in the recording. */
+    uint32_t lost_spans;   /* Number of times that the first poi was lost after it had been
+                              present. */
+    uint32_t lost_ticks;   /* Duration of the last loss of the first poi. */
+    uint32_t paused_ticks; /* Number of ticks in which a round was paused because of a loss. */
+    uint32_t differs_at;   /* First tick whose digest differs from the kiosk's; 0 means none. */
     uint8_t was_live, begun;
 };
 

@@ -33,8 +33,18 @@ static const char *const names[AUDIT_PLAYS] = {
 };
 
 static const char *const machine_names[AUDIT_COUNT - AUDIT_BOOTS] = {
-    "boots", "crashed-rounds", "dropped-ticks", "device-faults", "up-seconds", "up-seconds-longest",
-    "resets", "wrong-pins", "lost-again-1", "lost-again-2", "lost-again-3", "lost-again-4",
+    "boots",
+    "crashed-rounds",
+    "dropped-ticks",
+    "device-faults",
+    "up-seconds",
+    "up-seconds-longest",
+    "resets",
+    "wrong-pins",
+    "lost-again-1",
+    "lost-again-2",
+    "lost-again-3",
+    "lost-again-4",
     "tickets-dispensed",
 };
 _Static_assert(POI_MAX == 4u, "each seat has its counter of losses");
@@ -83,8 +93,8 @@ enum audit_group audits_group_of(uint32_t id)
 {
     CORE_ASSERT(id < AUDIT_COUNT);
     return id < AUDIT_PLAYS_PAID || id == AUDIT_TICKETS_OUT ? AUDIT_GROUP_MONEY
-           : id < AUDIT_BOOTS    ? AUDIT_GROUP_PLAY
-                                 : AUDIT_GROUP_MACHINE;
+           : id < AUDIT_BOOTS                               ? AUDIT_GROUP_PLAY
+                                                            : AUDIT_GROUP_MACHINE;
 }
 
 static void add_to_audit(struct audits *audits, uint32_t id, uint32_t count)

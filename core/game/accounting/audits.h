@@ -19,7 +19,7 @@ enum audit_id {
     AUDIT_COINS_1 = 0, /* Pulses of each coin line. */
     AUDIT_COINS_2,
     AUDIT_COINS_3,
-    AUDIT_UNITS,       /* Value of all coin pulses in units. */
+    AUDIT_UNITS, /* Value of all coin pulses in units. */
     AUDIT_TEST_COINS,
     AUDIT_CREDITS_PAID,
     AUDIT_CREDITS_BONUS, /* Bonus credits, included in AUDIT_CREDITS_PAID. */
@@ -32,14 +32,14 @@ enum audit_id {
     AUDIT_PLAYS_PAID,
     AUDIT_PLAYS_SERVICE,
     AUDIT_PLAYS_FREE,
-    AUDIT_PLAYS_LAB,   /* Visits to the growth lab, included in the counters above. */
-    AUDIT_ROUNDS,      /* Scored rounds that people played to the end. The counters down to
-                          AUDIT_FOULS cover these rounds only. */
+    AUDIT_PLAYS_LAB, /* Visits to the growth lab, included in the counters above. */
+    AUDIT_ROUNDS,    /* Scored rounds that people played to the end. The counters down to
+                        AUDIT_FOULS cover these rounds only. */
     AUDIT_PLAYERS,
     AUDIT_CAUGHT,
-    AUDIT_PLAY_S,      /* Seconds played. */
-    AUDIT_PAPERS,      /* Sheets of paper given out. */
-    AUDIT_PAPERS_TORN, /* Sheets that tore through. */
+    AUDIT_PLAY_S,       /* Seconds played. */
+    AUDIT_PAPERS,       /* Sheets of paper given out. */
+    AUDIT_PAPERS_TORN,  /* Sheets that tore through. */
     AUDIT_PAPER_LIFE_S, /* Total lifetime of the torn sheets in seconds. */
     AUDIT_FOULS,
     AUDIT_PLAYS, /* Started rounds by mode and grade: mode * AUDIT_GRADES + grade -
@@ -53,11 +53,11 @@ enum audit_id {
     AUDIT_CRASHED_ROUNDS, /* Rounds that were still open at startup. */
     AUDIT_DROPPED_TICKS,
     AUDIT_DEVICE_FAULTS,
-    AUDIT_UP_S,        /* Total uptime in seconds. */
-    AUDIT_UP_S_MAX,    /* Longest uptime without a restart, in seconds. */
-    AUDIT_RESETS,      /* Resets of any group; never reset. */
-    AUDIT_WRONG_PINS,  /* Wrong PINs in a row until now. A correct PIN sets the counter to 0, so no
-                          page shows it. */
+    AUDIT_UP_S,           /* Total uptime in seconds. */
+    AUDIT_UP_S_MAX,       /* Longest uptime without a restart, in seconds. */
+    AUDIT_RESETS,         /* Resets of any group; never reset. */
+    AUDIT_WRONG_PINS,     /* Wrong PINs in a row until now. A correct PIN sets the counter to 0,
+                             so no page shows it. */
     AUDIT_FORMAT_7_COUNT, /* End of the counters in recordings of format 7. */
     AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* Repeated losses of each slot's controller. */
     AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Money: tickets passed to the dispenser,
@@ -65,8 +65,12 @@ enum audit_id {
     AUDIT_COUNT,
 };
 
-enum audit_group { AUDIT_GROUP_MONEY = 0, AUDIT_GROUP_PLAY, AUDIT_GROUP_MACHINE,
-                   AUDIT_GROUP_COUNT };
+enum audit_group {
+    AUDIT_GROUP_MONEY = 0,
+    AUDIT_GROUP_PLAY,
+    AUDIT_GROUP_MACHINE,
+    AUDIT_GROUP_COUNT
+};
 
 struct audits {
     uint32_t count[AUDIT_COUNT]; /* Counters, each saturated at UINT32_MAX. */

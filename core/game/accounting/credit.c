@@ -83,8 +83,7 @@ static uint8_t warnings(const struct core *core, const struct input *input)
         credit->tilt_tick != 0 && core->tick - credit->tilt_tick < CREDIT_TILT_TICKS;
     const int is_open = ((input->held | input->pressed) & INPUT_DOOR) != 0;
     const int is_unsafe = credit_price(core) > 0 && !ledger_is_safe(&core->game.ledger);
-    return (uint8_t)((is_tilted ? (uint32_t)WARN_TILT : 0u) |
-                     (is_open ? (uint32_t)WARN_DOOR : 0u) |
+    return (uint8_t)((is_tilted ? (uint32_t)WARN_TILT : 0u) | (is_open ? (uint32_t)WARN_DOOR : 0u) |
                      (is_unsafe ? (uint32_t)WARN_STORE : 0u) |
                      (has_poi(core, input) ? 0u : (uint32_t)WARN_NO_POI));
 }
@@ -94,8 +93,8 @@ static uint8_t warnings(const struct core *core, const struct input *input)
 static void close_what_is_over(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
-    const int runs = game->phase == PHASE_READY || game->phase == PHASE_ROUND ||
-                     game->phase == PHASE_LAB;
+    const int runs =
+        game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
     if (game->ledger.balance.open != PAYMENT_NONE && !runs) {
         const struct ledger_entry entry = { .kind = LEDGER_LEFT };
         game->ledger.balance.open = PAYMENT_NONE;
@@ -182,8 +181,7 @@ void credit_ask(struct core *core, struct output *output)
 int credit_is_awaited(const struct core *core)
 {
     const uint32_t await_tick = core->game.credit.await_tick;
-    return await_tick != 0 && core->tick - await_tick < CREDIT_AWAIT_TICKS &&
-           credit_can_play(core);
+    return await_tick != 0 && core->tick - await_tick < CREDIT_AWAIT_TICKS && credit_can_play(core);
 }
 
 static uint8_t pay(struct core *core)
@@ -297,9 +295,9 @@ void credit_show(const struct core *core, struct scene_credit *out)
 
 uint64_t credit_hash(uint64_t hash, const struct credit *credit)
 {
-    const uint32_t words[] = { credit->came_back,  credit->warnings,   credit->metered,
-                               credit->shakes,     credit->tickets,    credit->coin_tick,
-                               credit->tilt_tick,  credit->asked_tick, credit->await_tick,
+    const uint32_t words[] = { credit->came_back, credit->warnings,   credit->metered,
+                               credit->shakes,    credit->tickets,    credit->coin_tick,
+                               credit->tilt_tick, credit->asked_tick, credit->await_tick,
                                credit->act_tick };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

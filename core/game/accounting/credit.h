@@ -22,13 +22,13 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define CREDIT_COINS_MAX 20u       /* Highest price of a round; a more expensive round is paid with
-                                      banknotes. */
+/* Highest price of a round; a more expensive round is paid with banknotes. */
+#define CREDIT_COINS_MAX 20u
 #define CREDIT_TICKET_FISH_MAX 20u /* More fish than most players catch. */
-#define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ) /* Time for which a tilt keeps the coin slot
-                                                 closed. */
-#define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ) /* Time for which a START press waits for the coin to
-                                                  reach the disk. */
+/* Time for which a tilt keeps the coin slot closed. */
+#define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ)
+/* Time for which a START press waits for the coin to reach the disk. */
+#define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ)
 
 /* Conditions that close the coin slot and are displayed as warnings, as bit flags. */
 enum credit_warning {
@@ -48,8 +48,8 @@ struct pending_coins {
 };
 
 struct credit {
-    uint8_t came_back;   /* 1: the credit of the last round was refunded. */
-    uint8_t warnings;    /* enum credit_warning */
+    uint8_t came_back; /* 1: the credit of the last round was refunded. */
+    uint8_t warnings;  /* enum credit_warning */
     struct pending_coins pending_coins[COIN_LINE_COUNT];
     uint32_t metered;    /* Coins counted since the start. */
     uint32_t shakes;     /* Tilt events since the start. */
@@ -62,7 +62,7 @@ struct credit {
     uint32_t act_tick;   /* Tick of the last change to the balance by a person. */
     uint32_t stand_id;   /* Id of the newest LEDGER_STAND of the open round; 0: none yet. */
     struct ledger_stand stand; /* Content of the newest LEDGER_STAND. */
-    uint32_t ticket_id;  /* Id of the LEDGER_TICKET whose pulse waits for the disk; 0: none. */
+    uint32_t ticket_id; /* Id of the LEDGER_TICKET whose pulse waits for the disk; 0: none. */
 };
 
 struct core;

@@ -14,15 +14,15 @@
 #include "core/ledger.h"
 #include "core/output.h"
 
-#define LEDGER_WAIT_TICKS_MAX (2u * CORE_TICK_HZ) /* A working card syncs in a tenth of this time; a
-                                                     card that hangs never reports. */
+/* A working card syncs in a tenth of this time; a card that hangs never reports. */
+#define LEDGER_WAIT_TICKS_MAX (2u * CORE_TICK_HZ)
 
 struct ledger {
     uint32_t last_id;  /* Id of the newest entry. */
     uint32_t saved_id; /* Id of the newest entry on disk. */
     uint32_t boot;
     uint32_t uncommitted; /* Entries dropped for lack of room; never payments. */
-    uint32_t wait_ticks; /* Ticks for which entries have waited without any of them being saved. */
+    uint32_t wait_ticks;  /* Ticks for which entries have waited without any of them being saved. */
     uint16_t day, minute;
     uint8_t is_healthy;                /* 1: the store is healthy, from the last input. */
     struct balance balance;            /* Current balance. */

@@ -6,16 +6,16 @@
 #include "core/game/accounting/tickets.h"
 #include "core/game/rules.h"
 
-#define SEAT_BITS 8u     /* Bits of `count` for the catch of each slot. */
+#define SEAT_BITS 8u /* Bits of `count` for the catch of each slot. */
 #define SEAT_MAX 255u
-#define TICKETS_MASK 0xffffu /* Tickets in `value`; the bits of the players and of the bot are
-                                above. */
+/* Tickets in `value`; the bits of the players and of the bot are above. */
+#define TICKETS_MASK 0xffffu
 #define PLAYERS_SHIFT 16u
 #define PLAYERS_MASK 15u
 #define BOT_SHIFT 20u
-#define GRADE_SHIFT 4u   /* Grade in `detail`; the mode is in the lower bits. */
+#define GRADE_SHIFT 4u /* Grade in `detail`; the mode is in the lower bits. */
 #define MODE_MASK 15u
-_Static_assert(POI_MAX * SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
+_Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
 
 static int is_mostly_played(const struct core *core)

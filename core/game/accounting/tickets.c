@@ -32,8 +32,7 @@ void tickets_tick(struct core *core, const struct input *input, struct output *o
             credit->ticket_id = 0;
         }
     } else if (!core->config.rules_7 && sure_tickets(ledger) > 0 &&
-               input->tickets_done == credit->tickets &&
-               ledger_may_write(ledger, LEDGER_TICKET)) {
+               input->tickets_done == credit->tickets && ledger_may_write(ledger, LEDGER_TICKET)) {
         ledger->balance.tickets--;
         credit->ticket_id = ledger_write(core, &entry, output);
     }

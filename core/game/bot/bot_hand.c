@@ -41,8 +41,7 @@ void bot_hand_move(struct bot_hand *hand, const struct poi_target *goal, float s
     const vec3 wish = v3_scale(toward, reach_m_s(way_m, speed_m_s, gain_m_s2));
     const vec3 change = v3_sub(wish, hand->velocity_m_s);
     const vec3 eased = v3_scale(change, CORE_TICK_S / (0.03f + CORE_TICK_S));
-    hand->velocity_m_s =
-        v3_add(hand->velocity_m_s, v3_limit(eased, gain_m_s2 * CORE_TICK_S));
+    hand->velocity_m_s = v3_add(hand->velocity_m_s, v3_limit(eased, gain_m_s2 * CORE_TICK_S));
     hand->pose.position_m = v3_muladd(hand->pose.position_m, hand->velocity_m_s, CORE_TICK_S);
     struct angles *now = &hand->pose.angles;
     now->yaw_rad = turn_wrist(now->yaw_rad, goal->angles.yaw_rad, &hand->turning.yaw_rad);
@@ -69,8 +68,9 @@ static float axis_tremor(uint32_t seed, uint32_t tick, uint32_t axis)
 
 vec3 bot_hand_tremor(float tremor_m, uint32_t seed, uint32_t tick)
 {
-    return v3_scale(v3(axis_tremor(seed, tick, 0), axis_tremor(seed, tick, 1),
-                       axis_tremor(seed, tick, 2)), tremor_m);
+    return v3_scale(
+        v3(axis_tremor(seed, tick, 0), axis_tremor(seed, tick, 1), axis_tremor(seed, tick, 2)),
+        tremor_m);
 }
 
 uint64_t bot_hand_hash(uint64_t hash, const struct bot_hand *hand)

@@ -6,14 +6,14 @@
 
 #include "core/input.h"
 
-#define BOT_HAND_M_S_MAX 2.0f     /* Highest arm speed over a water tank, in m/s. */
-#define BOT_HAND_M_S2_MAX 14.0f   /* Highest arm acceleration, in m/s2. */
+#define BOT_HAND_M_S_MAX 2.0f   /* Highest arm speed over a water tank, in m/s. */
+#define BOT_HAND_M_S2_MAX 14.0f /* Highest arm acceleration, in m/s2. */
 #define BOT_WRIST_RAD_S_MAX 7.0f
 
 struct bot_hand {
     struct poi_target pose; /* Current pose without tremor. */
     vec3 velocity_m_s;
-    struct angles turning;  /* Angular velocity in rad/s of each angle. */
+    struct angles turning; /* Angular velocity in rad/s of each angle. */
 };
 
 /* Advances the arm by one tick toward `goal` with a bell-shaped speed profile. `speed_m_s` is the

@@ -5,23 +5,25 @@
 
 #define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is clear of the water. */
 #define HASTY_EASE_S 0.06f
-#define HASTY_SHARE 2.5f          /* Speed of a fast lift relative to a draining lift. */
-#define CRADLE_RAD (0.0f * F_DEG) /* Pitch while lifting, level. A negative pitch lowers the far
-                                     edge: water runs off, and the fish moves to the rim. */
-#define JAM_M 0.050f              /* Largest distance of the ring below the arm's position. If fish
-                                     hold the ring further down, the arm waits. */
+#define HASTY_SHARE 2.5f /* Speed of a fast lift relative to a draining lift. */
+/* Pitch while lifting, level. A negative pitch lowers the far edge: water runs off, and the fish
+ * moves to the rim. */
+#define CRADLE_RAD (0.0f * F_DEG)
+/* Largest distance of the ring below the arm's position. If fish hold the ring further down, the
+ * arm waits. */
+#define JAM_M 0.050f
 
-#define STUCK_S 1.4f              /* Time after which a lift counts as stuck. */
-#define STUCK_Y_M (-0.005f)       /* Height below which the ring is still under water. */
+#define STUCK_S 1.4f        /* Time after which a lift counts as stuck. */
+#define STUCK_Y_M (-0.005f) /* Height below which the ring is still under water. */
 #define STUCK_BACK_M 0.035f
 #define STUCK_BACK_S 0.35f
 #define STUCK_TURN_S 1.2f
 
-#define TIP_RAD (58.0f * F_DEG)   /* Pitch that is steep enough for a fish to slide over the
-                                     ring. */
-#define TIP_FALL_M 0.046f         /* Distance from the ring's centre to the point where the fish
-                                     leaves the ring. */
-#define TIP_EDGE_M 0.010f         /* Height of the lower edge above the bowl's mouth. */
+/* Pitch that is steep enough for a fish to slide over the ring. */
+#define TIP_RAD (58.0f * F_DEG)
+/* Distance from the ring's centre to the point where the fish leaves the ring. */
+#define TIP_FALL_M 0.046f
+#define TIP_EDGE_M 0.010f /* Height of the lower edge above the bowl's mouth. */
 #define TIP_HOLD_S 0.42f
 #define TIP_LAST_S 1.5f
 

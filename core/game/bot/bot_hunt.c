@@ -49,8 +49,7 @@ void bot_watch(struct bot *bot, uint32_t tick)
 {
     if (bot_stage_s(bot, tick) > bot->technique.patience_s) {
         bot_go(bot, BOT_CHOOSE, tick);
-    } else if (keep_over_entry(bot, tick) &&
-               v3_length(bot->known.prey.velocity_m_s) < CALM_M_S) {
+    } else if (keep_over_entry(bot, tick) && v3_length(bot->known.prey.velocity_m_s) < CALM_M_S) {
         bot_go(bot, BOT_DIP, tick);
     }
 }

@@ -5,11 +5,11 @@
 #include "core/base/mem.h"
 #include "core/game/bot/paper_patch.h"
 
-#define DEPTH_WEIGHT 4.0f   /* Depth counts four times: a fish 1 cm deeper ranks like one 4 cm
-                               farther away. */
-#define GULP_M 0.04f        /* Distance bonus of a gulping fish, which attracts attention. */
-#define OVER_M 0.045f       /* Depth of the water above the paper that is searched. */
-#define RIDE_M 0.025f       /* Greatest height of a fish lying on the paper. */
+/* Depth counts four times: a fish 1 cm deeper ranks like one 4 cm farther away. */
+#define DEPTH_WEIGHT 4.0f
+#define GULP_M 0.04f  /* Distance bonus of a gulping fish, which attracts attention. */
+#define OVER_M 0.045f /* Depth of the water above the paper that is searched. */
+#define RIDE_M 0.025f /* Greatest height of a fish lying on the paper. */
 
 static struct snapshot_fish see_fish(const struct vision *vision, uint32_t index)
 {
@@ -137,8 +137,7 @@ static int snapshot_patch_is_whole(const void *paper, float x_m, float z_m)
 {
     const struct picture *picture = paper;
     const float per_m = 0.5f * (float)SHEET_SIDE / picture->radius_m;
-    const float column =
-        f_clamp((x_m + picture->radius_m) * per_m, 0.0f, (float)SHEET_SIDE - 1.0f);
+    const float column = f_clamp((x_m + picture->radius_m) * per_m, 0.0f, (float)SHEET_SIDE - 1.0f);
     const float row = f_clamp((z_m + picture->radius_m) * per_m, 0.0f, (float)SHEET_SIDE - 1.0f);
     return vision_integrity(picture->vision, (uint32_t)row * SHEET_SIDE + (uint32_t)column) > 0;
 }

@@ -41,10 +41,10 @@ struct snapshot {
     struct vision_poi poi;
     struct vision_bowl bowl;
     struct snapshot_paper paper;
-    uint32_t rival_count;  /* Number of other players' pois. */
+    uint32_t rival_count; /* Number of other players' pois. */
     vec3 rival_m[POI_MAX];
-    uint32_t carried_count; /* Number of fish on the bot's paper. */
-    uint32_t over;         /* Number of fish in the water above the bot's paper. */
+    uint32_t carried_count;    /* Number of fish on the bot's paper. */
+    uint32_t over;             /* Number of fish in the water above the bot's paper. */
     struct snapshot_fish prey; /* Target fish of the bot. */
     uint32_t near_count;       /* <= SNAPSHOT_NEAR_MAX */
     struct snapshot_fish near[SNAPSHOT_NEAR_MAX];

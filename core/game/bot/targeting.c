@@ -4,21 +4,22 @@
 
 #include "core/base/mem.h"
 
-#define WALL_ROOM_M 0.052f      /* Least distance from a wall to the ring's centre. */
-#define FLOOR_ROOM_M 0.012f     /* Clearance under the ring. */
+#define WALL_ROOM_M 0.052f  /* Least distance from a wall to the ring's centre. */
+#define FLOOR_ROOM_M 0.012f /* Clearance under the ring. */
 #define BOWL_ROOM_M 0.050f
-#define CLEAR_M 0.010f          /* Height of the ring's lowest edge above the water before the
-                                   dip. */
-#define BESIDE_SHARE 0.30f      /* Share of the fish's length: distance of the stop point from the
-                                   fish's centre, beyond the ring. */
-#define TAIL_SHARE 0.42f        /* Share of the fish's length: distance from its centre to the
-                                   slapping part of the tail. */
-#define TAIL_OFF_M 0.003f       /* Distance of the tail beyond the paper's edge. */
-#define RIM_MIN 0.20f           /* Place of the fish's centre on the paper, in ring radii: minimum
-                                   and maximum. */
+/* Height of the ring's lowest edge above the water before the dip. */
+#define CLEAR_M 0.010f
+/* Share of the fish's length: distance of the stop point from the fish's centre, beyond the
+ * ring. */
+#define BESIDE_SHARE 0.30f
+/* Share of the fish's length: distance from its centre to the slapping part of the tail. */
+#define TAIL_SHARE 0.42f
+#define TAIL_OFF_M 0.003f /* Distance of the tail beyond the paper's edge. */
+/* Place of the fish's centre on the paper, in ring radii: minimum and maximum. */
+#define RIM_MIN 0.20f
 #define RIM_MAX 0.45f
-#define STEEP_RAD (35.0f * F_DEG) /* From this entry angle on, the ring slides in along the paper's
-                                     plane. */
+/* From this entry angle on, the ring slides in along the paper's plane. */
+#define STEEP_RAD (35.0f * F_DEG)
 
 /* Handle yaws of a right hand: toward the player, and turned to either side. */
 #define YAW_MIN_RAD (-1.2f)
@@ -27,19 +28,19 @@
 static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 #define YAW_COUNT (sizeof yaws_rad / sizeof yaws_rad[0])
 
-#define START_S 0.60f           /* Time until the ring is under the fish, added to the path time. */
+#define START_S 0.60f /* Time until the ring is under the fish, added to the path time. */
 #define DEPTH_S_M 8.0f
 #define SPEED_S_PER_M_S 4.0f
-#define LENGTH_S_M 10.0f        /* Seconds per metre of difference from the preferred fish
-                                   length. */
-#define SIDE_S 2.50f            /* Cost of approaching the wrong end first. */
+/* Seconds per metre of difference from the preferred fish length. */
+#define LENGTH_S_M 10.0f
+#define SIDE_S 2.50f /* Cost of approaching the wrong end first. */
 #define YAW_S_RAD 0.10f
-#define GULP_S 0.30f            /* Bonus for a gulping fish, because it notices the poi late and
-                                   dives late. */
+/* Bonus for a gulping fish, because it notices the poi late and dives late. */
+#define GULP_S 0.30f
 #define COMPANY_M 0.030f
-#define COMPANY_S 0.25f         /* Each further fish nearby saves part of a separate path. */
-#define RIVAL_M 0.10f           /* Distance at which another player's poi interferes. */
-#define RIVAL_S 0.60f           /* Cost of a nearby poi of another player. */
+#define COMPANY_S 0.25f /* Each further fish nearby saves part of a separate path. */
+#define RIVAL_M 0.10f   /* Distance at which another player's poi interferes. */
+#define RIVAL_S 0.60f   /* Cost of a nearby poi of another player. */
 
 vec3 targeting_forward(float yaw_rad)
 {
@@ -181,8 +182,8 @@ float targeting_yaw(const struct technique *technique, const struct snapshot_fis
 {
     const float back_rad = technique->side == SIDE_HEAD ? F_PI : 0.0f;
     const float wanted_rad = f_wrap_angle(fish->heading_rad + back_rad);
-    const int fits = technique->side != SIDE_ANY && wanted_rad >= YAW_MIN_RAD &&
-                     wanted_rad <= YAW_MAX_RAD;
+    const int fits =
+        technique->side != SIDE_ANY && wanted_rad >= YAW_MIN_RAD && wanted_rad <= YAW_MAX_RAD;
     return fits ? wanted_rad : yaw_rad;
 }
 

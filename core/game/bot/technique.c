@@ -52,11 +52,11 @@ const struct technique technique_expert = {
 uint64_t technique_hash(uint64_t hash, const struct technique *technique)
 {
     const float figures[] = {
-        technique->wet,        technique->entry_deg,      technique->glide_deg,
-        technique->fish_m,     technique->arm_m_s,        technique->dip_m_s,
-        technique->glide_m_s,  technique->lift_m_s,       technique->carry_m_s,
-        technique->drain_s,    technique->patience_s,     technique->aim_m,
-        technique->tremor_m,   technique->reaction_min_s, technique->reaction_max_s,
+        technique->wet,       technique->entry_deg,      technique->glide_deg,
+        technique->fish_m,    technique->arm_m_s,        technique->dip_m_s,
+        technique->glide_m_s, technique->lift_m_s,       technique->carry_m_s,
+        technique->drain_s,   technique->patience_s,     technique->aim_m,
+        technique->tremor_m,  technique->reaction_min_s, technique->reaction_max_s,
     };
     hash = hash_u32(hash, technique->side);
     hash = hash_u32(hash, technique->place);

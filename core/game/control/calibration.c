@@ -40,13 +40,14 @@ static float turn_at(const vec3 *corner_m, uint32_t corner)
     const vec3 here_m = corner_m[corner];
     const vec3 from_m = v3_sub(here_m, corner_m[(corner + 3u) % CALIBRATE_CORNERS]);
     const vec3 to_m = v3_sub(corner_m[(corner + 1u) % CALIBRATE_CORNERS], here_m);
-    const float lengths = f_sqrt((from_m.x * from_m.x + from_m.z * from_m.z) *
-                                 (to_m.x * to_m.x + to_m.z * to_m.z));
+    const float lengths =
+        f_sqrt((from_m.x * from_m.x + from_m.z * from_m.z) * (to_m.x * to_m.x + to_m.z * to_m.z));
     return (from_m.x * to_m.z - from_m.z * to_m.x) / lengths;
 }
 
-#define STRAIGHT_SIN 0.05f /* Sine of three degrees. A smaller turn is a straight line, which leaves
-                              the direction across it undetermined. */
+/* Sine of three degrees. A smaller turn is a straight line, which leaves the direction across it
+ * undetermined. */
+#define STRAIGHT_SIN 0.05f
 
 static enum calibration_fault shape_of(const vec3 *corner_m)
 {
@@ -104,8 +105,10 @@ static struct map fit(const vec3 *said_m, const vec3 *mark_m)
     }
     const float whole = pxx * pzz - pxz * pxz;
     struct map map = {
-        .xx = (qxx * pzz - qxz * pxz) / whole, .xz = (qxz * pxx - qxx * pxz) / whole,
-        .zx = (qzx * pzz - qzz * pxz) / whole, .zz = (qzz * pxx - qzx * pxz) / whole,
+        .xx = (qxx * pzz - qxz * pxz) / whole,
+        .xz = (qxz * pxx - qxx * pxz) / whole,
+        .zx = (qzx * pzz - qzz * pxz) / whole,
+        .zz = (qzz * pxx - qzx * pxz) / whole,
     };
     const vec3 moved_m = map_point(&map, from_m);
     map.x0 = to_m.x - moved_m.x;
@@ -152,9 +155,10 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
     const struct map map = fit(said->corner_m, mark_m);
     const float pitch = said->has_wrist ? -f_wrap_angle(said->water.angles.pitch_rad) : 0.0f;
     const float roll = said->has_wrist ? -f_wrap_angle(said->water.angles.roll_rad) : 0.0f;
-    const float value[CALIBRATION_VALUES] = { map.xx - 1.0f, map.xz, map.x0, map.zx,
-                                              map.zz - 1.0f, map.z0, -said->water.position_m.y,
-                                              pitch,         roll };
+    const float value[CALIBRATION_VALUES] = {
+        map.xx - 1.0f, map.xz, map.x0, map.zx, map.zz - 1.0f, map.z0, -said->water.position_m.y,
+        pitch,         roll
+    };
     if (!can_hold(value)) {
         return CALIBRATION_FAR;
     }

@@ -24,11 +24,12 @@
 #include "core/settings.h"
 
 #define CALIBRATE_CORNERS 4u
-#define CALIBRATE_INSET_M 0.08f    /* Distance of a mark from both walls, at which the ring lies
-                                      flat. */
-#define CALIBRATE_NEAR_M 0.02f     /* Corners closer than this count as the same corner. */
-#define CALIBRATE_RESIDUAL_M 0.015f /* Largest root mean square error at the marks; careful aiming
-                                       and a working sensor stay below it. */
+/* Distance of a mark from both walls, at which the ring lies flat. */
+#define CALIBRATE_INSET_M 0.08f
+#define CALIBRATE_NEAR_M 0.02f /* Corners closer than this count as the same corner. */
+/* Largest root mean square error at the marks; careful aiming and a working sensor stay below
+ * it. */
+#define CALIBRATE_RESIDUAL_M 0.015f
 #define CALIBRATE_TILT_RAD (45.0f * F_DEG) /* A larger tilt means that the poi was not laid flat. */
 
 enum calibration_value {

@@ -8,15 +8,15 @@
 #include "core/game/control/parking.h"
 #include "core/poi/pose.h"
 
-#define CLEAR_Y_M 0.035f     /* Lowest height of a poi while dips are not allowed. */
-#define GRIP_TICKS 144u      /* Blend time after a change of the source, 1.2 s: 1 m/s across the
-                                tank. */
-#define DOUBT_TICKS 8u       /* An outlier of a sixteenth of a second moves no poi. */
-#define FAR_M 0.30f          /* Distance from which a new pose is approached gently. */
-#define FAR_TURN 0.3f        /* Rotation from which a new pose is approached gently. */
-#define FAR_LEAN 0.8f        /* Same rotation limit for a pointer; larger, because a pointer tilts
-                                its poi during fast motion. */
-#define WET_BELOW_M 0.020f   /* Height below which part of a tilted ring may be under water. */
+#define CLEAR_Y_M 0.035f /* Lowest height of a poi while dips are not allowed. */
+/* Blend time after a change of the source, 1.2 s: 1 m/s across the tank. */
+#define GRIP_TICKS 144u
+#define DOUBT_TICKS 8u /* An outlier of a sixteenth of a second moves no poi. */
+#define FAR_M 0.30f    /* Distance from which a new pose is approached gently. */
+#define FAR_TURN 0.3f  /* Rotation from which a new pose is approached gently. */
+/* Same rotation limit for a pointer; larger, because a pointer tilts its poi during fast motion. */
+#define FAR_LEAN 0.8f
+#define WET_BELOW_M 0.020f /* Height below which part of a tilted ring may be under water. */
 /* Total damage immunity of several returns in a row. */
 #define SPARE_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
 #define REFILL_TICKS 8u      /* Ticks of normal control that restore one tick of immunity. */

@@ -4,30 +4,30 @@
 #include "core/base/fmath.h"
 #include "core/poi/pose.h"
 
-#define COAST_M_S2 2.0f        /* Deceleration at which a fish on level paper just keeps its
-                                  place. */
-#define COAST_LAG_S 0.025f     /* Time by which the ring lags behind its target in air. */
+/* Deceleration at which a fish on level paper just keeps its place. */
+#define COAST_M_S2 2.0f
+#define COAST_LAG_S 0.025f /* Time by which the ring lags behind its target in air. */
 #define COAST_DONE_M_S 0.15f
-#define RISE_M_S 0.08f         /* Half-wet paper of grade 7 withstands this speed broadside
-                                  (test_drift). */
+/* Half-wet paper of grade 7 withstands this speed broadside (test_drift). */
+#define RISE_M_S 0.08f
 #define TURN_RAD_S 1.5f
 #define SLANT_RAD (45.0f * F_DEG)
 #define SLANT_NEAR_RAD (10.0f * F_DEG) /* Tilt at which the upward motion starts. */
-#define BACK_DRY_M_S 1.0f      /* From the bowl to the far corner within a second. */
-#define BACK_WET_M_S 0.10f     /* Speed down into the water, which paper also withstands
-                                  broadside. */
-#define WET_BELOW_M 0.035f     /* Height below which part of a tilted ring may be under water. */
+#define BACK_DRY_M_S 1.0f              /* From the bowl to the far corner within a second. */
+/* Speed down into the water, which paper also withstands broadside. */
+#define BACK_WET_M_S 0.10f
+#define WET_BELOW_M 0.035f /* Height below which part of a tilted ring may be under water. */
 #define BACK_TURN_RAD_S 4.0f
-#define BACK_SHARE 0.08f       /* Share of the remaining distance per tick, for a soft end of the
-                                  motion. */
-#define BACK_HASTE_PER_S 5.0f  /* Increase of the speed per second after the immunity ends, as a
-                                  factor. */
-#define BACK_SHARE_PER_S 0.5f  /* Increase of the share per second after the immunity ends. */
-#define BACK_NEAR_M 0.006f     /* Distance that the hand spring covers without an impact. */
+/* Share of the remaining distance per tick, for a soft end of the motion. */
+#define BACK_SHARE 0.08f
+/* Increase of the speed per second after the immunity ends, as a factor. */
+#define BACK_HASTE_PER_S 5.0f
+#define BACK_SHARE_PER_S 0.5f /* Increase of the share per second after the immunity ends. */
+#define BACK_NEAR_M 0.006f    /* Distance that the hand spring covers without an impact. */
 #define BACK_NEAR_RAD 0.02f
-#define BACK_FAR_M 0.15f       /* Horizontal distance from which the poi leaves the water on its
-                                  way. */
-#define BACK_ASIDE_M 0.03f     /* Horizontal distance within which the poi may go down. */
+/* Horizontal distance from which the poi leaves the water on its way. */
+#define BACK_FAR_M 0.15f
+#define BACK_ASIDE_M 0.03f /* Horizontal distance within which the poi may go down. */
 
 static float toward(float from, float to, float step)
 {

@@ -10,9 +10,9 @@
  * report exceeds the limit by 3.4 cm. */
 #define ARM_LEAP_M 0.035f
 #define POINTER_LEAP_M 0.30f
-#define WRIST_PER_S 40.0f /* Limit for the motion of the unit axes' tips per second; equals rad/s
-                             for small rotations. */
-#define LEAP_TURN 0.3f    /* 36 degrees in one tick. */
+/* Limit for the motion of the unit axes' tips per second; equals rad/s for small rotations. */
+#define WRIST_PER_S 40.0f
+#define LEAP_TURN 0.3f /* 36 degrees in one tick. */
 #define CREDIT_KEEP 0.95f
 
 static int is_within_limit(float value, float limit)

@@ -40,15 +40,15 @@ enum input_status {
 };
 
 struct input_validation {
-    uint8_t verdict;         /* enum input_status of the last tick. */
-    uint8_t knows;           /* 1: `newest` is valid. */
-    uint16_t same_ticks;     /* Ticks for which the sensor has repeated identical bits. */
-    uint16_t agree_ticks;    /* Ticks of consistent reports, up to INPUT_AGREE_TICKS. */
-    uint16_t silent_ticks;   /* Age of the newest report in ticks while it is late; else 0. */
-    uint16_t late_ticks;     /* Ticks left in which the pose catches up with the motion that was
-                                missed while reports were late; 0 when it has caught up. */
-    float excess_m, spin;    /* Motion and rotation beyond the limits of an arm, accumulated;
-                                negative: allowance for unseen motion. */
+    uint8_t verdict;          /* enum input_status of the last tick. */
+    uint8_t knows;            /* 1: `newest` is valid. */
+    uint16_t same_ticks;      /* Ticks for which the sensor has repeated identical bits. */
+    uint16_t agree_ticks;     /* Ticks of consistent reports, up to INPUT_AGREE_TICKS. */
+    uint16_t silent_ticks;    /* Age of the newest report in ticks while it is late; else 0. */
+    uint16_t late_ticks;      /* Ticks left in which the pose catches up with the motion that was
+                                 missed while reports were late; 0 when it has caught up. */
+    float excess_m, spin;     /* Motion and rotation beyond the limits of an arm, accumulated;
+                                 negative: allowance for unseen motion. */
     struct poi_target newest; /* The last pose with valid numbers. */
 };
 

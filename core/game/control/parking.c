@@ -5,20 +5,20 @@
 #include "core/core.h"
 #include "core/tank/preset.h"
 
-#define ALONG_M 0.105f       /* Distance beyond the bowl's centre, so that the handle lies beside
-                                the bowl. */
-#define INSIDE_M 0.005f      /* Distance within the wall, so that the ring stays in the picture. */
+/* Distance beyond the bowl's centre, so that the handle lies beside the bowl. */
+#define ALONG_M 0.105f
+#define INSIDE_M 0.005f /* Distance within the wall, so that the ring stays in the picture. */
 #define ON_RIM_M 0.004f
-#define OVER_RIM_M 0.020f    /* Height above the rim during the motion. */
-#define LIFT_M_S 0.30f       /* Lift speed; the paper takes no damage. */
+#define OVER_RIM_M 0.020f /* Height above the rim during the motion. */
+#define LIFT_M_S 0.30f    /* Lift speed; the paper takes no damage. */
 #define AWAY_M_S 0.80f
-#define AWAY_SHARE 0.06f     /* Share of the remaining distance per tick, for a soft end of the
-                                motion. */
-#define START_TICKS 36.0f    /* Ticks of acceleration, for a soft start. */
+/* Share of the remaining distance per tick, for a soft end of the motion. */
+#define AWAY_SHARE 0.06f
+#define START_TICKS 36.0f /* Ticks of acceleration, for a soft start. */
 #define TURN_RAD_S 3.0f
-#define NEAR_M 0.03f         /* Horizontal distance within which the poi is lowered. */
-#define DOWN_M_S 0.08f       /* Lowering speed. */
-#define CLEAR_M 0.010f       /* Clearance beside a bowl. */
+#define NEAR_M 0.03f   /* Horizontal distance within which the poi is lowered. */
+#define DOWN_M_S 0.08f /* Lowering speed. */
+#define CLEAR_M 0.010f /* Clearance beside a bowl. */
 #define FADE_TICKS 60.0f
 
 static float rim_m(const struct core *core)
@@ -32,8 +32,7 @@ struct poi_target parking_place(const struct core *core, uint32_t index)
     const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
     const float wall_m = 0.5f * core->tank.size_m.x;
     return (struct poi_target){
-        .position_m = v3(side * (wall_m - INSIDE_M), rim_m(core) + ON_RIM_M,
-                         bowl_m.z - ALONG_M),
+        .position_m = v3(side * (wall_m - INSIDE_M), rim_m(core) + ON_RIM_M, bowl_m.z - ALONG_M),
     };
 }
 
@@ -43,8 +42,8 @@ static int is_idle(const struct core *core, uint32_t index)
 {
     const struct game *game = &core->game;
     const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
-    const int is_out = game->player[index].out && game->phase >= PHASE_READY &&
-                       game->phase <= PHASE_RESULT;
+    const int is_out =
+        game->player[index].out && game->phase >= PHASE_READY && game->phase <= PHASE_RESULT;
     return is_out || (!in_play && core->poi[index].link == POI_SOURCE_BOT);
 }
 

@@ -46,9 +46,9 @@ void album_note(struct core *core, uint32_t index, uint32_t count)
 
 uint32_t album_ticks(uint32_t fish_count)
 {
-    return fish_count == 0 ? 0u
-                           : ALBUM_LIFE_TICKS + (fish_count - 1u) * ALBUM_STAGGER_TICKS +
-                                 ALBUM_REST_TICKS;
+    return fish_count == 0
+               ? 0u
+               : ALBUM_LIFE_TICKS + (fish_count - 1u) * ALBUM_STAGGER_TICKS + ALBUM_REST_TICKS;
 }
 
 int album_begin(struct core *core)
@@ -66,8 +66,7 @@ void album_tick(struct core *core, const struct input *input, struct output *out
     const int dipped = game_dipped_player(core, input) < POI_MAX;
     if (dipped || (input->pressed & INPUT_START)) {
         mode_select_begin(core, output);
-    } else if ((input->pressed & INPUT_OK) ||
-               elapsed >= album_ticks(core->game.album.fish_count)) {
+    } else if ((input->pressed & INPUT_OK) || elapsed >= album_ticks(core->game.album.fish_count)) {
         attract_begin(core);
     }
 }

@@ -9,11 +9,11 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define ALBUM_LIFE_TICKS (7u * CORE_TICK_HZ)         /* Duration of one fish's life. */
-#define ALBUM_STAGGER_TICKS (CORE_TICK_HZ * 4u / 5u) /* Delay between the start of one fish and the
-                                                        next. */
-#define ALBUM_REST_TICKS (4u * CORE_TICK_HZ)         /* Time for which the grown fish stay on the
-                                                        page. */
+#define ALBUM_LIFE_TICKS (7u * CORE_TICK_HZ) /* Duration of one fish's life. */
+/* Delay between the start of one fish and the next. */
+#define ALBUM_STAGGER_TICKS (CORE_TICK_HZ * 4u / 5u)
+/* Time for which the grown fish stay on the page. */
+#define ALBUM_REST_TICKS (4u * CORE_TICK_HZ)
 
 struct album {
     uint32_t caught; /* Fish caught in this round by all players, including fish that did not fit on

@@ -200,8 +200,7 @@ void lab_show(const struct core *core, struct scene_lab *out)
     out->progress = lab->progress;
     out->age_days = life_age_days(card, lab->progress);
     out->length_m = life_length_m(shown, lab->progress);
-    out->scale_knot_count =
-        (uint8_t)lab_edit_scale_knots(&lab->edit, card, out->scale_knots);
+    out->scale_knot_count = (uint8_t)lab_edit_scale_knots(&lab->edit, card, out->scale_knots);
     graph_weights(&lab->edit.graph, card->key_count, lab->progress, out->weight);
 }
 
@@ -209,12 +208,12 @@ void lab_show(const struct core *core, struct scene_lab *out)
 
 uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab)
 {
-    const uint32_t words[] = { lab->species,   lab->layer,     lab->playing,     lab->compare,
-                               lab->path,      lab->has_hand,  lab->presses,     lab->points,
-                               lab->holds,     lab->held_knot, lab->upright,     lab->stir_tick,
-                               lab->act_tick,  lab->rest_ticks, lab->start_ticks, lab->save_id,
-                               lab->saved_id,  lab->asked_id,   lab->hand,
-                               lab->edit_refused };
+    const uint32_t words[] = {
+        lab->species,  lab->layer,     lab->playing,  lab->compare,    lab->path,
+        lab->has_hand, lab->presses,   lab->points,   lab->holds,      lab->held_knot,
+        lab->upright,  lab->stir_tick, lab->act_tick, lab->rest_ticks, lab->start_ticks,
+        lab->save_id,  lab->saved_id,  lab->asked_id, lab->hand,       lab->edit_refused
+    };
     const float floats[] = { lab->x, lab->y, lab->stir_x, lab->stir_y, lab->progress };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

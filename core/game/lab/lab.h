@@ -12,16 +12,16 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define LAB_IDLE_TICKS (60u * CORE_TICK_HZ)  /* Time without motion after which the lab returns to
-                                                attract mode. */
-#define LAB_SWING_TICKS (180u * CORE_TICK_HZ) /* Time without a press after which the lab also ends,
-                                                 because a poi swinging on its cord moves but never
-                                                 presses. */
-#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ)  /* Duration of a played life. */
-#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u) /* Pause at the end of a played life, before it
-                                                   starts again. */
+/* Time without motion after which the lab returns to attract mode. */
+#define LAB_IDLE_TICKS (60u * CORE_TICK_HZ)
+/* Time without a press after which the lab also ends, because a poi swinging on its cord moves
+ * but never presses. */
+#define LAB_SWING_TICKS (180u * CORE_TICK_HZ)
+#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ) /* Duration of a played life. */
+/* Pause at the end of a played life, before it starts again. */
+#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u)
 #define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* Time for which START must be held to leave. */
-#define LAB_GRAB 24.0f         /* Distance on the canvas within which a knot is grabbed. */
+#define LAB_GRAB 24.0f /* Distance on the canvas within which a knot is grabbed. */
 
 /* Element that is dragged, from the press to the release. */
 enum lab_hold {
@@ -32,22 +32,22 @@ enum lab_hold {
     HOLD_WEIGHT, /* Knot of the key in `layer`. */
     HOLD_SIZE,   /* Knot of the scale. */
     HOLD_BUTTON,
-    HOLD_LEAVE,  /* Leave button, which acts on release. */
+    HOLD_LEAVE, /* Leave button, which acts on release. */
 };
 
 #define LAB_LAYER_SIZE MORPH_KEY_MAX /* Value of `layer` for the scale; smaller values are keys. */
 
 struct lab {
-    uint8_t species;   /* Index in the order of the lab book. */
-    uint8_t layer;     /* Curve that is edited. */
+    uint8_t species; /* Index in the order of the lab book. */
+    uint8_t layer;   /* Curve that is edited. */
     uint8_t playing, compare, path;
     uint8_t has_hand, presses;
-    uint8_t hand;      /* Player whose pose points, or pointed last. */
-    uint8_t points;    /* enum lab_part under the pointer. */
-    uint8_t holds;     /* enum lab_hold */
+    uint8_t hand;   /* Player whose pose points, or pointed last. */
+    uint8_t points; /* enum lab_part under the pointer. */
+    uint8_t holds;  /* enum lab_hold */
     uint8_t held_knot;
-    uint8_t upright;   /* 1: portrait screen, from the last input. */
-    uint8_t edit_refused; /* 1: the store saves no edits, from the last input. */
+    uint8_t upright;               /* 1: portrait screen, from the last input. */
+    uint8_t edit_refused;          /* 1: the store saves no edits, from the last input. */
     uint8_t has_edit[SPECIES_MAX]; /* 1: the kiosk has a saved edit of that species. */
     uint32_t stir_tick, act_tick;  /* Ticks of the last motion and of the last press. */
     uint32_t rest_ticks;           /* Ticks since the played life reached its end. */
@@ -59,7 +59,7 @@ struct lab {
     float x, y;                    /* Pointer position on the canvas. */
     float stir_x, stir_y;          /* Pointer position at the last motion. */
     float progress;
-    struct lab_edit edit;          /* Edit that is displayed and changed; saved only on request. */
+    struct lab_edit edit; /* Edit that is displayed and changed; saved only on request. */
     struct lab_edit edits[SPECIES_MAX];
 };
 

@@ -64,10 +64,10 @@ static uint64_t growth_hash(uint64_t hash, const struct growth *growth)
 static uint64_t card_hash(uint64_t hash, const struct species_card *card)
 {
     hash = hash_bytes(hash, card->id, sizeof card->id);
-    const uint32_t words[] = { card->key_count,        card->measure,       card->motion,
-                               card->form,             card->thesis_key[0], card->thesis_key[1],
-                               card->thesis_key[2],    card->thesis_template,
-                               card->scale_knot_count, card->curve_count };
+    const uint32_t words[] = { card->key_count,     card->measure,         card->motion,
+                               card->form,          card->thesis_key[0],   card->thesis_key[1],
+                               card->thesis_key[2], card->thesis_template, card->scale_knot_count,
+                               card->curve_count };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

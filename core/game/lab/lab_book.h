@@ -6,10 +6,10 @@
 #include "core/game/lab/lab_edit.h"
 
 struct lab_book {
-    uint8_t card_count;              /* Number of custom species, which follow the built-in ones. */
-    uint8_t refused;                 /* Number of rejected species files, for the operator. */
-    uint8_t has_edit[SPECIES_MAX];   /* 1 for each species with a saved edit: the built-in ones,
-                                        then the custom ones. */
+    uint8_t card_count;            /* Number of custom species, which follow the built-in ones. */
+    uint8_t refused;               /* Number of rejected species files, for the operator. */
+    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species with a saved edit: the built-in ones,
+                                      then the custom ones. */
     struct species_card cards[SPECIES_EXTRA_MAX];
     struct lab_edit edits[SPECIES_MAX];
 };

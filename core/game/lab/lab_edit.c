@@ -250,8 +250,8 @@ static void draw_rounds(struct scale_line *line, const struct species_card *card
         const float from = line->knots[i - 1u].progress, to = line->knots[i].progress;
         const float middle = 0.5f * (from + to), age_days = life_age_days(card, middle);
         if (to - from > ROUND_GAP && is_in_a_turn(card, age_days)) {
-            draw_knot(line, (struct scale_knot){ middle,
-                                                 growth_length_m(&card->growth, age_days) });
+            draw_knot(line,
+                      (struct scale_knot){ middle, growth_length_m(&card->growth, age_days) });
         }
     }
 }

@@ -6,7 +6,7 @@
 
 #define KEY_GAP 8.0f
 #define KEY_WIDTH_MAX 262.0f
-#define PRESS_ROOM 12.0f   /* Margin around a field within which a press still selects the field. */
+#define PRESS_ROOM 12.0f /* Margin around a field within which a press still selects the field. */
 
 static const struct layout_box wide[LAB_PART_COUNT] = {
     [LAB_BACK] = { 24.0f, 14.0f, 56.0f, 52.0f },

@@ -11,32 +11,32 @@
 /* Parts that can be pressed, then fields for dragging, then parts without a function. */
 enum lab_part {
     LAB_NOTHING = 0,
-    LAB_BACK,       /* Previous species. */
-    LAB_NEXT,       /* Next species. */
+    LAB_BACK, /* Previous species. */
+    LAB_NEXT, /* Next species. */
     LAB_LEAVE,
     LAB_PLAY,
     LAB_COMPARE,
     LAB_PATH,
-    LAB_OWN,        /* First of the template buttons, in the order of enum graph_template. */
+    LAB_OWN, /* First of the template buttons, in the order of enum graph_template. */
     LAB_ORDINARY,
     LAB_PAIRWISE,
     LAB_SIMULTANEOUS,
     LAB_SMOOTH,
     LAB_ADD,
     LAB_REMOVE,
-    LAB_SIZE,       /* Selects the scale curve for editing. */
+    LAB_SIZE, /* Selects the scale curve for editing. */
     LAB_SAVE,
     LAB_RESET,
-    LAB_KEY,        /* Picture of the first key; the other keys follow. */
+    LAB_KEY, /* Picture of the first key; the other keys follow. */
     LAB_KEY_LAST = LAB_KEY + (int)MORPH_KEY_MAX - 1,
-    LAB_AGE,        /* Age axis below the keys. */
-    LAB_PLOT,       /* Field of the graph. */
-    LAB_CHART,      /* Field of the growth curve. */
+    LAB_AGE,   /* Age axis below the keys. */
+    LAB_PLOT,  /* Field of the graph. */
+    LAB_CHART, /* Field of the growth curve. */
     LAB_PRESSED_COUNT,
 
     LAB_STAGE = LAB_PRESSED_COUNT, /* Area in which the fish swims. */
     LAB_NAME,
-    LAB_CARD,       /* Backgrounds below the graph and below the growth curve. */
+    LAB_CARD, /* Backgrounds below the graph and below the growth curve. */
     LAB_CHART_CARD,
     LAB_PART_COUNT,
 };

@@ -272,8 +272,7 @@ static void drag_size(struct lab *lab, const struct species_card *card, struct l
 {
     const uint32_t knot = lab->held_knot;
     lab_edit_size_move(&lab->edit, card, knot, at.x);
-    lab_edit_size(&lab->edit, card, knot,
-                  lab_length_of_share(card, f_clamp(at.y, 0.0f, 1.0f)));
+    lab_edit_size(&lab->edit, card, knot, lab_length_of_share(card, f_clamp(at.y, 0.0f, 1.0f)));
     scrub_to(lab, lab->edit.scale_knots[knot].progress);
 }
 

@@ -5,10 +5,10 @@
 #include "core/game/lab/lab_book.h"
 
 #define AGE_MAX_DAYS 14610.0f /* 40 years, the limit of growth.c. */
-#define LENGTH_MIN_M 0.0005f  /* Minimum for a custom species; an edit in the lab may use
-                                 LAB_LENGTH_MIN_M. */
-#define LENGTH_APART 0.02f    /* Largest relative difference between a key's length and the growth
-                                 curve at its age. */
+/* Minimum for a custom species; an edit in the lab may use LAB_LENGTH_MIN_M. */
+#define LENGTH_MIN_M 0.0005f
+/* Largest relative difference between a key's length and the growth curve at its age. */
+#define LENGTH_APART 0.02f
 
 /* Returns true if `x` is in the range; false for NaN and infinity. */
 static bool is_within(float x, float low, float high)
@@ -61,8 +61,7 @@ static bool keys_are_good(const struct species_card *card)
     for (uint32_t i = 0; good && i < card->key_count; i++) {
         const float age = card->key_age_days[i], length = card->key_length_m[i];
         good = is_name(card->key_names[i]) && is_length(length) &&
-               is_within(age, 0.0f, AGE_MAX_DAYS) &&
-               (i == 0 || age > card->key_age_days[i - 1u]) &&
+               is_within(age, 0.0f, AGE_MAX_DAYS) && (i == 0 || age > card->key_age_days[i - 1u]) &&
                f_abs(growth_length_m(&card->growth, age) / length - 1.0f) <= LENGTH_APART;
     }
     return good;

@@ -217,10 +217,10 @@ static uint64_t hash_pose(uint64_t hash, const struct poi_target *pose)
 
 uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate)
 {
-    const uint32_t words[] = { calibrate->seat,       calibrate->step,
-                               calibrate->fault,      calibrate->present,
-                               calibrate->is_set,     calibrate->has_before,
-                               calibrate->has_anchor, calibrate->must_move,
+    const uint32_t words[] = { calibrate->seat,        calibrate->step,
+                               calibrate->fault,       calibrate->present,
+                               calibrate->is_set,      calibrate->has_before,
+                               calibrate->has_anchor,  calibrate->must_move,
                                calibrate->still_ticks, calibrate->said.has_wrist };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

@@ -16,8 +16,8 @@
 #define CALIBRATE_STILL_TICKS (CORE_TICK_HZ + CORE_TICK_HZ / 2u)
 #define CALIBRATE_STILL_M 0.008f /* Tolerance for an arm that rests on the tank's rim. */
 #define CALIBRATE_STILL_TURN 0.15f
-#define CALIBRATE_MOVE_M 0.03f   /* Distance from the last pose after which the next pose can
-                                    count. */
+/* Distance from the last pose after which the next pose can count. */
+#define CALIBRATE_MOVE_M 0.03f
 
 enum calibrate_step {
     CALIBRATE_IDLE = 0,

@@ -7,12 +7,11 @@
 /* Measures that differ between the two canvases. */
 struct measures {
     struct layout_box body;
-    uint32_t hung_max;                 /* Items side by side. */
+    uint32_t hung_max;                                  /* Items side by side. */
     float hung_width, hung_height, hung_gap, hung_drop; /* `hung_drop` is the space for the next
                                                            row's pole. */
     float row_height, row_pitch;
-    float settings_height;             /* Height of the settings in the body; a help text is
-                                          below. */
+    float settings_height; /* Height of the settings in the body; a help text is below. */
     uint32_t key_columns;
     float key_top, key_width, key_height, key_gap;
     float foot_y, foot_width, foot_height, foot_gap;
@@ -20,21 +19,43 @@ struct measures {
 
 static const struct measures wide = {
     .body = { 130.0f, 124.0f, 1020.0f, 464.0f },
-    .hung_max = 4, .hung_width = 282.0f, .hung_height = 172.0f, .hung_gap = 26.0f,
+    .hung_max = 4,
+    .hung_width = 282.0f,
+    .hung_height = 172.0f,
+    .hung_gap = 26.0f,
     .hung_drop = 60.0f,
-    .row_height = 52.0f, .row_pitch = 58.0f, .settings_height = 428.0f,
-    .key_columns = 5, .key_top = 262.0f, .key_width = 150.0f, .key_height = 130.0f,
+    .row_height = 52.0f,
+    .row_pitch = 58.0f,
+    .settings_height = 428.0f,
+    .key_columns = 5,
+    .key_top = 262.0f,
+    .key_width = 150.0f,
+    .key_height = 130.0f,
     .key_gap = 26.0f,
-    .foot_y = 610.0f, .foot_width = 250.0f, .foot_height = 66.0f, .foot_gap = 24.0f,
+    .foot_y = 610.0f,
+    .foot_width = 250.0f,
+    .foot_height = 66.0f,
+    .foot_gap = 24.0f,
 };
 static const struct measures upright_measures = {
     .body = { 27.0f, 200.0f, 800.0f, 1040.0f },
-    .hung_max = 2, .hung_width = 372.0f, .hung_height = 200.0f, .hung_gap = 30.0f,
+    .hung_max = 2,
+    .hung_width = 372.0f,
+    .hung_height = 200.0f,
+    .hung_gap = 30.0f,
     .hung_drop = 72.0f,
-    .row_height = 112.0f, .row_pitch = 128.0f, .settings_height = 912.0f,
-    .key_columns = 3, .key_top = 420.0f, .key_width = 210.0f, .key_height = 160.0f,
+    .row_height = 112.0f,
+    .row_pitch = 128.0f,
+    .settings_height = 912.0f,
+    .key_columns = 3,
+    .key_top = 420.0f,
+    .key_width = 210.0f,
+    .key_height = 160.0f,
     .key_gap = 36.0f,
-    .foot_y = 1262.0f, .foot_width = 250.0f, .foot_height = 86.0f, .foot_gap = 20.0f,
+    .foot_y = 1262.0f,
+    .foot_width = 250.0f,
+    .foot_height = 86.0f,
+    .foot_gap = 20.0f,
 };
 
 /* Returns the number of items on offer from `first` to before `limit`. */

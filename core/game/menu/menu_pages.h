@@ -27,8 +27,8 @@ struct menu_page_desc {
     uint8_t foot_count; /* Number of items at the foot, 1 .. MENU_FOOT_MAX. */
     uint8_t watches;    /* 1: the page displays START, OK, LEFT and RIGHT, which have no other
                            effect here. */
-    uint8_t about; /* enum setting_group of MENU_BODY_SETTINGS, enum setting_id of MENU_BODY_BITS,
-                      or enum audit_group of a page of statistics. */
+    uint8_t about;      /* enum setting_group of MENU_BODY_SETTINGS, enum setting_id of
+                           MENU_BODY_BITS, or enum audit_group of a page of statistics. */
     uint8_t returns;    /* 1: back leads to the page from which this one was opened, not to the
                            parent. */
     uint16_t (*offers)(const struct menu *menu); /* Returns a bit for each item on offer. NULL: all

@@ -91,9 +91,9 @@ static void show_again(struct core *core, struct output *output)
 static void unname(struct core *core, struct output *output)
 {
     const struct rank_row *row = score(core);
-    const struct ledger_entry entry = {
-        .kind = LEDGER_NAME, .detail = row->seat, .count = row->round_id
-    };
+    const struct ledger_entry entry = { .kind = LEDGER_NAME,
+                                        .detail = row->seat,
+                                        .count = row->round_id };
     ledger_write(core, &entry, output);
     menu_score_open(core);
 }

@@ -6,8 +6,8 @@
 
 _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
 
-#define SAVED_TICKS (10u * CORE_TICK_HZ) /* Time for which the page reports that a change is on
-                                            disk. */
+/* Time for which the page reports that a change is on disk. */
+#define SAVED_TICKS (10u * CORE_TICK_HZ)
 #define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
 
 void menu_show(const struct core *core, struct scene_menu *out)
@@ -54,8 +54,8 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->calibrated = menu->calibrate.is_set;
     out->menu_calibrate_progress = menu_calibrate_progress(&menu->calibrate);
     out->calibrated_m = core->game.validation[menu->calibrate.seat].newest.position_m;
-    out->coin_s = menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S
-                                       : NEVER_S;
+    out->coin_s =
+        menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S : NEVER_S;
 }
 
 uint64_t menu_hash(uint64_t hash, const struct menu *menu)

@@ -194,7 +194,7 @@ static uint8_t judge_display(uint32_t frames)
 
 static uint8_t judge_data(uint8_t keeps)
 {
-    return keeps == KEEPS_UNKNOWN                            ? SELF_WAITS
+    return keeps == KEEPS_UNKNOWN                           ? SELF_WAITS
            : keeps == KEEPS_PROVEN || keeps == KEEPS_FOLDER ? SELF_GOOD
                                                             : SELF_BAD;
 }
@@ -216,8 +216,7 @@ static uint8_t judge_room(uint32_t room_mib)
 /* Evaluates the machine. Checks without data wait; after the timeout a waiting check is bad. */
 static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
 {
-    const int is_fresh =
-        machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
+    const int is_fresh = machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
     state[SELF_WATCHDOG] = machine->watch == WATCH_FED    ? SELF_GOOD
                            : machine->watch == WATCH_DEAF ? SELF_BAD
                                                           : SELF_LOOK;
@@ -275,8 +274,8 @@ uint32_t self_test_left(const uint8_t state[SELF_CHECKS])
 
 uint64_t self_test_hash(uint64_t hash, const struct self_test *self)
 {
-    const uint32_t words[] = { self->heard,      self->moved,     self->present, self->knows_first,
-                               self->begin_tick, self->entry_id };
+    const uint32_t words[] = { self->heard,       self->moved,      self->present,
+                               self->knows_first, self->begin_tick, self->entry_id };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);
     }

@@ -18,26 +18,26 @@
 #include "core/scene.h"
 
 #define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Time after which every check has a result. */
-#define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ) /* Time for a write to disk; a slower card counts
-                                                      as failed. */
-#define SELF_TEST_WAY_M 0.03f      /* Distance that counts as a motion in one direction. */
-#define SELF_TEST_LATE_TICKS 4u    /* Report age that is late: fewer than 30 reports per second. */
-#define SELF_TEST_FRAMES_MIN 25u   /* Frames per second below which the display is too slow to
-                                      play. */
+/* Time for a write to disk; a slower card counts as failed. */
+#define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ)
+#define SELF_TEST_WAY_M 0.03f   /* Distance that counts as a motion in one direction. */
+#define SELF_TEST_LATE_TICKS 4u /* Report age that is late: fewer than 30 reports per second. */
+/* Frames per second below which the display is too slow to play. */
+#define SELF_TEST_FRAMES_MIN 25u
 
-#define SELF_BACKUP_OLD_MIN 180u   /* Minutes; a backup is made at startup and every hour. */
-#define SELF_ROOM_LOW_MIB 64u      /* Twice the database, plus a replay of each ranked round. */
-#define SELF_ROOM_BAD_MIB 8u       /* Too little for one evening's entries and their backup. */
-#define SELF_HEAT_NEAR_C 10        /* Degrees Celsius to throttling; a hot afternoon can add as
-                                      much. */
+#define SELF_BACKUP_OLD_MIN 180u /* Minutes; a backup is made at startup and every hour. */
+#define SELF_ROOM_LOW_MIB 64u    /* Twice the database, plus a replay of each ranked round. */
+#define SELF_ROOM_BAD_MIB 8u     /* Too little for one evening's entries and their backup. */
+/* Degrees Celsius to throttling; a hot afternoon can add as much. */
+#define SELF_HEAT_NEAR_C 10
 
 /* Checks of the machine, followed by checks of the game devices. */
 enum self_check {
     SELF_STORE = 0, /* A ledger entry returned from the disk, and no database is in quarantine. */
     SELF_BACKUP,
-    SELF_DATA,    /* Written data survives a power cut. */
+    SELF_DATA, /* Written data survives a power cut. */
     SELF_ROOM,
-    SELF_FILES,   /* No file was rejected at startup. */
+    SELF_FILES, /* No file was rejected at startup. */
     SELF_CLOCK,
     SELF_HEAT,
     SELF_WATCHDOG,
@@ -62,16 +62,15 @@ enum self_state {
 enum { SELF_UNSAID = 0, SELF_SAYS_YES, SELF_SAYS_NO };
 
 struct self_test {
-    uint8_t heard, moved;      /* The operator's answers about the sound, and about lamp and
-                                  slot. */
-    uint8_t present;           /* Bit mask of the slots with a controller. */
-    uint8_t ways[POI_MAX];     /* Directions in which each poi moved: one bit each for x, y, z. */
+    uint8_t heard, moved;       /* The operator's answers about the sound, and about lamp and
+                                   slot. */
+    uint8_t present;            /* Bit mask of the slots with a controller. */
+    uint8_t ways[POI_MAX];      /* Directions in which each poi moved: one bit each for x, y, z. */
     uint8_t worst_age[POI_MAX]; /* Largest age of a report, in ticks. */
-    vec3 first_m[POI_MAX];     /* Position at which each poi was first seen. */
-    uint8_t knows_first;       /* Bit mask of the slots with a valid `first_m`. */
+    vec3 first_m[POI_MAX];      /* Position at which each poi was first seen. */
+    uint8_t knows_first;        /* Bit mask of the slots with a valid `first_m`. */
     uint32_t begin_tick;
-    uint32_t entry_id;         /* Id of the entry written for the test; 0: the ledger had no
-                                  room. */
+    uint32_t entry_id; /* Id of the entry written for the test; 0: the ledger had no room. */
 };
 
 struct core;

@@ -30,8 +30,7 @@ int32_t settings_edit_max(const struct core *core, uint32_t id)
     if (id != SET_FISH) {
         return setting->max;
     }
-    const int32_t room =
-        (int32_t)tank_preset_fish_max(tank_preset(core->config.preset), 1.0f);
+    const int32_t room = (int32_t)tank_preset_fish_max(tank_preset(core->config.preset), 1.0f);
     return room < setting->max ? room : setting->max;
 }
 
@@ -111,8 +110,9 @@ static int append_setting_entry(struct core *core, uint32_t id, struct output *o
     if (!ledger_may_write(&core->game.ledger, LEDGER_SETTING)) {
         return 0; /* The next tick tries again, because no change of a setting may be lost. */
     }
-    const struct ledger_entry entry = { .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu),
-                                        .count = id >> 8, .value = value };
+    const struct ledger_entry entry = {
+        .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu), .count = id >> 8, .value = value
+    };
     settings_edit->entry_id = ledger_write(core, &entry, output);
     settings_edit->told.value[id] = value;
     return 1;

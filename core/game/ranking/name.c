@@ -39,8 +39,8 @@ static uint8_t best_waiting(const struct core *core)
     uint8_t best = POI_MAX;
     for (uint8_t seat = 0; seat < POI_MAX; seat++) {
         const int waits = core->game.name.waits >> seat & 1;
-        if (waits && (best == POI_MAX ||
-                      core->game.player[seat].caught > core->game.player[best].caught)) {
+        if (waits &&
+            (best == POI_MAX || core->game.player[seat].caught > core->game.player[best].caught)) {
             best = seat;
         }
     }
@@ -72,7 +72,7 @@ static int begin_next_turn(struct core *core)
         return 0;
     }
     name->seat = best_waiting(core);
-    name->waits &= (uint8_t) ~(1u << name->seat);
+    name->waits &= (uint8_t)~(1u << name->seat);
     name->alphabet = alphabet_of(core->game.language);
     name->refusals = 0;
     name->has_hand = 0;
@@ -105,9 +105,9 @@ void name_keep(struct core *core, struct output *output)
     if (name->letter_count == 0 || stands_refused(name)) {
         return;
     }
-    struct ledger_entry entry = {
-        .kind = LEDGER_NAME, .detail = name->seat, .count = name->round_id
-    };
+    struct ledger_entry entry = { .kind = LEDGER_NAME,
+                                  .detail = name->seat,
+                                  .count = name->round_id };
     name_spell(name->letter, name->letter_count, entry.name);
     ledger_write(core, &entry, output);
 }
@@ -330,9 +330,9 @@ void name_show(const struct core *core, struct scene_name *out)
 
 uint64_t name_hash(uint64_t hash, const struct name *name)
 {
-    const uint32_t words[] = { name->round_id, name->ranked,    name->waits,    name->seat,
-                               name->alphabet, name->key,       name->points,   name->upright,
-                               name->has_hand, name->presses,   name->refusals, name->letter_count,
+    const uint32_t words[] = { name->round_id,  name->ranked,   name->waits,     name->seat,
+                               name->alphabet,  name->key,      name->points,    name->upright,
+                               name->has_hand,  name->presses,  name->refusals,  name->letter_count,
                                name->seat_tick, name->act_tick, name->held_ticks };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         hash = hash_u32(hash, words[i]);

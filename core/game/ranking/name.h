@@ -17,30 +17,30 @@
 #include "core/scene.h"
 
 #define NAME_IDLE_TICKS (20u * CORE_TICK_HZ) /* Timeout without pointing or pressing. */
-#define NAME_TICKS_MAX (60u * CORE_TICK_HZ)  /* Longest time for one player, including help from
-                                                friends. */
-#define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)  /* Delay before a press counts, because an earlier
-                                                press was meant for the result. */
+/* Longest time for one player, including help from friends. */
+#define NAME_TICKS_MAX (60u * CORE_TICK_HZ)
+/* Delay before a press counts, because an earlier press was meant for the result. */
+#define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)
 #define NAME_RUN_TICKS (CORE_TICK_HZ / 2u)   /* Time after which a held button repeats. */
 #define NAME_STEP_TICKS (CORE_TICK_HZ / 10u) /* Ticks per key while a button repeats. */
 #define NAME_REFUSALS_MAX 1u                 /* Number of rejections that permit another try. */
 
 struct name {
-    uint32_t round_id;  /* Round of the last ranked player; 0: none since. */
-    uint8_t ranked;     /* Bit mask of the ranked slots. */
-    uint8_t waits;      /* Bit mask of the ranked slots that still need a name. */
-    uint8_t seat;       /* Slot of the current player. */
-    uint8_t alphabet;   /* enum name_alphabet */
-    uint8_t key;        /* Highlighted key: a cell, or enum name_key. */
-    uint8_t points;     /* Key under the pointer, from 1; 0: none. */
+    uint32_t round_id; /* Round of the last ranked player; 0: none since. */
+    uint8_t ranked;    /* Bit mask of the ranked slots. */
+    uint8_t waits;     /* Bit mask of the ranked slots that still need a name. */
+    uint8_t seat;      /* Slot of the current player. */
+    uint8_t alphabet;  /* enum name_alphabet */
+    uint8_t key;       /* Highlighted key: a cell, or enum name_key. */
+    uint8_t points;    /* Key under the pointer, from 1; 0: none. */
     uint8_t upright, has_hand, presses;
-    uint8_t refusals;   /* Rejected names of this player. */
+    uint8_t refusals; /* Rejected names of this player. */
     uint8_t letter_count;
     uint16_t letter[NAME_LETTERS_MAX];
-    uint32_t seat_tick; /* Tick at which this player's entry began. */
-    uint32_t act_tick;  /* Tick of this player's last activity. */
-    uint32_t held_ticks; /* Ticks for which LEFT or RIGHT has been held. */
-    float x, y;         /* Pointer position on the canvas. */
+    uint32_t seat_tick;   /* Tick at which this player's entry began. */
+    uint32_t act_tick;    /* Tick of this player's last activity. */
+    uint32_t held_ticks;  /* Ticks for which LEFT or RIGHT has been held. */
+    float x, y;           /* Pointer position on the canvas. */
     float rest_x, rest_y; /* Pointer position at the last motion. */
 };
 

@@ -4,8 +4,8 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define HOLE 0x3000u          /* Full-width space, which marks an empty cell. */
-#define KATAKANA_AFTER 0x60u  /* Offset from a hiragana code point to its katakana. */
+#define HOLE 0x3000u         /* Full-width space, which marks an empty cell. */
+#define KATAKANA_AFTER 0x60u /* Offset from a hiragana code point to its katakana. */
 #define KATAKANA_FIRST 0x30a1u
 #define KATAKANA_LAST 0x30f3u
 
@@ -29,10 +29,9 @@ static const uint16_t letters[ALPHABET_COUNT][NAME_CELLS + 1u] = {
 };
 
 /* The forms of each letter, side by side. */
-static const uint16_t forms[] =
-    u"あぁ いぃ うぅ えぇ おぉ やゃ ゆゅ よょ わゎ "
-    u"かが きぎ くぐ けげ こご さざ しじ すず せぜ そぞ "
-    u"ただ ちぢ つっづ てで とど はばぱ ひびぴ ふぶぷ へべぺ ほぼぽ";
+static const uint16_t forms[] = u"あぁ いぃ うぅ えぇ おぉ やゃ ゆゅ よょ わゎ "
+                                u"かが きぎ くぐ けげ こご さざ しじ すず せぜ そぞ "
+                                u"ただ ちぢ つっづ てで とど はばぱ ひびぴ ふぶぷ へべぺ ほぼぽ";
 
 uint16_t name_letter(uint8_t alphabet, uint32_t cell)
 {
@@ -74,13 +73,29 @@ struct measures {
 };
 
 static const struct measures wide = {
-    .x = 163.0f, .y = 200.0f, .width = 90.0f, .height = 70.0f, .pitch_x = 96.0f, .pitch_y = 76.0f,
-    .keys_x = 162.0f, .keys_y = 598.0f, .key_width = 224.0f, .key_height = 70.0f,
+    .x = 163.0f,
+    .y = 200.0f,
+    .width = 90.0f,
+    .height = 70.0f,
+    .pitch_x = 96.0f,
+    .pitch_y = 76.0f,
+    .keys_x = 162.0f,
+    .keys_y = 598.0f,
+    .key_width = 224.0f,
+    .key_height = 70.0f,
     .key_pitch = 244.0f,
 };
 static const struct measures upright_measures = {
-    .x = 30.0f, .y = 470.0f, .width = 74.0f, .height = 96.0f, .pitch_x = 80.0f, .pitch_y = 104.0f,
-    .keys_x = 31.0f, .keys_y = 1030.0f, .key_width = 186.0f, .key_height = 110.0f,
+    .x = 30.0f,
+    .y = 470.0f,
+    .width = 74.0f,
+    .height = 96.0f,
+    .pitch_x = 80.0f,
+    .pitch_y = 104.0f,
+    .keys_x = 31.0f,
+    .keys_y = 1030.0f,
+    .key_width = 186.0f,
+    .key_height = 110.0f,
     .key_pitch = 202.0f,
 };
 

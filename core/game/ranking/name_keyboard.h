@@ -10,8 +10,8 @@
 #include "core/game/pointer_mapping.h"
 #include "core/ledger.h"
 
-#define NAME_LETTERS_MAX 8u /* Number of letters that remain readable on a row of ten from across
-                               the street. */
+/* Number of letters that remain readable on a row of ten from across the street. */
+#define NAME_LETTERS_MAX 8u
 _Static_assert(3u * NAME_LETTERS_MAX < LEDGER_NAME_SIZE, "three bytes a letter, and the zero");
 
 enum name_alphabet {

@@ -12,14 +12,14 @@ static uint32_t tail_count(uint8_t lead)
 
 static uint16_t next_letter(const char **at)
 {
-    const uint8_t lead = (uint8_t) * (*at)++;
+    const uint8_t lead = (uint8_t)*(*at)++;
     const uint32_t tail = tail_count(lead);
     if (tail == 3u) {
         return MALFORMED;
     }
     uint32_t letter = tail == 0 ? lead : lead & (0x3fu >> tail);
     for (uint32_t i = 0; i < tail; i++) {
-        const uint8_t byte = (uint8_t) * *at;
+        const uint8_t byte = (uint8_t)**at;
         if ((byte & 0xc0u) != 0x80u) {
             return MALFORMED;
         }

@@ -18,9 +18,9 @@
 
 struct bowl {
     uint8_t present;
-    vec3 home_m;       /* Mooring position, as position_m; only x and z count. */
-    vec3 position_m;   /* Centre of the mouth, slightly above the water. */
-    vec3 before_m;     /* `position_m` at the start of the tick. */
+    vec3 home_m;     /* Mooring position, as position_m; only x and z count. */
+    vec3 position_m; /* Centre of the mouth, slightly above the water. */
+    vec3 before_m;   /* `position_m` at the start of the tick. */
     vec3 velocity_m_s;
     float heel_x, heel_z; /* Components of the mouth's normal along world x and z, rad. */
     float heel_x_rad_s, heel_z_rad_s;

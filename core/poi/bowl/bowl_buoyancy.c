@@ -6,14 +6,14 @@
 #include "core/base/physics.h"
 #include "core/poi/hand_spring.h"
 
-#define MOORING_N_M 2.0f /* A thread that returns the bowl in about two seconds. */
-#define DRAG_N_S_M 1.6f  /* Linear drag of the hull. */
-#define DRAG_N_S2_M2 1.5f /* Quadratic drag of the hull: 1/2 rho 0.6 on 50 cm2. */
-#define ALONG_SHARE 0.5f /* Added mass of water, as a share of the displaced water. */
-#define SPEED_MAX_M_S 0.5f /* Lower than the speed with which a ring slides aside. */
+#define MOORING_N_M 2.0f      /* A thread that returns the bowl in about two seconds. */
+#define DRAG_N_S_M 1.6f       /* Linear drag of the hull. */
+#define DRAG_N_S2_M2 1.5f     /* Quadratic drag of the hull: 1/2 rho 0.6 on 50 cm2. */
+#define ALONG_SHARE 0.5f      /* Added mass of water, as a share of the displaced water. */
+#define SPEED_MAX_M_S 0.5f    /* Lower than the speed with which a ring slides aside. */
 #define HEAVE_DAMP_N_S_M 5.0f /* A quarter of the critical damping. */
-#define LOAD_KG_MAX 0.710f /* At this load the mouth is 4 mm above the water; any more water
-                              spills. */
+/* At this load the mouth is 4 mm above the water; any more water spills. */
+#define LOAD_KG_MAX 0.710f
 #define MOUTH_MIN_M 0.002f
 #define RIPPLE_MAX_M 0.006f /* Steeper ripples break at the hull. */
 #define HEEL_RAD_S 13.0f    /* The bowl rocks at 2 Hz. */
@@ -43,16 +43,16 @@ static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
     const struct basis axes = vec_basis_from_angles(poi->angles);
-    const vec3 away = v3(poi->position_m.x - bowl->position_m.x, 0.0f,
-                         poi->position_m.z - bowl->position_m.z);
+    const vec3 away =
+        v3(poi->position_m.x - bowl->position_m.x, 0.0f, poi->position_m.z - bowl->position_m.z);
     const float far = v3_length(away);
     if (far > BOWL_RADIUS_M + POI_OUTER_RADIUS_M + TOUCH_M) {
         return none;
     }
     const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
     const float low = poi_half_extent_m(axes.up.y), mouth = bowl->position_m.y;
-    const float apart = bowl_hull_radius_m(mouth - poi->position_m.y) +
-                        poi_half_extent_m(v3_dot(axes.up, out));
+    const float apart =
+        bowl_hull_radius_m(mouth - poi->position_m.y) + poi_half_extent_m(v3_dot(axes.up, out));
     const vec3 hand_n = hand_spring_force_n(poi, &axes);
     if (far > apart + TOUCH_M || poi->position_m.y + low <= mouth - BOWL_DEPTH_M) {
         return none;
@@ -102,8 +102,7 @@ static float axis_m_s(float kg, float speed_m_s, float force_n, float damping_n_
                       float stiffness_n_m)
 {
     const float dt = CORE_TICK_S;
-    return (kg * speed_m_s + dt * force_n) /
-           (kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
+    return (kg * speed_m_s + dt * force_n) / (kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
 }
 
 static void move_hull(struct bowl *bowl, const struct swell *swell, vec3 push_n)
@@ -115,9 +114,8 @@ static void move_hull(struct bowl *bowl, const struct swell *swell, vec3 push_n)
     const float home_x = MOORING_N_M * (bowl->home_m.x - bowl->position_m.x);
     const float home_z = MOORING_N_M * (bowl->home_m.z - bowl->position_m.z);
     const float wave_x = -weight_n * swell->slope_x, wave_z = -weight_n * swell->slope_z;
-    const vec3 next =
-        v3(axis_m_s(kg, speed.x, push_n.x + home_x + wave_x, drag, MOORING_N_M), 0.0f,
-           axis_m_s(kg, speed.z, push_n.z + home_z + wave_z, drag, MOORING_N_M));
+    const vec3 next = v3(axis_m_s(kg, speed.x, push_n.x + home_x + wave_x, drag, MOORING_N_M), 0.0f,
+                         axis_m_s(kg, speed.z, push_n.z + home_z + wave_z, drag, MOORING_N_M));
     const vec3 held = v3_limit(next, SPEED_MAX_M_S);
     bowl->velocity_m_s.x = held.x;
     bowl->velocity_m_s.z = held.z;

@@ -4,17 +4,17 @@
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-#define ROUND_RAD_S 1.6f /* A lap in about four seconds. */
+#define ROUND_RAD_S 1.6f  /* A lap in about four seconds. */
 #define SETTLE_PER_S 2.0f /* Rate at which a new fish reaches its depth and radius. */
 #define SETTLE_CROWD 0.9f /* Reduction of that rate in a full bowl, which leaves no choice. */
 #define HULL_GAP_M 0.003f
-#define CROWD_KG 0.080f   /* From this weight on all fish circle together. */
-#define SPINE_HALF 0.32f  /* Half the capsule's axis per body length; snout and fin are thin. */
-#define GIRTH 0.40f       /* Radius of the capsule per body width. */
-#define PART_SHARE 0.6f   /* Share of an overlap removed per tick. */
+#define CROWD_KG 0.080f    /* From this weight on all fish circle together. */
+#define SPINE_HALF 0.32f   /* Half the capsule's axis per body length; snout and fin are thin. */
+#define GIRTH 0.40f        /* Radius of the capsule per body width. */
+#define PART_SHARE 0.6f    /* Share of an overlap removed per tick. */
 #define PART_MAX_M 0.0012f /* Largest separation per tick: 14 cm/s. */
 #define CROSSED 0.3f
-#define ENDS 0.45f        /* Distance of snout and tail from the centre, in body lengths. */
+#define ENDS 0.45f /* Distance of snout and tail from the centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f
 
 static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)

@@ -9,15 +9,16 @@
 #define LEVEL_MIN 0.35f /* A poi steeper than this (70 degrees) captures no fish. */
 /* Water over the paper, in body heights, in which a fish still stands. */
 #define STAND_SHARE 1.05f
-#define STAND_SPARE_M 0.0045f /* Additional water for a fish that lies across the ring, 3 mm
-                                 higher. */
+/* Additional water for a fish that lies across the ring, 3 mm higher. */
+#define STAND_SPARE_M 0.0045f
 #define HELD_SHARE (CAPTURE_FLOAT_SHARE - 0.05f)
 #define SPILL_M_S 0.4f /* Speed at which fish beyond POI_CARRIED_MAX leave over the ring. */
 #define WALL_GAP_M 0.015f
-#define WALL_M_S 0.02f     /* Speed toward a wall: more than a trembling hand. */
+#define WALL_M_S 0.02f      /* Speed toward a wall: more than a trembling hand. */
 #define WALL_PRESS_M 0.004f /* Offset of the hand from a ring stopped by a wall: 0.9 N. */
-#define CALM_VIGOUR 0.55f  /* Slap strength of a fish that rests or gulps, relative to one in
-                              flight, because it is surprised. */
+/* Slap strength of a fish that rests or gulps, relative to one in flight, because it is
+ * surprised. */
+#define CALM_VIGOUR 0.55f
 
 /* Returns 1 if the fish has water enough to stand. On a blocked ring that the hand pulls up no fish
  * stands: a fish held between paper and surface lies on the paper, unless water would float it off

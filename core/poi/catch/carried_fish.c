@@ -8,8 +8,8 @@
 
 #define LIE_RAD (80.0f * F_DEG) /* Flat on its side, except for the fins under it. */
 #define LIE_PER_S 8.0f
-#define STICK 0.36f          /* Static friction of skin on wet paper: a fish slides from 20 degrees
-                                on. */
+/* Static friction of skin on wet paper: a fish slides from 20 degrees on. */
+#define STICK 0.36f
 #define SLIP 0.30f           /* Sliding friction. */
 #define WALL_STICK 0.84f     /* The ring is 3 mm high: a fish rolls over it from 40 degrees on. */
 #define WALL_JUMP_M_S 0.40f  /* Speed at which a fish goes over the ring at any angle. */
@@ -23,11 +23,11 @@
 #define CALM_CRADLE 1.5f  /* Factor for a fish in a sag of paper that surrounds it. */
 #define CRADLE_M 0.003f   /* Depth of such a sag. */
 #define FLOP_M_S 0.35f    /* Highest speed at which a slap throws the fish; few slaps reach it. */
-#define HOP_S 0.060f      /* A slap of 20 m/s^2 for 20 ms throws a whole body up for 80 ms; a tail
-                             alone lifts it for less. */
-#define HOP_SLIP 0.05f    /* Friction during a hop. */
-#define AGROUND 0.3f      /* Share of unsupported weight above which the fish can slap and the ring
-                             blocks it. */
+/* A slap of 20 m/s^2 for 20 ms throws a whole body up for 80 ms; a tail alone lifts it for less. */
+#define HOP_S 0.060f
+#define HOP_SLIP 0.05f /* Friction during a hop. */
+/* Share of unsupported weight above which the fish can slap and the ring blocks it. */
+#define AGROUND 0.3f
 #define FOOT_M 0.010f     /* Half of a body's footprint. */
 #define LEAN_MAX 0.25f    /* Limit near the ring, which supports a part of the load beside it. */
 #define SWIM_LENGTHS 4.0f /* Body lengths per second of a fish that swims off while afloat. */
@@ -93,8 +93,7 @@ static float slap(struct carried_fish *carried, const struct fish *fish,
     const float nose_x = -f_sin(carried->heading_rad), nose_z = -f_cos(carried->heading_rad);
     const float head_up = nose_x * ride->uphill_x + nose_z * ride->uphill_z;
     const float cradle = f_clamp(ride->belly_m / CRADLE_M, 0.0f, 1.0f);
-    const float tire =
-        (head_up > 0.25f ? CALM_HEAD_UP : 1.0f) * f_lerp(1.0f, CALM_CRADLE, cradle);
+    const float tire = (head_up > 0.25f ? CALM_HEAD_UP : 1.0f) * f_lerp(1.0f, CALM_CRADLE, cradle);
     carried->vigour += (VIGOUR_MIN - carried->vigour) * dry * tire * CORE_TICK_S / CALM_TAU_S;
     carried->rest_s -= CORE_TICK_S;
     carried->slap_s = f_max(0.0f, carried->slap_s - CORE_TICK_S);

@@ -22,14 +22,14 @@ enum carried_fish_state {
 };
 
 struct carried_fish {
-    uint16_t fish;  /* Index of the fish in the tank. */
-    uint8_t state;  /* enum carried_fish_state */
-    int8_t side;    /* +1 if the back is to the left of the nose, -1 if to the right. */
-    uint8_t walled; /* 1 if captured where the ring pressed the fish against a wall. */
+    uint16_t fish;       /* Index of the fish in the tank. */
+    uint8_t state;       /* enum carried_fish_state */
+    int8_t side;         /* +1 if the back is to the left of the nose, -1 if to the right. */
+    uint8_t walled;      /* 1 if captured where the ring pressed the fish against a wall. */
     uint8_t clear_ticks; /* Consecutive ticks in which the whole ring was above the water with the
                             fish; at most CARRIED_CLEAR_TICKS. */
-    float x_m, z_m; /* Centre, in the plane of the poi. */
-    float height_m; /* Height of the centre above that plane. */
+    float x_m, z_m;      /* Centre, in the plane of the poi. */
+    float height_m;      /* Height of the centre above that plane. */
     float slide_x_m_s, slide_z_m_s;
     float heading_rad; /* Direction of the nose in that plane; 0 along -z, positive left, as yaw. */
     float lie;         /* 0 upright in water .. 1 flat on its side. */

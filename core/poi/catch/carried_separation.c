@@ -1,13 +1,13 @@
 /* carried_separation.c -- separation of carried fish, as capsules in the plane of the paper. */
 #include "core/poi/catch/carried_separation.h"
 
-#define SPINE_HALF 0.30f  /* Half the capsule's axis per body length; snout and fin are thin. */
-#define GIRTH 0.36f       /* Radius of the capsule per extent of the body in the plane; bodies
-                             taper. */
+#define SPINE_HALF 0.30f /* Half the capsule's axis per body length; snout and fin are thin. */
+/* Radius of the capsule per extent of the body in the plane; bodies taper. */
+#define GIRTH 0.36f
 #define PUSH_MAX_M 0.0015f /* Per tick: 0.18 m/s. */
-#define WALL_M 0.004f     /* Distance from centre to ring when the belly touches the ring. */
-#define SQUEEZE 0.5f      /* Overlap, as a share of the clear distance, above which a fish climbs
-                             over the ring. */
+#define WALL_M 0.004f      /* Distance from centre to ring when the belly touches the ring. */
+/* Overlap, as a share of the clear distance, above which a fish climbs over the ring. */
+#define SQUEEZE 0.5f
 
 struct flat { /* A point or vector in the plane. */
     float x, z;
@@ -38,8 +38,8 @@ static struct flat capsule_point_at(const struct capsule *capsule, float way_m)
 static struct flat to_axis(struct flat from, const struct capsule *capsule)
 {
     const float x = from.x - capsule->centre.x, z = from.z - capsule->centre.z;
-    const float way = f_clamp(x * capsule->axis.x + z * capsule->axis.z, -capsule->half_m,
-                              capsule->half_m);
+    const float way =
+        f_clamp(x * capsule->axis.x + z * capsule->axis.z, -capsule->half_m, capsule->half_m);
     const struct flat on = capsule_point_at(capsule, way);
     return (struct flat){ on.x - from.x, on.z - from.z };
 }
@@ -120,8 +120,8 @@ static void push_within_ring(struct carried_fish *carried, float x_m, float z_m,
 static void share_velocity(struct carried_fish *a, struct carried_fish *b, struct flat out,
                            float share_a)
 {
-    const float closing = (a->slide_x_m_s - b->slide_x_m_s) * out.x +
-                          (a->slide_z_m_s - b->slide_z_m_s) * out.z;
+    const float closing =
+        (a->slide_x_m_s - b->slide_x_m_s) * out.x + (a->slide_z_m_s - b->slide_z_m_s) * out.z;
     if (closing > 0.0f) {
         a->slide_x_m_s -= share_a * closing * out.x;
         a->slide_z_m_s -= share_a * closing * out.z;

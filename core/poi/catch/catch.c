@@ -10,9 +10,9 @@
 #include "core/poi/catch/fall.h"
 #include "core/poi/catch/paper_contact.h"
 
-#define SLACK_N_M 1.5f /* Stiffness of wet paper under a single fish. */
+#define SLACK_N_M 1.5f      /* Stiffness of wet paper under a single fish. */
 #define LIFT_OFF_M_S2 0.5f  /* A fish pulled from the paper by a higher acceleration flies. */
-#define LAND_M_S 0.2f        /* Wet paper absorbs most of the velocity of an oblique landing. */
+#define LAND_M_S 0.2f       /* Wet paper absorbs most of the velocity of an oblique landing. */
 #define SLAP_EVERY_TICKS 8u /* Least interval between two sounds of one kind. */
 #define TEAR_EVERY_TICKS 14u
 

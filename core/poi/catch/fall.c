@@ -26,8 +26,8 @@ static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
 /* A fish that misses the mouth hits the hull or its rim and slides down outside. */
 static void off_hull(const struct bowl *bowl, struct fish *fish, struct carried_fish *carried)
 {
-    const vec3 away = v3(fish->position_m.x - bowl->position_m.x, 0.0f,
-                         fish->position_m.z - bowl->position_m.z);
+    const vec3 away =
+        v3(fish->position_m.x - bowl->position_m.x, 0.0f, fish->position_m.z - bowl->position_m.z);
     const float below = bowl->position_m.y - fish->position_m.y;
     const float apart = bowl_hull_radius_m(below) + 0.5f * fish->width_m;
     const float far = v3_length(away);

@@ -3,8 +3,8 @@
 
 #define ZONE_M 0.06f /* No fish farther from the plane can touch. */
 #define SQUEEZE_GAP_M 0.0005f
-#define JAM_PULL_M 0.03f /* Offset of the hand from a blocked ring that counts as a pull at a jam:
-                            6.5 N. */
+/* Offset of the hand from a blocked ring that counts as a pull at a jam: 6.5 N. */
+#define JAM_PULL_M 0.03f
 #define JAM_TICKS 12.0f /* Within 0.1 s all fish over the ring leave, from the edge inward. */
 #define JAM_M (0.02f * CORE_TICK_S)
 #define TOUCH_M 0.005f /* The ring holds a fish that lies across it 3 mm above the paper. */

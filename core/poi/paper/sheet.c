@@ -8,11 +8,11 @@
 #include "core/poi/paper/wetting.h"
 
 #define LOAD_RATIO_MIN 0.25f /* Share of its ultimate tension that paper sustains for half a day. */
-#define WET_LINE_FACTOR 2.5f /* Stress concentration between wet and dry paper, which swell
-                                differently. */
+/* Stress concentration between wet and dry paper, which swell differently. */
+#define WET_LINE_FACTOR 2.5f
 #define STANDING_FACTOR_WORST (STRAIN_EDGE * WET_LINE_FACTOR)
-#define FOOT_TENSION_MIN_N_M 0.3f /* Tension down to which a footprint is computed; less causes no
-                                     wear. */
+/* Tension down to which a footprint is computed; less causes no wear. */
+#define FOOT_TENSION_MIN_N_M 0.3f
 #define SAG_TAU_S 0.03f /* The sag moves water along and cannot jump. */
 
 /* ---- Stress concentration -------------------------------------------------------------------- */

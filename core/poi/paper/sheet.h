@@ -13,15 +13,15 @@
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
 #define SHEET_LOAD_MAX 32u /* Footprints per tick: a body and a tail of each of 16 fish. */
-#define SHEET_STEPS_MAX 8u /* Substeps of a tick in which paper tears: a tear grows at 2.4 m/s at
-                              most. */
+/* Substeps of a tick in which paper tears: a tear grows at 2.4 m/s at most. */
+#define SHEET_STEPS_MAX 8u
 #define SHEET_DAMAGE_TAU_S 0.05f /* Life of paper at its ultimate tension. */
-#define SHEET_DAMAGE_EXPONENT 10 /* The life at a lower tension is longer by the tension share to
-                                    this power: 51 s at half. */
-#define SHEET_SOFTENING 0.25f /* Share of its wet strength that paper loses after
-                                 SHEET_SOAK_TICKS. */
-#define SHEET_SOAK_TICKS (60u * CORE_TICK_HZ) /* The softening ends a minute after the paper became
-                                                 wet. */
+/* The life at a lower tension is longer by the tension share to this power: 51 s at half. */
+#define SHEET_DAMAGE_EXPONENT 10
+/* Share of its wet strength that paper loses after SHEET_SOAK_TICKS. */
+#define SHEET_SOFTENING 0.25f
+/* The softening ends a minute after the paper became wet. */
+#define SHEET_SOAK_TICKS (60u * CORE_TICK_HZ)
 #define SHEET_GRADE_MIN 4u /* The strongest grade. */
 #define SHEET_GRADE_MAX 7u /* The weakest grade. */
 
@@ -58,12 +58,12 @@ struct sheet {
     uint8_t ideal;   /* 1 for an ideal test sheet: uniform and without stress concentration
                         (sheet_idealise). */
     float radius_m;
-    float fibre_x, fibre_z;           /* Unit vector of the main fibre direction, which tears tend
-                                         to follow. */
-    float wetness[SHEET_CELL_COUNT];  /* [0, 1] */
+    float fibre_x, fibre_z;          /* Unit vector of the main fibre direction, which tears tend
+                                        to follow. */
+    float wetness[SHEET_CELL_COUNT]; /* [0, 1] */
     uint16_t soak_ticks[SHEET_CELL_COUNT]; /* Ticks since the cell became wet, <=
                                               SHEET_SOAK_TICKS. */
-    float damage[SHEET_CELL_COUNT];   /* [0, 1); the cell is a hole at 1. */
+    float damage[SHEET_CELL_COUNT];        /* [0, 1); the cell is a hole at 1. */
     float strength[SHEET_CELL_COUNT]; /* Factor of this specimen on the grade's strength, near 1. */
     float strength_min;               /* Least strength of all cells. */
     uint8_t state[SHEET_CELL_COUNT];  /* enum sheet_cell_state */

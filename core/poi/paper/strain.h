@@ -9,8 +9,8 @@
 #include "core/poi/paper/sheet.h"
 #include "core/poi/paper/tear.h"
 
-#define STRAIN_NIL 0.02f /* Load ratios below this count as zero, because their tenth power would be
-                            denormal. */
+/* Load ratios below this count as zero, because their tenth power would be denormal. */
+#define STRAIN_NIL 0.02f
 #define STRAIN_EDGE 1.5f /* Stress concentration along the ring. */
 
 struct footprint {

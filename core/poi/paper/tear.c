@@ -11,9 +11,9 @@ struct way {
 
 #define SLANT 0.70710678f
 static const struct way ways[WAYS] = {
-    { 0, 1, 1.0f, 0.0f },   { 1, 1, SLANT, SLANT },    { 1, 0, 0.0f, 1.0f },
-    { 1, -1, -SLANT, SLANT }, { 0, -1, -1.0f, 0.0f },  { -1, -1, -SLANT, -SLANT },
-    { -1, 0, 0.0f, -1.0f }, { -1, 1, SLANT, -SLANT },
+    { 0, 1, 1.0f, 0.0f },     { 1, 1, SLANT, SLANT },   { 1, 0, 0.0f, 1.0f },
+    { 1, -1, -SLANT, SLANT }, { 0, -1, -1.0f, 0.0f },   { -1, -1, -SLANT, -SLANT },
+    { -1, 0, 0.0f, -1.0f },   { -1, 1, SLANT, -SLANT },
 };
 
 struct tear_map tear_map_of(const struct sheet *sheet)

@@ -9,11 +9,11 @@
 
 _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 
-#define TEAR_FACTOR 2.5f       /* Stress factor beside a hole of one cell; the factor grows with the
-                                  root of the hole's length. */
-#define TEAR_FACTOR_MAX 4.0f   /* Limit of the factor, reached at 2.56 cells. */
-#define TEAR_FIBRE_SHARE 0.08f /* Increase of the factor along the fibres, and decrease across
-                                  them. */
+/* Stress factor beside a hole of one cell; the factor grows with the root of the hole's length. */
+#define TEAR_FACTOR 2.5f
+#define TEAR_FACTOR_MAX 4.0f /* Limit of the factor, reached at 2.56 cells. */
+/* Increase of the factor along the fibres, and decrease across them. */
+#define TEAR_FIBRE_SHARE 0.08f
 #define TEAR_FACTOR_WORST (TEAR_FACTOR_MAX * (1.0f + TEAR_FIBRE_SHARE))
 #define TEAR_REACH 3u /* Rows above and below that a changed hole can affect. */
 

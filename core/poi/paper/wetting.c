@@ -1,10 +1,10 @@
 /* wetting.c -- wetting of the paper, cell by cell. */
 #include "core/poi/paper/wetting.h"
 
-#define WET_TAU_S 1.0f    /* Time constant with which a cell under water loses its dry strength. */
-#define SOAKED 0.9999f    /* Wetness of the driest cell above which a sheet counts as soaked. */
-#define WICK_M2_S 1.0e-6f /* In-plane wicking: a front of about 1.4 mm after one second,
-                             proportional to sqrt(t). */
+#define WET_TAU_S 1.0f /* Time constant with which a cell under water loses its dry strength. */
+#define SOAKED 0.9999f /* Wetness of the driest cell above which a sheet counts as soaked. */
+/* In-plane wicking: a front of about 1.4 mm after one second, proportional to sqrt(t). */
+#define WICK_M2_S 1.0e-6f
 #define SOFTENS_FROM 0.5f /* Drier paper does not soften further. */
 #define LINE_STEP 0.5f    /* Difference of wetness over two cells that counts as a full wet line. */
 

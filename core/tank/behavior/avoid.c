@@ -6,22 +6,22 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-#define STRAIGHT_CHANCE 0.9f   /* Chance that the fish that hits passes behind the other (section
-                                  3.4). */
-#define YAW_TIME_S 0.5f        /* Longest avoidance by yaw before pitch is used (section 3.4). */
+/* Chance that the fish that hits passes behind the other (section 3.4). */
+#define STRAIGHT_CHANCE 0.9f
+#define YAW_TIME_S 0.5f /* Longest avoidance by yaw before pitch is used (section 3.4). */
 #define PITCH_TIME_S 0.5f
-#define HOLD_DEPTH_S 0.5f      /* Time a fish keeps its depth after pitch, because its own depth
-                                  would lead it back. */
-#define CLOSING_MIN_M_S 0.010f /* Two resting fish drift together at this speed; repulsion parts
-                                  them. */
-#define BRAKE_MIN 0.4f         /* Below 0.4 a burst in a crowd would lose more than half its
-                                  speed. */
+/* Time a fish keeps its depth after pitch, because its own depth would lead it back. */
+#define HOLD_DEPTH_S 0.5f
+/* Two resting fish drift together at this speed; repulsion parts them. */
+#define CLOSING_MIN_M_S 0.010f
+/* Below 0.4 a burst in a crowd would lose more than half its speed. */
+#define BRAKE_MIN 0.4f
 #define LEAD_RAD (75.0f * F_DEG) /* Lead of the heading over the nose while a fish avoids by yaw. */
-#define STRUCK_SHARE 0.15f     /* Share of LEAD_RAD for the struck fish: 67 deg/s, so its tail
-                                  hardly swings out. */
-#define TURN_LAG_S 0.12f       /* Time constant with which a turn decays. */
+/* Share of LEAD_RAD for the struck fish: 67 deg/s, so its tail hardly swings out. */
+#define STRUCK_SHARE 0.15f
+#define TURN_LAG_S 0.12f              /* Time constant with which a turn decays. */
 #define REPULSION_LENGTHS_PER_S 0.45f /* Section 3.3: (7.5 - 5.25) cm/s for 5 cm fish. */
-#define REPULSION_RANGE 0.2f   /* Range in body lengths: 1 cm for a 5 cm fish. */
+#define REPULSION_RANGE 0.2f          /* Range in body lengths: 1 cm for a 5 cm fish. */
 
 static float flat_cos(vec3 a, vec3 b)
 {
@@ -157,8 +157,7 @@ static void advise(struct avoid_pair *pair, const struct avoid_party *a,
 {
     const vec3 apart = v3_sub(b->position_m, a->position_m);
     const uint32_t draw = pair_draw(a, b, seed, now->since);
-    const int8_t a_rise =
-        apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1 : -1;
+    const int8_t a_rise = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1 : -1;
     pair->a = (struct avoid_advice){ now->kind, a_rise, b->index, now->since, contact_s, 0.0f };
     pair->b =
         (struct avoid_advice){ now->kind, (int8_t)-a_rise, a->index, now->since, contact_s, 0.0f };

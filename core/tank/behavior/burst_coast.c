@@ -14,10 +14,10 @@
 #define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* 0.17 s. */
 #define KICK_MAX_RAD (80.0f * F_DEG)
 
-#define COAST_DRAG 0.060f /* Koi, by wetted surface; 0.242 while the tail beats. */
-#define MASS_KG_PER_M3 23.1f      /* Mass per cubed length: 2.9 g at 5 cm, as in fish_mass_kg(). */
-#define ADDED_MASS 0.10f          /* Share of the fish's mass: water that moves along with a slender
-                                     body. */
+#define COAST_DRAG 0.060f    /* Koi, by wetted surface; 0.242 while the tail beats. */
+#define MASS_KG_PER_M3 23.1f /* Mass per cubed length: 2.9 g at 5 cm, as in fish_mass_kg(). */
+/* Share of the fish's mass: water that moves along with a slender body. */
+#define ADDED_MASS 0.10f
 #define SURFACE_PER_LENGTH2 0.65f /* Wetted surface, including both sides of the fins. */
 #define GLIDE_LENGTHS                                                                              \
     (2.0f * (1.0f + ADDED_MASS) * MASS_KG_PER_M3 / (WATER_KG_M3 * SURFACE_PER_LENGTH2 * COAST_DRAG))

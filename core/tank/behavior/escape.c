@@ -12,30 +12,30 @@
 #define TURN_MIN_RAD (60.0f * F_DEG)
 #define TURN_MAX_RAD (120.0f * F_DEG)
 #define STRAY_RAD (45.0f * F_DEG)
-#define PAST_RAD (100.0f * F_DEG) /* A fish that errs swims past the danger, not into it. */
-#define FLIP_BACK_RAD (45.0f * F_DEG) /* The return flip takes back this angle of the turn. */
+#define PAST_RAD (100.0f * F_DEG)        /* A fish that errs swims past the danger, not into it. */
+#define FLIP_BACK_RAD (45.0f * F_DEG)    /* The return flip takes back this angle of the turn. */
 #define FLIP_BARRED_RAD (110.0f * F_DEG) /* Return flip if a wall blocks the way ahead. */
-#define FLIP_ON_RAD (90.0f * F_DEG)   /* Or the return flip adds this angle to the turn. */
+#define FLIP_ON_RAD (90.0f * F_DEG)      /* Or the return flip adds this angle to the turn. */
 
-#define AWAY_CHANCE 0.77f      /* Mirjany et al. 2011: 77 % of open-field starts turn away. */
-#define AWAY_CHANCE_WALL 0.45f /* Design: with a wall behind the fish, most starts turn toward the
-                                  danger. */
+#define AWAY_CHANCE 0.77f /* Mirjany et al. 2011: 77 % of open-field starts turn away. */
+/* Design: with a wall behind the fish, most starts turn toward the danger. */
+#define AWAY_CHANCE_WALL 0.45f
 #define WALL_FELT_LENGTHS 2.0f /* A wall within this distance blocks the way. */
 
 /* Curvature of the C-bend per angle of the head's turn. HEAD_SHARE is the part of a curve that lies
  * in front of the pivot of assets/shaders/fish.vert.glsl. */
 #define BEND_PER_TURN 1.3f
 #define HEAD_SHARE 0.38f
-#define RECOIL 0.4f /* Opposite bend after the flip, as a share of the C-bend. */
+#define RECOIL 0.4f        /* Opposite bend after the flip, as a share of the C-bend. */
 #define RECOIL_STAGES 2.0f /* Stages after the flip until the recoil has decayed. */
 
 #define PEAK_LENGTHS_MIN 8.0f /* Peak speed in body lengths per second. */
 #define PEAK_LENGTHS_MAX 10.0f
-#define PEAK_TIME_S 0.12f  /* From the start to the glide. */
-#define DASH_LENGTHS 2.0f  /* Body lengths per second at which the glide ends. */
+#define PEAK_TIME_S 0.12f /* From the start to the glide. */
+#define DASH_LENGTHS 2.0f /* Body lengths per second at which the glide ends. */
 #define DASH_BEAT_MIN_S 0.70f
 #define DASH_SPREAD_S 0.08f
-#define COST 0.010f /* Stamina for the start itself, as for one second of burst. */
+#define COST 0.010f       /* Stamina for the start itself, as for one second of burst. */
 #define REFRACTORY_S 0.5f /* Time after a start in which the fish cannot start again. */
 
 static struct rng_key key(uint32_t index, const struct perception *around, enum rng_purpose purpose)
@@ -127,10 +127,9 @@ static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct per
     const float side = (away_rad < 0.0f ? -1.0f : 1.0f) * (toward ? -1.0f : 1.0f);
     const float turn_rad =
         side * rng_range(key(index, around, RNG_ESCAPE_TURN), TURN_MIN_RAD, TURN_MAX_RAD);
-    const float stray_rad =
-        rng_range(key(index, around, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
-    const float goal_rad = toward ? nearer(turn_rad, away_rad + PAST_RAD, away_rad - PAST_RAD)
-                                  : away_rad + stray_rad;
+    const float stray_rad = rng_range(key(index, around, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
+    const float goal_rad =
+        toward ? nearer(turn_rad, away_rad + PAST_RAD, away_rad - PAST_RAD) : away_rad + stray_rad;
     const float course_rad = unbarred_rad(fish, yaw_rad + goal_rad, around->size_m) - yaw_rad;
     const float rest_rad = side * f_wrap_angle(course_rad - turn_rad);
     fish->escape_from_rad = yaw_rad;

@@ -11,9 +11,9 @@
 #include "core/tank/behavior/wall_following.h"
 #include "core/tank/flow.h"
 
-#define DRAWN_TAU_S 0.5f     /* Time constant of the attraction by a shade, so that noses do not
-                                follow every small change. */
-#define PUSH_PER_S 12.0f     /* Decay rate of pushes; a lasting push is followed in full. */
+/* Time constant of the attraction by a shade, so that noses do not follow every small change. */
+#define DRAWN_TAU_S 0.5f
+#define PUSH_PER_S 12.0f /* Decay rate of pushes; a lasting push is followed in full. */
 /* A fish that passes deeper below a bowl than this need not turn. */
 #define HULL_SHUN_DEPTH_M 0.01f
 
@@ -100,8 +100,8 @@ static void follow_shade(struct fish *fish, const struct perception *around)
         swim_resolve_drawn(fish, course.speed_m_s);
     }
     const float off_rad = f_wrap_angle(goal_rad - fish->drawn_rad);
-    fish->drawn_rad = f_wrap_angle(
-        fish->drawn_rad + off_rad * f_min(1.0f, around->dt_s / DRAWN_TAU_S));
+    fish->drawn_rad =
+        f_wrap_angle(fish->drawn_rad + off_rad * f_min(1.0f, around->dt_s / DRAWN_TAU_S));
 }
 
 static void fall(struct fish *fish, uint32_t index, const struct perception *around)

@@ -92,9 +92,8 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
     const struct luck luck = luck_of(index, around);
     const struct rng_key time = key(luck, RNG_FISH_DURATION);
     fish->gait = (uint8_t)gait;
-    fish->gait_left_s =
-        gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
-                           : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
+    fish->gait_left_s = gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
+                                           : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
     fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck, around->params));
     fish->depth_stray = around->params->depth_stray * rng_normal(key(luck, RNG_FISH_DEPTH));
     fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);

@@ -11,11 +11,11 @@
 
 struct perception {
     const struct behavior_params *params;
-    vec3 size_m; /* Inner width, water depth, breadth. */
-    float wall_follow; /* [0, 1] attraction of walls. */
+    vec3 size_m;         /* Inner width, water depth, breadth. */
+    float wall_follow;   /* [0, 1] attraction of walls. */
     uint8_t ball_spaces; /* As in struct tank_config. */
     uint32_t seed, tick;
-    float dt_s; /* Time since the last decision of the same fish. */
+    float dt_s;        /* Time since the last decision of the same fish. */
     float oxygen_mg_l; /* Oxygen dissolved in the water. */
     const struct obstacle *obstacles;
     uint32_t obstacle_count;

@@ -30,8 +30,8 @@
 
 #define THRESHOLD 0.45f /* Threshold of the timidest fish; the boldest has twice this value. */
 #define THRESHOLD_MAX 0.95f
-#define HABIT_STEP 0.25f /* Share of the distance to full habituation per start. Full habituation
-                            doubles the threshold. */
+/* Share of the distance to full habituation per start. Full habituation doubles the threshold. */
+#define HABIT_STEP 0.25f
 #define HABIT_FADE_S 60.0f
 #define HABIT_NONE 1e-3f
 
@@ -180,8 +180,8 @@ void startle_tick(struct fish *fish, uint32_t index, const struct perception *ar
         return;
     }
     fish->alarm = f_max(0.0f, fish->alarm - ALARM_FADE_PER_S * around->dt_s);
-    fish->habit = fish->habit < HABIT_NONE ? 0.0f
-                                           : fish->habit * (1.0f - around->dt_s / HABIT_FADE_S);
+    fish->habit =
+        fish->habit < HABIT_NONE ? 0.0f : fish->habit * (1.0f - around->dt_s / HABIT_FADE_S);
     fish->refractory_s = f_max(0.0f, fish->refractory_s - around->dt_s);
     if (fish->startle != STARTLE_NONE) {
         wait(fish, index, around);

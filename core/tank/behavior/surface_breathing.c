@@ -10,34 +10,34 @@
  * time. For goldfish the range is 3 to 5 kPa, 1.2 to 2 mg/L. */
 #define CHANCE_HALF_MG_L 1.8f
 #define CHANCE_WIDTH_MG_L 0.25f
-#define TIRED_MG_L 0.4f     /* Difference between a fresh and an exhausted fish. */
-#define STIFLE_MG_L 4.0f    /* Below this concentration the water costs stamina; see
-                               law.stifle_per_s. */
-#define TIRED_BELOW 0.25f   /* Section 3.6: the stamina band in which the thesis' fish gulp. */
+#define TIRED_MG_L 0.4f /* Difference between a fresh and an exhausted fish. */
+/* Below this concentration the water costs stamina; see law.stifle_per_s. */
+#define STIFLE_MG_L 4.0f
+#define TIRED_BELOW 0.25f /* Section 3.6: the stamina band in which the thesis' fish gulp. */
 
 #define NOSE_OUT_M 0.002f
-#define FILM_M 0.003f       /* Depth of the mouth down to which it is in the film. */
-#define NEAR_LENGTHS 0.45f  /* The fish pitches up if its nose is within this distance of the
-                               surface. */
-#define SNOUT_M 0.003f      /* The fish is at the surface once its back would break the surface in a
-                               moment. */
+#define FILM_M 0.003f /* Depth of the mouth down to which it is in the film. */
+/* The fish pitches up if its nose is within this distance of the surface. */
+#define NEAR_LENGTHS 0.45f
+/* The fish is at the surface once its back would break the surface in a moment. */
+#define SNOUT_M 0.003f
 #define PITCH_MIN (35.0f * F_DEG)
 #define PITCH_SPREAD (15.0f * F_DEG)
 #define NOD_RAD (5.0f * F_DEG)
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 3.0f
-#define BOB_M_S 0.012f      /* Amplitude of half a millimetre, because a climb takes effect
-                               slowly. */
+/* Amplitude of half a millimetre, because a climb takes effect slowly. */
+#define BOB_M_S 0.012f
 #define DUCK_M_S 0.06f
 #define DUCK_HASTE 8.0f
 #define DIVE_PITCH (-14.0f * F_DEG)
-#define RISE_SHARE 0.6f     /* Share of the speed of a swimming fish; at the surface the fish hardly
-                               drifts. */
+/* Share of the speed of a swimming fish; at the surface the fish hardly drifts. */
+#define RISE_SHARE 0.6f
 #define DRIFT_SHARE 0.16f
 #define NERVE 1.6f
-#define GULP_TICKS_MIN 76u  /* 0.63 s, plus up to 0.26 s by individual: 67 to 95 gulps per
-                               minute. */
-#define GAPE_SHARE 0.55f    /* Share of a gulp during which the mouth is open. */
+/* 0.63 s, plus up to 0.26 s by individual: 67 to 95 gulps per minute. */
+#define GULP_TICKS_MIN 76u
+#define GAPE_SHARE 0.55f /* Share of a gulp during which the mouth is open. */
 
 float surface_chance(float oxygen_mg_l, float stamina)
 {
@@ -89,9 +89,8 @@ static uint32_t gulp_phase(const struct fish *fish, uint32_t tick)
 
 float surface_gulp(const struct fish *fish, uint32_t tick)
 {
-    return surface_breathes(fish)
-               ? (float)(gulp_phase(fish, tick) + 1u) / (float)gulp_ticks(fish)
-               : 0.0f;
+    return surface_breathes(fish) ? (float)(gulp_phase(fish, tick) + 1u) / (float)gulp_ticks(fish)
+                                  : 0.0f;
 }
 
 float surface_gape(const struct fish *fish, uint32_t tick)

@@ -118,8 +118,7 @@ static float climb_goal_m_s(const struct fish *fish)
     if (fish->avoiding == AVOID_PITCH) {
         return fish->avoid_turn * CLIMB_MAX_M_S;
     }
-    return avoid_holds_depth(fish) ? 0.0f
-                                   : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
+    return avoid_holds_depth(fish) ? 0.0f : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
 }
 
 /* Returns the share kept during acceleration. The run-up depends on the length alone, so its value

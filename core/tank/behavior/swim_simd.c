@@ -140,8 +140,7 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
         simd_v3_muladd(simd_v3(place[0], place[1], place[2]), velocity, simd_splat(DT));
 
     store(fish, QUAD_PLACE, (flanes[4]){ centre.x, centre.y, centre.z, speed_m_s });
-    store(fish, QUAD_ANGLES,
-          (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
+    store(fish, QUAD_ANGLES, (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
     store(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
     make_body(&shoal->body[first], centre,
               simd_basis(yaw, simd_sin_cos(t.pitch_rad), simd_sin_cos(t.roll_rad)), size,

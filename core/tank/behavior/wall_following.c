@@ -5,11 +5,11 @@
  * (test_wall_following.c). */
 #include "core/tank/behavior/wall_following.h"
 
-#define FALL_OFF_M 0.09f    /* Distance from a wall over which the attraction falls to 1 / e. */
-#define BESIDE_LENGTHS 0.8f /* A fish nearer than this is beside the wall and is not attracted
-                               further. */
-#define TURN_PER_S 6.0f     /* Turning rate of a heading across the attraction, at the wall and at
-                               full strength. */
+#define FALL_OFF_M 0.09f /* Distance from a wall over which the attraction falls to 1 / e. */
+/* A fish nearer than this is beside the wall and is not attracted further. */
+#define BESIDE_LENGTHS 0.8f
+/* Turning rate of a heading across the attraction, at the wall and at full strength. */
+#define TURN_PER_S 6.0f
 
 float wall_pull(float gap_m, float length_m)
 {

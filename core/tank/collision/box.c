@@ -4,8 +4,8 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define PARALLEL 1e-6f /* Squared length of a cross product below which two edges count as
-                          parallel. */
+/* Squared length of a cross product below which two edges count as parallel. */
+#define PARALLEL 1e-6f
 
 struct frame {
     vec3 axis[3];
@@ -99,8 +99,7 @@ static inline int try_edges(struct verdict *verdict, const struct view_of_b *vie
         return 0;
     }
     const float offset_m = f_abs(view->d[q] * c[p][j] - view->d[p] * c[q][j]);
-    const float halves_m =
-        ha[p] * m[q][j] + ha[q] * m[p][j] + hb[r] * m[i][s] + hb[s] * m[i][r];
+    const float halves_m = ha[p] * m[q][j] + ha[q] * m[p][j] + hb[r] * m[i][s] + hb[s] * m[i][r];
     const float margins_m =
         view->margin_a_m * (m[q][j] + m[p][j]) + view->margin_b_m * (m[i][s] + m[i][r]);
     const float length = f_sqrt(square);

@@ -16,7 +16,7 @@ struct box {
 };
 
 struct box_gap {
-    float body_m; /* > 0: least distance of the boxes; < 0: penetration depth. */
+    float body_m;  /* > 0: least distance of the boxes; < 0: penetration depth. */
     float space_m; /* The same for the boxes enlarged by their margins. */
     vec3 axis;     /* Unit vector from a toward b: the direction of least penetration. */
     uint8_t which; /* Index of `axis` among the fifteen axes; see box_axis(). */

@@ -8,8 +8,8 @@
 #include "core/input.h"
 #include "core/tank/behavior/swim.h"
 
-#define REACH_SPARE_M 0.0035f /* Margin beyond 1.2 times the present motion; covers most starts and
-                                 turns. */
+/* Margin beyond 1.2 times the present motion; covers most starts and turns. */
+#define REACH_SPARE_M 0.0035f
 #define REACH_SPARE 1.2f
 #define AGAIN_MAX 8u /* Fish queried one by one; for more fish a full query is as cheap. */
 #define RADIUS_PER_LENGTH 0.55f /* Half the diagonal of a body of 5 x 2 x 1. */
@@ -20,8 +20,8 @@ float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_
     float volume_m3 = 0.0f;
     for (uint32_t i = 0; i < fish_count; i++) {
         const float both_m = 2.0f * params->space_per_length * fish[i].length_m;
-        volume_m3 += (fish[i].length_m + both_m) * (fish[i].height_m + both_m) *
-                     (fish[i].width_m + both_m);
+        volume_m3 +=
+            (fish[i].length_m + both_m) * (fish[i].height_m + both_m) * (fish[i].width_m + both_m);
     }
     const float fill = volume_m3 / (tank_size_m.x * tank_size_m.y * tank_size_m.z);
     if (fill <= params->space_fill_max) {

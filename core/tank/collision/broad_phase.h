@@ -57,9 +57,9 @@ struct broad_phase {
     float way_m[TANK_FISH_MAX];   /* Longest distance that any point of a body moved since the
                                      query. */
     float reach_m[TANK_FISH_MAX]; /* Distance that a body may move before the next query is due. */
-    uint32_t overlap_count; /* Pairs whose bodies overlapped at the query. */
-    uint32_t touch_count;   /* Pairs that could touch, including those without a slot in the
-                               list. */
+    uint32_t overlap_count;       /* Pairs whose bodies overlapped at the query. */
+    uint32_t touch_count;         /* Pairs that could touch, including those without a slot in
+                                     the list. */
     float play_m[TANK_FISH_MAX];  /* Distance that the contact solver may move any point of a body
                                      in this tick. */
     struct narrow_phase narrow_phase;

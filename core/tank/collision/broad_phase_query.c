@@ -7,8 +7,8 @@
 
 #define ROOM_GAP_M 0.005f /* Gap that a tail sweeps in a few ticks of a hard turn. */
 #define ROOM_MIN 0.2f
-#define FETCH_AHEAD 8u /* Pairs to prefetch ahead: testing a few pairs takes as long as one memory
-                          access. */
+/* Pairs to prefetch ahead: testing a few pairs takes as long as one memory access. */
+#define FETCH_AHEAD 8u
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
 {
@@ -23,8 +23,7 @@ static vec3 forward_of(const struct body *body)
     return v3_scale(body->back, -1.0f);
 }
 
-static struct avoid_party party_of(const struct body *body, const struct fish *fish,
-                                   uint32_t index)
+static struct avoid_party party_of(const struct body *body, const struct fish *fish, uint32_t index)
 {
     return (struct avoid_party){
         .position_m = body->centre_m,
@@ -115,8 +114,7 @@ static void take_found(const struct snapshot *look, const struct narrow_phase_pa
     }
     broad_phase->overlap_count += found->gap_m < 0.0f;
     if (found->gap_m < broad_phase->reach_m[found->a] + broad_phase->reach_m[found->b]) {
-        const struct contact contact = { (fish_index)found->a, (fish_index)found->b,
-                                         found->gap_m };
+        const struct contact contact = { (fish_index)found->a, (fish_index)found->b, found->gap_m };
         list_contact(broad_phase, contact, look->around->seed, look->around->tick);
     }
 }

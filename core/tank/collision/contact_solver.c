@@ -8,12 +8,12 @@
 #include "core/tank/collision/contact_solver_internal.h"
 #include "core/tank/collision/contact_solver_simd.h"
 
-#define SKIN_M 0.0001f          /* Gap that the solver leaves between two bodies. */
-#define PART_ROUNDS_MAX 12      /* Most ticks need two rounds; a shoved crowd uses all of them. */
-#define TOPPLE_ROUND 5          /* Pairs that four rounds could not separate are jammed. */
-#define PART_STEP_MAX_M 0.002f  /* Largest push per round. */
+#define SKIN_M 0.0001f         /* Gap that the solver leaves between two bodies. */
+#define PART_ROUNDS_MAX 12     /* Most ticks need two rounds; a shoved crowd uses all of them. */
+#define TOPPLE_ROUND 5         /* Pairs that four rounds could not separate are jammed. */
+#define PART_STEP_MAX_M 0.002f /* Largest push per round. */
 #define CLEAR_ROUNDS 4u
-#define CLOSE_MAX 64u           /* Contacts measured at a time. */
+#define CLOSE_MAX 64u /* Contacts measured at a time. */
 
 /* Returns 1 if no pose of the body could reach a wall, the floor or the surface. */
 static int is_far_inside(const struct tank_bounds *bounds, const struct body *body)

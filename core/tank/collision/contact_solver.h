@@ -64,13 +64,13 @@ struct contact_solver {
     float step_max_m[TANK_FISH_MAX];     /* Largest distance from the previous position at which a
                                             body may end. */
     uint8_t result[TANK_FISH_MAX];       /* enum solver_result */
-    uint16_t fresh_round[TANK_FISH_MAX];     /* 0, or one more than the round of the penetration
-                                                check that last moved the fish. */
+    uint16_t fresh_round[TANK_FISH_MAX]; /* 0, or one more than the round of the penetration
+                                            check that last moved the fish. */
     uint16_t reaction_round[TANK_OBSTACLE_MAX]; /* 0, or one more than the round in which the
                                                    obstacle last reacted. */
     uint32_t beside_count;
     fish_index beside[TANK_FISH_MAX]; /* Fish that could touch an obstacle in this substep. */
-    struct course { /* Intended motion of an obstacle. */
+    struct course {                   /* Intended motion of an obstacle. */
         vec3 from_m, step_m;
         uint8_t turned;
     } course[TANK_OBSTACLE_MAX];

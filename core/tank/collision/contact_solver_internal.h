@@ -59,8 +59,7 @@ static inline float contact_sweep_m(const struct solver_step *all, uint32_t inde
     const struct angles now = all->place->fish[index].angles,
                         was = all->solver->began_angles[index];
     const float yaw_rad = f_abs(now.yaw_rad - was.yaw_rad);
-    const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) +
-                           f_abs(now.pitch_rad - was.pitch_rad) +
+    const float turn_rad = f_min(yaw_rad, F_TAU - yaw_rad) + f_abs(now.pitch_rad - was.pitch_rad) +
                            f_abs(now.roll_rad - was.roll_rad);
     const struct body *body = &all->broad_phase->body[index];
     return all->solver->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;

@@ -3,9 +3,9 @@
 #include "core/input.h"
 #include "core/tank/collision/contact_solver.h"
 
-#define STATION_M 0.003f        /* Largest motion of an obstacle per substep; ring and fish together
-                                   are four times as thick. */
-#define STATIONS_MAX 6u         /* Reached at 2.1 m/s; a faster hand makes longer substeps. */
+/* Largest motion of an obstacle per substep; ring and fish together are four times as thick. */
+#define STATION_M 0.003f
+#define STATIONS_MAX 6u /* Reached at 2.1 m/s; a faster hand makes longer substeps. */
 
 void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
                           uint32_t fish_count)

@@ -67,7 +67,6 @@ void narrow_phase_gaps(const struct body *body, const fish_index *a, const fish_
 
 vec3 narrow_phase_axis(const struct body *a, const struct body *b, uint8_t axis)
 {
-    const struct basis axes_a = { a->right, a->up, a->back },
-                       axes_b = { b->right, b->up, b->back };
+    const struct basis axes_a = { a->right, a->up, a->back }, axes_b = { b->right, b->up, b->back };
     return box_axis(&axes_a, &axes_b, v3_sub(b->centre_m, a->centre_m), axis);
 }

@@ -29,15 +29,15 @@ enum pair_search {
 /* Input of a search. Columns are indexed by fish. */
 struct narrow_phase_query {
     const struct body *body;
-    const uint8_t *flags;    /* Fish with one of the bits of `which` are searched. */
-    const float *reach_m;    /* Distance beyond its skin at which a body is also found, beside its
-                                margin. */
+    const uint8_t *flags; /* Fish with one of the bits of `which` are searched. */
+    const float *reach_m; /* Distance beyond its skin at which a body is also found, beside its
+                             margin. */
     uint32_t count;
     uint8_t which;
-    uint8_t search;          /* enum pair_search */
-    uint8_t lanes;           /* 0, 4 or 8, as in simd_is_built(). */
-    uint8_t bodies_only;     /* 1: pairs that are near only by their personal spaces may be left
-                                out. */
+    uint8_t search;           /* enum pair_search */
+    uint8_t lanes;            /* 0, 4 or 8, as in simd_is_built(). */
+    uint8_t bodies_only;      /* 1: pairs that are near only by their personal spaces may be left
+                                 out. */
     float width_m, breadth_m; /* Size of the floor plan; bodies outside it are searched too. */
 };
 

@@ -115,9 +115,8 @@ typedef uint32_t uquad __attribute__((vector_size(16)));
 static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
 {
     static const uquad place[16] = {
-        { 0 },       { 0 },       { 1 },       { 0, 1 },    { 2 },       { 0, 2 },
-        { 1, 2 },    { 0, 1, 2 }, { 3 },       { 0, 3 },    { 1, 3 },    { 0, 1, 3 },
-        { 2, 3 },    { 0, 2, 3 }, { 1, 2, 3 }, { 0, 1, 2, 3 },
+        { 0 }, { 0 },    { 1 },    { 0, 1 },    { 2 },    { 0, 2 },    { 1, 2 },    { 0, 1, 2 },
+        { 3 }, { 0, 3 }, { 1, 3 }, { 0, 1, 3 }, { 2, 3 }, { 0, 2, 3 }, { 1, 2, 3 }, { 0, 1, 2, 3 },
     };
     static const uint8_t count[16] = { 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
     const uquad places = place[bits] + from;

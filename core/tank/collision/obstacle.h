@@ -25,11 +25,11 @@ enum obstacle_reaction {
 struct obstacle {
     uint8_t kind; /* enum obstacle_kind */
     vec3 centre_m;
-    vec3 normal; /* Unit vector; the up direction of a disc. */
+    vec3 normal;       /* Unit vector; the up direction of a disc. */
     vec3 velocity_m_s; /* Intended velocity. */
     float stalled;     /* [0, 1] share of the intended motion that failed at the last attempt. */
-    float radius_m; /* Outer radius. */
-    float depth_m;  /* Depth of a bowl's hull below its mouth. */
+    float radius_m;    /* Outer radius. */
+    float depth_m;     /* Depth of a bowl's hull below its mouth. */
 
     /* Motion in this tick; zero if the obstacle did not move. */
     vec3 step_m;

@@ -4,8 +4,9 @@
 #include "core/tank/collision/contact_solver_internal.h"
 
 #define PILE 2u /* Overlaps per fish; fish that were free never reach this number in a tick. */
-#define ROUNDS_SPARE 256u /* Extra rounds in which only pois react: eight reactions of each of eight
-                             pois at most, and the last check. */
+/* Extra rounds in which only pois react: eight reactions of each of eight pois at most, and the
+ * last check. */
+#define ROUNDS_SPARE 256u
 
 static int points_are_equal(vec3 a, vec3 b)
 {

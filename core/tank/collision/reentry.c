@@ -7,19 +7,19 @@
 
 #define SPEED_MAX_M_S 0.5f /* The water absorbs any higher speed at once. */
 #define DRAG_PER_S 6.0f
-#define SINK_M_S 0.03f       /* A stunned fish sinks. */
-#define PUSH_MAX_M 0.0025f   /* Per tick: 0.3 m/s, like a fish that slips between others. */
-#define FALL_MAX_M 0.010f    /* Per tick, for a fish that slides off paper over the water. */
-#define SLIDE_M_S 0.3f       /* Speed off a paper that would otherwise lift the fish. */
-#define ASIDE_M_S 0.06f      /* Speed at which the fish in its place move aside. */
+#define SINK_M_S 0.03f     /* A stunned fish sinks. */
+#define PUSH_MAX_M 0.0025f /* Per tick: 0.3 m/s, like a fish that slips between others. */
+#define FALL_MAX_M 0.010f  /* Per tick, for a fish that slides off paper over the water. */
+#define SLIDE_M_S 0.3f     /* Speed off a paper that would otherwise lift the fish. */
+#define ASIDE_M_S 0.06f    /* Speed at which the fish in its place move aside. */
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
-#define BURST_LENGTHS 4.0f   /* Body lengths per second. */
-#define SWIM_S 0.5f          /* Time until the next choice of gait. */
+#define BURST_LENGTHS 4.0f /* Body lengths per second. */
+#define SWIM_S 0.5f        /* Time until the next choice of gait. */
 
-#define SEEK_TICKS 16u   /* Ticks of pushes alone; afterwards the fish makes for the nearest gap. */
-#define PUT_TICKS 48u    /* Ticks after which the fish is placed into the nearest gap. */
-#define AGAIN_TICKS 8u   /* Ticks between two searches for a gap. */
+#define SEEK_TICKS 16u /* Ticks of pushes alone; afterwards the fish makes for the nearest gap. */
+#define PUT_TICKS 48u  /* Ticks after which the fish is placed into the nearest gap. */
+#define AGAIN_TICKS 8u /* Ticks between two searches for a gap. */
 #define SEEK_M_S 0.3f
 /* About one length; ring_contact.c detects paper on the way within 6 cm. */
 #define SEEK_M 0.05f
@@ -172,8 +172,8 @@ static int meets_fish(const struct tank *tank, uint32_t index, const struct fish
 static vec3 way_out(uint32_t which)
 {
     const uint32_t cell = which < 13u ? which : which + 1u;
-    const vec3 way = v3((float)(cell % 3u) - 1.0f, (float)(cell / 9u) - 1.0f,
-                        (float)(cell / 3u % 3u) - 1.0f);
+    const vec3 way =
+        v3((float)(cell % 3u) - 1.0f, (float)(cell / 9u) - 1.0f, (float)(cell / 3u % 3u) - 1.0f);
     return v3_normalize_or(way, way);
 }
 
@@ -206,8 +206,8 @@ static void swim_off(const struct tank *tank, struct fish *fish)
     fish->gait = hurries ? GAIT_BURST : GAIT_SWIM;
     fish->gait_left_s = hurries ? BURST_S : SWIM_S;
     fish->speed_m_s = hurries ? BURST_LENGTHS * fish->length_m : 0.0f;
-    fish->depth_goal_m = hurries ? f_max(-0.6f * tank->size_m.y, half_m - tank->size_m.y)
-                                 : fish->position_m.y;
+    fish->depth_goal_m =
+        hurries ? f_max(-0.6f * tank->size_m.y, half_m - tank->size_m.y) : fish->position_m.y;
     fish->climb_m_s = 0.0f;
     fish->falls = 0;
 }

@@ -3,16 +3,16 @@
 
 #include "core/input.h"
 
-#define GIVE_MAX 8u          /* Largest number of slides around fish in one tick; afterwards the poi
-                                stops. */
-#define GIVE_MIN_M 0.00002f  /* Extra distance, so that rounding does not cause another reaction. */
-#define SIDE_GAP_M 0.0005f   /* Least distance of a fish's centre from the paper. */
-#define PAPER_PUSH_M 0.0025f /* Speed per tick at which a body that slid in over the ring is pushed
-                                out. */
-#define PIN_M_S 0.12f        /* Speed of the paper at which it takes a fish halfway along. */
-#define GLIDE 1.5f           /* Slope at which a fish glides off a rim at half the body's height: 37
-                                degrees. */
-#define NEAR_PLANE_M 0.06f   /* Farther from the plane no fish touches the paper in one tick. */
+/* Largest number of slides around fish in one tick; afterwards the poi stops. */
+#define GIVE_MAX 8u
+#define GIVE_MIN_M 0.00002f /* Extra distance, so that rounding does not cause another reaction. */
+#define SIDE_GAP_M 0.0005f  /* Least distance of a fish's centre from the paper. */
+/* Speed per tick at which a body that slid in over the ring is pushed out. */
+#define PAPER_PUSH_M 0.0025f
+#define PIN_M_S 0.12f /* Speed of the paper at which it takes a fish halfway along. */
+/* Slope at which a fish glides off a rim at half the body's height: 37 degrees. */
+#define GLIDE 1.5f
+#define NEAR_PLANE_M 0.06f /* Farther from the plane no fish touches the paper in one tick. */
 
 struct obstacle ring_before(const struct obstacle *obstacle)
 {
@@ -51,11 +51,10 @@ static float half_thick_m(const struct body *body, vec3 direction)
 
 /* A fish relative to the paper. */
 struct side {
-    float side;         /* +1 above, -1 below; 0: no paper is near. */
-    float height_m;     /* Height of the fish's centre on that side; < 0 if the fish passed
-                           through. */
-    float clear_m;      /* Height at which its body would not touch the paper. */
-    float was_m;        /* The height at the start of the substep. */
+    float side;     /* +1 above, -1 below; 0: no paper is near. */
+    float height_m; /* Height of the fish's centre on that side; < 0 if the fish passed through. */
+    float clear_m;  /* Height at which its body would not touch the paper. */
+    float was_m;    /* The height at the start of the substep. */
 };
 
 static struct side disc_side_of(const struct obstacle *disc, const struct body *now, vec3 before_m)

@@ -2,11 +2,11 @@
  * reach of the box. */
 #include "core/tank/collision/shape_tests.h"
 
-#define RING_POINTS 64  /* 4 mm apart on a poi's ring: no corner of a fish fits between two
-                           points. */
+/* 4 mm apart on a poi's ring: no corner of a fish fits between two points. */
+#define RING_POINTS 64
 #define RING_HALVINGS 7 /* Refines the point to a thirtieth of a millimetre along the ring. */
-#define HULL_SWEEPS 8   /* Coordinate descent over three coordinates; the box of a fish needs five
-                           sweeps. */
+/* Coordinate descent over three coordinates; the box of a fish needs five sweeps. */
+#define HULL_SWEEPS 8
 
 static float sign_of(float value)
 {
@@ -48,19 +48,19 @@ struct turn {
 /* Cosines of k / RING_POINTS of a turn, for half a turn. A sine is the cosine of a quarter turn
  * less. */
 static const float ring_cos[RING_POINTS / 2 + 1] = {
-    1.0f,           0.995184727f,  0.98078528f,   0.956940336f,  0.923879533f,  0.881921264f,
-    0.831469612f,   0.773010453f,  0.707106781f,  0.634393284f,  0.555570233f,  0.471396737f,
-    0.382683432f,   0.290284677f,  0.195090322f,  0.0980171403f, 0.0f,          -0.0980171403f,
-    -0.195090322f,  -0.290284677f, -0.382683432f, -0.471396737f, -0.555570233f, -0.634393284f,
-    -0.707106781f,  -0.773010453f, -0.831469612f, -0.881921264f, -0.923879533f, -0.956940336f,
-    -0.98078528f,   -0.995184727f, -1.0f,
+    1.0f,          0.995184727f,  0.98078528f,   0.956940336f,  0.923879533f,  0.881921264f,
+    0.831469612f,  0.773010453f,  0.707106781f,  0.634393284f,  0.555570233f,  0.471396737f,
+    0.382683432f,  0.290284677f,  0.195090322f,  0.0980171403f, 0.0f,          -0.0980171403f,
+    -0.195090322f, -0.290284677f, -0.382683432f, -0.471396737f, -0.555570233f, -0.634393284f,
+    -0.707106781f, -0.773010453f, -0.831469612f, -0.881921264f, -0.923879533f, -0.956940336f,
+    -0.98078528f,  -0.995184727f, -1.0f,
 };
 
 /* Successive halvings of the angle between two points. */
 static const struct turn ring_halving[RING_HALVINGS] = {
-    { 0.998795456f, 0.0490676743f },  { 0.999698819f, 0.0245412285f },
-    { 0.999924702f, 0.0122715383f },  { 0.999981175f, 0.00613588465f },
-    { 0.999995294f, 0.00306795676f }, { 0.999998823f, 0.00153398019f },
+    { 0.998795456f, 0.0490676743f },   { 0.999698819f, 0.0245412285f },
+    { 0.999924702f, 0.0122715383f },   { 0.999981175f, 0.00613588465f },
+    { 0.999995294f, 0.00306795676f },  { 0.999998823f, 0.00153398019f },
     { 0.999999706f, 0.000766990319f },
 };
 
@@ -169,8 +169,8 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
  * to the ring clears it, and there a straight rod approximates the ring. */
 static struct touch pierced(const struct ring *ring, const struct box *box, vec3 point_m, vec3 out)
 {
-    const vec3 along = v3_cross(ring->normal, v3_scale(v3_sub(point_m, ring->centre_m),
-                                                       1.0f / ring->middle_m));
+    const vec3 along =
+        v3_cross(ring->normal, v3_scale(v3_sub(point_m, ring->centre_m), 1.0f / ring->middle_m));
     const vec3 move = box_clear_rod(box, point_m, along, ring->tube_m);
     return (struct touch){ -v3_length(move), v3_normalize_or(move, out) };
 }
@@ -230,8 +230,7 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     vec3 column[3], at = v3(centre.x * inverse.x, centre.y * inverse.y, centre.z * inverse.z);
     float u[3] = { 0.0f, 0.0f, 0.0f };
     for (int i = 0; i < 3; i++) {
-        column[i] =
-            v3(axis[i].x * inverse.x, axis[i].y * inverse.y, axis[i].z * inverse.z);
+        column[i] = v3(axis[i].x * inverse.x, axis[i].y * inverse.y, axis[i].z * inverse.z);
     }
     for (int sweep = 0; sweep < HULL_SWEEPS; sweep++) {
         for (int i = 0; i < 3; i++) {

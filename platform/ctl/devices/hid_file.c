@@ -88,8 +88,8 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
                                                     hid_from_hex() overwrites the text. */
     const long count = hid_from_hex(bytes, size);
     if (count == HID_HALF_HEX) {
-        print_error("kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu",
-                    path, lone + 1u);
+        print_error("kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu", path,
+                    lone + 1u);
         return EXIT_BAD_DATA;
     }
     const size_t byte_count = count >= 0 ? (size_t)count : size;
@@ -106,10 +106,9 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
                      " (read as binary, for its letter %zu, '%c', is no hex)", letter + 1u,
                      bytes[letter]);
         }
-        print_error("kingyoctl hid: %s: byte %zu: %s%s", path,
-                    error ? out->error_offset : byte_count,
-                    error ? hid_error_text(error) : "no input field that is used for anything",
-                    binary);
+        print_error(
+            "kingyoctl hid: %s: byte %zu: %s%s", path, error ? out->error_offset : byte_count,
+            error ? hid_error_text(error) : "no input field that is used for anything", binary);
         return EXIT_BAD_DATA;
     }
     return EXIT_OK;

@@ -25,9 +25,9 @@ static void add_row(struct hid_live *live, uint32_t group, uint32_t field, int i
         live->hidden_count++;
         return;
     }
-    live->row[live->row_count++] = (struct hid_live_row){
-        .group = (uint16_t)group, .field = (uint16_t)field, .is_set = is_set != 0
-    };
+    live->row[live->row_count++] = (struct hid_live_row){ .group = (uint16_t)group,
+                                                          .field = (uint16_t)field,
+                                                          .is_set = is_set != 0 };
 }
 
 void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descriptor,
@@ -158,7 +158,7 @@ static void put_bar(struct page *page, const struct hid_group *group, int64_t va
     }
     const uint32_t columns = page->width - used - 2u;
     const int64_t span = group->logical_max - group->logical_min;
-    const int is_low = value < group->logical_min, is_high = value > group->logical_max;
+    const int is_low = value<group->logical_min, is_high = value> group->logical_max;
     const int64_t into = is_low ? 0 : is_high ? span : value - group->logical_min;
     const uint32_t at = (uint32_t)((double)into / (double)span * (columns - 1u) + 0.5);
     hid_live_put(page, "%c", is_low ? '<' : '[');

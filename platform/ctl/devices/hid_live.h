@@ -21,8 +21,8 @@ struct hid_live_row {
     uint8_t is_set; /* 1 if the row shows a set: all one-bit switches of an item, or the elements of
                        an array. The row lists those that are on. */
     uint8_t is_known;
-    int64_t value;  /* Latest value of the field. */
-    int64_t sum;    /* Sum of all values of the field. Shown for relative fields. */
+    int64_t value; /* Latest value of the field. */
+    int64_t sum;   /* Sum of all values of the field. Shown for relative fields. */
     uint32_t on_count;
     uint32_t on[8]; /* First usages that are on. `on_count` also counts the usages that do not
                        fit. */
@@ -33,14 +33,14 @@ struct hid_live {
     const struct hid_descriptor *descriptor;
     char title[128];
     uint32_t row_count, hidden_count;
-    uint32_t report_count, refused_count;    /* Numbers of complete reports (`report_count`) and of
-                                                reports that were too short or had another id
-                                                (`refused_count`). */
-    uint32_t second_count, per_second;       /* Numbers of reports in the current second so far
-                                                (`second_count`) and in the last complete second
-                                                (`per_second`). */
-    uint64_t second_ns;                      /* Monotonic time at which the current second began, in
-                                                ns. */
+    uint32_t report_count, refused_count; /* Numbers of complete reports (`report_count`) and of
+                                             reports that were too short or had another id
+                                             (`refused_count`). */
+    uint32_t second_count, per_second;    /* Numbers of reports in the current second so far
+                                             (`second_count`) and in the last complete second
+                                             (`per_second`). */
+    uint64_t second_ns;                   /* Monotonic time at which the current second began, in
+                                             ns. */
     struct hid_live_row row[HID_LIVE_ROWS];
 };
 

@@ -16,14 +16,14 @@ struct hid_node {
     uint16_t bus;    /* Bus type, a BUS_* constant of linux/input.h: 3 is USB, 5 is Bluetooth, 0x18
                         is I2C. */
     uint16_t vendor, product;
-    int open_errno;  /* Error of opening the node, an errno. 0 means that this user may read it, and
-                        ENOENT means that /dev lacks the node. */
-    char name[HID_NODE_TEXT];   /* Name that the device reports, with unprintable characters
-                                   replaced by dots. */
-    char place[HID_NODE_TEXT];  /* Physical location, for example usb-0000:00:14.0-1/input0. */
+    int open_errno; /* Error of opening the node, an errno. 0 means that this user may read it,
+                       and ENOENT means that /dev lacks the node. */
+    char name[HID_NODE_TEXT];  /* Name that the device reports, with unprintable characters
+                                  replaced by dots. */
+    char place[HID_NODE_TEXT]; /* Physical location, for example usb-0000:00:14.0-1/input0. */
     char serial[HID_NODE_TEXT];
-    char driver[32];            /* Kernel driver, for example hid-generic or logitech-djreceiver. ""
-                                   means no driver. */
+    char driver[32]; /* Kernel driver, for example hid-generic or logitech-djreceiver. "" means
+                        no driver. */
 };
 
 /* Lists the nodes under `root` in the order of their numbers. `root` is "" for this machine; tests

@@ -73,8 +73,8 @@ static void print_value(const struct hid_descriptor *descriptor, const struct hi
     const int64_t value = hid_field_value(descriptor, group, index, report);
     const int is_array = !(group->flags & HID_VARIABLE);
     const int out = value < group->logical_min || value > group->logical_max;
-    const hid_usage usage = is_array ? hid_selected(descriptor, group, value)
-                                     : hid_usage_at(descriptor, group, index);
+    const hid_usage usage =
+        is_array ? hid_selected(descriptor, group, value) : hid_usage_at(descriptor, group, index);
     printf("\t%u\t%u\t%u\t", group->report_id, group->bit_offset + index * group->bit_size,
            group->bit_size);
     if (usage) {
@@ -137,8 +137,8 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
         return EXIT_OK;
     }
     const size_t length = hex ? strlen(hex) : 0;
-    const long size = hex && length <= 2u * REPORT_SIZE_MAX ? hid_from_hex((uint8_t *)hex, length)
-                                                            : HID_NOT_HEX;
+    const long size =
+        hex && length <= 2u * REPORT_SIZE_MAX ? hid_from_hex((uint8_t *)hex, length) : HID_NOT_HEX;
     if (size < 0) {
         return hid_rows_error(of->path, row, "the third column is not a report in hex");
     }
@@ -158,12 +158,14 @@ static enum exit_code hid_rows_check_id(const struct decoded *of)
     if (of->reports == 0) {
         puts(HID_VALUE_HEADER);
         print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
-                            "name", of->path, of->id);
+                    "name",
+                    of->path, of->id);
         return EXIT_NOT_SO;
     }
     if (of->whole == 0) {
         print_error("kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
-                            "declares", of->path, of->id, of->reports);
+                    "declares",
+                    of->path, of->id, of->reports);
         return EXIT_NOT_SO;
     }
     return EXIT_OK;

@@ -145,8 +145,8 @@ static enum hid_pull end_with(enum exit_code *code, enum exit_code how)
 static enum hid_pull hid_source_error(const struct hid_source *source, const char *what,
                                       enum exit_code *code)
 {
-    print_error("kingyoctl hid: %s: byte %llu: %s", source->path,
-                (unsigned long long)source->taken, what);
+    print_error("kingyoctl hid: %s: byte %llu: %s", source->path, (unsigned long long)source->taken,
+                what);
     return end_with(code, EXIT_BAD_DATA);
 }
 

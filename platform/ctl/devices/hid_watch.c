@@ -162,8 +162,8 @@ static enum exit_code watch_one(const struct watch_options *options)
 {
     static struct watch watch;
     hear_signals();
-    const enum exit_code code = hid_source_open(&watch.source, options->path, &watch.descriptor,
-                                                options->descriptor_path);
+    const enum exit_code code =
+        hid_source_open(&watch.source, options->path, &watch.descriptor, options->descriptor_path);
     if (code != EXIT_OK) {
         return code;
     }

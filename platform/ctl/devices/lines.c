@@ -16,7 +16,7 @@
 
 /* Seconds for which an output is set without --seconds, for example to check a lamp. */
 #define SET_SECONDS 3u
-#define PULSES_MAX 1000u   /* Most pulses for the test of a meter. */
+#define PULSES_MAX 1000u /* Most pulses for the test of a meter. */
 #define NS_PER_S 1000000000ull
 
 static const char name[] = "lines";
@@ -26,9 +26,9 @@ static volatile sig_atomic_t is_stopped;
 /* Arguments of a subcommand. */
 struct request {
     struct gpio_wire wires[GPIO_ROLE_COUNT];
-    enum gpio_role role;    /* Role of the last line on the command line. */
-    uint32_t seconds;       /* Duration in seconds. 0 means that --seconds is absent. */
-    const char *word;       /* Last argument: "on", "off" or a number of pulses. Null if absent. */
+    enum gpio_role role; /* Role of the last line on the command line. */
+    uint32_t seconds;    /* Duration in seconds. 0 means that --seconds is absent. */
+    const char *word;    /* Last argument: "on", "off" or a number of pulses. Null if absent. */
 };
 
 static void stop(int signal_number)
@@ -162,8 +162,10 @@ static enum exit_code open_output(const struct request *request, const char *wan
         return ctl_usage(name, "ROLE=LINE and %s are wanted", wanted);
     }
     if (gpio_role_is_input(request->role)) {
-        return ctl_usage(name, "%s is a button: only start-lamp, coin-lockout, ticket and "
-                               "coin-counter are switched", gpio_role_name(request->role));
+        return ctl_usage(name,
+                         "%s is a button: only start-lamp, coin-lockout, ticket and "
+                         "coin-counter are switched",
+                         gpio_role_name(request->role));
     }
     return EXIT_OK;
 }
@@ -226,7 +228,10 @@ static enum exit_code run(int argc, const char *const *argv)
         const char *word;
         enum exit_code (*run)(const struct request *request);
     } subcommands[] = {
-        { "list", run_list }, { "watch", run_watch }, { "set", run_set }, { "pulse", run_pulse },
+        { "list", run_list },
+        { "watch", run_watch },
+        { "set", run_set },
+        { "pulse", run_pulse },
     };
     struct request request = { 0 };
     if (argc == 0) {

@@ -21,9 +21,10 @@ static void tell_line(void *context, const struct gpio_line_info *line)
     printable(shown.name);
     printable(shown.consumer);
     fprintf(out, "%s\t%s\t%u\t%s\t%s\t%s\t%s\n", shown.device, or_dash(shown.chip), line->offset,
-            or_dash(shown.name), line->is_output ? "out" : "in",
-            line->active_low ? "low" : "high",
-            shown.consumer[0] ? shown.consumer : line->used ? "somebody" : "-");
+            or_dash(shown.name), line->is_output ? "out" : "in", line->active_low ? "low" : "high",
+            shown.consumer[0] ? shown.consumer
+            : line->used      ? "somebody"
+                              : "-");
 }
 
 enum exit_code lines_list(struct gpio_lines lines, FILE *out)
@@ -34,8 +35,7 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
         return EXIT_NOT_SO; /* main() reports the write error. */
     }
     if (count == HAL_ERR_ABSENT) {
-        print_error("kingyoctl lines: no GPIO chip in /dev (%s)",
-                    lines.ops->describe(lines.self));
+        print_error("kingyoctl lines: no GPIO chip in /dev (%s)", lines.ops->describe(lines.self));
         return EXIT_NOT_SO;
     }
     if (count == 0) {
@@ -94,8 +94,8 @@ static void show_coin(const struct lines_show *show, FILE *out, uint32_t line)
     }
 }
 
-static void show_count(const struct lines_show *show, FILE *out, const char *what,
-                       uint32_t before, uint32_t now)
+static void show_count(const struct lines_show *show, FILE *out, const char *what, uint32_t before,
+                       uint32_t now)
 {
     if (now != before) {
         begin_row(show, out, gpio_role_name(GPIO_COIN));
@@ -112,8 +112,7 @@ static void show_coins(const struct lines_show *show, FILE *out)
     show_count(show, out, "too short for a coin", before->too_short, now->too_short);
     show_count(show, out, "a coin sticks", before->stuck, now->stuck);
     show_count(show, out, "its line went in mid-pulse", before->cut, now->cut);
-    show_count(show, out, "two sparks, or a coin that nobody saw", before->doubtful,
-               now->doubtful);
+    show_count(show, out, "two sparks, or a coin that nobody saw", before->doubtful, now->doubtful);
 }
 
 void lines_show_rows(struct lines_show *show, FILE *out)

@@ -46,7 +46,8 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     int count = DOCTOR_GROUPS_MAX;
     if (!entry && wanted) {
         print_error("kingyoctl doctor: --user %s: there is no such user; board/sysusers makes "
-                            "'kingyo'", wanted);
+                    "'kingyo'",
+                    wanted);
         return EXIT_BAD_DATA;
     }
     user->id = entry ? entry->pw_uid : geteuid();

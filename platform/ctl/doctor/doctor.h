@@ -57,17 +57,18 @@ struct doctor {
 
 /* Adds a finding and returns it, so that the caller fills in the texts. Never returns null. A
  * finding beyond DOCTOR_FINDINGS_MAX is counted in `more` and dropped. */
-__attribute__((format(printf, 4, 5)))
-struct doctor_finding *doctor_find(struct doctor *doctor, const char *part,
-                                   enum doctor_level level, const char *what, ...);
+__attribute__((format(printf, 4, 5))) struct doctor_finding *doctor_find(struct doctor *doctor,
+                                                                         const char *part,
+                                                                         enum doctor_level level,
+                                                                         const char *what, ...);
 
 /* Formats the state of a finding as printf() does. */
-__attribute__((format(printf, 2, 3)))
-void doctor_state(struct doctor_finding *finding, const char *format, ...);
+__attribute__((format(printf, 2, 3))) void doctor_state(struct doctor_finding *finding,
+                                                        const char *format, ...);
 
 /* Formats the action of a finding as printf() does. */
-__attribute__((format(printf, 2, 3)))
-void doctor_todo(struct doctor_finding *finding, const char *format, ...);
+__attribute__((format(printf, 2, 3))) void doctor_todo(struct doctor_finding *finding,
+                                                       const char *format, ...);
 
 /* ---- Checks, one source file each ------------------------------------------------------------ */
 
@@ -115,8 +116,8 @@ bool doctor_kiosk_is_running(const struct doctor *doctor);
 
 /* Copies the first line of a file under the root to `out`, with unprintable characters replaced.
  * Writes "" if there is no such file. */
-__attribute__((format(printf, 4, 5)))
-void doctor_line(const struct doctor *doctor, char *out, size_t size, const char *path, ...);
+__attribute__((format(printf, 4, 5))) void doctor_line(const struct doctor *doctor, char *out,
+                                                       size_t size, const char *path, ...);
 
 /* Sorted list of names in a folder. */
 /* Most names of one kind (video connectors, sound outputs, event nodes). Further names are

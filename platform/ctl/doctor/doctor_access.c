@@ -30,7 +30,7 @@ static bool is_in(const struct doctor_user *user, gid_t group)
 static int by_mode(const struct doctor_user *user, const struct stat *about)
 {
     const mode_t both = S_IROTH | S_IWOTH;
-    const mode_t bits = user->id == about->st_uid     ? about->st_mode >> 6
+    const mode_t bits = user->id == about->st_uid    ? about->st_mode >> 6
                         : is_in(user, about->st_gid) ? about->st_mode >> 3
                                                      : about->st_mode;
     return user->id == 0 || (bits & both) == both ? 0 : EACCES;

@@ -9,8 +9,8 @@
 
 static const char *const level_words[] = { "fine", "look", "WRONG" };
 
-struct doctor_finding *doctor_find(struct doctor *doctor, const char *part,
-                                   enum doctor_level level, const char *what, ...)
+struct doctor_finding *doctor_find(struct doctor *doctor, const char *part, enum doctor_level level,
+                                   const char *what, ...)
 {
     static struct doctor_finding spare; /* Finding that is returned when the list is full. Its
                                            content is discarded. */
@@ -57,8 +57,7 @@ void doctor_report_text(const struct doctor *doctor)
     for (uint32_t i = 0; i < doctor->count; i++) {
         const struct doctor_finding *finding = &doctor->finding[i];
         print_line(stdout, "%-5s  %-10s  %s: %s", level_words[finding->level], finding->part,
-                   finding->what,
-               finding->state);
+                   finding->what, finding->state);
         if (finding->todo[0]) {
             print_line(stdout, "       %-10s  -> %s", "", finding->todo);
         }

@@ -47,9 +47,7 @@ static void read_chip(struct doctor *doctor, const char *path, struct gpio_censu
     struct gpiochip_info chip = { .lines = 0 };
     snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
     const int file = open(whole, O_RDWR | O_CLOEXEC);
-    const int error = file < 0                                       ? errno
-                      : ioctl(file, GPIO_GET_CHIPINFO_IOCTL, &chip) ? errno
-                                                                     : 0;
+    const int error = file < 0 ? errno : ioctl(file, GPIO_GET_CHIPINFO_IOCTL, &chip) ? errno : 0;
     if (error) {
         doctor_state(doctor_find(doctor, "gpio", DOCTOR_LOOK, "%s", path), "%s", strerror(error));
     } else {

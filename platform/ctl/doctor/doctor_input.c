@@ -13,9 +13,11 @@ static void look_at_node(struct doctor *doctor, const char *event)
     doctor_line(doctor, name, sizeof name, "/sys/class/input/%s/device/name", event);
     const int error = doctor_may_use(doctor, path);
     const bool is_needed = !doctor_under_a_desktop(doctor);
-    struct doctor_finding *finding = doctor_find(
-        doctor, "input", !error ? DOCTOR_FINE : is_needed ? DOCTOR_WRONG : DOCTOR_LOOK, "%s, %s",
-        name[0] ? name : "without a name", path);
+    struct doctor_finding *finding = doctor_find(doctor, "input",
+                                                 !error      ? DOCTOR_FINE
+                                                 : is_needed ? DOCTOR_WRONG
+                                                             : DOCTOR_LOOK,
+                                                 "%s, %s", name[0] ? name : "without a name", path);
     if (!error) {
         doctor_state(finding, "%s may read it", doctor->user.name);
         return;

@@ -59,8 +59,10 @@ static int look_at_folder(struct doctor *doctor, const char *path)
     } else if (error == EROFS) {
         finding->level = DOCTOR_WRONG;
         doctor_state(finding, "lies on what can only be read: nothing is kept, no coin is taken");
-        doctor_todo(finding, "look into /run/kingyo-data and 'findmnt %.300s'; a card that became "
-                             "so by itself is to be replaced", doctor->options.data);
+        doctor_todo(finding,
+                    "look into /run/kingyo-data and 'findmnt %.300s'; a card that became "
+                    "so by itself is to be replaced",
+                    doctor->options.data);
     } else if (error) {
         finding->level = DOCTOR_WRONG;
         doctor_state(finding, "%s may not write there: %s", doctor->user.name, strerror(error));
@@ -147,8 +149,8 @@ static void look_at_backup(struct doctor *doctor, const char *folder)
         return; /* A kiosk that has never run has no backup. */
     }
     const int64_t hours = ((int64_t)time(NULL) - about.st_mtime) / 3600;
-    struct doctor_finding *finding = doctor_find(
-        doctor, "backup", hours < BACKUP_OLD_H ? DOCTOR_FINE : DOCTOR_LOOK, "%s", path);
+    struct doctor_finding *finding =
+        doctor_find(doctor, "backup", hours < BACKUP_OLD_H ? DOCTOR_FINE : DOCTOR_LOOK, "%s", path);
     doctor_state(finding, "%" PRId64 " h old, %" PRId64 " KiB", hours,
                  (int64_t)about.st_size / 1024);
     if (hours >= BACKUP_OLD_H) {

@@ -89,8 +89,7 @@ static void say_ready(struct doctor *doctor, const struct usb_device *device,
     if (device->sleeps) {
         char rule[DOCTOR_TEXT];
         doctor_rules_todo(rule, sizeof rule, device->identity.vendor, device->identity.product);
-        doctor_todo(finding, "%s, or for now: echo on | sudo tee " USB_DEVICES
-                             "/%s/power/control",
+        doctor_todo(finding, "%s, or for now: echo on | sudo tee " USB_DEVICES "/%s/power/control",
                     rule, device->port);
     } else if (interface->verdict == USB_FREE) {
         doctor_todo(finding, "choose it in the operator's menu, or start with --usb %04x:%04x",

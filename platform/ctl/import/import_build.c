@@ -174,15 +174,17 @@ static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *
     b->buckets[at] = *out + 1;
     b->corners[*out] = *corner;
     b->tables->vertices[*out] = (struct species_vertex){
-        .u = corner->u, .v = corner->v, .part = corner->part, .side = corner->side,
-        .anchor = ANCHOR_NONE, .mask = { 255 },
-        .flex = corner->part < PART_TAIL ? 0
-                                         : (uint8_t)(255.0f * f_clamp(corner->v, 0.0f, 1.0f)),
+        .u = corner->u,
+        .v = corner->v,
+        .part = corner->part,
+        .side = corner->side,
+        .anchor = ANCHOR_NONE,
+        .mask = { 255 },
+        .flex = corner->part < PART_TAIL ? 0 : (uint8_t)(255.0f * f_clamp(corner->v, 0.0f, 1.0f)),
     };
     for (uint32_t key = 0; key < b->mesh->key_count; key++) {
-        b->tables->points[key][*out] = (struct species_point){
-            corner->at[key][0], corner->at[key][1], corner->at[key][2], 0
-        };
+        b->tables->points[key][*out] =
+            (struct species_point){ corner->at[key][0], corner->at[key][1], corner->at[key][2], 0 };
     }
     return true;
 }
@@ -292,14 +294,16 @@ static void make_normals(struct builder *b, uint32_t index_count)
                                          v3_sub(morph_position(b->out, key, t[2]), a));
             for (uint32_t k = 0; k < 3; k++) {
                 vec3 *sum = &sums[b->place[t[k]]];
-                const float side = v3_dot(*sum, normal) < 0.0f &&
-                                   b->tables->vertices[t[k]].part >= PART_TAIL ? -1.0f : 1.0f;
+                const float side =
+                    v3_dot(*sum, normal) < 0.0f && b->tables->vertices[t[k]].part >= PART_TAIL
+                        ? -1.0f
+                        : 1.0f;
                 *sum = v3_muladd(*sum, normal, side);
             }
         }
         for (uint32_t i = 0; i < b->out->vertex_count; i++) {
-            b->tables->points[key][i].normal = morph_fold_normal(
-                v3_normalize_or(sums[b->place[i]], v3(0.0f, 1.0f, 0.0f)));
+            b->tables->points[key][i].normal =
+                morph_fold_normal(v3_normalize_or(sums[b->place[i]], v3(0.0f, 1.0f, 0.0f)));
         }
     }
 }
@@ -334,8 +338,10 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
     if (!choose_reach(&b)) {
         return EXIT_BAD_DATA;
     }
-    *near = (struct species_mesh){ .reach = b.reach, .vertices = b.tables->vertices,
-                                   .anchors = b.tables->anchors, .indices = b.tables->indices };
+    *near = (struct species_mesh){ .reach = b.reach,
+                                   .vertices = b.tables->vertices,
+                                   .anchors = b.tables->anchors,
+                                   .indices = b.tables->indices };
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         near->points[key] = b.tables->points[key];
     }

@@ -14,7 +14,6 @@
 
 #include "platform/ctl/import/import_flat_internal.h"
 
-
 /* Library names to load, in order. The first is the soname of the version whose headers this
  * program was built with. */
 static const char *const libraries[] = { "libassimp.so.5", "libassimp.so" };
@@ -61,8 +60,9 @@ bool import_can_flatten(char why[IMPORT_WHY_SIZE])
 {
     struct assimp assimp;
     if (!load(&assimp)) {
-        snprintf(why, IMPORT_WHY_SIZE, "libassimp is not here, and it reads all but .obj and .txt "
-                                       "(on Debian: apt install libassimp-dev)");
+        snprintf(why, IMPORT_WHY_SIZE,
+                 "libassimp is not here, and it reads all but .obj and .txt "
+                 "(on Debian: apt install libassimp-dev)");
         return false;
     }
     return true;
@@ -250,8 +250,9 @@ bool import_flat_is_available(void)
 
 bool import_can_flatten(char why[IMPORT_WHY_SIZE])
 {
-    snprintf(why, IMPORT_WHY_SIZE, "this kingyoctl was built without assimp, which reads all but "
-                                   ".obj and .txt (on Debian: apt install libassimp-dev, build)");
+    snprintf(why, IMPORT_WHY_SIZE,
+             "this kingyoctl was built without assimp, which reads all but "
+             ".obj and .txt (on Debian: apt install libassimp-dev, build)");
     return false;
 }
 

@@ -19,10 +19,10 @@ struct flattening {
     const struct aiScene *scene;
     char *why;
     struct import_nodes standing;
-    uint32_t target_count;           /* Smallest number of targets of the meshes that have
-                                        targets. */
-    bool sampled;                    /* Whether key shapes are samples of the animation and not
-                                        morph targets. */
+    uint32_t target_count;             /* Smallest number of targets of the meshes that have
+                                          targets. */
+    bool sampled;                      /* Whether key shapes are samples of the animation and not
+                                          morph targets. */
     uint8_t key_target[MORPH_KEY_MAX]; /* Morph target of each key shape, or KEY_BASE. Used only if
                                           `sampled` is false. */
 };

@@ -127,9 +127,8 @@ static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
     double sum = 0.0, when = 0.0;
     for (uint32_t i = 0; i < channel->mNumKeys; i++) {
         const double before = i > 0 ? channel->mKeys[i].mTime - channel->mKeys[i - 1].mTime : 0.0;
-        const double after = i + 1 < channel->mNumKeys
-                                 ? channel->mKeys[i + 1].mTime - channel->mKeys[i].mTime
-                                 : 0.0;
+        const double after =
+            i + 1 < channel->mNumKeys ? channel->mKeys[i + 1].mTime - channel->mKeys[i].mTime : 0.0;
         const double weight = weight_of(&channel->mKeys[i], target) * (before + after);
         sum += weight;
         when += weight * channel->mKeys[i].mTime;
@@ -161,7 +160,9 @@ static void name_key(struct flattening *f, const struct aiMesh *plain, uint32_t 
 {
     const bool named = plain && target < plain->mNumAnimMeshes;
     snprintf(f->mesh->key_names[key], IMPORT_NAME_SIZE, "%.40s",
-             named ? plain->mAnimMeshes[target]->mName.data : f->mesh->is_ours ? "last" : "base");
+             named              ? plain->mAnimMeshes[target]->mName.data
+             : f->mesh->is_ours ? "last"
+                                : "base");
 }
 
 /* Returns the target with the greatest weight at the time of a key shape, or KEY_BASE. */

@@ -8,7 +8,7 @@
 #include "platform/ctl/import/import_options.h"
 
 #define DAYS_PER_YEAR 365.25
-#define KEY_DAYS 30.0       /* Days between two key shapes if no age is given. */
+#define KEY_DAYS 30.0 /* Days between two key shapes if no age is given. */
 
 /* Asymptotic length relative to the length of the last key shape, if no growth is given. */
 #define GROWN 1.05
@@ -75,11 +75,10 @@ static bool set_lengths(const struct import_mesh *mesh, const struct import_opti
         most = fmaxf(most, report->size[key]);
     }
     for (uint32_t key = 0; key < card->key_count; key++) {
-        card->key_length_m[key] =
-            plan->length_count > 0 ? (float)(1e-3 * plan->lengths_mm[key])
-            : mesh->has_life       ? mesh->lengths_m[key]
-            : plan->like           ? plan->like->card.key_length_m[key]
-                                   : (float)((double)report->size[key] * plan->unit_m);
+        card->key_length_m[key] = plan->length_count > 0 ? (float)(1e-3 * plan->lengths_mm[key])
+                                  : mesh->has_life       ? mesh->lengths_m[key]
+                                  : plan->like           ? plan->like->card.key_length_m[key]
+                                               : (float)((double)report->size[key] * plan->unit_m);
     }
     return plan->length_count > 0 || mesh->has_life || plan->like ||
            most > least * (1.0f + SAME_SIZE);
@@ -263,8 +262,12 @@ static bool mean_colour(const struct import_mesh *mesh, enum species_part part, 
 static void set_coats(const struct import_mesh *mesh, const struct import_options *plan,
                       struct species *species)
 {
-    struct species_coat coat = { .back = 0x3b4a52, .flank = 0x8a979c, .belly = 0xe6e4da,
-                                 .fin = 0x7d8a90, .iris = 0xc9b26a, .shine = 90 };
+    struct species_coat coat = { .back = 0x3b4a52,
+                                 .flank = 0x8a979c,
+                                 .belly = 0xe6e4da,
+                                 .fin = 0x7d8a90,
+                                 .iris = 0xc9b26a,
+                                 .shine = 90 };
     uint32_t colour;
     if (plan->like) {
         memcpy(species->coats, plan->like->coats, sizeof species->coats);

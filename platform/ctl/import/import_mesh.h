@@ -18,7 +18,7 @@
 #define IMPORT_TRIANGLE_MAX 131072u
 #define IMPORT_GROUP_MAX 64u
 #define IMPORT_NAME_SIZE 64u
-#define IMPORT_TIME_MAX 4096u       /* Most keyframes of an animation of weights. */
+#define IMPORT_TIME_MAX 4096u /* Most keyframes of an animation of weights. */
 #define IMPORT_FILE_MAX (64u * 1024u * 1024u)
 
 /* Largest coordinate. A file with greater coordinates is reported as damaged. */
@@ -41,7 +41,7 @@ struct import_mesh {
     bool has_life;   /* Whether the file contains the age and the length of each key shape. */
     uint8_t measure; /* Measure of the lengths in the file (enum species_measure). */
     float ages_days[MORPH_KEY_MAX], lengths_m[MORPH_KEY_MAX];
-    bool has_coats;  /* Whether the file contains the colours of each key shape (`coats`). */
+    bool has_coats; /* Whether the file contains the colours of each key shape (`coats`). */
     struct species_coat coats[MORPH_KEY_MAX];
     bool is_ours;        /* Whether kingyoctl wrote the file. Texture coordinates are then body
                             coordinates. */

@@ -70,8 +70,7 @@ static vec3 vector_at(const struct aiVectorKey *keys, uint32_t count, double tim
 static void quaternion_at(const struct aiQuatKey *keys, uint32_t count, double time, float q[4])
 {
     uint32_t i = 0;
-    const float t =
-        count < 2 ? 0.0f : between((const char *)keys, sizeof *keys, count, time, &i);
+    const float t = count < 2 ? 0.0f : between((const char *)keys, sizeof *keys, count, time, &i);
     const struct aiQuaternion *a = &keys[i].mValue, *b = &keys[count < 2 ? i : i + 1].mValue;
     const float dot = a->x * b->x + a->y * b->y + a->z * b->z + a->w * b->w;
     const float s = dot < 0.0f ? -t : t;
@@ -122,14 +121,12 @@ static struct place moved(struct import_nodes *s, const struct aiNodeAnim *motio
         scale = v3(1.0f, 1.0f, 1.0f);
     }
     const float x = q[0], y = q[1], z = q[2], w = q[3];
-    return (struct place){
-        { { (1 - 2 * (y * y + z * z)) * scale.x, 2 * (x * y - z * w) * scale.y,
-            2 * (x * z + y * w) * scale.z, at.x },
-          { 2 * (x * y + z * w) * scale.x, (1 - 2 * (x * x + z * z)) * scale.y,
-            2 * (y * z - x * w) * scale.z, at.y },
-          { 2 * (x * z - y * w) * scale.x, 2 * (y * z + x * w) * scale.y,
-            (1 - 2 * (x * x + y * y)) * scale.z, at.z } }
-    };
+    return (struct place){ { { (1 - 2 * (y * y + z * z)) * scale.x, 2 * (x * y - z * w) * scale.y,
+                               2 * (x * z + y * w) * scale.z, at.x },
+                             { 2 * (x * y + z * w) * scale.x, (1 - 2 * (x * x + z * z)) * scale.y,
+                               2 * (y * z - x * w) * scale.z, at.y },
+                             { 2 * (x * z - y * w) * scale.x, 2 * (y * z + x * w) * scale.y,
+                               (1 - 2 * (x * x + y * y)) * scale.z, at.z } } };
 }
 
 static void stand(struct import_nodes *s, const struct aiScene *scene, const struct aiNode *node,
@@ -176,8 +173,7 @@ const struct import_nodes_node *import_nodes_find(const struct import_nodes *s, 
 
 bool import_nodes_moves(const struct aiScene *scene)
 {
-    const struct aiAnimation *animation =
-        scene->mNumAnimations > 0 ? scene->mAnimations[0] : NULL;
+    const struct aiAnimation *animation = scene->mNumAnimations > 0 ? scene->mAnimations[0] : NULL;
     for (uint32_t i = 0; animation && i < animation->mNumChannels; i++) {
         const struct aiNodeAnim *channel = animation->mChannels[i];
         if (channel->mNumPositionKeys > 1 || channel->mNumRotationKeys > 1) {

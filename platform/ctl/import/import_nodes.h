@@ -29,10 +29,10 @@ struct import_nodes_node {
 /* Transforms of all nodes of a scene. */
 struct import_nodes {
     uint32_t key_count, node_count;
-    double begin, end;            /* Animation times of the first key shape (`begin`) and of the
-                                     last one (`end`). */
-    float scales[MORPH_KEY_MAX];  /* Scale of the growing node at each key shape, or 1 if no node
-                                     grows. */
+    double begin, end;           /* Animation times of the first key shape (`begin`) and of the
+                                    last one (`end`). */
+    float scales[MORPH_KEY_MAX]; /* Scale of the growing node at each key shape, or 1 if no node
+                                    grows. */
     struct import_nodes_node nodes[NODE_MAX];
 };
 

@@ -128,8 +128,10 @@ static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *fro
     const double length_b = (double)b.high - (double)b.low;
     const struct extent c = extent_of(mesh, key, up, false);
     if ((double)c.high - (double)c.low > SQUARE_RATIO * fmax(length_a, length_b)) {
-        snprintf(why, IMPORT_WHY_SIZE, "front: longest along %s, where its back would be; say "
-                                       "--up AXIS", import_axis_names[up]);
+        snprintf(why, IMPORT_WHY_SIZE,
+                 "front: longest along %s, where its back would be; say "
+                 "--up AXIS",
+                 import_axis_names[up]);
         return false;
     }
     if (fmax(length_a, length_b) < SQUARE_RATIO * fmin(length_a, length_b)) {

@@ -83,11 +83,11 @@ static bool is_terminated(const char *text, size_t size)
 
 static bool vet_counts(const struct import_mesh *m)
 {
-    bool good = m->measure <= MEASURE_DISC && m->key_count >= 1 &&
-                m->key_count <= MORPH_KEY_MAX && m->vertex_count >= 3 &&
-                m->vertex_count <= IMPORT_VERTEX_MAX && m->triangle_count >= 1 &&
-                m->triangle_count <= IMPORT_TRIANGLE_MAX && m->group_count >= 1 &&
-                m->group_count <= IMPORT_GROUP_MAX && m->time_count <= IMPORT_TIME_MAX;
+    bool good = m->measure <= MEASURE_DISC && m->key_count >= 1 && m->key_count <= MORPH_KEY_MAX &&
+                m->vertex_count >= 3 && m->vertex_count <= IMPORT_VERTEX_MAX &&
+                m->triangle_count >= 1 && m->triangle_count <= IMPORT_TRIANGLE_MAX &&
+                m->group_count >= 1 && m->group_count <= IMPORT_GROUP_MAX &&
+                m->time_count <= IMPORT_TIME_MAX;
     for (uint32_t i = 0; good && i < m->key_count; i++) {
         good = is_terminated(m->key_names[i], IMPORT_NAME_SIZE);
     }
@@ -227,8 +227,8 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
     if (code != EXIT_OK) {
         return code;
     }
-    struct shared *shared = mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE,
-                                 MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    struct shared *shared =
+        mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     const pid_t child = shared == MAP_FAILED ? -1 : fork();
     if (child == 0) {
         read_in_child(shared, path);

@@ -220,8 +220,7 @@ bool import_shapes_add_meshes(struct flattening *f)
         const struct import_nodes_node *node = &f->standing.nodes[n];
         for (uint32_t i = 0; i < node->node->mNumMeshes; i++) {
             const uint32_t index = node->node->mMeshes[i];
-            if (index < f->scene->mNumMeshes &&
-                !add_mesh(f, node, f->scene->mMeshes[index])) {
+            if (index < f->scene->mNumMeshes && !add_mesh(f, node, f->scene->mMeshes[index])) {
                 return false;
             }
         }

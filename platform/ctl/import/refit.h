@@ -54,7 +54,7 @@ struct refit_result {
     /* Name of the landmark that lies farthest from the mesh, or "". The string belongs to the
      * landmark list. */
     const char *stray;
-    float stray_gap;              /* Distance of the landmark `stray` from the mesh. */
+    float stray_gap; /* Distance of the landmark `stray` from the mesh. */
 };
 
 /* Fits key `key` of both levels of detail in `slot` (a copy of the template) to shape 0 of `mesh`.

@@ -205,7 +205,7 @@ bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positi
 
 #define SYSTEM_MAX REFIT_MARKS_MAX
 #define RIDGE 0.0005 /* Regularization of the affine fit, in squared lengths for one landmark. */
-#define REACH 0.8 /* Radius of the bump around a landmark, in lengths. */
+#define REACH 0.8    /* Radius of the bump around a landmark, in lengths. */
 /* Smoothing of the bumps. Landmarks that nearly coincide may keep this share of the difference of
  * their displacements. */
 #define SLACK 1e-4

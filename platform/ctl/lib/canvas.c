@@ -90,8 +90,7 @@ void canvas_fill(struct canvas *canvas, struct canvas_box box, uint32_t above, u
         const vec3 colour = v3_lerp(top, bottom, part);
         for (uint32_t x = columns.first; x < columns.end; x++) {
             vec3 *pixel = &canvas->pixels[(size_t)y * canvas->width + x];
-            const float cover =
-                covered(box.left, box.width, x) * covered(box.top, box.height, y);
+            const float cover = covered(box.left, box.width, x) * covered(box.top, box.height, y);
             *pixel = v3_lerp(*pixel, colour, cover);
         }
     }
@@ -146,8 +145,7 @@ static void draw_glyph(struct canvas *canvas, const struct font_glyph *glyph, fl
         for (uint32_t x = columns.first; x < columns.end; x++) {
             const float value = distance_at(glyph, ((float)x + 0.5f - box.left) * fine,
                                             ((float)y + 0.5f - box.top) * fine);
-            const float cover =
-                f_clamp((value - (float)ASSET_FONT_EDGE) / edge + 0.5f, 0.0f, 1.0f);
+            const float cover = f_clamp((value - (float)ASSET_FONT_EDGE) / edge + 0.5f, 0.0f, 1.0f);
             vec3 *pixel = &canvas->pixels[(size_t)y * canvas->width + x];
             *pixel = v3_lerp(*pixel, ink, cover);
         }

@@ -219,9 +219,8 @@ static uint32_t column_at(const struct csv *csv, uint32_t number)
 
 static enum exit_code refuse_surplus(const struct csv *csv, const char *text)
 {
-    print_error("%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns",
-                csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, text,
-                csv->field_count);
+    print_error("%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns", csv->speaker,
+                csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, text, csv->field_count);
     return EXIT_BAD_DATA;
 }
 

@@ -12,7 +12,7 @@
 struct ctl_command {
     const char *name;
     const char *summary;
-    const char *usage; /* Text that `kingyoctl NAME --help` prints after the summary. */
+    const char *usage;       /* Text that `kingyoctl NAME --help` prints after the summary. */
     void (*tell_more)(void); /* Prints more help after the usage text. May be null. */
     uint8_t helps_itself;    /* 1 if the command handles --help for its subcommands, and 0 if main()
                                 handles --help. */
@@ -22,12 +22,11 @@ struct ctl_command {
 };
 
 extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_paper, ctl_morph,
-    ctl_lines, ctl_doctor, ctl_config, ctl_status, ctl_scores, ctl_audits,
-    ctl_backup;
+    ctl_lines, ctl_doctor, ctl_config, ctl_status, ctl_scores, ctl_audits, ctl_backup;
 
 /* Prints one line, "kingyoctl COMMAND: ...", on standard error. Returns EXIT_USAGE. */
-__attribute__((format(printf, 2, 3)))
-enum exit_code ctl_usage(const char *command, const char *format, ...);
+__attribute__((format(printf, 2, 3))) enum exit_code ctl_usage(const char *command,
+                                                               const char *format, ...);
 
 /* Prints one line on standard error because the core returned CORE_ERR_FLOAT. Returns
  * EXIT_NOT_SO. */

@@ -5,10 +5,10 @@
 
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
-#define FIN_RAYS 13.0f       /* Number of rays, the same as for the kiosk's fish. */
+#define FIN_RAYS 13.0f /* Number of rays, the same as for the kiosk's fish. */
 /* Reduction of the opacity of the skin between two rays, compared with a ray. */
 #define RAY_HIDES 0.22f
-#define RAY_LIGHT 0.18f      /* Reduction of the brightness of the skin between two rays. */
+#define RAY_LIGHT 0.18f /* Reduction of the brightness of the skin between two rays. */
 /* Share by which a glass body becomes opaque where it is seen edge-on, because it reflects light
  * there. */
 #define GLASS_RIM 0.55f

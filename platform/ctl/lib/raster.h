@@ -13,8 +13,8 @@
 #include "platform/ctl/lib/canvas.h"
 
 struct raster_layer {
-    vec3 colour;                      /* Linear colour. */
-    float hides;                      /* Opacity in [0, 1]. A value of 1 is opaque. */
+    vec3 colour; /* Linear colour. */
+    float hides; /* Opacity in [0, 1]. A value of 1 is opaque. */
     /* `depth` is the depth at the pixel's centre, and a larger depth is nearer. `depth_dx` and
      * `depth_dy` are its slopes. */
     float depth, depth_dx, depth_dy;

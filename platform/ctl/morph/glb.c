@@ -12,7 +12,7 @@
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "glTF is little-endian; so is memory");
 
-#define MAGIC 0x46546c67u      /* "glTF" as a little-endian number. */
+#define MAGIC 0x46546c67u /* "glTF" as a little-endian number. */
 #define CHUNK_JSON 0x4e4f534au
 #define CHUNK_BIN 0x004e4942u
 
@@ -23,7 +23,7 @@ static const struct {
     const char *name;
     uint32_t width;
 } types[] = {
-    [GLB_SCALAR] = { "SCALAR", 1 }, [GLB_VEC2] = { "VEC2", 2 }, [GLB_VEC3] = { "VEC3", 3 },
+    [GLB_SCALAR] = { "SCALAR", 1 }, [GLB_VEC2] = { "VEC2", 2 },  [GLB_VEC3] = { "VEC3", 3 },
     [GLB_VEC4] = { "VEC4", 4 },     [GLB_MAT4] = { "MAT4", 16 },
 };
 

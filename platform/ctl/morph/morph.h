@@ -6,7 +6,7 @@
 #include "platform/ctl/lib/ctl.h"
 
 struct morph_command {
-    const char *name;    /* Subcommand name, for example "weights". */
+    const char *name; /* Subcommand name, for example "weights". */
     /* Arguments as the usage line shows them, for example "SPECIES|FILE [--steps N]". */
     const char *words;
     const char *summary; /* Summary in one line. */

@@ -7,7 +7,7 @@
 #include "platform/ctl/morph/glb.h"
 #include "platform/ctl/morph/morph_mesh.h"
 
-#define GLB_SECONDS 10.0f  /* Seconds of the animation from progress 0 to 1. */
+#define GLB_SECONDS 10.0f /* Seconds of the animation from progress 0 to 1. */
 /* Node number of the fish. The nodes of the pieces follow this node, and the nodes of the anchors
  * follow the pieces. */
 #define GLB_ROOT_NODE 0u

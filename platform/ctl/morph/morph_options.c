@@ -28,7 +28,7 @@ static const struct {
     double min, max;
 } place_options[3] = {
     { "--progress", 0.0, 1.0 },
-    { "--age-days", 0.0, 14610.0 },      /* 40 years, as in core/morph/growth.c. */
+    { "--age-days", 0.0, 14610.0 }, /* 40 years, as in core/morph/growth.c. */
     { "--length-mm", 1e-3, 10000.0 },
 };
 

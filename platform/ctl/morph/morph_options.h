@@ -33,10 +33,10 @@ enum morph_requirement {
 };
 
 struct morph_options {
-    const char *word;             /* SPECIES|FILE as the user wrote it. */
-    const struct species *drawn;  /* Species with all its keys, parts and anchors. */
-    const struct species *fish; /* Species after --thesis and --template ordinary were applied. */
-    struct morph_rig rig; /* Rig of `fish`. */
+    const char *word;            /* SPECIES|FILE as the user wrote it. */
+    const struct species *drawn; /* Species with all its keys, parts and anchors. */
+    const struct species *fish;  /* Species after --thesis and --template ordinary were applied. */
+    struct morph_rig rig;        /* Rig of `fish`. */
     /* Template of the graph. TEMPLATE_OWN unless --template selects another. */
     enum graph_template template_id;
     bool thesis;

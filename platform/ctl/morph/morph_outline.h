@@ -32,8 +32,8 @@ struct morph_outline {
     double x, y;      /* Position of the body frame's origin, in pixels. */
     double length_px; /* Pixels for one body length. */
     const char *colour;
-    double opacity;   /* Opacity of the body. Fins have half of this value. */
-    double line_px;   /* Width of the contour line in pixels. A value of 0 draws no contour. */
+    double opacity; /* Opacity of the body. Fins have half of this value. */
+    double line_px; /* Width of the contour line in pixels. A value of 0 draws no contour. */
 };
 
 /* Returns the view that shows most of a body of the species' form. */

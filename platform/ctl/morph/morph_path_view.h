@@ -16,18 +16,18 @@ struct window {
     double length_px;
     /* Body point at the middle of the window, before `shift_x` and `shift_y` are applied. */
     vec3 middle;
-    double shift_x, shift_y;    /* Offset of `middle` from the window's middle, pixels. */
+    double shift_x, shift_y; /* Offset of `middle` from the window's middle, pixels. */
     enum morph_outline_view view;
 };
 
 struct picture {
     const struct morph_path_plan *plan;
     struct svg svg;
-    struct morph_rig keys;         /* Rig that reaches every key completely. */
+    struct morph_rig keys;             /* Rig that reaches every key completely. */
     vec3 way[MORPH_PATH_SAMPLES + 1u]; /* Path of the part. */
     /* Path that Kingyo's own method gives. Used only with --thesis. */
     vec3 drawn[MORPH_PATH_SAMPLES + 1u];
-    vec3 farthest;                 /* Point of the path that is farthest from the chord. */
+    vec3 farthest; /* Point of the path that is farthest from the chord. */
     float farthest_progress, farthest_lengths;
 };
 

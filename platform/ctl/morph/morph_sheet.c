@@ -9,8 +9,8 @@
 #define PAGE_WIDTH 2400.0f
 #define MARGIN 48.0f
 #define HEAD_HEIGHT 132.0f
-#define CELL_FILL 0.86f      /* Share of a cell's width that the longest fish fills. */
-#define GAP 14.0f            /* Space above and below a fish, pixels. */
+#define CELL_FILL 0.86f /* Share of a cell's width that the longest fish fills. */
+#define GAP 14.0f       /* Space above and below a fish, pixels. */
 /* Maximum number of keys in a row. More keys use more rows, so that each key stays large enough to
  * examine. */
 #define KEY_COLUMNS_MAX 4u

@@ -12,7 +12,7 @@
 
 /* The worst value of a kind, and the vertex and the progress at which it was found. */
 struct finding {
-    float value;     /* Worst value. A value of 0 means that nothing was found. */
+    float value; /* Worst value. A value of 0 means that nothing was found. */
     float progress;
     uint32_t vertex; /* Vertex of the worst value, or MORPH_SURVEY_NOWHERE. */
 };
@@ -43,11 +43,11 @@ struct morph_survey {
      * moments. */
     uint32_t moments_open;
     /* The following findings are penetration depths. */
-    struct finding body_in_body; /* Depth of a body point in a fold of the body's own skin. */
-    struct finding fin_in_body; /* Depth of a fin point below the root of its ray. */
-    struct finding eye_in_body; /* Depth of an eye's visible part in the head. */
+    struct finding body_in_body;  /* Depth of a body point in a fold of the body's own skin. */
+    struct finding fin_in_body;   /* Depth of a fin point below the root of its ray. */
+    struct finding eye_in_body;   /* Depth of an eye's visible part in the head. */
     struct finding pupil_in_body; /* Depth of an eye's pupil in the head. */
-    struct finding eye_in_eye; /* Depth of one eye in another eye on the same side. */
+    struct finding eye_in_eye;    /* Depth of one eye in another eye on the same side. */
     struct finding fin_in_eye;
     struct finding root_off_skin; /* Distance of a fin's root above the skin. */
     /* Dip of the body's volume, as a share of the lesser volume of the two neighbouring keys. */

@@ -13,9 +13,8 @@
 
 /* Options that the reading commands share. */
 struct books_words {
-    const char *data;    /* Data folder given with --data. Null selects the folder of the system
-                            service, or the user's own data folder if the service has no
-                            database. */
+    const char *data; /* Data folder given with --data. Null selects the folder of the system
+                         service, or the user's own data folder if the service has no database. */
     uint8_t as_json;
 };
 

@@ -33,8 +33,8 @@ static const char command[] = "backup --restore";
 
 /* State of a restore. */
 struct swap {
-    char own[BOOKS_PATH_SIZE]; /* Path of the kiosk's database. */
-    char fresh[LEDGER_PATH_SIZE]; /* Path of the copy that replaces the database. */
+    char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's database. */
+    char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that replaces the database. */
     char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
     /* Start record of the copy, or zeros if an older version of Kingyo wrote the copy. */
     struct ledger_start copied;

@@ -22,8 +22,8 @@ static const char name[] = "scores";
 struct request {
     struct books_words books;
     uint32_t round_id; /* Number of the round. A value of 0 selects all rounds. */
-    const char *out; /* Path of the file for the replay. Null selects verification. */
-    int with_pin; /* 1 if the written replay may contain the PIN of the menu. */
+    const char *out;   /* Path of the file for the replay. Null selects verification. */
+    int with_pin;      /* 1 if the written replay may contain the PIN of the menu. */
 };
 
 static struct replay_verifier judge;

@@ -12,7 +12,7 @@ enum kind { KIND_REAL, KIND_COUNT, KIND_WORD };
 
 struct key {
     const char *name;
-    uint8_t kind; /* Type of the value (enum kind). */
+    uint8_t kind;  /* Type of the value (enum kind). */
     uint8_t above; /* 1 if the value must be greater than `min`, and 0 if `min` itself is
                       allowed. */
     size_t offset; /* Offset of the field in struct technique, in bytes. */
@@ -37,10 +37,18 @@ static const char *const hunts[] = {
 
 #define AT(field) offsetof(struct technique, field)
 #define REAL(field, least, most, text)                                                             \
-    { .name = #field, .kind = KIND_REAL, .offset = AT(field), .min = least, .max = most,           \
+    { .name = #field,                                                                              \
+      .kind = KIND_REAL,                                                                           \
+      .offset = AT(field),                                                                         \
+      .min = least,                                                                                \
+      .max = most,                                                                                 \
       .meaning = text }
 #define SPEED(field, text)                                                                         \
-    { .name = #field, .kind = KIND_REAL, .above = 1, .offset = AT(field), .max = 2.0,              \
+    { .name = #field,                                                                              \
+      .kind = KIND_REAL,                                                                           \
+      .above = 1,                                                                                  \
+      .offset = AT(field),                                                                         \
+      .max = 2.0,                                                                                  \
       .meaning = text }
 #define WORD(field, list, text)                                                                    \
     { .name = #field, .kind = KIND_WORD, .offset = AT(field), .words = list, .meaning = text }
@@ -53,7 +61,11 @@ static const struct key keys[] = {
     WORD(place, places, "what part of the paper is brought under it"),
     WORD(lift, lifts, "level till the water is off; or 2.5 times as fast, at once"),
     WORD(hunt, hunts, "wait in a still shade; or after it, at the arm's speed"),
-    { .name = "fish_max", .kind = KIND_COUNT, .offset = AT(fish_max), .min = 1.0, .max = 8.0,
+    { .name = "fish_max",
+      .kind = KIND_COUNT,
+      .offset = AT(fish_max),
+      .min = 1.0,
+      .max = 8.0,
       .meaning = "fish that it wants on the paper before it lifts" },
     REAL(fish_m, 0.02, 0.1, "length of fish that it likes best"),
     SPEED(arm_m_s, "speed of its arm over the water"),

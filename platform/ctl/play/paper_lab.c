@@ -10,7 +10,7 @@
 #include "core/poi/hand_spring.h"
 #include "core/poi/load.h"
 
-#define DEPTH_M 0.20f   /* Depth at which the water surface has no effect. */
+#define DEPTH_M 0.20f /* Depth at which the water surface has no effect. */
 #define HEIGHT_M 0.10f
 #define INSTANT_TICKS 6u /* Time within which a tear counts as immediate: 6 ticks are 0.05 s. */
 #define NEVER_S 1e6f

@@ -9,15 +9,15 @@
 #define PAPER_WEIGHTS_MAX 64u
 
 struct paper_options {
-    uint8_t grade;       /* Grade of the paper, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
-    float wetness;       /* Wetness of the wetted part, in [0, 1]. */
+    uint8_t grade; /* Grade of the paper, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
+    float wetness; /* Wetness of the wetted part, in [0, 1]. */
     /* Wetted share of the paper, in [0, 1]. The border of the wetted part is a straight line. */
     float wet_fraction;
     /* Angle between the paper's plane and the direction of motion, in [0, pi / 2]. The paper is
      * perpendicular to the motion at pi / 2. */
     float tilt_rad;
     float speed_m_s; /* Speed of the carriage, in [0, 5] m/s. */
-    uint8_t in_air; /* 1 for a run in air. Otherwise the run is deep under water. */
+    uint8_t in_air;  /* 1 for a run in air. Otherwise the run is deep under water. */
     uint8_t upside_down;
     uint8_t still; /* 1 if the fish on the paper do not slap with their tails. */
     /* 1 for the membrane formula alone, without spread of strength and without stress
@@ -27,7 +27,7 @@ struct paper_options {
     uint32_t fish_count; /* Number of fish on the paper, at most POI_CARRIED_MAX. */
     float fish_m;
     uint32_t tick_count; /* Number of ticks of the run, at least 1. */
-    double seconds; /* Duration in seconds, as the option gives it. */
+    double seconds;      /* Duration in seconds, as the option gives it. */
     uint32_t seed;
     /* Number of calibration weights. A value above 0 selects the calibration by weights. */
     uint32_t weight_count;

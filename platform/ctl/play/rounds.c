@@ -152,7 +152,7 @@ static struct round_result play_one(struct seat *seat, const struct round_plan *
 struct hall {
     const struct rounds *rounds;
     pthread_mutex_t lock;
-    uint32_t next;       /* Next plan that no worker has taken. */
+    uint32_t next; /* Next plan that no worker has taken. */
     /* Exit code of the first failure. After a failure, no worker takes another plan. */
     enum exit_code code;
 };

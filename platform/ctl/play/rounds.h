@@ -40,20 +40,20 @@ struct round_result {
     uint32_t caught; /* Number of caught fish that count. */
     uint32_t scoops; /* Number of times the ring entered the water. */
     uint32_t fouls;
-    uint8_t torn; /* 1 if the first paper tore so far that it could not hold a fish. */
+    uint8_t torn;     /* 1 if the first paper tore so far that it could not hold a fish. */
     double torn_at_s; /* Second of the round in which the first paper tore. */
     /* Number of papers that the player used. A torn paper is replaced in a practice round. */
     uint32_t sheets;
     uint32_t hole_area_mm2; /* Hole area of the last paper at the end of the round. */
-    double length_s; /* Length of the round in seconds. */
-    uint64_t state_hash; /* Hash of the core (core_hash()) at the end of the round. */
+    double length_s;        /* Length of the round in seconds. */
+    uint64_t state_hash;    /* Hash of the core (core_hash()) at the end of the round. */
 };
 
 struct rounds {
     const struct round_plan *plans;
     struct round_result *results; /* Results, one for each plan. */
-    uint32_t count; /* Number of rounds, at most ROUNDS_MAX. */
-    uint32_t workers; /* Number of worker threads, 1 .. ROUNDS_WORKERS_MAX. */
+    uint32_t count;               /* Number of rounds, at most ROUNDS_MAX. */
+    uint32_t workers;             /* Number of worker threads, 1 .. ROUNDS_WORKERS_MAX. */
     /* Callback after each round, or null. Rounds may end in any order, but the calls never
      * overlap. */
     void (*done)(void *self, uint32_t index);

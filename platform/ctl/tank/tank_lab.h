@@ -29,7 +29,7 @@ struct lab_sums {
 struct tank_lab {
     const struct tank_options *plan;
     struct tank tank;
-    struct poi poi; /* Poi that follows the path. Used only if path.count > 0. */
+    struct poi poi;   /* Poi that follows the path. Used only if path.count > 0. */
     struct bowl bowl; /* Absent bowl, because a poi without a game has none. */
     struct output output;
     struct tank_path path;
@@ -42,7 +42,7 @@ struct tank_lab {
     float oxygen_start_mg_l;
     uint32_t observe_every; /* Ticks from one observation to the next. */
     uint32_t observed_tick; /* Tick count at the last observation. */
-    uint32_t timed_count; /* Number of used entries of tick_ns. */
+    uint32_t timed_count;   /* Number of used entries of tick_ns. */
     /* CPU time of the tank's tick alone in nanoseconds, for each timed tick. The array has
      * plan->tick_count elements. Every tick is timed if `observe_every` is at most
      * BROAD_PHASE_UPDATE_TICKS. */

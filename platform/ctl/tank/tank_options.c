@@ -64,9 +64,9 @@ struct words {
     uint8_t given[FIGURE_COUNT];
     double figure[FIGURE_COUNT];
     uint8_t preset;
-    uint8_t pump;     /* Setting of the pump, enum pump. */
-    uint8_t search;   /* Method of the pair search, enum pair_search. */
-    uint8_t balls;    /* 1 for --spaces ball. */
+    uint8_t pump;   /* Setting of the pump, enum pump. */
+    uint8_t search; /* Method of the pair search, enum pair_search. */
+    uint8_t balls;  /* 1 for --spaces ball. */
     /* Width, depth and breadth of the tank. A value of 0 selects the size of the preset. */
     double size_cm[3];
     /* Value of --fish, or null if the option is absent. The range depends on the preset and on the

@@ -9,8 +9,7 @@
 
 void air_pass_open(struct gl_status *status, struct air_pass *pass)
 {
-    pass->program =
-        gl_program(status, "air stone", "", shader_bubble_vert, shader_bubble_frag, "");
+    pass->program = gl_program(status, "air stone", "", shader_bubble_vert, shader_bubble_frag, "");
     pass->stone = glGetUniformLocation(pass->program, "stone");
     glGenVertexArrays(1, &pass->no_attributes);
 }

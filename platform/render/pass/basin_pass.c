@@ -31,8 +31,9 @@ enum contact_solver {
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
 #define SLOPE_UNIT (1.0f / 508.0f) /* Slope of one step in the scene's surface data. */
-#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ) /* The wind's time wraps every ten minutes, so that
-                                                 sines stay exact. Each wrap makes a small jump. */
+/* The wind's time wraps every ten minutes, so that sines stay exact. Each wrap makes a small
+ * jump. */
+#define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)
 
 static const struct face faces[] = {
     /* Floor */
@@ -121,7 +122,9 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
         &(struct gl_texture_desc){
             /* The texels are 16-bit floats because 8-bit steps are visible as tiles in the mirrored
              * lanterns. */
-            .internal_format = GL_RGBA16F, .format = GL_RGBA, .width = RIPPLE_X,
+            .internal_format = GL_RGBA16F,
+            .format = GL_RGBA,
+            .width = RIPPLE_X,
             .height = RIPPLE_Z });
 }
 

@@ -125,7 +125,7 @@ static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
 {
     const vec3 at = bowl->position_m;
     const struct basis axes = vec_basis_from_angles(bowl->angles);
-    const float heel[9] = { axes.right.x, axes.right.y, axes.right.z, axes.up.x, axes.up.y,
+    const float heel[9] = { axes.right.x, axes.right.y, axes.right.z, axes.up.x,  axes.up.y,
                             axes.up.z,    axes.back.x,  axes.back.y,  axes.back.z };
     const float level = -bowl->water_below_m / bowl->depth_m;
     glUseProgram(part->program);

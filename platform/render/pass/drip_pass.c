@@ -5,11 +5,11 @@
 #include "shaders.h"
 
 #define DROPS_MAX 5
-#define DRIPS_FROM_M 0.0002f /* Minimum mean depth of water on the paper from which drops fall. Less
-                                water adheres. */
+/* Minimum mean depth of water on the paper from which drops fall. Less water adheres. */
+#define DRIPS_FROM_M 0.0002f
 #define DRIPS_FULL_M 0.0015f
-#define CLEAR_M 0.008f       /* The poi's low side is raised this far above the water. */
-#define RING_REACH 1.17f     /* In paper radii: drops fall from the ring's outer edge. */
+#define CLEAR_M 0.008f   /* The poi's low side is raised this far above the water. */
+#define RING_REACH 1.17f /* In paper radii: drops fall from the ring's outer edge. */
 
 void drip_pass_open(struct gl_status *status, struct drip_pass *pass)
 {

@@ -8,10 +8,10 @@
 /* At this height the fan hides half of its shadow on the water from the player, and little of the
  * floor. */
 #define FAN_HEIGHT_M 0.15f
-#define FAN_PITCH_RAD (-7.0f * F_DEG) /* The far edge is lower, so that the player sees the picture
-                                         on the fan. */
-#define SWAY_RAD (1.6f * F_DEG)       /* Amplitude of the sway, because no human hand is quite
-                                         still. */
+/* The far edge is lower, so that the player sees the picture on the fan. */
+#define FAN_PITCH_RAD (-7.0f * F_DEG)
+/* Amplitude of the sway, because no human hand is quite still. */
+#define SWAY_RAD (1.6f * F_DEG)
 #define SWAY_HZ 0.23f
 #define SEEN_THROUGH 0.34f
 #define SEEN_FROM_S 0.6f

@@ -13,15 +13,15 @@
 #define DEFINES_SIZE 96
 #define SAMPLERS "caustics patterns poses"
 
-static struct fish_program program(struct gl_status *status, const char *name,
-                                   const char *variant, bool fins)
+static struct fish_program program(struct gl_status *status, const char *name, const char *variant,
+                                   bool fins)
 {
     char defines[DEFINES_SIZE];
     fish_poses_defines(defines, sizeof defines, &species_wakin, fins);
     const size_t length = strlen(defines);
     snprintf(defines + length, sizeof defines - length, "%s", variant);
-    const GLuint program = gl_morph_program(status, name, defines, shader_fish_vert,
-                                            shader_fish_frag, SAMPLERS);
+    const GLuint program =
+        gl_morph_program(status, name, defines, shader_fish_vert, shader_fish_frag, SAMPLERS);
     return (struct fish_program){ program, glGetUniformLocation(program, "reach") };
 }
 
@@ -33,8 +33,8 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
     pass->sunk = program(status, "sunk fish body", "#define SUNK\n", false);
     pass->snout = program(status, "snouts", "#define SNOUT\n", false);
     pass->fin = program(status, "fish fin", "#define FIN\n", true);
-    pass->ring_program = gl_program(status, "gulp rings", "", shader_gulp_ring_vert,
-                                    shader_gulp_ring_frag, "");
+    pass->ring_program =
+        gl_program(status, "gulp rings", "", shader_gulp_ring_vert, shader_gulp_ring_frag, "");
     glGenVertexArrays(1, &pass->rings);
     morph_rig_init(&pass->rig, &species->card, TEMPLATE_OWN);
     for (uint32_t i = 0; i < SPECIES_LOD_COUNT; i++) {
@@ -99,8 +99,7 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
     }
     const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
     const bool near = fish->length_m * view->focal_px >= near_px * distance;
-    return is_bare(fish) ? (near ? FISH_GULPING : FISH_GULPING_FAR)
-                         : (near ? FISH_NEAR : FISH_FAR);
+    return is_bare(fish) ? (near ? FISH_GULPING : FISH_GULPING_FAR) : (near ? FISH_NEAR : FISH_FAR);
 }
 
 static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
@@ -111,8 +110,7 @@ static void fill_instance(struct fish_instance *out, const struct scene_fish *fi
         .place = { fish->position_m.x, fish->position_m.y, fish->position_m.z, fish->length_m },
         .right_phase = { axes.right.x, axes.right.y, axes.right.z, fish->tail_phase_rad },
         .up_amplitude = { axes.up.x, axes.up.y, axes.up.z, fish->tail_amplitude },
-        .character = { fish->bend_rad, fish->maturity, textures_pattern(look),
-                       textures_hue(look) },
+        .character = { fish->bend_rad, fish->maturity, textures_pattern(look), textures_hue(look) },
         .gulp = { fish->gape, fish->gulp, (float)row },
     };
 }
@@ -159,8 +157,7 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     }
     pose(pass, scene);
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
-    gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances,
-                     scene->fish_count * sizeof *pass->instances);
+    gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
 }
 
 /* Points the instance attributes at group `first`, because OpenGL ES 3.0 has no base instance. */

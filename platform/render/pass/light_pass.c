@@ -95,9 +95,8 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE,
-                GL_ONE_MINUS_SRC_COLOR); /* Overlapping shadows darken each other and never
-                                            overflow. */
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR); /* Overlapping shadows darken each other and
+                                                    never overflow. */
     glUseProgram(pass->fish_program);
     glBindVertexArray(pass->casters);
     const GLsizei count = fish_pass_shadow_casters(fish);

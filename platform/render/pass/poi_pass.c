@@ -19,8 +19,8 @@
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
-#define RESTS_MAX 2 /* Same as in poi_paper.frag.glsl. Further fish would be hidden by the shade of
-                       these. */
+/* Same as in poi_paper.frag.glsl. Further fish would be hidden by the shade of these. */
+#define RESTS_MAX 2
 #define REACH 3.8f /* Ring radii from the centre to the handle's end. */
 
 const float *poi_paint(uint8_t owner)

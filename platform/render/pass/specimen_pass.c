@@ -10,13 +10,13 @@
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
-#define NEAR_PX 150.0f   /* A fish shorter than this is drawn from the far mesh. */
-#define SWAY_LENGTHS 0.3f /* Maximum distance in lengths by which swimming moves vertices beyond the
-                             mesh's reach. */
+#define NEAR_PX 150.0f /* A fish shorter than this is drawn from the far mesh. */
+/* Maximum distance in lengths by which swimming moves vertices beyond the mesh's reach. */
+#define SWAY_LENGTHS 0.3f
 #define WORK_NS 10000000u /* Painting time in a frame while a visible texture is coarse. */
-#define REST_NS 3000000u /* Painting time in a frame while only an invisible texture is
-                            unfinished. */
-#define CLEAR_MIN 0.02f  /* A body with less transparency counts as opaque. */
+/* Painting time in a frame while only an invisible texture is unfinished. */
+#define REST_NS 3000000u
+#define CLEAR_MIN 0.02f /* A body with less transparency counts as opaque. */
 
 static struct specimen_screen screen_of(GLuint program)
 {
@@ -252,8 +252,8 @@ static void send(const struct specimen_program *program, const struct specimen *
 {
     const struct species_card *const card = &slot->species->card;
     const struct specimen_axes axes = specimen_axes(specimen);
-    const float rows[9] = { axes.right.x, axes.up.x, axes.toward.x, axes.right.y, axes.up.y,
-                            axes.toward.y, axes.right.z, axes.up.z, axes.toward.z };
+    const float rows[9] = { axes.right.x,  axes.up.x,    axes.toward.x, axes.right.y, axes.up.y,
+                            axes.toward.y, axes.right.z, axes.up.z,     axes.toward.z };
     float tint[4];
     colour_of(tint, specimen->tint);
     glUseProgram(program->name);
@@ -294,8 +294,8 @@ static void clear_depth(const struct specimen *specimen, float reach_lengths,
     const float x = p->x + p->xx * specimen->x_px + p->xy * specimen->y_px;
     const float y = p->y + p->yx * specimen->x_px + p->yy * specimen->y_px;
     glEnable(GL_SCISSOR_TEST);
-    glScissor((GLint)(x - reach), (GLint)(p->screen_height - y - reach),
-              (GLsizei)(2.0f * reach), (GLsizei)(2.0f * reach));
+    glScissor((GLint)(x - reach), (GLint)(p->screen_height - y - reach), (GLsizei)(2.0f * reach),
+              (GLsizei)(2.0f * reach));
     glClear(GL_DEPTH_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
 }

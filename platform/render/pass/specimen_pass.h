@@ -14,8 +14,8 @@
 #include "platform/render/specimen.h"
 #include "platform/render/textures.h"
 
-#define SPECIMEN_OTHERS 2u /* Slots for the lab's comparison fish and for a species that is not
-                              built in. */
+/* Slots for the lab's comparison fish and for a species that is not built in. */
+#define SPECIMEN_OTHERS 2u
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
 /* Uniform locations of the display geometry. */
@@ -33,8 +33,8 @@ struct specimen_program {
 struct specimen_slot {
     const struct species *species; /* Null: empty slot. */
     uint32_t edition;
-    uint32_t last_used;   /* Value of draw_count at the last use, to find the least recently used
-                             slot. */
+    uint32_t last_used; /* Value of draw_count at the last use, to find the least recently used
+                           slot. */
     struct fish_texture *worn; /* The slot's own texture, or a built-in species' texture with the
                                   same paint. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];

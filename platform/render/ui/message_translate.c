@@ -7,9 +7,9 @@
 
 #include "platform/render/ui/text.h"
 
-#define GAPS_MAX 6u  /* Maximum number of names and figures in a line. */
-#define DEPTH_MAX 3u /* Nesting depth of a line within a line: "no store: PATH: disk I/O error;
-                        ..." */
+#define GAPS_MAX 6u /* Maximum number of names and figures in a line. */
+/* Nesting depth of a line within a line: "no store: PATH: disk I/O error; ..." */
+#define DEPTH_MAX 3u
 
 struct span {
     const char *at;

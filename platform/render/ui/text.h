@@ -13,8 +13,8 @@
 #include "text_keys.h"
 
 #define TEXT_MALFORMED 0xfffdu /* Result of text_next() for bytes that are not UTF-8. */
-#define TEXT_LINE_MAX 256u     /* Bytes of a line with its number inserted and the terminating
-                                  zero. */
+/* Bytes of a line with its number inserted and the terminating zero. */
+#define TEXT_LINE_MAX 256u
 
 /* Returns the text of `key`, never null. An unknown language selects Japanese. */
 const char *text_words(uint8_t language, enum text_key key);

@@ -38,8 +38,7 @@ static void make_programs(struct ui *ui, struct gl_status *status)
     const GLuint vertex = gl_compile(status, "words", GL_VERTEX_SHADER, &ui_vertex_source, 1);
     for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(status); i++) {
         ui->programs[i] = make_program(status, vertex, ui_fragment_sources[i]);
-        ui->to_clip[i] =
-            ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
+        ui->to_clip[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
         ui->turn[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "turn") : -1;
         ui->move[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "move") : -1;
     }

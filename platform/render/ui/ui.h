@@ -21,8 +21,8 @@
 struct ui {
     struct ui_batch batch;
     struct ui_memory memory;
-    uint32_t programs[UI_KIND_COUNT]; /* OpenGL names from here on. */
-    int32_t to_clip[UI_KIND_COUNT];   /* Uniform locations of the picture's size. */
+    uint32_t programs[UI_KIND_COUNT];                 /* OpenGL names from here on. */
+    int32_t to_clip[UI_KIND_COUNT];                   /* Uniform locations of the picture's size. */
     int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Uniform locations of the display
                                                          geometry. */
     uint32_t vertex_array, vertex_buffer, index_buffer;

@@ -34,8 +34,7 @@ static struct spatial_grid grid_of(const struct ui_frame *frame, uint32_t count)
     grid.height = fminf(grid.height, 1.1f * grid.width);
     const float used = (float)grid.rows * (grid.height + grid.gap) - grid.gap;
     grid.top = top + 0.5f * (high - used);
-    grid.left = 0.5f * (frame->width -
-                        ((float)grid.columns * (grid.width + grid.gap) - grid.gap));
+    grid.left = 0.5f * (frame->width - ((float)grid.columns * (grid.width + grid.gap) - grid.gap));
     return grid;
 }
 
@@ -44,10 +43,8 @@ static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t
                                        uint32_t count)
 {
     const uint32_t row = index / grid->columns, column = index % grid->columns;
-    const uint32_t in_row =
-        row + 1u < grid->rows ? grid->columns : count - row * grid->columns;
-    const float shift =
-        0.5f * (float)(grid->columns - in_row) * (grid->width + grid->gap);
+    const uint32_t in_row = row + 1u < grid->rows ? grid->columns : count - row * grid->columns;
+    const float shift = 0.5f * (float)(grid->columns - in_row) * (grid->width + grid->gap);
     return (struct ui_box){ grid->left + shift + (float)column * (grid->width + grid->gap),
                             grid->top + (float)row * (grid->height + grid->gap), grid->width,
                             grid->height };
@@ -99,10 +96,11 @@ static void life(const struct ui_frame *frame, struct ui_box line, const struct 
     const float day = line.x + line.width * met, r = 8.0f * u;
     ui_segment(frame->batch, from, to, 5.0f * u, 0xd9c8a0ffu);
     ui_segment(frame->batch, from, now, 5.0f * u, UI_VERMILION);
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { day - r, y - r, 2.0f * r, 2.0f * r }, .kind = UI_PANEL,
-                                 .fill = fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu,
-                                 .line = 0xc92c1cffu, .shape = { 0, 0, r, 2.5f * u } });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = { day - r, y - r, 2.0f * r, 2.0f * r },
+                                               .kind = UI_PANEL,
+                                               .fill = fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu,
+                                               .line = 0xc92c1cffu,
+                                               .shape = { 0, 0, r, 2.5f * u } });
 }
 
 /* Draws the seal, which appears when the lifeline reaches the day of the catch. */
@@ -120,9 +118,13 @@ static void met_seal(const struct ui_frame *frame, struct ui_box water,
              length);
     const float size = SEAL_SIZE * u;
     const struct ui_ribbon seal = { .x = water.x + 0.5f * water.width,
-                                    .y = water.y + water.height - 1.15f * size, .size_px = size,
-                                    .font = FONT_BODY, .fill = 0xc92c1ce8u, .line = 0xfff1ddb0u,
-                                    .ink = 0xfff1ddffu, .room_px = water.width - 10.0f * u };
+                                    .y = water.y + water.height - 1.15f * size,
+                                    .size_px = size,
+                                    .font = FONT_BODY,
+                                    .fill = 0xc92c1ce8u,
+                                    .line = 0xfff1ddb0u,
+                                    .ink = 0xfff1ddffu,
+                                    .room_px = water.width - 10.0f * u };
     ui_ribbon(frame, &seal, words);
 }
 
@@ -135,14 +137,19 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
     const struct ui_box shade = { box.x + 3.0f * u, box.y + 6.0f * u, box.width, box.height };
     const struct ui_box water = { box.x + 10.0f * u, box.y + 10.0f * u, box.width - 20.0f * u,
                                   box.height - 82.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = shade,
+                                               .kind = UI_PANEL,
                                                .fill = 0x04061880u,
                                                .shape = { 0, 0, 10.0f * u } });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = LAB_PAPER,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_WASHI,
+                                               .fill = LAB_PAPER,
                                                .line = LAB_PAPER_LINE,
                                                .shape = { 0, 0, 10.0f * u, 2.0f * u } });
     ui_shape(frame->batch,
-             &(struct ui_shape){ .box = water, .kind = UI_WATER, .fill = 0x1d7a86ffu,
+             &(struct ui_shape){ .box = water,
+                                 .kind = UI_WATER,
+                                 .fill = 0x1d7a86ffu,
                                  .line = 0x06243cffu,
                                  .shape = { 0, 0, 6.0f * u, frame->time_s + (float)index } });
     swim(frame, water, index, fish);
@@ -150,12 +157,15 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
     lab_age_words(frame->language, fish->age_days, age, sizeof age);
     lab_length_words(fish->length_m, length, sizeof length);
     snprintf(words, sizeof words, "%s   %s", age, length);
-    const struct ui_text style = { .font = FONT_STALL, .size_px = 27.0f * u, .align = 0.5f,
-                                   .fill = LAB_INK, .fit_px = box.width - 28.0f * u };
+    const struct ui_text style = { .font = FONT_STALL,
+                                   .size_px = 27.0f * u,
+                                   .align = 0.5f,
+                                   .fill = LAB_INK,
+                                   .fit_px = box.width - 28.0f * u };
     ui_text(frame->batch, &style, box.x + 0.5f * box.width, box.y + box.height - 40.0f * u, words);
     life(frame,
-         (struct ui_box){ box.x + 22.0f * u, box.y + box.height - 28.0f * u,
-                          box.width - 44.0f * u, 14.0f * u },
+         (struct ui_box){ box.x + 22.0f * u, box.y + box.height - 28.0f * u, box.width - 44.0f * u,
+                          14.0f * u },
          fish);
     if (ui_player_count(scene) > 1u) {
         ui_player_mark(frame, box.x + 32.0f * u, box.y + 32.0f * u, 17.0f * u, fish->owner);
@@ -168,13 +178,21 @@ static void head(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
     char words[TEXT_LINE_MAX];
-    const struct ui_text title = { .font = FONT_STALL, .size_px = 42.0f * u, .align = 0.5f,
-                                   .outline_em = 0.03f, .soft_em = 0.1f, .fill = 0xfff6e2ffu,
-                                   .line = 0x0a0c24e0u, .fit_px = frame->width - 60.0f * u };
+    const struct ui_text title = { .font = FONT_STALL,
+                                   .size_px = 42.0f * u,
+                                   .align = 0.5f,
+                                   .outline_em = 0.03f,
+                                   .soft_em = 0.1f,
+                                   .fill = 0xfff6e2ffu,
+                                   .line = 0x0a0c24e0u,
+                                   .fit_px = frame->width - 60.0f * u };
     ui_text(frame->batch, &title, 0.5f * frame->width, ui_text_middle(&title, 48.0f * u),
             text_words(frame->language, TEXT_ALBUM));
-    const struct ui_text small = { .font = FONT_BODY, .size_px = 22.0f * u, .align = 0.5f,
-                                   .fill = 0xd6dcf2ffu, .fit_px = frame->width - 60.0f * u };
+    const struct ui_text small = { .font = FONT_BODY,
+                                   .size_px = 22.0f * u,
+                                   .align = 0.5f,
+                                   .fill = 0xd6dcf2ffu,
+                                   .fit_px = frame->width - 60.0f * u };
     const int all = scene->album.caught <= scene->album.fish_count;
     text_number(words, sizeof words,
                 text_words(frame->language, all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
@@ -189,7 +207,8 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = 0x171d42ffu });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth, .kind = UI_WAVES,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth,
+                                               .kind = UI_WAVES,
                                                .fill = 0x141a3cffu,
                                                .shape = { 0, 0, 36.0f * frame->unit } });
     head(frame, scene);

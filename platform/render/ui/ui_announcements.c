@@ -66,12 +66,14 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
     const struct ui_text body = { .font = FONT_STALL, .size_px = 42.0f * u, .fill = 0xfff8eaffu };
     const float mark = ui_seat_count(scene) > 1u ? 58.0f * u : 0.0f;
     const float head_width = ui_text_width(&head, foul), gap = 20.0f * u, lamps = 112.0f * u;
-    const float width = 2.0f * 26.0f * u + mark + head_width + gap + ui_text_width(&body, name) +
-                        lamps;
+    const float width =
+        2.0f * 26.0f * u + mark + head_width + gap + ui_text_width(&body, name) + lamps;
     float x = 0.5f * (frame->width - width);
     frame->batch->opacity = shown(state->foul_s, FOUL_S);
-    ui_shape(frame->batch, &(struct ui_shape){ .box = { x, y, width, height }, .kind = UI_WASHI,
-                                               .fill = 0xb3261ef2u, .line = 0xfff1ddd0u,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = { x, y, width, height },
+                                               .kind = UI_WASHI,
+                                               .fill = 0xb3261ef2u,
+                                               .line = 0xfff1ddd0u,
                                                .shape = { 0, 0, 10.0f * u, 2.5f * u } });
     x += 26.0f * u;
     if (mark > 0.0f) {
@@ -103,8 +105,11 @@ static void pause(const struct ui_frame *frame, const struct scene *scene)
     const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;
     const int brush = frame->language == LANGUAGE_JA;
     const struct ui_box band = { 0.0f, y - 0.5f * height, frame->width, height };
-    const struct ui_text words = { .font = FONT_BODY, .size_px = 30.0f * u, .align = 0.5f,
-                                   .fill = 0xfff8eaffu, .fit_px = frame->width - 60.0f * u };
+    const struct ui_text words = { .font = FONT_BODY,
+                                   .size_px = 30.0f * u,
+                                   .align = 0.5f,
+                                   .fill = 0xfff8eaffu,
+                                   .fit_px = frame->width - 60.0f * u };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = band, .kind = UI_PANEL, .fill = 0x0a0c24c8u });
     ui_big_word(frame, brush ? FONT_BRUSH : FONT_STALL, y - 30.0f * u, (brush ? 132.0f : 96.0f) * u,

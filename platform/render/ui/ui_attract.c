@@ -9,9 +9,14 @@ static void best_tag(const struct ui_frame *frame, const struct scene *scene, fl
 {
     char words[TEXT_LINE_MAX];
     ui_best_words(scene, words, sizeof words);
-    const struct ui_ribbon tag = { .x = 0.5f * frame->width, .y = y, .size_px = 24.0f * frame->unit,
-                                   .font = FONT_STALL, .fill = UI_NIGHT, .line = 0,
-                                   .ink = UI_GOLD, .room_px = frame->width - 32.0f * frame->unit };
+    const struct ui_ribbon tag = { .x = 0.5f * frame->width,
+                                   .y = y,
+                                   .size_px = 24.0f * frame->unit,
+                                   .font = FONT_STALL,
+                                   .fill = UI_NIGHT,
+                                   .line = 0,
+                                   .ink = UI_GOLD,
+                                   .room_px = frame->width - 32.0f * frame->unit };
     ui_ribbon(frame, &tag, words);
 }
 
@@ -19,9 +24,14 @@ static void best_tag(const struct ui_frame *frame, const struct scene *scene, fl
 static void key_lines(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
-    const struct ui_text text = { .font = FONT_BODY, .size_px = 17.0f * u, .align = 0.5f,
-                                  .outline_em = 0.05f, .soft_em = 0.12f, .fill = 0xe9dcc6ffu,
-                                  .line = 0x0a0814d0u, .fit_px = frame->width - 32.0f * u };
+    const struct ui_text text = { .font = FONT_BODY,
+                                  .size_px = 17.0f * u,
+                                  .align = 0.5f,
+                                  .outline_em = 0.05f,
+                                  .soft_em = 0.12f,
+                                  .fill = 0xe9dcc6ffu,
+                                  .line = 0x0a0814d0u,
+                                  .fit_px = frame->width - 32.0f * u };
     const float x = 0.5f * frame->width;
     if (!ui_lacks_poi(scene)) {
         ui_text(frame->batch, &text, x, frame->height - 41.0f * u,
@@ -56,9 +66,14 @@ static void mode_tag(const struct ui_frame *frame, const struct scene *scene, fl
     char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
     text_number(paper, sizeof paper, text_words(frame->language, TEXT_PAPER), scene->grade);
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode), paper);
-    const struct ui_ribbon tag = { .x = 0.5f * frame->width, .y = y, .size_px = 29.0f * frame->unit,
-                                   .font = FONT_STALL, .fill = UI_NIGHT, .line = UI_GOLD_DIM,
-                                   .ink = UI_GOLD, .room_px = frame->width - 32.0f * frame->unit };
+    const struct ui_ribbon tag = { .x = 0.5f * frame->width,
+                                   .y = y,
+                                   .size_px = 29.0f * frame->unit,
+                                   .font = FONT_STALL,
+                                   .fill = UI_NIGHT,
+                                   .line = UI_GOLD_DIM,
+                                   .ink = UI_GOLD,
+                                   .room_px = frame->width - 32.0f * frame->unit };
     frame->batch->opacity = alpha;
     ui_ribbon(frame, &tag, words);
     frame->batch->opacity = 1.0f;
@@ -79,11 +94,17 @@ void ui_ready(const struct ui_frame *frame, const struct scene *scene,
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = shade, .kind = UI_GLOW, .fill = 0x080c24d8u });
     const struct ui_box ring = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = ring, .kind = UI_RING, .fill = UI_VERMILION,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = ring,
+                                               .kind = UI_RING,
+                                               .fill = UI_VERMILION,
                                                .line = 0xffffff26u,
                                                .shape = { radius, 9.0f * u, 1.0f - gone } });
-    const struct ui_text word = { .font = FONT_STALL, .size_px = 46.0f * u, .align = 0.5f,
-                                  .outline_em = 0.03f, .soft_em = 0.1f, .fill = 0xfff6e2ffu,
+    const struct ui_text word = { .font = FONT_STALL,
+                                  .size_px = 46.0f * u,
+                                  .align = 0.5f,
+                                  .outline_em = 0.03f,
+                                  .soft_em = 0.1f,
+                                  .fill = 0xfff6e2ffu,
                                   .line = 0x0a0c24e0u };
     ui_text(frame->batch, &word, x, y + radius + 62.0f * u,
             text_words(frame->language, TEXT_READY));

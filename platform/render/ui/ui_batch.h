@@ -10,8 +10,9 @@
 #include "platform/render/specimen.h"
 #include "platform/render/ui/text.h"
 
-#define UI_QUADS_MAX 2048u /* The growth lab needs the most quads: nine curves of up to 40 segments
-                              each. A test measures the largest screen. */
+/* The growth lab needs the most quads: nine curves of up to 40 segments each. A test measures
+ * the largest screen. */
+#define UI_QUADS_MAX 2048u
 
 /* Kind of a quad, and the meaning of its `shape`; lengths are pixels. */
 enum ui_kind {
@@ -31,8 +32,8 @@ enum ui_kind {
 };
 
 struct ui_vertex {
-    float x, y;      /* Pixels. */
-    float u, v;      /* Glyph: atlas texels. Shape: pixels from its centre. */
+    float x, y; /* Pixels. */
+    float u, v; /* Glyph: atlas texels. Shape: pixels from its centre. */
     float shape[4];
     uint8_t fill[4]; /* Straight alpha. */
     uint8_t line[4]; /* Outline, border, or second colour. */
@@ -41,7 +42,7 @@ struct ui_vertex {
 struct ui_batch {
     struct ui_vertex vertices[UI_QUADS_MAX * 4u]; /* Order: top left, top right, bottom left, bottom
                                                      right. */
-    uint8_t kinds[UI_QUADS_MAX];  /* enum ui_kind of each quad. */
+    uint8_t kinds[UI_QUADS_MAX];                  /* enum ui_kind of each quad. */
     uint32_t quad_count;
     uint32_t dropped_count; /* Quads dropped because the batch was full; a test requires 0. */
     uint32_t unbaked_count; /* Letters that the font was baked without; a test requires 0. */
@@ -58,10 +59,9 @@ struct ui_box {
 struct ui_shape {
     struct ui_box box;
     enum ui_kind kind;
-    float shape[4];       /* Half sizes are computed from `box` for kinds that use them. */
+    float shape[4]; /* Half sizes are computed from `box` for kinds that use them. */
     uint32_t fill, line;
-    float lean_px;        /* Horizontal shift of the lower edge to the right, for cloth in the
-                             wind. */
+    float lean_px; /* Horizontal shift of the lower edge to the right, for cloth in the wind. */
 };
 
 /* Empties the batch and sets the opacity to 1. */
@@ -81,15 +81,15 @@ void ui_specimen(struct ui_batch *batch, const struct specimen *specimen);
 
 struct ui_text {
     enum font_id font;
-    float size_px;       /* Size of an em. */
-    float align;         /* 0: x is the left end, 0.5 the middle, 1 the right end. */
+    float size_px; /* Size of an em. */
+    float align;   /* 0: x is the left end, 0.5 the middle, 1 the right end. */
     float spacing_em;
-    float weight_em;     /* Thickens strokes on each side. */
-    float outline_em;    /* Outline around the strokes, in colour `line`; 0 is none. */
-    float soft_em;       /* Additional width over which the outline fades out, for a shadow or a
-                            glow. */
+    float weight_em;  /* Thickens strokes on each side. */
+    float outline_em; /* Outline around the strokes, in colour `line`; 0 is none. */
+    float soft_em;    /* Additional width over which the outline fades out, for a shadow or a
+                         glow. */
     uint32_t fill, line;
-    float fit_px;        /* Maximum width to which the text is shrunk; 0: no limit. */
+    float fit_px; /* Maximum width to which the text is shrunk; 0: no limit. */
 };
 
 /* Draws one line with its baseline at `y`. Returns its width in pixels. */

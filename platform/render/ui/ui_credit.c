@@ -6,18 +6,18 @@
 #include "core/game/accounting/credit.h"
 #include "platform/render/ui/ui_widgets.h"
 
-#define CLINK_S 0.5f /* Duration for which the plate grows when a coin is inserted. */
+#define CLINK_S 0.5f       /* Duration for which the plate grows when a coin is inserted. */
 #define COMING_WIDTH 84.0f /* Width of "+99" and its margins, in units. */
-#define ASK_S 1.2f   /* Duration of the emphasized call for coins after a player tried to start
-                        without credit. */
+/* Duration of the emphasized call for coins after a player tried to start without credit. */
+#define ASK_S 1.2f
 
 /* Size of the plates at the sides of a round, in units. The legend of ui_round.c is the widest and
  * lowest. */
 #define PLATES_WIDTH 284.0f
 #define PLATES_REACH 240.0f
 
-static void credit_words(const struct ui_frame *frame, const struct scene_credit *credit,
-                         char *out, size_t out_size)
+static void credit_words(const struct ui_frame *frame, const struct scene_credit *credit, char *out,
+                         size_t out_size)
 {
     text_number(out, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
     if (credit->units > 0 && credit->units < credit->price) { /* A partly paid credit is shown to
@@ -118,9 +118,14 @@ void ui_coin_words(const struct scene *scene, char *out, size_t out_size)
 static void warning(const struct ui_frame *frame, float y, float room_px, enum text_key key)
 {
     const float u = frame->unit;
-    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y, .size_px = 27.0f * u,
-                                      .font = FONT_BODY, .fill = 0xb8301ee8u, .line = UI_GOLD,
-                                      .ink = 0xfff8eaffu, .room_px = room_px };
+    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width,
+                                      .y = y,
+                                      .size_px = 27.0f * u,
+                                      .font = FONT_BODY,
+                                      .fill = 0xb8301ee8u,
+                                      .line = UI_GOLD,
+                                      .ink = 0xfff8eaffu,
+                                      .room_px = room_px };
     ui_ribbon(frame, &ribbon, text_words(frame->language, key));
 }
 

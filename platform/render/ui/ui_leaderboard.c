@@ -6,7 +6,7 @@
 
 #include "core/game/ranking/ranking.h"
 
-#define ROWS_MIN 5u      /* Minimum rows, because a sheet with a single name looks empty. */
+#define ROWS_MIN 5u /* Minimum rows, because a sheet with a single name looks empty. */
 #define COME_S 0.45f
 #define GO_S 0.35f
 #define ROW_COMES_S 0.07f /* Delay between the appearance of one row and the next. */
@@ -36,9 +36,9 @@ static uint32_t row_count(const struct scene_leaderboard *board)
 
 float ui_leaderboard_in(const struct scene_leaderboard *board)
 {
-    return board->shown ? ui_smooth(0.0f, COME_S, board->shown_s) *
-                              ui_smooth(0.0f, GO_S, board->left_s)
-                        : 0.0f;
+    return board->shown
+               ? ui_smooth(0.0f, COME_S, board->shown_s) * ui_smooth(0.0f, GO_S, board->left_s)
+               : 0.0f;
 }
 
 /* Draws a heading such as "Festival: today's best", white on a band of dyed cloth. */
@@ -48,12 +48,18 @@ static void ui_leaderboard_heading(const struct ui_frame *frame,
     const float u = frame->unit, inset = 12.0f * u;
     const struct ui_box band = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
                                  62.0f * u };
-    const struct ui_text mode = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD,
-                                  .fit_px = 0.38f * band.width };
-    const struct ui_text title = { .font = FONT_STALL, .size_px = 36.0f * u, .align = 1.0f,
-                                   .fill = 0xfff6e2ffu, .fit_px = 0.52f * band.width };
+    const struct ui_text mode = {
+        .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD, .fit_px = 0.38f * band.width
+    };
+    const struct ui_text title = { .font = FONT_STALL,
+                                   .size_px = 36.0f * u,
+                                   .align = 1.0f,
+                                   .fill = 0xfff6e2ffu,
+                                   .fit_px = 0.52f * band.width };
     const float y = band.y + 0.5f * band.height;
-    ui_shape(frame->batch, &(struct ui_shape){ .box = band, .kind = UI_WAVES, .fill = UI_INDIGO,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = band,
+                                               .kind = UI_WAVES,
+                                               .fill = UI_INDIGO,
                                                .line = 0x0b1030ffu,
                                                .shape = { 0, 0, 9.0f * u, 1.5f * u } });
     ui_text(frame->batch, &mode, band.x + 20.0f * u, ui_text_middle(&mode, y),
@@ -71,13 +77,16 @@ static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t 
     char number[12];
     text_number(number, sizeof number, "{}", place + 1u);
     if (has_medal) {
-        ui_shape(frame->batch,
-                 &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius,
-                                              2.0f * radius },
-                                     .kind = UI_PANEL, .fill = medals[place], .line = 0x5a3a20ffu,
-                                     .shape = { 0, 0, radius, 1.5f * u } });
+        ui_shape(frame->batch, &(struct ui_shape){
+                                   .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                   .kind = UI_PANEL,
+                                   .fill = medals[place],
+                                   .line = 0x5a3a20ffu,
+                                   .shape = { 0, 0, radius, 1.5f * u } });
     }
-    const struct ui_text style = { .font = FONT_STALL, .size_px = 26.0f * u, .align = 0.5f,
+    const struct ui_text style = { .font = FONT_STALL,
+                                   .size_px = 26.0f * u,
+                                   .align = 0.5f,
                                    .fill = has_medal ? UI_INK : UI_INK_SOFT,
                                    .fit_px = 1.8f * radius };
     ui_text(frame->batch, &style, x, ui_text_middle(&style, y), number);
@@ -87,25 +96,29 @@ static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t 
 void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
 {
     const float u = frame->unit;
-    const struct ui_text word = { .font = FONT_STALL, .size_px = 0.74f * size,
+    const struct ui_text word = { .font = FONT_STALL,
+                                  .size_px = 0.74f * size,
                                   .fill = 0xfff1ddffu };
     const struct ui_box box = { x - 0.5f * size, y - 0.5f * size, size, size };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0xc92c1cffu,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_PANEL,
+                                               .fill = 0xc92c1cffu,
                                                .line = 0xfff1ddb0u,
                                                .shape = { 0, 0, 5.0f * u, 1.5f * u } });
     ui_words_in(frame, box, &word, text_words(frame->language, TEXT_BOARD_SEAL));
 }
 
 /* Draws the background of a new entry in the colour of the player's ring. */
-static void new_ground(const struct ui_frame *frame, const struct scene_row *row,
-                       struct ui_box box)
+static void new_ground(const struct ui_frame *frame, const struct scene_row *row, struct ui_box box)
 {
     const float u = frame->unit;
     const uint32_t colour = ui_player_colours[row->seat < POI_MAX ? row->seat : 0];
     const float glow = 0.30f + 0.20f * ui_pulse(frame->time_s, 1.2f);
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = ui_fade(colour, glow),
-                                 .line = colour, .shape = { 0, 0, 9.0f * u, 2.0f * u } });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_PANEL,
+                                               .fill = ui_fade(colour, glow),
+                                               .line = colour,
+                                               .shape = { 0, 0, 9.0f * u, 2.0f * u } });
 }
 
 static void row_at(const struct ui_frame *frame, const struct scene_row *row, uint32_t place,
@@ -113,13 +126,16 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
 {
     const float u = frame->unit, y = box.y + 0.5f * box.height;
     const float right = box.x + box.width - 18.0f * u;
-    const struct ui_text name = { .font = FONT_STALL, .size_px = 31.0f * u,
+    const struct ui_text name = { .font = FONT_STALL,
+                                  .size_px = 31.0f * u,
                                   .fill = row->name[0] ? UI_INK : 0x5a464880u,
                                   .fit_px = box.width - 300.0f * u };
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = 33.0f * u, .align = 1.0f,
-                                    .fill = UI_INK, .fit_px = 90.0f * u };
-    const struct ui_text unit = { .font = FONT_STALL, .size_px = 20.0f * u, .align = 1.0f,
-                                  .fill = UI_INK_SOFT };
+    const struct ui_text digits = {
+        .font = FONT_STALL, .size_px = 33.0f * u, .align = 1.0f, .fill = UI_INK, .fit_px = 90.0f * u
+    };
+    const struct ui_text unit = {
+        .font = FONT_STALL, .size_px = 20.0f * u, .align = 1.0f, .fill = UI_INK_SOFT
+    };
     char number[12];
     if (row->is_new) {
         new_ground(frame, row, box);

@@ -37,20 +37,24 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width, room = box.width - 28.0f * u;
     const int brush = frame->language == LANGUAGE_JA;
-    const struct ui_text name = { .font = brush ? FONT_BRUSH : FONT_STALL, .align = 0.5f,
+    const struct ui_text name = { .font = brush ? FONT_BRUSH : FONT_STALL,
+                                  .align = 0.5f,
                                   .size_px = (brush ? 88.0f : 46.0f) * u,
                                   .weight_em = brush ? 0.022f : 0.0f,
-                                  .spacing_em = brush ? -0.08f : 0.0f, .fill = UI_INK,
+                                  .spacing_em = brush ? -0.08f : 0.0f,
+                                  .fill = UI_INK,
                                   .fit_px = room };
-    const struct ui_text line = { .font = FONT_BODY, .size_px = 26.0f * u, .align = 0.5f,
-                                  .fill = 0x3a2418ffu, .fit_px = room };
+    const struct ui_text line = {
+        .font = FONT_BODY, .size_px = 26.0f * u, .align = 0.5f, .fill = 0x3a2418ffu, .fit_px = room
+    };
     char words[TEXT_LINE_MAX];
     ui_text(frame->batch, &name, x, ui_text_middle(&name, box.y + 84.0f * u),
             ui_mode_name(frame->language, mode));
     const struct ui_box rule = { box.x + 34.0f * u, box.y + 148.0f * u, box.width - 68.0f * u,
                                  2.5f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = rule, .kind = UI_PANEL, .fill = 0x5a3a20a0u,
-                                               .shape = { 0, 0, 1.2f * u } });
+    ui_shape(frame->batch,
+             &(struct ui_shape){
+                 .box = rule, .kind = UI_PANEL, .fill = 0x5a3a20a0u, .shape = { 0, 0, 1.2f * u } });
     if (mode == CHOICE_LAB) {
         ui_text(frame->batch, &line, x, box.y + 188.0f * u,
                 text_words(frame->language, TEXT_LAB_SHAPES));
@@ -72,9 +76,7 @@ static float raised(const struct scene *scene, const struct ui_memory *memory, u
 {
     const float age_s = (float)(scene->tick - memory->pointed_tick) * CORE_TICK_S;
     const float moved = ui_smooth(0.0f, RAISE_S, age_s);
-    return mode == scene->choice          ? moved
-           : mode == memory->pointed_before ? 1.0f - moved
-                                            : 0.0f;
+    return mode == scene->choice ? moved : mode == memory->pointed_before ? 1.0f - moved : 0.0f;
 }
 
 /* Draws a mode's tag. The selected tag hangs higher and is brighter. */
@@ -94,14 +96,20 @@ static void seconds_ring(const struct ui_frame *frame, const struct scene *scene
     const struct ui_box box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
     char number[12];
     text_number(number, sizeof number, "{}", (uint32_t)ceilf(left));
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = UI_NIGHT,
-                                               .shape = { 0, 0, radius } });
+    ui_shape(frame->batch,
+             &(struct ui_shape){
+                 .box = box, .kind = UI_PANEL, .fill = UI_NIGHT, .shape = { 0, 0, radius } });
     const float part = ui_clamp01(left / ((float)GAME_MODE_SELECT_TICKS * CORE_TICK_S));
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_RING, .fill = UI_GOLD,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_RING,
+                                               .fill = UI_GOLD,
                                                .line = 0xffffff28u,
                                                .shape = { radius, 6.0f * u, part } });
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = 34.0f * u, .align = 0.5f,
-                                    .fill = 0xfff8eaffu, .fit_px = 52.0f * u };
+    const struct ui_text digits = { .font = FONT_STALL,
+                                    .size_px = 34.0f * u,
+                                    .align = 0.5f,
+                                    .fill = 0xfff8eaffu,
+                                    .fit_px = 52.0f * u };
     ui_text(frame->batch, &digits, x, ui_text_middle(&digits, y), number);
 }
 
@@ -110,18 +118,27 @@ static void foot(const struct ui_frame *frame, const struct scene *scene)
     const float u = frame->unit, x = 0.5f * frame->width, room = frame->width - 32.0f * u;
     char words[TEXT_LINE_MAX];
     ui_best_words(scene, words, sizeof words);
-    const struct ui_ribbon best = { .x = x, .y = frame->height - 128.0f * u, .size_px = 25.0f * u,
-                                    .font = FONT_STALL, .fill = UI_NIGHT, .ink = UI_GOLD,
+    const struct ui_ribbon best = { .x = x,
+                                    .y = frame->height - 128.0f * u,
+                                    .size_px = 25.0f * u,
+                                    .font = FONT_STALL,
+                                    .fill = UI_NIGHT,
+                                    .ink = UI_GOLD,
                                     .room_px = room };
     if (scene->choice != CHOICE_LAB && rules_of(scene->mode)->keeps_score) {
         ui_ribbon(frame, &best, words);
     }
-    const struct ui_ribbon keys = { .x = x, .y = frame->height - 58.0f * u, .size_px = 29.0f * u,
-                                    .font = FONT_BODY, .fill = 0xc8341ff2u, .line = UI_GOLD,
-                                    .ink = 0xfff8eaffu, .room_px = room };
-    ui_ribbon(frame, &keys,
-              text_words(frame->language,
-                         ui_lacks_poi(scene) ? TEXT_START_NO_POI : TEXT_CHOOSE_KEYS));
+    const struct ui_ribbon keys = { .x = x,
+                                    .y = frame->height - 58.0f * u,
+                                    .size_px = 29.0f * u,
+                                    .font = FONT_BODY,
+                                    .fill = 0xc8341ff2u,
+                                    .line = UI_GOLD,
+                                    .ink = 0xfff8eaffu,
+                                    .room_px = room };
+    ui_ribbon(
+        frame, &keys,
+        text_words(frame->language, ui_lacks_poi(scene) ? TEXT_START_NO_POI : TEXT_CHOOSE_KEYS));
 }
 
 void ui_choose(const struct ui_frame *frame, const struct scene *scene,
@@ -139,9 +156,14 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     const float row = (float)count * width + (float)(count - 1u) * gap;
     const float middle = 0.5f * (frame->height - 40.0f * u);
     const float pole_y = middle - 0.5f * height - 44.0f * u - 60.0f * u * (1.0f - in);
-    const struct ui_text title = { .font = FONT_STALL, .size_px = 46.0f * u, .align = 0.5f,
-                                   .outline_em = 0.03f, .soft_em = 0.1f, .fill = 0xfff6e2ffu,
-                                   .line = 0x0a0c24e0u, .fit_px = frame->width - 220.0f * u };
+    const struct ui_text title = { .font = FONT_STALL,
+                                   .size_px = 46.0f * u,
+                                   .align = 0.5f,
+                                   .outline_em = 0.03f,
+                                   .soft_em = 0.1f,
+                                   .fill = 0xfff6e2ffu,
+                                   .line = 0x0a0c24e0u,
+                                   .fit_px = frame->width - 220.0f * u };
     frame->batch->opacity = in;
     const struct ui_box veil = { 0.0f, 0.0f, frame->width, frame->height };
     ui_shape(frame->batch,

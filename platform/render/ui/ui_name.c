@@ -53,8 +53,8 @@ static void place_words(const struct slate *slate, const struct scene *scene, ch
                         size_t out_size)
 {
     const struct scene_player *player = &scene->player[slate->name->seat];
-    text_number(out, out_size,
-                text_words(slate->frame.language, ui_place_key(player->period)), player->place);
+    text_number(out, out_size, text_words(slate->frame.language, ui_place_key(player->period)),
+                player->place);
 }
 
 static void title(const struct slate *slate, const struct scene *scene)
@@ -68,18 +68,20 @@ static void title(const struct slate *slate, const struct scene *scene)
         place(slate, upright ? (struct layout_box){ 60.0f, 150.0f, 734.0f, 70.0f }
                              : (struct layout_box){ 300.0f, 62.0f, 680.0f, 44.0f });
     const struct ui_text proud = { .font = FONT_STALL, .size_px = 44.0f * u, .fill = UI_GOLD };
-    const struct ui_text words = { .font = FONT_STALL, .size_px = 34.0f * u,
-                                   .fill = 0xfff6e2ffu };
+    const struct ui_text words = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = 0xfff6e2ffu };
     char where[TEXT_LINE_MAX];
     place_words(slate, scene, where, sizeof where);
     ui_words_in(&slate->frame, box, &proud, where);
     if (slate->name->was_refused) {
         const struct ui_ribbon ribbon = { .x = line.x + 0.5f * line.width,
-                                          .y = line.y + 0.5f * line.height, .size_px = 27.0f * u,
-                                          .font = FONT_STALL, .fill = WARN_PAPER, .line = UI_GOLD,
-                                          .ink = 0xfff8eaffu, .room_px = line.width };
-        ui_ribbon(&slate->frame, &ribbon,
-                  text_words(slate->frame.language, TEXT_NAME_REFUSED));
+                                          .y = line.y + 0.5f * line.height,
+                                          .size_px = 27.0f * u,
+                                          .font = FONT_STALL,
+                                          .fill = WARN_PAPER,
+                                          .line = UI_GOLD,
+                                          .ink = 0xfff8eaffu,
+                                          .room_px = line.width };
+        ui_ribbon(&slate->frame, &ribbon, text_words(slate->frame.language, TEXT_NAME_REFUSED));
     } else {
         ui_words_in(&slate->frame, line, &words,
                     text_words(slate->frame.language, TEXT_NAME_TITLE));
@@ -106,13 +108,16 @@ static void seconds(const struct slate *slate, const struct scene *scene)
         return;
     }
     text_number(number, sizeof number, "{}", (uint32_t)whole);
-    ui_shape(slate->frame.batch,
-             &(struct ui_shape){ .box = { at.x - radius, at.y - radius, 2.0f * radius,
-                                          2.0f * radius },
-                                 .kind = UI_RING, .fill = UI_VERMILION, .line = 0xffffff26u,
-                                 .shape = { radius, 6.0f * u, scene->seconds_left / 15.0f } });
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f,
-                                    .fill = 0xfff8eaffu };
+    ui_shape(
+        slate->frame.batch,
+        &(struct ui_shape){ .box = { at.x - radius, at.y - radius, 2.0f * radius, 2.0f * radius },
+                            .kind = UI_RING,
+                            .fill = UI_VERMILION,
+                            .line = 0xffffff26u,
+                            .shape = { radius, 6.0f * u, scene->seconds_left / 15.0f } });
+    const struct ui_text digits = {
+        .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f, .fill = 0xfff8eaffu
+    };
     ui_text(slate->frame.batch, &digits, at.x, ui_text_middle(&digits, at.y), number);
 }
 
@@ -122,7 +127,8 @@ static void one_letter(const struct slate *slate, struct ui_box box, uint16_t le
                        uint32_t ink)
 {
     char words[LEDGER_NAME_SIZE];
-    const struct ui_text style = { .font = FONT_STALL, .size_px = size * slate->frame.unit,
+    const struct ui_text style = { .font = FONT_STALL,
+                                   .size_px = size * slate->frame.unit,
                                    .fill = ink };
     name_spell(&letter, 1u, words);
     ui_words_in(&slate->frame, box, &style, words);
@@ -143,7 +149,8 @@ static void line(const struct slate *slate)
         const int is_next = i == slate->name->letter_count;
         const float pulse = 0.45f + 0.55f * ui_pulse(slate->frame.time_s, 1.0f);
         ui_shape(slate->frame.batch,
-                 &(struct ui_shape){ .box = box, .kind = UI_WASHI,
+                 &(struct ui_shape){ .box = box,
+                                     .kind = UI_WASHI,
                                      .fill = is_next ? KEY_PAPER : 0xe6dcc4ffu,
                                      .line = is_next ? ui_fade(slate->colour, pulse) : 0x6a5238ffu,
                                      .shape = { 0, 0, 8.0f * u, (is_next ? 5.0f : 1.5f) * u } });
@@ -164,7 +171,8 @@ static struct ui_box key_paper(const struct slate *slate, uint32_t key)
     struct ui_box box = place(slate, name_box(name->upright, name->alphabet, key));
     box.y += is_lit && name->presses ? 3.0f * u : 0.0f;
     ui_shape(slate->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = is_lit ? UI_PANEL : UI_WOOD,
+             &(struct ui_shape){ .box = box,
+                                 .kind = is_lit ? UI_PANEL : UI_WOOD,
                                  .fill = is_lit ? KEY_PAPER_LIT : 0xd9a667ffu,
                                  .line = is_lit ? slate->colour : 0x5a3a20ffu,
                                  .shape = { 0, 0, 8.0f * u, (is_lit ? 5.0f : 2.0f) * u } });
@@ -200,8 +208,7 @@ static void board(const struct slate *slate)
             one_letter(slate, key_paper(slate, cell), letter, 46.0f, 0x2a160cffu);
         }
     }
-    const struct ui_text style = { .font = FONT_STALL, .size_px = 36.0f * u,
-                                   .fill = 0x2a160cffu };
+    const struct ui_text style = { .font = FONT_STALL, .size_px = 36.0f * u, .fill = 0x2a160cffu };
     for (uint32_t key = NAME_CELLS; key < NAME_KEY_COUNT; key++) {
         const struct ui_box box = key_paper(slate, key);
         ui_words_in(&slate->frame,
@@ -213,7 +220,8 @@ static void board(const struct slate *slate)
 static void keys(const struct slate *slate)
 {
     const int upright = slate->name->upright;
-    const struct ui_text style = { .font = FONT_BODY, .size_px = 24.0f * slate->frame.unit,
+    const struct ui_text style = { .font = FONT_BODY,
+                                   .size_px = 24.0f * slate->frame.unit,
                                    .fill = 0xc9d2eeffu };
     ui_words_in(&slate->frame,
                 place(slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }

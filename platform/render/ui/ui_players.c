@@ -41,9 +41,11 @@ void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius
     const struct ui_box box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
     char number[12];
     text_number(number, sizeof number, "{}", player + 1u);
-    const struct ui_text digit = { .font = FONT_STALL, .size_px = 1.35f * radius, .align = 0.5f,
-                                   .fill = 0x14101cffu };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
+    const struct ui_text digit = {
+        .font = FONT_STALL, .size_px = 1.35f * radius, .align = 0.5f, .fill = 0x14101cffu
+    };
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_PANEL,
                                                .fill = ui_player_colours[player],
                                                .line = 0xfff8eaffu,
                                                .shape = { 0, 0, radius, 0.13f * radius } });
@@ -60,11 +62,13 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
                                      4.4f * radius };
         const struct ui_box lamp = { at - radius, y - radius, 2.0f * radius, 2.0f * radius };
         if (lit) {
-            ui_shape(frame->batch,
-                     &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .fill = 0xff5a30a0u,
-                                         .shape = { 0, 0, 1.0f } });
+            ui_shape(frame->batch, &(struct ui_shape){ .box = halo,
+                                                       .kind = UI_GLOW,
+                                                       .fill = 0xff5a30a0u,
+                                                       .shape = { 0, 0, 1.0f } });
         }
-        ui_shape(frame->batch, &(struct ui_shape){ .box = lamp, .kind = UI_PANEL,
+        ui_shape(frame->batch, &(struct ui_shape){ .box = lamp,
+                                                   .kind = UI_PANEL,
                                                    .fill = lit ? 0xff5236ffu : 0x120c18c0u,
                                                    .line = lit ? 0xffd9a0ffu : 0xe8b85ca0u,
                                                    .shape = { 0, 0, radius, 0.2f * radius } });
@@ -78,12 +82,17 @@ static void player_state(const struct ui_frame *frame, const struct scene *scene
     const float u = frame->unit;
     const struct scene_player *state = &scene->player[player];
     if (state->out) { /* Also set for a player whose wait has timed out. */
-        const struct ui_text stamp = { .font = FONT_STALL, .size_px = 28.0f * u, .align = 0.5f,
-                                       .fill = 0xff9a80ffu, .fit_px = 46.0f * u };
+        const struct ui_text stamp = { .font = FONT_STALL,
+                                       .size_px = 28.0f * u,
+                                       .align = 0.5f,
+                                       .fill = 0xff9a80ffu,
+                                       .fit_px = 46.0f * u };
         ui_text(frame->batch, &stamp, x, ui_text_middle(&stamp, y),
                 text_words(frame->language, TEXT_OUT));
     } else if (state->lost) {
-        const struct ui_text ask = { .font = FONT_STALL, .size_px = 40.0f * u, .align = 0.5f,
+        const struct ui_text ask = { .font = FONT_STALL,
+                                     .size_px = 40.0f * u,
+                                     .align = 0.5f,
                                      .fill = ui_fade(0xff9a80ffu,
                                                      0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)) };
         ui_text(frame->batch, &ask, x, ui_text_middle(&ask, y), "?");
@@ -101,14 +110,17 @@ static void plate(const struct ui_frame *frame, const struct scene *scene,
     const float y = box.y + (judged ? 27.0f * u : 0.5f * box.height);
     const float since_s = (float)(scene->tick - memory->caught_tick[player]) * CORE_TICK_S;
     const float pop = memory->caught[player] > 0 ? 1.0f - ui_smooth(0.0f, POP_S, since_s) : 0.0f;
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = (38.0f + 8.0f * pop) * u,
-                                    .fill = 0xfff8eaffu, .fit_px = box.width - 112.0f * u };
+    const struct ui_text digits = { .font = FONT_STALL,
+                                    .size_px = (38.0f + 8.0f * pop) * u,
+                                    .fill = 0xfff8eaffu,
+                                    .fit_px = box.width - 112.0f * u };
     char number[12];
     text_number(number, sizeof number, "{}", scene->caught[player]);
     ui_plate(frame, box);
     const struct ui_box band = { box.x + 4.0f * u, box.y + 10.0f * u, 5.0f * u,
                                  box.height - 20.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = band, .kind = UI_PANEL,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = band,
+                                               .kind = UI_PANEL,
                                                .fill = ui_player_colours[player],
                                                .shape = { 0, 0, 2.5f * u } });
     ui_player_mark(frame, box.x + 32.0f * u, y, 17.0f * u, player);

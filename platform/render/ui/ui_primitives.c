@@ -35,15 +35,19 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
     const float width = size * 0.80f, cord = size * 0.30f, cap = size * 0.085f;
     const float middle_x = x + sway, top = y + cord;
     const struct ui_box halo = { middle_x - size, top - size * 0.45f, size * 2.0f, size * 1.9f };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .fill = 0xff9a3c50u,
-                                               .shape = { 0, 0, 1.0f } });
+    ui_shape(frame->batch,
+             &(struct ui_shape){
+                 .box = halo, .kind = UI_GLOW, .fill = 0xff9a3c50u, .shape = { 0, 0, 1.0f } });
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - size * 0.012f, y, size * 0.024f, cord + cap },
-                                 .kind = UI_PANEL, .fill = 0x1a1216ffu, .lean_px = sway });
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { middle_x - 0.5f * width, top, width, size },
-                                 .kind = UI_LANTERN, .shape = { 0, 0, flicker },
-                                 .fill = 0xf0452cffu, .lean_px = sway * 0.3f });
+                                 .kind = UI_PANEL,
+                                 .fill = 0x1a1216ffu,
+                                 .lean_px = sway });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = { middle_x - 0.5f * width, top, width, size },
+                                               .kind = UI_LANTERN,
+                                               .shape = { 0, 0, flicker },
+                                               .fill = 0xf0452cffu,
+                                               .lean_px = sway * 0.3f });
     for (uint32_t i = 0; i < 2u; i++) {
         const struct ui_box rim = { middle_x - 0.23f * width + sway * 0.3f * (float)i,
                                     top - 0.45f * cap + (float)i * (size - 0.1f * cap),
@@ -54,8 +58,11 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
                                                    .line = UI_GOLD,
                                                    .shape = { 0, 0, 0.2f * cap, 0.14f * cap } });
     }
-    const struct ui_text brush = { .font = FONT_BRUSH, .size_px = size * 0.56f, .align = 0.5f,
-                                   .weight_em = 0.020f, .fill = 0x2a0d0cffu };
+    const struct ui_text brush = { .font = FONT_BRUSH,
+                                   .size_px = size * 0.56f,
+                                   .align = 0.5f,
+                                   .weight_em = 0.020f,
+                                   .fill = 0x2a0d0cffu };
     ui_text(frame->batch, &brush, middle_x + sway * 0.15f,
             ui_text_middle(&brush, top + 0.52f * size), text_words(frame->language, TEXT_LANTERN));
 }
@@ -68,26 +75,34 @@ static void noren_strip(const struct ui_frame *frame, struct ui_box box, uint32_
     for (uint32_t i = 0; i < 2u; i++) {
         const struct ui_box loop = { box.x + box.width * (0.18f + 0.54f * (float)i),
                                      box.y - 21.0f * u, box.width * 0.10f, 26.0f * u };
-        ui_shape(frame->batch, &(struct ui_shape){ .box = loop, .kind = UI_PANEL,
-                                                   .fill = 0x2b3878ffu, .line = 0x0b1030ffu,
+        ui_shape(frame->batch, &(struct ui_shape){ .box = loop,
+                                                   .kind = UI_PANEL,
+                                                   .fill = 0x2b3878ffu,
+                                                   .line = 0x0b1030ffu,
                                                    .shape = { 0, 0, 3.0f * u, 1.2f * u } });
     }
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WAVES, .fill = UI_INDIGO,
-                                               .line = 0x0b1030ffu, .lean_px = lean,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_WAVES,
+                                               .fill = UI_INDIGO,
+                                               .line = 0x0b1030ffu,
+                                               .lean_px = lean,
                                                .shape = { 0, 0, 9.0f * u, 1.5f * u } });
     const struct ui_box hem = { box.x + lean * 0.93f + 5.0f * u, box.y + box.height * 0.935f,
                                 box.width - 10.0f * u, 2.5f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = hem, .kind = UI_PANEL, .fill = 0xfff6e2b0u,
-                                               .shape = { 0, 0, 1.2f * u } });
+    ui_shape(frame->batch,
+             &(struct ui_shape){
+                 .box = hem, .kind = UI_PANEL, .fill = 0xfff6e2b0u, .shape = { 0, 0, 1.2f * u } });
 }
 
 static void noren_title(const struct ui_frame *frame, float left, float top, float width,
                         float height)
 {
     const int brush = frame->language == LANGUAGE_JA;
-    struct ui_text title = { .font = brush ? FONT_BRUSH : FONT_STALL, .align = 0.5f,
+    struct ui_text title = { .font = brush ? FONT_BRUSH : FONT_STALL,
+                             .align = 0.5f,
                              .size_px = brush ? height * 0.86f : height * 0.56f,
-                             .weight_em = brush ? 0.022f : 0.004f, .fill = 0xfff6e2ffu };
+                             .weight_em = brush ? 0.022f : 0.004f,
+                             .fill = 0xfff6e2ffu };
     const char *words = text_words(frame->language, TEXT_TITLE);
     if (!brush) {
         title.fit_px = width * 0.92f;
@@ -118,7 +133,9 @@ void ui_noren(const struct ui_frame *frame, float lift)
     const float left = 0.5f * (frame->width - width), strip = width / (float)NOREN_STRIPS;
     const float top = 24.0f * u - lift * (height + 200.0f * u);
     const struct ui_box pole = { left - 130.0f * u, top - 9.0f * u, width + 260.0f * u, 15.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = pole, .kind = UI_WASHI, .fill = 0x8a5a34ffu,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = pole,
+                                               .kind = UI_WASHI,
+                                               .fill = 0x8a5a34ffu,
                                                .line = 0x3a2214ffu,
                                                .shape = { 0, 0, 7.0f * u, 2.0f * u } });
     for (uint32_t i = 0; i < NOREN_STRIPS; i++) {
@@ -149,18 +166,25 @@ void ui_card(const struct ui_frame *frame, struct ui_box box)
     /* The shadow is drawn only where it is visible, because a card covers many pixels. */
     const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
                                   box.width + 4.0f * u, 38.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL, .fill = 0x05061c80u,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = shade,
+                                               .kind = UI_PANEL,
+                                               .fill = 0x05061c80u,
                                                .shape = { 0, 0, 16.0f * u } });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
-                                               .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_WASHI,
+                                               .fill = UI_WASHI_WHITE,
+                                               .line = 0xb5762fffu,
                                                .shape = { 0, 0, 14.0f * u, 3.0f * u } });
 }
 
 float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words)
 {
     const float pad = 0.95f * ribbon->size_px, height = 1.95f * ribbon->size_px;
-    const struct ui_text text = { .font = ribbon->font, .size_px = ribbon->size_px, .align = 0.5f,
-                                  .fill = ribbon->ink, .fit_px = ribbon->room_px - 2.0f * pad };
+    const struct ui_text text = { .font = ribbon->font,
+                                  .size_px = ribbon->size_px,
+                                  .align = 0.5f,
+                                  .fill = ribbon->ink,
+                                  .fit_px = ribbon->room_px - 2.0f * pad };
     const float width = ui_text_width(&text, words) + 2.0f * pad;
     const struct ui_box box = { ribbon->x - 0.5f * width, ribbon->y - 0.5f * height, width,
                                 height };

@@ -5,9 +5,9 @@
 
 #include "platform/render/ui/ui_batch.h"
 
-#define UI_INDIGO 0x1b2452ffu     /* Dyed cloth. */
-#define UI_NIGHT 0x10142eb8u      /* Translucent dyed cloth, for plates that show the tank
-                                     through. */
+#define UI_INDIGO 0x1b2452ffu /* Dyed cloth. */
+/* Translucent dyed cloth, for plates that show the tank through. */
+#define UI_NIGHT 0x10142eb8u
 #define UI_VERMILION 0xd9402affu
 #define UI_GOLD 0xe8b85cffu
 #define UI_GOLD_DIM 0xe8b85c80u
@@ -19,7 +19,7 @@
 struct ui_frame {
     struct ui_batch *batch;
     float width, height, unit;
-    float time_s;           /* Time for swaying and pulsing. */
+    float time_s; /* Time for swaying and pulsing. */
     uint8_t language;
 };
 
@@ -55,7 +55,7 @@ struct ui_ribbon {
     float x, y, size_px;
     enum font_id font;
     uint32_t fill, line, ink;
-    float room_px;          /* Maximum width; longer text shrinks. */
+    float room_px; /* Maximum width; longer text shrinks. */
 };
 float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words);
 

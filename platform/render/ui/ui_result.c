@@ -40,14 +40,18 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
 static void seal(const struct ui_frame *frame, float x, float y, float in, const char *words)
 {
     const float u = frame->unit;
-    const struct ui_text text = { .font = FONT_STALL, .size_px = 27.0f * u * (2.0f - in),
-                                  .align = 0.5f, .fill = 0xfff1ddffu,
+    const struct ui_text text = { .font = FONT_STALL,
+                                  .size_px = 27.0f * u * (2.0f - in),
+                                  .align = 0.5f,
+                                  .fill = 0xfff1ddffu,
                                   .fit_px = 216.0f * u * (2.0f - in) };
     const float width = ui_text_width(&text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
     frame->batch->opacity = in;
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - 0.5f * width, y - 0.5f * height, width, height },
-                                 .kind = UI_WASHI, .fill = 0xc92c1cffu, .line = 0xfff1ddb0u,
+                                 .kind = UI_WASHI,
+                                 .fill = 0xc92c1cffu,
+                                 .line = 0xfff1ddb0u,
                                  .shape = { 0, 0, 8.0f * u, 2.5f * u } });
     ui_text(frame->batch, &text, x, ui_text_middle(&text, y), words);
     frame->batch->opacity = 1.0f;
@@ -66,8 +70,9 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
     const float u = frame->unit;
     char number[12];
     text_number(number, sizeof number, "{}", counted_up(scene, player));
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = 116.0f * u, .fill = UI_INK,
-                                    .fit_px = 320.0f * u };
+    const struct ui_text digits = {
+        .font = FONT_STALL, .size_px = 116.0f * u, .fill = UI_INK, .fit_px = 320.0f * u
+    };
     const struct ui_text unit = { .font = FONT_STALL, .size_px = 48.0f * u, .fill = UI_INK_SOFT };
     const char *words = text_words(frame->language, TEXT_UNIT);
     const float fish = 164.0f * u, gap = 20.0f * u;
@@ -84,8 +89,11 @@ static void ui_result_heading(const struct ui_frame *frame, const struct scene *
                               struct ui_box box)
 {
     const float u = frame->unit;
-    const struct ui_text text = { .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f,
-                                  .fill = UI_INK_SOFT, .fit_px = box.width - 60.0f * u };
+    const struct ui_text text = { .font = FONT_STALL,
+                                  .size_px = 30.0f * u,
+                                  .align = 0.5f,
+                                  .fill = UI_INK_SOFT,
+                                  .fit_px = box.width - 60.0f * u };
     char words[2u * TEXT_LINE_MAX];
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
              text_words(frame->language, TEXT_RESULT));
@@ -97,8 +105,10 @@ static void last_line(const struct ui_frame *frame, const struct scene *scene, s
 {
     const float u = frame->unit;
     const int scored = rules_of(scene->mode)->keeps_score;
-    const struct ui_text small = { .font = scored ? FONT_STALL : FONT_BODY, .align = 0.5f,
-                                   .size_px = 25.0f * u, .fill = 0x8a5a1cffu,
+    const struct ui_text small = { .font = scored ? FONT_STALL : FONT_BODY,
+                                   .align = 0.5f,
+                                   .size_px = 25.0f * u,
+                                   .fill = 0x8a5a1cffu,
                                    .fit_px = box.width - 60.0f * u };
     char best[TEXT_LINE_MAX];
     ui_best_words(scene, best, sizeof best);
@@ -119,13 +129,15 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
                                   .spacing_em = brush ? -0.10f : 0.0f,
                                   .fill = 0xc8301effu,
                                   .fit_px = box.width - 60.0f * u };
-    const struct ui_text words = { .font = FONT_BODY, .size_px = 27.0f * u, .align = 0.5f,
-                                   .fill = UI_INK, .fit_px = box.width - 60.0f * u };
+    const struct ui_text words = { .font = FONT_BODY,
+                                   .size_px = 27.0f * u,
+                                   .align = 0.5f,
+                                   .fill = UI_INK,
+                                   .fit_px = box.width - 60.0f * u };
     frame->batch->opacity = ui_smooth(1.1f, 1.5f, scene->phase_s);
     ui_text(frame->batch, &word, x, ui_text_middle(&word, box.y + 252.0f * u),
             text_words(frame->language, grade->praise));
-    ui_text(frame->batch, &words, x, box.y + 338.0f * u,
-            text_words(frame->language, grade->words));
+    ui_text(frame->batch, &words, x, box.y + 338.0f * u, text_words(frame->language, grade->words));
     frame->batch->opacity = 1.0f;
 }
 
@@ -133,10 +145,16 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
 static void given_back(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width;
-    const struct ui_text word = { .font = FONT_STALL, .size_px = 64.0f * u, .align = 0.5f,
-                                  .fill = 0xc8301effu, .fit_px = box.width - 60.0f * u };
-    const struct ui_text words = { .font = FONT_BODY, .size_px = 27.0f * u, .align = 0.5f,
-                                   .fill = UI_INK, .fit_px = box.width - 60.0f * u };
+    const struct ui_text word = { .font = FONT_STALL,
+                                  .size_px = 64.0f * u,
+                                  .align = 0.5f,
+                                  .fill = 0xc8301effu,
+                                  .fit_px = box.width - 60.0f * u };
+    const struct ui_text words = { .font = FONT_BODY,
+                                   .size_px = 27.0f * u,
+                                   .align = 0.5f,
+                                   .fill = UI_INK,
+                                   .fit_px = box.width - 60.0f * u };
     ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
     ui_text(frame->batch, &word, x, ui_text_middle(&word, box.y + 238.0f * u),
             text_words(frame->language, TEXT_GIVEN_BACK));
@@ -152,7 +170,8 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
     result_count(frame, scene, player, box.x + 0.5f * box.width, box.y + 128.0f * u);
     praise(frame, scene, player, box);
     if (rules_of(scene->mode)->judges) {
-        const struct ui_text label = { .font = FONT_STALL, .size_px = 24.0f * u,
+        const struct ui_text label = { .font = FONT_STALL,
+                                       .size_px = 24.0f * u,
                                        .fill = UI_INK_SOFT };
         const float x = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
         const float width = ui_text(frame->batch, &label, x, ui_text_middle(&label, y),
@@ -180,16 +199,19 @@ static void ranked(const struct ui_frame *frame, const struct scene *scene, uint
     char words[TEXT_LINE_MAX], number[12];
     text_number(words, sizeof words, text_words(frame->language, TEXT_PLACE), place + 1u);
     text_number(number, sizeof number, "{}", counted_up(scene, player));
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = row, .kind = UI_PANEL,
-                                 .fill = ui_fade(ui_player_colours[player],
-                                                 place == 0 ? 0.42f : 0.20f),
-                                 .line = ui_fade(ui_player_colours[player],
-                                                 place == 0 ? 1.0f : 0.5f),
-                                 .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_shape(
+        frame->batch,
+        &(struct ui_shape){ .box = row,
+                            .kind = UI_PANEL,
+                            .fill = ui_fade(ui_player_colours[player], place == 0 ? 0.42f : 0.20f),
+                            .line = ui_fade(ui_player_colours[player], place == 0 ? 1.0f : 0.5f),
+                            .shape = { 0, 0, 10.0f * u, 2.0f * u } });
     const struct ui_text rank = { .font = FONT_STALL, .size_px = 36.0f * u, .fill = UI_INK };
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = 44.0f * u, .align = 1.0f,
-                                    .fill = UI_INK, .fit_px = 150.0f * u };
+    const struct ui_text digits = { .font = FONT_STALL,
+                                    .size_px = 44.0f * u,
+                                    .align = 1.0f,
+                                    .fill = UI_INK,
+                                    .fit_px = 150.0f * u };
     const struct ui_text unit = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_INK_SOFT };
     ui_text(frame->batch, &rank, row.x + 24.0f * u, ui_text_middle(&rank, y), words);
     ui_player_mark(frame, row.x + 148.0f * u, y, 22.0f * u, player);

@@ -56,13 +56,16 @@ static void time_ring(const struct ui_frame *frame, const struct scene *scene, f
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
                                  .kind = UI_RING,
-                                 .fill = hurry ? UI_VERMILION : UI_GOLD, .line = 0xffffff28u,
+                                 .fill = hurry ? UI_VERMILION : UI_GOLD,
+                                 .line = 0xffffff28u,
                                  .shape = { radius, 6.0f * u,
                                             total > 0.0f ? scene->seconds_left / total : 0.0f } });
     char number[12];
     text_number(number, sizeof number, "{}", (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f)));
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = (36.0f + 5.0f * beat) * u,
-                                    .align = 0.5f, .fit_px = 56.0f * u,
+    const struct ui_text digits = { .font = FONT_STALL,
+                                    .size_px = (36.0f + 5.0f * beat) * u,
+                                    .align = 0.5f,
+                                    .fit_px = 56.0f * u,
                                     .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
     struct ui_text fitted = digits;
     fitted.size_px = ui_text_size(&digits, number);
@@ -79,8 +82,10 @@ static void time_digits(const struct ui_frame *frame, const struct scene *scene,
     char words[16], minutes[12];
     text_number(minutes, sizeof minutes, "{}:", left / 60u);
     snprintf(words, sizeof words, "%s%02u", minutes, left % 60u);
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = (58.0f + 5.0f * beat) * u,
-                                    .align = 0.5f, .fit_px = TIME_WIDTH * u,
+    const struct ui_text digits = { .font = FONT_STALL,
+                                    .size_px = (58.0f + 5.0f * beat) * u,
+                                    .align = 0.5f,
+                                    .fit_px = TIME_WIDTH * u,
                                     .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
     ui_text(frame->batch, &digits, x, ui_text_middle(&digits, y), words);
 }
@@ -96,8 +101,9 @@ static float state_plate(const struct ui_frame *frame, const struct scene *scene
                          int alone)
 {
     const float u = frame->unit, height = 88.0f * u, top = 16.0f * u, y = top + 0.5f * height;
-    const struct ui_text label = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD,
-                                   .fit_px = 88.0f * u };
+    const struct ui_text label = {
+        .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD, .fit_px = 88.0f * u
+    };
     char grade[TEXT_LINE_MAX];
     text_number(grade, sizeof grade, text_words(frame->language, TEXT_GRADE), scene->grade);
     const int names_time = alone && !is_long(scene);
@@ -107,8 +113,8 @@ static float state_plate(const struct ui_frame *frame, const struct scene *scene
     const float poi_width = alone ? 76.0f * u : 0.0f;
     const float time_width = names_time ? ui_text_width(&label, time) + 6.0f * u : 0.0f;
     const float clock_width = is_long(scene) ? TIME_WIDTH * u : 74.0f * u;
-    const float width = 20.0f * u + paper_width + poi_width + 20.0f * u + time_width + clock_width +
-                        16.0f * u;
+    const float width =
+        20.0f * u + paper_width + poi_width + 20.0f * u + time_width + clock_width + 16.0f * u;
     const float left = frame->width - 18.0f * u - width, baseline = ui_text_middle(&label, y);
     ui_plate(frame, (struct ui_box){ left, top, width, height });
     float x = left + 20.0f * u;
@@ -136,15 +142,18 @@ static void stress_legend(const struct ui_frame *frame, float top)
 {
     const float u = frame->unit, width = 256.0f * u, height = 92.0f * u;
     const float left = frame->width - 18.0f * u - width, room = width - 28.0f * u;
-    const struct ui_text title = { .font = FONT_BODY, .size_px = 23.0f * u, .align = 0.5f,
-                                   .fill = 0xfff8eaffu, .fit_px = room };
+    const struct ui_text title = {
+        .font = FONT_BODY, .size_px = 23.0f * u, .align = 0.5f, .fill = 0xfff8eaffu, .fit_px = room
+    };
     struct ui_text end = { .font = FONT_BODY, .size_px = 22.0f * u, .fill = UI_GOLD };
     ui_plate(frame, (struct ui_box){ left, top, width, height });
     ui_text(frame->batch, &title, left + 0.5f * width, ui_text_middle(&title, top + 21.0f * u),
             text_words(frame->language, TEXT_STRESS));
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { left + 14.0f * u, top + 39.0f * u, room, 17.0f * u },
-                                 .kind = UI_HEAT, .fill = 0xffffffffu, .line = 0x0a0c24ffu,
+                                 .kind = UI_HEAT,
+                                 .fill = 0xffffffffu,
+                                 .line = 0x0a0c24ffu,
                                  .shape = { 0, 0, 5.0f * u, 1.5f * u } });
     const float y = ui_text_middle(&end, top + 73.0f * u);
     ui_text(frame->batch, &end, left + 14.0f * u, y, text_words(frame->language, TEXT_STRESS_LOW));

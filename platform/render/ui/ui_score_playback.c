@@ -11,7 +11,8 @@ void ui_score_playback_fade(const struct ui_frame *frame, const struct scene *sc
 {
     if (scene->veil > 0.0f) {
         const struct ui_box all = { 0.0f, 0.0f, frame->width, frame->height };
-        ui_shape(frame->batch, &(struct ui_shape){ .box = all, .kind = UI_PANEL,
+        ui_shape(frame->batch, &(struct ui_shape){ .box = all,
+                                                   .kind = UI_PANEL,
                                                    .fill = ui_fade(0x05060fffu, scene->veil) });
     }
 }
@@ -42,8 +43,7 @@ static void ui_score_playback_bar(const struct ui_frame *frame, float y, float s
     const float u = frame->unit, width = BAR_WIDTH * u, height = BAR_HEIGHT * u;
     const struct ui_box whole = { 0.5f * (frame->width - width), y, width, height };
     const struct ui_box done = { whole.x, y, width * ui_clamp01(share), height };
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = whole, .kind = UI_PANEL, .fill = UI_NIGHT });
+    ui_shape(frame->batch, &(struct ui_shape){ .box = whole, .kind = UI_PANEL, .fill = UI_NIGHT });
     ui_shape(frame->batch, &(struct ui_shape){ .box = done, .kind = UI_PANEL, .fill = UI_GOLD });
 }
 

@@ -59,7 +59,7 @@ static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
     case PHASE_MENU:
         ui_menu(frame, scene);
         return; /* The menu shows warnings itself. */
-    default: /* PHASE_WORDLESS */
+    default:    /* PHASE_WORDLESS */
         return;
     }
     ui_warnings(frame, scene);

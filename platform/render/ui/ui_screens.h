@@ -11,10 +11,10 @@
 
 /* What was shown last, so that a change can fade in. Zero is a valid initial value. */
 struct ui_memory {
-    uint32_t hint_tick;          /* Tick of the last change of the hint. */
+    uint32_t hint_tick;            /* Tick of the last change of the hint. */
     uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's catch. */
     uint32_t caught[POI_MAX];
-    uint32_t pointed_tick;       /* Tick of the last change of the selected mode. */
+    uint32_t pointed_tick;           /* Tick of the last change of the selected mode. */
     uint8_t pointed, pointed_before; /* Selected mode, and the mode selected before. */
     uint8_t hint;
     const struct library *library; /* Makers' species, behind the built-in ones; null: none. */

@@ -238,8 +238,7 @@ const char *const ui_fragment_head =
 /* clang-format on */
 
 const char *const ui_fragment_sources[UI_KIND_COUNT] = {
-    [UI_GLYPH] = GLYPH, [UI_PANEL] = PANEL,     [UI_WASHI] = WASHI, [UI_WAVES] = WAVES,
-    [UI_RING] = RING,   [UI_GLOW] = GLOW,       [UI_LANTERN] = LANTERN,
-    [UI_FISH] = FISH,   [UI_POI] = POI,         [UI_WOOD] = WOOD,   [UI_HEAT] = HEAT,
-    [UI_WATER] = WATER,
+    [UI_GLYPH] = GLYPH, [UI_PANEL] = PANEL, [UI_WASHI] = WASHI,     [UI_WAVES] = WAVES,
+    [UI_RING] = RING,   [UI_GLOW] = GLOW,   [UI_LANTERN] = LANTERN, [UI_FISH] = FISH,
+    [UI_POI] = POI,     [UI_WOOD] = WOOD,   [UI_HEAT] = HEAT,       [UI_WATER] = WATER,
 };

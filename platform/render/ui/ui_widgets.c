@@ -13,24 +13,29 @@ void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
     const float height = 0.56f * width;
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - 0.5f * width, y - 0.5f * height, width, height },
-                                 .kind = UI_FISH, .fill = 0xf2552effu, .line = 0xfff4e4ffu,
+                                 .kind = UI_FISH,
+                                 .fill = 0xf2552effu,
+                                 .line = 0xfff4e4ffu,
                                  .shape = { 0, 0, sinf(frame->time_s * 6.0f) } });
 }
 
 void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
-                     uint32_t ring)
+                 uint32_t ring)
 {
     const float reach = 1.5f * radius; /* The handle points to the lower right. */
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
-                                 .kind = UI_POI, .fill = ring,
+                                 .kind = UI_POI,
+                                 .fill = ring,
                                  .shape = { radius, ui_clamp01(paper_left) } });
 }
 
 void ui_plate(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box, .kind = UI_WAVES, .fill = UI_NIGHT,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                               .kind = UI_WAVES,
+                                               .fill = UI_NIGHT,
                                                .line = UI_GOLD_DIM,
                                                .shape = { 0, 0, 16.0f * u, 1.5f * u } });
 }
@@ -38,10 +43,14 @@ void ui_plate(const struct ui_frame *frame, struct ui_box box)
 static const char *hint_words(uint8_t language, uint8_t hint)
 {
     static const uint16_t keys[HINT_COUNT] = {
-        [HINT_START] = TEXT_HINT_START,   [HINT_MOVE] = TEXT_HINT_MOVE,
-        [HINT_DIP] = TEXT_HINT_DIP,       [HINT_LIFT] = TEXT_HINT_LIFT,
-        [HINT_BOWL] = TEXT_HINT_BOWL,     [HINT_TILT] = TEXT_HINT_TILT,
-        [HINT_SLOWLY] = TEXT_HINT_SLOWLY, [HINT_GLIDE] = TEXT_HINT_GLIDE,
+        [HINT_START] = TEXT_HINT_START,
+        [HINT_MOVE] = TEXT_HINT_MOVE,
+        [HINT_DIP] = TEXT_HINT_DIP,
+        [HINT_LIFT] = TEXT_HINT_LIFT,
+        [HINT_BOWL] = TEXT_HINT_BOWL,
+        [HINT_TILT] = TEXT_HINT_TILT,
+        [HINT_SLOWLY] = TEXT_HINT_SLOWLY,
+        [HINT_GLIDE] = TEXT_HINT_GLIDE,
         [HINT_TORN] = TEXT_HINT_TORN,
         [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
         [HINT_WET_ALL] = TEXT_HINT_WET_ALL,
@@ -113,13 +122,18 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
     const enum text_key asks = ui_lacks_poi(scene) ? TEXT_START_NO_POI : key;
     const int is_coin = scene->credit.unpaid && !ui_lacks_poi(scene);
     const char *const words = is_coin ? coins : text_words(frame->language, asks);
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = halo, .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
-                                 .fill = ui_fade(0xff7a30b0u,
-                                                 fmaxf(0.25f + 0.55f * pulse, asking)) });
-    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width, .y = y,
+    ui_shape(
+        frame->batch,
+        &(struct ui_shape){ .box = halo,
+                            .kind = UI_GLOW,
+                            .shape = { 0, 0, 1.0f },
+                            .fill = ui_fade(0xff7a30b0u, fmaxf(0.25f + 0.55f * pulse, asking)) });
+    const struct ui_ribbon ribbon = { .x = 0.5f * frame->width,
+                                      .y = y,
                                       .size_px = (35.0f + 6.0f * asking) * u,
-                                      .font = FONT_STALL, .fill = 0xc8341ff2u, .line = UI_GOLD,
+                                      .font = FONT_STALL,
+                                      .fill = 0xc8341ff2u,
+                                      .line = UI_GOLD,
                                       .ink = ui_fade(0xfff8eaffu, 0.82f + 0.18f * pulse),
                                       .room_px = frame->width - 32.0f * u };
     ui_ribbon(frame, &ribbon, words);
@@ -132,13 +146,17 @@ void ui_best_words(const struct scene *scene, char *out, size_t out_size)
 }
 
 void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
-                     float alpha, const char *words)
+                 float alpha, const char *words)
 {
-    const struct ui_text text = { .font = font, .size_px = size_px, .align = 0.5f,
+    const struct ui_text text = { .font = font,
+                                  .size_px = size_px,
+                                  .align = 0.5f,
                                   .weight_em = font == FONT_BRUSH ? 0.024f : 0.0f,
                                   .spacing_em = font == FONT_BRUSH ? -0.14f : 0.0f,
-                                  .outline_em = 0.014f, .soft_em = 0.035f,
-                                  .fill = 0xfff6e2ffu, .line = 0x9c1f14ffu,
+                                  .outline_em = 0.014f,
+                                  .soft_em = 0.035f,
+                                  .fill = 0xfff6e2ffu,
+                                  .line = 0x9c1f14ffu,
                                   .fit_px = frame->width - 48.0f * frame->unit };
     struct ui_text fitted = text;
     fitted.size_px = ui_text_size(&text, words);

@@ -77,7 +77,7 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
  * one row, left of the `right_px` used by other plates, or in a second row where they do not fit.
  * Returns their lower edge in pixels. */
 float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
-                      const struct ui_memory *memory, float right_px);
+                       const struct ui_memory *memory, float right_px);
 
 /* Draws the players' numbers over their bowls if there are several; during a round only for those
  * who play. */

@@ -157,10 +157,10 @@ int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content 
                           const struct ledger_content *after)
 {
     int code = put_settings(file, before, after);
-    code = code == SQLITE_OK ? put_audits(file, &before->memory.audits, &after->memory.audits)
-                             : code;
-    code = code == SQLITE_OK ? put_ranks(file, &before->memory.ranking, &after->memory.ranking)
-                             : code;
+    code =
+        code == SQLITE_OK ? put_audits(file, &before->memory.audits, &after->memory.audits) : code;
+    code =
+        code == SQLITE_OK ? put_ranks(file, &before->memory.ranking, &after->memory.ranking) : code;
     return code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
 }
 
@@ -173,8 +173,7 @@ static int read_rows(struct ledger_file *file, const char *text, take_row *take,
 {
     sqlite3_stmt *row = NULL;
     int code = sqlite3_prepare_v2(file->db, text, -1, &row, NULL);
-    while ((code == SQLITE_OK || code == SQLITE_ROW) &&
-           (code = sqlite3_step(row)) == SQLITE_ROW) {
+    while ((code == SQLITE_OK || code == SQLITE_ROW) && (code = sqlite3_step(row)) == SQLITE_ROW) {
         take(out, row);
     }
     return sql_end(row, code);

@@ -8,8 +8,8 @@
 #include "platform/store/sqlite/ledger_file.h"
 
 #define LEDGER_PATH_SIZE 600u
-#define LEDGER_PART_SUFFIX ".kingyo-part" /* Suffix of temporary files, which may be deleted at any
-                                             start. */
+/* Suffix of temporary files, which may be deleted at any start. */
+#define LEDGER_PART_SUFFIX ".kingyo-part"
 
 /* Mark in `application_id` of a copy that is intended to be restored. Such a copy may have fewer
  * entries than the kiosk's backup without being treated as a damaged database. */

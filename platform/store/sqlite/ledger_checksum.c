@@ -47,8 +47,7 @@ static int hash_rows(sqlite3 *db, const char *text, uint64_t *hash)
 {
     sqlite3_stmt *row = NULL;
     int code = sqlite3_prepare_v2(db, text, -1, &row, NULL);
-    while ((code == SQLITE_OK || code == SQLITE_ROW) &&
-           (code = sqlite3_step(row)) == SQLITE_ROW) {
+    while ((code == SQLITE_OK || code == SQLITE_ROW) && (code = sqlite3_step(row)) == SQLITE_ROW) {
         *hash = hash_row(*hash, row);
     }
     return sql_end(row, code);

@@ -33,11 +33,11 @@ struct sqlite3_stmt;
 
 /* Error codes of this module; all other codes are SQLite result codes, with SQLITE_OK (0) for
  * success. */
-#define LEDGER_FILE_NEWER (-1) /* Written by a newer version; the file stays unchanged. */
+#define LEDGER_FILE_NEWER (-1)   /* Written by a newer version; the file stays unchanged. */
 #define LEDGER_FILE_FOREIGN (-2) /* Valid, but with the entries of a foreign kiosk. */
 #define LEDGER_FILE_LOCKED (-3)  /* Another process holds the lock of the folder. */
-#define LEDGER_FILE_MOVED (-4) /* The file or its folder was removed, renamed or replaced. */
-#define LEDGER_FILE_LINK (-5) /* The file's path is a symbolic link. */
+#define LEDGER_FILE_MOVED (-4)   /* The file or its folder was removed, renamed or replaced. */
+#define LEDGER_FILE_LINK (-5)    /* The file's path is a symbolic link. */
 
 enum ledger_statement {
     PUT_ENTRY = 0,
@@ -58,11 +58,11 @@ enum ledger_statement {
 
 /* Content of the file, as far as it is on disk. */
 struct ledger_content {
-    struct persistent_state memory;   /* Persistent state; ledger.boots is that of the newest
-                                         entry. */
-    uint32_t tick;                    /* Tick of the newest entry. */
+    struct persistent_state memory;     /* Persistent state; ledger.boots is that of the newest
+                                           entry. */
+    uint32_t tick;                      /* Tick of the newest entry. */
     uint8_t has_setting[SETTING_COUNT]; /* 0: the operator never changed the setting. */
-    bool has_read;                    /* 1: a file was read. */
+    bool has_read;                      /* 1: a file was read. */
 };
 
 /* An open database. The caller owns the structure; zero is closed. */

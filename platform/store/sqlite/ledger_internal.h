@@ -4,8 +4,8 @@
 
 #include "platform/store/sqlite/ledger_file.h"
 
-#define LEDGER_ROW_NAME_SIZE 64u /* Size of the name of a setting, an audit or a state; longer names
-                                    are not written by Kingyo. */
+/* Size of the name of a setting, an audit or a state; longer names are not written by Kingyo. */
+#define LEDGER_ROW_NAME_SIZE 64u
 
 /* ledger_file.c: returns a prepared statement, ready to bind. The statement is prepared at its
  * first use, after its tables exist. */

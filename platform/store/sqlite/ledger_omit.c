@@ -98,11 +98,15 @@ static int open_and_leave(const char *path, enum panics_left left, char words[LE
         ledger_file_close(&file);
     }
     if (code == SQLITE_OK) {
-        snprintf(words, LEDGER_LEAVE_WORDS, STORAGE_FILE STORAGE_LEFT_SUFFIX "%u is the database "
-                 "from before; coins and credits are unchanged", number);
+        snprintf(words, LEDGER_LEAVE_WORDS,
+                 STORAGE_FILE STORAGE_LEFT_SUFFIX "%u is the database "
+                                                  "from before; coins and credits are unchanged",
+                 number);
     } else {
-        snprintf(words, LEDGER_LEAVE_WORDS, "nothing was changed, because " STORAGE_FILE
-                 " could not be copied or written: %.60s", ledger_file_error(code));
+        snprintf(words, LEDGER_LEAVE_WORDS,
+                 "nothing was changed, because " STORAGE_FILE
+                 " could not be copied or written: %.60s",
+                 ledger_file_error(code));
     }
     return code == SQLITE_OK ? 0 : -1;
 }

@@ -8,10 +8,10 @@
 
 #include "platform/panic_count.h"
 
-#define LEDGER_LEFT_MAX 99u             /* Largest number of copies; at this number nothing more is
-                                           deleted. */
+/* Largest number of copies; at this number nothing more is deleted. */
+#define LEDGER_LEFT_MAX 99u
 #define LEDGER_LEAVE_WORDS 160u
-#define LEDGER_LEAVE_NONE 1             /* There is no database. */
+#define LEDGER_LEAVE_NONE 1 /* There is no database. */
 
 /* Opens kingyo.db in the folder `data`, which the caller has locked (directory_lock()), and deletes
  * the data that `left` names. Writes the result as text to `words`. Returns 0, LEDGER_LEAVE_NONE,

@@ -9,8 +9,8 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-#define BUSY_MS 2000 /* Time in ms for which another program (kingyoctl, a backup) may lock the
-                        file. */
+/* Time in ms for which another program (kingyoctl, a backup) may lock the file. */
+#define BUSY_MS 2000
 
 /* A write-ahead log, the cheapest of all journals that lose nothing in a power cut (`make
  * bench-journals`). This journal needs the fewest writes and the fewest syncs, a third of a

@@ -95,9 +95,9 @@ static int write_anew(struct ledger_file *file)
     sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);
     const int code = sql_run(file->db, "VACUUM");
     sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 0);
-    return code == SQLITE_OK ? sqlite3_wal_checkpoint_v2(file->db, "main",
-                                                         SQLITE_CHECKPOINT_TRUNCATE, NULL, NULL)
-                             : code;
+    return code == SQLITE_OK
+               ? sqlite3_wal_checkpoint_v2(file->db, "main", SQLITE_CHECKPOINT_TRUNCATE, NULL, NULL)
+               : code;
 }
 
 static int remove_mark(struct ledger_file *file)

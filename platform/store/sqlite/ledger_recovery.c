@@ -177,11 +177,9 @@ static void open_from(struct salvage *salvage, const char *path)
     static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'"
                               " AND type = 'table' AND sql LIKE 'CREATE TABLE%'";
     int64_t has_entries = 0;
-    salvage->has_from = path &&
-                        sql_open(path, SQLITE_OPEN_READONLY, NULL, &salvage->from.db) ==
-                            SQLITE_OK &&
-                        sql_number(salvage->from.db, any, &has_entries) == SQLITE_OK &&
-                        has_entries;
+    salvage->has_from =
+        path && sql_open(path, SQLITE_OPEN_READONLY, NULL, &salvage->from.db) == SQLITE_OK &&
+        sql_number(salvage->from.db, any, &has_entries) == SQLITE_OK && has_entries;
 }
 
 int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
@@ -189,8 +187,12 @@ int ledger_recover(const char *path, const struct ledger_mirror *tail, struct le
 {
     static const struct ledger_mirror none;
     const uint32_t before_id = to->content.memory.ledger.last_id;
-    struct salvage salvage = { .from = { .refusal = SQLITE_READONLY }, .to = to, .tail = tail,
-                               .first = before_id + 1u, .last = before_id, .knows_last = true };
+    struct salvage salvage = { .from = { .refusal = SQLITE_READONLY },
+                               .to = to,
+                               .tail = tail,
+                               .first = before_id + 1u,
+                               .last = before_id,
+                               .knows_last = true };
     open_from(&salvage, path);
     if (salvage.has_from) {
         find_ends(&salvage);

@@ -7,7 +7,6 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-
 /* Deletes old data. Entries are deleted in large groups, so that most calls write nothing. */
 static const char prune[] =
     "BEGIN IMMEDIATE;"

@@ -44,9 +44,9 @@ static uint64_t hash_words(uint64_t hash, const uint32_t *words, int count)
 
 static uint64_t round_sum(uint64_t sum, const struct round_record *round)
 {
-    const uint32_t words[] = { round->seed,  round->start_tick, round->end_tick, round->caught,
-                               round->by_bot, round->mode,      round->grade,    round->players,
-                               round->unscored };
+    const uint32_t words[] = { round->seed,   round->start_tick, round->end_tick,
+                               round->caught, round->by_bot,     round->mode,
+                               round->grade,  round->players,    round->unscored };
     const uint32_t stall[] = { round->fish_count, round->round_s, round->preset };
     sum = hash_words(sum, words, COUNT(words));
     sum = round->fish_count > 0 ? hash_words(sum, stall, COUNT(stall)) : sum;
@@ -104,11 +104,10 @@ static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
 static int put_round(struct ledger_file *file, const struct ledger_entry *entry)
 {
     const struct round_record *round = &entry->round;
-    const int64_t values[] = { entry->id,         entry->boot,     entry->day,    entry->minute,
-                               round->seed,       round->start_tick, round->end_tick,
-                               round->caught,     round->by_bot,   round->mode,   round->grade,
-                               round->players,    round->unscored, round->fish_count,
-                               round->round_s,    round->preset };
+    const int64_t values[] = { entry->id,       entry->boot,       entry->day,      entry->minute,
+                               round->seed,     round->start_tick, round->end_tick, round->caught,
+                               round->by_bot,   round->mode,       round->grade,    round->players,
+                               round->unscored, round->fish_count, round->round_s,  round->preset };
     sqlite3_stmt *put = NULL;
     const int code = ledger_statement(file, PUT_ROUND, &put);
     return code == SQLITE_OK ? sql_put_one(put, values, COUNT(values)) : code;
@@ -219,8 +218,7 @@ static int read_players(struct ledger_file *file, uint32_t id, struct round_reco
                                   " fouls FROM round_players WHERE round = ?",
                                   -1, &row, NULL);
     sqlite3_bind_int64(row, 1, id);
-    while ((code == SQLITE_OK || code == SQLITE_ROW) &&
-           (code = sqlite3_step(row)) == SQLITE_ROW) {
+    while ((code == SQLITE_OK || code == SQLITE_ROW) && (code = sqlite3_step(row)) == SQLITE_ROW) {
         const uint32_t seat = word(row, 0);
         if (seat < POI_MAX) {
             round->player[seat] = (struct player_record){
@@ -239,8 +237,8 @@ static int read_players(struct ledger_file *file, uint32_t id, struct round_reco
 static int read_round(struct ledger_file *file, uint32_t id, struct round_record *round)
 {
     sqlite3_stmt *row = NULL;
-    int code = sqlite3_prepare_v2(
-        file->db, ROUND_COLUMNS "fish_count, round_s, preset" ROUND_OF, -1, &row, NULL);
+    int code = sqlite3_prepare_v2(file->db, ROUND_COLUMNS "fish_count, round_s, preset" ROUND_OF,
+                                  -1, &row, NULL);
     if (code == SQLITE_ERROR) {
         code = sqlite3_prepare_v2(file->db, ROUND_COLUMNS "0, 0, 0" ROUND_OF, -1, &row, NULL);
     }

@@ -147,9 +147,8 @@ static int carry_all_over(struct ledger_file *file)
 {
     sqlite3_stmt *old = NULL, *players = NULL;
     int code = sqlite3_prepare_v2(file->db, select_old, -1, &old, NULL);
-    code = code == SQLITE_OK
-               ? sqlite3_prepare_v2(file->db, select_old_players, -1, &players, NULL)
-               : code;
+    code = code == SQLITE_OK ? sqlite3_prepare_v2(file->db, select_old_players, -1, &players, NULL)
+                             : code;
     code = code == SQLITE_OK ? carry_over(file, old, players) : code;
     sqlite3_finalize(players);
     sqlite3_finalize(old);

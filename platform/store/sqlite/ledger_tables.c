@@ -31,7 +31,7 @@ static const struct table {
       " caught INTEGER NOT NULL," /* Total of all players. */
       " by_bot INTEGER NOT NULL,"
       " ended_at INTEGER NOT NULL)" }, /* Unix time, seconds. */
-    { 2, 2, "rounds", /* As version 1, with columns appended by ALTER TABLE. */
+    { 2, 2, "rounds",                  /* As version 1, with columns appended by ALTER TABLE. */
       "CREATE TABLE rounds ("
       " number INTEGER PRIMARY KEY, id INTEGER NOT NULL, seed INTEGER NOT NULL,"
       " start_tick INTEGER NOT NULL, end_tick INTEGER NOT NULL, caught INTEGER NOT NULL,"
@@ -92,8 +92,7 @@ static const struct table {
       " PRIMARY KEY (mode, period, place)) WITHOUT ROWID" },
     { 3, NOW, "state",
       "CREATE TABLE state (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID" },
-    { 3, NOW, "replays",
-      "CREATE TABLE replays (round INTEGER PRIMARY KEY, bytes BLOB NOT NULL)" },
+    { 3, NOW, "replays", "CREATE TABLE replays (round INTEGER PRIMARY KEY, bytes BLOB NOT NULL)" },
 };
 #define TABLE_COUNT (sizeof tables / sizeof tables[0])
 
@@ -156,8 +155,7 @@ int ledger_schema_check(sqlite3 *db, int64_t user_version)
     bool has_other = user_version < 0 || user_version > LEDGER_FILE_VERSION;
     sqlite3_stmt *row = NULL;
     int code = sqlite3_prepare_v2(db, SELECT_SCHEMA, -1, &row, NULL);
-    while ((code == SQLITE_OK || code == SQLITE_ROW) &&
-           (code = sqlite3_step(row)) == SQLITE_ROW) {
+    while ((code == SQLITE_OK || code == SQLITE_ROW) && (code = sqlite3_step(row)) == SQLITE_ROW) {
         const size_t index = find_table(row, version);
         has_other = has_other || index == TABLE_COUNT || (found >> index & 1u) != 0;
         found |= index < TABLE_COUNT ? 1u << index : 0u;

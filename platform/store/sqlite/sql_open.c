@@ -36,10 +36,10 @@ static const struct {
 static const struct {
     int option, value;
 } options[] = {
-    { SQLITE_DBCONFIG_DEFENSIVE, 1 },      { SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0 },
-    { SQLITE_DBCONFIG_ENABLE_TRIGGER, 0 }, { SQLITE_DBCONFIG_ENABLE_VIEW, 0 },
+    { SQLITE_DBCONFIG_DEFENSIVE, 1 },       { SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0 },
+    { SQLITE_DBCONFIG_ENABLE_TRIGGER, 0 },  { SQLITE_DBCONFIG_ENABLE_VIEW, 0 },
     { SQLITE_DBCONFIG_WRITABLE_SCHEMA, 0 }, { SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0 },
-    { SQLITE_DBCONFIG_DQS_DML, 0 },        { SQLITE_DBCONFIG_DQS_DDL, 0 },
+    { SQLITE_DBCONFIG_DQS_DML, 0 },         { SQLITE_DBCONFIG_DQS_DDL, 0 },
 };
 
 /* ---- Files ---------------------------------------------------------------------------------- */
@@ -74,9 +74,9 @@ static int open_regular(const char *path, int flags, int mode)
     if (handle < 0 || strcmp(path, "/dev/urandom") == 0) {
         return handle;
     }
-    const bool is_good = fstat(handle, &about) == 0 &&
-                         (S_ISREG(about.st_mode) ||
-                          (S_ISDIR(about.st_mode) && (flags & O_ACCMODE) == O_RDONLY));
+    const bool is_good =
+        fstat(handle, &about) == 0 &&
+        (S_ISREG(about.st_mode) || (S_ISDIR(about.st_mode) && (flags & O_ACCMODE) == O_RDONLY));
     if (!is_good) {
         close(handle);
         errno = ENOTSUP;
@@ -124,9 +124,8 @@ static int harden(sqlite3 *db)
     for (size_t i = 0; code == SQLITE_OK && i < sizeof options / sizeof options[0]; i++) {
         code = sqlite3_db_config(db, options[i].option, options[i].value, NULL);
     }
-    return code == SQLITE_OK
-               ? sql_run(db, "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0")
-               : code;
+    return code == SQLITE_OK ? sql_run(db, "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0")
+                             : code;
 }
 
 static int open_named(const char *name, int flags, const char *vfs, sqlite3 **out)

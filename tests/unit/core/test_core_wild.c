@@ -331,7 +331,10 @@ static void test_wild_players_may_choose_among_all_modes(void **state)
 {
     (void)state;
     const struct core_config config = {
-        .seed = 3, .fish_count = FISH, .round_s = 10, .players = 2,
+        .seed = 3,
+        .fish_count = FISH,
+        .round_s = 10,
+        .players = 2,
         .modes = (1u << MODE_COUNT) - 1u,
     };
     play(&config, MINUTES(2) / 2u);

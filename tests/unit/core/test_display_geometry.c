@@ -116,8 +116,9 @@ static void test_a_pointer_on_a_turned_screen_points_at_what_it_touches(void **s
 {
     (void)state;
     const struct display_settings upright = { .rotation = 1, .inset_x = 0.1f, .light = 1.0f };
-    const struct pointer_report at = { .x_px = 192.0f, .y_px = 270.0f, .width_px = 1920,
-                                       .height_px = 1080, .buttons = POINTER_DIP };
+    const struct pointer_report at = {
+        .x_px = 192.0f, .y_px = 270.0f, .width_px = 1920, .height_px = 1080, .buttons = POINTER_DIP
+    };
     const struct pointer_report on = pointer_report_on(&at, &upright);
     assert_int_equal(on.width_px, 1080);
     assert_int_equal(on.height_px, 1536);

@@ -34,8 +34,8 @@ static void lead(uint32_t player, uint32_t tick)
         const int home = draw(turn, 0, 0.0f, 1.0f) < 0.35f;
         const vec3 anywhere = v3(draw(turn, 1, -half_x, half_x), draw(turn, 2, -0.09f, 0.09f),
                                  draw(turn, 3, -half_z, half_z));
-        goal_m[player] = home ? v3_add(core.bowl[player].position_m, v3(0.0f, 0.05f, 0.0f))
-                              : anywhere;
+        goal_m[player] =
+            home ? v3_add(core.bowl[player].position_m, v3(0.0f, 0.05f, 0.0f)) : anywhere;
         goal[player] = (struct angles){ draw(turn, 4, -0.5f, 0.5f), draw(turn, 5, -0.4f, 0.4f),
                                         home ? 0.9f : draw(turn, 6, -0.4f, 0.4f) };
     }
@@ -45,8 +45,7 @@ static void lead(uint32_t player, uint32_t tick)
     poi->target.angles.yaw_rad = f_lerp(poi->target.angles.yaw_rad, goal[player].yaw_rad, 0.05f);
     poi->target.angles.pitch_rad =
         f_lerp(poi->target.angles.pitch_rad, goal[player].pitch_rad, 0.05f);
-    poi->target.angles.roll_rad =
-        f_lerp(poi->target.angles.roll_rad, goal[player].roll_rad, 0.05f);
+    poi->target.angles.roll_rad = f_lerp(poi->target.angles.roll_rad, goal[player].roll_rad, 0.05f);
 }
 
 /* Every fish swims, or is one poi's rider, or is in one bowl; and each bowl's count is true. */
@@ -88,8 +87,11 @@ static void count_all(void)
 static void test_a_wild_minute_of_four_pois_creates_and_loses_no_fish(void **state)
 {
     (void)state;
-    const struct core_config config = { .seed = 7, .fish_count = FISH, .players = POI_MAX,
-                                        .grade = 4, .round_s = 60,
+    const struct core_config config = { .seed = 7,
+                                        .fish_count = FISH,
+                                        .players = POI_MAX,
+                                        .grade = 4,
+                                        .round_s = 60,
                                         .modes = 1u << MODE_PRACTICE }; /* Torn paper is renewed. */
     assert_int_equal(core_init(&core, &config), CORE_OK);
     for (uint32_t tick = 0; tick < 64u * CORE_TICK_HZ; tick++) {

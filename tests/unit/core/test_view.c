@@ -51,8 +51,10 @@ static void test_projecting_the_point_under_the_pointer_gives_the_pointer(void *
 static void test_a_ray_above_the_horizon_ends_at_a_finite_place(void **state)
 {
     (void)state;
-    const struct view level = { .eye_m = { 0, 0.5f, 1 }, .target_m = { 0, 0.5f, 0 },
-                                .half_height_tan = 0.5f, .aspect_min = 1.0f };
+    const struct view level = { .eye_m = { 0, 0.5f, 1 },
+                                .target_m = { 0, 0.5f, 0 },
+                                .half_height_tan = 0.5f,
+                                .aspect_min = 1.0f };
     const vec3 point = view_point_on_plane(&level, 1.7f, 0.3f, 0.9f, 0.0f);
     assert_true(v3_is_finite(point));
     assert_true(v3_length(v3_sub(point, level.eye_m)) < 4.001f);

@@ -52,7 +52,10 @@ static void test_what_any_panel_says_the_joint_one_says(void **state)
         .says = { .held = INPUT_START, .pressed = INPUT_START, .quit = 1, .coin_count[0] = 1 },
     };
     struct panel lines = {
-        .says = { .held = INPUT_LEFT, .pressed = INPUT_OK, .coin_count[0] = 2, .faults = 3,
+        .says = { .held = INPUT_LEFT,
+                  .pressed = INPUT_OK,
+                  .coin_count[0] = 2,
+                  .faults = 3,
                   .full_screen = 1 },
     };
     buttons_mux_add(&join, device_of(&keys));

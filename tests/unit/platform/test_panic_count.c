@@ -220,11 +220,11 @@ static void test_what_a_read_only_card_keeps_in_its_place_has_plain_words(void *
     for (int i = 0; i < 3; i++) {
         assert_int_equal(i == 0   ? mkfifoat(folder, PANICS_FILE, 0600)
                          : i == 1 ? symlinkat("other", folder, PANICS_FILE)
-                                  : mkdirat(folder, PANICS_FILE, 0700), 0);
+                                  : mkdirat(folder, PANICS_FILE, 0700),
+                         0);
         assert_int_equal(panics_read(&panics, folder), -ENOTSUP);
         assert_int_equal(panics_write(&panics, folder), -ENOTSUP);
-        assert_string_equal(panics_error(-ENOTSUP),
-                            "is not a regular file, and cannot be renamed");
+        assert_string_equal(panics_error(-ENOTSUP), "is not a regular file, and cannot be renamed");
         unlinkat(folder, PANICS_FILE, i == 2 ? AT_REMOVEDIR : 0);
     }
     rename_error = 0;

@@ -161,7 +161,7 @@ static void test_what_was_set_aside_counts_until_it_is_acknowledged(void **state
     write_file("kingyo.db.damaged-1", "x");
     write_file("kingyo.db.damaged-1-wal", "x"); /* Its journal. */
     write_file("kingyo.db.damaged-2", "x");
-    write_file("kingyo.db.damaged-", "x");      /* Nothing of ours. */
+    write_file("kingyo.db.damaged-", "x"); /* Nothing of ours. */
     assert_int_equal(look(&machine).aside, 2);
     assert_int_equal(system_health_mark_seen(&machine), 0);
     assert_int_equal(look(&machine).aside, 0);

@@ -89,8 +89,9 @@ static void test_sensors_that_talk_nonsense_are_none(void **state)
     (void)state;
     assert_int_equal(thermal_read("/nonexistent"), THERMAL_UNKNOWN_MDEG);
     assert_int_equal(thermal_read(root), THERMAL_UNKNOWN_MDEG);
-    static const char *const words[] = { "",             "-274000\n", "0\n",
-                                         "4294967295\n", "warm\n",    "45C\n" };
+    static const char *const words[] = {
+        "", "-274000\n", "0\n", "4294967295\n", "warm\n", "45C\n"
+    };
     for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         zone(0, "temp", words[i]);
         assert_int_equal(thermal_read(root), THERMAL_UNKNOWN_MDEG);

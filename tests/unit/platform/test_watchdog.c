@@ -88,8 +88,9 @@ static void test_a_manager_too_busy_to_hear_ready_is_told_again(void **state)
 
 static void test_without_a_manager_there_is_no_watchdog(void **state)
 {
-    static const char *const nobody[] = { NULL, "", "x", "relative/path", "@kingyo-nobody-listens",
-                                          "/nowhere/at/all" };
+    static const char *const nobody[] = {
+        NULL, "", "x", "relative/path", "@kingyo-nobody-listens", "/nowhere/at/all"
+    };
     struct clock_sim clock = { 0 };
     struct watchdog watchdog;
     (void)state;

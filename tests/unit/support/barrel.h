@@ -8,10 +8,10 @@
 #define BARREL_RINGS 5u
 #define BARREL_SPOKES 16u
 #define BARREL_GRID (BARREL_RINGS * (BARREL_SPOKES + 1u))
-#define BARREL_EYE BARREL_GRID           /* Vertex index of the eye, which is 0.01 outside the
-                                            skin. */
-#define BARREL_RAY (BARREL_GRID + 1u)    /* Vertex index of the fin ray, which is 0.02 above its
-                                            root. */
+/* Vertex index of the eye, which is 0.01 outside the skin. */
+#define BARREL_EYE BARREL_GRID
+/* Vertex index of the fin ray, which is 0.02 above its root. */
+#define BARREL_RAY (BARREL_GRID + 1u)
 #define BARREL_VERTICES (BARREL_GRID + 2u)
 
 struct barrel {
@@ -50,13 +50,14 @@ static void barrel_init(struct barrel *b)
             vertex->v = (float)spoke / (float)BARREL_SPOKES;
             const float angle = vertex->v * F_TAU;
             const vec3 out = v3(f_sin(angle), f_cos(angle), 0.0f);
-            b->points[key][i] = barrel_point(
-                v3(out.x * radius[key], out.y * radius[key], vertex->u - 0.5f), out);
+            b->points[key][i] =
+                barrel_point(v3(out.x * radius[key], out.y * radius[key], vertex->u - 0.5f), out);
         }
     }
     b->vertices[BARREL_EYE].anchor = 0;
     b->vertices[BARREL_RAY].anchor = 1;
-    b->anchors[0] = (struct species_anchor){ .turns = 1, .u = { 0.25f, 0.25f, 0.25f },
+    b->anchors[0] = (struct species_anchor){ .turns = 1,
+                                             .u = { 0.25f, 0.25f, 0.25f },
                                              .v = { 0.25f, 0.0f, -0.25f } };
     b->anchors[1] = (struct species_anchor){ .u = { 0.75f, 0.5f, 0.25f } };
     for (uint32_t key = 0; key < 3; key++) {
@@ -64,19 +65,25 @@ static void barrel_init(struct barrel *b)
         b->points[key][BARREL_RAY] = barrel_point(v3(0.0f, 0.02f, 0.0f), v3(1.0f, 0.0f, 0.0f));
     }
     struct species *s = &b->species;
-    s->card = (struct species_card){ .id = "barrel", .key_count = 3, .curve_count = 1,
-                                     .thesis_key = { 0, 1, 2 },
-                                     .thesis_template = TEMPLATE_SIMULTANEOUS,
-                                     .key_age_days = { 0.0f, 10.0f, 100.0f },
-                                     .key_length_m = { 0.01f, 0.02f, 0.08f },
-                                     .growth = { 0.2f, 1.0f, -0.5f, 0.1f, 2,
-                                                 { { 0.0f, 0.01f }, { 10.0f, 0.02f } } } };
+    s->card = (struct species_card){
+        .id = "barrel",
+        .key_count = 3,
+        .curve_count = 1,
+        .thesis_key = { 0, 1, 2 },
+        .thesis_template = TEMPLATE_SIMULTANEOUS,
+        .key_age_days = { 0.0f, 10.0f, 100.0f },
+        .key_length_m = { 0.01f, 0.02f, 0.08f },
+        .growth = { 0.2f, 1.0f, -0.5f, 0.1f, 2, { { 0.0f, 0.01f }, { 10.0f, 0.02f } } }
+    };
     template_graph(&s->card.curves[0], TEMPLATE_PAIRWISE, 3, SIMULTANEOUS_PEAK);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-        s->lod[lod] = (struct species_mesh){ .vertex_count = BARREL_VERTICES, .anchor_count = 2,
+        s->lod[lod] = (struct species_mesh){ .vertex_count = BARREL_VERTICES,
+                                             .anchor_count = 2,
                                              .grid_rings = BARREL_RINGS,
-                                             .grid_spokes = BARREL_SPOKES, .reach = 1.0f,
-                                             .vertices = b->vertices, .anchors = b->anchors };
+                                             .grid_spokes = BARREL_SPOKES,
+                                             .reach = 1.0f,
+                                             .vertices = b->vertices,
+                                             .anchors = b->anchors };
         for (uint32_t key = 0; key < 3; key++) {
             s->lod[lod].points[key] = b->points[key];
         }

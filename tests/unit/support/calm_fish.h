@@ -15,8 +15,8 @@ static inline const struct fish *calmest_fish(const struct tank *tank, vec3 ring
         const vec3 at = fish->position_m;
         const vec3 way = v3_sub(v3(at.x, 0.0f, at.z), v3(ring_m.x, 0.0f, ring_m.z));
         const float effort = v3_length(fish->velocity_m_s) + 0.3f * v3_length(way);
-        if (fish->gait < GAIT_HELD && f_abs(at.x) < 0.25f && f_abs(at.z) < 0.17f &&
-            at.y > dip_m && effort < least) {
+        if (fish->gait < GAIT_HELD && f_abs(at.x) < 0.25f && f_abs(at.z) < 0.17f && at.y > dip_m &&
+            effort < least) {
             least = effort;
             best = fish;
         }

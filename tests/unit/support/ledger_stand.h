@@ -52,8 +52,8 @@ static inline void do_sql(const char *sql)
 static inline void take_version(int version)
 {
     char command[120];
-    snprintf(command, sizeof command,
-             "cp tests/unit/platform/store/files/version-%d.db %s", version, path);
+    snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-%d.db %s",
+             version, path);
     assert_int_equal(system(command), 0);
 }
 

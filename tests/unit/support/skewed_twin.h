@@ -35,8 +35,7 @@ static inline struct poi_target seen(const struct twin *twin, struct poi_target 
 /* Writes calibration values and their check value into the settings of a player. */
 static inline void set_values(struct settings *settings, uint32_t seat, const int32_t *value)
 {
-    memcpy(&settings->value[calibration_setting(seat)], value,
-           CALIBRATION_VALUES * sizeof *value);
+    memcpy(&settings->value[calibration_setting(seat)], value, CALIBRATION_VALUES * sizeof *value);
     settings->value[calibration_check_setting(seat)] = calibration_check(value);
 }
 

@@ -20,7 +20,7 @@
 static struct species_text species;
 
 #define KEY_BODY                                                                                   \
-    "coat 000000 112233 ffffff abcdef c0a040 0 .5\n"                                              \
+    "coat 000000 112233 ffffff abcdef c0a040 0 .5\n"                                               \
     "station 0 0 0 0 2\nstation .3 .3 .2 0 2\nstation .6 .3 .2 0 2\nstation 1 .1 .05 0 2\n"        \
     "eye .1 .02 .08 .2\n"                                                                          \
     "fin tail -.05 .05 0 0\nray 0 .2 30 0\nray 1 .2 -30 0\n"                                       \

@@ -26,62 +26,97 @@ static const uint8_t keyboard_descriptor[] = {
 
 /* A joystick with two axes of a byte each and eight buttons, without report ids. */
 static const uint8_t joystick_descriptor[] = {
-    0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08,
-    0x95, 0x02, 0x81, 0x02, 0x05, 0x09, 0x19, 0x01, 0x29, 0x08, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01,
-    0x95, 0x08, 0x81, 0x02, 0xc0,
+    0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25,
+    0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0x05, 0x09, 0x19, 0x01, 0x29, 0x08,
+    0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0xc0,
 };
 
 /* Eight vendor-defined bytes, as in the first interface of tablets and receivers. */
 static const uint8_t vendor_descriptor[] = {
-    0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 0x08,
-    0x95, 0x08, 0x81, 0x02, 0xc0,
+    0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00,
+    0x26, 0xff, 0x00, 0x75, 0x08, 0x95, 0x08, 0x81, 0x02, 0xc0,
 };
 
 #define OWN_INTERFACE                                                                              \
     {                                                                                              \
-        .class = LIBUSB_CLASS_HID, .packet_size = 64, .has_out = 1,                                \
-        .descriptor = poi_descriptor, .descriptor_size = POI_DESCRIPTOR_SIZE,                      \
+        .class = LIBUSB_CLASS_HID,                                                                 \
+        .packet_size = 64,                                                                         \
+        .has_out = 1,                                                                              \
+        .descriptor = poi_descriptor,                                                              \
+        .descriptor_size = POI_DESCRIPTOR_SIZE,                                                    \
     }
 #define KEYBOARD_INTERFACE                                                                         \
     {                                                                                              \
-        .class = LIBUSB_CLASS_HID, .subclass = 1, .protocol = 1, .packet_size = 8,                 \
-        .descriptor = keyboard_descriptor, .descriptor_size = sizeof keyboard_descriptor,          \
+        .class = LIBUSB_CLASS_HID,                                                                 \
+        .subclass = 1,                                                                             \
+        .protocol = 1,                                                                             \
+        .packet_size = 8,                                                                          \
+        .descriptor = keyboard_descriptor,                                                         \
+        .descriptor_size = sizeof keyboard_descriptor,                                             \
     }
 #define VENDOR_INTERFACE                                                                           \
     {                                                                                              \
-        .class = LIBUSB_CLASS_HID, .packet_size = 8, .descriptor = vendor_descriptor,              \
+        .class = LIBUSB_CLASS_HID,                                                                 \
+        .packet_size = 8,                                                                          \
+        .descriptor = vendor_descriptor,                                                           \
         .descriptor_size = sizeof vendor_descriptor,                                               \
     }
 #define JOYSTICK_INTERFACE                                                                         \
     {                                                                                              \
-        .class = LIBUSB_CLASS_HID, .packet_size = 8, .descriptor = joystick_descriptor,            \
+        .class = LIBUSB_CLASS_HID,                                                                 \
+        .packet_size = 8,                                                                          \
+        .descriptor = joystick_descriptor,                                                         \
         .descriptor_size = sizeof joystick_descriptor,                                             \
     }
 
 /* A Kingyo poi that another maker built with an id of its own. */
 static const struct stand_kind own_poi = {
-    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A1", .is_bound = 1,
-    .interface_count = 1, .interface = { OWN_INTERFACE },
+    .vendor = 0xcafe,
+    .product = 0x0b01,
+    .name = "Poi",
+    .serial = "A1",
+    .is_bound = 1,
+    .interface_count = 1,
+    .interface = { OWN_INTERFACE },
 };
 static const struct stand_kind second_poi = {
-    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .serial = "A2", .is_bound = 1,
-    .interface_count = 1, .interface = { OWN_INTERFACE },
+    .vendor = 0xcafe,
+    .product = 0x0b01,
+    .name = "Poi",
+    .serial = "A2",
+    .is_bound = 1,
+    .interface_count = 1,
+    .interface = { OWN_INTERFACE },
 };
-static const struct stand_kind plain_poi = { /* A poi without a serial number. */
-    .vendor = 0xcafe, .product = 0x0b01, .name = "Poi", .is_bound = 1,
-    .interface_count = 1, .interface = { OWN_INTERFACE },
+static const struct stand_kind plain_poi = {
+    /* A poi without a serial number. */
+    .vendor = 0xcafe, .product = 0x0b01,    .name = "Poi",
+    .is_bound = 1,    .interface_count = 1, .interface = { OWN_INTERFACE },
 };
-static const struct stand_kind bench_poi = { /* A poi that no kernel driver has bound. */
-    .vendor = 0x1209, .product = 0x0001, .name = "Bench poi",
-    .interface_count = 1, .interface = { OWN_INTERFACE },
+static const struct stand_kind bench_poi = {
+    /* A poi that no kernel driver has bound. */
+    .vendor = 0x1209,
+    .product = 0x0001,
+    .name = "Bench poi",
+    .interface_count = 1,
+    .interface = { OWN_INTERFACE },
 };
 static const struct stand_kind joystick = {
-    .vendor = 0x046d, .product = 0xc215, .name = "Joystick", .serial = "J7", .is_bound = 1,
-    .interface_count = 1, .interface = { JOYSTICK_INTERFACE },
+    .vendor = 0x046d,
+    .product = 0xc215,
+    .name = "Joystick",
+    .serial = "J7",
+    .is_bound = 1,
+    .interface_count = 1,
+    .interface = { JOYSTICK_INTERFACE },
 };
 static const struct stand_kind keyboard = {
-    .vendor = 0x046a, .product = 0x0001, .name = "Keyboard", .is_bound = 1,
-    .interface_count = 1, .interface = { KEYBOARD_INTERFACE },
+    .vendor = 0x046a,
+    .product = 0x0001,
+    .name = "Keyboard",
+    .is_bound = 1,
+    .interface_count = 1,
+    .interface = { KEYBOARD_INTERFACE },
 };
 
 /* Folders of one test, and the USB thread that uses them. */

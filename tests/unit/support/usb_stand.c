@@ -179,9 +179,8 @@ void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32
         bus_breach("nobody handles events");
         return;
     }
-    bus.done[bus.done_count++] = (struct done){
-        .transfer = transfer, .at_ns = bus_now_ns() + delay_ms * 1000000ull
-    };
+    bus.done[bus.done_count++] =
+        (struct done){ .transfer = transfer, .at_ns = bus_now_ns() + delay_ms * 1000000ull };
     wake_handles(transfer->dev_handle->device);
 }
 
@@ -431,4 +430,3 @@ uint32_t stand_calls(void)
     bus_unlock();
     return count;
 }
-

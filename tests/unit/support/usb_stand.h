@@ -8,21 +8,21 @@
 
 #include <stdint.h>
 
-#define STAND_DEVICE_MAX 4096u    /* Largest number of devices in one test. A stress test plugs in
-                                     many devices. */
+/* Largest number of devices in one test. A stress test plugs in many devices. */
+#define STAND_DEVICE_MAX 4096u
 #define STAND_INTERFACE_MAX 4u
-#define STAND_WIRE_MAX 4096u      /* Largest number of reports that wait for a transfer. */
+#define STAND_WIRE_MAX 4096u /* Largest number of reports that wait for a transfer. */
 
 /* Descriptors of an interface of a device kind. */
 struct stand_interface {
     uint8_t class, subclass, protocol;
-    uint16_t packet_size;      /* Packet size of the interrupt endpoint; 0 means that no such
-                                  endpoint exists. */
+    uint16_t packet_size; /* Packet size of the interrupt endpoint; 0 means that no such endpoint
+                             exists. */
     uint8_t has_out;
     const uint8_t *descriptor; /* Report descriptor. */
     uint32_t descriptor_size;
-    const uint8_t *mended;     /* Report descriptor in /sys if it differs from `descriptor`; null
-                                  means the same. */
+    const uint8_t *mended; /* Report descriptor in /sys if it differs from `descriptor`; null
+                              means the same. */
     uint32_t mended_size;
 };
 
@@ -74,12 +74,12 @@ struct stand_seen {
     uint32_t claimed_interfaces; /* All interfaces that were ever claimed, one bit each. */
     uint32_t in_flight, in_flight_max;
     uint32_t clear_halts, set_idles, set_protocols, descriptor_reads;
-    uint32_t outs, set_reports;  /* Number of output reports that arrived by interrupt transfers
-                                    (`outs`) and by SET_REPORT (`set_reports`). */
+    uint32_t outs, set_reports; /* Number of output reports that arrived by interrupt transfers
+                                   (`outs`) and by SET_REPORT (`set_reports`). */
     uint32_t out_size;
-    uint8_t out[64];             /* Bytes of the newest output report, without the setup
-                                    packet of the control pipe. */
-    uint16_t set_report_value;   /* wValue of the newest SET_REPORT: report type and id. */
+    uint8_t out[64];           /* Bytes of the newest output report, without the setup packet of
+                                  the control pipe. */
+    uint16_t set_report_value; /* wValue of the newest SET_REPORT: report type and id. */
 };
 /* Returns the counts of a device. */
 struct stand_seen stand_seen(uint32_t device);
@@ -93,8 +93,8 @@ struct stand_faults {
     uint8_t stalls_requests;     /* 1 makes the device stall SET_IDLE and SET_PROTOCOL. */
     uint8_t hold_outs;           /* 1 keeps output reports on the host until it is 0 again. */
     uint8_t lets_outs_time_out;
-    uint8_t is_unconfigured;     /* 1 means that the kernel has not chosen a configuration yet. */
-    uint8_t hides_descriptor;    /* 1 makes GET_DESCRIPTOR of the report descriptor fail. */
+    uint8_t is_unconfigured;  /* 1 means that the kernel has not chosen a configuration yet. */
+    uint8_t hides_descriptor; /* 1 makes GET_DESCRIPTOR of the report descriptor fail. */
     int init_error;
     uint8_t no_hotplug;
 };

@@ -34,8 +34,7 @@ struct libusb_device {
     struct stand_seen seen;
     struct wire_report *wire;
     uint32_t wire_first, wire_count;
-    int fail;                  /* Status of the next transfer, an enum libusb_transfer_status; 0
-                                  means no fault. */
+    int fail; /* Status of the next transfer, an enum libusb_transfer_status; 0 means no fault. */
     struct libusb_transfer *pending[PENDING_MAX]; /* Pending transfers, oldest first. */
     uint32_t pending_count;
 };
@@ -43,7 +42,7 @@ struct libusb_device {
 struct libusb_device_handle {
     struct libusb_device *device;
     int fd;
-    uint32_t claimed;          /* Claimed interfaces, one bit each. */
+    uint32_t claimed; /* Claimed interfaces, one bit each. */
     uint8_t auto_detaches;
 };
 
@@ -72,13 +71,12 @@ struct stand_bus {
     struct stand_faults faults;
     uint32_t lists, transfers, breaches, calls;
     uint8_t is_running, has_thread;
-    pthread_t thread;          /* The drivers' thread, which is the thread that first requested the
-                                  list of devices. */
+    pthread_t thread; /* The drivers' thread, which is the thread that first requested the list
+                         of devices. */
     int in_transfer_callback, in_hotplug_callback;
 };
 
 extern struct stand_bus bus;
-
 
 /* Takes the lock of the bus. */
 void bus_lock(void);

@@ -116,8 +116,7 @@ static int next_done(struct done *out)
         if (bus.done[i].at_ns <= now) {
             *out = bus.done[i];
             bus.done_count--;
-            memmove(&bus.done[i], &bus.done[i + 1u],
-                    (bus.done_count - i) * sizeof bus.done[0]);
+            memmove(&bus.done[i], &bus.done[i + 1u], (bus.done_count - i) * sizeof bus.done[0]);
             return 1;
         }
     }
@@ -290,12 +289,12 @@ static void describe_interface(struct configuration *it, const struct stand_inte
                                (uint8_t)(from->descriptor_size >> 8) };
     /* clang-format on */
     memcpy(it->extra[i], extra, sizeof extra);
-    it->endpoint[i][0] = (struct libusb_endpoint_descriptor){
-        .bEndpointAddress = IN_ENDPOINT, .bmAttributes = 3, .wMaxPacketSize = from->packet_size
-    };
-    it->endpoint[i][1] = (struct libusb_endpoint_descriptor){
-        .bEndpointAddress = OUT_ENDPOINT, .bmAttributes = 3, .wMaxPacketSize = 64
-    };
+    it->endpoint[i][0] = (struct libusb_endpoint_descriptor){ .bEndpointAddress = IN_ENDPOINT,
+                                                              .bmAttributes = 3,
+                                                              .wMaxPacketSize = from->packet_size };
+    it->endpoint[i][1] = (struct libusb_endpoint_descriptor){ .bEndpointAddress = OUT_ENDPOINT,
+                                                              .bmAttributes = 3,
+                                                              .wMaxPacketSize = 64 };
     it->setting[i] = (struct libusb_interface_descriptor){
         .bInterfaceNumber = (uint8_t)i,
         .bNumEndpoints = (uint8_t)(from->packet_size == 0 ? 0 : 1 + from->has_out),

@@ -163,8 +163,7 @@ int libusb_control_transfer(libusb_device_handle *handle, uint8_t type, uint8_t 
     }
     if (!device->attached) {
         result = LIBUSB_ERROR_NO_DEVICE;
-    } else if (type == 0x81 && request == 0x06 && value == 0x2200 &&
-               !bus.faults.hides_descriptor) {
+    } else if (type == 0x81 && request == 0x06 && value == 0x2200 && !bus.faults.hides_descriptor) {
         result = read_report_descriptor(device, index, data, size);
     } else if (type == 0x21 && !bus.faults.stalls_requests) {
         device->seen.set_idles += request == 0x0a;

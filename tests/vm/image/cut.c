@@ -22,8 +22,9 @@
 
 #define SECTOR 512u
 #define MAGIC 0x6a736677736872ull
-#define WRITES_MAX (1u << 20) /* Largest number of writes. A busy stall makes some hundred writes
-                                 per second, so that this number is enough for hours. */
+/* Largest number of writes. A busy stall makes some hundred writes per second, so that this
+ * number is enough for hours. */
+#define WRITES_MAX (1u << 20)
 
 enum { FLUSH = 1, FUA = 2, DISCARD = 4, MARK = 8 };
 
@@ -50,8 +51,7 @@ static uint32_t write_count;
 static uint64_t luck;
 static uint8_t disk_lies;
 
-__attribute__((noreturn))
-static void fail(const char *path, const char *why)
+__attribute__((noreturn)) static void fail(const char *path, const char *why)
 {
     fprintf(stderr, "cut: %s: %s\n", path, why);
     exit(74);

@@ -50,8 +50,7 @@ int lab_is_pointed(const struct lab_page *page, enum lab_part part)
 
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill)
 {
-    return (struct ui_text){ .font = FONT_BODY, .size_px = size * page->frame.unit,
-                             .fill = fill };
+    return (struct ui_text){ .font = FONT_BODY, .size_px = size * page->frame.unit, .fill = fill };
 }
 
 void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
@@ -84,7 +83,9 @@ static struct ui_box tag(const struct lab_page *page, const struct button *butto
         box.y += 2.0f * u;
     }
     ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = button_fill(page, button),
+             &(struct ui_shape){ .box = box,
+                                 .kind = UI_PANEL,
+                                 .fill = button_fill(page, button),
                                  .line = pointed ? UI_GOLD : UI_GOLD_DIM,
                                  .shape = { 0, 0, 10.0f * u, (pointed ? 2.5f : 1.5f) * u } });
     return box;
@@ -100,9 +101,8 @@ static void word_button(const struct lab_page *page, const struct button *button
     const float u = page->frame.unit;
     const int is_small = button->part >= LAB_OWN && button->part <= LAB_SMOOTH;
     const struct ui_box box = tag(page, button);
-    const struct ui_text style = lab_text(page, is_small ? 20.0f : 23.0f,
-                                          button->is_idle ? ui_fade(BUTTON_INK, 0.45f)
-                                                          : BUTTON_INK);
+    const struct ui_text style = lab_text(
+        page, is_small ? 20.0f : 23.0f, button->is_idle ? ui_fade(BUTTON_INK, 0.45f) : BUTTON_INK);
     lab_words_in(page, inset(box, (is_small ? 3.0f : 10.0f) * u, 0.0f), &style, button->words);
 }
 
@@ -143,14 +143,14 @@ static void save_button(const struct lab_page *page)
 {
     const struct scene_lab *lab = page->lab;
     const uint8_t language = page->frame.language;
-    const enum text_key words = !lab->is_kept                  ? TEXT_LAB_SAVE
-                                : lab->keeping == LAB_SAVED    ? TEXT_LAB_SAVED
-                                : lab->keeping == LAB_SAVING   ? TEXT_LAB_SAVING
-                                : lab->keeping == LAB_UNSAVED  ? TEXT_LAB_UNSAVED
-                                                               : TEXT_LAB_SAVE;
-    word_button(page, &(struct button){ .part = LAB_SAVE, .words = text_words(language, words),
-                                        .is_idle = lab->is_kept &&
-                                                   lab->keeping != LAB_UNSAVED });
+    const enum text_key words = !lab->is_kept                 ? TEXT_LAB_SAVE
+                                : lab->keeping == LAB_SAVED   ? TEXT_LAB_SAVED
+                                : lab->keeping == LAB_SAVING  ? TEXT_LAB_SAVING
+                                : lab->keeping == LAB_UNSAVED ? TEXT_LAB_UNSAVED
+                                                              : TEXT_LAB_SAVE;
+    word_button(page, &(struct button){ .part = LAB_SAVE,
+                                        .words = text_words(language, words),
+                                        .is_idle = lab->is_kept && lab->keeping != LAB_UNSAVED });
 }
 
 static void buttons(const struct lab_page *page)
@@ -187,8 +187,10 @@ static void name_plate(const struct lab_page *page)
     const uint8_t language = page->frame.language;
     char of[24];
     snprintf(of, sizeof of, "%u / %u", lab->species + 1u, lab->species_count);
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
-                                                    .fill = LAB_PAPER, .line = LAB_PAPER_LINE,
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = LAB_PAPER,
+                                                    .line = LAB_PAPER_LINE,
                                                     .shape = { 0, 0, 10.0f * u, 2.0f * u } });
     const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = LAB_INK };
     struct ui_text small = lab_text(page, 20.0f, LAB_INK_SOFT);
@@ -269,10 +271,11 @@ static void hand(const struct lab_page *page)
     const float radius = (lab->presses ? 12.0f : 16.0f) * u;
     const struct ui_box glow = { x - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
                                  4.4f * radius };
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = glow, .kind = UI_GLOW,
-                                                    .fill = lab->presses ? 0xff9a50a0u
-                                                                         : 0xffffff38u,
-                                                    .shape = { 0, 0, 1.0f } });
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = glow,
+                                 .kind = UI_GLOW,
+                                 .fill = lab->presses ? 0xff9a50a0u : 0xffffff38u,
+                                 .shape = { 0, 0, 1.0f } });
     ui_poi_sign(&page->frame, x, y, radius, 0.0f, ui_player_colours[0]);
 }
 
@@ -294,8 +297,7 @@ static struct lab_page open_page(const struct ui_frame *frame, const struct scen
 
 /* Returns the shown species, or null. A recording may contain makers' species that this kiosk
  * lacks; the graph is then shown without a fish. */
-static const struct species *species_of(const struct ui_memory *memory,
-                                        const struct scene_lab *lab)
+static const struct species *species_of(const struct ui_memory *memory, const struct scene_lab *lab)
 {
     const uint32_t index = lab->species;
     const struct species *species = NULL;
@@ -320,7 +322,9 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = CLOTH_EDGE });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth, .kind = UI_WAVES, .fill = CLOTH,
+    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth,
+                                               .kind = UI_WAVES,
+                                               .fill = CLOTH,
                                                .shape = { 0, 0, 36.0f * page.frame.unit } });
     lab_stage(&page);
     lab_keys(&page);

@@ -15,15 +15,15 @@
 #define LAB_PAPER_LINE 0xb5762fffu
 #define LAB_INK 0x2a2024ffu
 #define LAB_INK_SOFT 0x6b5a50ffu
-#define LAB_MIST 0xdff3f2ffu   /* Colour of words on water. */
+#define LAB_MIST 0xdff3f2ffu /* Colour of words on water. */
 
 struct lab_page {
-    struct ui_frame frame;       /* Frame whose `unit` is one canvas unit. */
+    struct ui_frame frame; /* Frame whose `unit` is one canvas unit. */
     const struct scene_lab *lab;
     struct ui_lab_preview *bench; /* Null: this kiosk lacks the species. */
     const struct library
-        *library;                /* Species library with the rejected makers' files; null: none. */
-    float x, y;                  /* Position of the canvas' corner on the screen. */
+        *library; /* Species library with the rejected makers' files; null: none. */
+    float x, y;   /* Position of the canvas' corner on the screen. */
 };
 
 /* Return the position of a part, and of a coordinate, on the screen. */

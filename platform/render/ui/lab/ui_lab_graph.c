@@ -17,11 +17,14 @@ static void paper(const struct lab_page *page, enum lab_part part)
     const float u = page->frame.unit;
     const struct ui_box box = lab_place(page, part);
     const struct ui_box shade = { box.x + 3.0f * u, box.y + 5.0f * u, box.width, box.height };
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = shade, .kind = UI_PANEL,
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = shade,
+                                                    .kind = UI_PANEL,
                                                     .fill = 0x04061880u,
                                                     .shape = { 0, 0, 12.0f * u } });
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_WASHI,
-                                                    .fill = LAB_PAPER, .line = LAB_PAPER_LINE,
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = LAB_PAPER,
+                                                    .line = LAB_PAPER_LINE,
                                                     .shape = { 0, 0, 12.0f * u, 2.0f * u } });
 }
 
@@ -40,15 +43,17 @@ static void line_in(const struct lab_page *page, struct ui_box field, const floa
     ui_segment(page->frame.batch, from, to, width * page->frame.unit, colour);
 }
 
-static void dot_in(const struct lab_page *page, struct ui_box field, float x, float y,
-                   float radius, uint32_t fill, uint32_t line)
+static void dot_in(const struct lab_page *page, struct ui_box field, float x, float y, float radius,
+                   uint32_t fill, uint32_t line)
 {
     float at[2];
     const float r = radius * page->frame.unit;
     in_field(field, x, y, at);
     ui_shape(page->frame.batch,
              &(struct ui_shape){ .box = { at[0] - r, at[1] - r, 2.0f * r, 2.0f * r },
-                                 .kind = UI_PANEL, .fill = fill, .line = line,
+                                 .kind = UI_PANEL,
+                                 .fill = fill,
+                                 .line = line,
                                  .shape = { 0, 0, r, 2.0f * page->frame.unit } });
 }
 
@@ -82,8 +87,9 @@ static void length_axis(const struct lab_page *page, struct ui_box field)
     static const struct {
         float length_m;
         const char *words;
-    } marks[] = { { 0.001f, "1mm" }, { 0.01f, "1cm" }, { 0.1f, "10cm" }, { 1.0f, "1m" },
-                  { 10.0f, "10m" } };
+    } marks[] = {
+        { 0.001f, "1mm" }, { 0.01f, "1cm" }, { 0.1f, "10cm" }, { 1.0f, "1m" }, { 10.0f, "10m" }
+    };
     const struct ui_text style = lab_text(page, 15.5f, LAB_PURPLE);
     for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
         const float share = lab_length_share(&page->lab->card, marks[i].length_m);
@@ -155,8 +161,10 @@ static void weight_knots(const struct lab_page *page, struct ui_box field, uint3
     for (uint32_t i = 0; i < graph->knot_count; i++) {
         const int held = in_hand && lab->holds == HOLD_WEIGHT && lab->held_knot == i;
         dot_in(page, field, graph->knots[i].progress, graph->knots[i].weight[key],
-               held ? 12.0f : in_hand ? 9.0f : 5.5f, lab_key_colour(lab->card.key_count, key),
-               held ? LAB_INK : 0xffffffffu);
+               held      ? 12.0f
+               : in_hand ? 9.0f
+                         : 5.5f,
+               lab_key_colour(lab->card.key_count, key), held ? LAB_INK : 0xffffffffu);
     }
 }
 
@@ -223,8 +231,11 @@ static void tool(const struct lab_page *page, enum lab_part part, enum text_key 
     const struct ui_box box = lab_place(page, part);
     const int pointed = lab_is_pointed(page, part);
     ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_PANEL,
-                                 .fill = is_on ? colour : pointed ? 0xffffffffu : 0xf0e2c4ffu,
+             &(struct ui_shape){ .box = box,
+                                 .kind = UI_PANEL,
+                                 .fill = is_on     ? colour
+                                         : pointed ? 0xffffffffu
+                                                   : 0xf0e2c4ffu,
                                  .line = colour,
                                  .shape = { 0, 0, 9.0f * u, (pointed ? 2.6f : 1.6f) * u } });
     const struct ui_text style = lab_text(page, 19.5f, is_on ? 0xffffffffu : colour);
@@ -319,8 +330,7 @@ void lab_chart(const struct lab_page *page)
     chart_axes(page, field, most_days, most_m);
     chart_curve(page, field, most_days, most_m);
     for (uint32_t key = 0; key <= last; key++) {
-        const struct moment at =
-            moment_at(card, (float)key / (float)last, most_days, most_m);
+        const struct moment at = moment_at(card, (float)key / (float)last, most_days, most_m);
         dot_in(page, field, at.x, at.y, 5.0f, lab_key_colour(card->key_count, key), 0xffffffffu);
     }
     const struct moment now = moment_at(card, lab->progress, most_days, most_m);

@@ -17,7 +17,8 @@ static void portrait(const struct lab_page *page, struct ui_box box, uint32_t ke
     const struct ui_lab_preview *bench = page->bench;
     const struct specimen_bounds *reach = &bench->bounds;
     const uint32_t last = page->lab->card.key_count - 1u;
-    struct specimen fish = { .species = bench->species, .edition = bench->edition,
+    struct specimen fish = { .species = bench->species,
+                             .edition = bench->edition,
                              .progress = (float)key / (float)last };
     specimen_portrait(&fish);
     const float wide = box.width / fmaxf(reach->left + reach->right, 0.1f);
@@ -33,11 +34,13 @@ static void weight_bar(const struct lab_page *page, struct ui_box box, uint32_t 
     const float weight = page->lab->weight[key];
     const uint32_t colour = lab_key_colour(page->lab->card.key_count, key);
     const struct ui_box full = { box.x, box.y, box.width * weight, box.height };
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_PANEL,
                                                     .fill = ui_fade(colour, 0.22f),
                                                     .shape = { 0, 0, 0.5f * box.height } });
     if (full.width > box.height) {
-        ui_shape(page->frame.batch, &(struct ui_shape){ .box = full, .kind = UI_PANEL,
+        ui_shape(page->frame.batch, &(struct ui_shape){ .box = full,
+                                                        .kind = UI_PANEL,
                                                         .fill = colour,
                                                         .shape = { 0, 0, 0.5f * box.height } });
     }
@@ -55,14 +58,15 @@ static void key_card(const struct lab_page *page, uint32_t key)
         const float out = (in_hand ? 4.0f : 2.0f) * u;
         const struct ui_box halo = { box.x - out, box.y - out, box.width + 2.0f * out,
                                      box.height + 2.0f * out };
-        ui_shape(page->frame.batch, &(struct ui_shape){ .box = halo, .kind = UI_PANEL,
-                                                        .fill = colour,
-                                                        .shape = { 0, 0, 12.0f * u } });
+        ui_shape(page->frame.batch,
+                 &(struct ui_shape){
+                     .box = halo, .kind = UI_PANEL, .fill = colour, .shape = { 0, 0, 12.0f * u } });
     }
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = LAB_PAPER,
-                                 .line = ui_fade(colour, 0.7f),
-                                 .shape = { 0, 0, 9.0f * u, 2.0f * u } });
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = LAB_PAPER,
+                                                    .line = ui_fade(colour, 0.7f),
+                                                    .shape = { 0, 0, 9.0f * u, 2.0f * u } });
     const struct ui_box picture = { box.x + 8.0f * u, box.y + 26.0f * u, box.width - 16.0f * u,
                                     box.height - 66.0f * u };
     if (page->bench != NULL) {
@@ -71,8 +75,7 @@ static void key_card(const struct lab_page *page, uint32_t key)
     const struct ui_text name = lab_text(page, 18.5f, LAB_INK);
     const struct ui_box title = { box.x + 8.0f * u, box.y + 6.0f * u, box.width - 16.0f * u,
                                   20.0f * u };
-    lab_words_in(page, title, &name,
-                 lab_key_name(page->frame.language, lab->card.key_names[key]));
+    lab_words_in(page, title, &name, lab_key_name(page->frame.language, lab->card.key_names[key]));
     snprintf(percent, sizeof percent, "%.0f %%", (double)(100.0f * lab->weight[key]));
     const struct ui_text number = lab_text(page, 20.0f, colour);
     const struct ui_box amount = { box.x + 8.0f * u, box.y + box.height - 40.0f * u,
@@ -91,14 +94,15 @@ static void notch(const struct lab_page *page, uint32_t key, float y)
     const float u = page->frame.unit;
     const struct species_card *card = &page->lab->card;
     const uint32_t last = card->key_count - 1u;
-    const float x = lab_px_x(page, lab_age_x(page->lab->upright, card->key_count,
-                                             (float)key / (float)last));
+    const float x =
+        lab_px_x(page, lab_age_x(page->lab->upright, card->key_count, (float)key / (float)last));
     const float r = 8.0f * u;
     char words[TEXT_LINE_MAX];
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r }, .kind = UI_PANEL,
-                                 .fill = lab_key_colour(card->key_count, key),
-                                 .line = 0xfff4deffu, .shape = { 0, 0, r, 2.0f * u } });
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r },
+                                                    .kind = UI_PANEL,
+                                                    .fill = lab_key_colour(card->key_count, key),
+                                                    .line = 0xfff4deffu,
+                                                    .shape = { 0, 0, r, 2.0f * u } });
     lab_age_words(page->frame.language, card->key_age_days[key], words, sizeof words);
     struct ui_text style = lab_text(page, 19.0f, 0xd9def2ffu);
     style.align = 0.5f;
@@ -110,18 +114,19 @@ static void handle(const struct lab_page *page, float y)
 {
     const float u = page->frame.unit;
     const struct scene_lab *lab = page->lab;
-    const float x =
-        lab_px_x(page, lab_age_x(lab->upright, lab->card.key_count, lab->progress));
+    const float x = lab_px_x(page, lab_age_x(lab->upright, lab->card.key_count, lab->progress));
     const int lit = lab->holds == HOLD_AGE || lab_is_pointed(page, LAB_AGE);
     const float r = (lit ? 17.0f : 14.5f) * u;
     const struct ui_box glow = { x - 2.4f * r, y - 2.4f * r, 4.8f * r, 4.8f * r };
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = glow, .kind = UI_GLOW,
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = glow,
+                                                    .kind = UI_GLOW,
                                                     .fill = lit ? 0xffb050b0u : 0xffb05060u,
                                                     .shape = { 0, 0, 1.0f } });
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r }, .kind = UI_PANEL,
-                                 .fill = UI_VERMILION, .line = 0xfff4deffu,
-                                 .shape = { 0, 0, r, 3.0f * u } });
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r },
+                                                    .kind = UI_PANEL,
+                                                    .fill = UI_VERMILION,
+                                                    .line = 0xfff4deffu,
+                                                    .shape = { 0, 0, r, 3.0f * u } });
 }
 
 static void life_line(const struct lab_page *page)

@@ -7,10 +7,10 @@
 
 #define TAU 6.28318531f
 #define BEAT_HZ 1.1f
-#define RULE_MARKS_MAX 260u /* Upper bound of the ruler's marks. At 7 px and more each, a ruler has
-                               110. */
-#define YOUNG_SIZE 0.74f /* Fraction of the stage that the hatchling fills. The value below 1 makes
-                            growth visible. */
+/* Upper bound of the ruler's marks. At 7 px and more each, a ruler has 110. */
+#define RULE_MARKS_MAX 260u
+/* Fraction of the stage that the hatchling fills. The value below 1 makes growth visible. */
+#define YOUNG_SIZE 0.74f
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
 #define CHORD 0xffffff90u
@@ -72,14 +72,16 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
     const struct specimen_bounds *reach = &bench->bounds;
     const struct span_px span = free_span(page, room);
     const float time_s = page->frame.time_s;
-    struct specimen fish = { .species = bench->species, .edition = bench->edition,
-                             .rig = &bench->rig, .progress = page->lab->progress,
-                             .length_px = length_px(page, room), .shadow = 0.35f };
+    struct specimen fish = { .species = bench->species,
+                             .edition = bench->edition,
+                             .rig = &bench->rig,
+                             .progress = page->lab->progress,
+                             .length_px = length_px(page, room),
+                             .shadow = 0.35f };
     specimen_portrait(&fish);
-    fish.x_px = room->box.x + 0.5f * room->box.width +
-                0.5f * (reach->left - reach->right) * fish.length_px;
-    fish.y_px = 0.5f * (span.top + span.foot) +
-                0.5f * (reach->up - reach->down) * fish.length_px;
+    fish.x_px =
+        room->box.x + 0.5f * room->box.width + 0.5f * (reach->left - reach->right) * fish.length_px;
+    fish.y_px = 0.5f * (span.top + span.foot) + 0.5f * (reach->up - reach->down) * fish.length_px;
     if (!page->lab->path) { /* Trajectories are drawn on a fish that does not move. */
         fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
         fish.pitch_rad += 0.05f * sinf(0.37f * time_s + 1.0f);
@@ -157,9 +159,11 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
     const float zero = fish->x_px - 0.5f * fish->length_px;
     const float fine = step_m(px_per_m, 7.0f * u), coarse = step_m(px_per_m, 74.0f * u);
     const int in_cm = coarse >= 0.0099f;
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = rule, .kind = UI_WOOD, .fill = 0xe2bf82ffu,
-                                 .line = 0x6a4a22ffu, .shape = { 0, 0, 5.0f * u, 1.5f * u } });
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = rule,
+                                                    .kind = UI_WOOD,
+                                                    .fill = 0xe2bf82ffu,
+                                                    .line = 0x6a4a22ffu,
+                                                    .shape = { 0, 0, 5.0f * u, 1.5f * u } });
     const float right = rule.x + rule.width - 6.0f * u;
     for (uint32_t i = 0; i < RULE_MARKS_MAX; i++) {
         const float x = zero + (float)i * fine * px_per_m;
@@ -191,8 +195,12 @@ static void ui_lab_stage_draw_words(const struct lab_page *page, const struct ta
     lab_length_words(lab->length_m, length, sizeof length);
     snprintf(line, sizeof line, "%s %s",
              text_words(page->frame.language, measures[lab->card.measure & 3u]), length);
-    const struct ui_text big = { .font = FONT_STALL, .size_px = 40.0f * u, .fill = 0xffffffffu,
-                                 .outline_em = 0.03f, .soft_em = 0.10f, .line = 0x02141ec0u,
+    const struct ui_text big = { .font = FONT_STALL,
+                                 .size_px = 40.0f * u,
+                                 .fill = 0xffffffffu,
+                                 .outline_em = 0.03f,
+                                 .soft_em = 0.10f,
+                                 .line = 0x02141ec0u,
                                  .fit_px = 0.5f * room->box.width };
     struct ui_text small = lab_text(page, 25.0f, LAB_MIST);
     small.align = 1.0f;
@@ -216,9 +224,13 @@ static void caption(const struct lab_page *page, const struct tank_room *room, e
     snprintf(words, sizeof words, "%s   %s  %s", text_words(page->frame.language, key), age,
              length);
     const struct ui_ribbon ribbon = { .x = room->box.x + 0.5f * room->box.width,
-                                      .y = room->box.y + 26.0f * u, .size_px = 21.0f * u,
-                                      .font = FONT_BODY, .fill = 0x06222ec0u, .line = 0x9fd6d080u,
-                                      .ink = LAB_MIST, .room_px = room->box.width - 24.0f * u };
+                                      .y = room->box.y + 26.0f * u,
+                                      .size_px = 21.0f * u,
+                                      .font = FONT_BODY,
+                                      .fill = 0x06222ec0u,
+                                      .line = 0x9fd6d080u,
+                                      .ink = LAB_MIST,
+                                      .room_px = room->box.width - 24.0f * u };
     ui_ribbon(&page->frame, &ribbon, words);
 }
 
@@ -240,15 +252,17 @@ static void way_line(const struct lab_page *page, const struct specimen *fish,
     }
 }
 
-static void way_dot(const struct lab_page *page, const struct specimen *fish, vec3 at,
-                    float radius, uint32_t fill, uint32_t line)
+static void way_dot(const struct lab_page *page, const struct specimen *fish, vec3 at, float radius,
+                    uint32_t fill, uint32_t line)
 {
     float middle[2];
     const float r = radius * page->frame.unit;
     ui_lab_stage_put(fish, at, middle);
     ui_shape(page->frame.batch,
              &(struct ui_shape){ .box = { middle[0] - r, middle[1] - r, 2.0f * r, 2.0f * r },
-                                 .kind = UI_PANEL, .fill = fill, .line = line,
+                                 .kind = UI_PANEL,
+                                 .fill = fill,
+                                 .line = line,
                                  .shape = { 0, 0, r, fminf(2.0f * page->frame.unit, 0.35f * r) } });
 }
 
@@ -283,8 +297,7 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     for (uint32_t key = 0; key < keys; key++) {
         const uint32_t step =
             (uint32_t)((float)key / (float)(keys - 1u) * (float)LAB_PREVIEW_STEPS + 0.5f);
-        way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key),
-                0xffffffffu);
+        way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key), 0xffffffffu);
     }
     /* The ring leaves the eye visible. */
     way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
@@ -311,8 +324,7 @@ static void way_legend(const struct lab_page *page, const struct tank_room *room
             continue;
         }
         snprintf(words, sizeof words, "%s  %.1f %%",
-                 text_words(page->frame.language, way_name(page, i)),
-                 (double)(100.0f * way->bow));
+                 text_words(page->frame.language, way_name(page, i)), (double)(100.0f * way->bow));
         const float from[2] = { room->box.x + 20.0f * u, y - 7.0f * u };
         const float to[2] = { from[0] + 26.0f * u, from[1] };
         ui_segment(page->frame.batch, from, to, 4.5f * u, colours[i]);
@@ -338,7 +350,9 @@ static void water(const struct lab_page *page)
     const float u = page->frame.unit;
     const struct ui_box box = lab_place(page, LAB_STAGE);
     ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WATER, .fill = 0x1d7a86ffu,
+             &(struct ui_shape){ .box = box,
+                                 .kind = UI_WATER,
+                                 .fill = 0x1d7a86ffu,
                                  .line = 0x06243cffu,
                                  .shape = { 0, 0, 16.0f * u, page->frame.time_s } });
 }
@@ -346,10 +360,11 @@ static void water(const struct lab_page *page)
 static void frame_line(const struct lab_page *page)
 {
     const float u = page->frame.unit;
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = lab_place(page, LAB_STAGE), .kind = UI_PANEL,
-                                 .fill = 0, .line = UI_GOLD_DIM,
-                                 .shape = { 0, 0, 16.0f * u, 2.0f * u } });
+    ui_shape(page->frame.batch, &(struct ui_shape){ .box = lab_place(page, LAB_STAGE),
+                                                    .kind = UI_PANEL,
+                                                    .fill = 0,
+                                                    .line = UI_GOLD_DIM,
+                                                    .shape = { 0, 0, 16.0f * u, 2.0f * u } });
 }
 
 /* Draws the comparison fish, the result of eq. 3.1 for the first and the last drawing. */

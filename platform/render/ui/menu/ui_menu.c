@@ -25,8 +25,7 @@ const char *menu_text(const struct menu_view *view, enum text_key key)
 
 struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fill)
 {
-    return (struct ui_text){ .font = FONT_BODY, .size_px = size * view->frame.unit,
-                             .fill = fill };
+    return (struct ui_text){ .font = FONT_BODY, .size_px = size * view->frame.unit, .fill = fill };
 }
 
 struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill)
@@ -88,9 +87,10 @@ static void corner(const struct menu_view *view, struct ui_box box, uint8_t page
     const float x = box.x + box.width - 26.0f * u, y = box.y + 26.0f * u;
     const struct ui_text sign = menu_style(view, 26.0f, MENU_CREAM);
     if (calls_for_a_look(view, page)) {
-        ui_shape(view->frame.batch,
-                 &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r }, .kind = UI_PANEL,
-                                     .fill = 0xb3261effu, .shape = { 0, 0, r } });
+        ui_shape(view->frame.batch, &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r },
+                                                        .kind = UI_PANEL,
+                                                        .fill = 0xb3261effu,
+                                                        .shape = { 0, 0, r } });
         menu_words_at(view, x, y, 2.0f * r, 0.5f, &sign, "!");
     } else if (page == MENU_NEW_PIN && view->menu->settings.value[SET_PIN] != 0) {
         menu_seal(view, x, y);
@@ -226,8 +226,9 @@ static void hand(const struct menu_view *view)
 static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct layout_point canvas = pointer_layout_size(scene->menu.upright);
-    struct menu_view view = { .frame = *frame, .scene = scene, .menu = &scene->menu,
-                              .devices = &scene->devices };
+    struct menu_view view = {
+        .frame = *frame, .scene = scene, .menu = &scene->menu, .devices = &scene->devices
+    };
     view.frame.unit = scene->menu.upright
                           ? frame->width / canvas.x
                           : fminf(frame->width / canvas.x, frame->height / canvas.y);

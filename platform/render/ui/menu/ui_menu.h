@@ -18,15 +18,15 @@ struct menu_view {
     const struct scene *scene;
     const struct scene_menu *menu; /* Menu of `scene`. */
     const struct scene_devices *devices;
-    float x, y;            /* Position of the canvas' corner on the screen. */
+    float x, y; /* Position of the canvas' corner on the screen. */
 };
 
 /* The texts of a page and of its tags, and its drawing function. */
 struct menu_words {
-    enum text_key title, about;             /* Texts of the page's tag in its parent: a name and a
-                                               line. */
-    enum text_key foot[MENU_FOOT_MAX];      /* Texts of the tags at its foot, in their order. */
-    enum text_key names[8], lines[8];       /* Texts of hanging tags that lead to no page. */
+    enum text_key title, about;        /* Texts of the page's tag in its parent: a name and a
+                                          line. */
+    enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at its foot, in their order. */
+    enum text_key names[8], lines[8];  /* Texts of hanging tags that lead to no page. */
     void (*draw)(const struct menu_view *view); /* Null: the page draws only its tags. */
     uint8_t is_whole; /* The page's drawing covers the whole picture, with only tags over it. */
 };

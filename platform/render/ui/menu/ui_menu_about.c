@@ -15,12 +15,19 @@ struct places {
 };
 
 static const struct places wide = {
-    .page = { 60.0f, 120.0f, 1160.0f, 474.0f }, .name_width = 150.0f,
-    .head = 60.0f, .pitch = 58.0f, .line = 28.0f, .line_count = 2,
+    .page = { 60.0f, 120.0f, 1160.0f, 474.0f },
+    .name_width = 150.0f,
+    .head = 60.0f,
+    .pitch = 58.0f,
+    .line = 28.0f,
+    .line_count = 2,
 };
 static const struct places upright_places = {
     .page = { 27.0f, 200.0f, 800.0f, 1020.0f },
-    .head = 108.0f, .pitch = 128.0f, .line = 29.0f, .line_count = 3,
+    .head = 108.0f,
+    .pitch = 128.0f,
+    .line = 29.0f,
+    .line_count = 3,
 };
 
 /* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and how much of the books
@@ -83,9 +90,11 @@ void menu_about(const struct menu_view *view)
     const struct places *places = view->menu->upright ? &upright_places : &wide;
     const float u = view->frame.unit;
     const struct ui_box box = menu_place(view, places->page);
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
-                                 .line = 0xb5762fffu, .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = 0xb5762fffu,
+                                                    .shape = { 0, 0, 10.0f * u, 2.0f * u } });
     ui_menu_about_heading(view, places, box);
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         device(view, places, box, i);

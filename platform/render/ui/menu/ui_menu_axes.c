@@ -9,8 +9,9 @@
 #define AXIS_COUNT 6u
 #define NEGATIVE_PAINT 0x2b4c8cffu
 #define POSITIVE_PAINT 0x17754effu
-#define GAP_BAD_MS 100.0f /* A controller silent for this long is treated as unreliable:
-                             core/game/control/input_validation.h. */
+/* A controller silent for this long is treated as unreliable:
+ * core/game/control/input_validation.h. */
+#define GAP_BAD_MS 100.0f
 
 struct axis {
     char name[4];
@@ -19,14 +20,14 @@ struct axis {
 
 /* The bars' full values: a tank's half length, an arm's height, half a turn, a quarter turn. */
 static const struct axis axes[AXIS_COUNT] = {
-    { "x", 0.70f }, { "y", 0.30f }, { "z", 0.40f }, { "yaw", 3.1415927f }, { "pit", 1.5707964f },
-    { "rol", 1.5707964f },
+    { "x", 0.70f },        { "y", 0.30f },        { "z", 0.40f },
+    { "yaw", 3.1415927f }, { "pit", 1.5707964f }, { "rol", 1.5707964f },
 };
 
 static float value_of(const struct scene_axes *seat, uint32_t axis)
 {
-    const float values[AXIS_COUNT] = { seat->position_m.x,   seat->position_m.y,
-                                       seat->position_m.z,   seat->angles.yaw_rad,
+    const float values[AXIS_COUNT] = { seat->position_m.x,     seat->position_m.y,
+                                       seat->position_m.z,     seat->angles.yaw_rad,
                                        seat->angles.pitch_rad, seat->angles.roll_rad };
     return isfinite(values[axis]) ? values[axis] : 0.0f;
 }
@@ -60,7 +61,8 @@ static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_ax
     menu_words_at(view, box.x, y, 40.0f * u, 0.0f, &name, axes[axis].name);
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { track, y - 5.0f * u, width, 10.0f * u },
-                                 .kind = UI_PANEL, .fill = 0xb5762f50u,
+                                 .kind = UI_PANEL,
+                                 .fill = 0xb5762f50u,
                                  .shape = { 0, 0, 5.0f * u } });
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { part < 0.0f ? middle + part : middle, y - 8.0f * u,
@@ -107,9 +109,11 @@ static void seat_sheet(const struct menu_view *view, uint32_t index)
     const struct scene_axes *seat = &view->devices->axes[index];
     const float u = view->frame.unit;
     const struct ui_box box = cell(view, index);
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
-                                 .line = 0xb5762fffu, .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = 0xb5762fffu,
+                                                    .shape = { 0, 0, 10.0f * u, 2.0f * u } });
     ui_menu_axes_heading(view, seat, index, box);
     if (seat->link != POI_SOURCE_LIVE) {
         return;

@@ -12,8 +12,8 @@
 /* A line of a book: a name, and a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
-    uint8_t audit, by;  /* Divisor counter; 0: none, because the first counter is no divisor. */
-    uint16_t over;      /* Additional constant divisor, unless 0: seconds to hours. */
+    uint8_t audit, by; /* Divisor counter; 0: none, because the first counter is no divisor. */
+    uint16_t over;     /* Additional constant divisor, unless 0: seconds to hours. */
 };
 
 /* ---- Paper and numbers ---------------------------------------------------------------------- */
@@ -22,18 +22,20 @@ static struct ui_box sheet(const struct menu_view *view, struct layout_box place
 {
     const float u = view->frame.unit;
     const struct ui_box box = menu_place(view, place);
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
-                                 .line = 0xb5762fffu, .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = 0xb5762fffu,
+                                                    .shape = { 0, 0, 10.0f * u, 2.0f * u } });
     return box;
 }
 
 static void rule(const struct menu_view *view, float x, float y, float width)
 {
     const float u = view->frame.unit;
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = { x, y - u, width, 2.0f * u }, .kind = UI_PANEL,
-                                 .fill = RULE_PAINT });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = { x, y - u, width, 2.0f * u },
+                                                    .kind = UI_PANEL,
+                                                    .fill = RULE_PAINT });
 }
 
 /* Writes a count with separators, such as "1,234,567"; a mean with one decimal, and a dash if
@@ -156,8 +158,7 @@ static void by_mode(const struct menu_view *view, struct ui_box box)
     menu_words_at(view, box.x + 0.5f * box.width, box.y + 28.0f * u, box.width - 40.0f * u, 0.5f,
                   &name, menu_text(view, TEXT_AUD_BY_MODE));
     for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
-        text_number(words, sizeof words, menu_text(view, TEXT_VAL_GRADE),
-                    grade + SHEET_GRADE_MIN);
+        text_number(words, sizeof words, menu_text(view, TEXT_VAL_GRADE), grade + SHEET_GRADE_MIN);
         menu_words_at(view, first + ((float)grade + 1.0f) * column, box.y + 72.0f * u,
                       0.92f * column, 1.0f, &name, words);
     }
@@ -204,9 +205,9 @@ void menu_plays(const struct menu_view *view)
 
 /* Draws a bar chart with names below the bars. The highest bar fills the height. */
 static void bars(const struct menu_view *view, struct ui_box box, enum text_key title,
-                 uint32_t first, uint32_t count, void (*name)(const struct menu_view *view,
-                                                             uint32_t index, char *out,
-                                                             size_t out_size))
+                 uint32_t first, uint32_t count,
+                 void (*name)(const struct menu_view *view, uint32_t index, char *out,
+                              size_t out_size))
 {
     const float u = view->frame.unit, left = box.x + 24.0f * u;
     const float pitch = (box.width - 48.0f * u) / (float)count;
@@ -228,10 +229,11 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
         const float height = room * (float)plays / (float)most;
         if (plays > 0) {
             ui_shape(view->frame.batch,
-                     &(struct ui_shape){ .box = { x - 0.34f * pitch, base - height, 0.68f * pitch,
-                                                  height },
-                                         .kind = UI_PANEL, .fill = BAR_PAINT,
-                                         .shape = { 0, 0, 3.0f * u } });
+                     &(struct ui_shape){
+                         .box = { x - 0.34f * pitch, base - height, 0.68f * pitch, height },
+                         .kind = UI_PANEL,
+                         .fill = BAR_PAINT,
+                         .shape = { 0, 0, 3.0f * u } });
         }
         if (plays == most) { /* Only the highest bars show their value. */
             write_count(words, plays);

@@ -98,27 +98,34 @@ static void basin(const struct menu_view *view, struct ui_box box, int from_the_
 {
     const float u = view->frame.unit;
     struct ui_box pool = pool_of(view, box);
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_WOOD,
-                                                    .fill = 0x6e4528ffu, .line = 0x3a2214ffu,
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WOOD,
+                                                    .fill = 0x6e4528ffu,
+                                                    .line = 0x3a2214ffu,
                                                     .shape = { 0, 0, 18.0f * u, 3.0f * u } });
     if (from_the_side) {
-        ui_shape(view->frame.batch, &(struct ui_shape){ .box = pool, .kind = UI_PANEL,
+        ui_shape(view->frame.batch, &(struct ui_shape){ .box = pool,
+                                                        .kind = UI_PANEL,
                                                         .fill = 0x0c1130ffu,
                                                         .shape = { 0, 0, 8.0f * u } });
         pool.y += 0.5f * pool.height;
         pool.height *= 0.5f;
     }
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = pool, .kind = UI_WATER,
-                                                    .fill = 0x1d7a86ffu, .line = 0x0d3a4cffu,
-                                                    .shape = { 0, 0, 8.0f * u,
-                                                               view->frame.time_s } });
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = pool,
+                                 .kind = UI_WATER,
+                                 .fill = 0x1d7a86ffu,
+                                 .line = 0x0d3a4cffu,
+                                 .shape = { 0, 0, 8.0f * u, view->frame.time_s } });
 }
 
 static void ring(const struct menu_view *view, float x, float y, float radius, float part)
 {
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_RING, .fill = UI_GOLD, .line = 0xffffff60u,
+                                 .kind = UI_RING,
+                                 .fill = UI_GOLD,
+                                 .line = 0xffffff60u,
                                  .shape = { radius, 7.0f * view->frame.unit, part } });
 }
 
@@ -180,8 +187,7 @@ static void laid_flat(const struct menu_view *view, struct ui_box pool)
     const float left[2] = { x - 90.0f * u, y }, right[2] = { x + 90.0f * u, y };
     const float grip[2] = { x + 210.0f * u, y };
     ui_segment(view->frame.batch, left, right, 9.0f * u, 0xfff6e2ffu);
-    ui_segment(view->frame.batch, right, grip, 14.0f * u,
-               ui_player_colours[view->menu->seat]);
+    ui_segment(view->frame.batch, right, grip, 14.0f * u, ui_player_colours[view->menu->seat]);
     ring(view, x, water - 130.0f * u, 30.0f * u, view->menu->menu_calibrate_progress);
 }
 

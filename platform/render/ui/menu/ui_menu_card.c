@@ -13,18 +13,17 @@
 #define CARD_GREY 0x404040ffu
 #define CARD_WHITE 0xffffffffu
 #define CARD_AMBER 0xffa800ffu
-#define GRID_ROWS 9.0f  /* Number of squares from top to bottom; upright, from side to side. */
-#define GRID_LINES_MAX 64u /* Maximum lines on each side of the middle, enough for a screen of 14 to
-                              1. */
-#define SAFE 0.05f      /* Fraction of each side. */
+#define GRID_ROWS 9.0f /* Number of squares from top to bottom; upright, from side to side. */
+/* Maximum lines on each side of the middle, enough for a screen of 14 to 1. */
+#define GRID_LINES_MAX 64u
+#define SAFE 0.05f /* Fraction of each side. */
 #define COLOUR_COUNT 8u
 #define GREY_COUNT 11u
 #define SUBTLE_COUNT 4u
 
 static void ui_menu_card_fill_box(const struct menu_view *view, struct ui_box box, uint32_t colour)
 {
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
 }
 
 /* Draws a line on whole pixels. On half pixels a line would be two pixels wide and half as
@@ -90,9 +89,10 @@ static void circle(const struct menu_view *view, float radius)
 
 static void colours(const struct menu_view *view, struct ui_box band)
 {
-    static const uint32_t bars[COLOUR_COUNT] = { 0xc0c0c0ffu, 0xc0c000ffu, 0x00c0c0ffu,
-                                                 0x00c000ffu, 0xc000c0ffu, 0xc00000ffu,
-                                                 0x0000c0ffu, 0x000000ffu };
+    static const uint32_t bars[COLOUR_COUNT] = {
+        0xc0c0c0ffu, 0xc0c000ffu, 0x00c0c0ffu, 0x00c000ffu,
+        0xc000c0ffu, 0xc00000ffu, 0x0000c0ffu, 0x000000ffu
+    };
     const float width = band.width / (float)COLOUR_COUNT;
     for (uint32_t i = 0; i < COLOUR_COUNT; i++) {
         const float from = floorf(band.x + (float)i * width);
@@ -134,7 +134,8 @@ static void letters(const struct menu_view *view, float x, float y)
 {
     static const float sizes_px[] = { 28.0f, 18.0f, 11.0f };
     for (uint32_t i = 0; i < sizeof sizes_px / sizeof sizes_px[0]; i++) {
-        const struct ui_text style = { .font = FONT_BODY, .size_px = sizes_px[i],
+        const struct ui_text style = { .font = FONT_BODY,
+                                       .size_px = sizes_px[i],
                                        .fill = CARD_WHITE };
         menu_words_at(view, x, y + ((float)i - 1.0f) * 28.0f, 200.0f, 0.5f, &style,
                       "\xe9\x87\x91\xe9\xad\x9a 8BES");
@@ -164,9 +165,10 @@ void menu_card(const struct menu_view *view)
     greys(view, (struct ui_box){ left, middle + 1.0f * side, 6.0f * side, 1.5f * side });
     letters(view, 0.5f * width, middle);
     all_letters(view);
-    outline(view, (struct ui_box){ floorf(SAFE * width), floorf(SAFE * height),
-                                   floorf((1.0f - 2.0f * SAFE) * width),
-                                   floorf((1.0f - 2.0f * SAFE) * height) },
+    outline(view,
+            (struct ui_box){ floorf(SAFE * width), floorf(SAFE * height),
+                             floorf((1.0f - 2.0f * SAFE) * width),
+                             floorf((1.0f - 2.0f * SAFE) * height) },
             1.0f, CARD_AMBER);
     outline(view, whole, 2.0f, CARD_WHITE);
 }

@@ -26,9 +26,11 @@ void menu_confirm(const struct menu_view *view)
     const struct ui_text asks = menu_style(view, 38.0f, UI_INK);
     const struct ui_text costs = menu_style(view, 24.0f, UI_INK_SOFT);
     const struct ui_text about = menu_style(view, 26.0f, 0xc23a22ffu);
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
-                                 .line = 0xb5762fffu, .shape = { 0, 0, 12.0f * u, 2.0f * u } });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = 0xb5762fffu,
+                                                    .shape = { 0, 0, 12.0f * u, 2.0f * u } });
     const float x = box.x + 24.0f * u, width = box.width - 48.0f * u;
     if (menu->page == MENU_RESET) { /* Name of the book to be reset. */
         ui_words_in(&view->frame,

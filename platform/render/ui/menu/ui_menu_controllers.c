@@ -34,7 +34,8 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
 {
     const float u = view->frame.unit;
     const struct ui_text style = menu_style(view, 24.0f, MENU_CREAM);
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_PANEL,
                                                     .fill = states[state].paint,
                                                     .line = 0xffe7b0a0u,
                                                     .shape = { 0, 0, 8.0f * u, 1.5f * u } });
@@ -117,8 +118,10 @@ void menu_one_controller(const struct menu_view *view)
     const struct ui_box slip =
         menu_place(view, upright ? (struct layout_box){ 27.0f, 240.0f, 800.0f, 90.0f }
                                  : (struct layout_box){ 190.0f, 128.0f, 900.0f, 66.0f });
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = slip, .kind = UI_WASHI,
-                                                    .fill = UI_WASHI_WHITE, .line = 0xb5762fffu,
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = slip,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = 0xb5762fffu,
                                                     .shape = { 0, 0, 10.0f * u, 2.0f * u } });
     state_sign(view, slip.x + 44.0f * u, slip.y + 0.46f * slip.height, 17.0f * u, state);
     ui_words_in(&view->frame,

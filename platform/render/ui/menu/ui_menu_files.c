@@ -15,13 +15,25 @@ struct places {
 };
 
 static const struct places wide = {
-    .x = 60.0f, .y = 116.0f, .width = 1160.0f, .pitch = 95.0f, .height = 89.0f,
-    .name_height = 33.0f, .line_height = 23.5f, .line_count = 2,
+    .x = 60.0f,
+    .y = 116.0f,
+    .width = 1160.0f,
+    .pitch = 95.0f,
+    .height = 89.0f,
+    .name_height = 33.0f,
+    .line_height = 23.5f,
+    .line_count = 2,
     .count = { 60.0f, 48.0f, 260.0f, 44.0f },
 };
 static const struct places upright_places = {
-    .x = 27.0f, .y = 196.0f, .width = 800.0f, .pitch = 131.0f, .height = 123.0f,
-    .name_height = 42.0f, .line_height = 25.0f, .line_count = 3,
+    .x = 27.0f,
+    .y = 196.0f,
+    .width = 800.0f,
+    .pitch = 131.0f,
+    .height = 123.0f,
+    .name_height = 42.0f,
+    .line_height = 25.0f,
+    .line_count = 3,
     .count = { 27.0f, 150.0f, 200.0f, 40.0f },
 };
 
@@ -79,7 +91,8 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
 {
     const float u = view->frame.unit;
     const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_PANEL,
                                                     .fill = looks[state].paint,
                                                     .shape = { 0, 0, 7.0f * u, 0 } });
     ui_words_in(&view->frame,
@@ -129,16 +142,19 @@ static void slip(const struct menu_view *view, const struct places *places, uint
     struct ui_text name = menu_style(view, 26.0f, UI_INK);
     char words[SCENE_NAME_SIZE + SCENE_FILE_SIZE], said[WORDS_SIZE];
     name_of(view, row, file, words, sizeof words);
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
-                                 .line = 0xb5762fffu, .shape = { 0, 0, 8.0f * u, 1.5f * u } });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = 0xb5762fffu,
+                                                    .shape = { 0, 0, 8.0f * u, 1.5f * u } });
     name.fit_px = box.width - slip_width - 48.0f * u;
     ui_text(view->frame.batch, &name, reason.x,
             ui_text_middle(&name, box.y + 0.5f * places->name_height * u + 2.0f * u), words);
     wrap(view, &reason, words_of(view, row, file, said, sizeof said), places);
     if (file->state != FILE_UNKNOWN) {
-        state_slip(view, (struct ui_box){ box.x + box.width - slip_width - 10.0f * u,
-                                          box.y + 5.0f * u, slip_width, slip_height },
+        state_slip(view,
+                   (struct ui_box){ box.x + box.width - slip_width - 10.0f * u, box.y + 5.0f * u,
+                                    slip_width, slip_height },
                    file->state);
     }
 }

@@ -4,9 +4,9 @@
 
 #include "platform/render/ui/menu/ui_menu.h"
 
-#define LOOP_S 2.4f   /* Period of the demonstrated motion, */
-#define WAY_S 0.9f    /* duration of its outward part, */
-#define BACK_S 2.1f   /* and time at which the poi is back. */
+#define LOOP_S 2.4f /* Period of the demonstrated motion, */
+#define WAY_S 0.9f  /* duration of its outward part, */
+#define BACK_S 2.1f /* and time at which the poi is back. */
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 
 struct step_words {
@@ -72,22 +72,27 @@ static void arrow(const struct menu_view *view, const struct step_words *step, f
 static void water(const struct menu_view *view, struct ui_box box, int from_the_side)
 {
     const float u = view->frame.unit;
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_WOOD,
-                                                    .fill = 0x6e4528ffu, .line = 0x3a2214ffu,
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WOOD,
+                                                    .fill = 0x6e4528ffu,
+                                                    .line = 0x3a2214ffu,
                                                     .shape = { 0, 0, 18.0f * u, 3.0f * u } });
     struct ui_box pool = { box.x + 16.0f * u, box.y + 16.0f * u, box.width - 32.0f * u,
                            box.height - 32.0f * u };
     if (from_the_side) {
-        ui_shape(view->frame.batch, &(struct ui_shape){ .box = pool, .kind = UI_PANEL,
+        ui_shape(view->frame.batch, &(struct ui_shape){ .box = pool,
+                                                        .kind = UI_PANEL,
                                                         .fill = 0x0c1130ffu,
                                                         .shape = { 0, 0, 10.0f * u } });
         pool.y += 0.5f * pool.height;
         pool.height *= 0.5f;
     }
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = pool, .kind = UI_WATER,
-                                                    .fill = 0x1d7a86ffu, .line = 0x0d3a4cffu,
-                                                    .shape = { 0, 0, 10.0f * u,
-                                                               view->frame.time_s } });
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = pool,
+                                 .kind = UI_WATER,
+                                 .fill = 0x1d7a86ffu,
+                                 .line = 0x0d3a4cffu,
+                                 .shape = { 0, 0, 10.0f * u, view->frame.time_s } });
 }
 
 /* Draws the step's progress, [0, 1], as a ring round the demonstrating poi. */
@@ -96,7 +101,9 @@ static void progress_ring(const struct menu_view *view, float x, float y, float 
     const float u = view->frame.unit, radius = 78.0f * u;
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_RING, .fill = UI_GOLD, .line = 0xffffff30u,
+                                 .kind = UI_RING,
+                                 .fill = UI_GOLD,
+                                 .line = 0xffffff30u,
                                  .shape = { radius, 9.0f * u, part } });
 }
 
@@ -138,11 +145,13 @@ static void dots(const struct menu_view *view, struct ui_box box, uint8_t step)
         if (i < step && step != LEARN_FAILED) {
             ui_fish_sign(&view->frame, x, y, 46.0f * u);
         } else {
-            ui_shape(view->frame.batch,
-                     &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius,
-                                                  2.0f * radius },
-                                         .kind = UI_RING, .line = 0xffffff60u, .fill = UI_GOLD,
-                                         .shape = { radius, 4.0f * u, i == step ? 1.0f : 0.0f } });
+            ui_shape(
+                view->frame.batch,
+                &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                    .kind = UI_RING,
+                                    .line = 0xffffff60u,
+                                    .fill = UI_GOLD,
+                                    .shape = { radius, 4.0f * u, i == step ? 1.0f : 0.0f } });
         }
         x += pitch;
     }

@@ -14,8 +14,8 @@ static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
     TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
 };
-#define COIN INPUT_BUTTON_COUNT /* Index of the coin cell, behind the buttons in the order of their
-                                   bits. */
+/* Index of the coin cell, behind the buttons in the order of their bits. */
+#define COIN INPUT_BUTTON_COUNT
 
 static struct ui_box cell(const struct menu_view *view, uint32_t index)
 {
@@ -40,12 +40,14 @@ static void lamp(const struct menu_view *view, float x, float y, float radius, f
     if (lit > 0.0f) {
         ui_shape(view->frame.batch,
                  &(struct ui_shape){ .box = { x - glow, y - glow, 2.0f * glow, 2.0f * glow },
-                                     .kind = UI_GLOW, .shape = { 0, 0, 1.0f },
+                                     .kind = UI_GLOW,
+                                     .shape = { 0, 0, 1.0f },
                                      .fill = ui_fade(0xff8a30ffu, 0.9f * lit) });
     }
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_PANEL, .fill = lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
+                                 .kind = UI_PANEL,
+                                 .fill = lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
                                  .line = lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu,
                                  .shape = { 0, 0, radius, 3.0f * u } });
 }
@@ -55,8 +57,10 @@ static void not_there(const struct menu_view *view, struct ui_box box)
 {
     const float u = view->frame.unit;
     const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL,
-                                                    .fill = MISSING_PAINT, .line = 0xffe7b0a0u,
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_PANEL,
+                                                    .fill = MISSING_PAINT,
+                                                    .line = 0xffe7b0a0u,
                                                     .shape = { 0, 0, 8.0f * u, 1.5f * u } });
     ui_words_in(&view->frame,
                 (struct ui_box){ box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height },
@@ -91,8 +95,10 @@ static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box
     char digits[12];
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { box.x + 14.0f * u, y - 0.5f * size, size, size },
-                                 .kind = UI_PANEL, .fill = is_raw ? 0xffd070feu : 0x4a3630ffu,
-                                 .line = 0x2a160cffu, .shape = { 0, 0, 3.0f * u, 1.5f * u } });
+                                 .kind = UI_PANEL,
+                                 .fill = is_raw ? 0xffd070feu : 0x4a3630ffu,
+                                 .line = 0x2a160cffu,
+                                 .shape = { 0, 0, 3.0f * u, 1.5f * u } });
     snprintf(digits, sizeof digits, "%u", line.edges % 1000000u);
     menu_words_at(view, box.x + 38.0f * u, y, 0.5f * box.width, 0.0f, &edges, digits);
     if (line.faults > 0) {
@@ -109,21 +115,21 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     const float u = view->frame.unit;
     const int upright = view->menu->upright;
     const struct ui_text name = menu_style(view, 27.0f, MENU_INK);
-    const struct ui_text number = { .font = FONT_STALL, .size_px = 36.0f * u,
+    const struct ui_text number = { .font = FONT_STALL,
+                                    .size_px = 36.0f * u,
                                     .fill = MENU_INK_SOFT };
     char digits[12];
     snprintf(digits, sizeof digits, "%u", count);
     ui_wooden_tag(&view->frame, box, 0);
     const int is_missing = (view->devices->buttons_missing >> index & 1u) != 0;
     if (is_missing) {
-        not_there(view, upright ? (struct ui_box){ box.x + 12.0f * u, box.y + 54.0f * u,
-                                                   134.0f * u, 42.0f * u }
+        not_there(view, upright ? (struct ui_box){ box.x + 12.0f * u, box.y + 54.0f * u, 134.0f * u,
+                                                   42.0f * u }
                                 : (struct ui_box){ box.x + 24.0f * u, box.y + 26.0f * u,
                                                    box.width - 48.0f * u, 42.0f * u });
     } else {
         lamp(view, box.x + (upright ? 74.0f * u : 0.5f * box.width),
-             box.y + (upright ? 0.5f * box.height : 46.0f * u), (upright ? 36.0f : 29.0f) * u,
-             lit);
+             box.y + (upright ? 0.5f * box.height : 46.0f * u), (upright ? 36.0f : 29.0f) * u, lit);
     }
     const float left = box.x + (upright ? (is_missing ? 152.0f : 130.0f) : 10.0f) * u;
     const float width = box.x + box.width - 12.0f * u - left;

@@ -32,9 +32,11 @@ static void slots(const struct menu_view *view)
         const struct ui_box box = slot(view, i);
         const int is_typed = i < menu->pin_count;
         ui_shape(view->frame.batch,
-                 &(struct ui_shape){ .box = box, .kind = UI_WASHI,
+                 &(struct ui_shape){ .box = box,
+                                     .kind = UI_WASHI,
                                      .fill = is_typed ? UI_WASHI_WHITE : 0xfbf2dd60u,
-                                     .line = 0xb5762fffu, .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+                                     .line = 0xb5762fffu,
+                                     .shape = { 0, 0, 10.0f * u, 2.0f * u } });
         if (is_typed && menu->page == MENU_NEW_PIN) {
             const char digit[2] = { digit_at(menu, i), 0 };
             ui_words_in(&view->frame, box, &style, digit);
@@ -47,7 +49,8 @@ static void slots(const struct menu_view *view)
 
 static void keys(const struct menu_view *view)
 {
-    const struct ui_text style = { .font = FONT_STALL, .size_px = 70.0f * view->frame.unit,
+    const struct ui_text style = { .font = FONT_STALL,
+                                   .size_px = 70.0f * view->frame.unit,
                                    .fill = MENU_INK };
     for (uint32_t tag = 0; tag < PIN_ERASE; tag++) {
         if (view->menu->tags >> tag & 1u) {

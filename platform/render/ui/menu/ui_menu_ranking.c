@@ -9,9 +9,11 @@ static void board_words(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct scene_leaderboard *board = &view->scene->leaderboard;
-    const struct ui_text mode = { .font = FONT_STALL, .size_px = 27.0f * view->frame.unit,
+    const struct ui_text mode = { .font = FONT_STALL,
+                                  .size_px = 27.0f * view->frame.unit,
                                   .fill = UI_GOLD };
-    const struct ui_text period = { .font = FONT_STALL, .size_px = 31.0f * view->frame.unit,
+    const struct ui_text period = { .font = FONT_STALL,
+                                    .size_px = 31.0f * view->frame.unit,
                                     .fill = MENU_CREAM };
     ui_words_in(&view->frame,
                 menu_place(view, upright ? (struct layout_box){ 127.0f, 152.0f, 250.0f, 44.0f }
@@ -28,14 +30,18 @@ static void score_words(const struct menu_view *view, uint32_t index, struct ui_
 {
     const struct scene_row *row = &view->scene->leaderboard.row[index];
     const float u = view->frame.unit, y = box.y + 0.5f * box.height;
-    const struct ui_text place = { .font = FONT_STALL, .size_px = 28.0f * u, .align = 1.0f,
-                                   .fill = MENU_INK_SOFT };
-    const struct ui_text name = { .font = FONT_STALL, .size_px = 32.0f * u, .fill = MENU_INK,
-                                  .fit_px = box.width - 320.0f * u };
-    const struct ui_text count = { .font = FONT_STALL, .size_px = 32.0f * u, .align = 1.0f,
-                                   .fill = MENU_INK };
-    const struct ui_text unit = { .font = FONT_STALL, .size_px = 22.0f * u, .align = 1.0f,
-                                  .fill = MENU_INK_SOFT };
+    const struct ui_text place = {
+        .font = FONT_STALL, .size_px = 28.0f * u, .align = 1.0f, .fill = MENU_INK_SOFT
+    };
+    const struct ui_text name = {
+        .font = FONT_STALL, .size_px = 32.0f * u, .fill = MENU_INK, .fit_px = box.width - 320.0f * u
+    };
+    const struct ui_text count = {
+        .font = FONT_STALL, .size_px = 32.0f * u, .align = 1.0f, .fill = MENU_INK
+    };
+    const struct ui_text unit = {
+        .font = FONT_STALL, .size_px = 22.0f * u, .align = 1.0f, .fill = MENU_INK_SOFT
+    };
     char number[12];
     text_number(number, sizeof number, "{}", index + 1u);
     ui_text(view->frame.batch, &place, box.x + 70.0f * u, ui_text_middle(&place, y), number);
@@ -84,8 +90,10 @@ void menu_score(const struct menu_view *view)
         menu_place(view, upright ? (struct layout_box){ 27.0f, 260.0f, 800.0f, 110.0f }
                                  : (struct layout_box){ 190.0f, 134.0f, 900.0f, 72.0f });
     board_words(view);
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE,
-                                 .line = 0xb5762fffu, .shape = { 0, 0, 8.0f * u, 1.5f * u } });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = 0xb5762fffu,
+                                                    .shape = { 0, 0, 8.0f * u, 1.5f * u } });
     score_words(view, view->menu->score, box);
 }

@@ -22,13 +22,27 @@ struct places {
 };
 
 static const struct places wide = {
-    .columns = 2, .rows = 7, .x = 40.0f, .y = 116.0f, .width = 592.0f, .height = 51.0f,
-    .gap = 16.0f, .pitch = 54.0f, .name_width = 160.0f,
+    .columns = 2,
+    .rows = 7,
+    .x = 40.0f,
+    .y = 116.0f,
+    .width = 592.0f,
+    .height = 51.0f,
+    .gap = 16.0f,
+    .pitch = 54.0f,
+    .name_width = 160.0f,
     .verdict = { 40.0f, 498.0f, 1200.0f, 96.0f },
 };
 static const struct places upright_places = {
-    .columns = 1, .rows = 14, .x = 27.0f, .y = 176.0f, .width = 800.0f, .height = 62.0f,
-    .gap = 0.0f, .pitch = 67.0f, .name_width = 200.0f,
+    .columns = 1,
+    .rows = 14,
+    .x = 27.0f,
+    .y = 176.0f,
+    .width = 800.0f,
+    .height = 62.0f,
+    .gap = 0.0f,
+    .pitch = 67.0f,
+    .name_width = 200.0f,
     .verdict = { 27.0f, 1122.0f, 800.0f, 118.0f },
 };
 _Static_assert(SELF_CHECKS == 14u, "both sheets have a row for each check");
@@ -54,19 +68,22 @@ static const enum text_key names[SELF_CHECKS] = {
 /* Texts of a row in each state that needs no figure; 0: figures_say() supplies the text, or the
  * state does not occur. */
 static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
-    [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD, [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
+    [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD,
+                     [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
                      [SELF_BAD] = TEXT_CHECK_STORE_BAD },
     [SELF_FILES] = { [SELF_GOOD] = TEXT_CHECK_FILES_GOOD, [SELF_BAD] = TEXT_CHECK_FILES_BAD },
     [SELF_WATCHDOG] = { [SELF_GOOD] = TEXT_CHECK_WATCHDOG_GOOD,
                         [SELF_LOOK] = TEXT_CHECK_WATCHDOG_LOOK,
                         [SELF_BAD] = TEXT_CHECK_WATCHDOG_BAD },
-    [SELF_SOUND] = { [SELF_GOOD] = TEXT_CHECK_SOUND_GOOD, [SELF_ASKS] = TEXT_CHECK_SOUND_ASK,
+    [SELF_SOUND] = { [SELF_GOOD] = TEXT_CHECK_SOUND_GOOD,
+                     [SELF_ASKS] = TEXT_CHECK_SOUND_ASK,
                      [SELF_BAD] = TEXT_CHECK_SOUND_BAD },
     [SELF_LAMP] = { [SELF_ASKS] = TEXT_CHECK_LAMP_ASK, [SELF_BAD] = TEXT_CHECK_LAMP_BAD },
     [SELF_BUTTONS] = { [SELF_GOOD] = TEXT_CHECK_BUTTONS_GOOD,
                        [SELF_ASKS] = TEXT_CHECK_BUTTONS_ASK },
     [SELF_COINS] = { [SELF_ASKS] = TEXT_CHECK_COINS_ASK },
-    [SELF_POIS] = { [SELF_GOOD] = TEXT_CHECK_POIS_GOOD, [SELF_ASKS] = TEXT_CHECK_POIS_ASK,
+    [SELF_POIS] = { [SELF_GOOD] = TEXT_CHECK_POIS_GOOD,
+                    [SELF_ASKS] = TEXT_CHECK_POIS_ASK,
                     [SELF_BAD] = TEXT_CHECK_POIS_BAD },
 };
 
@@ -120,14 +137,15 @@ static struct said figures_say(const struct menu_view *view, uint32_t self_test_
         return heat_says(machine, state);
     case SELF_CLOCK:
         return (struct said){ machine->is_clock_back ? TEXT_CHECK_CLOCK_BACK
-                                                     : TEXT_CHECK_CLOCK_LOOK, 0 };
+                                                     : TEXT_CHECK_CLOCK_LOOK,
+                              0 };
     case SELF_DISPLAY:
-        return (struct said){ state == SELF_GOOD ? TEXT_CHECK_DISPLAY_GOOD
-                                                 : TEXT_CHECK_DISPLAY_BAD,
+        return (struct said){ state == SELF_GOOD ? TEXT_CHECK_DISPLAY_GOOD : TEXT_CHECK_DISPLAY_BAD,
                               view->devices->frames_a_second };
     case SELF_LAMP:
         return (struct said){ view->menu->self.moved == SELF_UNSAID ? TEXT_CHECK_LAMP_NONE
-                                                                    : TEXT_CHECK_LAMP_GOOD, 0 };
+                                                                    : TEXT_CHECK_LAMP_GOOD,
+                              0 };
     default:
         return (struct said){ view->menu->test_coins > 0 ? TEXT_CHECK_COINS_GOOD
                                                          : TEXT_CHECK_COINS_FREE,
@@ -200,16 +218,20 @@ static void self_test_draw_mark(const struct menu_view *view, float x, float y, 
         ui_segment(view->frame.batch, down, right, 5.0f * u, BAD_PAINT);
     } else {
         menu_words_at(view, x, y, 3.0f * r, 0.5f, &sign,
-                      state == SELF_LOOK ? "!" : state == SELF_ASKS ? "?" : "...");
+                      state == SELF_LOOK   ? "!"
+                      : state == SELF_ASKS ? "?"
+                                           : "...");
     }
 }
 
 static void sheet(const struct menu_view *view, struct ui_box box, uint32_t edge)
 {
     const float u = view->frame.unit;
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_WASHI, .fill = UI_WASHI_WHITE, .line = edge,
-                                 .shape = { 0, 0, 8.0f * u, 2.0f * u } });
+    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
+                                                    .kind = UI_WASHI,
+                                                    .fill = UI_WASHI_WHITE,
+                                                    .line = edge,
+                                                    .shape = { 0, 0, 8.0f * u, 2.0f * u } });
 }
 
 /* Returns the position after the last comma or full stop that leaves at most one line behind it,
@@ -220,9 +242,8 @@ static size_t sentence_end(const struct ui_text *style, const char *words, float
     size_t end = 0;
     for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
         const int ends = code == 0x3001u || code == 0x3002u;
-        end = ends && *at && menu_fill_line(style, at, room_px) == strlen(at)
-                  ? (size_t)(at - words)
-                  : end;
+        end = ends && *at && menu_fill_line(style, at, room_px) == strlen(at) ? (size_t)(at - words)
+                                                                              : end;
     }
     return end;
 }
@@ -245,9 +266,8 @@ static void wrap(const struct menu_view *view, struct ui_box box, const struct u
     for (uint32_t i = 0; i < lines; i++) {
         const size_t size = i + 1u < lines ? first : strlen(words);
         snprintf(line, sizeof line, "%.*s", (int)size, words);
-        menu_words_at(view, box.x,
-                      box.y + box.height * ((float)i + 0.5f) / (float)lines, box.width, 0.0f,
-                      &each, line);
+        menu_words_at(view, box.x, box.y + box.height * ((float)i + 0.5f) / (float)lines, box.width,
+                      0.0f, &each, line);
         words += size;
     }
 }
@@ -270,8 +290,9 @@ static void self_test_check_row(const struct menu_view *view, const struct place
     self_test_draw_mark(view, box.x + 28.0f * u, box.y + 0.5f * box.height, state);
     menu_words_at(view, box.x + 52.0f * u, box.y + 0.5f * box.height,
                   (places->name_width - 8.0f) * u, 0.0f, &name, menu_text(view, names[index]));
-    wrap(view, (struct ui_box){ left, box.y + 4.0f * u, box.x + box.width - 10.0f * u - left,
-                                box.height - 8.0f * u },
+    wrap(view,
+         (struct ui_box){ left, box.y + 4.0f * u, box.x + box.width - 10.0f * u - left,
+                          box.height - 8.0f * u },
          &line, words);
 }
 

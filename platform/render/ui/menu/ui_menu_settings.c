@@ -17,17 +17,30 @@ struct places {
 };
 
 static const struct places wide = {
-    .name_size = 28.0f, .value_size = 30.0f, .range_size = 22.0f,
-    .inset = 22.0f, .name_width = 312.0f, .value_width = 222.0f,
-    .range_x = 346.0f, .range_width = 396.0f,
-    .help = { 60.0f, 556.0f, 1160.0f, 44.0f }, .help_lines = 1,
+    .name_size = 28.0f,
+    .value_size = 30.0f,
+    .range_size = 22.0f,
+    .inset = 22.0f,
+    .name_width = 312.0f,
+    .value_width = 222.0f,
+    .range_x = 346.0f,
+    .range_width = 396.0f,
+    .help = { 60.0f, 556.0f, 1160.0f, 44.0f },
+    .help_lines = 1,
     .saved = { 24.0f, 48.0f, 280.0f, 40.0f },
 };
 static const struct places upright_places = {
-    .name_size = 30.0f, .value_size = 34.0f, .range_size = 22.0f,
-    .inset = 22.0f, .name_width = 480.0f, .value_width = 222.0f,
-    .range_x = 22.0f, .range_width = 480.0f, .two_lines = 1,
-    .help = { 27.0f, 1126.0f, 800.0f, 100.0f }, .help_lines = 3,
+    .name_size = 30.0f,
+    .value_size = 34.0f,
+    .range_size = 22.0f,
+    .inset = 22.0f,
+    .name_width = 480.0f,
+    .value_width = 222.0f,
+    .range_x = 22.0f,
+    .range_width = 480.0f,
+    .two_lines = 1,
+    .help = { 27.0f, 1126.0f, 800.0f, 100.0f },
+    .help_lines = 3,
     .saved = { 27.0f, 152.0f, 300.0f, 40.0f },
 };
 
@@ -143,7 +156,8 @@ void menu_seal(const struct menu_view *view, float x, float y)
     const float radius = 8.0f * view->frame.unit;
     ui_shape(view->frame.batch,
              &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_PANEL, .fill = CHANGED_PAINT,
+                                 .kind = UI_PANEL,
+                                 .fill = CHANGED_PAINT,
                                  .shape = { 0, 0, 3.0f * view->frame.unit } });
 }
 
@@ -163,10 +177,10 @@ static void setting_board(const struct menu_view *view, const struct places *pla
     const float right = box.x + box.width - places->inset * u;
     char words[TEXT_LINE_MAX];
     menu_words_at(view, box.x + places->inset * u, name_y, places->name_width * u, 0.0f, &name,
-             menu_text(view, menu_setting_words_of(id)->name));
+                  menu_text(view, menu_setting_words_of(id)->name));
     menu_range_words(view, id, words, sizeof words);
     menu_words_at(view, box.x + places->range_x * u, range_y, places->range_width * u, 0.0f, &range,
-             words);
+                  words);
     menu_value_words(view, id, value, words, sizeof words);
     menu_words_at(view, right, middle, places->value_width * u, 1.0f, &number, words);
     if (is_changed) {
@@ -175,8 +189,8 @@ static void setting_board(const struct menu_view *view, const struct places *pla
 }
 
 /* Draws a board that leads to a page and has no value of its own. */
-static void page_board(const struct menu_view *view, const struct places *places,
-                       struct ui_box box, uint8_t page)
+static void page_board(const struct menu_view *view, const struct places *places, struct ui_box box,
+                       uint8_t page)
 {
     const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
     ui_words_in(&view->frame, box, &name, menu_text(view, menu_words_of(page)->title));
@@ -278,9 +292,10 @@ static void bit_board(const struct menu_view *view, const struct places *places,
     const int is_standard = (settings_entry(id)->standard >> bit & 1) != 0;
     const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
     const struct ui_text range = sized(view, &box, places->range_size, MENU_INK_SOFT);
-    const struct ui_text state =
-        sized(view, &box, places->value_size,
-              is_on != is_standard ? CHANGED_PAINT : is_on ? 0x17754effu : MENU_INK_SOFT);
+    const struct ui_text state = sized(view, &box, places->value_size,
+                                       is_on != is_standard ? CHANGED_PAINT
+                                       : is_on              ? 0x17754effu
+                                                            : MENU_INK_SOFT);
     char words[TEXT_LINE_MAX];
     snprintf(words, sizeof words, "%.60s / %.60s    %.60s %.60s", menu_text(view, TEXT_BIT_ON),
              menu_text(view, TEXT_BIT_OFF), menu_text(view, TEXT_SET_STANDARD),

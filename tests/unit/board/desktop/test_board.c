@@ -98,8 +98,8 @@ static void test_in_the_bots_stall_nobody_holds_a_fan(void **state)
 /* Whoever plugs a keyboard into a cabinet has no coins of it, no menu and no way out. */
 static void test_in_a_cabinet_no_key_is_anything(void **state)
 {
-    static const SDL_Keycode keys[] = { SDLK_ESCAPE, SDLK_q, SDLK_SPACE, SDLK_5, SDLK_6, SDLK_7,
-                                        SDLK_F2, SDLK_F3, SDLK_F4, SDLK_F11, SDLK_l };
+    static const SDL_Keycode keys[] = { SDLK_ESCAPE, SDLK_q,  SDLK_SPACE, SDLK_5,   SDLK_6, SDLK_7,
+                                        SDLK_F2,     SDLK_F3, SDLK_F4,    SDLK_F11, SDLK_l };
     static const Uint32 types[] = { SDL_KEYDOWN, SDL_KEYUP, SDL_TEXTINPUT };
     static const struct button_sample nothing;
     struct button_sample buttons = { 0 };

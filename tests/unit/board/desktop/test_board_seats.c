@@ -59,9 +59,9 @@ static int close_board(void **state)
 
 static int plug_pad(void)
 {
-    const int index = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER,
-                                                SDL_CONTROLLER_AXIS_MAX,
-                                                SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1, 0);
+    const int index =
+        SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
+                                  SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1, 0);
     assert_true(index >= 0);
     return index;
 }
@@ -217,15 +217,15 @@ int main(void)
         cmocka_unit_test_setup_teardown(
             test_a_pad_that_is_plugged_in_gets_the_first_seat_after_the_game, open_auto,
             close_board),
-        cmocka_unit_test_setup_teardown(
-            test_beside_a_pad_the_mouse_plays_second_once_it_is_moved, open_auto, close_board),
+        cmocka_unit_test_setup_teardown(test_beside_a_pad_the_mouse_plays_second_once_it_is_moved,
+                                        open_auto, close_board),
         cmocka_unit_test_setup_teardown(
             test_a_pad_that_is_pulled_out_keeps_its_seat_until_the_game_is_over, open_auto,
             close_board),
         cmocka_unit_test_setup_teardown(test_who_asks_for_the_mouse_gets_no_pad, open_mouse,
                                         close_board),
-        cmocka_unit_test_setup_teardown(test_who_asks_for_a_pad_waits_for_one_and_says_so,
-                                        open_pad, close_board),
+        cmocka_unit_test_setup_teardown(test_who_asks_for_a_pad_waits_for_one_and_says_so, open_pad,
+                                        close_board),
         cmocka_unit_test_setup_teardown(test_a_pads_buttons_are_the_cabinets_whoever_sits_first,
                                         open_auto, close_board),
         cmocka_unit_test_setup_teardown(test_nothing_that_a_pad_says_stays_in_the_queue, open_auto,

@@ -280,8 +280,8 @@ int main(void)
                                         close_stall),
         cmocka_unit_test_setup_teardown(test_pulled_out_in_mid_round_the_round_waits_and_goes_on,
                                         open_stall, close_stall),
-        cmocka_unit_test_setup_teardown(
-            test_lost_for_good_the_seat_is_the_mouses_in_the_next_game, open_stall, close_stall),
+        cmocka_unit_test_setup_teardown(test_lost_for_good_the_seat_is_the_mouses_in_the_next_game,
+                                        open_stall, close_stall),
         cmocka_unit_test(test_what_was_chosen_yesterday_is_barred_from_sdl_from_the_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -76,8 +76,7 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
         scoop_step(&scoop, DT_S, &hand);
         sensor_twin_step(&twin, &hand, DT_S, &readings);
         board_pose_step(&pose, &readings, DT_S, &out);
-        const float off_m =
-            v3_length(v3_sub(out.target.position_m, hand.target.position_m));
+        const float off_m = v3_length(v3_sub(out.target.position_m, hand.target.position_m));
         const int rests = n < 225; /* The first stroke goes from its end to its end. */
         if (rests && n > 25) {
             const vec3 step_m = v3_sub(out.target.position_m, before.target.position_m);
@@ -85,10 +84,10 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
             worst.rest_speed_m_s = f_max(worst.rest_speed_m_s, v3_length(step_m) / DT_S);
         }
         worst.moving_m = f_max(worst.moving_m, off_m);
-        worst.turn_rad = f_max(worst.turn_rad, f_abs(out.target.angles.pitch_rad -
-                                                     hand.target.angles.pitch_rad));
-        worst.turn_rad = f_max(worst.turn_rad, f_abs(out.target.angles.roll_rad -
-                                                     hand.target.angles.roll_rad));
+        worst.turn_rad = f_max(worst.turn_rad,
+                               f_abs(out.target.angles.pitch_rad - hand.target.angles.pitch_rad));
+        worst.turn_rad =
+            f_max(worst.turn_rad, f_abs(out.target.angles.roll_rad - hand.target.angles.roll_rad));
         before = out;
     }
     print_message("# chip that %s: at rest %.2f mm and %.1f mm/s, in a scoop %.1f mm, %.1f deg\n",
@@ -168,16 +167,13 @@ static void test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank(v
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(
-            test_a_pose_goes_through_every_way_to_mount_a_chip_that_fuses, fresh),
-        cmocka_unit_test_setup(
-            test_scoops_with_a_chip_that_fuses_are_told_within_a_centimetre, fresh),
-        cmocka_unit_test_setup(
-            test_scoops_with_a_cheap_chip_are_told_within_five_degrees, fresh),
-        cmocka_unit_test_setup(
-            test_a_torn_wire_is_no_place_and_a_mended_one_is_at_once, fresh),
-        cmocka_unit_test(
-            test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank),
+        cmocka_unit_test_setup(test_a_pose_goes_through_every_way_to_mount_a_chip_that_fuses,
+                               fresh),
+        cmocka_unit_test_setup(test_scoops_with_a_chip_that_fuses_are_told_within_a_centimetre,
+                               fresh),
+        cmocka_unit_test_setup(test_scoops_with_a_cheap_chip_are_told_within_five_degrees, fresh),
+        cmocka_unit_test_setup(test_a_torn_wire_is_no_place_and_a_mended_one_is_at_once, fresh),
+        cmocka_unit_test(test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

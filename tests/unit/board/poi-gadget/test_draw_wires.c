@@ -88,7 +88,7 @@ static void test_what_is_no_place_is_refused_and_the_last_place_kept(void **stat
         { { 0.8f, 0.0f, 0.8f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, -0.1f }, DRAW_WIRES_LENGTH },
         { { 0.8f, 0.8f, 3.0f }, DRAW_WIRES_LENGTH },
-        { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART },  /* Two ends 90 cm apart cannot touch. */
+        { { 0.30f, 0.30f, 0.8f }, DRAW_WIRES_APART }, /* Two ends 90 cm apart cannot touch. */
         { { 0.40f, 0.40f, 0.40f }, DRAW_WIRES_APART },
         { { 0.5431f, 0.5431f, 0.3536f }, DRAW_WIRES_HIGH }, /* 5 cm under the spools. */
     };

@@ -97,10 +97,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(
             test_reports_that_leave_are_numbered_and_those_that_do_not_are_not, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(
-            test_the_newest_feeling_counts_and_what_is_none_is_refused, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(
-            test_a_function_that_was_taken_away_is_let_go, plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_the_newest_feeling_counts_and_what_is_none_is_refused,
+                                        plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_a_function_that_was_taken_away_is_let_go, plug_in,
+                                        pull_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -129,10 +129,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_each_line_sets_what_it_names, fresh),
         cmocka_unit_test_setup(test_what_is_wrong_is_refused, fresh),
-        cmocka_unit_test_setup(
-            test_spools_that_cannot_tell_and_shared_channels_are_unsound, fresh),
-        cmocka_unit_test_setup(
-            test_the_file_in_the_box_is_the_default_and_only_wants_calibration, fresh),
+        cmocka_unit_test_setup(test_spools_that_cannot_tell_and_shared_channels_are_unsound, fresh),
+        cmocka_unit_test_setup(test_the_file_in_the_box_is_the_default_and_only_wants_calibration,
+                               fresh),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

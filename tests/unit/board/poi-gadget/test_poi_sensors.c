@@ -263,18 +263,18 @@ static void test_a_motor_hums_by_its_pulses_and_rests_when_told(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(
-            test_sensors_are_found_by_name_and_read_in_their_units, build_board, raze_board),
-        cmocka_unit_test_setup_teardown(
-            test_a_quaternion_is_read_in_its_drivers_own_order, build_board, raze_board),
+        cmocka_unit_test_setup_teardown(test_sensors_are_found_by_name_and_read_in_their_units,
+                                        build_board, raze_board),
+        cmocka_unit_test_setup_teardown(test_a_quaternion_is_read_in_its_drivers_own_order,
+                                        build_board, raze_board),
         cmocka_unit_test_setup_teardown(test_what_is_missing_is_named, build_board, raze_board),
         cmocka_unit_test_setup_teardown(
             test_a_chip_that_stops_answering_loses_the_place_and_gets_it_back, build_board,
             raze_board),
         cmocka_unit_test_setup_teardown(
             test_keys_of_gpio_are_levels_and_other_devices_are_left_alone, build_board, raze_board),
-        cmocka_unit_test_setup_teardown(
-            test_a_motor_hums_by_its_pulses_and_rests_when_told, build_board, raze_board),
+        cmocka_unit_test_setup_teardown(test_a_motor_hums_by_its_pulses_and_rests_when_told,
+                                        build_board, raze_board),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,8 +27,8 @@ static void test_a_line_says_place_turn_time_and_keys(void **state)
     (void)state;
     struct pose_line line;
     const char *why;
-    assert_int_equal(
-        pose_line_read(&line, " +400  120 -50 30.5  -25 0 190  OK FAN # down\n", &why), 1);
+    assert_int_equal(pose_line_read(&line, " +400  120 -50 30.5  -25 0 190  OK FAN # down\n", &why),
+                     1);
     assert_float_equal(line.glide_s, 0.4f, 1e-6f);
     assert_float_equal(line.target.position_m.x, 0.12f, 1e-6f);
     assert_float_equal(line.target.position_m.y, -0.05f, 1e-6f);

@@ -33,8 +33,10 @@ static void test_each_control_character_becomes_one_mark(void **state)
 {
     (void)state;
     expect("a\033[31mb\r\n\tc\x7F", "a?[31mb???c?");
-    expect("\xC2\x80\xC2\x85\xC2\x9B" "1m\xC2\x9F", "???1m?"); /* C1: U+009B begins a sequence. */
-    expect("\xE2\x80\xA8\xE2\x80\xA9", "??");                  /* U+2028, U+2029 */
+    expect("\xC2\x80\xC2\x85\xC2\x9B"
+           "1m\xC2\x9F",
+           "???1m?");                         /* C1: U+009B begins a sequence. */
+    expect("\xE2\x80\xA8\xE2\x80\xA9", "??"); /* U+2028, U+2029 */
 }
 
 static void test_every_c0_and_c1_character_is_refused(void **state)
@@ -56,9 +58,9 @@ static void test_every_c0_and_c1_character_is_refused(void **state)
 static void test_bidirectional_controls_are_refused(void **state)
 {
     (void)state;
-    expect("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???");  /* U+061C, U+200E, U+200F */
-    expect("\xE2\x80\xAA\xE2\x80\xAE", "??");            /* U+202A, U+202E */
-    expect("\xE2\x81\xA6\xE2\x81\xA9", "??");            /* U+2066, U+2069 */
+    expect("\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???");         /* U+061C, U+200E, U+200F */
+    expect("\xE2\x80\xAA\xE2\x80\xAE", "??");                  /* U+202A, U+202E */
+    expect("\xE2\x81\xA6\xE2\x81\xA9", "??");                  /* U+2066, U+2069 */
     expect("\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA", /* Their neighbours stay. */
            "\xE2\x80\x8D\xE2\x80\xAF\xE2\x81\xA5\xE2\x81\xAA");
 }
@@ -66,13 +68,15 @@ static void test_bidirectional_controls_are_refused(void **state)
 static void test_each_byte_that_is_not_utf8_becomes_one_mark(void **state)
 {
     (void)state;
-    expect("a\x9B" "b", "a?b");               /* A lone C1 byte, as Latin 1 has it. */
-    expect("\xC0\xAF", "??");                 /* Overlong. */
+    expect("a\x9B"
+           "b",
+           "a?b");            /* A lone C1 byte, as Latin 1 has it. */
+    expect("\xC0\xAF", "??"); /* Overlong. */
     expect("\xE0\x80\xAF", "???");
-    expect("\xED\xA0\x80", "???");            /* A surrogate. */
-    expect("\xF4\x90\x80\x80", "????");       /* Above U+10FFFF. */
+    expect("\xED\xA0\x80", "???");      /* A surrogate. */
+    expect("\xF4\x90\x80\x80", "????"); /* Above U+10FFFF. */
     expect("\xF8\x88\x80\x80\x80", "?????");
-    expect("a\xE9\x87", "a??");               /* Cut off by the end of the text. */
+    expect("a\xE9\x87", "a??"); /* Cut off by the end of the text. */
     expect("\xE9\x87\033", "???");
     expect("\xC3", "?");
 }

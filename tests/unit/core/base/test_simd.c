@@ -23,10 +23,12 @@ static uint32_t bits_of(float x)
 
 static float special(uint32_t which)
 {
-    static const float values[] = { 0.0f,     -0.0f,       1.0f,     -1.0f,     0.5f,        -0.5f,
-                                    F_PI,     -F_PI,       F_TAU,    -F_TAU,    F_PI / 2.0f, 1e-30f,
-                                    -1e-30f,  8388607.5f,  8388608.0f, -8388608.0f, 16777215.0f,
-                                    0.41421356f, 0.99999994f, -0.99999994f, 2.5f, -2.5f };
+    static const float values[] = { 0.0f,        -0.0f,       1.0f,        -1.0f,
+                                    0.5f,        -0.5f,       F_PI,        -F_PI,
+                                    F_TAU,       -F_TAU,      F_PI / 2.0f, 1e-30f,
+                                    -1e-30f,     8388607.5f,  8388608.0f,  -8388608.0f,
+                                    16777215.0f, 0.41421356f, 0.99999994f, -0.99999994f,
+                                    2.5f,        -2.5f };
     return values[which % (sizeof values / sizeof values[0])];
 }
 

@@ -36,8 +36,10 @@ static void test_three_minutes_have_the_calls_of_the_championship(void **state)
 static void test_each_is_called_once_and_nothing_in_between(void **state)
 {
     (void)state;
-    static const uint32_t counts[] = { [CALL_ONE_MINUTE] = 1, [CALL_TWO_MINUTES] = 1,
-                                       [CALL_TEN_SECONDS] = 1, [CALL_COUNTDOWN] = 5,
+    static const uint32_t counts[] = { [CALL_ONE_MINUTE] = 1,
+                                       [CALL_TWO_MINUTES] = 1,
+                                       [CALL_TEN_SECONDS] = 1,
+                                       [CALL_COUNTDOWN] = 5,
                                        [CALL_TIME] = 1 };
     for (enum time_call call = CALL_ONE_MINUTE; call <= CALL_TIME; call++) {
         assert_int_equal(count_calls(call, 180), counts[call]);

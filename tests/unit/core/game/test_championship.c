@@ -23,9 +23,8 @@ static void listen(void)
     for (uint32_t i = 0; i < output.sound_count; i++) {
         const uint8_t sound = output.sounds[i].sound;
         if ((sound == SOUND_CALL || sound == SOUND_TICK) && heard_count < CALLS_MAX) {
-            heard[heard_count++] = (struct heard){
-                .tick = core.tick - 1u - core.game.round_tick, .sound = sound
-            };
+            heard[heard_count++] =
+                (struct heard){ .tick = core.tick - 1u - core.game.round_tick, .sound = sound };
         }
     }
 }
@@ -45,9 +44,9 @@ static void run_to_result(int plays)
 
 static uint64_t play_through(uint32_t seed, uint32_t round_s)
 {
-    const struct core_config config = {
-        .seed = seed, .round_s = round_s, .modes = 1u << MODE_CHAMPIONSHIP
-    };
+    const struct core_config config = { .seed = seed,
+                                        .round_s = round_s,
+                                        .modes = 1u << MODE_CHAMPIONSHIP };
     open_stall(&config);
     bot_init(&player, &technique_expert, seed);
     hold(0, v3(0.0f, STAND_ABOVE_M, 0.0f));
@@ -83,9 +82,9 @@ static void test_it_is_the_federations_tank_paper_and_time(void **state)
 static void test_the_keeper_calls_the_time(void **state)
 {
     (void)state;
-    const struct core_config config = {
-        .preset = TANK_PRESET_OFFICIAL, .fish_count = 12, .modes = 1u << MODE_CHAMPIONSHIP
-    };
+    const struct core_config config = { .preset = TANK_PRESET_OFFICIAL,
+                                        .fish_count = 12,
+                                        .modes = 1u << MODE_CHAMPIONSHIP };
     static const struct heard calls[] = {
         { 60u * CORE_TICK_HZ, SOUND_CALL },  { 120u * CORE_TICK_HZ, SOUND_CALL },
         { 170u * CORE_TICK_HZ, SOUND_CALL }, { 175u * CORE_TICK_HZ, SOUND_TICK },

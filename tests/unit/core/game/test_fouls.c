@@ -295,8 +295,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count),
-        cmocka_unit_test(
-            test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count),
+        cmocka_unit_test(test_fish_swept_in_from_a_ring_in_the_water_are_a_foul_and_do_not_count),
         cmocka_unit_test(test_at_a_stall_what_was_swept_in_counts),
         cmocka_unit_test(test_a_ring_that_was_lifted_clear_first_pours_nothing),
         cmocka_unit_test(test_fish_from_open_water_count_without_a_foul),

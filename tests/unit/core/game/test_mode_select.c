@@ -35,9 +35,9 @@ static void test_one_mode_alone_is_not_asked_for(void **state)
 {
     (void)state;
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        const struct core_config config = {
-            .seed = 5, .fish_count = 12, .modes = (uint8_t)(1u << mode)
-        };
+        const struct core_config config = { .seed = 5,
+                                            .fish_count = 12,
+                                            .modes = (uint8_t)(1u << mode) };
         open_stall(&config);
         press(INPUT_START);
         assert_int_equal(core.game.phase, PHASE_READY);
@@ -67,9 +67,8 @@ static void test_left_and_right_go_round_and_start_takes_one(void **state)
 static void test_modes_that_are_not_offered_are_passed_over(void **state)
 {
     (void)state;
-    const struct core_config config = {
-        .fish_count = 12, .modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE
-    };
+    const struct core_config config = { .fish_count = 12,
+                                        .modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE };
     open_stall(&config);
     choose();
     press(INPUT_RIGHT);
@@ -243,9 +242,9 @@ static void test_fish_of_a_tank_that_opens_late_have_just_thought(void **state)
 static void test_festival_and_practice_are_played_in_the_stalls_own_tank(void **state)
 {
     (void)state;
-    const struct core_config config = {
-        .preset = TANK_PRESET_THESIS, .fish_count = 12, .modes = ALL_MODES
-    };
+    const struct core_config config = { .preset = TANK_PRESET_THESIS,
+                                        .fish_count = 12,
+                                        .modes = ALL_MODES };
     static const uint8_t modes[] = { MODE_FESTIVAL, MODE_PRACTICE };
     for (size_t i = 0; i < sizeof modes; i++) {
         open_stall(&config);
@@ -274,8 +273,10 @@ static void test_a_championship_that_is_offered_alone_takes_the_paper_that_is_na
     (void)state;
     const uint8_t named[] = { 0, 4, 7 }, played[] = { 5, 4, 7 };
     for (size_t i = 0; i < sizeof named; i++) {
-        const struct core_config config = { .preset = TANK_PRESET_OFFICIAL, .fish_count = 12,
-                                            .modes = 1u << MODE_CHAMPIONSHIP, .grade = named[i] };
+        const struct core_config config = { .preset = TANK_PRESET_OFFICIAL,
+                                            .fish_count = 12,
+                                            .modes = 1u << MODE_CHAMPIONSHIP,
+                                            .grade = named[i] };
         assert_int_equal(table_setup_grade(&config, MODE_CHAMPIONSHIP), played[i]);
         open_stall(&config);
         assert_int_equal(core.poi[0].sheet.grade, played[i]);

@@ -55,8 +55,8 @@ static void test_ten_minutes_of_attract_are_a_chapter(void **state)
 /* A coin, a service credit, a visit to the menu, a language: much to go on with. */
 static void live(uint32_t ticks, struct input *input)
 {
-    static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST, INPUT_SERVICE,
-                                        INPUT_TEST, INPUT_START };
+    static const uint32_t presses[] = { INPUT_SERVICE, INPUT_LANGUAGE, INPUT_TEST,
+                                        INPUT_SERVICE, INPUT_TEST,     INPUT_START };
     for (uint32_t i = 0; i < ticks; i++) {
         input->pressed = i % 40u == 39u ? presses[i / 40u % 6u] : 0u;
         input->coin_count[i / 50u % COIN_LINE_COUNT] = i % 50u == 7u;
@@ -74,8 +74,12 @@ static void live(uint32_t ticks, struct input *input)
 static void test_a_chapter_is_what_its_configuration_makes(void **state)
 {
     (void)state;
-    struct core_config config = { .seed = 9, .fish_count = 30, .players = 2, .round_s = 10,
-                                  .credit_coins = 2, .ticket_fish = 1 };
+    struct core_config config = { .seed = 9,
+                                  .fish_count = 30,
+                                  .players = 2,
+                                  .round_s = 10,
+                                  .credit_coins = 2,
+                                  .ticket_fish = 1 };
     settings_reset(&config.persistent.settings);
     struct input input = { .poi[0].link = POI_SOURCE_BOT, .poi[1].link = POI_SOURCE_BOT };
     begin(&config);
@@ -90,9 +94,7 @@ static void test_a_chapter_is_what_its_configuration_makes(void **state)
         memset(&echo, 0, sizeof echo);
         echo.entry_id = output.entry_id;
         for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
-            input.pressed = i == 100u                ? INPUT_SERVICE
-                            : i == 200u || i == 300u ? INPUT_START
-                                                     : 0u;
+            input.pressed = i == 100u ? INPUT_SERVICE : i == 200u || i == 300u ? INPUT_START : 0u;
             tick(&core, &input, &output);
             tick(&twin, &input, &echo);
             assert_int_equal(core_hash_quick(&twin), core_hash_quick(&core));

@@ -64,9 +64,9 @@ static void test_a_fan_held_over_fish_before_the_start_is_one_foul(void **state)
 static void test_a_fan_that_was_there_already_has_a_second_and_a_half_to_go(void **state)
 {
     (void)state;
-    const struct core_config config = {
-        .seed = 3, .preset = TANK_PRESET_OFFICIAL, .modes = 1u << MODE_CHAMPIONSHIP
-    };
+    const struct core_config config = { .seed = 3,
+                                        .preset = TANK_PRESET_OFFICIAL,
+                                        .modes = 1u << MODE_CHAMPIONSHIP };
     open_stall(&config);
     hold(0, aside_m);
     fan(1, 0.1f);
@@ -138,9 +138,9 @@ static void test_a_poi_brought_over_fish_and_held_there_is_a_foul(void **state)
 static void test_a_poi_that_has_rested_since_ready_began_is_none(void **state)
 {
     (void)state;
-    const struct core_config config = {
-        .seed = 3, .preset = TANK_PRESET_OFFICIAL, .modes = 1u << MODE_CHAMPIONSHIP
-    };
+    const struct core_config config = { .seed = 3,
+                                        .preset = TANK_PRESET_OFFICIAL,
+                                        .modes = 1u << MODE_CHAMPIONSHIP };
     open_stall(&config);
     hold(0, v3(0.05f, STAND_ABOVE_M, 0.05f)); /* Where it was when START was pressed. */
     press(INPUT_START);
@@ -163,9 +163,9 @@ static void test_the_umpire_says_beforehand_what_is_forbidden(void **state)
 static void test_a_fan_is_a_foul_of_the_player_whose_it_is(void **state)
 {
     (void)state;
-    const struct core_config config = {
-        .preset = TANK_PRESET_OFFICIAL, .modes = 1u << MODE_CHAMPIONSHIP, .players = 2
-    };
+    const struct core_config config = { .preset = TANK_PRESET_OFFICIAL,
+                                        .modes = 1u << MODE_CHAMPIONSHIP,
+                                        .players = 2 };
     open_stall(&config);
     press(INPUT_START);
     input.shade[1] = (struct shade_input){ .present = 1, .radius_m = 0.12f };

@@ -33,8 +33,9 @@ static int16_t any_int16(uint32_t round, uint32_t *use)
 static void any_mesh(uint32_t round, uint32_t key_count, uint32_t vertex_count)
 {
     uint32_t use = 0;
-    mesh = (struct species_mesh){ .vertex_count = vertex_count, .anchor_count = ANCHORS,
-                                  .reach = 2.0f, .vertices = vertices };
+    mesh = (struct species_mesh){
+        .vertex_count = vertex_count, .anchor_count = ANCHORS, .reach = 2.0f, .vertices = vertices
+    };
     for (uint32_t i = 0; i < vertex_count; i++) {
         const bool plain = drawn(round, &use, 0.0f, 1.0f) < 0.8f || i < vertex_count / 2u;
         const uint8_t second = (uint8_t)drawn(round, &use, 0.0f, 255.0f);
@@ -45,10 +46,9 @@ static void any_mesh(uint32_t round, uint32_t key_count, uint32_t vertex_count)
             vertices[i].mask[i % 3u + 1u] = second;
         }
         for (uint32_t key = 0; key < key_count; key++) {
-            points[key][i] = (struct species_point){ any_int16(round, &use),
-                                                     any_int16(round, &use),
-                                                     any_int16(round, &use),
-                                                     any_int16(round, &use) };
+            points[key][i] =
+                (struct species_point){ any_int16(round, &use), any_int16(round, &use),
+                                        any_int16(round, &use), any_int16(round, &use) };
         }
     }
     for (uint32_t key = 0; key < key_count; key++) {
@@ -68,8 +68,8 @@ static void any_pose(uint32_t round, uint32_t key_count)
     for (uint32_t i = 0; i < ANCHORS; i++) {
         const float angle = drawn(round + 2000u, &use, -F_PI, F_PI);
         pose.anchor[i].position = v3(drawn(round, &use, -1.0f, 1.0f), 0.3f, -0.2f);
-        pose.anchor[i].turn = (struct quat){ 0.6f * f_sin(angle), 0.0f, 0.8f * f_sin(angle),
-                                             f_cos(angle) };
+        pose.anchor[i].turn =
+            (struct quat){ 0.6f * f_sin(angle), 0.0f, 0.8f * f_sin(angle), f_cos(angle) };
     }
 }
 

@@ -75,8 +75,9 @@ static void test_two_points_are_a_straight_line(void **state)
 static void test_equal_rises_keep_their_slope(void **state)
 {
     (void)state;
-    const struct cubic_point line[4] = { { 0.0f, 0.0f }, { 1.0f, 2.0f }, { 1.5f, 3.0f },
-                                         { 4.0f, 8.0f } };
+    const struct cubic_point line[4] = {
+        { 0.0f, 0.0f }, { 1.0f, 2.0f }, { 1.5f, 3.0f }, { 4.0f, 8.0f }
+    };
     for (uint32_t i = 0; i < 4; i++) {
         assert_float_equal(cubic_slope(line, 4, i), 2.0f, 1e-6f);
     }

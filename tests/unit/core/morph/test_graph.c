@@ -242,7 +242,8 @@ static void test_the_solved_middle_key_is_the_thesis_exaggeration(void **state)
 static void test_shapes_are_solved_whatever_key_is_seen_most(void **state)
 {
     (void)state;
-    const struct graph graph = { .knot_count = 3, .solved = 1,
+    const struct graph graph = { .knot_count = 3,
+                                 .solved = 1,
                                  .knots = { { 0.0f, { 0.1f, 0.7f, 0.2f } },
                                             { 0.5f, { 0.2f, 0.1f, 0.7f } },
                                             { 1.0f, { 0.7f, 0.2f, 0.1f } } } };

@@ -38,7 +38,11 @@ static void test_a_goldfish_of_three_months_is_a_fish_of_the_stall(void **state)
 /* The black conger's larva: grows, shrinks as it becomes an eel, grows again (measured, in mm). */
 static struct growth conger_growth(void)
 {
-    return (struct growth){ 1.4f, 0.15f, -0.3f, 0.4f, 6,
+    return (struct growth){ 1.4f,
+                            0.15f,
+                            -0.3f,
+                            0.4f,
+                            6,
                             { { 0.0f, 0.006f },
                               { 100.0f, 0.064f },
                               { 220.0f, 0.1255f },
@@ -88,8 +92,9 @@ static void test_the_table_runs_into_the_curve_without_a_corner(void **state)
 static void test_a_table_does_not_sink_before_it_runs_into_a_steep_curve(void **state)
 {
     (void)state;
-    const struct growth lean = { 1.0f, 2.0f, -2.0f, 0.05f, 3,
-                                 { { 0.0f, 0.010f }, { 50.0f, 0.020f }, { 150.0f, 0.021f } } };
+    const struct growth lean = {
+        1.0f, 2.0f, -2.0f, 0.05f, 3, { { 0.0f, 0.010f }, { 50.0f, 0.020f }, { 150.0f, 0.021f } }
+    };
     float before = growth_length_m(&lean, 0.0f);
     for (int step = 1; step <= 1600; step++) {
         const float now = growth_length_m(&lean, 0.1f * (float)step);

@@ -31,13 +31,12 @@ static const struct {
     const char *id;
     float age_years, length_m;
 } lives[] = {
-    { "mebachi", 0.25f, 0.208f }, { "mebachi", 1.0f, 0.60f }, { "mebachi", 3.0f, 1.11f },
-    { "mebachi", 5.0f, 1.43f },   { "mebachi", 10.0f, 1.84f },
-    { "hirame", 3.0f, 0.435f },   { "hirame", 10.0f, 0.674f },
-    { "wakin", 0.25f, 0.039f },   { "wakin", 1.0f, 0.116f },  { "wakin", 3.0f, 0.21f },
-    { "kurodai", 1.0f, 0.12f },   { "kurodai", 3.0f, 0.22f }, { "kurodai", 10.0f, 0.43f },
-    { "shimafugu", 1.0f, 0.18f }, { "shimafugu", 3.0f, 0.38f }, { "shimafugu", 10.0f, 0.54f },
-    { "kuroanago", 3.0f, 0.55f }, { "kuroanago", 10.0f, 1.10f },
+    { "mebachi", 0.25f, 0.208f },  { "mebachi", 1.0f, 0.60f },   { "mebachi", 3.0f, 1.11f },
+    { "mebachi", 5.0f, 1.43f },    { "mebachi", 10.0f, 1.84f },  { "hirame", 3.0f, 0.435f },
+    { "hirame", 10.0f, 0.674f },   { "wakin", 0.25f, 0.039f },   { "wakin", 1.0f, 0.116f },
+    { "wakin", 3.0f, 0.21f },      { "kurodai", 1.0f, 0.12f },   { "kurodai", 3.0f, 0.22f },
+    { "kurodai", 10.0f, 0.43f },   { "shimafugu", 1.0f, 0.18f }, { "shimafugu", 3.0f, 0.38f },
+    { "shimafugu", 10.0f, 0.54f }, { "kuroanago", 3.0f, 0.55f }, { "kuroanago", 10.0f, 1.10f },
 };
 
 static void test_fish_are_as_long_as_is_known_at_their_age(void **state)
@@ -50,8 +49,7 @@ static void test_fish_are_as_long_as_is_known_at_their_age(void **state)
         if (f_abs(length_m - lives[i].length_m) > FITTED * lives[i].length_m) {
             missed++;
             print_message("# %s of %.2f years is %.3f m, should be %.3f\n", lives[i].id,
-                          (double)lives[i].age_years, (double)length_m,
-                          (double)lives[i].length_m);
+                          (double)lives[i].age_years, (double)length_m, (double)lives[i].length_m);
         }
     }
     assert_int_equal(missed, 0);
@@ -70,8 +68,8 @@ static const struct {
     { "hirame", { 9.5f, 12.0f, 13.0f }, TEMPLATE_SIMULTANEOUS },
 };
 
-static void test_the_thesis_stages_are_drawn_at_its_lengths_and_blended_by_its_templates(
-    void **state)
+static void
+test_the_thesis_stages_are_drawn_at_its_lengths_and_blended_by_its_templates(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++) {
@@ -123,8 +121,7 @@ int main(void)
         cmocka_unit_test(
             test_the_thesis_stages_are_drawn_at_its_lengths_and_blended_by_its_templates),
         cmocka_unit_test(test_each_fish_has_an_adult_drawn_last),
-        cmocka_unit_test(
-            test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_lengths),
+        cmocka_unit_test(test_a_conger_grows_shrinks_and_grows_through_all_nine_measured_lengths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

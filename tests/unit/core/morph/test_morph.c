@@ -164,8 +164,9 @@ static float body_volume(const struct species_mesh *mesh, const vec3 *positions)
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         const uint16_t *corner = &mesh->indices[i];
         if (mesh->vertices[corner[0]].part == PART_BODY) {
-            volume += v3_dot(positions[corner[0]],
-                             v3_cross(positions[corner[1]], positions[corner[2]])) / 6.0f;
+            volume +=
+                v3_dot(positions[corner[0]], v3_cross(positions[corner[1]], positions[corner[2]])) /
+                6.0f;
         }
     }
     return volume;

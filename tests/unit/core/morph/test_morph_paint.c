@@ -57,8 +57,13 @@ static int entered_round(struct species_mark mark, float u)
 static void test_spots_cover_as_much_as_their_count_and_radius_say(void **state)
 {
     (void)state;
-    struct species_mark m = { .kind = MARK_SPOTS, .count = 10, .seed = 1, .width = 0.02f,
-                              .from = 0.1f, .to = 0.5f, .high = 1.0f };
+    struct species_mark m = { .kind = MARK_SPOTS,
+                              .count = 10,
+                              .seed = 1,
+                              .width = 0.02f,
+                              .from = 0.1f,
+                              .to = 0.5f,
+                              .high = 1.0f };
     const float one = 3.1416f * 0.02f * 0.02f / 0.36f; /* Of a flank of 1 x 0.36 lengths. */
     const float ten = covered_area(m);
     m.count = 40;
@@ -72,8 +77,9 @@ static void test_spots_cover_as_much_as_their_count_and_radius_say(void **state)
 static void test_another_seed_scatters_spots_another_way_and_flanks_differ(void **state)
 {
     (void)state;
-    struct species_mark m = { .kind = MARK_SPOTS, .count = 30, .seed = 1, .width = 0.02f,
-                              .to = 1.0f, .high = 1.0f };
+    struct species_mark m = {
+        .kind = MARK_SPOTS, .count = 30, .seed = 1, .width = 0.02f, .to = 1.0f, .high = 1.0f
+    };
     struct species_mark other = m;
     other.seed = 2;
     float by_seed = 0.0f, by_flank = 0.0f;
@@ -89,8 +95,9 @@ static void test_another_seed_scatters_spots_another_way_and_flanks_differ(void 
 static void test_bars_are_as_many_as_told_and_lean_with_their_slant(void **state)
 {
     (void)state;
-    struct species_mark m = { .kind = MARK_BANDS, .count = 4, .width = 0.06f, .from = 0.2f,
-                              .to = 0.8f, .high = 1.0f };
+    struct species_mark m = {
+        .kind = MARK_BANDS, .count = 4, .width = 0.06f, .from = 0.2f, .to = 0.8f, .high = 1.0f
+    };
     assert_int_equal(entered_along(m, RIGHT_FLANK), 4);
     assert_float_equal(cover(m, 0.275f, 0.1f), 1.0f, 1e-3f);
     m.slant = 0.1f; /* The top 0.05 backward of the middle. */
@@ -103,8 +110,9 @@ static void test_bars_are_as_many_as_told_and_lean_with_their_slant(void **state
 static void test_stripes_run_along_the_flank(void **state)
 {
     (void)state;
-    const struct species_mark m = { .kind = MARK_STRIPES, .count = 3, .width = 0.08f, .to = 1.0f,
-                                    .low = 0.2f, .high = 0.8f };
+    const struct species_mark m = {
+        .kind = MARK_STRIPES, .count = 3, .width = 0.08f, .to = 1.0f, .low = 0.2f, .high = 0.8f
+    };
     assert_int_equal(entered_round(m, 0.5f), 3);
     assert_int_equal(entered_along(m, RIGHT_FLANK), 0); /* On it from the snout on. */
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
@@ -113,8 +121,14 @@ static void test_stripes_run_along_the_flank(void **state)
 static void test_rows_have_their_dots_on_every_row(void **state)
 {
     (void)state;
-    const struct species_mark m = { .kind = MARK_ROWS, .count = 8, .seed = 1, .width = 0.02f,
-                                    .from = 0.1f, .to = 0.9f, .low = 0.4f, .high = 0.6f };
+    const struct species_mark m = { .kind = MARK_ROWS,
+                                    .count = 8,
+                                    .seed = 1,
+                                    .width = 0.02f,
+                                    .from = 0.1f,
+                                    .to = 0.9f,
+                                    .low = 0.4f,
+                                    .high = 0.6f };
     assert_int_equal(entered_along(m, RIGHT_FLANK), 8);
     assert_float_equal(cover(m, 0.5f, 0.05f), 0.0f, 0.0f);
 }
@@ -133,8 +147,9 @@ static void test_a_margin_is_on_the_outer_part_of_its_own_fin(void **state)
 static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
 {
     (void)state;
-    const struct species_mark m = { .kind = MARK_SIDE, .count = SIDE_RIGHT, .width = 0.1f,
-                                    .to = 1.0f };
+    const struct species_mark m = {
+        .kind = MARK_SIDE, .count = SIDE_RIGHT, .width = 0.1f, .to = 1.0f
+    };
     assert_float_equal(cover(m, 0.5f, RIGHT_FLANK), 1.0f, 1e-3f);
     assert_float_equal(cover(m, 0.5f, LEFT_FLANK), 0.0f, 1e-3f);
     assert_float_equal(cover(m, 0.5f, 0.0f), 0.0f, 0.0f); /* The edge is the other flank's, ... */
@@ -153,8 +168,8 @@ static void test_a_blind_side_is_one_flank_and_its_paired_fins(void **state)
 static float unlike(const struct species *species, struct species_vertex a, struct species_vertex b)
 {
     const float weights[MORPH_KEY_MAX] = { 0.0f, 0.0f, 1.0f };
-    return v3_length(v3_sub(paint_at(species, weights, &a).colour,
-                            paint_at(species, weights, &b).colour));
+    return v3_length(
+        v3_sub(paint_at(species, weights, &a).colour, paint_at(species, weights, &b).colour));
 }
 
 static void test_skin_runs_out_into_what_the_tail_fin_wears(void **state)
@@ -174,10 +189,12 @@ static void test_skin_runs_out_into_what_the_tail_fin_wears(void **state)
 static void test_mouth_and_gill_are_fine_lines_of_the_head(void **state)
 {
     (void)state;
-    const struct species_mark mouth = { .kind = MARK_MOUTH, .width = 0.006f, .to = 0.06f,
-                                        .low = 0.4f, .high = 0.5f };
-    const struct species_mark gill = { .kind = MARK_GILL, .width = 0.01f, .to = 0.3f,
-                                       .slant = 0.25f, .low = 0.1f, .high = 0.8f };
+    const struct species_mark mouth = {
+        .kind = MARK_MOUTH, .width = 0.006f, .to = 0.06f, .low = 0.4f, .high = 0.5f
+    };
+    const struct species_mark gill = {
+        .kind = MARK_GILL, .width = 0.01f, .to = 0.3f, .slant = 0.25f, .low = 0.1f, .high = 0.8f
+    };
     assert_float_equal(cover(mouth, 0.001f, RIGHT_FLANK), 1.0f, 1e-3f);
     assert_float_equal(cover(mouth, 0.1f, RIGHT_FLANK), 0.0f, 0.0f);
     assert_int_equal(entered_along(gill, 0.27f), 1);
@@ -242,8 +259,13 @@ static void test_a_mark_that_two_keys_share_moves_and_does_not_fade(void **state
 {
     (void)state;
     struct species two = { .card.key_count = 3 };
-    struct species_mark bar = { .kind = MARK_BANDS, .count = 1, .width = 0.1f, .colour = 0xffffff,
-                                .from = 0.2f, .to = 0.3f, .high = 1.0f };
+    struct species_mark bar = { .kind = MARK_BANDS,
+                                .count = 1,
+                                .width = 0.1f,
+                                .colour = 0xffffff,
+                                .from = 0.2f,
+                                .to = 0.3f,
+                                .high = 1.0f };
     two.coats[0].marks[0] = bar;
     bar.from = 0.6f;
     bar.to = 0.7f;

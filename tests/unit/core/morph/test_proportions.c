@@ -15,7 +15,7 @@
 
 #define FLOOR 0.01f
 #define FLOOR_DEG 10.0f
-#define GILL_U 0.30f /* Body coordinate of the gill cover's edge in every key that draws one. */
+#define GILL_U 0.30f     /* Body coordinate of the gill cover's edge in every key that draws one. */
 #define STALK_FROM 0.70f /* The tail's stalk lies behind this part of the body. */
 #define DISC_END 0.15f   /* A disc ends where it is so narrow, of its width; behind it is whip. */
 #define SNOUT_Z 0.20f    /* The outline's angle is taken from the tip to here. */

@@ -70,8 +70,8 @@ static struct face face_at(const struct shape *shape, uint32_t index)
     for (uint32_t k = 0; k < 3; k++) {
         face.corner[k] = shape->positions[shape->mesh->indices[index + k]];
     }
-    face.twice_area = v3_cross(v3_sub(face.corner[1], face.corner[0]),
-                               v3_sub(face.corner[2], face.corner[0]));
+    face.twice_area =
+        v3_cross(v3_sub(face.corner[1], face.corner[0]), v3_sub(face.corner[2], face.corner[0]));
     face.part = shape->mesh->vertices[shape->mesh->indices[index]].part;
     return face;
 }

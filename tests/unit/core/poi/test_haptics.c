@@ -257,8 +257,7 @@ int main(void)
         cmocka_unit_test(test_water_holds_a_turning_wrist_back_and_loads_the_paper),
         cmocka_unit_test(test_a_blow_of_a_tail_is_a_kick_as_long_and_as_hard_as_it_is),
         cmocka_unit_test(test_a_real_fish_on_the_paper_is_weighed_and_felt_to_slap),
-        cmocka_unit_test(
-            test_the_floor_pushes_back_as_the_hand_presses_at_the_edge_that_touches),
+        cmocka_unit_test(test_the_floor_pushes_back_as_the_hand_presses_at_the_edge_that_touches),
         cmocka_unit_test(test_a_wall_pushes_back),
         cmocka_unit_test(test_a_tear_is_felt_in_its_tick),
         cmocka_unit_test(test_however_wild_the_hand_what_it_feels_is_bounded),

@@ -51,8 +51,9 @@ static void play_tick(uint32_t players)
 
 static void open_stall(uint8_t mode, uint32_t players, uint32_t seed)
 {
-    struct core_config config = { .seed = seed, .modes = (uint8_t)(1u << mode),
-                                  .players = (uint8_t)players, .lanes = 4 };
+    struct core_config config = {
+        .seed = seed, .modes = (uint8_t)(1u << mode), .players = (uint8_t)players, .lanes = 4
+    };
     config.preset = table_setup_preset(&config, mode);
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
@@ -121,8 +122,8 @@ static void heap(uint32_t seed, float pitch_rad)
         for (uint32_t i = 0; i < 12; i++) {
             const float x_m = 0.022f * ((float)(i % 4u) - 1.5f);
             const float z_m = 0.042f * ((float)(i / 4u) - 1.0f);
-            const uint32_t fish = stand_fish(&stand, v3(x_m, -0.008f - 0.017f * (float)layer, z_m),
-                                             0.038f);
+            const uint32_t fish =
+                stand_fish(&stand, v3(x_m, -0.008f - 0.017f * (float)layer, z_m), 0.038f);
             stand.tank.fish[fish].angles.yaw_rad = 0.1f * (float)((seed + i) % 5u);
         }
     }

@@ -227,9 +227,9 @@ static void test_however_the_hand_wanders_the_ring_never_leaps(void **state)
         for (uint32_t step = 0; step < 400; step++) {
             stand.hand.position_m = v3(drawn(step, 0, -0.60f, 0.60f), drawn(step, 1, -0.20f, 0.15f),
                                        drawn(step, 2, -0.42f, 0.42f));
-            stand.hand.angles = (struct angles){ drawn(step, 3, -3.0f, 3.0f),
-                                                 drawn(step, 4, -1.5f, 1.5f),
-                                                 drawn(step, 5, -1.5f, 1.5f) };
+            stand.hand.angles =
+                (struct angles){ drawn(step, 3, -3.0f, 3.0f), drawn(step, 4, -1.5f, 1.5f),
+                                 drawn(step, 5, -1.5f, 1.5f) };
             for (uint32_t tick = 0; tick < 12; tick++) {
                 tick_without_leap();
             }
@@ -422,8 +422,7 @@ static void test_a_quick_hand_keeps_its_lag(void **state)
         for (uint32_t tick = 1; tick < 3u * CORE_TICK_HZ / 2u; tick++) {
             stand.hand.position_m.x = 0.25f * f_sin(8.0f * (float)tick * CORE_TICK_S);
             stand_tick(&stand);
-            const float behind_m =
-                v3_length(v3_sub(stand.hand.position_m, stand.poi.position_m));
+            const float behind_m = v3_length(v3_sub(stand.hand.position_m, stand.poi.position_m));
             assert_true(v3_length(stand.poi.velocity_m_s) <
                         0.999f * (stand.poi.pace_m_s + 4.0f * behind_m));
         }

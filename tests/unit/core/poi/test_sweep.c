@@ -85,7 +85,6 @@ static void test_a_flick_through_the_surface_and_back_is_a_dip(void **state)
 
 /* ---- Fish ----------------------------------------------------------------------------------- */
 
-
 static vec3 from_poi(uint32_t fish)
 {
     const struct basis axes = vec_basis_from_angles(stand.poi.angles);
@@ -158,9 +157,9 @@ static void test_however_a_fast_ring_comes_no_fish_passes_through_its_paper(void
     (void)state;
     uint32_t met = 0;
     for (uint32_t trial = 0; trial < 300; trial++) {
-        const vec3 way = v3_normalize_or(v3(drawn(trial, 0, -1, 1), drawn(trial, 1, -1, 1),
-                                            drawn(trial, 2, -1, 1)),
-                                         v3(1.0f, 0.0f, 0.0f));
+        const vec3 way = v3_normalize_or(
+            v3(drawn(trial, 0, -1, 1), drawn(trial, 1, -1, 1), drawn(trial, 2, -1, 1)),
+            v3(1.0f, 0.0f, 0.0f));
         const struct angles angles = { drawn(trial, 3, -3, 3), drawn(trial, 4, -1.5f, 1.5f),
                                        drawn(trial, 5, -1.5f, 1.5f) };
         const vec3 turn_rad_s = v3(0.0f, drawn(trial, 6, -25, 25), drawn(trial, 7, -25, 25));

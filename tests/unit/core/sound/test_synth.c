@@ -48,8 +48,8 @@ static void test_each_sound_is_heard_at_once_clips_nothing_and_ends(void **state
         synth_init(&synth);
         play(sound, 1.0f, 0.0f);
         synth_render(&synth, heard, FRAMES_MAX);
-        assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000);      /* -21 .. -3 dBFS */
-        assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);       /* within 50 ms */
+        assert_in_range(peak(heard, FRAMES_MAX, 0), 3000, 24000); /* -21 .. -3 dBFS */
+        assert_true(peak(heard, SYNTH_RATE_HZ / 20u, 0) > 1000);  /* within 50 ms */
         assert_int_equal(synth_voices(&synth), 0);
     }
 }

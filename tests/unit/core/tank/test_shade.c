@@ -109,8 +109,9 @@ static void test_thesis_fish_are_drawn_at_once_and_others_after_the_dwell(void *
 static int draw(struct shade_course *course, vec3 at_m, float yaw_rad)
 {
     const struct shade shade = still_fan(0.0f);
-    const struct fish fish = { .position_m = at_m, .angles = { .yaw_rad = yaw_rad },
-                               .length_m = 0.05f, .stamina = 1.0f };
+    const struct fish fish = {
+        .position_m = at_m, .angles = { .yaw_rad = yaw_rad }, .length_m = 0.05f, .stamina = 1.0f
+    };
     return shade_draw(&shade, 1, law_of(TANK_PRESET_THESIS), &fish, course);
 }
 
@@ -288,8 +289,8 @@ static void test_thin_paper_alarms_a_twentieth_as_much_as_a_fan(void **state)
     (void)state;
     struct shade fan = still_fan(0.0f), paper = fan;
     paper.cast.dark = 0.34f;
-    const float ratio = alarm(&paper, TANK_PRESET_FESTIVAL, 0.0f) /
-                        alarm(&fan, TANK_PRESET_FESTIVAL, 0.0f);
+    const float ratio =
+        alarm(&paper, TANK_PRESET_FESTIVAL, 0.0f) / alarm(&fan, TANK_PRESET_FESTIVAL, 0.0f);
     assert_true(ratio > 0.03f && ratio < 0.07f);
     paper.cast.dark = SHADE_SUDDEN_DARK;
     assert_true(alarm(&paper, TANK_PRESET_FESTIVAL, 0.0f) == 0.0f);

@@ -72,14 +72,16 @@ static void test_fish_gather_as_in_figures_4_17_to_4_20(void **state)
 }
 
 /* Section 3.5 moves every fish; who bursts keeps its speed, for 3.3 caps that of swimming alone. */
-static void test_by_the_thesis_a_shade_turns_a_bursting_fish_and_in_the_stall_it_does_not(
-    void **state)
+static void
+test_by_the_thesis_a_shade_turns_a_bursting_fish_and_in_the_stall_it_does_not(void **state)
 {
     const uint8_t presets[] = { TANK_PRESET_THESIS, TANK_PRESET_FESTIVAL };
     (void)state;
     for (uint32_t p = 0; p < 2; p++) {
-        const struct tank_stage stage = { .position_m = { 0.08f, -0.06f, 0.0f }, .stamina = 1.0f,
-                                          .speed_m_s = 0.15f, .gait = GAIT_BURST };
+        const struct tank_stage stage = { .position_m = { 0.08f, -0.06f, 0.0f },
+                                          .stamina = 1.0f,
+                                          .speed_m_s = 0.15f,
+                                          .gait = GAIT_BURST };
         const struct shade_cast fan = fan_at(0.0f, 0.0f);
         uint32_t tick = 0;
         tank_init(&tank, presets[p], 1, 3);

@@ -311,8 +311,11 @@ static void test_a_staged_fish_does_what_it_is_staged_for_from_the_first_tick_on
     (void)state;
     for (uint32_t seed = 1; seed <= 40; seed++) {
         const struct tank_stage stage = {
-            .position_m = { 0.0f, -0.06f, 0.0f }, .length_m = 0.06f, .speed_m_s = 0.05f,
-            .stamina = 1.0f, .gait = seed % 2u ? GAIT_BURST : GAIT_REST,
+            .position_m = { 0.0f, -0.06f, 0.0f },
+            .length_m = 0.06f,
+            .speed_m_s = 0.05f,
+            .stamina = 1.0f,
+            .gait = seed % 2u ? GAIT_BURST : GAIT_REST,
         };
         tank_init(&tank, TANK_PRESET_THESIS, 1, seed);
         tank_stage_all(&tank, &stage, 1);

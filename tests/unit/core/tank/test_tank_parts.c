@@ -80,8 +80,7 @@ static void test_a_fish_scooped_between_two_looks_leaves_no_ghost_behind(void **
 static vec3 nearest_in(const struct box *box, vec3 point_m)
 {
     const vec3 p = vec_basis_to_body(&box->axes, v3_sub(point_m, box->centre_m)), h = box->half_m;
-    const vec3 q =
-        v3(f_clamp(p.x, -h.x, h.x), f_clamp(p.y, -h.y, h.y), f_clamp(p.z, -h.z, h.z));
+    const vec3 q = v3(f_clamp(p.x, -h.x, h.x), f_clamp(p.y, -h.y, h.y), f_clamp(p.z, -h.z, h.z));
     return v3_add(box->centre_m, vec_basis_to_world(&box->axes, q));
 }
 

@@ -12,8 +12,14 @@
 
 static struct fish rested(uint8_t gait)
 {
-    return (struct fish){ .length_m = 0.05f, .height_m = 0.02f, .width_m = 0.01f, .gait = gait,
-                          .stamina = 1.0f, .brake = 1.0f, .room = 1.0f, .gait_left_s = 1.0f };
+    return (struct fish){ .length_m = 0.05f,
+                          .height_m = 0.02f,
+                          .width_m = 0.01f,
+                          .gait = gait,
+                          .stamina = 1.0f,
+                          .brake = 1.0f,
+                          .room = 1.0f,
+                          .gait_left_s = 1.0f };
 }
 
 /* In water that keeps everybody in breath: what 3.2 and 3.3 do without the gulping of 3.6. */
@@ -67,7 +73,8 @@ static void test_eq_2_3_run_up_of_5_cm_is_0_1639_s(void **state)
 /* "95 % of the burst speed" (2.1): so v = v_t (1 - exp(-3 t / T_d)), for a swim as well (3.3). */
 static void check_run_up(uint8_t gait, float goal_m_s)
 {
-    const struct tank_stage start = { .position_m = { 0.0f, -0.18f, 0.2f }, .stamina = 1.0f,
+    const struct tank_stage start = { .position_m = { 0.0f, -0.18f, 0.2f },
+                                      .stamina = 1.0f,
                                       .gait = gait };
     struct tank *tank = thesis_stage(&start, 1, 3);
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
@@ -88,8 +95,10 @@ static void test_2_1_bursts_and_swims_run_up_by_the_same_law(void **state)
 /* The top speed is the whole motion's: who dives or climbs, or is pushed, is no faster for it. */
 static void check_top_speed(uint8_t gait, float push_m_s, float most_m_s, float least_m_s)
 {
-    const struct tank_stage start = { .position_m = { 0.0f, -0.05f, 0.25f }, .stamina = 1.0f,
-                                      .speed_m_s = 0.99f * most_m_s, .gait = gait };
+    const struct tank_stage start = { .position_m = { 0.0f, -0.05f, 0.25f },
+                                      .stamina = 1.0f,
+                                      .speed_m_s = 0.99f * most_m_s,
+                                      .gait = gait };
     struct tank *tank = thesis_stage(&start, 1, 3);
     for (uint32_t tick = 0; tick < 3u * CORE_TICK_HZ / 2u; tick++) {
         tank->fish[0].push_m_s = v3(0.0f, 0.0f, -push_m_s);
@@ -248,8 +257,9 @@ static void test_3_3_the_heading_changes_with_the_gait(void **state)
 static void test_3_2_a_fish_that_comes_to_rest_glides_down_and_holds_its_depth(void **state)
 {
     (void)state;
-    const struct tank_stage start = { .position_m = { 0.0f, -0.13f, 0.2f }, .stamina = 0.6f,
-                                      .speed_m_s = 0.05f, .gait = GAIT_REST };
+    const struct tank_stage start = {
+        .position_m = { 0.0f, -0.13f, 0.2f }, .stamina = 0.6f, .speed_m_s = 0.05f, .gait = GAIT_REST
+    };
     for (uint32_t seed = 1; seed <= 20; seed++) {
         struct tank *tank = thesis_stage(&start, 1, seed);
         float before_m_s = 0.05f;
@@ -266,8 +276,10 @@ static void test_3_2_a_fish_that_comes_to_rest_glides_down_and_holds_its_depth(v
 static void test_3_3_a_swimming_fish_goes_straight_evenly_and_level(void **state)
 {
     (void)state;
-    const struct tank_stage start = { .position_m = { 0.0f, -0.13f, 0.25f }, .stamina = 0.6f,
-                                      .speed_m_s = 0.0525f * 0.92f, .gait = GAIT_SWIM };
+    const struct tank_stage start = { .position_m = { 0.0f, -0.13f, 0.25f },
+                                      .stamina = 0.6f,
+                                      .speed_m_s = 0.0525f * 0.92f,
+                                      .gait = GAIT_SWIM };
     struct tank *tank = thesis_stage(&start, 1, 5);
     for (uint32_t tick = 0; tick < 4u * CORE_TICK_HZ; tick++) {
         tank_tick(tank, tick, NULL, 0);
@@ -290,8 +302,7 @@ int main(void)
         cmocka_unit_test(test_3_2_at_no_stamina_nothing_but_rest_is_chosen),
         cmocka_unit_test(test_3_2_a_burst_lasts_1_to_3_s_a_swim_or_a_rest_5_to_20),
         cmocka_unit_test(test_3_2_of_100_a_burst_takes_1_a_second_a_swim_0_2_and_rest_gives_0_1),
-        cmocka_unit_test(
-            test_3_2_in_the_long_run_0_8_percent_bursts_31_swims_68_rests_and_h_is_48),
+        cmocka_unit_test(test_3_2_in_the_long_run_0_8_percent_bursts_31_swims_68_rests_and_h_is_48),
         cmocka_unit_test(test_3_3_the_heading_changes_with_the_gait),
         cmocka_unit_test(test_3_2_a_fish_that_comes_to_rest_glides_down_and_holds_its_depth),
         cmocka_unit_test(test_3_3_a_swimming_fish_goes_straight_evenly_and_level),

@@ -175,7 +175,9 @@ static void test_3_4_after_half_a_second_of_yaw_the_upper_rises_and_the_lower_di
     const struct avoid_pair pair = meet(&a, &b, 0);
     const struct avoid_advice *advice[] = { &pair.a, &pair.b };
     for (uint32_t i = 0; i < 2; i++) {
-        struct fish fish = { .length_m = 0.05f, .height_m = 0.02f, .width_m = 0.01f,
+        struct fish fish = { .length_m = 0.05f,
+                             .height_m = 0.02f,
+                             .width_m = 0.01f,
                              .position_m = i == 0 ? a.position_m : b.position_m };
         float yaw_s = 0.0f;
         for (; fish.avoiding != AVOID_PITCH && yaw_s < 2.0f; yaw_s += CORE_TICK_S) {
@@ -189,7 +191,9 @@ static void test_3_4_after_half_a_second_of_yaw_the_upper_rises_and_the_lower_di
 
 static float pitch_way(float y_m, int8_t rise)
 {
-    struct fish fish = { .length_m = 0.05f, .height_m = 0.02f, .position_m = { 0.0f, y_m, 0.0f },
+    struct fish fish = { .length_m = 0.05f,
+                         .height_m = 0.02f,
+                         .position_m = { 0.0f, y_m, 0.0f },
                          .avoiding = AVOID_YAW };
     const struct avoid_advice advice = { MEET_SIDE, rise, 2, 7, 0.1f, 1.0f };
     avoid_tick(&fish, &advice, 1.0f, thesis_at(1, 0));

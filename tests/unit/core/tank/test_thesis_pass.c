@@ -146,8 +146,7 @@ static struct encounter play(const struct tank_stage stage[2], uint32_t seed)
         for (uint32_t i = 0; i < 2; i++) {
             e.still_avoiding |= tank->fish[i].avoiding;
             e.pitched |= tank->fish[i].avoiding == AVOID_PITCH;
-            e.turned_rad[i] =
-                f_wrap_angle(tank->fish[i].angles.yaw_rad - stage[i].angles.yaw_rad);
+            e.turned_rad[i] = f_wrap_angle(tank->fish[i].angles.yaw_rad - stage[i].angles.yaw_rad);
         }
         if (e.still_avoiding) {
             e.start_tick = e.start_tick ? e.start_tick : tick;

@@ -143,8 +143,9 @@ static void test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from(vo
  * time and would never rise. */
 static void check_depth(float stamina, uint8_t gait, float from_m, float depth_m)
 {
-    const struct tank_stage start = { .position_m = { 0.0f, -from_m, 0.3f }, .stamina = stamina,
-                                      .speed_m_s = 0.03f, .gait = gait };
+    const struct tank_stage start = {
+        .position_m = { 0.0f, -from_m, 0.3f }, .stamina = stamina, .speed_m_s = 0.03f, .gait = gait
+    };
     struct tank *t = thesis_stage(&start, 1, 9);
     float climb_max_m_s = 0.0f, pitch_max_rad = 0.0f;
     for (uint32_t tick = 0; tick < 18u * CORE_TICK_HZ; tick++) {
@@ -231,8 +232,8 @@ static void test_3_6_six_hundred_fish_keep_to_their_depths(void **state)
 /* ---- A full tank -------------------------------------------------------------------------- */
 
 struct bustle {
-    float pace[GAIT_COUNT];      /* Mean speed over that of a fish alone. */
-    float reversals_per_s;       /* A fish; turns of over 30 degrees a second, left then right. */
+    float pace[GAIT_COUNT]; /* Mean speed over that of a fish alone. */
+    float reversals_per_s;  /* A fish; turns of over 30 degrees a second, left then right. */
     float yaw_rate_max_rad_s;
     float at_walls, at_walls_if_even; /* Shares of fish within 3/4 length of a wall. */
 };
@@ -331,8 +332,7 @@ int main(void)
         cmocka_unit_test(test_3_3_headings_begin_anywhere_from_0_to_360_degrees_alike),
         cmocka_unit_test(test_3_1_a_fish_that_hits_a_wall_yaws_away_from_it_and_not_before),
         cmocka_unit_test(test_3_1_a_fish_that_grazes_a_wall_turns_to_the_side_it_came_from),
-        cmocka_unit_test(
-            test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most),
+        cmocka_unit_test(test_3_6_depth_follows_stamina_at_rest_too_and_climbs_at_3_cm_s_at_most),
         cmocka_unit_test(test_3_6_the_bands_change_at_75_50_and_25_of_100),
         cmocka_unit_test(test_3_6_six_hundred_fish_keep_to_their_depths),
         cmocka_unit_test(test_nobody_flees_or_dozes_or_whims_in_the_thesis),

@@ -334,8 +334,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(
             test_its_stick_leads_the_ring_to_the_right_and_its_trigger_dips, begin, end),
         cmocka_unit_test_setup_teardown(test_a_press_between_two_looks_is_an_edge, begin, end),
-        cmocka_unit_test_setup_teardown(
-            test_pulled_out_it_is_gone_and_comes_back_to_its_own_place, begin, end),
+        cmocka_unit_test_setup_teardown(test_pulled_out_it_is_gone_and_comes_back_to_its_own_place,
+                                        begin, end),
         cmocka_unit_test_setup_teardown(test_a_fifth_pad_finds_no_place, begin, end),
         cmocka_unit_test_setup_teardown(test_a_device_that_another_driver_holds_is_left_alone,
                                         begin, end),
@@ -343,8 +343,8 @@ int main(void)
                                         end),
         cmocka_unit_test_setup_teardown(test_a_pad_that_is_barred_while_it_plays_is_gone, begin,
                                         end),
-        cmocka_unit_test_setup_teardown(
-            test_it_hums_with_the_water_and_is_not_told_the_same_twice, begin, end),
+        cmocka_unit_test_setup_teardown(test_it_hums_with_the_water_and_is_not_told_the_same_twice,
+                                        begin, end),
         cmocka_unit_test_setup_teardown(test_a_pad_with_a_gyroscope_is_a_wrist, begin, end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

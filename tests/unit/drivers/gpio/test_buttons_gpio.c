@@ -33,8 +33,8 @@ static bool next_of_day(void *self, struct gpio_sim_event *out)
     day->time_ns += edge == 0 ? 60 * MS : 30 * MS;
     if (coin % (COINS / CYCLES) == 0 && edge >= 2) { /* A chip that is away for 1.5 s. */
         day->time_ns += edge == 3 ? 1500 * MS : 0;
-        *out = (struct gpio_sim_event){ day->time_ns, edge == 2 ? GPIO_SIM_GONE : GPIO_SIM_BACK,
-                                        0, 0 };
+        *out = (struct gpio_sim_event){ day->time_ns, edge == 2 ? GPIO_SIM_GONE : GPIO_SIM_BACK, 0,
+                                        0 };
         day->time_ns += edge == 3 ? 2000 * MS : 0; /* It is found within a second. */
         return true;
     }
@@ -65,8 +65,9 @@ static void start(struct gpio_sim_script script)
     assert_true(gpio_wire_read("coin-counter=M,pulse=10ms/10ms", wires, why));
     gpio_lines_sim_init(&sim, script, 3);
     sim.late_max_ns = 1 * MS;
-    assert_int_equal(buttons_gpio_start(&gpio, gpio_lines_sim_device(&sim), wires,
-                                        gpio_lines_sim_clock(&sim)), HAL_OK);
+    assert_int_equal(
+        buttons_gpio_start(&gpio, gpio_lines_sim_device(&sim), wires, gpio_lines_sim_clock(&sim)),
+        HAL_OK);
 }
 
 static void test_coins_and_faults_cross_to_the_frame_loop_once_each(void **state)

@@ -39,8 +39,8 @@ static void test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_las
         uint64_t width_ns;
         uint32_t coins, too_short, stuck;
     } widths[] = {
-        { MIN_NS - 1, 0, 1, 0 }, { MIN_NS, 1, 0, 0 },      { 25 * MS, 1, 0, 0 },
-        { 100 * MS, 1, 0, 0 },   { MAX_NS, 1, 0, 0 },      { MAX_NS + 1, 0, 0, 1 },
+        { MIN_NS - 1, 0, 1, 0 }, { MIN_NS, 1, 0, 0 }, { 25 * MS, 1, 0, 0 },
+        { 100 * MS, 1, 0, 0 },   { MAX_NS, 1, 0, 0 }, { MAX_NS + 1, 0, 0, 1 },
         { 900 * MS, 0, 0, 1 },
     };
     for (size_t i = 0; i < sizeof widths / sizeof widths[0]; i++) {

@@ -29,8 +29,8 @@ static void test_a_line_by_chip_and_offset_takes_all_its_words(void **state)
 {
     (void)state;
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
-    assert_true(gpio_wire_read("Coin=pci:a:17,high,float,debounce=500us,window=20ms-1s", wires,
-                               why));
+    assert_true(
+        gpio_wire_read("Coin=pci:a:17,high,float,debounce=500us,window=20ms-1s", wires, why));
     const struct gpio_wire *wire = &wires[GPIO_COIN];
     assert_string_equal(wire->name, "");
     assert_string_equal(wire->chip, "pci:a");

@@ -178,8 +178,8 @@ static void test_a_pulse_that_was_read_late_in_its_time_keeps_its_width(void **s
     (void)state;
     struct gpio_edge_filter input = gpio_edge_filter_begin(PERIOD_NS, false, 0);
     assert_false(level(&input, 99, false));
-    assert_false(edge(&input, 100, true, 0));  /* Comes at 106. */
-    assert_false(level(&input, 101, false));   /* And here the level knew nothing of it. */
+    assert_false(edge(&input, 100, true, 0)); /* Comes at 106. */
+    assert_false(level(&input, 101, false));  /* And here the level knew nothing of it. */
     assert_true(edge(&input, 120, false, 0));
     assert_turn(100, true);
     assert_true(level(&input, 126, false));

@@ -166,8 +166,10 @@ static void test_a_reader_that_is_not_run_for_a_while_loses_no_coin(void **state
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1), LEVEL(125, GPIO_COIN, 0),
-        LEVEL(160, GPIO_COIN, 1), LEVEL(185, GPIO_COIN, 0),
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(125, GPIO_COIN, 0),
+        LEVEL(160, GPIO_COIN, 1),
+        LEVEL(185, GPIO_COIN, 0),
     };
     static struct stand stand;
     PLAY(&stand, events);
@@ -226,7 +228,8 @@ static void test_a_coin_whose_edges_the_kernel_reads_late_is_a_coin(void **state
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1), LEVEL(120, GPIO_COIN, 0),
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(120, GPIO_COIN, 0),
     };
     static struct stand stand;
     plug_in(&stand, events, 2);
@@ -300,7 +303,8 @@ static void test_a_coin_that_neither_kernel_nor_reader_saw_is_a_fault(void **sta
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1), LEVEL(140, GPIO_COIN, 0),
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(140, GPIO_COIN, 0),
     };
     static struct stand stand;
     PLAY(&stand, events);
@@ -361,12 +365,9 @@ static void test_a_chip_that_goes_is_one_fault_and_is_found_again(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_START, 1),
-        { .time_ns = 300 * MS, .what = GPIO_SIM_GONE },
-        LEVEL(1000, GPIO_START, 0),
-        { .time_ns = 4000 * MS, .what = GPIO_SIM_BACK },
-        LEVEL(6000, GPIO_START, 1),
-        LEVEL(6100, GPIO_COIN, 1),
+        LEVEL(100, GPIO_START, 1),  { .time_ns = 300 * MS, .what = GPIO_SIM_GONE },
+        LEVEL(1000, GPIO_START, 0), { .time_ns = 4000 * MS, .what = GPIO_SIM_BACK },
+        LEVEL(6000, GPIO_START, 1), LEVEL(6100, GPIO_COIN, 1),
         LEVEL(6150, GPIO_COIN, 0),
     };
     static struct stand stand;
@@ -399,8 +400,8 @@ static void test_each_line_that_is_missing_is_named_and_is_a_fault(void **state)
     stand.sim.held_by_others = 1u << GPIO_START | 1u << GPIO_COIN | 1u << GPIO_START_LAMP;
     begin(&stand);
     const struct hal_buttons buttons = buttons_gpio_device(&stand.gpio);
-    assert_non_null(strstr(buttons.ops->describe(buttons.self),
-                           "9 of 12 lines; no start, coin, start-lamp ("));
+    assert_non_null(
+        strstr(buttons.ops->describe(buttons.self), "9 of 12 lines; no start, coin, start-lamp ("));
     run_until(&stand, 500);
     assert_int_equal(stand.sum.missing, INPUT_START | HAL_MISSING_COIN);
     assert_int_equal(stand.sum.faults, 3);
@@ -411,7 +412,9 @@ static void test_a_line_that_another_holds_is_told_and_had_when_it_is_let_go(voi
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1), LEVEL(150, GPIO_COIN, 0), LEVEL(2500, GPIO_COIN, 1),
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(150, GPIO_COIN, 0),
+        LEVEL(2500, GPIO_COIN, 1),
         LEVEL(2550, GPIO_COIN, 0),
     };
     static struct stand stand;

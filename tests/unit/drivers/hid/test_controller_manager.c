@@ -32,11 +32,12 @@ static int set_up(void **state)
     (void)state;
     clock_now.now_ns = 1000000000ull;
     wire_load(&wire[0], &clock_now, "016-ci-dualsense");
-    wire[0].face.identity = (struct hid_identity){ .vendor = 0x054c, .product = 0x0ce6,
-                                                   .name = "Wireless Controller", .port = "3-1" };
+    wire[0].face.identity = (struct hid_identity){
+        .vendor = 0x054c, .product = 0x0ce6, .name = "Wireless Controller", .port = "3-1"
+    };
     wire_load(&wire[1], &clock_now, "137-dg-huion-h610-if0");
-    wire[1].face.identity = (struct hid_identity){ .vendor = 0x256c, .product = 0x006e,
-                                                   .port = "3-2" };
+    wire[1].face.identity =
+        (struct hid_identity){ .vendor = 0x256c, .product = 0x006e, .port = "3-2" };
     hid_mapping_store_open(&book, NULL, NULL, NULL);
     for (uint32_t i = 0; i < 2; i++) {
         hid_port_sim_init(&port[i], clock_sim_device(&clock_now), &wire[0].face);

@@ -21,7 +21,7 @@ struct leads {
     int report_id;  /* Of all three. */
     uint8_t manner; /* What the axes ought to be learned as. */
     uint8_t says_in_range;
-    int8_t turned;  /* 1: it lies the other way round, so that "left" is to its right. */
+    int8_t turned; /* 1: it lies the other way round, so that "left" is to its right. */
 };
 
 static struct clock_sim clock_now;
@@ -206,9 +206,9 @@ static void test_axes_of_32_bits_are_learned_to_their_ends(void **state)
                                        0,
                                        0 };
     static const uint8_t bytes[] = {
-        0x05, 1,    0x09, 4,    0xa1, 1, 0x09, 0x30, 0x09, 0x31, 0x15, 0, 0x27, 0xff, 0xff, 0xff,
-        0xff, 0x75, 32,   0x95, 2,    0x81, 2, 0x05, 9,    0x19, 1,    0x29, 8,    0x25, 1,
-        0x75, 1,    0x95, 8,    0x81, 2, 0xc0,
+        0x05, 1,    0x09, 4,    0xa1, 1,    0x09, 0x30, 0x09, 0x31, 0x15, 0,    0x27,
+        0xff, 0xff, 0xff, 0xff, 0x75, 32,   0x95, 2,    0x81, 2,    0x05, 9,    0x19,
+        1,    0x29, 8,    0x25, 1,    0x75, 1,    0x95, 8,    0x81, 2,    0xc0,
     };
     (void)state;
     wire_begin(&wire, &clock_now, bytes, sizeof bytes);
@@ -230,11 +230,16 @@ static void test_what_counts_or_trembles_at_rest_is_no_axis(void **state)
     for (uint32_t step = LEARN_REST; step <= LEARN_DIP; step++) {
         for (uint32_t i = 0; i < 150; i++) {
             const float there = i > 100 ? 1.0f : 0.5f;
-            wire_put_bits(&wire, 1, 48, 8, (int64_t)i);             /* A sequence number. */
+            wire_put_bits(&wire, 1, 48, 8, (int64_t)i);              /* A sequence number. */
             wire_put_bits(&wire, 1, 216, 32, (int64_t)now_ms * 333); /* A clock. */
-            wire_put_bits(&wire, 1, 120, 16, (int64_t)any(3));      /* A gyroscope. */
-            lead(leads, step == LEARN_LEFT ? 1.0f - there : step == LEARN_RIGHT ? there : 0.5f,
-                 step == LEARN_FAR ? 1.0f - there : step == LEARN_NEAR ? there : 0.5f,
+            wire_put_bits(&wire, 1, 120, 16, (int64_t)any(3));       /* A gyroscope. */
+            lead(leads,
+                 step == LEARN_LEFT    ? 1.0f - there
+                 : step == LEARN_RIGHT ? there
+                                       : 0.5f,
+                 step == LEARN_FAR    ? 1.0f - there
+                 : step == LEARN_NEAR ? there
+                                      : 0.5f,
                  step == LEARN_DIP && i > 100);
         }
         hid_learn_next(&learn);

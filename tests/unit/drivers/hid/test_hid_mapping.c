@@ -92,8 +92,9 @@ static void test_a_descriptor_says_how_its_device_is_played(void **state)
 
 static int is_keyboard(const char *name)
 {
-    static const char *const keyboards[] = { "012", "036", "041", "151",
-                                             "175", "207", "209", "214" };
+    static const char *const keyboards[] = {
+        "012", "036", "041", "151", "175", "207", "209", "214"
+    };
     for (uint32_t i = 0; i < sizeof keyboards / sizeof keyboards[0]; i++) {
         if (strncmp(name, keyboards[i], 3) == 0) {
             return 1;
@@ -355,9 +356,10 @@ static void test_the_longest_map_fits_its_line(void **state)
 /* A joystick of two axes, and buttons 1 .. 4 named by an array of so many elements. */
 static void load_array(uint8_t elements)
 {
-    const uint8_t bytes[] = { 0x05, 1, 0x09, 4, 0xa1, 1, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25,
-                              127,  0x75, 8, 0x95, 2, 0x81, 2, 0x05, 9, 0x19, 1, 0x29, 4, 0x15, 1,
-                              0x25, 4, 0x75, 8, 0x95, elements, 0x81, 0, 0xc0 };
+    const uint8_t bytes[] = { 0x05, 1,    0x09, 4,        0xa1, 1, 0x09, 0x30, 0x09, 0x31,
+                              0x15, 0x81, 0x25, 127,      0x75, 8, 0x95, 2,    0x81, 2,
+                              0x05, 9,    0x19, 1,        0x29, 4, 0x15, 1,    0x25, 4,
+                              0x75, 8,    0x95, elements, 0x81, 0, 0xc0 };
     wire_begin(&wire, &clock_now, bytes, sizeof bytes);
 }
 

@@ -288,8 +288,8 @@ int main(void)
                                         make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(test_a_card_that_cannot_be_written_costs_the_run_nothing,
                                         make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_a_torn_write_leaves_what_was_there_before,
-                                        make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_a_torn_write_leaves_what_was_there_before, make_folder,
+                                        remove_folder),
         cmocka_unit_test(test_a_full_book_takes_no_more_and_says_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

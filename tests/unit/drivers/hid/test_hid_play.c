@@ -24,7 +24,7 @@
 
 /* Where whoever plays wants the ring to be, as he sees it. */
 struct wish {
-    vec3 over_m;  /* Over the still water. */
+    vec3 over_m; /* Over the still water. */
     uint8_t dips;
     uint8_t tips; /* Over the bowl: a hand with a wrist turns the ring. */
 };
@@ -38,11 +38,11 @@ static struct hid_player {
     struct wish wish;
     void (*say)(const struct wish *wish); /* Puts the wish into the controller's reports. */
     uint32_t report_count;
-    vec3 hand_m;                 /* Of a true pose: where the arm is, ... */
+    vec3 hand_m; /* Of a true pose: where the arm is, ... */
     float tip_rad;
-    struct dip dip;              /* ... and its stroke. */
+    struct dip dip; /* ... and its stroke. */
     uint8_t dipped;
-    float x_px, y_px;            /* Of a mouse: what it does not say yet. */
+    float x_px, y_px; /* Of a mouse: what it does not say yet. */
 } player;
 
 static vec3 ring_m(void)
@@ -86,8 +86,7 @@ static float push_of(float way_m)
 
 static void put_stick(hid_usage usage, float push)
 {
-    wire_put(&player.wire, -1, usage,
-             wire_share(&player.wire, -1, usage, 0.5f + 0.5f * push));
+    wire_put(&player.wire, -1, usage, wire_share(&player.wire, -1, usage, 0.5f + 0.5f * push));
 }
 
 static void say_pad(const struct wish *wish, uint32_t dip_button)
@@ -150,8 +149,7 @@ static void say_pen(const struct wish *wish)
     const float pace = wish->dips ? 2.4f : 7.0f;
     player.x_px += f_clamp(x_px - player.x_px, -pace, pace);
     player.y_px += f_clamp(y_px - player.y_px, -pace, pace);
-    wire_put(&player.wire, id, USAGE_X,
-             wire_share(&player.wire, id, USAGE_X, player.x_px / WIDTH));
+    wire_put(&player.wire, id, USAGE_X, wire_share(&player.wire, id, USAGE_X, player.x_px / WIDTH));
     wire_put(&player.wire, id, USAGE_Y,
              wire_share(&player.wire, id, USAGE_Y, player.y_px / HEIGHT));
     if (hid_mapping_auto_find(&player.wire.descriptor, 0, id, 1, USAGE_IN_RANGE).group) {

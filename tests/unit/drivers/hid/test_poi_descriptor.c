@@ -180,9 +180,8 @@ static void test_a_force_that_is_sent_is_read_by_the_descriptor_alone(void **sta
                                                       UNIT_G_CM2_S2, bytes, sizeof bytes);
             assert_float_equal(force_n, POI_FORCE_N_MAX * drawn[k], 0.00032);
             assert_float_equal(torque_n_m, POI_TORQUE_N_M_MAX * drawn[3 + k], 0.000064);
-            assert_float_equal(
-                physical(&outputs, OURS(POI_USAGE_DRAG + k), 0, bytes, sizeof bytes),
-                drawn[6 + k], 0.00197);
+            assert_float_equal(physical(&outputs, OURS(POI_USAGE_DRAG + k), 0, bytes, sizeof bytes),
+                               drawn[6 + k], 0.00197);
         }
         assert_int_equal(physical(&outputs, OURS(POI_USAGE_SEQUENCE), 0, bytes, sizeof bytes),
                          (uint8_t)i);

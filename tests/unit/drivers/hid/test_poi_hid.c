@@ -396,12 +396,10 @@ int main(void)
         cmocka_unit_test(test_the_hand_feels_the_water_if_its_device_can),
         cmocka_unit_test(test_a_pad_feels_nothing_and_a_keyboard_is_no_poi),
         cmocka_unit_test(test_who_cannot_play_is_listened_to_by_the_desk),
-        cmocka_unit_test(
-            test_pulled_out_at_each_of_1000_reports_what_came_before_is_played),
+        cmocka_unit_test(test_pulled_out_at_each_of_1000_reports_what_came_before_is_played),
         cmocka_unit_test(test_each_fault_of_a_wire_is_survived),
         cmocka_unit_test(test_doubles_are_one_and_lost_ones_are_counted),
-        cmocka_unit_test(
-            test_a_frame_that_took_too_long_hears_the_newest_and_counts_what_it_lost),
+        cmocka_unit_test(test_a_frame_that_took_too_long_hears_the_newest_and_counts_what_it_lost),
         cmocka_unit_test(test_the_last_report_before_a_silence_is_always_heard),
         cmocka_unit_test(test_no_way_of_a_mouse_is_lost_in_a_slow_frame),
         cmocka_unit_test(test_a_poi_that_is_pulled_out_in_mid_round_is_lost_and_found_again),

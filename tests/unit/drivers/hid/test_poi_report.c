@@ -13,9 +13,9 @@
 
 /* Half a metre to the left, 5 cm under, at the middle; nose down by a quarter of pi. */
 static const uint8_t dipped[POI_REPORT_SIZE] = {
-    1,    200,                            /* id, sequence */
-    0x00, 0xc0, 0x9a, 0xf9, 0x00, 0x00,   /* -16384, -1638, 0 */
-    0x00, 0xe0, 0x00, 0x00, 0xff, 0x7f,   /* -8192, 0, 32767 */
+    1,    200,                          /* id, sequence */
+    0x00, 0xc0, 0x9a, 0xf9, 0x00, 0x00, /* -16384, -1638, 0 */
+    0x00, 0xe0, 0x00, 0x00, 0xff, 0x7f, /* -8192, 0, 32767 */
     0x05,
 };
 
@@ -101,8 +101,8 @@ static void test_what_the_hand_feels_is_six_numbers_and_three_levels(void **stat
         .slap = 0.5f,
     };
     const uint8_t expected[POI_FEEL_SIZE] = {
-        2,    9,
-        0x00, 0xc0, 0xff, 0x7f, 0x00, 0x00, /* -16384 (-16383.5, away from 0), 32767, 0 */
+        2,    9,    0x00, 0xc0, 0xff, 0x7f,
+        0x00, 0x00,                         /* -16384 (-16383.5, away from 0), 32767, 0 */
         0xff, 0x7f, 0x01, 0x80, 0x00, 0x20, /* 32767, -32767, 8192 (8191.75) */
         255,  128,  0,
     };
@@ -161,8 +161,7 @@ int main(void)
         cmocka_unit_test(test_another_length_another_id_or_a_lost_mark_is_refused),
         cmocka_unit_test(test_a_pose_beyond_the_range_is_its_end_and_no_number_is_no_value),
         cmocka_unit_test(test_what_the_hand_feels_is_six_numbers_and_three_levels),
-        cmocka_unit_test(
-            test_opposite_forces_are_opposite_in_bytes_and_come_back_to_half_a_step),
+        cmocka_unit_test(test_opposite_forces_are_opposite_in_bytes_and_come_back_to_half_a_step),
         cmocka_unit_test(test_a_force_beyond_all_bounds_is_the_end_and_no_number_is_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

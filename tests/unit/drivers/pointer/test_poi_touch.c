@@ -142,10 +142,10 @@ static int begin_twin(void **state)
         const int second = i > 0 && i % 30 == 0;
         script[i] = (struct touch_event){
             .time_ns = (1000 + 8 * (uint64_t)i) * MS,
-            .kind = (uint8_t)(i == 0               ? TOUCH_DOWN
-                              : second && i % 60   ? TOUCH_DOWN
-                              : second             ? TOUCH_UP
-                                                   : TOUCH_MOVE),
+            .kind = (uint8_t)(i == 0             ? TOUCH_DOWN
+                              : second && i % 60 ? TOUCH_DOWN
+                              : second           ? TOUCH_UP
+                                                 : TOUCH_MOVE),
             .id = second ? 2 : 1,
             .x = 0.5f + 0.3f * f_sin((float)i * 0.02f),
             .y = 0.5f + 0.2f * f_cos((float)i * 0.03f),

@@ -176,7 +176,7 @@ static void test_under_water_the_poi_glides_back_so_slowly_that_its_paper_lives(
         }
         const vec3 now = poi_after(ms);
         const vec3 step = v3(now.x - before.x, 0.0f, now.z - before.z);
-        const int is_down = now.y < POINTER_DIP_M + 0.002f; /* A stroke goes along the ray. */
+        const int is_down = now.y < POINTER_DIP_M + 0.002f;  /* A stroke goes along the ray. */
         assert_true(!is_down || v3_length(step) < 0.00015f); /* 0.15 m/s and slower. */
         before = now;
     }
@@ -194,8 +194,8 @@ int main(void)
         cmocka_unit_test_setup(test_the_poi_waits_where_it_was_while_the_fan_is_led, fresh),
         cmocka_unit_test_setup(test_a_waiting_poi_dips_all_the_same, fresh),
         cmocka_unit_test_setup(test_the_poi_glides_back_under_the_pointer, fresh),
-        cmocka_unit_test_setup(
-            test_under_water_the_poi_glides_back_so_slowly_that_its_paper_lives, fresh),
+        cmocka_unit_test_setup(test_under_water_the_poi_glides_back_so_slowly_that_its_paper_lives,
+                               fresh),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -69,7 +69,9 @@ static void test_the_pointer_stays_over_the_rings_centre_at_every_height(void **
 {
     (void)state;
     static const float places[][2] = {
-        { 640.0f, 360.0f }, { 300.0f, 250.0f }, { 1000.0f, 600.0f },
+        { 640.0f, 360.0f },
+        { 300.0f, 250.0f },
+        { 1000.0f, 600.0f },
     };
     for (size_t i = 0; i < 3; i++) {
         struct pointer_poi pointer = fresh();

@@ -323,8 +323,7 @@ static void test_a_blow_for_one_who_left_does_not_reach_the_next(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(
-            test_reports_cross_between_threads_whole_and_in_order_and_the_last_always),
+        cmocka_unit_test(test_reports_cross_between_threads_whole_and_in_order_and_the_last_always),
         cmocka_unit_test(test_a_full_ring_keeps_the_newest_and_counts_what_it_cannot),
         cmocka_unit_test(test_one_that_waits_beside_a_full_ring_keeps_its_turn_over_a_wrap),
         cmocka_unit_test(test_counters_may_wrap),

@@ -40,8 +40,9 @@ static void test_keys_are_read_as_they_are_written(void **state)
 static void test_what_is_no_key_is_refused_and_leaves_the_old_one(void **state)
 {
     (void)state;
-    static const char *const bad[] = { "", "1209", "1209:", "1209:1", "1209:000g", "1209-0001",
-                                       "1209:0001:", "1209:00011", " 1209:0001", "0x12:0001" };
+    static const char *const bad[] = { "",           "1209",      "1209:",      "1209:1",
+                                       "1209:000g",  "1209-0001", "1209:0001:", "1209:00011",
+                                       " 1209:0001", "0x12:0001" };
     struct usb_key key = { .vendor = 7 };
     char longest[10 + HID_TEXT_SIZE + 1] = "1209:0001:";
     memset(longest + 10, 'x', HID_TEXT_SIZE);
@@ -284,12 +285,13 @@ static void test_our_own_descriptor_is_known_to_the_last_byte(void **state)
 static void test_what_no_hand_leads_is_barred(void **state)
 {
     (void)state;
-    static const uint8_t pages[][3] = { { 0x84, 0x00, 0x04 }, { 0xd0, 0xf1, 0x01 },
+    static const uint8_t pages[][3] = { { 0x84, 0x00, 0x04 },
+                                        { 0xd0, 0xf1, 0x01 },
                                         { 0x0b, 0x00, 0x05 } }; /* A UPS, a FIDO key, a headset. */
     for (uint32_t i = 0; i < sizeof pages / sizeof pages[0]; i++) {
         const uint8_t bytes[] = { 0x06, pages[i][0], pages[i][1], 0x09, pages[i][2], 0xa1, 0x01,
-                                  0x09, 0x20, 0x15, 0x00, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x01,
-                                  0x81, 0x02, 0xc0 };
+                                  0x09, 0x20,        0x15,        0x00, 0x25,        0x7f, 0x75,
+                                  0x08, 0x95,        0x01,        0x81, 0x02,        0xc0 };
         assert_int_equal(kind_of_bytes(bytes, sizeof bytes), USB_KIND_KEYS);
     }
 }
@@ -298,8 +300,9 @@ static void test_what_no_hand_leads_is_barred(void **state)
 
 static struct usb_place place_of(struct hid_identity who, int is_taken, int is_held)
 {
-    return (struct usb_place){ .was_taken = 1, .is_taken = is_taken != 0,
-                               .is_held = is_held != 0, .identity = who };
+    return (struct usb_place){
+        .was_taken = 1, .is_taken = is_taken != 0, .is_held = is_held != 0, .identity = who
+    };
 }
 
 static void test_who_comes_back_gets_its_own_seat(void **state)
@@ -443,7 +446,9 @@ static void test_texts_cannot_break_a_line_or_a_terminal(void **state)
         { "a\x1b[31mb\tc", "a?[31mb?c" },
         { "\xe9\x87\x91\xe9\xad\x9a", "\xe9\x87\x91\xe9\xad\x9a" }, /* Kingyo. */
         { "x\xff\xfey long", "x??y long" },
-        { "\xc2\x9b" "31m and more", "?31m and more" }, /* CSI in one character. */
+        { "\xc2\x9b"
+          "31m and more",
+          "?31m and more" }, /* CSI in one character. */
         { "cut \xe9\x87", "cut " },
     };
     for (uint32_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {

@@ -26,7 +26,7 @@
 
 static struct {
     struct usb_bench bench;
-    atomic_ullong now_ns;        /* Of both threads: a frame is a sixtieth of its second. */
+    atomic_ullong now_ns; /* Of both threads: a frame is a sixtieth of its second. */
     struct button_event event[2];
     struct buttons_sim buttons;
     struct poi_hid poi;
@@ -35,7 +35,7 @@ static struct {
     struct kiosk kiosk;
     uint32_t device;
     uint8_t is_plugged;
-    uint32_t said;               /* Reports since it was plugged in. */
+    uint32_t said; /* Reports since it was plugged in. */
     uint8_t sequence;
 } stall;
 
@@ -130,10 +130,10 @@ static int is_attract(void)
 
 static void press_start(void)
 {
-    stall.event[1] = (struct button_event){ .time_ns = atomic_load(&stall.now_ns),
-                                            .pressed = INPUT_START };
-    stall.buttons = (struct buttons_sim){ .clock = stall_clock(), .events = &stall.event[1],
-                                          .event_count = 1 };
+    stall.event[1] =
+        (struct button_event){ .time_ns = atomic_load(&stall.now_ns), .pressed = INPUT_START };
+    stall.buttons =
+        (struct buttons_sim){ .clock = stall_clock(), .events = &stall.event[1], .event_count = 1 };
 }
 
 static int set_up(void **state)
@@ -149,8 +149,8 @@ static int set_up(void **state)
     stall.hal = null_hal();
     stall.hal.clock = stall_clock();
     stall.event[0] = (struct button_event){ .coin_count[0] = COINS };
-    stall.buttons = (struct buttons_sim){ .clock = stall_clock(), .events = stall.event,
-                                          .event_count = 1 };
+    stall.buttons =
+        (struct buttons_sim){ .clock = stall_clock(), .events = stall.event, .event_count = 1 };
     stall.hal.buttons = buttons_sim_device(&stall.buttons);
     const struct view view = tank_preset(TANK_PRESET_FESTIVAL)->view;
     poi_hid_init(&stall.poi, usb_transport_port(stall.bench.seats, 0), stall_clock(),

@@ -201,9 +201,14 @@ static void test_a_device_without_an_out_endpoint_is_told_by_set_report(void **s
 {
     (void)state;
     static const struct stand_kind no_out = {
-        .vendor = 0xcafe, .product = 2, .is_bound = 1, .interface_count = 1,
-        .interface = { { .class = LIBUSB_CLASS_HID, .packet_size = 64,
-                         .descriptor = poi_descriptor, .descriptor_size = POI_DESCRIPTOR_SIZE } },
+        .vendor = 0xcafe,
+        .product = 2,
+        .is_bound = 1,
+        .interface_count = 1,
+        .interface = { { .class = LIBUSB_CLASS_HID,
+                         .packet_size = 64,
+                         .descriptor = poi_descriptor,
+                         .descriptor_size = POI_DESCRIPTOR_SIZE } },
     };
     bench_start(&bench, NULL, 0);
     const uint32_t poi = stand_plug(&no_out, 1);

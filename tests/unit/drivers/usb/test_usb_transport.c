@@ -86,7 +86,9 @@ static void test_somebody_elses_device_under_the_bench_id_is_given_back(void **s
 {
     (void)state;
     static const struct stand_kind foreign = {
-        .vendor = 0x1209, .product = 0x0001, .interface_count = 1,
+        .vendor = 0x1209,
+        .product = 0x0001,
+        .interface_count = 1,
         .interface = { JOYSTICK_INTERFACE },
     };
     bench_start(&bench, NULL, 0);
@@ -191,8 +193,14 @@ static void test_other_interfaces_are_left_alone(void **state)
 {
     (void)state;
     static const struct stand_kind pad = {
-        .vendor = 0x054c, .product = 0x09cc, .name = "Pad", .is_bound = 1, .interface_count = 4,
-        .interface = { VENDOR_INTERFACE, KEYBOARD_INTERFACE, JOYSTICK_INTERFACE,
+        .vendor = 0x054c,
+        .product = 0x09cc,
+        .name = "Pad",
+        .is_bound = 1,
+        .interface_count = 4,
+        .interface = { VENDOR_INTERFACE,
+                       KEYBOARD_INTERFACE,
+                       JOYSTICK_INTERFACE,
                        { .class = LIBUSB_CLASS_AUDIO } },
     };
     bench_start(&bench, NULL, 0);
@@ -208,8 +216,14 @@ static void test_a_boot_mouse_is_told_to_speak_in_reports(void **state)
 {
     (void)state;
     static const struct stand_kind mouse = {
-        .vendor = 0x046d, .product = 0xc077, .is_bound = 1, .interface_count = 1,
-        .interface = { { .class = LIBUSB_CLASS_HID, .subclass = 1, .protocol = 2, .packet_size = 8,
+        .vendor = 0x046d,
+        .product = 0xc077,
+        .is_bound = 1,
+        .interface_count = 1,
+        .interface = { { .class = LIBUSB_CLASS_HID,
+                         .subclass = 1,
+                         .protocol = 2,
+                         .packet_size = 8,
                          .descriptor = joystick_descriptor,
                          .descriptor_size = sizeof joystick_descriptor } },
     };
@@ -244,9 +258,13 @@ static void test_one_that_is_no_hand_after_all_is_asked_once(void **state)
 {
     (void)state;
     static const struct stand_kind disguised = {
-        .vendor = 0x1111, .product = 0x2222, .name = "Mended keyboard", .is_bound = 1,
+        .vendor = 0x1111,
+        .product = 0x2222,
+        .name = "Mended keyboard",
+        .is_bound = 1,
         .interface_count = 1,
-        .interface = { { .class = LIBUSB_CLASS_HID, .packet_size = 8,
+        .interface = { { .class = LIBUSB_CLASS_HID,
+                         .packet_size = 8,
                          .descriptor = keyboard_descriptor,
                          .descriptor_size = sizeof keyboard_descriptor,
                          .mended = joystick_descriptor,

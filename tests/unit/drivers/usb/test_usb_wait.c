@@ -82,11 +82,23 @@ static void test_a_seat_is_kept_for_as_long_as_a_round_may_wait(void **state)
 {
     (void)state;
     static const struct stand_kind others[] = {
-        { .vendor = 0xcafe, .product = 1, .name = "A", .is_bound = 1, .interface_count = 1,
+        { .vendor = 0xcafe,
+          .product = 1,
+          .name = "A",
+          .is_bound = 1,
+          .interface_count = 1,
           .interface = { OWN_INTERFACE } },
-        { .vendor = 0xcafe, .product = 2, .name = "B", .is_bound = 1, .interface_count = 1,
+        { .vendor = 0xcafe,
+          .product = 2,
+          .name = "B",
+          .is_bound = 1,
+          .interface_count = 1,
           .interface = { OWN_INTERFACE } },
-        { .vendor = 0xcafe, .product = 3, .name = "C", .is_bound = 1, .interface_count = 1,
+        { .vendor = 0xcafe,
+          .product = 3,
+          .name = "C",
+          .is_bound = 1,
+          .interface_count = 1,
           .interface = { OWN_INTERFACE } },
     };
     begin();
@@ -99,7 +111,11 @@ static void test_a_seat_is_kept_for_as_long_as_a_round_may_wait(void **state)
     stand_unplug(lost, STAND_GONE);
     assert_true(bench_until(&bench, 0, CONTROLLER_LOST));
     static const struct stand_kind stranger = {
-        .vendor = 0xcafe, .product = 4, .name = "D", .is_bound = 1, .interface_count = 1,
+        .vendor = 0xcafe,
+        .product = 4,
+        .name = "D",
+        .is_bound = 1,
+        .interface_count = 1,
         .interface = { OWN_INTERFACE },
     };
     const uint32_t waiting = stand_plug(&stranger, 5);

@@ -34,11 +34,12 @@ static int32_t asked(uint32_t id)
 static void test_every_option_is_understood(void **state)
 {
     static const char *const argv[] = {
-        "kingyo",        "--window", "800x600", "--poi",  "bot",   "--record", "a.kgr",
-        "--shots",       "pics",     "--data=scores",     "--config", "c.conf",
-        "--lang",        "en",       "--seed",  "0255",   "--fish", "50",
-        "--mode",        "championship", "--grade", "4",  "--players", "3",
-        "--demo",        "30",
+        "kingyo",   "--window", "800x600",   "--poi",  "bot",
+        "--record", "a.kgr",    "--shots",   "pics",   "--data=scores",
+        "--config", "c.conf",   "--lang",    "en",     "--seed",
+        "0255",     "--fish",   "50",        "--mode", "championship",
+        "--grade",  "4",        "--players", "3",      "--demo",
+        "30",
     };
     (void)state;
     assert_int_equal(parse(COUNT(argv), argv), 0);
@@ -62,7 +63,10 @@ static void test_every_option_is_understood(void **state)
 
 static void test_who_holds_the_poi_has_a_name(void **state)
 {
-    static const struct { const char *name; uint8_t poi; } kinds[] = {
+    static const struct {
+        const char *name;
+        uint8_t poi;
+    } kinds[] = {
         { "auto", BOARD_POI_AUTO }, { "mouse", BOARD_POI_MOUSE }, { "touch", BOARD_POI_TOUCH },
         { "pad", BOARD_POI_PAD },   { "usb", BOARD_POI_USB },     { "bot", BOARD_POI_BOT },
     };
@@ -270,9 +274,10 @@ static void settle(uint32_t saved_id, int32_t saved)
 
 static void test_what_is_asked_reaches_the_stall(void **state)
 {
-    static const char *const all[] = { "kingyo", "--mode", "practice", "--grade", "7", "--players",
-                                       "4", "--fish", "50", "--lang", "en", "--coins", "3",
-                                       "--tickets", "10", "--set", "volume=35" };
+    static const char *const all[] = { "kingyo",    "--mode",   "practice", "--grade",   "7",
+                                       "--players", "4",        "--fish",   "50",        "--lang",
+                                       "en",        "--coins",  "3",        "--tickets", "10",
+                                       "--set",     "volume=35" };
     struct core_config core = { .preset = TANK_PRESET_THESIS };
     (void)state;
     assert_int_equal(parse(COUNT(all), all), 0);

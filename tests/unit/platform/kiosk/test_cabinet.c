@@ -99,7 +99,7 @@ static void test_two_coins_by_their_edges_buy_a_round_and_step_the_meter(void **
     (void)state;
     static const struct gpio_sim_event events[] = {
         PULSE(1000, GPIO_START, 100), /* Nobody has paid. */
-        PULSE(2000, GPIO_COIN, 50), PULSE(2500, GPIO_COIN, 50),
+        PULSE(2000, GPIO_COIN, 50),   PULSE(2500, GPIO_COIN, 50),
         PULSE(4000, GPIO_START, 100), PULSE(6000, GPIO_START, 100),
     };
     OPEN(events);
@@ -138,11 +138,13 @@ static void test_a_chip_that_goes_costs_no_credit_and_its_lines_pay_again(void *
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        PULSE(1000, GPIO_COIN, 50), PULSE(1500, GPIO_COIN, 50),
+        PULSE(1000, GPIO_COIN, 50),
+        PULSE(1500, GPIO_COIN, 50),
         PULSE(1800, GPIO_COIN, 50),
         { .time_ns = 1852 * MS, .what = GPIO_SIM_GONE }, /* Before that coin was judged. */
         { .time_ns = 4000 * MS, .what = GPIO_SIM_BACK },
-        PULSE(6000, GPIO_COIN, 50), LEVEL(7000, GPIO_COIN, 1),
+        PULSE(6000, GPIO_COIN, 50),
+        LEVEL(7000, GPIO_COIN, 1),
         { .time_ns = 7030 * MS, .what = GPIO_SIM_GONE }, /* Who knows whether it fell? */
     };
     OPEN(events);
@@ -163,7 +165,8 @@ static void test_who_shakes_the_cabinet_has_coins_sent_back_for_a_while(void **s
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        PULSE(1000, GPIO_TILT, 4), PULSE(5000, GPIO_SERVICE, 100),
+        PULSE(1000, GPIO_TILT, 4),
+        PULSE(5000, GPIO_SERVICE, 100),
     };
     OPEN(events);
     assert_int_equal(rig.sim.outputs[GPIO_COIN_LOCKOUT], 1); /* Nobody has let coins in yet. */

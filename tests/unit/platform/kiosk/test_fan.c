@@ -164,8 +164,7 @@ static void test_each_tick_has_its_own_place_on_the_fans_way(void **state)
         lead_fan(300.0f + 4.0f * (float)i, 300.0f, POINTER_FAN);
         frames(1);
     }
-    const float step_m =
-        0.5f * (on_water(304.0f, 300.0f).x - on_water(300.0f, 300.0f).x);
+    const float step_m = 0.5f * (on_water(304.0f, 300.0f).x - on_water(300.0f, 300.0f).x);
     for (uint32_t i = rig.seen_count - 100; i < rig.seen_count; i++) {
         assert_float_equal(rig.seen[i].x_m - rig.seen[i - 1].x_m, step_m, 1e-5f);
     }
@@ -246,8 +245,7 @@ int main(void)
                                         close_mouse),
         cmocka_unit_test_setup(test_each_tick_has_its_own_place_on_the_fans_way, open_stall),
         cmocka_unit_test_setup(test_the_scene_shows_the_fan_where_its_shadow_is_felt, open_stall),
-        cmocka_unit_test_setup(test_a_fan_whose_cable_is_pulled_is_gone_and_comes_back,
-                               open_stall),
+        cmocka_unit_test_setup(test_a_fan_whose_cable_is_pulled_is_gone_and_comes_back, open_stall),
         cmocka_unit_test_setup(test_a_fan_that_is_no_number_is_refused_and_counted, open_stall),
     };
     cmocka_set_message_output(CM_OUTPUT_TAP);

@@ -329,11 +329,10 @@ static void test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(
-            test_what_was_refused_comes_first_and_each_kind_in_its_order, empty),
+        cmocka_unit_test_setup(test_what_was_refused_comes_first_and_each_kind_in_its_order, empty),
         cmocka_unit_test_setup(test_a_complaint_is_taken_apart_at_its_first_colon_and_gap, empty),
-        cmocka_unit_test_setup(
-            test_long_names_keep_their_end_and_long_reasons_their_beginning, empty),
+        cmocka_unit_test_setup(test_long_names_keep_their_end_and_long_reasons_their_beginning,
+                               empty),
         cmocka_unit_test_setup(test_when_it_is_full_the_rest_is_counted_in_a_row, empty),
         ON_THE_SCREEN(test_a_broken_species_is_on_the_screen_with_its_reason),
         ON_THE_SCREEN(test_the_sound_ones_are_there_too_behind_the_others),

@@ -420,8 +420,8 @@ static void test_a_display_that_is_pulled_out_comes_back_and_the_game_goes_on(vo
     assert_int_equal(rig.kiosk.core.tick, tick + 600u);
     assert_int_equal(rig.kicks, 300);
     assert_int_equal(rig.display.present_count, shown);
-    assert_int_equal(rig.kiosk.faults.display, 1);  /* One loss, one fault. */
-    assert_in_range(rig.display.open_count, 4, 5);  /* Looked for once a second. */
+    assert_int_equal(rig.kiosk.faults.display, 1); /* One loss, one fault. */
+    assert_in_range(rig.display.open_count, 4, 5); /* Looked for once a second. */
     rig.display.away = 0;
     frames(62);
     assert_true(rig.display.present_count > shown);

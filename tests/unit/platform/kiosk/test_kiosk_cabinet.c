@@ -31,7 +31,7 @@ static struct rig {
     uint64_t frame_ns;
     struct controller_command commands[ORDERS_MAX];
     uint32_t command_count;
-    int answer;                   /* Of every switch. */
+    int answer; /* Of every switch. */
     uint32_t asked[HAL_SWITCH_COUNT], level[HAL_SWITCH_COUNT], pulses[HAL_SWITCH_COUNT];
 } rig;
 
@@ -152,7 +152,7 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.frame_ns = FRAME_NS;
-    rig.level[HAL_COIN_LOCKOUT] = 1; /* As a driver begins. */
+    rig.level[HAL_COIN_LOCKOUT] = 1;  /* As a driver begins. */
     rest_at(v3(-0.4f, 0.06f, -0.3f)); /* Over no tag. */
     rig.hal = null_hal();
     rig.hal.clock = clock_sim_device(&rig.clock);
@@ -303,7 +303,7 @@ static void test_a_switch_that_fails_is_asked_again_each_second_until_it_does_no
     rig.answer = HAL_ERR_IO;
     push(INPUT_TEST); /* In the menu the slot is closed. */
     drop(1);
-    frames(190);      /* Three seconds and a half, in all. */
+    frames(190); /* Three seconds and a half, in all. */
     assert_int_equal(rig.asked[HAL_COIN_LOCKOUT], 4);
     assert_int_equal(rig.asked[HAL_COIN_COUNTER], 4);
     assert_true(rig.kiosk.faults.switches >= 8);
@@ -371,8 +371,8 @@ int main(void)
                                set_up),
         cmocka_unit_test_setup(test_a_hand_that_shakes_over_a_tag_loses_no_order, set_up),
         cmocka_unit_test_setup(test_a_switch_that_takes_what_it_is_told_is_told_once, set_up),
-        cmocka_unit_test_setup(
-            test_a_busy_switch_is_asked_again_each_frame_and_that_is_no_fault, set_up),
+        cmocka_unit_test_setup(test_a_busy_switch_is_asked_again_each_frame_and_that_is_no_fault,
+                               set_up),
         cmocka_unit_test_setup(
             test_a_switch_that_fails_is_asked_again_each_second_until_it_does_not, set_up),
         cmocka_unit_test_setup(test_what_no_longer_is_to_be_switched_is_not, set_up),

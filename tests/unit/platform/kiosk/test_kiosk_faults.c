@@ -126,18 +126,14 @@ static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(voi
         enum sensor_fault fault;
         uint32_t ms, lost_min, lost_max; /* Frames in which the hand is lost. */
     } cases[] = {
-        { SENSOR_GONE, 700, 40, 160 },        /* Looked for once a second. */
-        { SENSOR_SILENT, 1200, 50, 70 },      /* From half a second on, and a quarter more. */
-        { SENSOR_SILENT, 300, 0, 0 },
-        { SENSOR_HELD_BACK, 300, 0, 0 },
-        { SENSOR_HELD_BACK, 1200, 50, 70 },
-        { SENSOR_STUCK, 2000, 70, 85 },       /* From a second on. */
-        { SENSOR_JUMPED, 8, 14, 20 },         /* A report or two, and a quarter of a second. */
-        { SENSOR_JUMPED, 1500, 14, 40 },      /* Found there, and back again. */
-        { SENSOR_FLIPPED, 100, 18, 30 },
-        { SENSOR_NOT_A_NUMBER, 100, 18, 30 },
-        { SENSOR_GARBAGE, 500, 40, 50 },
-        { SENSOR_TWICE, 1000, 0, 0 },
+        { SENSOR_GONE, 700, 40, 160 },   /* Looked for once a second. */
+        { SENSOR_SILENT, 1200, 50, 70 }, /* From half a second on, and a quarter more. */
+        { SENSOR_SILENT, 300, 0, 0 },       { SENSOR_HELD_BACK, 300, 0, 0 },
+        { SENSOR_HELD_BACK, 1200, 50, 70 }, { SENSOR_STUCK, 2000, 70, 85 }, /* From a second on. */
+        { SENSOR_JUMPED, 8, 14, 20 },    /* A report or two, and a quarter of a second. */
+        { SENSOR_JUMPED, 1500, 14, 40 }, /* Found there, and back again. */
+        { SENSOR_FLIPPED, 100, 18, 30 },    { SENSOR_NOT_A_NUMBER, 100, 18, 30 },
+        { SENSOR_GARBAGE, 500, 40, 50 },    { SENSOR_TWICE, 1000, 0, 0 },
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -205,8 +201,8 @@ static void open_with_pointer(void)
     pointer_sim_init(&rig.pointer, rig.hal.clock, &rig.kiosk.scene.view);
     rig.pointer.reports = &rig.report;
     rig.pointer.report_count = 1;
-    rig.report = (struct pointer_report){ .x_px = 640, .y_px = 400, .width_px = 1280,
-                                          .height_px = 720 };
+    rig.report =
+        (struct pointer_report){ .x_px = 640, .y_px = 400, .width_px = 1280, .height_px = 720 };
     rig.hal.poi[0] = pointer_sim_device(&rig.pointer);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
 }

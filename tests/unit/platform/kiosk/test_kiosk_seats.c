@@ -23,13 +23,13 @@ static struct {
     struct hal hal;
     struct kiosk kiosk;
     uint32_t asked_moving, asked_still; /* Arranged so often with and without leave to move. */
-    uint32_t moves;       /* Answered to the next question that finds it. */
+    uint32_t moves;                     /* Answered to the next question that finds it. */
     uint8_t other_sits;
     uint8_t is_gone, is_absent;
     uint32_t open_count;
-    uint64_t late_ns;     /* Reports came so long ago. */
+    uint64_t late_ns; /* Reports came so long ago. */
     uint8_t stamps;
-    uint32_t told;        /* Reports each frame. */
+    uint32_t told; /* Reports each frame. */
 } rig;
 
 static uint32_t arrange(void *self, int may_move)
@@ -97,8 +97,8 @@ static int set_up(void **state)
         .set_view = hand_look,
         .describe = hand_describe,
     };
-    static const struct kiosk_config config = { .core = { .seed = 5, .fish_count = 8,
-                                                          .round_s = 10 } };
+    static const struct kiosk_config config = { .core = {
+                                                    .seed = 5, .fish_count = 8, .round_s = 10 } };
     (void)state;
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
@@ -242,8 +242,7 @@ int main(void)
         cmocka_unit_test_setup(test_in_the_operators_menu_they_may_too, set_up),
         cmocka_unit_test_setup(test_who_sits_down_is_opened_and_leads_in_the_same_frame, set_up),
         cmocka_unit_test_setup(test_a_seat_that_was_empty_plays_once_somebody_sits_down, set_up),
-        cmocka_unit_test_setup(test_one_that_comes_back_plays_on_in_the_frame_that_sees_it,
-                               set_up),
+        cmocka_unit_test_setup(test_one_that_comes_back_plays_on_in_the_frame_that_sees_it, set_up),
         cmocka_unit_test_setup(test_a_report_waits_from_its_arrival_to_its_tick, set_up),
         cmocka_unit_test_setup(test_a_report_between_two_ticks_waits_for_the_next, set_up),
         cmocka_unit_test_setup(test_what_a_driver_makes_up_is_not_timed, set_up),

@@ -52,7 +52,8 @@ static int poll_hand(void *self, struct poi_sample *out, uint32_t max)
 {
     (void)self;
     (void)max;
-    *out = (struct poi_sample){ .time_ns = rig.clock.now_ns, .has_wrist = 1,
+    *out = (struct poi_sample){ .time_ns = rig.clock.now_ns,
+                                .has_wrist = 1,
                                 .target.position_m = { 0.0f, 0.1f, 0.0f } };
     return 1;
 }
@@ -111,8 +112,9 @@ static void begin(void)
                                              .set_view = look,
                                              .describe = describe };
     static struct kiosk_config config;
-    config = (struct kiosk_config){ .core = { .seed = 5, .fish_count = 4, .round_s = 10,
-                                              .credit_coins = PRICE } };
+    config = (struct kiosk_config){
+        .core = { .seed = 5, .fish_count = 4, .round_s = 10, .credit_coins = PRICE }
+    };
     memset(&rig, 0, sizeof rig);
     rig.locked = 1; /* As it begins. */
     rig.clock.now_ns = FRAME_NS;
@@ -283,8 +285,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(
             test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_opens, set_up,
             tear_down),
-        cmocka_unit_test_setup_teardown(
-            test_credits_and_every_line_come_over_and_nothing_twice, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_credits_and_every_line_come_over_and_nothing_twice,
+                                        set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_money_waits_for_a_card_that_can_be_written, set_up,
                                         tear_down),
     };

@@ -429,10 +429,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_CABINET(test_controllers_and_lines_have_names_in_the_menu_alone),
-        IN_CABINET(
-            test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order),
-        IN_CABINET(
-            test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays),
+        IN_CABINET(test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_order),
+        IN_CABINET(test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays),
         IN_CABINET(test_a_desktops_quit_key_leads_back_in_the_menu_and_ends_the_rest),
         IN_CABINET(test_what_is_chosen_plays_and_what_is_released_does_not),
         IN_CABINET(test_a_stick_is_taught_by_two_buttons_and_plays_as_it_was_taught),

@@ -18,7 +18,7 @@
 #include "platform/kiosk/kiosk.h"
 
 #define MOMENT_NS 16666667ull /* From one report of the mouse to the next. */
-#define MOMENTS_MAX 60u      /* A second. */
+#define MOMENTS_MAX 60u       /* A second. */
 #define WIDTH 1280u
 #define HEIGHT 720u
 

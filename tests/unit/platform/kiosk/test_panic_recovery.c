@@ -27,9 +27,9 @@
 static char dir[32];
 static char path[64];
 static int folder;
-static int flock_error;       /* errno of every flock(); 0: flock() works. */
-static struct panics during;  /* The count on disk while the copy of the database was made. */
-static int copies;            /* Calls of chmod(), one for each copy. */
+static int flock_error;      /* errno of every flock(); 0: flock() works. */
+static struct panics during; /* The count on disk while the copy of the database was made. */
+static int copies;           /* Calls of chmod(), one for each copy. */
 static struct evidence evidence;
 
 int flock(int handle, int operation)
@@ -64,8 +64,9 @@ int chmod(const char *name, mode_t mode)
 static void fill(void)
 {
     static struct ledger_file file;
-    const struct ledger_entry entry = { .id = 1, .boot = 1, .kind = LEDGER_SETTING,
-                                        .detail = SET_VOLUME, .value = 30 };
+    const struct ledger_entry entry = {
+        .id = 1, .boot = 1, .kind = LEDGER_SETTING, .detail = SET_VOLUME, .value = 30
+    };
     assert_int_equal(ledger_file_open(&file, path, NULL), 0);
     assert_int_equal(ledger_file_write(&file, &entry, 1), 0);
     ledger_file_close(&file);

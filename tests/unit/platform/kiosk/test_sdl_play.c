@@ -31,10 +31,10 @@ static struct sdl_player {
     struct mouse_poi pointer;
     struct hal hal;
     struct kiosk kiosk;
-    void (*say)(void);  /* Puts the wish into SDL's queue. */
+    void (*say)(void); /* Puts the wish into SDL's queue. */
     vec3 over_m;
     uint8_t dips;
-    float x, y;         /* Of the finger that leads, in the window. */
+    float x, y; /* Of the finger that leads, in the window. */
     uint8_t second_is_down;
 } player;
 
@@ -228,8 +228,7 @@ static void test_a_pad_lands_fish(void **state)
     (void)state;
     gamepads_init(&player.gamepads, player.hal.clock, stall_view());
     assert_int_equal(gamepads_open(&player.gamepads, NULL), HAL_OK);
-    assert_true(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER,
-                                          SDL_CONTROLLER_AXIS_MAX,
+    assert_true(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
                                           SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1, 0) >= 0);
     gamepads_poll(&player.gamepads);
     assert_non_null(player.gamepads.pad[0].controller);

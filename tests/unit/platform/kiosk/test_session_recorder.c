@@ -280,9 +280,13 @@ static void test_a_replay_of_another_round_than_the_ledgers_is_not_genuine(void 
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     for (uint32_t i = 0; i < 13; i++) {
         struct round_record *round = &sim.round.round;
-        uint32_t *const words[] = { &sim.round.boot,   &sim.round.tick,    &round->seed,
-                                    &round->start_tick, &round->end_tick,
-                                    &round->player[0].scoops, &round->player[0].hole_area_mm2 };
+        uint32_t *const words[] = { &sim.round.boot,
+                                    &sim.round.tick,
+                                    &round->seed,
+                                    &round->start_tick,
+                                    &round->end_tick,
+                                    &round->player[0].scoops,
+                                    &round->player[0].hole_area_mm2 };
         uint8_t *const bytes[] = { &round->grade, &round->players, &sim.round.kind,
                                    &round->preset };
         uint16_t *const stall[] = { &round->fish_count, &round->round_s };

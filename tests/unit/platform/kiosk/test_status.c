@@ -54,7 +54,8 @@ static void check_json(const char *text, const char *where, const char *wanted)
     sqlite3_stmt *statement;
     assert_int_equal(sqlite3_open(":memory:", &database), SQLITE_OK);
     assert_int_equal(sqlite3_prepare_v2(database, "SELECT json_valid(?1), json_extract(?1, ?2)", -1,
-                                        &statement, NULL), SQLITE_OK);
+                                        &statement, NULL),
+                     SQLITE_OK);
     sqlite3_bind_text(statement, 1, text, -1, SQLITE_STATIC);
     sqlite3_bind_text(statement, 2, where, -1, SQLITE_STATIC);
     assert_int_equal(sqlite3_step(statement), SQLITE_ROW);
@@ -68,7 +69,9 @@ static void check_json(const char *text, const char *where, const char *wanted)
 static void test_every_figure_is_in_it(void **state)
 {
     static char text[STATUS_TEXT_MAX];
-    static const struct { const char *where, *wanted; } rows[] = {
+    static const struct {
+        const char *where, *wanted;
+    } rows[] = {
         { "$.version", KINGYO_VERSION },
         { "$.pid", "1234" },
         { "$.written_ms", "5000000000" },
@@ -205,7 +208,10 @@ static void test_a_devices_name_cannot_break_it(void **state)
 static void test_what_is_no_utf8_is_marked(void **state)
 {
     static const char *const rows[][2] = {
-        { "a\xFF" "b", "a\uFFFD" "b" },
+        { "a\xFF"
+          "b",
+          "a\uFFFD"
+          "b" },
         { "\xC3", "\uFFFD" },
         { "\xE9\x87", "\uFFFD\uFFFD" }, /* Cut off in a character. */
         { "\xC0\xAF", "\uFFFD\uFFFD" },
@@ -356,11 +362,11 @@ int main(void)
         cmocka_unit_test(test_a_devices_name_cannot_break_it),
         cmocka_unit_test(test_what_is_no_utf8_is_marked),
         cmocka_unit_test(test_the_longest_report_fits),
-        cmocka_unit_test_setup_teardown(
-            test_a_running_stall_has_a_file_and_a_closed_one_has_none, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_running_stall_has_a_file_and_a_closed_one_has_none,
+                                        set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_it_is_told_once_a_second, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(
-            test_a_store_that_fails_is_reported_at_once, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_a_store_that_fails_is_reported_at_once, set_up,
+                                        tear_down),
         cmocka_unit_test_setup_teardown(test_no_frame_waits_while_it_is_written, set_up, tear_down),
         cmocka_unit_test(test_without_a_folder_nothing_happens),
         cmocka_unit_test(test_a_folder_that_went_is_counted_and_survived),

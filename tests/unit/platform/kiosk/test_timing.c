@@ -60,8 +60,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_nothing_counted_takes_no_time, clear),
-        cmocka_unit_test_setup(
-            test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th, clear),
+        cmocka_unit_test_setup(test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th,
+                               clear),
         cmocka_unit_test_setup(test_what_no_bin_holds_is_told_as_the_longest, clear),
         cmocka_unit_test_setup(test_slow_frames_are_told_to_20_ms, clear),
     };

@@ -43,8 +43,8 @@ static void report(void)
     const float t = (float)rig.report_count * (float)REPORT_NS * 1e-9f;
     const float down = f_smoothstep(0.2f, 0.6f, f_sin(2.1f * t));
     const struct poi_report says = {
-        .target = { .position_m = v3(0.12f * f_sin(0.9f * t), 0.05f - 0.09f * down,
-                                     0.08f * f_cos(0.7f * t)),
+        .target = { .position_m =
+                        v3(0.12f * f_sin(0.9f * t), 0.05f - 0.09f * down, 0.08f * f_cos(0.7f * t)),
                     .angles = { .pitch_rad = 0.2f + 1e-3f * f_sin(40.0f * t) } },
         .sequence = (uint8_t)rig.report_count,
     };
@@ -175,8 +175,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(
             test_at_each_of_a_thousand_reports_the_round_waits_and_no_credit_is_lost, set_up),
-        cmocka_unit_test_setup(test_a_cable_that_stays_out_ends_the_round_and_pays_it_back,
-                               set_up),
+        cmocka_unit_test_setup(test_a_cable_that_stays_out_ends_the_round_and_pays_it_back, set_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -44,8 +44,9 @@ static void test_the_first_and_the_last_day_have_a_number(void **state)
     (void)state;
     uint16_t day, minute;
     const struct tm first = { .tm_year = 126, .tm_mon = 0, .tm_mday = 1 };
-    const struct tm last = { .tm_year = 278, .tm_mon = 11, .tm_mday = 31, .tm_hour = 23,
-                             .tm_min = 59 };
+    const struct tm last = {
+        .tm_year = 278, .tm_mon = 11, .tm_mday = 31, .tm_hour = 23, .tm_min = 59
+    };
     clock_civil(&first, &day, &minute);
     assert_int_equal(day, 9497);
     assert_int_equal(minute, 0);

@@ -24,9 +24,9 @@ static void test_decimals_are_what_they_say(void **state)
         const char *text;
         double value;
     } right[] = {
-        { "0", 0.0 },          { "-0.5", -0.5 },      { "+3", 3.0 },       { ".25", 0.25 },
-        { "7.", 7.0 },         { "1e3", 1000.0 },     { "2.5E-3", 0.0025 }, { "1013.25", 1013.25 },
-        { "5.25", 5.25 },      { "0007.50", 7.5 },    { "1e+2", 100.0 },
+        { "0", 0.0 },     { "-0.5", -0.5 },   { "+3", 3.0 },        { ".25", 0.25 },
+        { "7.", 7.0 },    { "1e3", 1000.0 },  { "2.5E-3", 0.0025 }, { "1013.25", 1013.25 },
+        { "5.25", 5.25 }, { "0007.50", 7.5 }, { "1e+2", 100.0 },
     };
     (void)state;
     for (size_t i = 0; i < sizeof right / sizeof right[0]; i++) {
@@ -37,8 +37,9 @@ static void test_decimals_are_what_they_say(void **state)
 static void test_what_is_no_decimal_leaves_the_value_as_it_was(void **state)
 {
     static const char *const wrong[] = {
-        "", "-", ".", "e3", "1e", "1e+", "1,5", "0x10", "nan", "inf", "-inf", "1 ", " 1", "1e999",
-        "1.2.3", "--1", "1f", "00000000000000000000000000000000000000000000",
+        "",    "-",     ".",     "e3",  "1e",   "1e+",
+        "1,5", "0x10",  "nan",   "inf", "-inf", "1 ",
+        " 1",  "1e999", "1.2.3", "--1", "1f",   "00000000000000000000000000000000000000000000",
     };
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {

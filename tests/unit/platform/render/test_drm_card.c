@@ -124,14 +124,14 @@ static void test_without_sockets_there_is_none(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(
-            test_the_card_with_the_monitor_is_taken_whatever_its_number, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(
-            test_and_after_a_start_that_numbered_them_the_other_way, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_the_card_with_the_monitor_is_taken_whatever_its_number,
+                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_and_after_a_start_that_numbered_them_the_other_way,
+                                        set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_a_monitor_that_is_off_leaves_the_card_with_sockets,
                                         set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_of_two_with_sockets_the_connected_one_is_taken,
-                                        set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_of_two_with_sockets_the_connected_one_is_taken, set_up,
+                                        tear_down),
         cmocka_unit_test_setup_teardown(test_of_two_monitors_the_first_cards_is_taken, set_up,
                                         tear_down),
         cmocka_unit_test_setup_teardown(test_what_leads_into_memory_is_no_monitor, set_up,

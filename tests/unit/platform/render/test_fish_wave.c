@@ -36,10 +36,9 @@ static int open_display(void **state)
     const struct core_config config = { .seed = 5, .fish_count = 1 };
     core_init(&core, &config);
     core_scene(&core, &scene);
-    display.config = (struct display_gl_config){ .width = SIDE_PX,
-                                                 .height = SIDE_PX,
-                                                 .off_screen = true,
-                                                 .scene_scale = 1.0f };
+    display.config = (struct display_gl_config){
+        .width = SIDE_PX, .height = SIDE_PX, .off_screen = true, .scene_scale = 1.0f
+    };
     device = display_gl_device(&display);
     return device.ops->open(device.self);
 }

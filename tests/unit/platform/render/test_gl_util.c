@@ -38,9 +38,8 @@ static void test_a_texture_wider_than_the_driver_takes_is_refused_with_both_size
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
     desc.width = (uint32_t)side_max + 1u;
     assert_int_equal(gl_texture(&status, "wall", &desc), 0);
-    snprintf(expected, sizeof expected,
-             "texture wall is %ux4, and this OpenGL driver takes %dx%d", desc.width, side_max,
-             side_max);
+    snprintf(expected, sizeof expected, "texture wall is %ux4, and this OpenGL driver takes %dx%d",
+             desc.width, side_max, side_max);
     assert_string_equal(status.text, expected);
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }

@@ -41,16 +41,15 @@ static const struct rig_case rig_cases[] = {
     { "thesis", TEMPLATE_OWN, 1 },
 };
 
-static const char vertex_main[] =
-    "out vec3 position;\n"
-    "out vec3 normal;\n"
-    "uniform int row_of_poses;\n"
-    "void main()\n"
-    "{\n"
-    "    morph(row_of_poses, position, normal);\n"
-    "    normal = normalize(normal);\n"
-    "    gl_Position = vec4(position, 1.0);\n"
-    "}\n";
+static const char vertex_main[] = "out vec3 position;\n"
+                                  "out vec3 normal;\n"
+                                  "uniform int row_of_poses;\n"
+                                  "void main()\n"
+                                  "{\n"
+                                  "    morph(row_of_poses, position, normal);\n"
+                                  "    normal = normalize(normal);\n"
+                                  "    gl_Position = vec4(position, 1.0);\n"
+                                  "}\n";
 static const char fragment_main[] = "out vec4 color;\nvoid main() { color = vec4(1.0); }\n";
 
 static struct gl_status status;
@@ -71,8 +70,8 @@ static int open_context(void **state)
     open_gl_context("morph");
     fish_mesh_reserve(&mesh);
     pose_buffer = gl_buffer(GL_UNIFORM_BUFFER, NULL, sizeof texels);
-    feedback_buffer = gl_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, NULL,
-                                MESH_VERTEX_MAX * sizeof(struct vertex));
+    feedback_buffer =
+        gl_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, NULL, MESH_VERTEX_MAX * sizeof(struct vertex));
     return 0;
 }
 
@@ -193,8 +192,7 @@ static const struct species *species_of(const struct rig_case *of, uint32_t inde
 static void follow_all(bool rows)
 {
     struct error worst = { 0.0f, 0.0f };
-    const GLuint block_program =
-        program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
+    const GLuint block_program = program("#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n");
     for (uint32_t i = 0; i < species_table_count; i++) {
         for (size_t k = 0; k < sizeof rig_cases / sizeof *rig_cases; k++) {
             const struct species *const species = species_of(&rig_cases[k], i);

@@ -62,8 +62,8 @@ static void test_a_board_s_gpu_draws_each_pixel_once_and_a_large_screen_coarser(
 {
     (void)state;
     static const char *const boards[] = {
-        "V3D 4.2", "V3D 7.1.7.0", "VC4 V3D 2.1", "Broadcom VideoCore VI", "Mali-G610 (Panfrost)",
-        "Panfrost", "Mali-G52", "Lima",
+        "V3D 4.2",  "V3D 7.1.7.0", "VC4 V3D 2.1", "Broadcom VideoCore VI", "Mali-G610 (Panfrost)",
+        "Panfrost", "Mali-G52",    "Lima",
     };
     for (size_t i = 0; i < sizeof boards / sizeof *boards; i++) {
         const struct quality_wish small = wish(boards[i], 1280, 720);

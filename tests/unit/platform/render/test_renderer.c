@@ -73,8 +73,7 @@ static void test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_
     show_gulper(0.006f, SCENE_ON_POI);
     picture(pixels[1]);
     for (uint32_t colour = 0; colour < 3; colour++) {
-        const int32_t off =
-            (int32_t)middle(pixels[0], colour) - (int32_t)middle(pixels[1], colour);
+        const int32_t off = (int32_t)middle(pixels[0], colour) - (int32_t)middle(pixels[1], colour);
         assert_in_range(off + 100, 0, 200); /* 4 of 255 a pixel. */
     }
     show_gulper(-0.03f, SCENE_IN_TANK);
@@ -129,7 +128,7 @@ static float red_in_album(float age_days, float caught_days)
     scene.album.fish[0].age_days = age_days;
     scene.album.fish[0].maturity = scene_maturity(age_days);
     scene.album.fish[0].progress = life_progress(&species_wakin.card, age_days);
-    scene.album.fish[0].is_caught = 0; /* Its seal is red, too. */
+    scene.album.fish[0].is_caught = 0;  /* Its seal is red, too. */
     for (uint32_t i = 0; i < 20; i++) { /* Until its paint is fine. */
         picture(pixels[0]);
     }
@@ -303,8 +302,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         WITH_DISPLAY(test_one_fish_a_hole_and_a_wave_each_change_the_picture),
-        WITH_DISPLAY(
-            test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water),
+        WITH_DISPLAY(test_a_snout_above_the_surface_shows_as_in_air_and_below_it_through_water),
         WITH_DISPLAY(test_on_the_day_it_was_met_a_fish_of_the_album_looks_as_in_the_tank),
         WITH_DISPLAY(test_more_stress_is_brighter_for_every_eye_and_only_in_practice),
         WITH_DISPLAY(test_water_on_a_poi_lies_over_its_paper_and_hides_below_the_surface),

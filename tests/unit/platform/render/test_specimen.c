@@ -12,11 +12,9 @@
 
 static struct specimen fish_of(const struct species *species)
 {
-    return (struct specimen){ .species = species,
-                              .progress = 0.5f,
-                              .x_px = 300.0f,
-                              .y_px = 200.0f,
-                              .length_px = 100.0f };
+    return (struct specimen){
+        .species = species, .progress = 0.5f, .x_px = 300.0f, .y_px = 200.0f, .length_px = 100.0f
+    };
 }
 
 static void assert_seen(const struct specimen *fish, vec3 point, float x_px, float y_px)
@@ -107,8 +105,8 @@ static void test_every_vertex_finds_its_own_paint(void **state)
             struct species_vertex found;
             float uv[2];
             paint_atlas_find(vertex, uv);
-            assert_true(paint_atlas_at(uv[0] * (float)PAINT_SIZE, uv[1] * (float)PAINT_SIZE,
-                                       &found));
+            assert_true(
+                paint_atlas_at(uv[0] * (float)PAINT_SIZE, uv[1] * (float)PAINT_SIZE, &found));
             assert_int_equal(found.part, vertex->part);
             assert_true(vertex->part == PART_BODY || found.side == vertex->side);
             assert_float_equal(found.u, f_clamp(vertex->u, 0.0f, 1.0f), 1e-4f);

@@ -211,8 +211,8 @@ static void test_cut_at_any_byte_it_is_refused(void **state)
 
 static void test_a_header_may_name_only_a_printable_program(void **state)
 {
-    static const char *const wrong[] = { "0.1\"", "0.1\\", "0.1\x1b[2J", "0.1\n", "\xff",
-                                         "0123456789abcdef" };
+    static const char *const wrong[] = { "0.1\"", "0.1\\", "0.1\x1b[2J",
+                                         "0.1\n", "\xff",  "0123456789abcdef" };
     static uint8_t bytes[FILE_MAX];
     struct replay_totals totals;
     (void)state;
@@ -363,7 +363,7 @@ static void test_a_full_disk_stops_the_recording_and_leaves_it_whole(void **stat
         struct replay_totals found;
         const struct rlimit small = { .rlim_cur = limit, .rlim_max = before.rlim_max };
         empty_path();
-    assert_int_equal(replay_create(&writer, path, &config, 99), 0);
+        assert_int_equal(replay_create(&writer, path, &config, 99), 0);
         assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
         for (uint32_t tick = 0; tick < 10 * CORE_TICK_HZ; tick++) {
             const struct input input = input_of(tick);
@@ -800,8 +800,7 @@ int main(void)
         cmocka_unit_test(test_the_first_tick_that_differs_is_named),
         cmocka_unit_test(test_a_recording_that_a_panic_ends_leads_to_the_panic),
         cmocka_unit_test(test_a_recording_that_a_signal_ends_within_a_tick_verifies),
-        cmocka_unit_test(
-            test_a_recording_whose_write_a_signal_interrupts_ends_with_a_whole_second),
+        cmocka_unit_test(test_a_recording_whose_write_a_signal_interrupts_ends_with_a_whole_second),
         cmocka_unit_test(test_a_panic_between_ticks_adds_none),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);

@@ -105,8 +105,9 @@ static void test_a_play_through_the_lab_is_found_true(void **state)
     static struct core_config config;
     static struct output output;
     struct replay_totals totals;
-    config = (struct core_config){ .seed = 4, .fish_count = 12, .modes = 1u << CHOICE_LAB,
-                                   .book = book };
+    config = (struct core_config){
+        .seed = 4, .fish_count = 12, .modes = 1u << CHOICE_LAB, .book = book
+    };
     close(mkstemp(path));
     assert_int_equal(core_init(&core, &config), CORE_OK);
     assert_int_equal(recorder_begin(&recorder, path, &core), 0);

@@ -26,9 +26,17 @@ static void test_the_largest_difference_fits_the_bound(void **state)
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
     const struct input before = { 0 };
-    struct input all = { .held = 1, .pressed = 2, .coin_count[0] = 3, .record_saved_id = 4,
-                         .edit_saved_id = 5, .edit_refused = 1, .upright = 1, .day = 6,
-                         .minute = 7, .dropped_ticks = 8, .device_faults = 9,
+    struct input all = { .held = 1,
+                         .pressed = 2,
+                         .coin_count[0] = 3,
+                         .record_saved_id = 4,
+                         .edit_saved_id = 5,
+                         .edit_refused = 1,
+                         .upright = 1,
+                         .day = 6,
+                         .minute = 7,
+                         .dropped_ticks = 8,
+                         .device_faults = 9,
                          .tickets_done = 10 };
     memset(&all.controllers, 1, sizeof all.controllers);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -68,10 +76,10 @@ static void test_a_shade_that_no_recorder_writes_is_refused(void **state)
     enum { HANDS = 1 << 4, SHADE_0 = 1 << 4, BYTE = 1, X = 2, NO_SUCH = 16 };
     static const uint8_t inf[4] = { 0, 0, 0x80, 0x7f };
     const uint8_t refused[][8] = {
-        { HANDS, 0 },                     /* Hands changed, but none did. */
-        { HANDS, SHADE_0, 0 },            /* A shade changed in nothing. */
-        { HANDS, SHADE_0, NO_SUCH },      /* A fourth float. */
-        { HANDS, SHADE_0, BYTE, 2 },      /* More than present. */
+        { HANDS, 0 },                /* Hands changed, but none did. */
+        { HANDS, SHADE_0, 0 },       /* A shade changed in nothing. */
+        { HANDS, SHADE_0, NO_SUCH }, /* A fourth float. */
+        { HANDS, SHADE_0, BYTE, 2 }, /* More than present. */
         { HANDS, SHADE_0, X, inf[0], inf[1], inf[2], inf[3] },
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
@@ -120,12 +128,12 @@ static void test_a_machine_that_no_recorder_writes_is_refused(void **state)
     (void)state;
     enum { MACHINE = 1 << 3, BEYOND = 1 << 6, LEVELS = 1 << 2, MINUTE = 1 << 4, NO_SUCH = 1 << 7 };
     const uint8_t refused[][4] = {
-        { MACHINE, 0, 0, 0 },           /* It changed, but nothing of it. */
-        { MACHINE, NO_SUCH, 1, 0 },     /* No such number, */
-        { BEYOND, 1, 0, 0 },            /* no such part, */
-        { MACHINE, LEVELS, 8, 0 },      /* no such level, */
-        { MACHINE, LEVELS, 0, 0 },      /* levels that did not change, */
-        { MACHINE, MINUTE, 0xa0, 5 },   /* and no such minute: 1440. */
+        { MACHINE, 0, 0, 0 },         /* It changed, but nothing of it. */
+        { MACHINE, NO_SUCH, 1, 0 },   /* No such number, */
+        { BEYOND, 1, 0, 0 },          /* no such part, */
+        { MACHINE, LEVELS, 8, 0 },    /* no such level, */
+        { MACHINE, LEVELS, 0, 0 },    /* levels that did not change, */
+        { MACHINE, MINUTE, 0xa0, 5 }, /* and no such minute: 1440. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };
@@ -141,9 +149,15 @@ static void test_what_the_machine_says_comes_back(void **state)
 {
     (void)state;
     uint8_t bytes[REPLAY_TICK_SIZE_MAX];
-    const struct input all = { .record_saved_id = 0x01020304, .edit_saved_id = 0xfffffffeu,
-                               .edit_refused = 1, .store_well = 1, .upright = 1, .day = 9821,
-                               .minute = 1439, .dropped_ticks = 70000, .device_faults = 80000,
+    const struct input all = { .record_saved_id = 0x01020304,
+                               .edit_saved_id = 0xfffffffeu,
+                               .edit_refused = 1,
+                               .store_well = 1,
+                               .upright = 1,
+                               .day = 9821,
+                               .minute = 1439,
+                               .dropped_ticks = 70000,
+                               .device_faults = 80000,
                                .tickets_done = 90000 };
     for (uint32_t i = 0; i < 2; i++) {
         const struct input none = { 0 };
@@ -258,8 +272,8 @@ static void test_a_poi_that_no_recorder_writes_is_refused(void **state)
     (void)state;
     enum { HANDS = 1 << 4, POI_0 = 1, BYTE = 1, TREMBLES = 8 };
     const uint8_t refused[][8] = {
-        { HANDS, POI_0, 0 },         /* A poi changed in nothing. */
-        { HANDS, POI_0, BYTE, 16 },  /* More than link, wrist and trembling. */
+        { HANDS, POI_0, 0 },        /* A poi changed in nothing. */
+        { HANDS, POI_0, BYTE, 16 }, /* More than link, wrist and trembling. */
     };
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         struct input input = { 0 };

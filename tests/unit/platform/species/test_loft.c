@@ -11,8 +11,9 @@ static struct loft loft;
 static struct species_text *drawn(const char *head, const char *more, const char *tail)
 {
     static char text[TEXT_SIZE];
-    snprintf(text, sizeof text, HEAD "%skey a 10\n%s" KEY_BODY "key b 20\n%s" KEY_BODY
-                                "key c 40\n%s" KEY_BODY "%s", head, more, more, more, tail);
+    snprintf(text, sizeof text,
+             HEAD "%skey a 10\n%s" KEY_BODY "key b 20\n%s" KEY_BODY "key c 40\n%s" KEY_BODY "%s",
+             head, more, more, more, tail);
     assert_string_equal(complaint_of(text), "");
     return &species;
 }
@@ -36,7 +37,8 @@ static float measured(const struct species *s, const vec3 *at, const struct spec
         fork = v->part == PART_TAIL && v->v == 1.0f && f_abs(v->u - 0.5f) < 0.01f ? at[i].z : fork;
         root = v->part == PART_BODY && v->u == 1.0f && i >= mesh->grid_first &&
                        i < mesh->grid_first + mesh->grid_rings * (mesh->grid_spokes + 1u)
-                   ? at[i].z : root;
+                   ? at[i].z
+                   : root;
     }
     switch (s->card.measure) {
     case MEASURE_TOTAL:
@@ -225,9 +227,10 @@ static void test_confluent_fins_end_in_the_tail_s_edges(void **state)
 static void test_masks_that_round_up_together_still_sum_to_255(void **state)
 {
     (void)state;
-    const struct loft *l = lofted("", "", "template pairwise\n"
-                                          "curve here\narea 0 1 0 1 .1\ntemplate smooth\n"
-                                          "curve there\narea 0 1 0 1 .1\ntemplate smooth\n");
+    const struct loft *l = lofted("", "",
+                                  "template pairwise\n"
+                                  "curve here\narea 0 1 0 1 .1\ntemplate smooth\n"
+                                  "curve there\narea 0 1 0 1 .1\ntemplate smooth\n");
     uint32_t halved = 0;
     for (uint32_t i = 0; i < l->vertex_count; i++) {
         const struct species_vertex *v = &l->vertices[i];
@@ -240,9 +243,10 @@ static void test_masks_that_round_up_together_still_sum_to_255(void **state)
 static void test_masks_sum_to_255_and_do_not_tear_the_skin(void **state)
 {
     (void)state;
-    const struct loft *l = lofted("", "", "template pairwise\ncurve front head eye\n"
-                                          "template smooth\ncurve fins dorsal tail\n"
-                                          "template smooth\n");
+    const struct loft *l = lofted("", "",
+                                  "template pairwise\ncurve front head eye\n"
+                                  "template smooth\ncurve fins dorsal tail\n"
+                                  "template smooth\n");
     for (uint32_t i = 0; i < l->vertex_count; i++) {
         const struct species_vertex *v = &l->vertices[i];
         assert_int_equal(v->mask[0] + v->mask[1] + v->mask[2] + v->mask[3], 255);
@@ -259,8 +263,9 @@ static void test_masks_sum_to_255_and_do_not_tear_the_skin(void **state)
 static void test_an_area_is_painted_softly_where_it_is_told(void **state)
 {
     (void)state;
-    const struct loft *l = lofted("", "", "template pairwise\ncurve hump\n"
-                                          "area .4 .6 .5 1 .1\ntemplate smooth\n");
+    const struct loft *l = lofted("", "",
+                                  "template pairwise\ncurve hump\n"
+                                  "area .4 .6 .5 1 .1\ntemplate smooth\n");
     bool soft = false;
     for (uint32_t i = 0; i < l->vertex_count; i++) {
         const struct species_vertex *v = &l->vertices[i];

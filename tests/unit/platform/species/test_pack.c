@@ -112,34 +112,79 @@ struct harm {
     const char *why;
 };
 
-static struct species_card *card_of(struct species_slot *s) { return &s->species.card; }
+static struct species_card *card_of(struct species_slot *s)
+{
+    return &s->species.card;
+}
 
-static void harm_id(struct species_slot *s) { card_of(s)->id[0] = '/'; }
-static void harm_two_keys(struct species_slot *s) { card_of(s)->key_count = 2; }
+static void harm_id(struct species_slot *s)
+{
+    card_of(s)->id[0] = '/';
+}
+static void harm_two_keys(struct species_slot *s)
+{
+    card_of(s)->key_count = 2;
+}
 static void harm_twin_key(struct species_slot *s)
 {
     memcpy(card_of(s)->key_names[1], card_of(s)->key_names[0], SPECIES_NAME_SIZE);
 }
-static void harm_age(struct species_slot *s) { card_of(s)->key_age_days[1] = NAN; }
+static void harm_age(struct species_slot *s)
+{
+    card_of(s)->key_age_days[1] = NAN;
+}
 static void harm_age_order(struct species_slot *s)
 {
     card_of(s)->key_age_days[1] = card_of(s)->key_age_days[0];
 }
-static void harm_length(struct species_slot *s) { card_of(s)->key_length_m[0] = 1e30f; }
-static void harm_measure(struct species_slot *s) { card_of(s)->measure = 4; }
-static void harm_motion(struct species_slot *s) { card_of(s)->motion = 255; }
-static void harm_thesis(struct species_slot *s) { card_of(s)->thesis_key[2] = 7; }
-static void harm_template(struct species_slot *s) { card_of(s)->thesis_template = 0; }
-static void harm_growth(struct species_slot *s) { card_of(s)->growth.k_per_year = INFINITY; }
-static void harm_fade(struct species_slot *s) { card_of(s)->growth.fade_year = 0.0f; }
-static void harm_points(struct species_slot *s) { card_of(s)->growth.point_count = 0; }
+static void harm_length(struct species_slot *s)
+{
+    card_of(s)->key_length_m[0] = 1e30f;
+}
+static void harm_measure(struct species_slot *s)
+{
+    card_of(s)->measure = 4;
+}
+static void harm_motion(struct species_slot *s)
+{
+    card_of(s)->motion = 255;
+}
+static void harm_thesis(struct species_slot *s)
+{
+    card_of(s)->thesis_key[2] = 7;
+}
+static void harm_template(struct species_slot *s)
+{
+    card_of(s)->thesis_template = 0;
+}
+static void harm_growth(struct species_slot *s)
+{
+    card_of(s)->growth.k_per_year = INFINITY;
+}
+static void harm_fade(struct species_slot *s)
+{
+    card_of(s)->growth.fade_year = 0.0f;
+}
+static void harm_points(struct species_slot *s)
+{
+    card_of(s)->growth.point_count = 0;
+}
 static void harm_hatching(struct species_slot *s)
 {
     card_of(s)->growth.points[0].age_days = 3.0f;
 }
-static void harm_scale(struct species_slot *s) { card_of(s)->scale_knot_count = 1; }
-static void harm_curves(struct species_slot *s) { card_of(s)->curve_count = 0; }
-static void harm_knots(struct species_slot *s) { card_of(s)->curves[0].knot_count = 1; }
+static void harm_scale(struct species_slot *s)
+{
+    card_of(s)->scale_knot_count = 1;
+}
+static void harm_curves(struct species_slot *s)
+{
+    card_of(s)->curve_count = 0;
+}
+static void harm_knots(struct species_slot *s)
+{
+    card_of(s)->curves[0].knot_count = 1;
+}
 static void harm_sum(struct species_slot *s)
 {
     card_of(s)->curves[0].knots[0].weight[0] += 0.25f;
@@ -154,15 +199,27 @@ static void harm_solved(struct species_slot *s)
     template_graph(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
     graph->solved = 1;
 }
-static void harm_colour(struct species_slot *s) { s->species.coats[0].fin = 0x1000000; }
+static void harm_colour(struct species_slot *s)
+{
+    s->species.coats[0].fin = 0x1000000;
+}
 static void harm_mark(struct species_slot *s)
 {
     s->species.coats[2].mark_count = 1;
     s->species.coats[2].marks[0] = (struct species_mark){ .kind = 200, .part = PART_BODY };
 }
-static void harm_reach(struct species_slot *s) { s->species.lod[0].reach = 3.0f; }
-static void harm_faces(struct species_slot *s) { s->species.lod[1].index_count -= 1; }
-static void harm_no_faces(struct species_slot *s) { s->species.lod[0].index_count = 0; }
+static void harm_reach(struct species_slot *s)
+{
+    s->species.lod[0].reach = 3.0f;
+}
+static void harm_faces(struct species_slot *s)
+{
+    s->species.lod[1].index_count -= 1;
+}
+static void harm_no_faces(struct species_slot *s)
+{
+    s->species.lod[0].index_count = 0;
+}
 static void harm_index(struct species_slot *s)
 {
     s->tables[0].indices[5] = (uint16_t)s->species.lod[0].vertex_count;
@@ -171,13 +228,22 @@ static void harm_flat(struct species_slot *s)
 {
     s->tables[0].indices[4] = s->tables[0].indices[3];
 }
-static void harm_mask(struct species_slot *s) { s->tables[1].vertices[3].mask[0] = 254; }
+static void harm_mask(struct species_slot *s)
+{
+    s->tables[1].vertices[3].mask[0] = 254;
+}
 static void harm_rider(struct species_slot *s)
 {
     s->tables[0].vertices[0].anchor = (uint8_t)s->species.lod[0].anchor_count;
 }
-static void harm_u(struct species_slot *s) { s->tables[0].vertices[9].u = NAN; }
-static void harm_part(struct species_slot *s) { s->tables[0].vertices[9].part = PART_COUNT; }
+static void harm_u(struct species_slot *s)
+{
+    s->tables[0].vertices[9].u = NAN;
+}
+static void harm_part(struct species_slot *s)
+{
+    s->tables[0].vertices[9].part = PART_COUNT;
+}
 static void harm_grid(struct species_slot *s)
 {
     s->species.lod[0].grid_first = (uint16_t)s->species.lod[0].vertex_count;
@@ -192,12 +258,20 @@ static void harm_size(struct species_slot *s)
     }
 }
 
-
 /* ---- Life: what a key says of age and length is what growth says */
 
-static void harm_late(struct species_slot *s) { card_of(s)->key_age_days[3] = 200.0f; }
-static void harm_long(struct species_slot *s) { card_of(s)->key_length_m[4] *= 1.03f; }
-static void harm_short(struct species_slot *s) { card_of(s)->key_length_m[0] *= 0.97f; }
+static void harm_late(struct species_slot *s)
+{
+    card_of(s)->key_age_days[3] = 200.0f;
+}
+static void harm_long(struct species_slot *s)
+{
+    card_of(s)->key_length_m[4] *= 1.03f;
+}
+static void harm_short(struct species_slot *s)
+{
+    card_of(s)->key_length_m[0] *= 0.97f;
+}
 static void draw_scale(struct species_slot *s, float first, float middle, float last)
 {
     card_of(s)->scale_knot_count = 3;
@@ -205,9 +279,18 @@ static void draw_scale(struct species_slot *s, float first, float middle, float 
     card_of(s)->scale_knots[1] = (struct scale_knot){ middle, 0.045f };
     card_of(s)->scale_knots[2] = (struct scale_knot){ last, 0.15f };
 }
-static void harm_scale_start(struct species_slot *s) { draw_scale(s, 0.1f, 0.5f, 1.0f); }
-static void harm_scale_middle(struct species_slot *s) { draw_scale(s, 0.0f, 0.0f, 1.0f); }
-static void harm_scale_end(struct species_slot *s) { draw_scale(s, 0.0f, 0.5f, 0.9f); }
+static void harm_scale_start(struct species_slot *s)
+{
+    draw_scale(s, 0.1f, 0.5f, 1.0f);
+}
+static void harm_scale_middle(struct species_slot *s)
+{
+    draw_scale(s, 0.0f, 0.0f, 1.0f);
+}
+static void harm_scale_end(struct species_slot *s)
+{
+    draw_scale(s, 0.0f, 0.5f, 0.9f);
+}
 
 /* ---- Skin: the core asserts that it is a grid */
 
@@ -215,7 +298,10 @@ static struct species_vertex *skin_of(struct species_slot *s)
 {
     return &s->tables[0].vertices[s->species.lod[0].grid_first];
 }
-static void harm_one_ring(struct species_slot *s) { s->species.lod[0].grid_rings = 1; }
+static void harm_one_ring(struct species_slot *s)
+{
+    s->species.lod[0].grid_rings = 1;
+}
 static void harm_two_spokes(struct species_slot *s)
 {
     s->species.lod[0].grid_rings = 2;
@@ -225,7 +311,10 @@ static void harm_two_spokes(struct species_slot *s)
         skin_of(s)[i].v = 0.5f * (float)(i % 3);
     }
 }
-static void harm_no_skin(struct species_slot *s) { s->species.lod[0].grid_rings = 0; }
+static void harm_no_skin(struct species_slot *s)
+{
+    s->species.lod[0].grid_rings = 0;
+}
 static void harm_skin_part(struct species_slot *s)
 {
     for (uint32_t i = 0; i < s->species.lod[0].vertex_count; i++) {
@@ -233,14 +322,23 @@ static void harm_skin_part(struct species_slot *s)
         *part = *part == PART_BODY ? (uint8_t)PART_TAIL : *part;
     }
 }
-static void harm_skin_rides(struct species_slot *s) { skin_of(s)[1].anchor = 0; }
+static void harm_skin_rides(struct species_slot *s)
+{
+    skin_of(s)[1].anchor = 0;
+}
 static void harm_skin_u(struct species_slot *s)
 {
     const uint32_t row = s->species.lod[0].grid_spokes + 1u;
     skin_of(s)[row + 2].u = skin_of(s)[2].u;
 }
-static void harm_skin_v(struct species_slot *s) { skin_of(s)[2].v = skin_of(s)[1].v; }
-static void harm_skin_start(struct species_slot *s) { skin_of(s)[0].v = 0.01f; }
+static void harm_skin_v(struct species_slot *s)
+{
+    skin_of(s)[2].v = skin_of(s)[1].v;
+}
+static void harm_skin_start(struct species_slot *s)
+{
+    skin_of(s)[0].v = 0.01f;
+}
 static void harm_skin_end(struct species_slot *s)
 {
     skin_of(s)[s->species.lod[0].grid_spokes].v = 0.99f;
@@ -253,7 +351,10 @@ static void harm_anchor_curve(struct species_slot *s)
 {
     s->tables[0].anchors[0].curve = card_of(s)->curve_count;
 }
-static void harm_anchor_place(struct species_slot *s) { s->tables[0].anchors[0].u[2] = NAN; }
+static void harm_anchor_place(struct species_slot *s)
+{
+    s->tables[0].anchors[0].u[2] = NAN;
+}
 
 /* ---- Size: the last key is one measure long, and its snout stays where it is */
 
@@ -273,12 +374,30 @@ static void stretch(struct species_slot *s, float along, float across)
         }
     }
 }
-static void harm_longer(struct species_slot *s) { stretch(s, 1.06f, 1.0f); }
-static void harm_shorter(struct species_slot *s) { stretch(s, 0.94f, 1.0f); }
-static void harm_longest(struct species_slot *s) { stretch(s, 1.15f, 1.0f); }
-static void harm_stub(struct species_slot *s) { stretch(s, 0.75f, 1.0f); }
-static void harm_wider(struct species_slot *s) { stretch(s, 1.0f, 1.06f); }
-static void harm_narrower(struct species_slot *s) { stretch(s, 1.0f, 0.94f); }
+static void harm_longer(struct species_slot *s)
+{
+    stretch(s, 1.06f, 1.0f);
+}
+static void harm_shorter(struct species_slot *s)
+{
+    stretch(s, 0.94f, 1.0f);
+}
+static void harm_longest(struct species_slot *s)
+{
+    stretch(s, 1.15f, 1.0f);
+}
+static void harm_stub(struct species_slot *s)
+{
+    stretch(s, 0.75f, 1.0f);
+}
+static void harm_wider(struct species_slot *s)
+{
+    stretch(s, 1.0f, 1.06f);
+}
+static void harm_narrower(struct species_slot *s)
+{
+    stretch(s, 1.0f, 0.94f);
+}
 
 static const struct harm harms[] = {
     { harm_id, "id: " },

@@ -81,8 +81,8 @@ static void test_more_of_anything_than_its_maximum_is_refused(void **state)
     static char text[TEXT_SIZE];
     int size = snprintf(text, TEXT_SIZE, "key a 10\n");
     for (int i = 0; i <= STATION_MAX; i++) {
-        size += snprintf(text + size, (size_t)(TEXT_SIZE - size), "station %g .1 .1 0 2\n",
-                         i / 100.0);
+        size +=
+            snprintf(text + size, (size_t)(TEXT_SIZE - size), "station %g .1 .1 0 2\n", i / 100.0);
     }
     assert_refused(text, "more than 24 stations");
     memset(text, 'x', 1000);

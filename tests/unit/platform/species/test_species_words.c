@@ -14,8 +14,10 @@ static const char *with_head(const char *more)
 static const char *with_key(const char *more)
 {
     static char text[TEXT_SIZE];
-    snprintf(text, sizeof text, HEAD "key a 10\n%s" KEY_BODY "key b 20\n" KEY_BODY "key c 40\n"
-                                KEY_BODY "template pairwise\n", more);
+    snprintf(text, sizeof text,
+             HEAD "key a 10\n%s" KEY_BODY "key b 20\n" KEY_BODY "key c 40\n" KEY_BODY
+                  "template pairwise\n",
+             more);
     return text;
 }
 
@@ -97,8 +99,8 @@ static void test_a_written_age_is_one_at_which_growth_is_as_long(void **state)
 {
     (void)state;
     assert_refused(HEAD "point 20 10\npoint 40 20\n"
-                        "key a 10 20\n" KEY_BODY "key b 20.5 40\n" KEY_BODY
-                        "key c 40 90\n" KEY_BODY "template pairwise\n",
+                        "key a 10 20\n" KEY_BODY "key b 20.5 40\n" KEY_BODY "key c 40 90\n" KEY_BODY
+                        "template pairwise\n",
                    "t.txt:28: key b is 20.5 mm at 40 days, and growth says 20 mm: write a point");
     assert_read(HEAD "point 20 10\npoint 40 20\npoint 90 40\n"
                      "key a 10 20\n" KEY_BODY "key b 20.3 40\n" KEY_BODY "key c 40 90\n" KEY_BODY

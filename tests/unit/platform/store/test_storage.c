@@ -59,11 +59,17 @@ static int open_store(struct stall *stall)
 
 static int save(struct stall *stall, uint32_t id, uint32_t caught, uint8_t by_bot)
 {
-    const struct round_record record = { .id = id,          .seed = 7,        .start_tick = 120,
-                                         .end_tick = 7320, .caught = caught, .by_bot = by_bot,
-                                         .players = 1,      .player = { { .caught = caught } } };
-    const struct ledger_entry entry = { .id = id, .boot = 1, .day = 9821, .kind = LEDGER_ROUND,
-                                        .round = record };
+    const struct round_record record = { .id = id,
+                                         .seed = 7,
+                                         .start_tick = 120,
+                                         .end_tick = 7320,
+                                         .caught = caught,
+                                         .by_bot = by_bot,
+                                         .players = 1,
+                                         .player = { { .caught = caught } } };
+    const struct ledger_entry entry = {
+        .id = id, .boot = 1, .day = 9821, .kind = LEDGER_ROUND, .round = record
+    };
     return stall->device.ops->append(stall->device.self, &entry);
 }
 
@@ -357,8 +363,8 @@ static void test_of_a_damaged_file_nothing_is_lost_that_can_be_read(void **state
     struct stall *stall = *state;
     char aside[160];
     fill_and_lose_tail(stall);
-    spoil(stall, 4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'audits'") -
-                          1));
+    spoil(stall,
+          4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'audits'") - 1));
     open_by_hand(stall);
     assert_non_null(strstr(text(stall), "damaged-1"));
     assert_non_null(strstr(text(stall), "4 entries from the backup, 4 later ones"));
@@ -491,8 +497,8 @@ static void test_a_damaged_backup_is_not_believed(void **state)
     fill_and_lose_tail(stall);
     path_beside(stall, STORAGE_BACKUP_SUFFIX, backup);
     write_file(backup, "no database, whatever it says", 29);
-    spoil(stall, 4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'ranking'") -
-                          1));
+    spoil(stall,
+          4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'ranking'") - 1));
     open_by_hand(stall);
     assert_non_null(strstr(text(stall), "0 entries from the backup, 8 later ones"));
     assert_int_equal(remember(stall)->ledger.last_id, 8);
@@ -714,8 +720,8 @@ static void test_damage_while_the_kiosk_runs_is_answered_in_the_same_way(void **
     work_rounds(stall, 5, 8);
     sqlite3_wal_checkpoint_v2(stall->storage.file.db, NULL, SQLITE_CHECKPOINT_TRUNCATE, NULL, NULL);
     sqlite3_db_release_memory(stall->storage.file.db);
-    spoil(stall, 4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'audits'") -
-                          1));
+    spoil(stall,
+          4096L * (ask(stall, "SELECT rootpage FROM sqlite_schema WHERE name = 'audits'") - 1));
     save(stall, 9, 9, 0);
     for (int i = 0; i < 3; i++) {
         storage_work(&stall->storage);

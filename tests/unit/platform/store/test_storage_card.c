@@ -301,8 +301,8 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     tape_refuse(EIO);
     keep(2);
     storage_work(&storage); /* The card is pulled; another one is put in. */
-    snprintf(command, sizeof command,
-             "rm %s*; cp tests/unit/platform/store/files/version-5.db %s", file, file);
+    snprintf(command, sizeof command, "rm %s*; cp tests/unit/platform/store/files/version-5.db %s",
+             file, file);
     assert_int_equal(system(command), 0);
     tape_refuse(0);
     storage_work(&storage);
@@ -324,12 +324,14 @@ static void leave_five_entries_in_the_log(void)
         keep(id);
         storage_work(&storage);
     }
-    snprintf(command, sizeof command, "cd %s && mkdir left && cp -a " STORAGE_FILE " " STORAGE_FILE
-             "-wal left", dir);
+    snprintf(command, sizeof command,
+             "cd %s && mkdir left && cp -a " STORAGE_FILE " " STORAGE_FILE "-wal left", dir);
     assert_int_equal(system(command), 0);
     device.ops->close(device.self);
-    snprintf(command, sizeof command, "cd %s && rm -f " STORAGE_FILE "* && mv left/* . && "
-             "rmdir left", dir);
+    snprintf(command, sizeof command,
+             "cd %s && rm -f " STORAGE_FILE "* && mv left/* . && "
+             "rmdir left",
+             dir);
     assert_int_equal(system(command), 0);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
 }
@@ -634,7 +636,7 @@ static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
     storage_work(&storage);
     storage_work(&storage);
     assert_int_equal(device.ops->stored_replay_id(device.self), 0); /* Tried again, ... */
-    storage.put_since_ms -= STORAGE_REPLAY_MS;                    /* ... but not for ever. */
+    storage.put_since_ms -= STORAGE_REPLAY_MS;                      /* ... but not for ever. */
     storage_work(&storage);
     assert_int_equal(device.ops->stored_replay_id(device.self), 1);
     tape_refuse(0);

@@ -351,9 +351,8 @@ static void test_a_tail_of_another_list_is_begun_anew(void **state)
     (void)state;
     struct ledger_mirror tail;
     struct ledger_entry found;
-    const struct ledger_entry others[] = {
-        { .id = 7, .boot = 77, .kind = LEDGER_COINS }, { .id = 8, .boot = 77, .kind = LEDGER_COINS }
-    };
+    const struct ledger_entry others[] = { { .id = 7, .boot = 77, .kind = LEDGER_COINS },
+                                           { .id = 8, .boot = 77, .kind = LEDGER_COINS } };
     play_eight_and_close();
     assert_int_equal(ledger_mirror_open(&tail, tail_path), 0);
     assert_int_equal(ledger_mirror_write(&tail, others, 2), 0);
@@ -434,8 +433,9 @@ static void test_a_name_that_is_taken_back_is_not_left_in_it(void **state)
 {
     (void)state;
     struct ledger_entry found;
-    struct ledger_entry name = { .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1,
-                                 .name = "A WORD" };
+    struct ledger_entry name = {
+        .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1, .name = "A WORD"
+    };
     reopen();
     device.ops->append(device.self, &name);
     storage_work(&storage);

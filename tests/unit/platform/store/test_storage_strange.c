@@ -82,8 +82,8 @@ static void put_device(const char *path)
     }
 }
 
-static void (*const kinds[])(const char *) = { put_fifo, put_link, put_device_link, put_folder,
-                                              put_socket, put_device };
+static void (*const kinds[])(const char *) = { put_fifo,   put_link,   put_device_link,
+                                               put_folder, put_socket, put_device };
 #define KIND_COUNT (sizeof kinds / sizeof kinds[0])
 
 static const char *in_dir(const char *name)

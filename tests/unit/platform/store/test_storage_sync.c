@@ -110,8 +110,9 @@ static int tear_down(void **state)
 static void drop_coins(uint32_t first, uint32_t last)
 {
     for (uint32_t id = first; id <= last; id++) {
-        const struct ledger_entry coin = { .id = id, .boot = 1, .tick = id, .kind = LEDGER_COINS,
-                                           .count = 1 };
+        const struct ledger_entry coin = {
+            .id = id, .boot = 1, .tick = id, .kind = LEDGER_COINS, .count = 1
+        };
         assert_int_equal(device.ops->append(device.self, &coin), HAL_OK);
     }
     storage_work(&storage);
@@ -261,8 +262,9 @@ static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledg
 static void test_a_name_taken_back_is_written_again_after_a_failed_sync_of_the_tail(void **state)
 {
     (void)state;
-    struct ledger_entry name = { .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1,
-                                 .name = "A WORD" };
+    struct ledger_entry name = {
+        .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1, .name = "A WORD"
+    };
     device.ops->append(device.self, &name);
     storage_work(&storage);
     memset(name.name, 0, sizeof name.name);

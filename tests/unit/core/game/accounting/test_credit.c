@@ -264,7 +264,8 @@ static void test_a_free_round_whose_poi_is_lost_is_a_score(void **state)
 static void test_prices_and_tickets_out_of_range_are_refused(void **state)
 {
     (void)state;
-    struct core_config config = { .seed = 7, .credit_coins = CREDIT_COINS_MAX,
+    struct core_config config = { .seed = 7,
+                                  .credit_coins = CREDIT_COINS_MAX,
                                   .ticket_fish = CREDIT_TICKET_FISH_MAX };
     assert_int_equal(core_init(&core, &config), CORE_OK);
     config.credit_coins++;
@@ -315,8 +316,7 @@ int main(void)
         cmocka_unit_test_setup(test_who_looks_at_the_choice_and_leaves_has_paid_nothing,
                                setup_paid),
         cmocka_unit_test_setup(test_the_growth_lab_costs_a_credit_too, setup_paid),
-        cmocka_unit_test(
-            test_a_stall_of_the_lab_alone_opens_it_for_nothing_only_when_it_is_free),
+        cmocka_unit_test(test_a_stall_of_the_lab_alone_opens_it_for_nothing_only_when_it_is_free),
         cmocka_unit_test_setup(test_the_credit_comes_back_when_the_poi_is_lost_for_good,
                                setup_paid),
         cmocka_unit_test_setup(test_a_poi_that_comes_back_brings_no_credit_with_it, setup_paid),

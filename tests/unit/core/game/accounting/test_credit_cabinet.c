@@ -116,8 +116,7 @@ static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_tickets_are_for_whole_handfuls_of_each_players_own,
-                               setup_paid),
+        cmocka_unit_test_setup(test_tickets_are_for_whole_handfuls_of_each_players_own, setup_paid),
         cmocka_unit_test_setup(test_a_bot_wins_no_tickets, setup_paid),
         cmocka_unit_test_setup(test_coins_are_sent_back_while_nobody_could_play, setup_paid),
         cmocka_unit_test_setup(test_an_open_door_warns_and_sends_coins_back_and_ends_no_round,

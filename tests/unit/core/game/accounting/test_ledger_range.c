@@ -55,8 +55,14 @@ static struct ledger_entry coin(uint32_t id)
 static struct ledger_entry played(uint32_t id)
 {
     return (struct ledger_entry){
-        .id = id, .boot = 1, .kind = LEDGER_ROUND,
-        .round = { .id = id, .mode = MODE_FESTIVAL, .grade = 5, .players = 1, .caught = 3,
+        .id = id,
+        .boot = 1,
+        .kind = LEDGER_ROUND,
+        .round = { .id = id,
+                   .mode = MODE_FESTIVAL,
+                   .grade = 5,
+                   .players = 1,
+                   .caught = 3,
                    .player = { { .caught = 3, .sheets = 1 } } },
     };
 }
@@ -67,28 +73,62 @@ static struct ledger_entry bad_entry(uint32_t which)
 {
     struct ledger_entry entry = which < 8 ? coin(2) : played(2);
     switch (which) {
-    case 0: entry.id = LEDGER_ID_MAX + 1u; break;
-    case 1: entry.boot = UINT32_MAX; break;
-    case 2: entry.minute = 1440; break;
-    case 3: entry.kind = LEDGER_KIND_COUNT; break;
-    case 4: entry.detail = COIN_LINE_COUNT; break;
-    case 5: entry.value = -1; break;
+    case 0:
+        entry.id = LEDGER_ID_MAX + 1u;
+        break;
+    case 1:
+        entry.boot = UINT32_MAX;
+        break;
+    case 2:
+        entry.minute = 1440;
+        break;
+    case 3:
+        entry.kind = LEDGER_KIND_COUNT;
+        break;
+    case 4:
+        entry.detail = COIN_LINE_COUNT;
+        break;
+    case 5:
+        entry.value = -1;
+        break;
     case 6:
         entry.balance.open = PAYMENT_SERVICE + 1;
         break;
     case 7:
         entry.balance.paid = UINT32_MAX;
         break;
-    case 8: entry.round.mode = 255; break;
-    case 9: entry.round.mode = MODE_COUNT; break;
-    case 10: entry.round.grade = 8; break;
-    case 11: entry.round.players = 0xff; break;
-    case 12: entry.round.preset = 255; break;
-    case 13: entry.round.by_bot = 2; break;
-    case 14: memset(entry.name, 'x', sizeof entry.name); break;
-    case 15: entry.name[0] = '\033'; break;
-    case 16: entry.kind = LEDGER_NAME; entry.detail = POI_MAX; break;
-    default: entry.kind = LEDGER_REFUND; entry.detail = REFUND_CAUSE_COUNT; break;
+    case 8:
+        entry.round.mode = 255;
+        break;
+    case 9:
+        entry.round.mode = MODE_COUNT;
+        break;
+    case 10:
+        entry.round.grade = 8;
+        break;
+    case 11:
+        entry.round.players = 0xff;
+        break;
+    case 12:
+        entry.round.preset = 255;
+        break;
+    case 13:
+        entry.round.by_bot = 2;
+        break;
+    case 14:
+        memset(entry.name, 'x', sizeof entry.name);
+        break;
+    case 15:
+        entry.name[0] = '\033';
+        break;
+    case 16:
+        entry.kind = LEDGER_NAME;
+        entry.detail = POI_MAX;
+        break;
+    default:
+        entry.kind = LEDGER_REFUND;
+        entry.detail = REFUND_CAUSE_COUNT;
+        break;
     }
     return entry;
 }
@@ -218,8 +258,10 @@ static void write_changed_file(const char *change)
     ledger_file_close(&file);
     assert_int_equal(sqlite3_open(path, &db), SQLITE_OK);
     assert_int_equal(sqlite3_exec(db, change, NULL, NULL, NULL), SQLITE_OK);
-    assert_int_equal(sqlite3_exec(db, "DELETE FROM audits WHERE name = 'tally';"
-                                      "DELETE FROM state WHERE name LIKE 'tally-%'", 0, 0, 0),
+    assert_int_equal(sqlite3_exec(db,
+                                  "DELETE FROM audits WHERE name = 'tally';"
+                                  "DELETE FROM state WHERE name LIKE 'tally-%'",
+                                  0, 0, 0),
                      SQLITE_OK);
     sqlite3_close(db);
 }

@@ -10,9 +10,9 @@
 
 static struct ledger_entry journal[LOG_MAX]; /* By id: all that was written and not cut off. */
 static struct disk {
-    uint32_t id;    /* All up to this is on it; */
-    uint32_t told;  /* up to this the kiosk was told so. */
-    uint32_t ill;   /* Ticks for which it fails. */
+    uint32_t id;   /* All up to this is on it; */
+    uint32_t told; /* up to this the kiosk was told so. */
+    uint32_t ill;  /* Ticks for which it fails. */
     uint32_t boots;
 } disk;
 static uint32_t fallen; /* Units dropped since this start. */
@@ -43,9 +43,8 @@ static struct sum sum_to(uint32_t id)
     struct sum sum = { 0 };
     for (uint32_t i = 1; i <= id; i++) {
         const struct ledger_entry *entry = &journal[i];
-        sum.units += entry->kind == LEDGER_COINS || entry->kind == LEDGER_BOOT
-                         ? (uint32_t)entry->value
-                         : 0u;
+        sum.units +=
+            entry->kind == LEDGER_COINS || entry->kind == LEDGER_BOOT ? (uint32_t)entry->value : 0u;
         sum.credits += entry->kind == LEDGER_CREDITS ? entry->count : 0u;
         sum.service += entry->kind == LEDGER_SERVICE;
         sum.spent += entry->kind == LEDGER_BEGIN;
@@ -67,8 +66,9 @@ static void expect_balance(uint32_t id, const struct balance *balance)
 
 static void start(void)
 {
-    struct core_config config = { .seed = 7, .fish_count = 4, .round_s = 10,
-                                  .credit_coins = PRICE };
+    struct core_config config = {
+        .seed = 7, .fish_count = 4, .round_s = 10, .credit_coins = PRICE
+    };
     config.persistent.ledger = (struct ledger_start){ .last_id = disk.id, .boots = ++disk.boots };
     if (disk.id > 0) {
         config.persistent.ledger.balance = journal[disk.id].balance;
@@ -177,7 +177,8 @@ static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_dou
     }
     store_is_late = 0;
     print_message("# %u cuts: %u with a round open on disk, %u with entries under way, %u with "
-                  "coins untold, %u in a round\n", CUTS, open, behind, untold, begun);
+                  "coins untold, %u in a round\n",
+                  CUTS, open, behind, untold, begun);
     assert_true(open > CUTS / 20u && behind > CUTS / 20u && untold > 0 && begun > CUTS / 40u);
 }
 

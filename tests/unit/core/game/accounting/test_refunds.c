@@ -5,7 +5,7 @@
 #include "tests/unit/support/paid_stand.h"
 
 #define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)
-#define FISH 14u   /* Two tickets, and four fish. */
+#define FISH 14u /* Two tickets, and four fish. */
 #define TICKETS 2u
 
 static struct ledger_stand stand; /* Of all entries that were written. */

@@ -288,9 +288,9 @@ static void test_who_chases_never_waits(void **state)
 static void test_one_paper_survives_many_scoops_in_good_hands(void **state)
 {
     (void)state;
-    const struct core_config config = {
-        .seed = 3, .preset = TANK_PRESET_OFFICIAL, .modes = 1u << MODE_CHAMPIONSHIP
-    };
+    const struct core_config config = { .seed = 3,
+                                        .preset = TANK_PRESET_OFFICIAL,
+                                        .modes = 1u << MODE_CHAMPIONSHIP };
     bot_stall_open(&stall, &config, &technique_expert);
     bot_stall_begin(&stall);
     for (uint32_t i = 0; i < 40u * CORE_TICK_HZ; i++) {

@@ -24,8 +24,8 @@ static void begin(uint32_t seed)
     bot_stall_begin(&stall);
 }
 
-#define SAME(seen, shown)                                              \
-    _Static_assert(sizeof(seen) == sizeof(shown), "one type");         \
+#define SAME(seen, shown)                                                                          \
+    _Static_assert(sizeof(seen) == sizeof(shown), "one type");                                     \
     assert_memory_equal(&(seen), &(shown), sizeof(seen))
 
 static void game_is_as_shown(const struct vision *vision)

@@ -163,8 +163,7 @@ static void bare_of(struct core *core, const struct core *from)
 }
 
 /* Field by field where there is padding; a picture of a bare state may differ in nothing. */
-#define SAME_SCENE(field) \
-    (memcmp(&scene.field, &other_scene.field, sizeof scene.field) == 0)
+#define SAME_SCENE(field) (memcmp(&scene.field, &other_scene.field, sizeof scene.field) == 0)
 
 static int bowls_and_fans_look_the_same(void)
 {

@@ -31,11 +31,14 @@ static struct twin twin_of(uint32_t frame)
     const float wide = draw(frame, 1, 0.34f, 3.0f), deep = draw(frame, 2, 0.34f, 3.0f);
     const float skew = draw(frame, 3, -0.5f, 0.5f);
     return (struct twin){
-        .xx = wide * c, .xz = deep * (s + skew * c),
-        .zx = -wide * s, .zz = deep * (c - skew * s),
+        .xx = wide * c,
+        .xz = deep * (s + skew * c),
+        .zx = -wide * s,
+        .zz = deep * (c - skew * s),
         .shift_m = v3(draw(frame, 4, -2.0f, 2.0f), draw(frame, 5, -1.0f, 1.0f),
                       draw(frame, 6, -2.0f, 2.0f)),
-        .pitch_rad = draw(frame, 7, -0.7f, 0.7f), .roll_rad = draw(frame, 8, -0.7f, 0.7f),
+        .pitch_rad = draw(frame, 7, -0.7f, 0.7f),
+        .roll_rad = draw(frame, 8, -0.7f, 0.7f),
     };
 }
 
@@ -79,8 +82,8 @@ static void test_any_frame_is_set_right_within_a_millimetre(void **state)
             worst_rad = f_max(worst_rad, input_turn(poi.target.angles, at.angles));
         }
     }
-    print_message("over %u frames: %.3f mm, %.4f rad at worst\n", FRAMES,
-                  (double)worst_m * 1000.0, (double)worst_rad);
+    print_message("over %u frames: %.3f mm, %.4f rad at worst\n", FRAMES, (double)worst_m * 1000.0,
+                  (double)worst_rad);
     assert_true(worst_m < WITHIN_M);
     assert_true(worst_rad < WITHIN_RAD);
 }
@@ -175,8 +178,8 @@ static void test_nonsense_is_refused_and_named(void **state)
         said.water.position_m.y = 10.5f;
         assert_int_equal(judge(&said), CALIBRATION_FAR);
         said = good;
-        said.corner_m[frame % 4u] = seen_point(
-            &twin, v3_scale(calibration_mark(tank_m, frame % 4u), 0.85f));
+        said.corner_m[frame % 4u] =
+            seen_point(&twin, v3_scale(calibration_mark(tank_m, frame % 4u), 0.85f));
         assert_int_equal(judge(&said), CALIBRATION_UNEVEN);
         said = good;
         said.water.angles.roll_rad = frame % 2u ? 0.80f : -0.80f;

@@ -77,8 +77,8 @@ static void test_a_link_that_went_is_lost_until_it_has_been_back_for_a_while(voi
 
 static float *field(uint32_t index)
 {
-    float *const fields[] = { &hand.target.position_m.x, &hand.target.position_m.y,
-                              &hand.target.position_m.z, &hand.target.angles.yaw_rad,
+    float *const fields[] = { &hand.target.position_m.x,     &hand.target.position_m.y,
+                              &hand.target.position_m.z,     &hand.target.angles.yaw_rad,
                               &hand.target.angles.pitch_rad, &hand.target.angles.roll_rad };
     return fields[index];
 }

@@ -21,8 +21,20 @@
 enum device { SENSOR, POINTER, DEVICE_COUNT };
 enum wetness { DRY, WET, HALF_WET, WETNESS_COUNT };
 enum whereabouts { DEEP, CARRYING, WHEREABOUTS_COUNT };
-enum fault { JUMP, JUMP_AND_BACK, SPIKE, UNPLUG, SILENCE, STUCK, NOT_A_NUMBER, FLIP, TURN,
-             TURN_AND_BACK, LATE_BURST, FAULT_COUNT };
+enum fault {
+    JUMP,
+    JUMP_AND_BACK,
+    SPIKE,
+    UNPLUG,
+    SILENCE,
+    STUCK,
+    NOT_A_NUMBER,
+    FLIP,
+    TURN,
+    TURN_AND_BACK,
+    LATE_BURST,
+    FAULT_COUNT
+};
 
 struct scene_of {
     enum device device;
@@ -34,10 +46,10 @@ struct scene_of {
 static struct core core;
 static struct input input;
 static struct output output;
-static vec3 hand_m;           /* Where the person's hand truly is, ... */
-static float roll_rad;        /* ... and how it is turned. */
+static vec3 hand_m;    /* Where the person's hand truly is, ... */
+static float roll_rad; /* ... and how it is turned. */
 static enum device device;
-static uint32_t still_ticks;  /* In which the round's clock stood. */
+static uint32_t still_ticks; /* In which the round's clock stood. */
 
 /* ---- A person ------------------------------------------------------------------------------- */
 
@@ -56,8 +68,7 @@ static void say_truth(void)
     poi->target.angles.roll_rad = roll_rad;
     if (device == SENSOR) {
         poi->has_wrist = poi->trembles = 1;
-        poi->target.position_m =
-            v3_add(hand_m, v3(tremble(0), tremble(1), tremble(2)));
+        poi->target.position_m = v3_add(hand_m, v3(tremble(0), tremble(1), tremble(2)));
         poi->target.angles.roll_rad += 0.2f * tremble(3);
     }
 }
@@ -251,7 +262,7 @@ static void check_fault(const struct scene_of *of)
             assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* It pulls at nobody. */
             assert_memory_equal(poi->sheet.damage, damage, sizeof damage);
         } else {
-            memcpy(damage, poi->sheet.damage, sizeof damage); /* Led, it wears as ever: ... */
+            memcpy(damage, poi->sheet.damage, sizeof damage);      /* Led, it wears as ever: ... */
             cells = may_slap(of) ? poi->sheet.paper_cells : cells; /* a fish slaps. */
         }
         assert_true(poi->damage_immune || !loses_the_hand(of) || leads || broken);
@@ -313,12 +324,10 @@ struct stray {
 };
 
 static const struct stray strays[] = {
-    { 0.04f, 0.0f, 0.0f, 0.0f, 0 },  { 0.05f, 0.0f, 0.0f, 0.0f, 0 },
-    { 0.06f, 0.0f, 0.0f, 0.0f, 0 },  { 0.08f, 0.0f, 0.0f, 0.0f, 0 },
-    { 0.0f, 0.08f, 0.0f, 0.0f, 0 },  { 0.25f, 0.0f, 0.0f, 0.0f, 0 },
-    { 0.0f, 0.40f, 0.0f, 0.0f, 1 },  { 0.0f, 0.0f, 0.30f, 0.0f, 1 },
-    { 0.0f, 0.0f, 0.0f, 0.50f, 1 },  { 0.0f, 0.0f, 0.80f, 0.0f, 1 },
-    { 0.0f, 0.0f, 0.0f, 1.05f, 1 },  { 0.0f, 0.0f, 1.22f, 0.0f, 1 },
+    { 0.04f, 0.0f, 0.0f, 0.0f, 0 },  { 0.05f, 0.0f, 0.0f, 0.0f, 0 }, { 0.06f, 0.0f, 0.0f, 0.0f, 0 },
+    { 0.08f, 0.0f, 0.0f, 0.0f, 0 },  { 0.0f, 0.08f, 0.0f, 0.0f, 0 }, { 0.25f, 0.0f, 0.0f, 0.0f, 0 },
+    { 0.0f, 0.40f, 0.0f, 0.0f, 1 },  { 0.0f, 0.0f, 0.30f, 0.0f, 1 }, { 0.0f, 0.0f, 0.0f, 0.50f, 1 },
+    { 0.0f, 0.0f, 0.80f, 0.0f, 1 },  { 0.0f, 0.0f, 0.0f, 1.05f, 1 }, { 0.0f, 0.0f, 1.22f, 0.0f, 1 },
     { 0.05f, 0.0f, 0.40f, 0.0f, 0 },
 };
 
@@ -383,7 +392,10 @@ static void test_a_fish_that_was_carried_through_a_fault_is_brought_home_and_cou
     (void)state;
     for (uint32_t i = 0; i < FAULT_COUNT; i++) {
         const struct scene_of of = {
-            .device = POINTER, .wetness = DRY, .place = CARRYING, .fault = (enum fault)i,
+            .device = POINTER,
+            .wetness = DRY,
+            .place = CARRYING,
+            .fault = (enum fault)i,
         };
         if (of.fault == TURN) {
             continue;
@@ -458,9 +470,9 @@ static void test_it_finds_its_way_out_from_anywhere(void **state)
         core = there;
         struct poi *poi = &core.poi[0];
         const vec3 half_m = v3_scale(core.tank.size_m, 0.5f);
-        poi->position_m = v3(half_m.x * (-0.9f + 0.45f * (float)(i % 5u)),
-                             i / 15u % 2u ? -0.03f : -0.11f,
-                             half_m.z * (-0.85f + 0.85f * (float)(i / 5u % 3u)));
+        poi->position_m =
+            v3(half_m.x * (-0.9f + 0.45f * (float)(i % 5u)), i / 15u % 2u ? -0.03f : -0.11f,
+               half_m.z * (-0.85f + 0.85f * (float)(i / 5u % 3u)));
         poi->angles.pitch_rad = -1.2f + 0.6f * (float)(i / 30u);
         poi->angles.roll_rad = 0.4f - 0.2f * (float)(i / 30u);
         poi->velocity_m_s = v3(0.0f, 0.0f, 0.0f);

@@ -45,10 +45,9 @@ static void project(vec3 at_m, float *x, float *y)
 static vec3 sight_of(vec3 ring_m, uint32_t nth)
 {
     const float angle = F_TAU * (float)nth / (float)(SIGHTS - 1u);
-    return nth == SIGHTS - 1u
-               ? v3_add(ring_m, v3(0.0f, 0.0f, HANDLE_END_M))
-               : v3_add(ring_m, v3(POI_OUTER_RADIUS_M * f_cos(angle), 0.0f,
-                                   POI_OUTER_RADIUS_M * f_sin(angle)));
+    return nth == SIGHTS - 1u ? v3_add(ring_m, v3(0.0f, 0.0f, HANDLE_END_M))
+                              : v3_add(ring_m, v3(POI_OUTER_RADIUS_M * f_cos(angle), 0.0f,
+                                                  POI_OUTER_RADIUS_M * f_sin(angle)));
 }
 
 static void expect_in_the_picture(vec3 ring_m)

@@ -7,7 +7,7 @@
 #define DEEP_M (-0.05f)
 
 static struct tally {
-    uint32_t torn_tick;                 /* Of the round: when the first cell went; 0: none did. */
+    uint32_t torn_tick; /* Of the round: when the first cell went; 0: none did. */
     uint32_t damage_immune, paused, spared_in_play;
 } tally;
 

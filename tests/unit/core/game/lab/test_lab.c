@@ -4,7 +4,7 @@
 #include "core/base/rng.h"
 
 #define ALL ((1u << CHOICE_COUNT) - 1u)
-#define UP_M 0.035f    /* As a mouse hovers. */
+#define UP_M 0.035f /* As a mouse hovers. */
 #define DOWN_M (-0.01f)
 
 static const struct species_card *card(void)
@@ -278,25 +278,23 @@ static void test_a_key_leads_to_its_time_and_takes_its_curve(void **state)
 static void test_a_mouse_means_what_is_under_it_on_any_screen(void **state)
 {
     (void)state;
-    static const float sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 1024, 768 }, { 2560, 1080 },
-                                      { 1080, 1920 }, { 480, 800 } };
+    static const float sizes[][2] = { { 1280, 720 },  { 1920, 1080 }, { 1024, 768 },
+                                      { 2560, 1080 }, { 1080, 1920 }, { 480, 800 } };
     const struct view *view = &tank_preset(core.tank.preset)->view;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         const float width = sizes[s][0], height = sizes[s][1];
         const int upright = width < POINTER_UPRIGHT_ASPECT * height;
         const struct layout_point canvas = pointer_layout_size(upright);
-        const float unit = upright ? width / canvas.x
-                                   : f_min(width / canvas.x, height / canvas.y);
+        const float unit = upright ? width / canvas.x : f_min(width / canvas.x, height / canvas.y);
         for (uint32_t i = 0; i < 25; i++) {
             const struct layout_point wanted = { canvas.x * (0.1f + 0.2f * (float)(i % 5u)),
                                                  canvas.y * (0.1f + 0.2f * (float)(i / 5u)) };
             const float x_px = 0.5f * width + (wanted.x - 0.5f * canvas.x) * unit;
             const float y_px = 0.5f * height + (wanted.y - 0.5f * canvas.y) * unit;
             for (uint32_t dipped = 0; dipped < 2; dipped++) {
-                const vec3 hand_m = view_point_on_plane(view, width / height,
-                                                        2.0f * x_px / width - 1.0f,
-                                                        1.0f - 2.0f * y_px / height,
-                                                        dipped ? -0.05f : UP_M);
+                const vec3 hand_m =
+                    view_point_on_plane(view, width / height, 2.0f * x_px / width - 1.0f,
+                                        1.0f - 2.0f * y_px / height, dipped ? -0.05f : UP_M);
                 const struct layout_point got = pointer_project(view, upright, hand_m);
                 assert_float_equal(got.x, wanted.x, 0.5f);
                 assert_float_equal(got.y, wanted.y, 0.5f);
@@ -374,8 +372,9 @@ static void test_a_hand_that_goes_lets_go(void **state)
 static void test_what_one_hand_held_never_leaps_to_another(void **state)
 {
     (void)state;
-    const struct core_config config = { .seed = 5, .fish_count = 12, .players = 2,
-                                        .modes = 1u << CHOICE_LAB };
+    const struct core_config config = {
+        .seed = 5, .fish_count = 12, .players = 2, .modes = 1u << CHOICE_LAB
+    };
     open_stall(&config);
     hover(knot_at(1, 1));
     go_down();
@@ -440,8 +439,8 @@ static void test_a_page_turned_under_a_held_knot_leaves_it_alone(void **state)
         struct layout_point at = knot_at(card()->curves[0].knot_count - 1u, card()->key_count - 1u);
         if (layer == 1) {
             tap(LAB_SIZE);
-            at.y = plot.y + (1.0f - lab_length_share(first, life_length_m(first, 1.0f))) *
-                                plot.height;
+            at.y =
+                plot.y + (1.0f - lab_length_share(first, life_length_m(first, 1.0f))) * plot.height;
         }
         hover(at);
         go_down();
@@ -612,8 +611,8 @@ static void play_wildly(uint32_t seed, uint32_t count)
         const uint32_t bits = rng_u32((struct rng_key){ seed, i / 12u, 0, RNG_TEST });
         const float x = (float)(bits & 255u) / 255.0f - 0.5f;
         const float z = (float)(bits >> 8 & 255u) / 255.0f - 0.5f;
-        hold(0, v3(x * core.tank.size_m.x, bits >> 16 & 1u ? DOWN_M : UP_M,
-                   z * core.tank.size_m.z));
+        hold(0,
+             v3(x * core.tank.size_m.x, bits >> 16 & 1u ? DOWN_M : UP_M, z * core.tank.size_m.z));
         input.upright = (bits >> 20 & 15u) == 0;
         input.pressed = bits >> 24 == 7u || i % 97u == 0 ? INPUT_OK : 0;
         tick();

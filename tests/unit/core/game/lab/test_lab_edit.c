@@ -299,10 +299,10 @@ static void test_a_book_with_a_strange_card_or_graph_is_refused(void **state)
 }
 
 /* Each spoils a good card in one place, as a recording on a bad disk, or a bad person, may. */
-#define SPOIL(name, what)                   \
-    static void name(struct species_card *c) \
-    {                                        \
-        what;                                \
+#define SPOIL(name, what)                                                                          \
+    static void name(struct species_card *c)                                                       \
+    {                                                                                              \
+        what;                                                                                      \
     }
 
 SPOIL(age_without_end, c->key_age_days[c->key_count - 1u] = 1.0f / 0.0f)

@@ -389,9 +389,8 @@ static void test_more_is_offered_where_more_is_than_fits(void **state)
             input.controllers.file_count = (uint8_t)count;
             step();
             core_scene(&core, &scene);
-            assert_int_equal(scene.menu.tags,
-                             1u << FILES_BACK | 1u << FILES_SEEN |
-                                 (count > shown ? 1u << FILES_MORE : 0u));
+            assert_int_equal(scene.menu.tags, 1u << FILES_BACK | 1u << FILES_SEEN |
+                                                  (count > shown ? 1u << FILES_MORE : 0u));
             assert_int_equal(scene.menu.controllers.file_count, count);
         }
     }
@@ -794,8 +793,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_test_opens_it_at_once_where_nothing_is_played, setup),
         cmocka_unit_test_setup(test_in_a_round_test_asks_and_an_elbow_ends_nothing, setup),
-        cmocka_unit_test_setup(
-            test_a_second_test_ends_the_round_without_a_result_and_pays_it_back, setup),
+        cmocka_unit_test_setup(test_a_second_test_ends_the_round_without_a_result_and_pays_it_back,
+                               setup),
         cmocka_unit_test_setup(test_the_question_of_one_round_is_not_asked_in_the_next, setup),
         IN_MENU(test_its_last_tag_opens_the_stall_again),
         IN_MENU(test_more_is_offered_where_more_is_than_fits),

@@ -15,8 +15,13 @@
 
 static struct bot_stall stall;
 static const struct twin skewed = {
-    .xx = 0.7f, .xz = 0.5f, .zx = -0.6f, .zz = 0.8f,
-    .shift_m = { 0.30f, 0.09f, -0.20f }, .pitch_rad = 0.3f, .roll_rad = -0.2f,
+    .xx = 0.7f,
+    .xz = 0.5f,
+    .zx = -0.6f,
+    .zz = 0.8f,
+    .shift_m = { 0.30f, 0.09f, -0.20f },
+    .pitch_rad = 0.3f,
+    .roll_rad = -0.2f,
 };
 
 static int setup(void **state)

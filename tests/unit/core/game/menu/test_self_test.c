@@ -10,8 +10,14 @@ static uint8_t state_of[SELF_CHECKS];
 
 /* A machine that nothing is to be said of. */
 static const struct scene_machine well = {
-    .has_looked = 1, .keeps = KEEPS_PROVEN, .watch = WATCH_FED, .has_backup = 1, .backup_min = 12,
-    .room_mib = 4096, .has_heat = 1, .heat_margin_c = 25,
+    .has_looked = 1,
+    .keeps = KEEPS_PROVEN,
+    .watch = WATCH_FED,
+    .has_backup = 1,
+    .backup_min = 12,
+    .room_mib = 4096,
+    .has_heat = 1,
+    .heat_margin_c = 25,
 };
 
 static const struct menu *menu(void)
@@ -291,8 +297,8 @@ static void test_after_twenty_seconds_nothing_waits_any_more(void **state)
     judge();
     assert_int_equal(core.tick - begin_tick, 20u * CORE_TICK_HZ);
     assert_int_equal(scene.menu.self.seconds_left, 0);
-    static const uint8_t silent[] = { SELF_STORE, SELF_BACKUP, SELF_DATA, SELF_ROOM, SELF_HEAT,
-                                      SELF_DISPLAY };
+    static const uint8_t silent[] = { SELF_STORE, SELF_BACKUP, SELF_DATA,
+                                      SELF_ROOM,  SELF_HEAT,   SELF_DISPLAY };
     for (size_t i = 0; i < sizeof silent; i++) {
         assert_int_equal(state_of[silent[i]], SELF_BAD);
     }

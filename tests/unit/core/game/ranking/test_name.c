@@ -87,8 +87,7 @@ static void lead(uint32_t seat, uint32_t key, float y_m)
     const float x = (box.x + 0.5f * box.width) / canvas.x - 0.5f;
     const float z = (box.y + 0.5f * box.height) / canvas.y - 0.5f;
     input.poi[seat].has_wrist = 1;
-    input.poi[seat].target.position_m =
-        v3(x * core.tank.size_m.x, y_m, z * core.tank.size_m.z);
+    input.poi[seat].target.position_m = v3(x * core.tank.size_m.x, y_m, z * core.tank.size_m.z);
     step();
 }
 
@@ -261,7 +260,7 @@ static void test_the_dip_that_ended_the_result_writes_nothing(void **state)
     assert_int_equal(core.game.phase, PHASE_NAME);
     steps(NAME_SEEN_TICKS + 10u); /* Still under water, ... */
     assert_int_equal(core.game.name.letter_count, 0);
-    dip_at(0, cell_of(u'か'));    /* ... then up, and down again. */
+    dip_at(0, cell_of(u'か')); /* ... then up, and down again. */
     assert_int_equal(core.game.name.letter_count, 1);
 }
 
@@ -309,9 +308,9 @@ static void test_erasing_nothing_and_changing_nothing_do_nothing(void **state)
 static void test_forms_of_a_letter_come_round(void **state)
 {
     (void)state;
-    static const uint16_t rounds[][5] = { u"かがか", u"はばぱは", u"つっづつ", u"よょよ",
-                                          u"ハバパハ", u"ツッヅツ", u"ワヮワ", u"aAa", u"んん",
-                                          u"ンン",     u"ーー",     u"77" };
+    static const uint16_t rounds[][5] = { u"かがか",   u"はばぱは", u"つっづつ", u"よょよ",
+                                          u"ハバパハ", u"ツッヅツ", u"ワヮワ",   u"aAa",
+                                          u"んん",     u"ンン",     u"ーー",     u"77" };
     for (size_t i = 0; i < sizeof rounds / sizeof *rounds; i++) {
         for (uint32_t k = 0; rounds[i][k + 1u] != 0; k++) {
             assert_int_equal(name_changed(rounds[i][k]), rounds[i][k + 1u]);

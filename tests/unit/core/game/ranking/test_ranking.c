@@ -26,7 +26,10 @@ static int clean(void **state)
 static uint32_t play(uint32_t caught, uint32_t boot, uint16_t day)
 {
     const struct ledger_entry entry = {
-        .kind = LEDGER_ROUND, .id = ++last_id, .boot = boot, .day = day,
+        .kind = LEDGER_ROUND,
+        .id = ++last_id,
+        .boot = boot,
+        .day = day,
         .round = { .players = 1, .player[0].caught = caught },
     };
     ranking_note(&ranking, &entry);
@@ -77,9 +80,9 @@ static void test_the_eleventh_is_not_on_the_board_and_nobody_with_no_fish_is(voi
 static void test_bots_and_rounds_without_a_score_stand_nowhere(void **state)
 {
     (void)state;
-    struct ledger_entry entry = {
-        .kind = LEDGER_ROUND, .id = 1, .round = { .players = 1, .player[0].caught = 9 }
-    };
+    struct ledger_entry entry = { .kind = LEDGER_ROUND,
+                                  .id = 1,
+                                  .round = { .players = 1, .player[0].caught = 9 } };
     entry.round.by_bot = 1;
     ranking_note(&ranking, &entry);
     entry.round.by_bot = 0;

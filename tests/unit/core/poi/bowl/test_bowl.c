@@ -128,7 +128,7 @@ static void drop_in_all(uint32_t count, float length_m)
 }
 
 struct tightness {
-    float worst_m;       /* The deepest that two lie in one another ... */
+    float worst_m;        /* The deepest that two lie in one another ... */
     float pairs_per_look; /* ... and how many share more than a millimetre. */
     float fastest_m_s;
 };

@@ -48,8 +48,8 @@ static void test_it_floats_where_it_was_put(void **state)
 static void test_room_and_radius_of_the_hull_agree(void **state)
 {
     (void)state;
-    assert_float_equal(bowl_room_m3(0.0f), 2.0f / 3.0f * F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M *
-                                               BOWL_DEPTH_M, 1e-8f);
+    assert_float_equal(bowl_room_m3(0.0f),
+                       2.0f / 3.0f * F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M * BOWL_DEPTH_M, 1e-8f);
     assert_float_equal(bowl_room_m3(BOWL_DEPTH_M), 0.0f, 1e-9f);
     for (float below_m = 0.005f; below_m < BOWL_DEPTH_M - 0.005f; below_m += 0.005f) {
         const float slice_m3 = bowl_room_m3(below_m - 0.001f) - bowl_room_m3(below_m + 0.001f);
@@ -155,8 +155,7 @@ static void push_with_ring(float depth_m, float to_x_m)
     const uint32_t ticks = (uint32_t)((to_x_m - from_x_m) / 0.2f * (float)CORE_TICK_HZ);
     for (uint32_t i = 0; i < ticks; i++) {
         struct poi_grip grip = { .has_wrist = 1 };
-        grip.target.position_m =
-            v3(from_x_m + 0.2f * CORE_TICK_S * (float)i, depth_m, z_m);
+        grip.target.position_m = v3(from_x_m + 0.2f * CORE_TICK_S * (float)i, depth_m, z_m);
         poi_tick(&poi, &grip, &tank, &bowls[0]);
         for (uint32_t k = 1; k < POI_MAX; k++) {
             poi_constrain_to_bowl(&poi, &bowls[k]);
@@ -208,7 +207,7 @@ static void test_a_ring_that_rests_on_the_mouth_presses_it_down_a_little(void **
         bowl_buoyancy_tick(&stall, &poi, &live, 1);
         poi_apply_reaction(&poi, &(struct obstacle){ .centre_m = poi.position_m });
         lowest_m = f_min(lowest_m, bowls[0].position_m.y);
-        assert_true(bowls[0].position_m.y >= 0.002f); /* It never ships water. */
+        assert_true(bowls[0].position_m.y >= 0.002f);          /* It never ships water. */
         assert_true(poi.position_m.y > bowls[0].position_m.y); /* Nor does the ring sink in. */
     }
     assert_true(lowest_m < 0.010f);
@@ -276,9 +275,11 @@ static void test_fish_make_way_for_a_hull_that_drifts_through_them(void **state)
     static struct stand stand;
     stand_init(&stand, 4, 1);
     for (uint32_t i = 0; i < 60; i++) {
-        const uint32_t fish = stand_fish(&stand, v3(0.02f + 0.04f * (float)(i % 5u),
-                                                    -0.02f - 0.03f * (float)(i / 20u),
-                                                    0.12f + 0.03f * (float)(i / 5u % 4u)), 0.04f);
+        const uint32_t fish =
+            stand_fish(&stand,
+                       v3(0.02f + 0.04f * (float)(i % 5u), -0.02f - 0.03f * (float)(i / 20u),
+                          0.12f + 0.03f * (float)(i / 5u % 4u)),
+                       0.04f);
         stand.tank.fish[fish].angles.yaw_rad = (float)i;
     }
     bowl_init(&stand.bowl, v3(0.30f, 0.012f, 0.15f));

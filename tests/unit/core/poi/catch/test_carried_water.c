@@ -56,8 +56,8 @@ static void test_upside_down_the_ring_holds_15_g_and_spills_them_when_it_turns(v
     assert_true(vec_basis_from_angles(stand.poi.angles).up.y < -0.999f);
     assert_float_equal(stand.poi.water_kg, 0.0155f, 0.0015f);
     assert_true(sheet_left(&stand.poi.sheet) == 1.0f);
-    assert_float_equal(stand.force.force_n.y,
-                       -(POI_MASS_KG + stand.poi.water_kg) * GRAVITY_M_S2, 0.01f);
+    assert_float_equal(stand.force.force_n.y, -(POI_MASS_KG + stand.poi.water_kg) * GRAVITY_M_S2,
+                       0.01f);
     assert_true(stand.poi.pressure_pa > 25.0f); /* Through the paper, out of its front. */
     stand_turn(&stand, F_PI - 1.0f, 0.0f, 0.2f);
     stand_wait(&stand, 0.5f);

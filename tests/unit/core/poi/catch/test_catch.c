@@ -186,8 +186,7 @@ static void crowd_the_paper(uint32_t seed)
     stand_init(&stand, 4, seed);
     stand_dip(&stand);
     for (uint32_t i = 0; i < POI_CARRIED_MAX + 8u; i++) {
-        const vec3 place = v3(0.0065f * (float)(i % 10u) - 0.029f,
-                              i < 20u ? -0.052f : -0.040f,
+        const vec3 place = v3(0.0065f * (float)(i % 10u) - 0.029f, i < 20u ? -0.052f : -0.040f,
                               i / 10u % 2u == 0 ? -0.0155f : 0.0155f);
         stand_fish(&stand, place, 0.03f);
     }
@@ -292,11 +291,11 @@ static void test_a_poi_that_sweeps_along_walls_pushes_no_fish_through_them(void 
         stand_dip(&stand);
         stand_turn(&stand, i % 2u ? 0.9f : 0.0f, 0.5f * F_PI - 0.5f * (float)(i % 3u), 0.3f);
         for (uint32_t k = 0; k < 60; k++) {
-            const uint32_t fish = stand_fish(
-                &stand,
-                v3(0.30f + 0.012f * (float)(k % 10u), -0.03f - 0.03f * (float)(k % 3u),
-                   -0.24f + 0.008f * (float)k),
-                FISH_M);
+            const uint32_t fish =
+                stand_fish(&stand,
+                           v3(0.30f + 0.012f * (float)(k % 10u), -0.03f - 0.03f * (float)(k % 3u),
+                              -0.24f + 0.008f * (float)k),
+                           FISH_M);
             stand.tank.fish[fish].angles.yaw_rad = 0.7f * (float)k;
         }
         sweep_and_look(v3(0.45f, -0.07f, 0.0f), 0.3f);

@@ -15,9 +15,9 @@
 #include "core/tank/behavior/surface_breathing.h"
 
 #define TRIALS 60u
-#define UNDER_M 0.022f     /* The paper, below the fish's lowest point. */
-#define BESIDE_M 0.085f    /* Where it dips. */
-#define HAND_M_S 0.30f    /* Brisk: what swims below mostly flees from it. */
+#define UNDER_M 0.022f  /* The paper, below the fish's lowest point. */
+#define BESIDE_M 0.085f /* Where it dips. */
+#define HAND_M_S 0.30f  /* Brisk: what swims below mostly flees from it. */
 #define FISH_M 0.05f
 
 static struct tank tank;
@@ -56,8 +56,7 @@ static void follow(const struct fish *fish, vec3 at_m, float pitch_rad, float m_
         if (v3_length(way) < 0.002f) {
             return;
         }
-        hand->position_m =
-            v3_add(hand->position_m, v3_limit(way, m_s * CORE_TICK_S));
+        hand->position_m = v3_add(hand->position_m, v3_limit(way, m_s * CORE_TICK_S));
         hand->angles.pitch_rad += f_clamp(pitch_rad - hand->angles.pitch_rad, -0.03f, 0.03f);
         step(*hand, sum);
         sum->fled += fish->gait == GAIT_ESCAPE;

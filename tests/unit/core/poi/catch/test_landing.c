@@ -160,8 +160,7 @@ static int is_in_hull(const struct bowl *bowl, vec3 point_m)
 {
     const vec3 at = v3_sub(point_m, bowl->position_m);
     const float radius_m = bowl_hull_radius_m(-at.y);
-    return at.y <= 0.0f && at.y > -BOWL_DEPTH_M &&
-           at.x * at.x + at.z * at.z < radius_m * radius_m;
+    return at.y <= 0.0f && at.y > -BOWL_DEPTH_M && at.x * at.x + at.z * at.z < radius_m * radius_m;
 }
 
 /* Player 0's fish falls from 5 cm over a point; bowls of two players float there. Returns its gait

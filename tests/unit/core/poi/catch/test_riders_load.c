@@ -266,8 +266,8 @@ static void test_the_ring_bears_whom_the_paper_does_not(void **state)
     (void)state;
     stand_init(&stand, 4, 1);
     stand_punch(&stand, 0.0f, 0.0f, 0.036f); /* A fringe is left. */
-    assert_true(stays(0.0f, 0.043f)); /* Along it. */
-    assert_false(stays(0.043f, 0.0f)); /* Across it, half in the air: it tips over. */
+    assert_true(stays(0.0f, 0.043f));        /* Along it. */
+    assert_false(stays(0.043f, 0.0f));       /* Across it, half in the air: it tips over. */
     assert_false(stays(0.0f, 0.0f));
     assert_false(stays(0.048f, 0.0f)); /* Its middle beyond the ring: it slips off. */
 }

@@ -47,14 +47,13 @@ static float plain_load(uint32_t cell, float *tension_max_n_m)
     const float x = sheet_line_m(&sheet, cell % SHEET_SIDE);
     const float z = sheet_line_m(&sheet, cell / SHEET_SIDE);
     const float square = x * x + z * z;
-    float tension = f_lerp(strain.centre_n_m, strain.edge_n_m,
-                           square * (1.0f / (RADIUS_M * RADIUS_M)));
+    float tension =
+        f_lerp(strain.centre_n_m, strain.edge_n_m, square * (1.0f / (RADIUS_M * RADIUS_M)));
     for (uint32_t i = 0; i < strain.load_count; i++) {
         const struct footprint *foot = &strain.footprints[i];
         const float dx = x - foot->x_m, dz = z - foot->z_m, away2 = dx * dx + dz * dz;
         if (away2 < foot->reach_m * foot->reach_m) {
-            tension +=
-                foot->pull_n_m_m / f_max(foot->own_m, f_sqrt(away2) - 0.5f * strain.cell_m);
+            tension += foot->pull_n_m_m / f_max(foot->own_m, f_sqrt(away2) - 0.5f * strain.cell_m);
         }
     }
     if (sheet.state[cell] != CELL_PAPER) {

@@ -10,7 +10,6 @@
 #include "core/tank/behavior/avoid.h"
 #include "tests/unit/support/pond.h"
 
-
 /* Swims at 5 cm/s toward a compass angle: 0 is away from the player, 90 to the left. */
 static struct avoid_party swimmer(float x_cm, float z_cm, float yaw_deg, uint16_t index)
 {
@@ -171,9 +170,8 @@ static void test_nobody_dives_into_the_floor_or_climbs_into_the_air(void **state
     avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
     assert_int_equal(fish.avoiding, AVOID_PITCH);
     assert_true(fish.avoid_turn > 0.0f);
-    fish = (struct fish){ WAKIN(0.05f),
-                          .position_m = { 0.0f, -0.012f, 0.0f },
-                          .avoiding = AVOID_YAW };
+    fish =
+        (struct fish){ WAKIN(0.05f), .position_m = { 0.0f, -0.012f, 0.0f }, .avoiding = AVOID_YAW };
     advice.rise = 1.0f;
     avoid_tick(&fish, &advice, 1.0f, pond_at(1, 0));
     assert_true(fish.avoid_turn < 0.0f);

@@ -48,8 +48,8 @@ static void test_a_glide_slows_as_drag_demands(void **state)
             assert_float_equal(fish.speed_m_s, wanted_m_s, 0.01f * start_m_s);
         }
         /* 2 m (1 + added) / (rho S C), by the mass that breathes, too. */
-        const float by_mass_m = 2.0f * 1.1f * fish_mass_kg(length_m) /
-                                (1000.0f * 0.65f * length_m * length_m * 0.060f);
+        const float by_mass_m =
+            2.0f * 1.1f * fish_mass_kg(length_m) / (1000.0f * 0.65f * length_m * length_m * 0.060f);
         assert_float_equal(way_m, by_mass_m, 0.04f * way_m);
     }
 }

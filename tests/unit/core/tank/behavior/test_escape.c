@@ -18,10 +18,10 @@
 
 /* What one start came to. */
 struct trial {
-    float head_turn_rad;  /* Of the snout, + left, when it was farthest round within stage 1. */
-    float away_side;      /* +1 or -1: the turn that leads away. */
-    float way_lengths;    /* From where it was to where it is 100 ms after the start began. */
-    float away_lengths;   /* The part of that which leads away from the stimulus. */
+    float head_turn_rad; /* Of the snout, + left, when it was farthest round within stage 1. */
+    float away_side;     /* +1 or -1: the turn that leads away. */
+    float way_lengths;   /* From where it was to where it is 100 ms after the start began. */
+    float away_lengths;  /* The part of that which leads away from the stimulus. */
     float peak_lengths_s, push_m_s2; /* Top speed, and the greatest gain of speed in 17 ms. */
     float peak_s, slow_s; /* When it was fastest; how long it was above 4 lengths a second. */
     float bend_rad;       /* The deepest C, by amount. */
@@ -191,8 +191,8 @@ static void test_an_exhausted_fish_starts_at_four_fifths_of_the_speed(void **sta
                        0.02f * fresh);
 }
 
-static void test_a_wall_behind_it_makes_more_turn_toward_the_danger_and_none_into_the_wall(
-    void **state)
+static void
+test_a_wall_behind_it_makes_more_turn_toward_the_danger_and_none_into_the_wall(void **state)
 {
     (void)state;
     uint32_t away = 0;
@@ -206,8 +206,8 @@ static void test_a_wall_behind_it_makes_more_turn_toward_the_danger_and_none_int
         away += trial.head_turn_rad * trial.away_side > 0.0f;
         into = f_max(into, trial.away_lengths);
     }
-    print_message("turned away at a wall: %.3f, into it by %.2f lengths\n",
-                  (double)away / TRIALS, (double)into);
+    print_message("turned away at a wall: %.3f, into it by %.2f lengths\n", (double)away / TRIALS,
+                  (double)into);
     assert_true(into < 0.6f); /* It is 0.6 lengths off. */
     assert_true((float)away / TRIALS < 0.62f && (float)away / TRIALS > 0.45f);
 }

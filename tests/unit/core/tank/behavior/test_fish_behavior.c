@@ -14,8 +14,12 @@
 
 static struct fish calm(void)
 {
-    struct fish fish = { .position_m = { 0.0f, -0.06f, 0.0f }, .stamina = 0.8f, .brake = 1.0f,
-                         .room = 1.0f, .gait_left_s = 1e6f, .depth_goal_m = -0.06f };
+    struct fish fish = { .position_m = { 0.0f, -0.06f, 0.0f },
+                         .stamina = 0.8f,
+                         .brake = 1.0f,
+                         .room = 1.0f,
+                         .gait_left_s = 1e6f,
+                         .depth_goal_m = -0.06f };
     fish_grow(&fish, 0.05f, pond_law());
     return fish;
 }
@@ -161,8 +165,8 @@ static void test_the_path_between_thoughts_is_a_smooth_arc(void **state)
         roughest = f_max(roughest, f_abs(fish.yaw_rate_rad_s - rate));
         fastest = f_max(fastest, f_abs(fish.yaw_rate_rad_s));
     }
-    print_message("turns by %.1f rad/s at most, and changes that by %.2f a tick\n",
-                  (double)fastest, (double)roughest);
+    print_message("turns by %.1f rad/s at most, and changes that by %.2f a tick\n", (double)fastest,
+                  (double)roughest);
     assert_true(fastest > 0.5f && roughest < 0.25f);
 }
 

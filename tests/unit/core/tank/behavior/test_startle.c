@@ -17,12 +17,8 @@
 /* Timid: every bit of `look` is 0. */
 static struct fish fish_at(vec3 position_m)
 {
-    return (struct fish){ WAKIN(0.05f),
-                          .stamina = 1.0f,
-                          .brake = 1.0f,
-                          .room = 1.0f,
-                          .gait = GAIT_SWIM,
-                          .position_m = position_m };
+    return (struct fish){ WAKIN(0.05f), .stamina = 1.0f,   .brake = 1.0f,
+                          .room = 1.0f, .gait = GAIT_SWIM, .position_m = position_m };
 }
 
 static struct obstacle disc_at(vec3 centre_m, vec3 velocity_m_s)
@@ -347,8 +343,7 @@ int main(void)
         cmocka_unit_test(test_a_law_without_escapes_knows_no_fright),
         cmocka_unit_test(test_a_rushing_disc_is_answered_within_a_quarter_of_a_second),
         cmocka_unit_test(test_whoever_a_disc_frightens_thinks_in_every_tick),
-        cmocka_unit_test(
-            test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tick),
+        cmocka_unit_test(test_only_the_startled_and_those_by_a_moving_disc_think_in_every_tick),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -175,8 +175,7 @@ int main(void)
         cmocka_unit_test(test_the_pull_falls_off_exponentially_and_ends_at_20_cm),
         cmocka_unit_test(test_a_wall_turns_headings_toward_it_by_the_shorter_way),
         cmocka_unit_test(test_walls_draw_nobody_in_a_preset_as_it_stands),
-        cmocka_unit_test(
-            test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refused),
+        cmocka_unit_test(test_a_tank_of_another_size_holds_what_fits_and_odd_sizes_are_refused),
         cmocka_unit_test(test_a_lone_fish_is_found_ever_less_often_the_farther_from_a_wall),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

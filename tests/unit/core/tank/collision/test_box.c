@@ -83,8 +83,8 @@ static void test_edges_across_each_other_part_what_no_face_does(void **state)
 {
     (void)state;
     const vec3 half = v3(0.01f, 0.01f, 0.04f);
-    const struct angles rolled = { 0.0f, 0.0f, 45.0f * F_DEG }, crossed = { 90.0f * F_DEG, 0.0f,
-                                                                           45.0f * F_DEG };
+    const struct angles rolled = { 0.0f, 0.0f, 45.0f * F_DEG },
+                        crossed = { 90.0f * F_DEG, 0.0f, 45.0f * F_DEG };
     /* Two bars lie on an edge each, one across the other: their ridges are 1.414 cm from their
      * middles. */
     const struct box a = { v3(0.0f, 0.0f, 0.0f), vec_basis_from_angles(rolled), half },

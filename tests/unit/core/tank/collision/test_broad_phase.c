@@ -57,9 +57,8 @@ static void test_the_grid_finds_pairs_that_lie_across_its_lines(void **state)
             const float x = -0.6f + 0.2f * (float)(i / 2u) + 0.005f * (float)shift;
             const struct angles left = { 90.0f * F_DEG, 0.0f, 0.0f },
                                 right = { -90.0f * F_DEG, 0.0f, 0.0f };
-            fish[i] = (struct fish){ .position_m = { x, -0.1f, 0.0f },
-                                     .angles = right,
-                                     WAKIN(0.08f) };
+            fish[i] =
+                (struct fish){ .position_m = { x, -0.1f, 0.0f }, .angles = right, WAKIN(0.08f) };
             fish[i + 1u] = (struct fish){ .position_m = { x + 0.0795f, -0.1f, 0.0f },
                                           .angles = left,
                                           WAKIN(0.08f) };
@@ -246,8 +245,7 @@ static void test_a_list_that_is_full_leaves_out_others_each_tick(void **state)
     static uint8_t served[200][200];
     enum { COUNT = 200 };
     for (uint32_t i = 0; i < COUNT; i++) { /* All in all: 19,900 pairs, and room for 8,192. */
-        fish[i] =
-            (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, WAKIN(0.05f) };
+        fish[i] = (struct fish){ .position_m = { 0.00004f * (float)i, -0.1f, 0.0f }, WAKIN(0.05f) };
     }
     uint32_t pairs = 0;
     for (uint32_t tick = 0; tick < 48; tick++) {

@@ -124,9 +124,8 @@ static void test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit(void **s
     struct fish was[3];
     for (uint32_t i = 0; i < 3; i++) {
         const float x = -0.674f + 0.0103f * (float)i;
-        was[i] = fish[i] = (struct fish){ .position_m = { x, -0.1f, 0.0f },
-                                          .yaw_rate_rad_s = 1.0f,
-                                          WAKIN(0.05f) };
+        was[i] = fish[i] =
+            (struct fish){ .position_m = { x, -0.1f, 0.0f }, .yaw_rate_rad_s = 1.0f, WAKIN(0.05f) };
     }
     contact_solver_begin(&solver, fish, 3);
     fish[2].angles.yaw_rad = 0.9f;
@@ -350,15 +349,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_parting_ends_overlaps_and_keeps_walls),
-        cmocka_unit_test(
-            test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_motion),
+        cmocka_unit_test(test_nobody_is_shoved_farther_than_two_millimetres_beyond_its_own_motion),
         cmocka_unit_test(test_who_cannot_give_way_leaves_it_to_the_other),
         cmocka_unit_test(test_the_larger_of_two_gives_way_less),
         cmocka_unit_test(test_who_cannot_be_parted_has_its_old_pose_again_to_the_bit),
-        cmocka_unit_test(
-            test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time),
-        cmocka_unit_test(
-            test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps),
+        cmocka_unit_test(test_lanes_clear_walls_and_a_poi_to_the_last_bit_as_one_fish_at_a_time),
+        cmocka_unit_test(test_in_a_crowd_with_more_contacts_than_there_is_room_for_nobody_overlaps),
         cmocka_unit_test(
             test_at_the_end_of_a_tick_an_obstacle_has_the_step_and_turn_of_the_whole_tick),
         cmocka_unit_test(

@@ -52,8 +52,8 @@ static struct angles any_angles(uint32_t who, float pitch_max, float roll_max)
 static void fill(uint32_t count, float pitch_max, float length_min, float length_max)
 {
     for (uint32_t i = 0; i < count; i++) {
-        const vec3 centre = v3(draw(i, 1, -0.68f, 0.68f), draw(i, 2, -0.20f, 0.0f),
-                               draw(i, 3, -0.325f, 0.325f));
+        const vec3 centre =
+            v3(draw(i, 1, -0.68f, 0.68f), draw(i, 2, -0.20f, 0.0f), draw(i, 3, -0.325f, 0.325f));
         put(i, centre, any_angles(i, pitch_max, 0.0f), draw(i, 7, length_min, length_max));
     }
 }
@@ -119,10 +119,10 @@ static uint32_t check(uint32_t count)
             /* Margins of a metre, so that no axis ends the search. */
             const float gap_m = box_gap(&a, 1.0f, &b, 1.0f).body_m;
             const int both = flags[i] & flags[j] & 1;
-            const int near = gap.space_m < -ROUNDING_M ||
-                             gap_m < reach_m[i] + reach_m[j] - ROUNDING_M;
-            const int far = gap.space_m > ROUNDING_M &&
-                            gap_m > reach_m[i] + reach_m[j] + ROUNDING_M;
+            const int near =
+                gap.space_m < -ROUNDING_M || gap_m < reach_m[i] + reach_m[j] - ROUNDING_M;
+            const int far =
+                gap.space_m > ROUNDING_M && gap_m > reach_m[i] + reach_m[j] + ROUNDING_M;
             const uint32_t place = listed[i][j];
             overlaps += gap.space_m < 0.0f;
             assert_false(near && both && place == 0);
@@ -295,10 +295,10 @@ static float missed_by_cells(float columns, float rows)
     for (uint32_t f = 0; f < all; f++) {
         if (found[f].spaces) {
             const vec3 a = body[found[f].a].centre_m, b = body[found[f].b].centre_m;
-            const float across = f_floor((a.x + 0.68f) * columns / 1.36f) -
-                                 f_floor((b.x + 0.68f) * columns / 1.36f);
-            const float down = f_floor((a.z + 0.325f) * rows / 0.65f) -
-                               f_floor((b.z + 0.325f) * rows / 0.65f);
+            const float across =
+                f_floor((a.x + 0.68f) * columns / 1.36f) - f_floor((b.x + 0.68f) * columns / 1.36f);
+            const float down =
+                f_floor((a.z + 0.325f) * rows / 0.65f) - f_floor((b.z + 0.325f) * rows / 0.65f);
             missed += f_abs(across) > 1.0f || f_abs(down) > 1.0f;
             overlaps++;
         }

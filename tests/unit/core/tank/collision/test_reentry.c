@@ -194,9 +194,9 @@ static void test_nobody_goes_for_a_gap_through_paper(void **state)
         const uint32_t layer = i / 12u % 3u;
         struct fish *fish = &tank.fish[i];
         fish_grow(fish, 0.03f, tank_behavior_params(&tank));
-        fish->position_m = v3(0.0065f * (float)(i % 6u) - 0.01625f,
-                              -0.0545f + 0.0112f * (float)layer,
-                              i / 6u % 2u == 0 ? -0.0155f : 0.0155f);
+        fish->position_m =
+            v3(0.0065f * (float)(i % 6u) - 0.01625f, -0.0545f + 0.0112f * (float)layer,
+               i / 6u % 2u == 0 ? -0.0155f : 0.0155f);
         fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
         fish->speed_m_s = 0.0f;
         if (i >= 36u) {

@@ -39,8 +39,8 @@ static struct obstacle disc_of(uint32_t who)
         .paper = paper,
         .paper_radius_m = 0.0418f,
     };
-    const vec3 way = v3(draw(who, 6, -1.0f, 1.0f), draw(who, 7, -1.0f, 1.0f),
-                        draw(who, 8, -1.0f, 1.0f));
+    const vec3 way =
+        v3(draw(who, 6, -1.0f, 1.0f), draw(who, 7, -1.0f, 1.0f), draw(who, 8, -1.0f, 1.0f));
     struct angles before = any_angles(who, 3);
     before.yaw_rad += disc.turned ? draw(who, 10, -0.3f, 0.3f) : 0.0f;
     disc.axes_before = vec_basis_from_angles(before);

@@ -35,8 +35,8 @@ static struct box box_by(const struct ring *ring, uint32_t i)
     const struct angles pose = { draw(6, i, -F_PI, F_PI), draw(7, i, -0.8f, 0.8f),
                                  draw(8, i, -0.5f, 0.5f) };
     const float far_m = 0.08f;
-    const vec3 off = v3(draw(9, i, -far_m, far_m), draw(10, i, -far_m, far_m),
-                        draw(11, i, -far_m, far_m));
+    const vec3 off =
+        v3(draw(9, i, -far_m, far_m), draw(10, i, -far_m, far_m), draw(11, i, -far_m, far_m));
     return (struct box){ v3_add(ring->centre_m, off), vec_basis_from_angles(pose),
                          v3(0.1f * length_m, 0.2f * length_m, 0.5f * length_m) };
 }
@@ -50,8 +50,8 @@ static float walked_m(const struct ring *ring, const struct box *box)
     float least_m = SHAPE_TOUCH_FAR_M;
     for (int k = 0; k < WALK_POINTS; k++) {
         const float angle_rad = F_TAU * (float)k / (float)WALK_POINTS;
-        const vec3 away = v3_add(v3_scale(east, f_cos(angle_rad)),
-                                 v3_scale(north, f_sin(angle_rad)));
+        const vec3 away =
+            v3_add(v3_scale(east, f_cos(angle_rad)), v3_scale(north, f_sin(angle_rad)));
         vec3 unused;
         const vec3 point_m = v3_muladd(ring->centre_m, away, ring->middle_m);
         least_m = f_min(least_m, shape_touch_point_m(box, point_m, &unused));

@@ -125,8 +125,8 @@ static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
             const int32_t columns = (int32_t)grid.columns;
             const int32_t across = (int32_t)(b % grid.columns) - (int32_t)(a % grid.columns);
             const int32_t down = (int32_t)b / columns - (int32_t)a / columns;
-            const int meets = (j >= beside.from && j < beside.to) +
-                              (j >= below.from && j < below.to);
+            const int meets =
+                (j >= beside.from && j < beside.to) + (j >= below.from && j < below.to);
             assert_int_equal(meets, across >= -1 && across <= 1 && down <= 1);
         }
     }

@@ -187,16 +187,16 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_a_node_brings_its_own_descriptor, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(
-            test_a_read_is_a_report_also_where_it_is_short_or_long, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(
-            test_one_that_is_pulled_out_is_an_io_error, plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_a_read_is_a_report_also_where_it_is_short_or_long,
+                                        plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_one_that_is_pulled_out_is_an_io_error, plug_in,
+                                        pull_out),
         cmocka_unit_test_setup_teardown(test_a_signal_is_no_end, plug_in, pull_out),
         cmocka_unit_test_setup_teardown(test_what_is_no_node_needs_a_descriptor, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(
-            test_one_that_may_not_be_opened_is_an_io_error, plug_in, pull_out),
-        cmocka_unit_test_setup_teardown(
-            test_a_device_whose_descriptor_is_none_is_bad_data, plug_in, pull_out),
+        cmocka_unit_test_setup_teardown(test_one_that_may_not_be_opened_is_an_io_error, plug_in,
+                                        pull_out),
+        cmocka_unit_test_setup_teardown(test_a_device_whose_descriptor_is_none_is_bad_data, plug_in,
+                                        pull_out),
     };
     return cmocka_run_group_tests_name("hid_source", tests, NULL, NULL);
 }

@@ -58,7 +58,9 @@ static void test_jams_and_chips_that_go_are_told_when_they_do(void **state)
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1), LEVEL(900, GPIO_COIN, 0), LEVEL(1000, GPIO_COIN, 1),
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(900, GPIO_COIN, 0),
+        LEVEL(1000, GPIO_COIN, 1),
         { .time_ns = 1030 * MS, .what = GPIO_SIM_GONE },
     };
     char *text = shown(events, 4, 1500);
@@ -72,8 +74,10 @@ static void test_a_coin_s_width_is_its_own_where_the_next_one_has_begun(void **s
 {
     (void)state;
     static const struct gpio_sim_event events[] = {
-        LEVEL(100, GPIO_COIN, 1), LEVEL(148, GPIO_COIN, 0),
-        LEVEL(180, GPIO_COIN, 1), LEVEL(205, GPIO_COIN, 0),
+        LEVEL(100, GPIO_COIN, 1),
+        LEVEL(148, GPIO_COIN, 0),
+        LEVEL(180, GPIO_COIN, 1),
+        LEVEL(205, GPIO_COIN, 0),
     };
     struct gpio_sim_events script = { .events = events, .count = 4 };
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };

@@ -117,13 +117,13 @@ int main(void)
         cmocka_unit_test_setup(test_a_free_line_is_fine_and_found_on_its_chip, two_chips),
         cmocka_unit_test_setup(test_a_line_that_a_driver_holds_is_wrong_and_says_who, two_chips),
         cmocka_unit_test_setup(test_a_line_that_the_kiosk_itself_holds_is_fine, two_chips),
-        cmocka_unit_test_setup(
-            test_two_chips_of_one_label_are_told_apart_by_names_alone, two_chips),
-        cmocka_unit_test_setup(
-            test_a_name_on_two_lines_is_wrong_and_the_chip_is_offered, two_chips),
+        cmocka_unit_test_setup(test_two_chips_of_one_label_are_told_apart_by_names_alone,
+                               two_chips),
+        cmocka_unit_test_setup(test_a_name_on_two_lines_is_wrong_and_the_chip_is_offered,
+                               two_chips),
         cmocka_unit_test_setup(test_a_line_that_no_chip_has_is_wrong, two_chips),
-        cmocka_unit_test_setup(
-            test_findings_beyond_the_room_are_counted_and_change_nothing, two_chips),
+        cmocka_unit_test_setup(test_findings_beyond_the_room_are_counted_and_change_nothing,
+                               two_chips),
     };
     return cmocka_run_group_tests_name("doctor_gpio", tests, NULL, NULL);
 }

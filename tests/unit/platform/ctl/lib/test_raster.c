@@ -91,7 +91,8 @@ static void test_a_triangle_seen_from_behind_is_not_drawn(void **state)
 static void test_triangles_around_a_point_cover_every_sample_once(void **state)
 {
     (void)state;
-    static const vec3 middles[] = { { 16.0f, 16.0f, 0.0f }, { 15.5f, 16.5f, 0.0f },
+    static const vec3 middles[] = { { 16.0f, 16.0f, 0.0f },
+                                    { 15.5f, 16.5f, 0.0f },
                                     { 13.37f, 17.93f, 0.0f } };
     for (uint32_t m = 0; m < 3; m++) {
         struct stand s = set_up();

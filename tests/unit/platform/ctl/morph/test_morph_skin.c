@@ -15,8 +15,9 @@ static const uint16_t box_indices[36] = {
 };
 static struct species_vertex vertices[8];
 static vec3 corners[8];
-static struct species_mesh box = { .vertex_count = 8, .index_count = 36, .vertices = vertices,
-                                   .indices = box_indices };
+static struct species_mesh box = {
+    .vertex_count = 8, .index_count = 36, .vertices = vertices, .indices = box_indices
+};
 static struct morph_skin skin;
 
 static int new_box(void **state)
@@ -54,8 +55,7 @@ static void test_every_point_of_a_lattice_is_told_in_from_out(void **state)
             for (int z = -20; z <= 20; z++) {
                 const vec3 p =
                     v3(0.3f * (float)x, 0.0625f * 1.01f * (float)y, 0.125f * 1.01f * (float)z);
-                const bool inside =
-                    f_abs(p.x) < 1.0f && f_abs(p.y) < 0.5f && f_abs(p.z) < 2.0f;
+                const bool inside = f_abs(p.x) < 1.0f && f_abs(p.y) < 0.5f && f_abs(p.z) < 2.0f;
                 assert_int_equal(morph_skin_has(&skin, p), inside);
             }
         }

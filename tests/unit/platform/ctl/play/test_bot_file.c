@@ -73,11 +73,26 @@ static void test_every_key_reaches_its_field(void **state)
 {
     (void)state;
     const struct technique expected = {
-        .wet = 0.25f, .entry_deg = 31.0f, .glide_deg = 32.0f, .side = SIDE_TAIL,
-        .place = PLACE_CENTRE, .lift = LIFT_FAST, .hunt = HUNT_CHASE, .fish_max = 5,
-        .fish_m = 0.045f, .arm_m_s = 0.61f, .dip_m_s = 0.62f, .glide_m_s = 0.63f, .lift_m_s = 0.64f,
-        .carry_m_s = 0.65f, .drain_s = 0.71f, .patience_s = 0.72f, .aim_m = 0.011f,
-        .tremor_m = 0.002f, .reaction_min_s = 0.31f, .reaction_max_s = 0.32f,
+        .wet = 0.25f,
+        .entry_deg = 31.0f,
+        .glide_deg = 32.0f,
+        .side = SIDE_TAIL,
+        .place = PLACE_CENTRE,
+        .lift = LIFT_FAST,
+        .hunt = HUNT_CHASE,
+        .fish_max = 5,
+        .fish_m = 0.045f,
+        .arm_m_s = 0.61f,
+        .dip_m_s = 0.62f,
+        .glide_m_s = 0.63f,
+        .lift_m_s = 0.64f,
+        .carry_m_s = 0.65f,
+        .drain_s = 0.71f,
+        .patience_s = 0.72f,
+        .aim_m = 0.011f,
+        .tremor_m = 0.002f,
+        .reaction_min_s = 0.31f,
+        .reaction_max_s = 0.32f,
     };
     const struct technique read = technique_of(
         "wet=0.25\nentry_deg=31\nglide_deg=32\nside=tail\nplace=centre\nlift=fast\nhunt=chase\n"

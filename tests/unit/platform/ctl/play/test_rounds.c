@@ -34,8 +34,12 @@ static void tell(void *self, uint32_t index)
 
 static enum exit_code play(uint32_t count, uint32_t workers)
 {
-    const struct rounds rounds = { .plans = plans, .results = results, .count = count,
-                                   .workers = workers, .done = tell, .self = results };
+    const struct rounds rounds = { .plans = plans,
+                                   .results = results,
+                                   .count = count,
+                                   .workers = workers,
+                                   .done = tell,
+                                   .self = results };
     told = 0;
     return rounds_play(&rounds);
 }
@@ -180,8 +184,9 @@ static void test_a_recording_that_cannot_begin_stops_the_others(void **state)
         plans[i] = plan_of(i);
     }
     plans[0].record = "/dev/null/round.kgr";
-    const struct rounds rounds = { .plans = plans, .results = results, .count = COUNT,
-                                   .workers = 1 };
+    const struct rounds rounds = {
+        .plans = plans, .results = results, .count = COUNT, .workers = 1
+    };
     assert_int_equal(rounds_play(&rounds), EXIT_IO);
     assert_int_equal(results[0].code, EXIT_IO);
     assert_int_equal(results[0].error, ENOTDIR);

@@ -146,9 +146,11 @@ static void test_there_is_room_for_four_shades(void **state)
 {
     (void)state;
     assert_int_equal(read_plan("--shade 0,0,5,0,1 --shade 0,0,5,0,1 --shade 0,0,5,0,1 "
-                               "--shade 0,0,5,0,1"), EXIT_OK);
+                               "--shade 0,0,5,0,1"),
+                     EXIT_OK);
     assert_int_equal(read_plan("--shade 0,0,5,0,1 --shade 0,0,5,0,1 --shade 0,0,5,0,1 "
-                               "--shade 0,0,5,0,1 --shade 0,0,5,0,1"), EXIT_USAGE);
+                               "--shade 0,0,5,0,1 --shade 0,0,5,0,1"),
+                     EXIT_USAGE);
 }
 
 int main(void)

@@ -99,7 +99,9 @@ static void test_columns_may_stand_in_any_order_behind_a_byte_order_mark(void **
 {
     (void)state;
     assert_int_equal(read_text("\xEF\xBB\xBF yaw_deg ,t_s,x_cm,y_cm,z_cm,pitch_deg,roll_deg\r\n\r\n"
-                               "30,0,1,2,3,4,5\r\n", read_path), EXIT_OK);
+                               "30,0,1,2,3,4,5\r\n",
+                               read_path),
+                     EXIT_OK);
     const struct poi_target pose = tank_path_at(&path, 0.0);
     assert_true(pose.position_m.x == 0.01f && fabsf(pose.angles.yaw_rad - 30.0f * F_DEG) < 1e-6f);
 }
@@ -126,7 +128,9 @@ static void test_a_bad_path_is_told_by_line_and_column(void **state)
         { "t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,\n", "line 1, column 8: ''" },
         { HEAD "0,0,0,0,0,0,0\n1,0,0,0,0,0,0,9\n", "line 3, column 8: '9' is beyond" },
         { HEAD "0,0,0,0,0,0,0,\n", "line 2, column 8: ''" },
-        { HEAD "\xEF\xBB\xBF" "0,0,0,0,0,0,0\n", "line 2, column 1 (t_s)" },
+        { HEAD "\xEF\xBB\xBF"
+               "0,0,0,0,0,0,0\n",
+          "line 2, column 1 (t_s)" },
     };
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -149,7 +153,8 @@ static void test_placed_fish_stand_where_they_are_wanted(void **state)
     (void)state;
     assert_int_equal(read_text("x_cm,y_cm,z_cm,yaw_deg,length_cm,speed_cm_s,gait,stamina\n"
                                "-20,-10,1,-90,6,5.25,swim,80\n20,-9,-1,90,5,0,rest,30\n",
-                               stage_place), EXIT_OK);
+                               stage_place),
+                     EXIT_OK);
     const struct fish *fish = &tank.fish[0];
     assert_int_equal(tank.fish_count, 2);
     assert_true(fabsf(fish->position_m.x + 0.2f) < 1e-6f && fabsf(fish->length_m - 0.06f) < 1e-6f);
@@ -163,26 +168,28 @@ static void test_placed_fish_stand_where_they_are_wanted(void **state)
 static void test_a_fish_that_has_speed_and_no_gait_swims(void **state)
 {
     (void)state;
-    assert_int_equal(read_text("x_cm,y_cm,z_cm,yaw_deg,speed_cm_s\n0,-5,0,0,4\n10,-5,0,0,0\n",
-                               stage_place), EXIT_OK);
+    assert_int_equal(
+        read_text("x_cm,y_cm,z_cm,yaw_deg,speed_cm_s\n0,-5,0,0,4\n10,-5,0,0,0\n", stage_place),
+        EXIT_OK);
     assert_int_equal(tank.fish[0].gait, GAIT_SWIM);
     assert_int_equal(tank.fish[1].gait, GAIT_REST);
     assert_true(tank.fish[0].length_m == 0.05f);
 }
 
-#define TRACE_HEAD \
-    "tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm," \
+#define TRACE_HEAD                                                                                 \
+    "tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm,"            \
     "speed_cm_s,tail_hz,gait,stamina,avoiding\n"
 
 static void test_a_trace_is_placed_by_its_first_tick(void **state)
 {
     (void)state;
     assert_int_equal(read_text(TRACE_HEAD "12,0,-20,-5,0,-90,0,0,5,2,1,40,9,escape,60,none\n"
-                               "12,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n"
-                               "12,2,0,-9,0,0,0,0,5,2,1,0.5,2,surface,90,yaw\n"
-                               "24,0,-19,3,0,-90,0,0,5,2,1,40,9,held,60,none\n"
-                               "24,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n",
-                               stage_place), EXIT_OK);
+                                          "12,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n"
+                                          "12,2,0,-9,0,0,0,0,5,2,1,0.5,2,surface,90,yaw\n"
+                                          "24,0,-19,3,0,-90,0,0,5,2,1,40,9,held,60,none\n"
+                                          "24,1,20,-0.9,0,0,40,0,5,2,1,0.5,2,surface,10,none\n",
+                               stage_place),
+                     EXIT_OK);
     expect_said("the 3 fish of the first tick, 12, are placed; 2 rows of others are left out");
     const struct fish *fish = tank.fish;
     assert_int_equal(tank.fish_count, 3);
@@ -197,8 +204,9 @@ static void test_a_trace_is_placed_by_its_first_tick(void **state)
 static void test_one_tick_is_placed_without_a_word(void **state)
 {
     (void)state;
-    assert_int_equal(read_text(TRACE_HEAD "12,0,-20,-5,0,-90,0,0,5,2,1,40,9,swim,60,none\n",
-                               stage_place), EXIT_OK);
+    assert_int_equal(
+        read_text(TRACE_HEAD "12,0,-20,-5,0,-90,0,0,5,2,1,40,9,swim,60,none\n", stage_place),
+        EXIT_OK);
     assert_string_equal(said, "");
 }
 
@@ -208,7 +216,9 @@ static void test_a_placed_gulper_gulps_and_dives(void **state)
     uint32_t tick = 0;
     (void)state;
     assert_int_equal(read_text("x_cm,y_cm,z_cm,yaw_deg,pitch_deg,gait,stamina\n"
-                               "0,-1.6,0,0,40,surface,10\n", stage_place), EXIT_OK);
+                               "0,-1.6,0,0,40,surface,10\n",
+                               stage_place),
+                     EXIT_OK);
     assert_int_equal(tank.fish[0].gait, GAIT_SURFACE);
     while (tick < 10u * CORE_TICK_HZ && tank.fish[0].gait == GAIT_SURFACE) {
         tank_tick(&tank, tick++, NULL, 0);

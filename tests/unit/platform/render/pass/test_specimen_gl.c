@@ -33,11 +33,10 @@ static int open_pass(void **state)
     whole = display_transform_identity((float)WIDTH, (float)HEIGHT);
     textures_open(&status, &textures);
     specimen_pass_open(&status, &pass, &textures);
-    gl_target_open(&status, "sheet", &target,
-                   &(struct gl_target_desc){ .internal_format = GL_RGBA8,
-                                             .width = WIDTH,
-                                             .height = HEIGHT,
-                                             .depth = true });
+    gl_target_open(
+        &status, "sheet", &target,
+        &(struct gl_target_desc){
+            .internal_format = GL_RGBA8, .width = WIDTH, .height = HEIGHT, .depth = true });
     assert_string_equal(status.text, "");
     return 0;
 }
@@ -451,14 +450,15 @@ static void test_a_leaf_larva_s_muscles_are_sharp_lines(void **state)
     const float length_px = 2400.0f;
     struct specimen fish = { .species = species_table[3], /* kuroanago */
                              .length_px = length_px,
-                             .x_px = 0.5f * (float)WIDTH, .y_px = 0.5f * (float)HEIGHT };
+                             .x_px = 0.5f * (float)WIDTH,
+                             .y_px = 0.5f * (float)HEIGHT };
     picture(pictures[0], &fish, 0.0f);
     const uint8_t *const row = pictures[0] + HEIGHT / 2u * WIDTH * 4u;
     uint32_t lines = 0;
     for (uint32_t x = 2; x < WIDTH; x++) {
         const int32_t rise = (int32_t)row[x * 4u + 1u] - (int32_t)row[(x - 2u) * 4u + 1u];
-        const int32_t before = (int32_t)row[(x - 1u) * 4u + 1u] -
-                               (int32_t)row[(x > 3u ? x - 3u : 0u) * 4u + 1u];
+        const int32_t before =
+            (int32_t)row[(x - 1u) * 4u + 1u] - (int32_t)row[(x > 3u ? x - 3u : 0u) * 4u + 1u];
         lines += rise > 24 && before <= 24;
     }
     const float expected = (float)WIDTH / length_px * 60.0f / 0.9f;

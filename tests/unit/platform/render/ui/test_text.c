@@ -39,13 +39,14 @@ static void test_malformed_bytes_are_marked_and_skipped_one_by_one(void **state)
         "\xed\xa0\x80",     /* half of a surrogate pair */
         "\xf4\x90\x80\x80", /* beyond the last code point */
         "\xff",
-        "\xe9\x87",         /* cut short by the end */
-        "\xe9\x41",         /* cut short by another letter */
+        "\xe9\x87", /* cut short by the end */
+        "\xe9\x41", /* cut short by another letter */
     };
     for (size_t i = 0; i < sizeof malformed / sizeof *malformed; i++) {
         assert_int_equal(first(malformed[i]), TEXT_MALFORMED);
     }
-    const char *at = "\xe9" "A";
+    const char *at = "\xe9"
+                     "A";
     assert_int_equal(text_next(&at), TEXT_MALFORMED);
     assert_int_equal(text_next(&at), 'A');
 }

@@ -21,9 +21,8 @@ struct size {
 };
 
 static const struct size sizes[] = {
-    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 },  { 1080, 1920 },
-    { 640, 480 },  { 1024, 768 },  { 3440, 1440 }, { 480, 800 },   { 1280, 1280 },
-    { 640, 360 },
+    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 },  { 1080, 1920 }, { 640, 480 },
+    { 1024, 768 }, { 3440, 1440 }, { 480, 800 },   { 1280, 1280 }, { 640, 360 },
 };
 #define SIZE_COUNT (sizeof sizes / sizeof *sizes)
 
@@ -356,10 +355,9 @@ static void test_the_tanks_middle_is_free_while_a_round_is_played(void **state)
             lay_out(sizes[s]);
             for (uint32_t i = 0; i < batch.quad_count; i++) {
                 const struct bounds bounds = bounds_of(i);
-                const int apart = bounds.right < 0.22f * sizes[s].width ||
-                                  bounds.left > 0.78f * sizes[s].width ||
-                                  bounds.bottom < 0.20f * sizes[s].height ||
-                                  bounds.top > 0.84f * sizes[s].height;
+                const int apart =
+                    bounds.right < 0.22f * sizes[s].width || bounds.left > 0.78f * sizes[s].width ||
+                    bounds.bottom < 0.20f * sizes[s].height || bounds.top > 0.84f * sizes[s].height;
                 assert_true(apart);
             }
         }
@@ -494,8 +492,8 @@ static void test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_
         lay_out(sizes[0]);
         scene.tick += 60; /* It is drawn up meanwhile. */
         lay_out(sizes[0]);
-        const uint32_t offered = (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2 & 1u) +
-                                 (modes >> 3);
+        const uint32_t offered =
+            (modes & 1u) + (modes >> 1 & 1u) + (modes >> 2 & 1u) + (modes >> 3);
         assert_int_equal(quads_of(UI_WOOD), offered);
         float first_top = 0.0f, other_top = 1e9f;
         for (uint32_t i = 0; i < batch.quad_count; i++) {
@@ -713,10 +711,15 @@ static void set_name(uint8_t alphabet, uint8_t key, uint8_t letter_count, int up
 {
     scene.player[0].place = 10;
     scene.player[0].period = RANK_EVER;
-    scene.name = (struct scene_name){ .alphabet = alphabet, .key = key, .has_hand = 1,
-                                      .letter_count = letter_count, .x = 60.0f, .y = 60.0f,
+    scene.name = (struct scene_name){ .alphabet = alphabet,
+                                      .key = key,
+                                      .has_hand = 1,
+                                      .letter_count = letter_count,
+                                      .x = 60.0f,
+                                      .y = 60.0f,
                                       .was_refused = letter_count == 3u,
-                                      .upright = (uint8_t)upright, .presses = key % 2u };
+                                      .upright = (uint8_t)upright,
+                                      .presses = key % 2u };
     for (uint32_t i = 0; i < letter_count; i++) {
         scene.name.letter[i] = 0x3091;
     }
@@ -823,10 +826,8 @@ int main(void)
         cmocka_unit_test(test_while_coins_come_back_none_is_asked_for),
         cmocka_unit_test(test_without_a_poi_no_hint_calls_for_a_coin),
         cmocka_unit_test(test_without_a_poi_nobody_is_told_to_dip_one_or_to_move_a_mouse),
-        cmocka_unit_test(
-            test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole),
-        cmocka_unit_test(
-            test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play),
+        cmocka_unit_test(test_a_credit_that_is_paid_in_part_is_seen_beside_those_that_are_whole),
+        cmocka_unit_test(test_each_warning_is_a_line_and_nothing_of_money_is_said_in_free_play),
         cmocka_unit_test(test_the_tanks_middle_is_free_while_a_round_is_played),
         cmocka_unit_test(test_what_a_player_must_read_is_readable_from_two_metres),
         cmocka_unit_test(test_no_hint_means_no_ribbon),
@@ -834,7 +835,7 @@ int main(void)
         cmocka_unit_test(test_no_board_leaves_the_screen),
         cmocka_unit_test(test_writing_a_name_leaves_no_screen),
         cmocka_unit_test(test_whoever_is_ranked_earns_the_seal),
-            cmocka_unit_test(test_the_one_of_several_who_is_ranked_earns_the_seal),
+        cmocka_unit_test(test_the_one_of_several_who_is_ranked_earns_the_seal),
         cmocka_unit_test(
             test_a_tag_hangs_for_each_mode_offered_and_the_one_pointed_at_hangs_higher),
         cmocka_unit_test(test_as_one_tag_rises_the_last_one_sinks),

@@ -25,8 +25,9 @@ static void test_a_full_batch_drops_and_counts_instead_of_overrunning(void **sta
 static void test_text_shrinks_to_its_room_and_aligns(void **state)
 {
     (void)state;
-    const struct ui_text style = { .font = FONT_BODY, .size_px = 40.0f, .align = 0.5f,
-                                   .fill = 0xffffffffu, .fit_px = 100.0f };
+    const struct ui_text style = {
+        .font = FONT_BODY, .size_px = 40.0f, .align = 0.5f, .fill = 0xffffffffu, .fit_px = 100.0f
+    };
     ui_batch_clear(&batch);
     assert_float_equal(ui_text(&batch, &style, 200.0f, 50.0f, "WWWWWWWW"), 100.0f, 0.01f);
     assert_true(ui_text_size(&style, "WWWWWWWW") < 40.0f);
@@ -39,12 +40,15 @@ static void test_a_letter_as_wide_as_it_can_be_takes_nothing_of_the_letter_besid
 {
     (void)state;
     const struct font_glyph *glyph = text_glyph(FONT_BRUSH, '8');
-    const struct ui_text widest = { .font = FONT_BRUSH, .size_px = 300.0f, .fill = 0xffffffffu,
-                                    .line = 0xffffffffu, .outline_em = 1.0f };
+    const struct ui_text widest = { .font = FONT_BRUSH,
+                                    .size_px = 300.0f,
+                                    .fill = 0xffffffffu,
+                                    .line = 0xffffffffu,
+                                    .outline_em = 1.0f };
     ui_batch_clear(&batch);
     ui_text(&batch, &widest, 0.0f, 300.0f, "8");
     assert_int_equal(batch.quad_count, 2); /* The outline, and the letter on it. */
-    for (uint32_t i = 0; i < 4u; i++) { /* A filter reaches half a texel around a point. */
+    for (uint32_t i = 0; i < 4u; i++) {    /* A filter reaches half a texel around a point. */
         const float right = batch.vertices[i].u - (float)glyph->x;
         const float down = batch.vertices[i].v - (float)glyph->y;
         assert_true(right >= 0.5f && right <= (float)glyph->width - 0.5f);

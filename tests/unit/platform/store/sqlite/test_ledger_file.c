@@ -82,9 +82,15 @@ static struct ledger_entry round_entry(uint32_t id, uint8_t mode, uint32_t first
         .mode = mode,
         .grade = 5,
         .players = 1u << 0 | 1u << 2,
-        .player = { [0] = { .caught = first, .scoops = 21, .hole_area_mm2 = 150, .sheets = 1,
+        .player = { [0] = { .caught = first,
+                            .scoops = 21,
+                            .hole_area_mm2 = 150,
+                            .sheets = 1,
                             .fouls = 2 },
-                    [2] = { .caught = third, .scoops = 5, .torn_tick = 1234, .sheets = 3,
+                    [2] = { .caught = third,
+                            .scoops = 5,
+                            .torn_tick = 1234,
+                            .sheets = 3,
                             .fouls = 1 } },
     };
     return entry;
@@ -92,8 +98,11 @@ static struct ledger_entry round_entry(uint32_t id, uint8_t mode, uint32_t first
 
 static struct ledger_entry setting_entry(uint32_t id, uint32_t setting, int32_t value)
 {
-    return (struct ledger_entry){ .id = id, .boot = 1, .kind = LEDGER_SETTING,
-                                  .detail = (uint8_t)setting, .count = setting >> 8,
+    return (struct ledger_entry){ .id = id,
+                                  .boot = 1,
+                                  .kind = LEDGER_SETTING,
+                                  .detail = (uint8_t)setting,
+                                  .count = setting >> 8,
                                   .value = value };
 }
 
@@ -200,8 +209,9 @@ static void test_a_flipped_bit_in_what_entries_add_up_to_is_found(void **state)
         "DELETE FROM settings",
     };
     const struct ledger_entry round = round_entry(2, MODE_FESTIVAL, 11, 6);
-    const struct ledger_entry volume = { .id = 1, .boot = 3, .kind = LEDGER_SETTING,
-                                         .detail = SET_VOLUME, .value = 40 };
+    const struct ledger_entry volume = {
+        .id = 1, .boot = 3, .kind = LEDGER_SETTING, .detail = SET_VOLUME, .value = 40
+    };
     for (size_t i = 0; i < sizeof flips / sizeof flips[0]; i++) {
         open_file();
         write_entry(&volume);
@@ -255,8 +265,9 @@ static void test_a_name_is_kept_with_the_round_and_can_be_taken_back(void **stat
 {
     (void)state;
     const struct ledger_entry round = round_entry(1, MODE_FESTIVAL, 5, 6);
-    struct ledger_entry name = { .id = 2, .boot = 3, .kind = LEDGER_NAME, .detail = 2, .count = 1,
-                                 .name = "らんちゅう" };
+    struct ledger_entry name = {
+        .id = 2, .boot = 3, .kind = LEDGER_NAME, .detail = 2, .count = 1, .name = "らんちゅう"
+    };
     open_file();
     write_entry(&round);
     write_entry(&name);
@@ -268,8 +279,8 @@ static void test_a_name_is_kept_with_the_round_and_can_be_taken_back(void **stat
     reopen();
     assert_string_equal(file.content.memory.ranking.row[MODE_FESTIVAL][RANK_EVER][0].name,
                         "らんちゅう");
-    name = (struct ledger_entry){ .id = 3, .boot = 3, .kind = LEDGER_NAME, .detail = 2,
-                                  .count = 1 };
+    name =
+        (struct ledger_entry){ .id = 3, .boot = 3, .kind = LEDGER_NAME, .detail = 2, .count = 1 };
     write_entry(&name);
     assert_int_equal(ask("SELECT count(*) FROM entries WHERE name <> ''"), 0);
     assert_int_equal(ask("SELECT count(*) FROM round_players WHERE name <> ''"), 0);
@@ -342,8 +353,7 @@ static void test_a_replay_comes_back_byte_for_byte(void **state)
     assert_int_equal(size, sizeof bytes);
     assert_memory_equal(found, bytes, sizeof bytes);
     assert_int_equal(ledger_file_get_replay(&file, 7, found, 1000, &size), SQLITE_TOOBIG);
-    assert_int_equal(ledger_file_get_replay(&file, 8, found, sizeof found, &size),
-                     SQLITE_NOTFOUND);
+    assert_int_equal(ledger_file_get_replay(&file, 8, found, sizeof found, &size), SQLITE_NOTFOUND);
 }
 
 static void test_replays_go_when_their_rounds_fall_out_of_the_ranking(void **state)

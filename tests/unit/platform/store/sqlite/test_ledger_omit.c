@@ -31,8 +31,12 @@ static void fill(void)
 {
     struct ledger_entry round = { .id = 4, .boot = 1, .tick = 99, .kind = LEDGER_ROUND };
     round.balance = (struct balance){ .paid = 3, .units = 1 };
-    round.round = (struct round_record){ .id = 4, .start_tick = 1, .end_tick = 90, .caught = 6,
-                                         .grade = 6, .players = 1,
+    round.round = (struct round_record){ .id = 4,
+                                         .start_tick = 1,
+                                         .end_tick = 90,
+                                         .caught = 6,
+                                         .grade = 6,
+                                         .players = 1,
                                          .player[0] = { .caught = 6, .sheets = 1 } };
     struct ledger_entry name = {
         .id = 5, .boot = 1, .kind = LEDGER_NAME, .count = 4, .balance = round.balance, .name = "AYA"

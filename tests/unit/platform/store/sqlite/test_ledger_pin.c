@@ -23,7 +23,7 @@
 
 /* ---- libc's syncs, of which one fails -------------------------------------------------------- */
 
-static uint32_t syncs;          /* Calls so far. */
+static uint32_t syncs;         /* Calls so far. */
 static uint32_t failing = ~0u; /* The number of the call that fails. */
 
 static int sync_or_fail(void)
@@ -286,8 +286,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_an_old_database_is_migrated_byte_for_byte, setup,
                                         teardown),
-        cmocka_unit_test_setup_teardown(
-            test_a_migration_that_fails_is_finished_at_the_next_start, setup, teardown),
+        cmocka_unit_test_setup_teardown(test_a_migration_that_fails_is_finished_at_the_next_start,
+                                        setup, teardown),
         cmocka_unit_test_setup_teardown(
             test_a_migration_beside_a_reader_is_finished_at_the_next_start, setup, teardown),
         cmocka_unit_test_setup_teardown(

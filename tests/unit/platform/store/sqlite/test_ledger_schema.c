@@ -73,8 +73,8 @@ static void test_the_first_object_that_is_not_ours_is_named(void **state)
         size_t addition;
         const char *type, *name;
         bool is_changed;
-    } cases[] = { { 0, "trigger", "t", false }, { 2, "view", "v", false },
-                  { 3, "index", "i", false },   { 4, "table", "others", false },
+    } cases[] = { { 0, "trigger", "t", false },   { 2, "view", "v", false },
+                  { 3, "index", "i", false },     { 4, "table", "others", false },
                   { 6, "table", "rounds", true }, { 9, "table", "rounds", true } };
     for (int version = 1; version <= LEDGER_FILE_VERSION; version++) {
         for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

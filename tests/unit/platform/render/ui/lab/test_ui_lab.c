@@ -50,8 +50,8 @@ static void check_inside(float width, float height)
     for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
         const struct ui_vertex *v = &batch.vertices[i];
         const int lights = batch.kinds[i / 4u] == UI_GLOW;
-        if (!lights && (v->x < -ROUNDING_PX || v->y < -ROUNDING_PX ||
-                        v->x > width + ROUNDING_PX || v->y > height + ROUNDING_PX)) {
+        if (!lights && (v->x < -ROUNDING_PX || v->y < -ROUNDING_PX || v->x > width + ROUNDING_PX ||
+                        v->y > height + ROUNDING_PX)) {
             fail_msg("%gx%g species %u: quad %u of kind %d is at %.1f, %.1f", (double)width,
                      (double)height, core.game.lab.species, i / 4u, batch.kinds[i / 4u],
                      (double)v->x, (double)v->y);
@@ -119,8 +119,8 @@ static void test_every_knot_is_taken_where_it_is_drawn(void **state)
         const float width = sizes[s][0], height = sizes[s][1];
         lay_out(width, height);
         const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
-        const float unit = core.game.lab.upright ? width / canvas.x
-                                                 : f_min(width / canvas.x, height / canvas.y);
+        const float unit =
+            core.game.lab.upright ? width / canvas.x : f_min(width / canvas.x, height / canvas.y);
         const struct layout_box plot =
             lab_box(core.game.lab.upright, scene.lab.card.key_count, LAB_PLOT);
         for (uint32_t i = 0; i < core.game.lab.edit.graph.knot_count; i++) {
@@ -156,9 +156,8 @@ static void test_the_fish_stays_between_stage_and_ruler(void **state)
         const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
         const struct layout_box stage =
             lab_box(core.game.lab.upright, scene.lab.card.key_count, LAB_STAGE);
-        const float unit = core.game.lab.upright
-                               ? size[0] / canvas.x
-                               : f_min(size[0] / canvas.x, size[1] / canvas.y);
+        const float unit = core.game.lab.upright ? size[0] / canvas.x
+                                                 : f_min(size[0] / canvas.x, size[1] / canvas.y);
         const float left = 0.5f * size[0] + (stage.x - 0.5f * canvas.x) * unit;
         const float top = 0.5f * size[1] + (stage.y - 0.5f * canvas.y) * unit;
         const int beside = core.game.lab.compare && !core.game.lab.upright;
@@ -224,9 +223,8 @@ static uint32_t glyphs_of(uint32_t colour)
     uint32_t count = 0;
     for (uint32_t i = 0; i < batch.quad_count; i++) {
         const uint8_t *fill = batch.vertices[i * 4u].fill;
-        count += batch.kinds[i] == UI_GLYPH &&
-                 ((uint32_t)fill[0] << 24 | (uint32_t)fill[1] << 16 | (uint32_t)fill[2] << 8 |
-                  fill[3]) == colour;
+        count += batch.kinds[i] == UI_GLYPH && ((uint32_t)fill[0] << 24 | (uint32_t)fill[1] << 16 |
+                                                (uint32_t)fill[2] << 8 | fill[3]) == colour;
     }
     return count;
 }

@@ -18,9 +18,11 @@
 
 #define ROUNDING_PX 0.6f
 
-static const struct { float width, height; } sizes[] = {
-    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 }, { 1080, 1920 }, { 1024, 768 },
-    { 640, 360 }, { 480, 800 }, { 3440, 1440 },
+static const struct {
+    float width, height;
+} sizes[] = {
+    { 1280, 720 }, { 1920, 1080 }, { 3840, 2160 }, { 720, 1280 },  { 1080, 1920 },
+    { 1024, 768 }, { 640, 360 },   { 480, 800 },   { 3440, 1440 },
 };
 #define SIZE_COUNT (sizeof sizes / sizeof *sizes)
 
@@ -37,10 +39,17 @@ static void set_page(uint8_t page, uint16_t tags, uint8_t language, int upright)
     scene.phase_s = 3.0f;
     scene.language = language;
     struct scene_menu *menu = &scene.menu;
-    *menu = (struct scene_menu){ .page = page, .tags = tags, .upright = (uint8_t)upright,
-                                 .row = 1, .held = 0x155u, .test_coins = 9999,
-                                 .coin_s = 0.1f, .has_hand = 1, .presses = 1,
-                                 .x = 400.0f, .y = 300.0f };
+    *menu = (struct scene_menu){ .page = page,
+                                 .tags = tags,
+                                 .upright = (uint8_t)upright,
+                                 .row = 1,
+                                 .held = 0x155u,
+                                 .test_coins = 9999,
+                                 .coin_s = 0.1f,
+                                 .has_hand = 1,
+                                 .presses = 1,
+                                 .x = 400.0f,
+                                 .y = 300.0f };
     settings_reset(&menu->settings);
     menu->fish_max = 2048u;
     menu->chosen = 0;
@@ -215,9 +224,9 @@ static void test_the_longest_reason_is_read_whole_however_the_screen_stands(void
     (void)state;
     for (uint32_t size = 0; size < SIZE_COUNT; size++) {
         const int upright = is_upright(size);
-        const float unit = upright ? sizes[size].width / 854.0f
-                                   : fminf(sizes[size].width / 1280.0f,
-                                           sizes[size].height / 720.0f);
+        const float unit = upright
+                               ? sizes[size].width / 854.0f
+                               : fminf(sizes[size].width / 1280.0f, sizes[size].height / 720.0f);
         set_page(MENU_FILES, 1u << FILES_BACK, LANGUAGE_EN, upright);
         memset(&scene.devices, 0, sizeof scene.devices);
         scene.menu.controllers.file_count = 2;
@@ -396,8 +405,7 @@ static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **
         lay_out(size);
         for (uint32_t i = 0; i < batch.quad_count * 4u; i++) {
             const struct ui_vertex *v = &batch.vertices[i];
-            if (batch.kinds[i / 4u] == UI_GLYPH && fabsf(v->y - y) < 20.0f * unit &&
-                v->x > left) {
+            if (batch.kinds[i / 4u] == UI_GLYPH && fabsf(v->y - y) < 20.0f * unit && v->x > left) {
                 fail_msg("language %d on %gx%g: a letter at %.1f of %.1f", scene.language,
                          (double)width, (double)sizes[size].height, (double)v->x, (double)left);
             }
@@ -408,8 +416,10 @@ static void test_the_question_lies_beside_what_hangs_in_a_practice_round(void **
 static void expect_range(uint32_t id, const char *expected)
 {
     char words[TEXT_LINE_MAX];
-    const struct menu_view view = { .frame = { .language = LANGUAGE_EN }, .scene = &scene,
-                                    .menu = &scene.menu, .devices = &scene.devices };
+    const struct menu_view view = { .frame = { .language = LANGUAGE_EN },
+                                    .scene = &scene,
+                                    .menu = &scene.menu,
+                                    .devices = &scene.devices };
     menu_range_words(&view, id, words, sizeof words);
     assert_string_equal(words, expected);
 }
@@ -502,22 +512,27 @@ static void test_ready_for_opening_stays_on_its_page_whatever_it_says(void **sta
           .has_heat = 1, .heat_margin_c = -2147483647, .is_clock_back = 1 },
         { .has_looked = 1, .keeps = KEEPS_NOT }, { .has_looked = 1, .keeps = KEEPS_NOWHERE },
         { .has_looked = 255, .keeps = 255, .watch = 255 },
-    /* clang-format on */
+        /* clang-format on */
     };
     /* clang-format on */
     const uint32_t count = sizeof machines / sizeof machines[0];
     (void)state;
     for (uint32_t k = 0; k < SIZE_COUNT * LANGUAGE_COUNT * count * 4u; k++) {
         const uint32_t size = k % SIZE_COUNT, way = k / (SIZE_COUNT * LANGUAGE_COUNT * count);
-        set_page(MENU_SELF_TEST, (1u << SELF_TAGS) - 1u,
-                 (uint8_t)(k / SIZE_COUNT % LANGUAGE_COUNT), is_upright(size));
+        set_page(MENU_SELF_TEST, (1u << SELF_TAGS) - 1u, (uint8_t)(k / SIZE_COUNT % LANGUAGE_COUNT),
+                 is_upright(size));
         scene.devices.machine = machines[k / (SIZE_COUNT * LANGUAGE_COUNT) % count];
         scene.devices.frames_a_second = way & 1u ? 4294967295u : 0u;
         scene.devices.files_refused = way & 1u;
         scene.menu.self = (struct scene_self_test){
-            .heard = (uint8_t)(way % 3u), .moved = (uint8_t)(way % 3u), .players = 4,
-            .store = (uint8_t)(way % SELF_STATES), .clock = way & 1u ? SELF_GOOD : SELF_LOOK,
-            .seconds_left = way & 2u ? 20u : 0u, .day = 65535u, .minute = 1439u,
+            .heard = (uint8_t)(way % 3u),
+            .moved = (uint8_t)(way % 3u),
+            .players = 4,
+            .store = (uint8_t)(way % SELF_STATES),
+            .clock = way & 1u ? SELF_GOOD : SELF_LOOK,
+            .seconds_left = way & 2u ? 20u : 0u,
+            .day = 65535u,
+            .minute = 1439u,
         };
         lay_out(size);
         expect_inside(size);
