@@ -1,5 +1,5 @@
-/* float_env.c -- the test of the float environment: eight sums of products, read through volatile
- * so that no compiler folds them. */
+/* float_env.c -- checks the float environment by eight sums of products. The operands are volatile,
+ * so that no compiler computes the sums in advance. */
 #include "core/base/float_env.h"
 
 #include <stdint.h>
@@ -8,17 +8,23 @@
 
 #define CASE_COUNT 8u
 
-/* Bit patterns of floats: x * y + z must give `sum`. */
+/* Bit patterns of floats for one test. The float x * y + z must have exactly the bits of `sum`. */
 static const volatile struct {
     uint32_t x, y, z, sum;
 } cases[CASE_COUNT] = {
-    { 0x00000001, 0x4b800000, 0x00000000, 0x01000000 }, /* A denormal operand is not zero. */
-    { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* A denormal result is not zero. */
-    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* The same two cases below zero. */
+    { 0x00000001, 0x4b800000, 0x00000000, 0x01000000 }, /* The smallest denormal number as an
+                                                           operand must not count as 0. */
+    { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* A product that is denormal must not
+                                                           become 0. */
+    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* The two denormal tests with negative
+                                                           numbers. */
     { 0x80800000, 0x3f000000, 0x80000000, 0x80400000 },
-    { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 }, /* 1 + half a unit: the tie goes to even. */
-    { 0x3f800000, 0x3f800000, 0x33c00000, 0x3f800001 }, /* 1 + three quarters of a unit: up. */
-    { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 }, /* The same two below zero. */
+    { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 }, /* 1 plus half a unit in the last place: the
+                                                           tie must round to the even 1. */
+    { 0x3f800000, 0x3f800000, 0x33c00000, 0x3f800001 }, /* 1 plus three quarters of a unit in the
+                                                           last place must round up. */
+    { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 }, /* The two rounding tests with negative
+                                                           numbers. */
     { 0xbf800000, 0x3f800000, 0xb3c00000, 0xbf800001 },
 };
 
@@ -36,7 +42,8 @@ static uint32_t bits_of(float value)
     return bits;
 }
 
-/* Tests four cases at once. */
+/* Returns 1 if the four tests from `first` on give the required bits in a vector of four floats,
+ * otherwise 0. */
 static int quad_is_standard(uint32_t first)
 {
     fquad x, y, z;

@@ -1,14 +1,15 @@
-/* float_env.h -- checks that the calling thread computes floats as the simulation needs.
+/* float_env.h -- checks that the calling thread computes floats as the simulation requires.
  *
  * Equal inputs give equal states only if denormal numbers are kept and results are rounded to the
  * nearest float, ties to even. A library may leave a thread in another mode, such as flush-to-zero.
- * The platform sets the control word (platform/cpu.h); the core only checks the results. */
+ * The platform sets the control word of the processor (platform/cpu.h). The core only checks the
+ * results. */
 #ifndef KINGYO_CORE_BASE_FLOAT_ENV_H
 #define KINGYO_CORE_BASE_FLOAT_ENV_H
 
-/* Computes eight sums of products whose bits depend on the mode, once one by one and once in lanes
- * of four, because 32-bit Arm has a second unit for lanes. Returns 1 if all bits are as IEEE 754
- * requires in its default mode, else 0. */
+/* Computes eight sums of products whose bits depend on the mode of the processor. Each sum is
+ * computed as a scalar and in a vector of four floats, because 32-bit Arm has a separate unit for
+ * vectors. Returns 1 if all bits are as IEEE 754 requires in its default mode, otherwise 0. */
 int float_env_is_standard(void);
 
 #endif

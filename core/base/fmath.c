@@ -1,11 +1,12 @@
-/* fmath.c -- polynomials after range reduction; see fmath.h for the errors that the tests hold. */
+/* fmath.c -- the functions of fmath.h as polynomials after range reduction. fmath.h gives the
+ * largest errors, which the tests check. */
 #include "core/base/fmath.h"
 
 #include <stdint.h>
 
 #include "core/base/mem.h"
 
-#define WHOLE_FROM 8388608.0f /* 2^23: from this value on a float has no fraction. */
+#define WHOLE_FROM 8388608.0f /* 2^23. A float of at least this magnitude has no fractional part. */
 
 static uint32_t bits_of(float x)
 {
@@ -31,19 +32,19 @@ float f_floor(float x)
     if (f_abs(x) >= WHOLE_FROM) {
         return x;
     }
-    const float whole = (float)(int32_t)x; /* Rounds toward zero. */
+    const float whole = (float)(int32_t)x; /* The conversion to an integer rounds toward zero. */
     return whole > x ? whole - 1.0f : whole;
 }
 
 float f_wrap_angle(float x)
 {
-    if (f_abs(x) < 3.0f) { /* A shortcut with the same result. */
+    if (f_abs(x) < 3.0f) { /* A fast path: the formula below would return the same value. */
         return x;
     }
     return x - F_TAU * f_floor((x + F_PI) / F_TAU);
 }
 
-/* Taylor terms to x^9 on [-pi/4, pi/4] leave an error of 2e-8. */
+/* Returns the sine for `x` in [-pi/4, pi/4]. Taylor terms up to x^9 leave an error of 2e-8. */
 static float sin_core(float x)
 {
     const float s = x * x;
@@ -57,7 +58,8 @@ static float cos_core(float x)
     return 1.0f - s * (0.5f - s * (1.0f / 24.0f - s * (1.0f / 720.0f - s * (1.0f / 40320.0f))));
 }
 
-/* pi/2 in two parts keeps the reduction accurate for the angles that a tick produces. */
+/* Returns the sine of x + shift * pi/2. pi/2 is split into two parts, which keeps the range
+ * reduction accurate for |x| < 1000. */
 static float sin_quadrant(float x, int32_t shift)
 {
     const float half_pi_high = 1.5703125f;
@@ -86,7 +88,8 @@ float f_cos(float x)
     return sin_quadrant(x, 1);
 }
 
-/* Odd minimax-like polynomial on [0, tan(pi/8)] after one reduction by pi/4. */
+/* Returns the arctangent for `x` in [0, 1]. One reduction by pi/4 leaves an odd polynomial on [0,
+ * tan(pi/8)]. */
 static float atan_unit(float x)
 {
     const float offset = x > 0.41421356f ? F_PI / 4.0f : 0.0f;
@@ -118,7 +121,8 @@ float f_exp(float x)
 {
     const float c = f_clamp(x, -87.0f, 88.0f);
     const float n = f_floor(c * 1.44269504f + 0.5f);
-    const float r = (c - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 in two parts. */
+    const float r = (c - n * 0.693359375f) + n * 2.12194440e-4f; /* ln 2 is split into two parts to
+                                                                    keep the reduction accurate. */
     const float high = 1.0f / 6.0f + r * (1.0f / 24.0f + r * (1.0f / 120.0f + r * (1.0f / 720.0f)));
     const float p = 1.0f + r * (1.0f + r * (0.5f + r * high));
     return p * float_of((uint32_t)((int32_t)n + 127) << 23);
@@ -133,7 +137,7 @@ float f_log(float x)
         m *= 0.5f;
         exponent++;
     }
-    const float t = (m - 1.0f) / (m + 1.0f); /* ln m = 2 atanh t, |t| < 0.172 */
+    const float t = (m - 1.0f) / (m + 1.0f); /* ln m = 2 atanh t, |t| < 0.172. */
     const float s = t * t;
     const float high = 0.2f + s * (1.0f / 7.0f + s / 9.0f);
     const float p = 2.0f * t * (1.0f + s * (1.0f / 3.0f + s * high));

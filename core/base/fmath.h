@@ -1,16 +1,17 @@
-/* fmath.h -- single-precision mathematics that gives the same bits everywhere.
+/* fmath.h -- single-precision mathematics that gives the same bits on every platform.
  *
- * No libm: each function is a fixed sequence of IEEE additions, multiplications, divisions and
- * square roots, so that gcc, clang, every optimisation level and every CPU agree to the last bit
- * (with -ffp-contract=off). Angles are radians. Non-finite arguments are a caller's bug. */
+ * The functions do not use libm. Each function is a fixed sequence of IEEE additions,
+ * multiplications, divisions and square roots. Therefore gcc, clang, every optimisation level and
+ * every CPU agree to the last bit (with -ffp-contract=off). Angles are in radians. The caller
+ * guarantees finite arguments. */
 #ifndef KINGYO_CORE_BASE_FMATH_H
 #define KINGYO_CORE_BASE_FMATH_H
 
 #define F_PI 3.14159265f
 #define F_TAU 6.28318531f
-#define F_DEG (F_PI / 180.0f) /* Multiply degrees by this to get radians. */
+#define F_DEG (F_PI / 180.0f) /* Factor from degrees to radians. */
 
-/* Correctly rounded: an instruction on every target with an FPU. */
+/* Returns the correctly rounded square root; a single instruction on every target with an FPU. */
 static inline float f_sqrt(float x)
 {
     return __builtin_sqrtf(x);
@@ -41,7 +42,8 @@ static inline float f_lerp(float a, float b, float t)
     return a + (b - a) * t;
 }
 
-/* Returns 0 below `low`, 1 above `high`, and a cubic with flat ends between; low < high. */
+/* Returns 0 if x <= low, 1 if x >= high, and otherwise a cubic that is flat at both ends. The
+ * caller guarantees low < high. */
 static inline float f_smoothstep(float low, float high, float x)
 {
     const float t = f_clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -50,12 +52,14 @@ static inline float f_smoothstep(float low, float high, float x)
 
 float f_floor(float x);
 float f_sin(float x);            /* |error| < 2e-6 for |x| < 1000. */
-float f_cos(float x);            /* Same limits as f_sin(). */
-float f_atan2(float y, float x); /* (-pi, pi], |error| < 3e-6; (0, 0) gives 0. */
+float f_cos(float x);            /* |error| < 2e-6 for |x| < 1000. */
+float f_atan2(float y, float x); /* Returns an angle in (-pi, pi], |error| < 3e-6. Returns 0 for (0,
+                                    0). */
 float f_acos(float x);           /* Clamps x to [-1, 1] first; |error| < 1e-4. */
-float f_exp(float x);            /* Relative error < 3e-6; saturates outside [-87, 88]. */
-float f_log(float x);            /* x > 0, normal; absolute error < 3e-6 for x in [1e-6, 1e6]. */
-float f_wrap_angle(float x);     /* Returns the same direction in [-pi, pi), for |x| < 1000. */
+float f_exp(float x);            /* Relative error < 3e-6. Clamps x to [-87, 88] first. */
+float f_log(float x);            /* Natural logarithm; the caller guarantees a normal x > 0. |error|
+                                    < 3e-6 for x in [1e-6, 1e6]. */
+float f_wrap_angle(float x);     /* Returns the equal direction in [-pi, pi), for |x| < 1000. */
 int f_is_finite(float x);
 
 #endif

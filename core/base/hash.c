@@ -1,4 +1,5 @@
-/* hash.c -- 64-bit FNV-1a. A word costs one multiplication, not one per byte. */
+/* hash.c -- 64-bit FNV-1a. A 32-bit word costs one multiplication, where plain FNV-1a needs one for
+ * each byte. */
 #include "core/base/hash.h"
 
 #include "core/base/mem.h"
@@ -14,7 +15,8 @@ uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
     return hash;
 }
 
-/* The rotation moves high input bits down, which a whole-word FNV step alone would not do. */
+/* Rotates the hash after the multiplication. Without the rotation, the high bits of a word would
+ * never affect the low bits of the hash. */
 uint64_t hash_u32(uint64_t hash, uint32_t value)
 {
     hash = (hash ^ value) * FNV_PRIME;

@@ -1,7 +1,8 @@
 /* hash.h -- hashes that show whether two states or two files are equal.
  *
- * Bytes use plain FNV-1a. Words and floats are folded whole, with a rotation, which is four times
- * as fast. States are hashed field by field, so padding and byte order have no influence. */
+ * Bytes use plain FNV-1a. A 32-bit word or a float is hashed in one step and a rotation, which is
+ * four times as fast as byte by byte. States are hashed field by field, so padding and byte order
+ * have no influence. */
 #ifndef KINGYO_CORE_BASE_HASH_H
 #define KINGYO_CORE_BASE_HASH_H
 
@@ -15,10 +16,12 @@
 uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size);
 uint64_t hash_u32(uint64_t hash, uint32_t value);
 uint64_t hash_u64(uint64_t hash, uint64_t value);
-/* Folds a field that older recordings lack: a value of 0 leaves `hash` unchanged. `tag` must be
- * unique among such fields of a struct. */
+/* Hashes a field that older recordings lack. A `value` of 0 leaves `hash` unchanged, so that older
+ * recordings keep their hash. `tag` identifies the field and must be unique among the fields of a
+ * struct that are hashed by hash_later(). */
 uint64_t hash_later(uint64_t hash, uint32_t tag, uint32_t value);
-uint64_t hash_float(uint64_t hash, float value); /* Hashes the bits: -0 and 0 differ. */
+uint64_t hash_float(uint64_t hash, float value); /* Hashes the bits, so -0 and 0 give different
+                                                    hashes. */
 uint64_t hash_vec3(uint64_t hash, vec3 value);
 uint64_t hash_floats(uint64_t hash, const float *values, size_t count);
 

@@ -1,6 +1,6 @@
-/* mem.h -- the four memory functions that a freestanding compiler may call.
+/* mem.h -- the four memory functions that a compiler may call in a freestanding program.
  *
- * <string.h> is not a freestanding header, so the core declares the functions that it uses. */
+ * <string.h> is not a freestanding header, so this header declares the four functions. */
 #ifndef KINGYO_CORE_BASE_MEM_H
 #define KINGYO_CORE_BASE_MEM_H
 
@@ -11,8 +11,8 @@ void *memmove(void *to, const void *from, size_t size);
 void *memset(void *to, int byte, size_t size);
 int memcmp(const void *left, const void *right, size_t size);
 
-/* Calls memcpy() with a size known at compile time, so that loads and stores replace the call,
- * which a freestanding source's memcpy() would keep. */
+/* Copies `size` bytes, a constant. The compiler replaces the copy by loads and stores. A direct
+ * memcpy() would remain a call, because the core is compiled as freestanding code. */
 #define MEM_COPY(to, from, size) ((void)__builtin_memcpy(to, from, size))
 
 #endif

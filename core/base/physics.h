@@ -1,4 +1,4 @@
-/* physics.h -- physical constants that several modules share. */
+/* physics.h -- physical constants of several modules. */
 #ifndef KINGYO_CORE_BASE_PHYSICS_H
 #define KINGYO_CORE_BASE_PHYSICS_H
 

@@ -1,11 +1,12 @@
-/* printable.c -- decoding of RFC 3629 characters, and which of them may be displayed. */
+/* printable.c -- decodes UTF-8 characters (RFC 3629) and determines which characters may be
+ * displayed. */
 #include "core/base/printable.h"
 
 struct span {
     uint32_t first, last;
 };
 
-/* Rejected code points (printable.h), both ends included. */
+/* Ranges of rejected code points, which printable.h lists. `first` and `last` are rejected too. */
 static const struct span refused[] = {
     { 0x0000, 0x001F }, { 0x007F, 0x009F }, { 0x061C, 0x061C },
     { 0x200E, 0x200F }, { 0x2028, 0x202E }, { 0x2066, 0x2069 },
@@ -13,8 +14,8 @@ static const struct span refused[] = {
 
 #define REFUSED_COUNT (sizeof refused / sizeof refused[0])
 
-/* RFC 3629: no overlong form, no surrogate, nothing above U+10FFFF. The zero byte at the end of the
- * text is not a continuation byte, so no byte behind it is read. */
+/* Rejects overlong forms, surrogates and code points above U+10FFFF, as RFC 3629 requires. The zero
+ * byte at the end of `text` is not a continuation byte, so no byte behind the zero byte is read. */
 uint32_t printable_utf8_size(const char *text)
 {
     const unsigned char *c = (const unsigned char *)text;

@@ -13,21 +13,22 @@
 
 #include <stdint.h>
 
-#define PRINTABLE_MARK '?' /* Replaces a rejected character. */
+#define PRINTABLE_MARK '?' /* Replacement for a rejected character. */
 
 /* Returns the size in bytes of the UTF-8 character at `text`, 1 to 4, or 0 if the bytes are not
- * UTF-8. `text` ends with a zero byte, which has the size 1. */
+ * UTF-8. `text` must end with a zero byte, for which the function returns 1. */
 uint32_t printable_utf8_size(const char *text);
 
-/* Returns the code point of the character at `text`, whose printable_utf8_size() must not be 0. */
+/* Returns the code point of the character at `text`. The caller guarantees that
+ * printable_utf8_size() of `text` is not 0. */
 uint32_t printable_code_point(const char *text);
 
-/* Returns the size in bytes of the character at `text` if it may be displayed, otherwise 0. The
- * zero byte that ends `text` may not be displayed. */
+/* Returns the size in bytes of the character at `text` if the character may be displayed, otherwise
+ * 0. Returns 0 for the zero byte that ends `text`. */
 uint32_t printable_size(const char *text);
 
-/* Replaces each rejected character, and each byte that is not UTF-8, by PRINTABLE_MARK in place.
- * The text never becomes longer. Returns `text`. */
+/* Replaces each rejected character of `text`, and each byte that is not UTF-8, by PRINTABLE_MARK in
+ * place. The text never becomes longer. Returns `text`. */
 char *printable(char *text);
 
 #endif

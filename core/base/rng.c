@@ -1,8 +1,8 @@
-/* rng.c -- a counter-based random generator: hashes four words into one. */
+/* rng.c -- a counter-based random generator: hashes the four words of a key into one number. */
 #include "core/base/rng.h"
 
-/* The finaliser of a 32-bit integer hash with low bias; every input bit affects every output
- * bit. */
+/* Mixes the bits of a 32-bit word, so that every input bit affects every output bit. The function
+ * is the final step of an integer hash with low bias. */
 static uint32_t mix(uint32_t x)
 {
     x ^= x >> 16;
@@ -31,8 +31,8 @@ float rng_range(struct rng_key key, float low, float high)
     return low + (high - low) * rng_unit(key);
 }
 
-/* Returns the sum of twelve uniforms (Irwin-Hall): nearly normal, without logarithms, limited to
- * six standard deviations. */
+/* Returns the sum of twelve uniform numbers minus 6 (Irwin-Hall distribution). The sum is nearly
+ * normal, needs no logarithm and is limited to six standard deviations. */
 float rng_normal(struct rng_key key)
 {
     float sum = -6.0f;

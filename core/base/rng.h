@@ -1,7 +1,8 @@
-/* rng.h -- random numbers by key, without a generator state.
+/* rng.h -- random numbers that are a function of a key; no generator state exists.
  *
- * A value depends only on (seed, tick, who, purpose), never on the number of earlier draws, so the
- * order of work cannot change the game. Each use has its own enum rng_purpose. */
+ * A random number depends only on (seed, tick, who, purpose), never on the number of earlier calls.
+ * Therefore the order of calls cannot change the game. `who` is the index of the fish, player or
+ * other object that uses the number. Each use has its own enum rng_purpose. */
 #ifndef KINGYO_CORE_BASE_RNG_H
 #define KINGYO_CORE_BASE_RNG_H
 
@@ -14,10 +15,11 @@ struct rng_key {
 uint32_t rng_u32(struct rng_key key);
 float rng_unit(struct rng_key key);                         /* Uniform in [0, 1). */
 float rng_range(struct rng_key key, float low, float high); /* Uniform in [low, high). */
-float rng_normal(struct rng_key key);                       /* Mean 0, standard deviation 1,
-                                                               within +-6. */
+float rng_normal(struct rng_key key);                       /* Mean 0, standard deviation 1, always
+                                                               within [-6, 6]. */
 
-/* A single list for the whole core, so that no two uses share a purpose by accident. */
+/* Purpose of a random number. The list covers the whole core, so that no two uses share a purpose
+ * by accident. */
 enum rng_purpose {
     RNG_FISH_PLACE_X = 1,
     RNG_FISH_PLACE_Y,
@@ -32,8 +34,8 @@ enum rng_purpose {
     RNG_FISH_AVOID_SIDE,
     RNG_FISH_ESCAPE,
     RNG_FISH_DEPTH,
-    RNG_SHEET_STRENGTH = 15, /* 14 is unused: each purpose keeps its number, and therefore its
-                                draws. */
+    RNG_SHEET_STRENGTH = 15, /* Value 14 is unused. The purposes behind it keep their values and
+                                therefore their random numbers. */
     RNG_SHEET_SLAP,
     RNG_SHEET_SPOT,
     RNG_BOT_REACTION,
@@ -44,23 +46,23 @@ enum rng_purpose {
     RNG_SOUND,
     RNG_TEST,
     RNG_FISH_START_GAIT,
-    RNG_FISH_START_LEFT, /* Share left of the first gait. */
-    RNG_FISH_SHARP_TURN, /* Turn at the start of a burst. */
+    RNG_FISH_START_LEFT, /* Share of the first gait's duration that is left at the start. */
+    RNG_FISH_SHARP_TURN, /* Sharp turn of a fish at the start of a burst. */
     RNG_ESCAPE_STRAY,
     RNG_ESCAPE_DURATION,
     RNG_ESCAPE_CALM,  /* Duration of swimming after an escape. */
-    RNG_CARRIED_REST, /* Time before the first slap of a newly captured fish. */
+    RNG_CARRIED_REST, /* Time before a newly captured fish slaps the paper for the first time. */
     RNG_BOWL_ROUND,
     RNG_BOWL_POUR,
     RNG_FISH_LENGTH,
-    RNG_FISH_AIR,    /* Whether the fish rises for surface breathing. */
-    RNG_FISH_GULP,   /* Duration of a bout of gulps. */
-    RNG_ESCAPE_TURN, /* Turn in the first stage of a C-start. */
+    RNG_FISH_AIR,    /* Decision whether a fish rises for surface breathing. */
+    RNG_FISH_GULP,   /* Duration of a bout of gulps at the surface. */
+    RNG_ESCAPE_TURN, /* Turn of a fish in the first stage of a C-start (escape.h). */
     RNG_STARTLE_LATENCY,
-    RNG_WATER_BUBBLE, /* Position where a bubble of the pump bursts. */
-    RNG_FISH_KICK,    /* Turn at a kick of the tail. */
-    RNG_CONTACT_LOT,  /* Which contacts a full list keeps. */
-    RNG_TANK_SEED,    /* Seed of a tank that a mode opens. */
+    RNG_WATER_BUBBLE, /* Position where a bubble of the air pump bursts. */
+    RNG_FISH_KICK,    /* Turn of a fish at a kick of its tail. */
+    RNG_CONTACT_LOT,  /* Selection of the contacts that a full list keeps. */
+    RNG_TANK_SEED,    /* Seed of a tank that a game mode opens. */
     RNG_SESSION,      /* Seed of the next session. */
     RNG_PIN,          /* Salt of a new PIN. */
 };

@@ -1,4 +1,4 @@
-/* sha256.c -- one block of FIPS 180-4, section 6.2. */
+/* sha256.c -- SHA-256 of one block as FIPS 180-4, section 6.2, defines it. */
 #include "core/base/sha256.h"
 
 #include "core/base/panic.h"
@@ -22,7 +22,7 @@ static uint32_t rotate_right(uint32_t word, uint32_t bits)
     return word >> bits | word << (32u - bits);
 }
 
-/* Writes the padded message as words, followed by the words of the message schedule. */
+/* Pads the message to one block and writes the 64 words of the message schedule to `w`. */
 static void make_schedule(const uint8_t *message, size_t size, uint32_t w[ROUNDS])
 {
     uint8_t block[BLOCK_SIZE] = { 0 };

@@ -5,11 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SHA256_MESSAGE_MAX 55u /* Bytes that fit into one block beside the padding. */
+#define SHA256_MESSAGE_MAX                                                                         \
+    55u /* Largest message in bytes; a block has 64 bytes, of which the padding takes 9. */
 #define SHA256_WORDS 8u
 
-/* Writes the digest of `size` bytes, at most SHA256_MESSAGE_MAX (else it asserts), as big-endian
- * words: the first word holds the first four bytes of the digest. */
+/* Writes the SHA-256 digest of `size` bytes at `message` as big-endian words: the first word holds
+ * the first four bytes of the digest. Asserts that `size` is at most SHA256_MESSAGE_MAX. */
 void sha256_short(const uint8_t *message, size_t size, uint32_t digest[SHA256_WORDS]);
 
 #endif

@@ -1,14 +1,15 @@
-/* simd.h -- SIMD form of fmath.h: several floats at once, each bit-equal to the scalar result.
+/* simd.h -- SIMD form of fmath.h: computes several floats at once, each with the bits of the scalar
+ * result.
  *
- * A kernel is a source named *_lanes.c that uses these functions. Each kernel is compiled once for
- * four lanes (SSE2, NEON, or scalars if the target has neither). On x86-64 each is compiled once
- * more for eight lanes (-mavx2 -DSIMD_WIDE). SIMD_NAME() gives the two builds different names,
- * and SIMD_PICK() calls the one that the platform detected. The state never depends on the choice:
- * a lane's value equals that of the scalar function to the last bit, so four lanes, eight and none
- * play the same game.
+ * A SIMD kernel is a source file named *_simd.c that uses these functions. A lane is one element of
+ * a vector. Each kernel is compiled for four lanes (SSE2, NEON, or scalar code if the target has
+ * neither). On x86-64 each kernel is also compiled for eight lanes (-mavx2 -DSIMD_WIDE).
+ * SIMD_NAME() gives the two builds of a function different names, and SIMD_PICK() calls the build
+ * that the platform selected. The game state never depends on the number of lanes: each lane's
+ * value equals the result of the scalar function to the last bit.
  *
- * The vectors are compiler extensions (gcc from 12, clang), so a kernel is plain C on every
- * target. */
+ * The vectors are extensions of the compilers (gcc from version 12, clang), so a kernel is plain C
+ * on every target. */
 #ifndef KINGYO_CORE_BASE_SIMD_H
 #define KINGYO_CORE_BASE_SIMD_H
 
@@ -26,12 +27,13 @@
 #define SIMD_NAME(name) name##_4
 #endif
 
-/* Kernels declared between SIMD_BEGIN and SIMD_END have hidden visibility, so that a pointer to
- * one needs no table of the dynamic linker. */
+/* Kernels declared between SIMD_BEGIN and SIMD_END have hidden visibility, so that a pointer to a
+ * kernel needs no entry in a table of the dynamic linker. */
 #define SIMD_BEGIN _Pragma("GCC visibility push(hidden)")
 #define SIMD_END _Pragma("GCC visibility pop")
 
-/* Calls the kernel for a lane count of 0, 4 or 8: SIMD_PICK(lanes, swim_move)(fish, count). */
+/* Names the build of a kernel for `lanes`, which is 0, 4 or 8. 0 means 4. Example: SIMD_PICK(lanes,
+ * swim_move_block)(shoal, first). */
 #ifdef __x86_64__
 #define SIMD_LANES_MAX 8u
 #define SIMD_PICK(lanes, name) ((lanes) == 8u ? name##_8 : name##_4)
@@ -40,7 +42,8 @@
 #define SIMD_PICK(lanes, name) ((void)(lanes), name##_4)
 #endif
 
-/* Returns 1 if kernels with this number of lanes were built; 0 stands for 4. */
+/* Returns 1 if kernels with this number of lanes were built, otherwise 0. A `lanes` of 0 means
+ * 4. */
 static inline int simd_is_built(uint32_t lanes)
 {
     return lanes == 0u || lanes == 4u || lanes == SIMD_LANES_MAX;
@@ -48,12 +51,14 @@ static inline int simd_is_built(uint32_t lanes)
 
 typedef float flanes __attribute__((vector_size(4 * SIMD_LANES)));
 typedef int32_t ilanes
-    __attribute__((vector_size(4 * SIMD_LANES))); /* A mask is 0 or -1 per lane. */
+    __attribute__((vector_size(4 * SIMD_LANES))); /* Integer vector or mask. A mask holds -1 in a
+                                                     lane where the condition is true, otherwise
+                                                     0. */
 typedef float fquad __attribute__((vector_size(16)));
 
 static inline flanes simd_splat(float x)
 {
-    return x - (flanes){ 0 }; /* x + 0 would lose the sign of -0. */
+    return x - (flanes){ 0 }; /* Subtracts 0, because x + 0 would change -0 to 0. */
 }
 
 static inline flanes simd_load(const float *from)
@@ -68,7 +73,7 @@ static inline void simd_store(float *to, flanes a)
     MEM_COPY(to, &a, sizeof a);
 }
 
-/* Loads four floats from `low`; with eight lanes also four from `high`. */
+/* Loads four floats from `low`. With eight lanes, the upper four lanes are loaded from `high`. */
 static inline flanes simd_load_pair(const void *low, const void *high)
 {
     fquad first;
@@ -83,7 +88,8 @@ static inline flanes simd_load_pair(const void *low, const void *high)
 #endif
 }
 
-/* Loads one row of a record; with eight lanes also that of the record four places later. */
+/* Loads four floats of the record at `first`. With eight lanes, the upper four lanes come from the
+ * record four records later. `stride` is the size of a record in bytes. */
 static inline flanes simd_load_row(const void *first, size_t stride)
 {
     return simd_load_pair(first, (const char *)first + (SIMD_LANES - 4u) * stride);
@@ -102,7 +108,8 @@ static inline void simd_store_row(void *first, size_t stride, flanes row)
 #endif
 }
 
-/* Interleaves the first two members (LOW) or the last two (HIGH) of two rows within each quad. */
+/* LOW interleaves the first two elements of `a` and `b` within each group of four lanes; HIGH
+ * interleaves the last two. */
 #ifdef SIMD_WIDE
 #define LOW(a, b) __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15)
@@ -111,7 +118,8 @@ static inline void simd_store_row(void *first, size_t stride, flanes row)
 #define HIGH(a, b) __builtin_shufflevector(a, b, 2, 6, 3, 7)
 #endif
 
-/* Transposes rows of four into columns (column[m] holds member m of all), or columns into rows. */
+/* Transposes four rows into four columns: column[m] holds element m of every row. Applied to
+ * columns, the function returns rows. */
 static inline void simd_turn(flanes column[4], flanes row0, flanes row1, flanes row2, flanes row3)
 {
     const flanes a = LOW(row0, row2), b = LOW(row1, row3);
@@ -124,7 +132,8 @@ static inline void simd_turn(flanes column[4], flanes row0, flanes row1, flanes 
 #undef LOW
 #undef HIGH
 
-/* Loads four consecutive members of each of LANES records, `stride` bytes apart, as columns. */
+/* Loads four consecutive floats of each of SIMD_LANES records. column[m] holds float m of all
+ * records. Records are `stride` bytes apart; `first` points at the floats of the first record. */
 static inline void simd_load_quads(flanes column[4], const void *first, size_t stride)
 {
     const char *from = first;
@@ -132,7 +141,7 @@ static inline void simd_load_quads(flanes column[4], const void *first, size_t s
               simd_load_row(from + 2u * stride, stride), simd_load_row(from + 3u * stride, stride));
 }
 
-/* Stores columns into the records; the inverse of simd_load_quads(). */
+/* Stores four floats to each of SIMD_LANES records; the inverse of simd_load_quads(). */
 static inline void simd_store_quads(void *first, size_t stride, const flanes column[4])
 {
     char *to = first;
@@ -144,7 +153,8 @@ static inline void simd_store_quads(void *first, size_t stride, const flanes col
     simd_store_row(to + 3u * stride, stride, row[3]);
 }
 
-/* Returns `a` where the mask is set, otherwise `b`; the bits of a lane pass unchanged. */
+/* Returns `a` in lanes where `mask` is -1, otherwise `b`. The bits of a lane are copied
+ * unchanged. */
 static inline flanes simd_select(ilanes mask, flanes a, flanes b)
 {
     return (flanes)((mask & (ilanes)a) | (~mask & (ilanes)b));
@@ -155,8 +165,9 @@ static inline flanes simd_abs(flanes a)
     return (flanes)((ilanes)a & 0x7fffffff);
 }
 
-/* Same results as f_min() and f_max(): the second operand if both are equal or do not compare. The
- * instructions behave this way, but gcc does not generate them from the plain form (clang does). */
+/* Minimum and maximum with the results of f_min() and f_max(): the second operand is returned if
+ * the operands are equal or one is NaN. The x86 instructions behave this way. gcc does not generate
+ * the instructions from the plain form, but clang does. */
 #if defined(__SSE2__) && defined(SIMD_WIDE) && !defined(__clang__)
 #define SIMD_MIN_OP(a, b) __builtin_ia32_minps256(a, b)
 #define SIMD_MAX_OP(a, b) __builtin_ia32_maxps256(a, b)
@@ -192,7 +203,8 @@ static inline flanes simd_lerp(flanes a, flanes b, flanes t)
 
 static inline flanes simd_sqrt(flanes a)
 {
-    for (int lane = 0; lane < SIMD_LANES; lane++) { /* A single instruction when optimised. */
+    for (int lane = 0; lane < SIMD_LANES; lane++) { /* The compiler turns the loop into a single
+                                                       instruction. */
         a[lane] = f_sqrt(a[lane]);
     }
     return a;
@@ -200,8 +212,8 @@ static inline flanes simd_sqrt(flanes a)
 
 static inline flanes simd_floor(flanes x)
 {
-    const ilanes small = simd_abs(x) < 8388608.0f; /* 2^23: from this value on a float has no
-                                                      fraction. */
+    const ilanes small = simd_abs(x) < 8388608.0f; /* 2^23. A float of at least this magnitude has
+                                                      no fractional part. */
     const ilanes toward_zero = __builtin_convertvector((flanes)(small & (ilanes)x), ilanes);
     const flanes whole = __builtin_convertvector(toward_zero, flanes);
     return simd_select(small, simd_select(whole > x, whole - 1.0f, whole), x);
@@ -212,7 +224,7 @@ static inline flanes simd_wrap_angle(flanes x)
     return x - F_TAU * simd_floor((x + F_PI) / F_TAU);
 }
 
-/* Returns one bit per lane of a mask, lane 0 lowest. */
+/* Returns one bit for each lane of `mask`; bit 0 belongs to lane 0. */
 static inline uint32_t simd_bits(ilanes mask)
 {
 #if defined(__AVX2__) && defined(SIMD_WIDE)
@@ -232,7 +244,7 @@ struct simd_sin_cos {
     flanes sin, cos;
 };
 
-/* Returns f_sin() and f_cos() of the same angle with one shared range reduction. */
+/* Returns f_sin() and f_cos() of each lane, with one range reduction for both functions. */
 static inline struct simd_sin_cos simd_sin_cos(flanes x)
 {
     const float half_pi_high = 1.5703125f, half_pi_low = 4.83826794897e-4f;
@@ -245,7 +257,7 @@ static inline struct simd_sin_cos simd_sin_cos(flanes x)
         1.0f - s * (0.5f - s * (1.0f / 24.0f - s * (1.0f / 720.0f - s * (1.0f / 40320.0f))));
     const ilanes quadrant = __builtin_convertvector(turns, ilanes);
     const ilanes odd = (quadrant & 1) != 0;
-    /* Bit 1 of the quadrant, moved up to the sign. */
+    /* Bit 1 of the quadrant is the sign and is moved to the float's sign bit. */
     const ilanes sine_sign = (quadrant & 2) << 30, cosine_sign = ((quadrant + 1) & 2) << 30;
     return (struct simd_sin_cos){
         .sin = (flanes)((ilanes)simd_select(odd, cosine, sine) ^ sine_sign),

@@ -1,4 +1,5 @@
-/* simd_vec.h -- SIMD form of vec.h: LANES vectors at once, each bit-equal to the scalar form. */
+/* simd_vec.h -- SIMD form of vec.h: computes SIMD_LANES vectors at once, each with the bits of the
+ * scalar result. */
 #ifndef KINGYO_CORE_BASE_SIMD_VEC_H
 #define KINGYO_CORE_BASE_SIMD_VEC_H
 
@@ -48,7 +49,7 @@ static inline flanes simd_v3_length(struct simd_v3 a)
     return simd_sqrt(simd_v3_dot(a, a));
 }
 
-/* SIMD form of v3_limit(). */
+/* Returns v3_limit() of each lane. */
 static inline struct simd_v3 simd_v3_limit(struct simd_v3 a, flanes length_max)
 {
     const flanes length = simd_v3_length(a);
@@ -58,7 +59,7 @@ static inline struct simd_v3 simd_v3_limit(struct simd_v3 a, flanes length_max)
                    simd_select(longer, a.z * s, a.z));
 }
 
-/* SIMD form of vec_basis_from_angles(), from the sines and cosines of the angles. */
+/* Returns vec_basis_from_angles() of each lane, given the sines and cosines of the angles. */
 static inline struct simd_basis simd_basis(struct simd_sin_cos yaw, struct simd_sin_cos pitch,
                                            struct simd_sin_cos roll)
 {

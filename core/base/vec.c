@@ -1,4 +1,4 @@
-/* vec.c -- conversion of angles into axes. */
+/* vec.c -- conversion of yaw, pitch and roll into axes, and of vectors between body and world. */
 #include "core/base/vec.h"
 
 struct basis vec_basis_from_angles(struct angles angles)
@@ -6,8 +6,8 @@ struct basis vec_basis_from_angles(struct angles angles)
     const float cy = f_cos(angles.yaw_rad), sy = f_sin(angles.yaw_rad);
     const float cp = f_cos(angles.pitch_rad), sp = f_sin(angles.pitch_rad);
     const float cr = f_cos(angles.roll_rad), sr = f_sin(angles.roll_rad);
-    const vec3 right = v3(cy, 0.0f, -sy);        /* After yaw alone. */
-    const vec3 back = v3(sy * cp, -sp, cy * cp); /* After yaw and pitch. */
+    const vec3 right = v3(cy, 0.0f, -sy);        /* +x axis of the body after the yaw alone. */
+    const vec3 back = v3(sy * cp, -sp, cy * cp); /* +z axis of the body after yaw and pitch. */
     const vec3 up = v3_cross(back, right);
     return (struct basis){
         .right = v3_muladd(v3_scale(right, cr), up, -sr),

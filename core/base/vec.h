@@ -1,9 +1,10 @@
-/* vec.h -- vectors and orientations of the world.
+/* vec.h -- vectors and orientations in the world.
  *
- * World: right-handed, origin at the centre of the still water surface, +x to the player's right,
- * +y up, +z toward the player. A body (fish or poi) faces along its own -z, with +x to its right
- * and +y up. An orientation is a yaw about +y (0 faces -z, positive turns left), then a pitch
- * (positive lifts the nose), then a roll (positive lowers the right side). */
+ * The world is right-handed. The origin is the centre of the still water surface, +x points to the
+ * player's right, +y up and +z toward the player. A body (a fish or a poi, the paper scoop) faces
+ * along its own -z, with +x to its right and +y up. An orientation is a yaw about +y (0 faces -z,
+ * positive turns left), followed by a pitch (positive lifts the front) and a roll (positive lowers
+ * the right side). */
 #ifndef KINGYO_CORE_BASE_VEC_H
 #define KINGYO_CORE_BASE_VEC_H
 
@@ -17,7 +18,7 @@ struct angles {
     float yaw_rad, pitch_rad, roll_rad;
 };
 
-/* Orthonormal axes of a body in the world; `back` is the body's +z, so the body faces along
+/* Orthonormal axes of a body in world coordinates. `back` is the body's +z, so the body faces along
  * -back. */
 struct basis {
     vec3 right, up, back;
@@ -64,8 +65,8 @@ static inline float v3_length(vec3 a)
     return f_sqrt(v3_dot(a, a));
 }
 
-/* Returns the distance of `p` from the infinite line through `from` and `to`. If these are nearer
- * to each other than 1e-6, returns the distance from `from`. */
+/* Returns the distance of `p` from the infinite line through `from` and `to`. Returns the distance
+ * from `from` if `from` and `to` are less than 1e-6 apart. */
 static inline float v3_from_line(vec3 p, vec3 from, vec3 to)
 {
     const vec3 along = v3_sub(to, from), there = v3_sub(p, from);
@@ -74,8 +75,8 @@ static inline float v3_from_line(vec3 p, vec3 from, vec3 to)
                                      : v3_muladd(there, along, -v3_dot(there, along) / square));
 }
 
-/* Returns the unit vector along `a`, or `otherwise` if `a` is shorter than 1 nm and has no
- * direction. */
+/* Returns the unit vector along `a`. Returns `otherwise` if `a` is not longer than 1e-9, because
+ * the direction is then undefined. */
 static inline vec3 v3_normalize_or(vec3 a, vec3 otherwise)
 {
     const float length = v3_length(a);
@@ -87,7 +88,7 @@ static inline vec3 v3_lerp(vec3 a, vec3 b, float t)
     return v3_muladd(a, v3_sub(b, a), t);
 }
 
-/* Returns `a` shortened to at most `length_max` >= 0; the direction is kept. */
+/* Returns `a`, shortened to `length_max` >= 0 if `a` is longer. The direction is kept. */
 static inline vec3 v3_limit(vec3 a, float length_max)
 {
     const float length = v3_length(a);
@@ -101,7 +102,8 @@ static inline int v3_is_finite(vec3 a)
 
 struct basis vec_basis_from_angles(struct angles angles);
 
-/* Convert a vector from body to world coordinates, and from world to body coordinates. */
+/* Convert a vector: vec_basis_to_world() from body to world coordinates, vec_basis_to_body() from
+ * world to body coordinates. */
 vec3 vec_basis_to_world(const struct basis *basis, vec3 body);
 vec3 vec_basis_to_body(const struct basis *basis, vec3 world);
 
