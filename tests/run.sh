@@ -16,9 +16,10 @@ run_one() { # RESULTS PROGRAM
     timeout --kill-after=5 "$limit_s" "$2" >"$log" 2>&1 </dev/null
     status=$?
     seconds=$(awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')
-    skipped=$(grep -ciE '^\s*ok\b.*# skip' "$log")
-    passed=$(($(grep -cE '^\s*ok\b' "$log") - skipped))
-    failed=$(grep -cE '^\s*not ok\b' "$log")
+    # cmocka reports a skipped test as `not ok 1 # SKIP name`, other programs as `ok 1 - name # SKIP why`.
+    skipped=$(grep -ciE '^\s*(not )?ok\b.*# skip' "$log")
+    passed=$(grep -E '^\s*ok\b' "$log" | grep -civE '# skip')
+    failed=$(grep -E '^\s*not ok\b' "$log" | grep -civE '# skip')
     planned=$(sed -nE 's/^1\.\.([0-9]+).*/\1/p' "$log" | awk '{ sum += $1 } END { print sum + 0 }')
     if [ "$failed" -eq 0 ] &&
         { [ $status -ne 0 ] || [ "$planned" -eq 0 ] || [ $((passed + skipped)) -ne "$planned" ]; }; then
@@ -27,7 +28,7 @@ run_one() { # RESULTS PROGRAM
     echo "$passed $failed $skipped" >"$1/$name.count"
     if [ "$failed" -eq 0 ]; then
         printf '  ok    %-28s %4d passed  %6s s\n' "$name" "$passed" "$seconds"
-        grep -iE '^\s*ok\b.*# skip' "$log" | sed 's/^\s*ok[ 0-9]*-*/        skipped:/'
+        grep -iE '^\s*(not )?ok\b.*# skip' "$log" | sed -E 's/^\s*(not )?ok[ 0-9]*-*/        skipped:/'
         sed -n 's/^# figure: /        /p' "$log" # What a test counted, for its readers.
     else
         printf '  FAIL  %-28s %4d passed, %d failed  %6s s\n' "$name" "$passed" "$failed" "$seconds"

@@ -24,6 +24,7 @@ judged() { # VERDICT TITLE LINES...
 judged '2 passed, 0 failed' 'a whole plan counts' 'echo "ok 1 - a"' 'echo "ok 2 - b"' 'echo "1..2"'
 judged '1 passed, 1 failed' 'a failed test counts' 'echo "ok 1 - a"' 'echo "not ok 2 - b"' 'echo "1..2"' 'exit 1'
 judged '1 passed, 0 failed' 'a skipped one is none' 'echo "1..2"' 'echo "ok 1 - a"' 'echo "ok 2 - b # SKIP no screen"'
+judged '1 passed, 0 failed' 'a test that cmocka skips does not fail' 'echo "1..2"' 'echo "ok 1 - a"' 'echo "not ok 2 # SKIP b"'
 judged '1 passed, 1 failed' 'one that ends in peace before its plan' 'echo "1..2"' 'echo "ok 1 - a"' 'exit 0'
 judged '1 passed, 1 failed' 'one that never says its plan' 'echo "ok 1 - a"' 'exit 0'
 judged '1 passed, 1 failed' 'one that crashes after its last test' 'echo "ok 1 - a"' 'echo "1..1"' 'kill -SEGV $$'

@@ -35,7 +35,7 @@ fi
 
 unmount() {
     local part
-    for part in dev/shm dev proc; do
+    for part in dev/shm dev/pts dev proc; do
         mountpoint -q "$top/$1/$part" && umount "$top/$1/$part"
     done
 }
@@ -87,7 +87,8 @@ make_root() { # RELEASE
     cp /etc/resolv.conf "$root/etc/" 2>/dev/null
     mkdir -p "$root/kingyo" "$root/proc" "$root/dev"
     git ls-files -co --exclude-standard -z | tar cf - --null -T - | tar xf - -C "$root/kingyo"
-    mount --bind /dev "$root/dev" && mount -t proc proc "$root/proc"
+    mount --bind /dev "$root/dev" && mount -t proc proc "$root/proc" &&
+        mount --bind /dev/pts "$root/dev/pts"
 }
 
 inside() { # RELEASE COMMAND...
