@@ -1,4 +1,4 @@
-/* buttons_mux.c -- polls every part and merges the samples. */
+/* buttons_mux.c -- implements the merged button device: polls every part and merges the samples. */
 #include "drivers/buttons_mux.h"
 
 #include <stdio.h>
@@ -34,7 +34,8 @@ static void buttons_mux_merge(struct button_sample *sum, const struct button_sam
     sum->full_screen |= part->full_screen;
 }
 
-/* Returns HAL_OK if any part exists. A part that fails still contributes its sample. */
+/* Polls all parts. Returns HAL_OK if at least one part is present, otherwise HAL_ERR_ABSENT. The
+ * sample of a part whose poll fails is merged too. */
 static int join_poll(void *self, struct button_sample *out)
 {
     const struct buttons_mux *join = self;
@@ -50,8 +51,8 @@ static int join_poll(void *self, struct button_sample *out)
     return result;
 }
 
-/* Joins the descriptions. Equal lines in a row, such as those of four controllers, are written
- * once. */
+/* Joins the descriptions of the parts with "; ". If consecutive parts have equal descriptions, as
+ * four controllers may have, the description is written once. */
 static const char *join_describe(void *self)
 {
     struct buttons_mux *join = self;

@@ -1,21 +1,26 @@
-/* buttons_mux.h -- merges several button devices into one: keyboard, GPIO lines, controllers.
+/* buttons_mux.h -- merges several button devices (keyboard, GPIO lines, controllers) into one
+ * device.
  *
- * A button is held while any part holds it. Edges, coins and faults of all parts are added. */
+ * A button is held while at least one part holds it. Edges, coins and faults of all parts are
+ * added. */
 #ifndef KINGYO_DRIVERS_BUTTONS_MUX_H
 #define KINGYO_DRIVERS_BUTTONS_MUX_H
 
 #include "platform/hal.h"
 
-#define BUTTONS_MUX_MAX 12u /* Keyboard, cabinet lines, and one part for each controller. */
+#define BUTTONS_MUX_MAX                                                                            \
+    12u /* Largest number of parts: the keyboard, the cabinet's lines, and one part for each
+           controller. */
 
 struct buttons_mux {
     struct hal_buttons part[BUTTONS_MUX_MAX];
     uint32_t part_count;
-    char text[3u * HAL_TEXT_SIZE]; /* Descriptions of the parts, truncated to fit. */
+    char text[3u * HAL_TEXT_SIZE]; /* Joined descriptions of all parts, truncated to the size of the
+                                      buffer. */
 };
 
-/* Adds a part, which is polled in this order. Returns 0, or -1 if there are BUTTONS_MUX_MAX
- * parts already; the part is then ignored. */
+/* Adds a part. Parts are polled in the order in which they were added. Returns 0, or -1 if there
+ * are BUTTONS_MUX_MAX parts already; the new part is then ignored. */
 int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part);
 
 struct hal_buttons buttons_mux_device(struct buttons_mux *join);

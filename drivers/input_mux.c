@@ -1,12 +1,13 @@
-/* input_mux.c -- assigns sources to slots and forwards the calls of each slot to its source. */
+/* input_mux.c -- implements the input multiplexer: assigns sources to slots and forwards the calls
+ * of each slot to its source. */
 #include "drivers/input_mux.h"
 
 #include "core/base/panic.h"
 
 /* ---- Assignment ----------------------------------------------------------------------------- */
 
-/* Selects at most one available source for each slot, best kinds first, one bit each. Within a
- * kind, sources that have a slot come first. */
+/* Selects at most POI_MAX available sources, best kinds first. Within a kind, sources that already
+ * have a slot are selected first. Returns one bit for each selected source. */
 static uint32_t invited(const uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count,
                         uint32_t there)
 {
@@ -30,7 +31,7 @@ static uint32_t invited(const uint8_t seat[POI_MAX], const uint8_t *kind, uint32
     return guests;
 }
 
-/* Returns the best kind among the selected sources that are not assigned yet. */
+/* Returns the best kind among the selected sources that are not assigned to a slot yet. */
 static uint8_t best_kind(const uint8_t *kind, uint32_t count, uint32_t guests)
 {
     uint8_t best = INPUT_KIND_POINTER;
@@ -50,8 +51,8 @@ static uint8_t first_of(const uint8_t *kind, uint32_t count, uint32_t guests, ui
     return SLOT_NONE;
 }
 
-/* Assigns a kind to each slot first, then a source. A source whose slot has the right kind
- * stays. */
+/* Assigns a kind to each slot first, and then a source of that kind. A source stays in its slot if
+ * the slot keeps the kind. */
 void input_mux_assign(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count, uint32_t there)
 {
     const uint32_t guests = invited(seat, kind, count, there);
@@ -100,7 +101,7 @@ static const struct input_source *source_of(const struct seat *seat)
     return seat->source == SLOT_NONE ? NULL : &seat->mux->source[seat->source];
 }
 
-/* Stops the motors of a source that loses its slot. */
+/* Stops the motors of a source that loses its slot. `source` may be null. */
 static void stand_up(const struct input_source *source)
 {
     static const struct poi_force nothing = { 0 };
@@ -122,7 +123,8 @@ static uint32_t who_is_there(const struct input_mux *mux, uint8_t kind[INPUT_SOU
     return there ? there : stand_ins;
 }
 
-/* Returns the slots whose missing source is available again, also during a game. */
+/* Returns one bit for each slot whose source was missing and is available again. The function is
+ * called during games too. */
 static uint32_t who_came_back(const struct input_mux *mux, uint32_t there)
 {
     uint32_t back = 0;
@@ -164,8 +166,8 @@ static uint32_t who_sits(const struct input_mux *mux)
     return attachment;
 }
 
-/* During a game, replaces a missing source by a free source of the same kind, which can be the
- * same controller plugged in elsewhere. */
+/* Used during a game: replaces each missing source by a free source of the same kind. The free
+ * source can be the same controller in a different USB port. */
 static uint32_t take_up_others(struct input_mux *mux, const uint8_t kind[INPUT_SOURCE_MAX],
                                uint32_t there)
 {
@@ -197,8 +199,8 @@ static void listen(struct input_mux *mux, uint32_t index)
     }
 }
 
-/* Polls the sources without a slot. A stand-in is polled even if it is not available, because
- * its motion shows that a person uses it. */
+/* Polls the sources that have no slot. A stand-in is polled even while is_there() returns 0,
+ * because its motion is what shows that a person uses it. */
 static void listen_to_idle(struct input_mux *mux, uint32_t there)
 {
     uint32_t heard = there;

@@ -1,74 +1,85 @@
 /* input_mux.h -- the input multiplexer: assigns controllers to the players' slots.
  *
- * Controllers (sources) come and go while the kiosk runs. For example, a USB poi is plugged in,
- * or the battery of a pad is empty. Each slot is a fixed device of struct hal that forwards to
- * its current source. The best kind of source gets the first slot, and sources of one kind keep
- * their slots. During a game a slot changes only if its controller is missing and another one of
- * its kind is free. Sources without a slot are polled too, so that their reports do not
- * accumulate. Their buttons count, and the controller manager can learn them. */
+ * A slot is the place of one of up to POI_MAX controllers at the tank. A source is a controller
+ * with its poi (the paper scoop that it moves) and its fan. Sources come and go while the kiosk
+ * runs. For example, a USB poi is plugged in, or the battery of a game pad is empty.
+ *
+ * Each slot is a fixed device of struct hal that forwards its calls to its current source. The
+ * first slot gets the best kind of source, and sources of one kind keep their slots. During a game
+ * a slot changes its source only if the source is missing and a free source of the same kind
+ * exists.
+ *
+ * Sources without a slot are polled too, so that their reports do not accumulate. Their buttons are
+ * used, and the controller manager can learn them. */
 #ifndef KINGYO_DRIVERS_INPUT_MUX_H
 #define KINGYO_DRIVERS_INPUT_MUX_H
 
 #include "platform/hal.h"
 
-/* USB pois, pads, and up to POI_MAX others such as the pointer. */
+/* Largest number of sources: POI_MAX USB pois, POI_MAX game pads, and POI_MAX other sources such as
+ * the pointer. */
 #define INPUT_SOURCE_MAX (3u * POI_MAX)
 #define SLOT_NONE UINT8_MAX
 
-/* Kinds of sources, best first. */
+/* Kinds of sources, ordered from best to worst. */
 enum input_kind {
-    INPUT_KIND_USB = 0, /* A hand-held poi, or a controller that the operator chose. */
+    INPUT_KIND_USB = 0, /* A hand-held USB poi, or a USB controller that the operator selected. */
     INPUT_KIND_GAMEPAD,
-    INPUT_KIND_POINTER, /* The mouse or a touch screen. */
+    INPUT_KIND_POINTER, /* A mouse or a touch screen. */
 };
 
 struct input_source {
     struct hal_poi poi;
-    struct hal_fan fan;          /* The source's fan; ops null: no fan. */
-    int (*is_there)(void *self); /* Returns 1 if the source can be used now; null: always. */
+    struct hal_fan fan;          /* Fan of the source. If `fan.ops` is null the source has no
+                                    fan. */
+    int (*is_there)(void *self); /* Returns 1 if the source can be used now, otherwise 0. A null
+                                    pointer means that the source can always be used. */
     void *self;                  /* First argument of is_there(). */
-    uint8_t kind;                /* enum input_kind */
-    /* 1: the source is used if no other source is available, even if is_there() returns 0. For
-     * example, a mouse at rest can play alone, but not as a second player. */
+    uint8_t kind;                /* Kind of the source (enum input_kind). */
+    /* 1 if the source is used when no source at all is available, even while its is_there() returns
+     * 0. For example, a mouse at rest can play alone, but not as a second player. Otherwise 0. */
     uint8_t stands_in;
 };
 
 struct input_mux {
     struct input_source source[INPUT_SOURCE_MAX];
     uint32_t source_count;
-    uint32_t there;   /* Sources available at the last check, one bit each. */
-    uint32_t idle;    /* Available sources that are open without a slot. */
-    struct view view; /* Camera view set last. */
-    struct display_settings display_settings; /* Image geometry set last; a new source gets both. */
+    uint32_t there;   /* Sources that were available at the last check, one bit for each source. */
+    uint32_t idle;    /* Available sources that are open but have no slot, one bit for each
+                         source. */
+    struct view view; /* Camera view that was set last; a source that gets a slot receives it. */
+    struct display_settings display_settings; /* Image geometry that was set last; a source that
+                                                 gets a slot receives it. */
     uint8_t has_view;
-    const char *empty_line; /* Description of the first slot while it is empty. */
+    const char *empty_line; /* Description of the first slot while the slot is empty. */
     struct seat {
         struct input_mux *mux;
         uint8_t index;
-        uint8_t source; /* Index < source_count, or SLOT_NONE. */
+        uint8_t source; /* Index of the slot's source, or SLOT_NONE if the slot is empty. */
     } seat[POI_MAX];
 };
 
-/* Initializes empty slots. `empty_line` names the missing device and the remedy. The text is
- * not copied. */
+/* Initializes all slots as empty. `empty_line` is the description of an empty first slot, which
+ * names the missing device and the remedy. The text is not copied and must stay valid. */
 void input_mux_init(struct input_mux *mux, const char *empty_line);
 
-/* Adds a source; better sources must be added first. Returns 0, or -1 if there are
- * INPUT_SOURCE_MAX sources already; the source is then ignored. */
+/* Adds a source. Sources of a better kind must be added first. Returns 0, or -1 if there are
+ * INPUT_SOURCE_MAX sources already; the new source is then ignored. */
 int input_mux_add(struct input_mux *mux, const struct input_source *source);
 
-/* Returns the poi device of slot `seat` < POI_MAX, which is valid even while the slot is empty. */
+/* Returns the poi device of slot `seat` (0 to POI_MAX - 1). The device is valid even while the slot
+ * is empty. */
 struct hal_poi input_mux_poi(struct input_mux *mux, uint32_t seat);
 
-/* Returns the fan device of slot `seat` < POI_MAX. */
+/* Returns the fan device of slot `seat` (0 to POI_MAX - 1). */
 struct hal_fan input_mux_fan(struct input_mux *mux, uint32_t seat);
 
-/* Returns the device that the frame loop calls once a frame to update the assignment. */
+/* Returns the device that the frame loop calls once in each frame to update the assignment. */
 struct hal_seats input_mux_device(struct input_mux *mux);
 
-/* Computes the assignment only. `seat` has the index of each slot's source or SLOT_NONE and is
- * updated. `kind` has the kinds of `count` sources, and `there` one bit for each available
- * source. */
+/* Computes an assignment without side effects. `seat` holds the source index of each slot, or
+ * SLOT_NONE, and is updated. `kind` holds the kinds of the `count` sources. `there` has one bit for
+ * each available source. */
 void input_mux_assign(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count, uint32_t there);
 
 #endif

@@ -1,7 +1,8 @@
-/* null.c -- null drivers, which do nothing and report HAL_ERR_ABSENT. */
+/* null.c -- implements the null drivers, which do nothing and report HAL_ERR_ABSENT. */
 #include "drivers/null.h"
 
-/* `self` of a null device is its line of text, which is never written. */
+/* Returns the description, which is the `self` pointer of every null device. The text is never
+ * written. */
 static const char *null_describe(void *self)
 {
     return self;
@@ -296,7 +297,7 @@ static int null_is_healthy(void *self)
     return 0;
 }
 
-/* Returns 0: nothing was saved, refused or left to write. */
+/* Returns 0, because a null storage never saved, refused or queued an entry. */
 static uint32_t null_none(void *self)
 {
     (void)self;

@@ -1,7 +1,9 @@
-/* null.h -- a null driver for each missing device, so that no pointer in struct hal is null.
+/* null.h -- provides a null driver for each missing device, so that no pointer in struct hal is
+ * null.
  *
- * describe() returns `line`, which names the missing device and the remedy. The text is not copied.
- * A null `line` becomes "", for a device that this kiosk never has. The drivers have no state. */
+ * Each describe() returns `line`, which names the missing device and the remedy. The text is not
+ * copied and must stay valid. If `line` is null the description is "", which suits a device that
+ * this kiosk never has. The drivers have no state. */
 #ifndef KINGYO_DRIVERS_NULL_H
 #define KINGYO_DRIVERS_NULL_H
 
@@ -10,7 +12,7 @@
 struct hal_display null_display(const char *line);
 struct hal_poi null_poi(const char *line);
 struct hal_fan null_fan(const char *line);
-struct hal_seats null_seats(void); /* Changes no slot. */
+struct hal_seats null_seats(void); /* arrange() changes no slot. */
 struct hal_buttons null_buttons(const char *line);
 struct hal_switches null_switches(const char *line);
 struct hal_controllers null_controllers(const char *line);

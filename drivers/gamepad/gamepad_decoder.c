@@ -1,4 +1,4 @@
-/* gamepad_decoder.c -- decodes a game pad. */
+/* gamepad_decoder.c -- implements the game pad decoder. */
 #include "drivers/gamepad/gamepad_decoder.h"
 
 #define AXIS_FULL 32767.0f
@@ -15,10 +15,10 @@ void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *v
     stick_motion_set_view(&hand->fly, view);
 }
 
-/* ---- Sticks and motion ----------------------------------------------------------------------- */
+/* ---- Sticks and motion sensors --------------------------------------------------------------- */
 
-/* Returns the deflection of a stick outside of its dead zone, with length [0, 1] and unchanged
- * direction. */
+/* Returns the deflection of a stick beyond its dead zone. The direction is unchanged, and the
+ * length is 0 to 1. */
 static vec3 read_stick(int16_t x_raw, int16_t y_raw)
 {
     const float dead = (float)GAMEPAD_DEAD / AXIS_FULL;
@@ -47,8 +47,8 @@ static void read_motion(struct gamepad_decoder *hand)
     }
 }
 
-/* Converts the right stick to tilt: pushing away lifts the far edge, as the wheel does, and
- * pushing right lowers the right edge. */
+/* Converts the right stick to tilt. Pushing the stick away from the player lifts the far edge of
+ * the ring, as the mouse wheel does. Pushing right lowers the right edge. */
 static void read_sticks(struct gamepad_decoder *hand)
 {
     const int16_t *axis = hand->now.axis;
@@ -66,7 +66,7 @@ static uint32_t hand_buttons(const struct gamepad_decoder *hand)
            (buttons & GAMEPAD_SHOULDER_LEFT ? (uint32_t)POINTER_FAN : 0u);
 }
 
-/* Reports push, buttons and the sum of stick tilt and motion tilt to stick_motion. */
+/* Passes the push, the buttons and the sum of stick tilt and motion-sensor tilt to stick_motion. */
 static void tell_fly(struct gamepad_decoder *hand)
 {
     const uint32_t buttons = hand_buttons(hand);
@@ -88,7 +88,7 @@ static void come_to(struct gamepad_decoder *hand, uint64_t time_ns)
     hand->time_ns = time_ns > hand->time_ns ? time_ns : hand->time_ns;
 }
 
-/* Maps pad buttons to cabinet buttons. Most buttons are OK in menus. */
+/* Converts pad buttons to cabinet buttons. Most pad buttons act as OK in the menus. */
 static uint32_t cabinet_buttons(uint32_t buttons)
 {
     return (buttons & GAMEPAD_START ? (uint32_t)INPUT_START : 0u) |
@@ -146,8 +146,8 @@ static uint16_t motor(float level)
     return (uint16_t)(f_clamp(level, 0.0f, 1.0f) * 65535.0f + 0.5f);
 }
 
-/* Returns the motor levels. Drag is squared, so that a correct glide along the plane of the
- * paper is barely felt. */
+/* Returns the motor levels. The drag is squared, so that the player barely feels a correct glide
+ * along the plane of the paper. */
 struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force)
 {
     return (struct gamepad_rumble){

@@ -1,11 +1,13 @@
-/* gamepad_decoder.h -- the game pad decoder: turns sticks, triggers, buttons and motion into a
- * pose.
+/* gamepad_decoder.h -- the game pad decoder: turns sticks, triggers, buttons and motion sensors
+ * into a pose of the poi.
  *
- * Pure: no device, no clock and no library. SDL's pads (gamepad_poi.h) and their simulated twin
- * (gamepad_sim.h) use this decoder. The left stick moves the ring over the water (stick_motion.h,
- * as for any stick). A or a trigger dips it, the right stick tilts it, X levels it, and the left
- * shoulder button holds the fan. A pad with motion sensors also tilts the ring by its attitude
- * (gamepad_imu_filter.h). */
+ * Pure: uses no device, clock or library. SDL's game pads (gamepad_poi.h) and the simulated game
+ * pad (gamepad_sim.h) share this decoder. The poi is the paper scoop, a ring with paper.
+ *
+ * The left stick moves the ring over the water (stick_motion.h, as for every stick). Button A or a
+ * trigger dips the ring, the right stick tilts it, and button X levels it. The left shoulder button
+ * holds the fan over the water. A game pad with motion sensors also tilts the ring by its own
+ * attitude (gamepad_imu_filter.h). */
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
 
@@ -16,17 +18,17 @@
 #include "platform/hal.h"
 
 enum gamepad_axis {
-    GAMEPAD_LEAD_X = 0, /* Left stick, positive to the right. */
-    GAMEPAD_LEAD_Y,     /* Left stick, positive toward the player. */
+    GAMEPAD_LEAD_X = 0, /* Left stick, horizontal; positive to the right. */
+    GAMEPAD_LEAD_Y,     /* Left stick, vertical; positive toward the player. */
     GAMEPAD_TILT_X,
     GAMEPAD_TILT_Y,
-    GAMEPAD_TRIGGER_LEFT, /* 0 .. 32,767 */
+    GAMEPAD_TRIGGER_LEFT, /* Travel of the left trigger, 0 to 32,767. */
     GAMEPAD_TRIGGER_RIGHT,
     GAMEPAD_AXIS_COUNT,
 };
 
-/* Buttons by position: GAMEPAD_SOUTH is A of an Xbox pad, the cross of a DualShock, and B of a
- * Switch Pro pad. */
+/* Buttons, named by their position. GAMEPAD_SOUTH is A on an Xbox pad, the cross on a DualShock,
+ * and B on a Switch Pro pad. */
 enum gamepad_button {
     GAMEPAD_SOUTH = 1u << 0,
     GAMEPAD_EAST = 1u << 1,
@@ -43,18 +45,24 @@ enum gamepad_button {
     GAMEPAD_RIGHT = 1u << 14,
 };
 
-#define GAMEPAD_DEAD 4915        /* Dead zone, 15 % of an axis, for worn sticks. */
-#define GAMEPAD_TRIGGER_ON 16384 /* Press threshold of a trigger, at half travel. */
-/* Release threshold of a trigger at 30 %; the hysteresis prevents repeated dips. */
+#define GAMEPAD_DEAD                                                                               \
+    4915 /* Dead zone of a stick: 15 % of an axis, because worn sticks do not return exactly to
+            the center. */
+#define GAMEPAD_TRIGGER_ON                                                                         \
+    16384 /* Axis value at which a trigger counts as pressed: half its travel. */
+/* Axis value at which a pressed trigger counts as released: 30 % of its travel. The hysteresis
+ * prevents repeated dips. */
 #define GAMEPAD_TRIGGER_OFF 9830
-#define GAMEPAD_TILT_RAD (45.0f * F_DEG) /* Tilt at full deflection of the right stick. */
+#define GAMEPAD_TILT_RAD                                                                           \
+    (45.0f * F_DEG) /* Tilt of the ring at full deflection of the right stick. */
 
-/* The complete state of a pad at one moment. */
+/* The complete state of a game pad at one moment. */
 struct gamepad_report {
     uint64_t time_ns;
     int16_t axis[GAMEPAD_AXIS_COUNT];
-    uint32_t buttons; /* enum gamepad_button bits that are down; other bits are ignored. */
-    uint8_t has_turn, has_weight; /* 1 if new motion data follow, in SDL's axes. */
+    uint32_t buttons; /* Pressed buttons, as bits of enum gamepad_button. Other bits are ignored. */
+    uint8_t has_turn, has_weight; /* 1 if `turn_rad_s` or `weight_m_s2` is new in this report,
+                                     otherwise 0. Both vectors are in SDL's axes. */
     vec3 turn_rad_s, weight_m_s2;
 };
 
@@ -62,33 +70,36 @@ struct gamepad_decoder {
     struct stick_motion fly;
     struct gamepad_imu_filter tilt;
     struct gamepad_report now; /* The newest report. */
-    vec3 stick_twist;          /* Pitch, yaw, roll from the right stick, as in stick_report. */
-    uint64_t time_ns;          /* Time of the last report or sample. */
+    vec3 stick_twist;          /* Pitch, yaw and roll from the right stick, as shares of
+                                  STICK_MOTION_TILT_MAX_RAD. */
+    uint64_t time_ns;          /* Time of the newest report or sample. */
     uint8_t trigger_down;
-    uint32_t held, pressed; /* Buttons that are down, and press edges, enum input_button. */
+    uint32_t held, pressed; /* Pressed buttons, and buttons pressed since the last read, as bits of
+                               enum input_button. */
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */
 void gamepad_decoder_init(struct gamepad_decoder *hand, const struct view *view);
 
-/* Processes one report with any content. A report older than the last one is processed as
- * current. */
+/* Processes one report. Any content is accepted. A report with an older time than the previous
+ * report is processed at the time of the previous report. */
 void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_report *report);
 
-/* Returns the pose at `time_ns`, which must never decrease. The pose is always finite. */
+/* Returns the pose at `time_ns`, which must not decrease from call to call. All values of the pose
+ * are finite. */
 struct poi_sample gamepad_decoder_sample(struct gamepad_decoder *hand, uint64_t time_ns);
 
-/* Writes the buttons that are down and the press edges since the last call. */
+/* Writes the pressed buttons, and the buttons that were pressed since the last call. */
 void gamepad_decoder_buttons(struct gamepad_decoder *hand, struct button_sample *out);
 
-/* Returns the fan, which the left stick moves while GAMEPAD_SHOULDER_LEFT is held. */
+/* Returns the fan. The left stick moves the fan while GAMEPAD_SHOULDER_LEFT is pressed. */
 struct shade_input gamepad_decoder_fan(struct gamepad_decoder *hand, uint64_t time_ns);
 
-/* Sets the camera view. */
+/* Sets the camera view, which limits the motion of the poi to the visible part. */
 void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *view);
 
-/* Motor levels of a pad, 0 .. 65,535. The slow motor follows the drag of the water. The fast
- * motor follows tail slaps and tearing paper. */
+/* Motor levels of a game pad, 0 to 65,535. The slow motor follows the drag of the water. The fast
+ * motor follows slaps of a fish's tail and the tearing of the paper. */
 struct gamepad_rumble {
     uint16_t slow, fast;
 };

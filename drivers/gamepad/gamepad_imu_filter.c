@@ -1,22 +1,27 @@
-/* gamepad_imu_filter.c -- a complementary filter for the direction of up. */
+/* gamepad_imu_filter.c -- implements the tilt estimate: a complementary filter for the upward
+ * direction. */
 #include "drivers/gamepad/gamepad_imu_filter.h"
 
 #define G_M_S2 9.81f
-/* Time constant of gravity. Shaking has a tenth of this period; a gyroscope drifts over minutes. */
+/* Time constant with which the accelerometer corrects the upward direction. Shaking has a tenth of
+ * this period, and a gyroscope drifts over minutes. */
 #define DOWN_TAU_S 0.5f
-/* Time constant of the rest attitude, longer than a player aims at a fish. */
+/* Time constant of the rest attitude. A player aims at a fish for a shorter time. */
 #define REST_TAU_S 4.0f
-/* Tolerance around the rest attitude for the tremor of a human hand. */
+/* Angle around the rest attitude within which the tilt is 0, because a human hand trembles. */
 #define REST_BAND_RAD (2.0f * F_DEG)
-#define RATE_MAX_RAD_S 40.0f /* All pads measure up to 2,000 degrees/s; larger values are noise. */
-#define STEP_MAX_S 0.25f     /* Longest time for which a rotation rate is valid. */
+#define RATE_MAX_RAD_S                                                                             \
+    40.0f                /* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s
+                            (35 rad/s); larger values are noise. */
+#define STEP_MAX_S 0.25f /* Longest time for which a measured rotation rate is used. */
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {
     return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
 }
 
-/* Rotates `up` opposite to the pad's rotation, because the direction is fixed in the world. */
+/* Rotates `up` to `time_ns`, opposite to the rotation of the pad, because the upward direction is
+ * fixed in the world. */
 static void turn_to(struct gamepad_imu_filter *tilt, uint64_t time_ns)
 {
     const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
@@ -38,8 +43,8 @@ int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t ti
     return 0;
 }
 
-/* Corrects `up` by gravity, unless shaking or free fall makes the acceleration differ from 1 g
- * by more than 30 %. */
+/* Corrects `up` by the measured acceleration. The acceleration is ignored if its size differs from
+ * 1 g by more than 30 %, because of shaking or free fall. */
 int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2)
 {
     if (!v3_is_finite(up_m_s2)) {

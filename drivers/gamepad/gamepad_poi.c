@@ -5,9 +5,11 @@
 
 #include "core/base/panic.h"
 
-#define RUMBLE_MS 250 /* The motors stop after this time if the kiosk hangs. */
+#define RUMBLE_MS                                                                                  \
+    250 /* Duration of a motor command. SDL stops the motors after this time if the kiosk hangs. */
 #define RUMBLE_AGAIN_NS 100000000ull
-#define RUMBLE_STEP 2048 /* Smallest change that a thumb can feel, of 65,535. */
+#define RUMBLE_STEP                                                                                \
+    2048 /* Smallest change of a motor level that a thumb can feel; full level is 65,535. */
 
 int gamepad_poi_is_present(void *self)
 {
@@ -39,7 +41,7 @@ static uint32_t apart(uint16_t a, uint16_t b)
     return a > b ? (uint32_t)(a - b) : (uint32_t)(b - a);
 }
 
-/* Sets the motor levels when they change, and again before the pad would stop them. */
+/* Sends the motor levels when they change, and repeats them before SDL would stop the motors. */
 static int pad_set_force(void *self, const struct poi_force *force)
 {
     struct gamepad *pad = self;
@@ -66,7 +68,8 @@ static void pad_set_view(void *self, const struct view *view,
                          const struct display_settings *display_settings)
 {
     struct gamepad *pad = self;
-    (void)display_settings; /* A stick refers to the water, not to the screen. */
+    (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
+                               screen. */
     pad->gamepads->view = *view;
     gamepad_decoder_set_view(&pad->track.hand, view);
 }
@@ -123,7 +126,8 @@ struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index)
     return (struct hal_fan){ .ops = &ops, .self = &gamepads->pad[index] };
 }
 
-/* Merges the buttons of all pads. A pad without a slot can also press START. */
+/* Merges the buttons of all plugged-in game pads. A game pad without a slot can also press
+ * START. */
 static int gamepad_poi_buttons_poll(void *self, struct button_sample *out)
 {
     struct gamepads *gamepads = self;

@@ -1,17 +1,21 @@
-/* gamepad_poi.h -- a game pad as the poi, fan and button devices of struct hal. */
+/* gamepad_poi.h -- offers each game pad as a poi device (the paper scoop) and a fan device of
+ * struct hal, and all game pads as one button device. */
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPAD_POI_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPAD_POI_H
 
 #include "drivers/gamepad/gamepads.h"
 #include "platform/hal.h"
 
-/* Return the poi and the fan of pad `index` < GAMEPADS_MAX. */
+/* Returns the poi device of game pad `index` (0 to GAMEPADS_MAX - 1). gamepad_poi_fan() returns its
+ * fan device. */
 struct hal_poi gamepad_poi_device(struct gamepads *gamepads, uint32_t index);
 struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index);
-/* Returns 1 if the pad `pad` (&pads->pad[index]) is plugged in. Processes pending events first. */
+/* Returns 1 if the game pad `pad` (a struct gamepad) is plugged in, otherwise 0. Processes pending
+ * events first. */
 int gamepad_poi_is_present(void *pad);
 
-/* Returns START, LEFT, RIGHT, OK and LANGUAGE of all pads. Must be polled after the pois. */
+/* Returns the device that reports START, LEFT, RIGHT, OK and LANGUAGE of all game pads. The poi
+ * devices must be polled before this device. */
 struct hal_buttons gamepad_poi_buttons(struct gamepads *gamepads);
 
 #endif

@@ -1,9 +1,9 @@
-/* gamepad_queue.c -- a queue of reports, and samples one tick apart. */
+/* gamepad_queue.c -- implements the queue of reports and the sampling at intervals of one tick. */
 #include "drivers/gamepad/gamepad_queue.h"
 
 #include <string.h>
 
-#define SAMPLE_NS 8333333ull /* One tick. */
+#define SAMPLE_NS 8333333ull /* Interval of the samples: one tick of the game, 1/120 s. */
 
 void gamepad_queue_init(struct gamepad_queue *track, const struct view *view, uint64_t time_ns)
 {
@@ -22,7 +22,8 @@ void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report
     track->report[track->report_count++] = *report;
 }
 
-/* Writes a sample each `step_ns` before `until_ns`. Returns their number. */
+/* Writes a sample every `step_ns` as long as its time is before `until_ns`. Returns the number of
+ * samples. */
 static uint32_t sample_until(struct gamepad_queue *track, uint64_t until_ns, uint64_t step_ns,
                              struct poi_sample *out, uint32_t max)
 {
@@ -41,7 +42,7 @@ uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct 
         return 0;
     }
     const uint64_t span_ns = now_ns > track->sampled_ns ? now_ns - track->sampled_ns : 0;
-    /* After a stall the whole time is sampled in larger steps. */
+    /* Larger steps after a stall of the caller, so that `max` samples cover the whole time. */
     const uint64_t even_ns = span_ns / max + 1u;
     const uint64_t step_ns = even_ns > SAMPLE_NS ? even_ns : SAMPLE_NS;
     uint32_t count = 0;

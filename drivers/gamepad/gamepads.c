@@ -1,4 +1,5 @@
-/* gamepads.c -- game pad hot-plug, and SDL's controller events as pad reports. */
+/* gamepads.c -- implements hot-plug of game pads, and converts SDL's controller events to
+ * reports. */
 #include "drivers/gamepad/gamepads.h"
 
 #include <SDL.h>
@@ -51,8 +52,8 @@ static int was(const struct gamepad *pad, const char *guid, const char *serial)
     return pad->was_here && strcmp(pad->guid, guid) == 0 && strcmp(pad->serial, serial) == 0;
 }
 
-/* Returns a free place: the pad's former one, else one never used, else any. Returns null if all
- * are in use. */
+/* Returns a free element of `pad`. The element that the pad used last is preferred, then an element
+ * that was never used. Returns null if all elements are in use. */
 static struct gamepad *place_for(struct gamepads *gamepads, const char *guid, const char *serial)
 {
     struct gamepad *unused = NULL;
@@ -83,7 +84,7 @@ static void begin_pad(struct gamepad *pad)
              name ? name : "of no name", pad->cannot_rumble ? "" : ", rumbles");
 }
 
-/* Enables the motion sensors of a pad that has them. */
+/* Enables the gyroscope and the accelerometer, if the pad has them. */
 static void begin_motion(struct gamepad *pad)
 {
     static const SDL_SensorType types[] = { SDL_SENSOR_GYRO, SDL_SENSOR_ACCEL };
@@ -107,7 +108,7 @@ int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint1
     return 0;
 }
 
-/* Reads the ids of a pad that is not opened yet. */
+/* Reads the USB ids of a game pad that is not opened yet. */
 static void look_at(int32_t device_index, struct gamepad *out)
 {
     const char *node = SDL_JoystickPathForIndex(device_index);
@@ -116,7 +117,8 @@ static void look_at(int32_t device_index, struct gamepad *out)
     usb_sysfs_node_serial("/sys", node ? node : "", out->usb_serial);
 }
 
-/* Opens a new pad. When all places are in use the pad is ignored until it is plugged in again. */
+/* Opens a new game pad. If all GAMEPADS_MAX elements are in use, the pad is ignored until it is
+ * plugged in again. */
 static void plug_in(struct gamepads *gamepads, int32_t device_index)
 {
     char guid[GAMEPAD_GUID_SIZE];
@@ -229,13 +231,13 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
     case SDL_CONTROLLERSENSORUPDATE:
         sense(gamepads, &event->csensor, time_ns);
         break;
-    default: /* Events of the joystick API repeat the controller events. */
+    default: /* Other events are ignored. SDL's joystick events repeat the controller events. */
         break;
     }
 }
 
-/* Processes all pending events. SDL stamps events with the time of pumping, so they are spread
- * evenly over the time since the last call. */
+/* Processes all pending events. SDL stamps events with the time of pumping. Therefore the events
+ * are spread evenly over the time from the previous call to the current call. */
 void gamepads_poll(struct gamepads *gamepads)
 {
     SDL_Event events[EVENT_BATCH];

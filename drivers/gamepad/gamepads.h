@@ -2,10 +2,16 @@
  * database.
  *
  * Needs SDL's video subsystem for the event queue; the owner of the window pumps the queue.
- * Removes joystick and controller events from the queue and no others. At most GAMEPADS_MAX pads
- * are used, and a replugged pad returns to its own place. A pad without an SDL mapping is ignored.
- * A mapping file or $SDL_GAMECONTROLLERCONFIG can add a mapping, or the pad can be learned as a HID
- * device. Devices of another driver are barred first, so that each device has one owner. */
+ * gamepads_poll() removes joystick and controller events from the queue and leaves all other
+ * events.
+ *
+ * At most GAMEPADS_MAX game pads are used. A game pad that is plugged in again returns to its
+ * former element of `pad`. A game pad without an SDL mapping is ignored. A mapping file or
+ * $SDL_GAMECONTROLLERCONFIG can add a mapping, or the operator can let the kiosk learn the pad as a
+ * HID device.
+ *
+ * Devices that other drivers use must be excluded (gamepads_exclude()), so that each device has one
+ * owner. */
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
 
@@ -14,7 +20,8 @@
 #include "platform/hal.h"
 
 #define GAMEPADS_MAX POI_MAX
-/* 32 keys chosen for USB, and eight devices that play there without being chosen. */
+/* Largest number of excluded devices: 32 that the operator selected for the USB driver, and eight
+ * that the USB driver uses without a selection. */
 #define GAMEPADS_EXCLUSION_MAX 40u
 #define GAMEPAD_GUID_SIZE 33u
 
@@ -22,25 +29,29 @@ struct _SDL_GameController;
 
 struct gamepad {
     struct gamepads *gamepads;
-    struct _SDL_GameController *controller; /* Null while no pad is plugged in. */
-    int32_t instance;                       /* SDL's id, new at each connection. */
-    char guid[GAMEPAD_GUID_SIZE];           /* SDL's GUID of the last device. */
-    char serial[32];                        /* Serial number from SDL, or "". */
-    uint16_t vendor, product;               /* USB vendor and product id. */
-    char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys; "": not known. */
+    struct _SDL_GameController *controller; /* SDL's handle, or null while no game pad is plugged
+                                               in. */
+    int32_t instance;                       /* SDL's instance id, which is new at each
+                                               connection. */
+    char guid[GAMEPAD_GUID_SIZE];           /* SDL's GUID of the game pad that used this element
+                                               last. */
+    char serial[32];                        /* Serial number from SDL, or "" if unknown. */
+    uint16_t vendor, product;               /* USB vendor id and product id. */
+    char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys, or "" if unknown. */
     uint8_t was_here;
     struct gamepad_report now;
     struct gamepad_queue track;
-    struct gamepad_rumble rumble; /* Motor levels sent last. */
+    struct gamepad_rumble rumble; /* Motor levels that were sent last. */
     uint64_t rumble_ns;           /* Time at which `rumble` was sent. */
     uint8_t cannot_rumble;
     char text[HAL_TEXT_SIZE];
 };
 
-/* A USB device of another driver: the one with this serial number, or all of its product. */
+/* A USB device that another driver uses. */
 struct gamepad_exclusion {
     uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* "": all devices of the product. */
+    char serial[HID_TEXT_SIZE]; /* Serial number of the excluded device. "" excludes all devices of
+                                   the product. */
 };
 
 struct gamepads {
@@ -57,27 +68,30 @@ struct gamepads {
 /* Initializes the state without starting SDL. `view` is copied. */
 void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const struct view *view);
 
-/* Replaces the list of barred devices, which other drivers own. Barred devices are not opened,
- * and a barred pad that is open is closed. A product without serial numbers is also given to
- * SDL's ignore hint, which does not support serial numbers. Must be called before gamepads_open()
- * for devices that are already plugged in. At most GAMEPADS_EXCLUSION_MAX entries are used; bytes
- * after the end of a serial number must be 0. An unchanged list has no effect. */
+/* Replaces the list of excluded devices, which other drivers own. An excluded game pad is not
+ * opened, and is closed if it is open. SDL's ignore hint also lists each excluded product whose
+ * entry has no serial number, because the hint does not support serial numbers.
+ *
+ * Must be called before gamepads_open() for devices that are already plugged in. At most
+ * GAMEPADS_EXCLUSION_MAX entries are used. Bytes after the end of a serial number must be 0. An
+ * unchanged list has no effect. */
 void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion *bar,
                       uint32_t count);
 
-/* Returns 1 if the pad is barred. A pad with unknown serial number matches any serial number. */
+/* Returns 1 if the game pad is excluded, otherwise 0. An unknown serial number ("") matches every
+ * serial number of the product. */
 int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
                          const char *serial);
 
-/* Starts SDL's game controllers. `database` is a file of further mappings, which may be null or
- * missing. Returns HAL_OK, or HAL_ERR_ABSENT with the reason in pads->text; there are then no
- * pads. */
+/* Starts SDL's game controllers. `database` is the path of a file with further mappings; it may be
+ * null, and the file may be missing. Returns HAL_OK. Returns HAL_ERR_ABSENT with the reason in
+ * gamepads->text if SDL fails; there are then no game pads. */
 int gamepads_open(struct gamepads *gamepads, const char *database);
 
-/* Closes all pads and stops SDL's game controllers. */
+/* Closes all game pads and stops SDL's game controllers. */
 void gamepads_close(struct gamepads *gamepads);
 
-/* Processes SDL's pending pad events. */
+/* Processes SDL's pending game pad events. */
 void gamepads_poll(struct gamepads *gamepads);
 uint64_t gamepads_now_ns(const struct gamepads *gamepads);
 

@@ -1,25 +1,32 @@
-/* stick_motion.c -- integrates the velocity of sticks into a pose. */
+/* stick_motion.c -- implements the motion by sticks: integrates the velocity that a stick sets. */
 #include "drivers/gamepad/stick_motion.h"
 
 #include "drivers/pointer/pointer_fan.h"
 
-#define PUSH_TAU_S 0.07f  /* Smooths the flicks of a thumb to the motion of an arm. */
-#define TWIST_TAU_S 0.06f /* The same as the wheel's tilt in pointer_poi.c. */
-/* Largest integration step; small enough that the step size does not matter. */
+#define PUSH_TAU_S                                                                                 \
+    0.07f /* Time constant that smooths the velocity, so that the flick of a thumb moves the ring
+             like an arm. */
+#define TWIST_TAU_S                                                                                \
+    0.06f /* Time constant that smooths the tilt, the same as for the wheel in pointer_poi.c. */
+/* Largest integration step. The step is so small that its size does not affect the motion. */
 #define STEP_MAX_S 0.008f
-#define GAP_MAX_S 1.0f /* After a longer pause of the calls the poi has not moved. */
+#define GAP_MAX_S                                                                                  \
+    1.0f /* Longest time between calls that is integrated. After a longer pause the poi has not
+            moved. */
 
-/* Share of half the image's width and height that the poi may reach from the middle. */
+/* Share of half the image's width and height that the poi may reach from the middle of the
+ * image. */
 #define SEEN 0.94f
 #define VIEW_ASPECT (16.0f / 9.0f)
 
-/* The ring leans into its motion, as in pointer_poi.c. */
+/* Lean of the ring for each m/s of its speed, as in pointer_poi.c. */
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
 
-#define LEVEL_FROM_M 0.03f /* Distance from the hover height at which LEVEL slows down. */
+#define LEVEL_FROM_M                                                                               \
+    0.03f /* Distance from the hover height within which LEVEL slows down the return. */
 
-#define LAP_M 0.35f /* Distance beyond the near edge at which the fan rests. */
+#define LAP_M 0.35f /* Distance beyond the tank's near edge at which the idle fan rests. */
 
 static float stick_motion_share_of(float value)
 {
@@ -37,8 +44,8 @@ static vec3 kept_within(vec3 v, vec3 low, vec3 high)
               f_clamp(v.z, low.z, high.z));
 }
 
-/* Limits a position to the visible part at its height. A higher ring appears farther up in the
- * image and can move less far before it leaves the image. */
+/* Limits a position to the visible part of the plane at its height. A higher ring appears farther
+ * up in the image, so the limits depend on the height. */
 static vec3 seen_m(const struct stick_motion *fly, vec3 at_m)
 {
     const float height = f_clamp(
@@ -83,7 +90,8 @@ static float pace_m_s(float at_m)
     return f_lerp(STICK_MOTION_WATER_M_S, STICK_MOTION_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
 }
 
-/* Applies a response curve: the cubic part makes small deflections fine. */
+/* Returns the deflection after a response curve with a cubic part, which makes small deflections
+ * more precise. */
 static float eased(float push)
 {
     return push * (0.35f + 0.65f * push * push);
@@ -158,8 +166,8 @@ void stick_motion_report(struct stick_motion *fly, const struct stick_report *re
     }
 }
 
-/* Moves the ring away from the player along the line of sight as it goes down. The slanted ring
- * then moves more edge-on through the water. */
+/* Returns the offset of the dip. The ring moves away from the player along the line of sight as it
+ * sinks by `down_m`. The slanted ring then moves more edge-on through the water. */
 static vec3 slid_m(const struct stick_motion *fly, float down_m)
 {
     const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);

@@ -1,10 +1,10 @@
-/* buttons_gpio.c -- converts the reader's counters to HAL samples, and HAL commands to reader
- * commands. */
+/* buttons_gpio.c -- converts the counters of the GPIO thread (`reader`) to HAL samples, and HAL
+ * commands to commands for the thread. */
 #include "drivers/gpio/buttons_gpio.h"
 
 #include <string.h>
 
-/* Button of each input line; 0 for coins. */
+/* INPUT_ bit of each input line, or 0 for the coin lines, which are no buttons. */
 static const uint32_t button_of[GPIO_INPUT_COUNT] = {
     [GPIO_START] = INPUT_START, [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
     [GPIO_OK] = INPUT_OK,       [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,
@@ -21,7 +21,8 @@ static uint32_t buttons_of(uint32_t roles)
     return buttons;
 }
 
-/* Returns the index of a role among HAL_LINE_COUNT lines. */
+/* Returns the index of the input `role` among the HAL_LINE_COUNT lines of a button sample: buttons
+ * first, then coin lines. */
 static uint32_t line_of(uint32_t role)
 {
     uint32_t line = 0;
@@ -34,7 +35,8 @@ static uint32_t line_of(uint32_t role)
     return line;
 }
 
-/* Fills the raw level, edge count and faults of every line, for the operator's test page. */
+/* Fills the raw level, the edge count and the fault count of every line. The operator's test page
+ * shows these values. */
 static void sample_lines(struct gpio_thread *reader, struct button_sample *out)
 {
     const uint32_t raw = atomic_load(&reader->raw);
@@ -51,7 +53,7 @@ static void sample_lines(struct gpio_thread *reader, struct button_sample *out)
 static int buttons_gpio_poll(void *self, struct button_sample *out)
 {
     struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
-    /* Read before `held`, because the reader stores `held` first. */
+    /* `pressed` is read before `held`, because the GPIO thread stores `held` before `pressed`. */
     const uint32_t pressed = atomic_exchange(&reader->pressed, 0);
     const uint32_t missing = atomic_load(&reader->missing);
     *out = (struct button_sample){
@@ -114,8 +116,8 @@ static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
     return HAL_OK;
 }
 
-/* Returns requested and unfinished pulses. `pulses` is read first, because the reader adds to
- * `pending` before it subtracts from `pulses`. */
+/* Returns the pulses that were requested and have not ended. `pulses` is read first, because the
+ * GPIO thread adds to `pending` before it subtracts from `pulses`. */
 static uint32_t buttons_gpio_pending(void *self, enum hal_switch which)
 {
     struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;

@@ -1,5 +1,5 @@
-/* buttons_gpio.h -- the cabinet's buttons, coins, lamps, coin meter and ticket dispenser on GPIO
- * lines. */
+/* buttons_gpio.h -- the cabinet's buttons, coin acceptors, lamps, coin meter and ticket dispenser
+ * on GPIO lines. */
 #ifndef KINGYO_DRIVERS_GPIO_BUTTONS_GPIO_H
 #define KINGYO_DRIVERS_GPIO_BUTTONS_GPIO_H
 
@@ -7,28 +7,30 @@
 
 struct buttons_gpio {
     struct gpio_thread reader;
-    char text[HAL_TEXT_SIZE]; /* Buffer for the result of describe(). */
+    char text[HAL_TEXT_SIZE]; /* Buffer for the text that describe() returns. */
 };
 
-/* Requests the wired lines of `wires` (gpio_config.h) and starts the reader thread. The caller
- * owns `gpio`, which must not move until it is stopped. Returns HAL_OK even if lines are
- * missing. Missing lines are described by describe() and buttons_gpio_why() and are requested
- * again each second. Returns HAL_ERR_IO if there is no thread; nothing must then be stopped. */
+/* Requests the wired lines of `wires` (gpio_config.h) and starts the GPIO thread. The caller
+ * owns `gpio`, which must not move until buttons_gpio_stop(). Returns HAL_OK even if lines are
+ * missing. describe() and buttons_gpio_why() name the missing lines, which are requested again
+ * each second. Returns HAL_ERR_IO if the thread cannot be created; buttons_gpio_stop() must then
+ * not be called. */
 int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
                        const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock);
 
-/* Returns the input device. Each press and each coin is in exactly one sample. */
+/* Returns the input device. Each button press and each coin is reported in exactly one sample. */
 struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio);
 
-/* Returns the output device. Roles that are not wired return HAL_ERR_ABSENT. Lamps and locks
- * change within GPIO_WAIT_MS_MAX. */
+/* Returns the output device. Its functions return HAL_ERR_ABSENT for roles that are not wired.
+ * Lamps and locks change within GPIO_WAIT_MS_MAX. */
 struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio);
 
-/* Copies to `out` why the line of `role` is missing, or "" if the line is held or not wired. */
+/* Copies the reason why the line of `role` is missing to `out`, or "" if the line is held or not
+ * wired. */
 void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 
-/* Stops the reader as gpio_thread_stop(): coins are locked out, lamps go off, and the lines are
- * released to their bias (gpio_config.h). */
+/* Stops the GPIO thread. Coins are locked out, lamps are switched off, and the lines are released
+ * to their bias (gpio_config.h). */
 void buttons_gpio_stop(struct buttons_gpio *gpio);
 
 #endif

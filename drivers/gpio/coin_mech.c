@@ -1,4 +1,5 @@
-/* coin_mech.c -- measures a pulse, and classifies it once after the gap. */
+/* coin_mech.c -- implements coin detection: measures the width of a pulse, and classifies the pulse
+ * after the gap. */
 #include "drivers/gpio/coin_mech.h"
 
 struct coin_mech coin_mech_begin(uint64_t width_min_ns, uint64_t width_max_ns, bool active,
@@ -60,7 +61,8 @@ void coin_mech_edge(struct coin_mech *mech, uint64_t time_ns, bool active)
         mech->begin_ns = time_ns;
     }
     if (active) {
-        mech->state = COIN_FALLS; /* Within the gap the same pulse continues. */
+        mech->state = COIN_FALLS; /* The previous pulse continues if its end is less than
+                                     COIN_GAP_NS ago. */
     } else if (mech->state == COIN_FALLS) {
         mech->state = COIN_FELL;
         mech->end_ns = time_ns;

@@ -1,4 +1,4 @@
-/* debounce.c -- accepts a level that was stable for the period. */
+/* debounce.c -- implements the debouncing: accepts a level that was stable for the period. */
 #include "drivers/gpio/debounce.h"
 
 struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns)
@@ -29,7 +29,7 @@ bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
         debounce->raw = active;
         debounce->since_ns = time_ns;
     }
-    /* Completes the transition at once if the period is 0. */
+    /* Completes the transition immediately if the period is 0. */
     return turned || debounce_settle(debounce, time_ns, out);
 }
 

@@ -1,8 +1,8 @@
-/* debounce.h -- filters contact bounce. Pure.
+/* debounce.h -- filters the bounce of a contact.
  *
- * A level counts after it was stable for the period. The resulting transition gets the time at
- * which the level began. The width of a pulse therefore does not depend on when these functions
- * are called. */
+ * A level is accepted after it was stable for the debounce period. The resulting transition has the
+ * time at which the level began. The width of a pulse therefore does not depend on when these
+ * functions are called. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_GPIO_DEBOUNCE_H
 #define KINGYO_DRIVERS_GPIO_DEBOUNCE_H
 
@@ -10,31 +10,33 @@
 #include <stdint.h>
 
 struct debounce {
-    uint64_t period_ns; /* 0: every edge counts, because the kernel debounces. */
-    uint64_t since_ns;  /* Time at which `raw` began. */
-    bool raw;           /* Level after the last edge, not debounced. */
+    uint64_t period_ns; /* Debounce period. 0 means that every edge is accepted, because the kernel
+                           debounces the line. */
+    uint64_t since_ns;  /* Time at which the level `raw` began. */
+    bool raw;           /* Level after the last edge, before debouncing. */
     bool stable;        /* Level after debouncing. */
 };
 
-/* A debounced transition. */
+/* A debounced transition to the level `active`, with the time at which that level began. */
 struct debounce_edge_time {
     uint64_t time_ns;
     bool active;
 };
 
-/* Returns the state of a line that has been at `active` since `now_ns`. */
+/* Returns the state of a line whose level has been `active` since the time `now_ns`. */
 struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns);
 
-/* Processes an edge to `active`; edges must come in order of time. Returns true if a transition
- * was completed. */
+/* Processes an edge to the level `active`. The edges must be passed in order of time. Returns true
+ * and fills `out` if a transition was completed. */
 bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
                    struct debounce_edge_time *out);
 
-/* Evaluates the state at `now_ns`, before which no further edge may follow. Returns true if a
- * transition was completed. */
+/* Evaluates the state at `now_ns`. All edges before `now_ns` must have been passed already. Returns
+ * true and fills `out` if a transition was completed. */
 bool debounce_settle(struct debounce *debounce, uint64_t now_ns, struct debounce_edge_time *out);
 
-/* Returns when debounce_settle() must be called, or UINT64_MAX if only an edge requires it. */
+/* Returns the time at which debounce_settle() must be called, or UINT64_MAX if the state cannot
+ * change without an edge. */
 uint64_t debounce_due_ns(const struct debounce *debounce);
 
 #endif

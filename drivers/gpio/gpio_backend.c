@@ -108,7 +108,8 @@ static void backend_close(void *self)
 
 /* ---- Levels --------------------------------------------------------------------------------- */
 
-/* Converts errno of a failed call to HAL_ERR_GONE (the line is then released) or HAL_ERR_IO. */
+/* Returns the HAL error for errno of a failed call. ENODEV means that the chip was removed: the
+ * line is released and the result is HAL_ERR_GONE. Every other error is HAL_ERR_IO. */
 static int failure(struct gpio_backend *backend, enum gpio_role role)
 {
     if (errno != ENODEV) {
@@ -145,7 +146,8 @@ static int backend_debounces(void *self, enum gpio_role role)
 
 /* ---- Waiting for edges ---------------------------------------------------------------------- */
 
-/* Polls a line without edge detection. Returns 1 and one edge if the level changed. */
+/* Polls the level of a line that has no edge detection. Returns 1 and writes one edge if the level
+ * changed, otherwise 0. */
 static uint32_t gpio_backend_poll_level(struct gpio_backend *backend, enum gpio_role role,
                                         struct gpio_edge *out)
 {
@@ -154,7 +156,7 @@ static uint32_t gpio_backend_poll_level(struct gpio_backend *backend, enum gpio_
     return gpio_dev_poll_level(&backend->looks, role, level, out);
 }
 
-/* Reads the edges of `role`. Returns their number. */
+/* Reads the edges of `role` into `out`. Returns the number of edges. */
 static uint32_t gpio_backend_read_edges(struct gpio_backend *backend,
                                         const struct gpio_dev_ready *ready, enum gpio_role role,
                                         struct gpio_edge *out, uint32_t max)
@@ -182,7 +184,7 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
         count += gpio_backend_read_edges(backend, &ready, role, out + count, max - count);
     }
-    if (backend->went && count == 0) { /* Edges of the other chips are returned first. */
+    if (backend->went && count == 0) { /* The edges of the remaining chips are returned first. */
         backend->went = 0;
         return HAL_ERR_GONE;
     }
@@ -224,6 +226,7 @@ struct gpio_lines gpio_backend_device(struct gpio_backend *backend,
         .describe = backend_describe,
     };
     backend->ops = ops;
-    backend_close(backend); /* Initializes the state, so that no file descriptor is 0. */
+    backend_close(backend); /* Closes nothing yet, but sets all file descriptors to -1, because 0 is
+                               a valid descriptor. */
     return (struct gpio_lines){ .ops = &lines_ops, .self = backend };
 }

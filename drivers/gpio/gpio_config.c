@@ -1,4 +1,4 @@
-/* gpio_config.c -- parses wiring texts and fills in defaults. */
+/* gpio_config.c -- parses wiring texts and fills in default times. */
 #include "drivers/gpio/gpio_config.h"
 
 #include <ctype.h>
@@ -8,10 +8,17 @@
 
 #include "drivers/gpio/gpio_config_token.h"
 
-#define COIN_DEBOUNCE_US 3000u /* Coin switches bounce for 1 to 3 ms. */
-#define COIN_MIN_US 15000u     /* Shortest common pulse: 25 ms - 20 %, less 5 ms of bounce. */
-#define COIN_MAX_US 250000u    /* Longest common pulse: 200 ms + 20 %, rounded up. */
-#define PULSE_ON_US 100000u    /* Electromechanical meters do five to ten steps a second. */
+#define COIN_DEBOUNCE_US                                                                           \
+    3000u /* Default debounce time of a coin line; coin switches bounce for 1 to 3 ms. */
+#define COIN_MIN_US                                                                                \
+    15000u /* Default shortest coin pulse: the shortest common pulse of 25 ms, minus 20 %, minus
+              5 ms of bounce. */
+#define COIN_MAX_US                                                                                \
+    250000u /* Default longest coin pulse: the longest common pulse of 200 ms, plus 20 %, rounded
+               up. */
+#define PULSE_ON_US                                                                                \
+    100000u /* Default length of an output pulse. Electromechanical meters count five to ten
+               steps per second. */
 #define PULSE_OFF_US 100000u
 
 /* Name and default debounce time of each role. */
@@ -19,18 +26,20 @@ static const struct {
     const char *name;
     uint32_t debounce_us;
 } roles[GPIO_ROLE_COUNT] = {
-    [GPIO_START] = { "start", 5000 }, /* Microswitches bounce for 1 to 5 ms; a frame has 16 ms. */
+    [GPIO_START] = { "start", 5000 }, /* Microswitches bounce for 1 to 5 ms, which is shorter than a
+                                         frame of 16 ms. */
     [GPIO_LEFT] = { "left", 5000 },
     [GPIO_RIGHT] = { "right", 5000 },
     [GPIO_OK] = { "ok", 5000 },
-    /* Rarely used, so a slow response is better than an accidental press. */
+    /* TEST and SERVICE are rarely used, so a slow response is better than an accidental press. */
     [GPIO_TEST] = { "test", 20000 },
     [GPIO_SERVICE] = { "service", 20000 },
-    [GPIO_TILT] = { "tilt", 2000 }, /* A tilt pendulum touches its ring for a few milliseconds. */
+    [GPIO_TILT] = { "tilt", 2000 }, /* A tilt pendulum touches its ring for only a few
+                                       milliseconds. */
     [GPIO_COIN] = { "coin", COIN_DEBOUNCE_US },
     [GPIO_COIN2] = { "coin2", COIN_DEBOUNCE_US },
     [GPIO_COIN3] = { "coin3", COIN_DEBOUNCE_US },
-    [GPIO_DOOR] = { "door", 50000 }, /* A door switch rattles. */
+    [GPIO_DOOR] = { "door", 50000 }, /* A door switch bounces for longer than a button. */
     [GPIO_START_LAMP] = { "start-lamp", 0 },
     [GPIO_COIN_LOCKOUT] = { "coin-lockout", 0 },
     [GPIO_TICKET] = { "ticket", 0 },
@@ -71,7 +80,7 @@ enum gpio_role gpio_role_find(const char *name, size_t length)
     return GPIO_ROLE_COUNT;
 }
 
-/* ---- One wire ------------------------------------------------------------------------------- */
+/* ---- Parsing of one wire -------------------------------------------------------------------- */
 
 static bool copies_name(struct gpio_config_token word, char out[GPIO_TEXT_SIZE])
 {
@@ -83,7 +92,8 @@ static bool copies_name(struct gpio_config_token word, char out[GPIO_TEXT_SIZE])
     return true;
 }
 
-/* Parses NAME, or CHIP:OFFSET if only digits follow the last colon. */
+/* Parses LINE: CHIP:OFFSET if only digits follow the last colon, otherwise a line name. Returns
+ * false if the text is empty or too long. */
 static bool reads_line(struct gpio_config_token word, struct gpio_wire *wire)
 {
     const char *colon = word.length ? memrchr(word.at, ':', word.length) : NULL;
@@ -122,7 +132,8 @@ static bool reads_level_or_bias(struct gpio_config_token word, struct gpio_wire 
     return false;
 }
 
-/* Parses a time that is valid for the role; other times are rejected. */
+/* Parses debounce=, window= or pulse=. Returns false if the time is invalid or the word does not
+ * suit the role. */
 static bool reads_timing(struct gpio_config_token word, enum gpio_role role, struct gpio_wire *wire)
 {
     if (gpio_config_token_parse_off(&word, "debounce=")) {
@@ -137,7 +148,7 @@ static bool reads_timing(struct gpio_config_token word, enum gpio_role role, str
            gpio_config_token_parse_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
 }
 
-/* Writes why a word is invalid. */
+/* Writes why a word is invalid. Returns false. */
 static bool refuse_word(struct gpio_config_token word, enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     const char *name = roles[role].name, *at = word.at;
@@ -191,7 +202,8 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
             return refuse_word(word, role, why);
         }
     }
-    if (!has_bias) { /* An undriven input is released, and the undriven coin lock is locked. */
+    if (!has_bias) { /* The default bias keeps an undriven button released, and an undriven coin
+                        lock locked. */
         const bool is_up = gpio_role_is_input(role) == (wire.active_low != 0);
         wire.bias = is_up ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
     }
@@ -199,7 +211,7 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
     return true;
 }
 
-/* ---- Wires ---------------------------------------------------------------------------------- */
+/* ---- Defaults, texts and checks of wires ---------------------------------------------------- */
 
 static void gpio_config_set_default(uint32_t *value, uint32_t own)
 {

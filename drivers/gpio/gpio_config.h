@@ -23,32 +23,35 @@
 
 #include "drivers/gpio/gpio_lines.h"
 
-/* Limit of all times; no button, coin or meter needs more than 10 s. */
+/* Upper limit of all times in a wiring text. No button, coin or meter needs more than 10 s. */
 #define GPIO_TIME_US_MAX 10000000u
 
-/* Returns the name of a role in wiring, logs and tables, such as "coin-lockout". */
+/* Returns the name of a role in wiring texts, logs and tables, such as "coin-lockout". */
 const char *gpio_role_name(enum gpio_role role);
 
-/* Returns the role with this name of `length` bytes, or GPIO_ROLE_COUNT. '_' equals '-', and
- * case is ignored. */
+/* Returns the role whose name is the first `length` bytes of `name`, or GPIO_ROLE_COUNT if there is
+ * none. '_' matches '-', and upper case matches lower case. */
 enum gpio_role gpio_role_find(const char *name, size_t length);
 
-/* Parses `text` and replaces the wire of its role, with all times set. Returns false and leaves
- * `wires` unchanged on an error; `why` then names the faulty word. */
+/* Parses `text` and replaces the wire of its role; times that the text omits get their defaults.
+ * Returns true. On an error, returns false, leaves `wires` unchanged, and names the invalid word in
+ * `why`. */
 bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE]);
 
-/* Returns false if two roles use the same line, which `why` names. */
+/* Returns true if no two roles use the same line. Otherwise returns false and names the two roles
+ * and the line in `why`. */
 bool gpio_config_agrees(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE]);
 
 /* Returns the number of wired roles. */
 uint32_t gpio_config_count(const struct gpio_wire wires[GPIO_ROLE_COUNT]);
 
-/* Writes the name of a line for messages: "BTN_START" or "gpio-sim.0:4". */
+/* Size of the buffer for gpio_wire_text(), which writes the name of a line for messages, such as
+ * "BTN_START" or "gpio-sim.0:4". */
 #define GPIO_WIRE_TEXT_SIZE (2u * GPIO_TEXT_SIZE + 12u)
 void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE]);
 
-/* Returns the wire with default times in place of times of 0. */
+/* Returns a copy of `wire` with default times in place of times of 0. */
 struct gpio_wire gpio_wire_filled(const struct gpio_wire *wire, enum gpio_role role);
 
 #endif

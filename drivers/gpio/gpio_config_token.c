@@ -1,4 +1,4 @@
-/* gpio_config_token.c -- parses tokens, numbers and times. */
+/* gpio_config_token.c -- parses the tokens, numbers and times of a wiring text. */
 #include "drivers/gpio/gpio_config_token.h"
 
 #include <ctype.h>

@@ -1,4 +1,4 @@
-/* gpio_dev.c -- /dev/gpiochip*, poll(), and error messages. */
+/* gpio_dev.c -- finds /dev/gpiochip*, calls poll(), and writes error messages. */
 #include "drivers/gpio/gpio_dev.h"
 
 #include <errno.h>
@@ -77,7 +77,8 @@ struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t ti
 
 bool gpio_dev_lacks_edges(int error)
 {
-    return error == ENODEV || error == ENXIO; /* Errors of gpiod_to_irq() in the kernel. */
+    return error == ENODEV || error == ENXIO; /* The kernel's gpiod_to_irq() returns these errors if
+                                                 a line has no interrupt. */
 }
 
 void gpio_dev_poll_begin(struct gpio_dev_poll_state *looks, enum gpio_role role, int level)

@@ -1,5 +1,5 @@
-/* gpio_dev.h -- helpers of both libgpiod backends: chips in /dev, waiting, polling, error
- * messages. */
+/* gpio_dev.h -- functions that the drivers for libgpiod 1.6 and 2.x share: chips in /dev, waiting,
+ * polling, and error messages. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_DEV_H
 #define KINGYO_DRIVERS_GPIO_GPIO_DEV_H
 
@@ -7,60 +7,64 @@
 
 #include "drivers/gpio/gpio_lines.h"
 
-/* An iteration over the device files of all chips, in directory order. Symbolic links are
- * skipped, because Raspberry Pi OS has links for former chip numbers. The first call of
- * gpio_dev_next() needs a zero-initialized walk; only `root` may be set. The walk is closed when
- * gpio_dev_next() returns false, or by gpio_dev_end(). */
+/* Iteration over the device files of all chips, in directory order. Symbolic links are skipped,
+ * because Raspberry Pi OS has links for former chip numbers.
+ *
+ * Before the first call of gpio_dev_next() all fields except `root` must be 0. The iteration ends
+ * when gpio_dev_next() returns false, or by gpio_dev_end(). */
 struct gpio_dev_walk {
-    const char *root; /* Root folder of the machine to examine; null: this one. */
+    const char *root; /* Root folder of the file system to search; null means "/". */
     DIR *folder;
-    char path[sizeof "/dev/" + 256]; /* Path of the current chip, without the root. */
-    uint32_t count;                  /* Chips found so far. */
+    char path[sizeof "/dev/" + 256]; /* Path of the current chip, without `root`. */
+    uint32_t count;                  /* Number of chips found so far. */
 };
 
-/* Finds the next chip. Returns false, and closes the walk, if there is none. */
+/* Finds the next chip. Returns true if there is a next chip, otherwise ends the iteration and
+ * returns false. */
 bool gpio_dev_next(struct gpio_dev_walk *walk);
 
-/* Closes a walk before its end. */
+/* Ends an iteration early. */
 void gpio_dev_end(struct gpio_dev_walk *walk);
 
-/* Copies a text of libgpiod; null becomes "". */
+/* Copies a text of libgpiod, truncated to GPIO_TEXT_SIZE. A null text becomes "". */
 void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text);
 
-/* Waits at most `timeout_ms` for events on the descriptors of input lines (-1: no descriptor).
- * Sets one bit for each role that is readable, and one for each role whose chip was removed. */
+/* Result of gpio_dev_wait(): one bit in `readable` for each role with events, and one bit in `gone`
+ * for each role whose chip was removed. gpio_dev_wait() waits at most `timeout_ms` for events on
+ * the file descriptors `fds` of the input lines. A descriptor of -1 is ignored. */
 struct gpio_dev_ready {
     uint32_t readable, gone;
 };
 struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms);
 
-/* Polling interval of lines without interrupts, such as port expanders whose INT pin is not
- * connected. A coin pulse of 20 ms is five times as long. */
+/* Polling interval of lines without interrupts, such as lines of a port expander whose INT pin is
+ * not connected. The shortest coin pulse of 20 ms is five times as long. */
 #define GPIO_POLL_MS 4u
 struct gpio_dev_poll_state {
     uint32_t roles;  /* Lines that are polled, one bit for each role. */
-    uint32_t active; /* Last level of each polled line. */
+    uint32_t active; /* Last level of each polled line, one bit for each role. */
 };
 
-/* Returns true if a request with edge detection failed because the line has no interrupt. */
+/* Returns true if the errno value `error` of a request with edge detection means that the line has
+ * no interrupt. */
 bool gpio_dev_lacks_edges(int error);
 
 /* Starts polling the line of `role`, whose current level is `level`. */
 void gpio_dev_poll_begin(struct gpio_dev_poll_state *looks, enum gpio_role role, int level);
-/* Returns the longest wait in ms, which is limited to GPIO_POLL_MS if lines are polled. */
+/* Returns the longest wait in ms: `timeout_ms`, but at most GPIO_POLL_MS if a line is polled. */
 uint32_t gpio_dev_poll_ms(const struct gpio_dev_poll_state *looks, uint32_t timeout_ms);
-/* Returns true if `level` differs from the last one, and fills `out` with an edge stamped with
- * the current time. */
+/* Returns true if `level` differs from the last level of `role`, and fills `out` with an edge at
+ * the current time. Otherwise, or if `level` is negative, returns false. */
 bool gpio_dev_poll_level(struct gpio_dev_poll_state *looks, enum gpio_role role, int level,
                          struct gpio_edge *out);
 
-/* Writes why an existing line was refused. `error` is the errno value; `consumer` is the current
- * user of the line or "". */
+/* Writes to `why` why the kernel refused an existing line. `error` is the errno value. `consumer`
+ * is the program that uses the line, or "" if unknown. */
 void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
                           const char *consumer);
 
-/* Writes why no chip has the line. `denied` is the path of a chip that could not be opened, or
- * "". */
+/* Writes to `why` why no chip has the line. `denied` is the path of a chip that could not be
+ * opened, or "" if all `chip_count` chips were opened. */
 void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
                           uint32_t chip_count);
 

@@ -1,4 +1,5 @@
-/* gpio_edge_filter.c -- edges by time stamp, corrected by polled levels. */
+/* gpio_edge_filter.c -- implements the edge filter: corrects the kernel's edges by polled
+ * levels. */
 #include "drivers/gpio/gpio_edge_filter.h"
 
 #define NEVER UINT64_MAX
@@ -16,20 +17,21 @@ struct gpio_edge_filter gpio_edge_filter_begin(uint64_t debounce_ns, bool active
 
 /* ---- Polled levels -------------------------------------------------------------------------- */
 
-/* Returns true while the polled level differs from the edges. */
+/* Returns true while the last polled level differs from the level after the last edge. */
 static bool is_doubted(const struct gpio_poll_edges *other)
 {
     return other->since_ns != NEVER && other->back_ns == NEVER;
 }
 
-/* Returns true if two polls prove a different level: the kernel is late by more than a glitch
- * lasts. */
+/* Returns true if polls over GPIO_PROOF_NS saw the different level. The kernel's edge event is then
+ * late by more than the length of a glitch. */
 static bool is_proof(const struct gpio_poll_edges *other)
 {
     return other->since_ns != NEVER && other->last_ns - other->since_ns >= GPIO_PROOF_NS;
 }
 
-/* Discards the polls. A proven level that no edge explained counts as a lost edge. */
+/* Discards the polls. If the polls proved a level and `is_explained` is false, one lost edge is
+ * counted. */
 static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 {
     const struct gpio_poll_edges *other = &input->other;
@@ -39,7 +41,8 @@ static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
 
-/* Applies a late edge to the level that was polled after it. */
+/* Applies an edge event that arrived late: its direction is replaced by the level that was polled
+ * after the edge. */
 static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
                       struct debounce_edge_time *out)
 {
@@ -48,14 +51,14 @@ static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
     const uint64_t back_ns = input->other.back_ns;
     input->late++;
     input->blinked_ns = NEVER;
-    /* Edges of that pulse up to this time are ignored. */
+    /* Later edge events of the same pulse, up to this time, are ignored. */
     input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
     end_looks(input, true);
     const bool turned = debounce_edge(debounce, time_ns, !before, out);
     return turned || back_ns == NEVER ? turned : debounce_edge(debounce, back_ns, before, out);
 }
 
-/* Processes a null edge: the line changed and changed back, so the debounce time starts again. */
+/* Processes a null edge: the line changed and changed back, so the debounce period starts again. */
 static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *edge,
                        struct debounce_edge_time *out)
 {
@@ -75,7 +78,7 @@ static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *e
     input->told_ns = edge->taken_ns;
     struct debounce_edge_time none;
     const bool turned = debounce_edge(debounce, edge->time_ns, !active, out);
-    /* Immediately after the edge, so it cannot settle. */
+    /* The line changes back at the same time, so no transition can complete. */
     debounce_edge(debounce, edge->time_ns, active, &none);
     return turned;
 }
@@ -88,7 +91,7 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
     const bool changes = active != input->debounce.raw;
     input->lost += edge->lost_before;
     if (edge->time_ns <= input->believed_ns) {
-        return false; /* The edge is older than an accepted poll. */
+        return false; /* The edge is older than an accepted polled level. */
     }
     if (edge->lost_before == 0 && is_proof(other) && edge->time_ns <= other->since_ns &&
         (!changes || !is_doubted(other))) {
@@ -102,10 +105,10 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
     return debounce_edge(&input->debounce, edge->time_ns, active, out);
 }
 
-/* ---- Levels --------------------------------------------------------------------------------- */
+/* ---- Levels that were read ------------------------------------------------------------------ */
 
-/* Records a poll with an unexpected level. Returns true if that level has lasted long enough to
- * be accepted. */
+/* Records a poll whose level differs from the edges. Returns true if the different level has lasted
+ * long enough to be accepted. */
 static bool doubt(struct gpio_edge_filter *input, uint64_t now_ns)
 {
     struct gpio_poll_edges *other = &input->other;

@@ -1,11 +1,13 @@
-/* gpio_lines.h -- GPIO lines for buttons, coins and lamps: wiring, and the interface of a
- * backend.
+/* gpio_lines.h -- GPIO lines for buttons, coins and lamps: their wiring, and the interface of the
+ * libgpiod drivers (backends).
  *
- * gpio_lines1.c implements the interface for libgpiod 1.6 (Debian 12), gpio_lines2.c for 2.x
- * (Debian 13), and gpio_lines0.c for a build without libgpiod; pkg-config selects one.
- * gpio_lines_sim.h is the simulated twin. A line is found by its name, or by the chip's label
- * and an offset. Chip numbers are not used, because they change between boots. All calls come
- * from one thread, the reader (gpio_thread.h). */
+ * gpio_lines1.c implements the interface for libgpiod 1.6 (Debian 12), gpio_lines2.c for libgpiod
+ * 2.x (Debian 13), and gpio_lines0.c for a build without libgpiod. pkg-config selects one of these
+ * files. gpio_lines_sim.h is the simulated backend.
+ *
+ * A line is found by its name, or by the label of its chip and an offset. Chip numbers are not
+ * used, because they can change when the machine boots. All calls come from one thread, the GPIO
+ * thread (gpio_thread.h). */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_LINES_H
 #define KINGYO_DRIVERS_GPIO_GPIO_LINES_H
 
@@ -23,12 +25,13 @@ enum gpio_role {
     GPIO_TEST,
     GPIO_SERVICE,
     GPIO_TILT,
-    GPIO_COIN, /* First of COIN_LINE_COUNT coin lines. */
+    GPIO_COIN, /* First of the COIN_LINE_COUNT coin lines. */
     GPIO_COIN2,
     GPIO_COIN3,
     GPIO_DOOR,
     GPIO_INPUT_COUNT,
-    GPIO_START_LAMP = GPIO_INPUT_COUNT, /* Outputs from here on, in the order of enum hal_switch. */
+    GPIO_START_LAMP = GPIO_INPUT_COUNT, /* First output. The outputs have the order of enum
+                                           hal_switch. */
     GPIO_COIN_LOCKOUT,
     GPIO_TICKET,
     GPIO_COIN_COUNTER,
@@ -40,7 +43,7 @@ static inline bool gpio_role_is_input(enum gpio_role role)
     return role < GPIO_INPUT_COUNT;
 }
 
-/* Returns true for the coin lines. */
+/* Returns true if `role` is a coin line. */
 static inline bool gpio_role_is_coin(enum gpio_role role)
 {
     return role >= GPIO_COIN && role <= GPIO_COIN3;
@@ -48,14 +51,15 @@ static inline bool gpio_role_is_coin(enum gpio_role role)
 
 _Static_assert(GPIO_COIN3 - GPIO_COIN + 1u == COIN_LINE_COUNT, "a role each coin line");
 
-/* Returns true for outputs that start active. Coins are locked out before the first command and
- * after the last. All other outputs start inactive. */
+/* Returns true if the output `role` is active when it is requested and after it is closed. This is
+ * the coin lockout, so that coins are rejected while the kiosk does not run. All other outputs
+ * start inactive. */
 static inline bool gpio_role_begins_active(enum gpio_role role)
 {
     return role == GPIO_COIN_LOCKOUT;
 }
 
-#define GPIO_TEXT_SIZE 32u /* Equals GPIO_MAX_NAME_SIZE of the kernel. */
+#define GPIO_TEXT_SIZE 32u /* Buffer size of names, equal to GPIO_MAX_NAME_SIZE of the kernel. */
 
 enum gpio_bias {
     GPIO_BIAS_AS_IS = 0,
@@ -64,72 +68,79 @@ enum gpio_bias {
     GPIO_BIAS_OFF,
 };
 
-/* Wiring of one role. The zero value means not wired. A time of 0 selects the role's default
- * (gpio_config.h). */
+/* Wiring of one role. An all-zero value means that the role is not wired. A time of 0 selects the
+ * default of the role (gpio_config.h). */
 struct gpio_wire {
     uint8_t wired;
-    char name[GPIO_TEXT_SIZE]; /* Line name; "": the line is given by chip and offset. */
-    char chip[GPIO_TEXT_SIZE]; /* Chip label; "" with a line name: any chip. */
+    char name[GPIO_TEXT_SIZE]; /* Name of the line. "" means that `chip` and `offset` identify the
+                                  line. */
+    char chip[GPIO_TEXT_SIZE]; /* Label of the chip. "" together with a line name means any chip. */
     uint32_t offset;
     uint8_t active_low;
-    uint8_t bias;          /* enum gpio_bias */
-    uint32_t debounce_us;  /* Debounce time of an input; ignored for outputs. */
-    uint32_t pulse_min_us; /* For coins: shortest and longest pulse. */
+    uint8_t bias;          /* Pull resistor of the line (enum gpio_bias). */
+    uint32_t debounce_us;  /* Debounce time of an input; unused for outputs. */
+    uint32_t pulse_min_us; /* Shortest pulse of a coin line; `pulse_max_us` is the longest pulse. */
     uint32_t pulse_max_us;
-    uint32_t pulse_on_us; /* For outputs: pulse length, and the pause after it. */
+    uint32_t pulse_on_us; /* Pulse length of an output; `pulse_off_us` is the pause after each
+                             pulse. */
     uint32_t pulse_off_us;
 };
 
 /* An edge event of the kernel. */
 struct gpio_edge {
-    uint64_t time_ns; /* CLOCK_MONOTONIC time of the interrupt. */
-    uint8_t role;     /* enum gpio_role */
-    /* Level after the edge, after active_low. The kernel reads the level shortly after the
-     * interrupt, so it can be wrong. */
+    uint64_t time_ns; /* Time of the interrupt on CLOCK_MONOTONIC. */
+    uint8_t role;     /* Role of the line (enum gpio_role). */
+    /* Level after the edge; 1 means active (see active_low). The kernel reads the level some time
+     * after the interrupt, so it can be wrong. */
     uint8_t active;
-    uint32_t lost_before; /* Edges of this line that the kernel's queue dropped before this edge. */
-    /* Time at which the reader received the edge, set by the reader; 0: not set. */
+    uint32_t lost_before; /* Number of earlier edges of the line that the kernel's full queue
+                             dropped directly before this edge. */
+    /* Time at which the GPIO thread received the edge. The GPIO thread sets this field; the backend
+     * leaves it 0. */
     uint64_t taken_ns;
 };
 
-/* Capacity of one read: four full queues of a line (16 edges on kernel 6.1). */
+/* Capacity of one read: four full queues of a line; a queue has 16 edges on kernel 6.1. */
 #define GPIO_EDGES_MAX 64u
 
-/* A line of a chip, as shown by `kingyoctl lines list` and `doctor`. */
+/* A line of a chip, as `kingyoctl lines list` and `kingyoctl doctor` show it. */
 struct gpio_line_info {
-    char device[GPIO_TEXT_SIZE]; /* Device name, such as "gpiochip0". */
+    char device[GPIO_TEXT_SIZE]; /* Device name of the chip, such as "gpiochip0". */
     char chip[GPIO_TEXT_SIZE];   /* Label of the chip. */
     uint32_t offset;
-    char name[GPIO_TEXT_SIZE];     /* "" if the board gives no name. */
-    char consumer[GPIO_TEXT_SIZE]; /* Current user of the line; "" if unused or unknown. */
+    char name[GPIO_TEXT_SIZE];     /* Name of the line, or "" if the board gives no name. */
+    char consumer[GPIO_TEXT_SIZE]; /* Name of the program that uses the line, or "" if the line is
+                                      unused or the name is unknown. */
     uint8_t used, is_output, active_low;
 };
 
 struct gpio_lines_ops {
-    /* Requests every wired line that is not held yet. Outputs are driven at once, as
-     * gpio_role_begins_active() defines. `why[role]` gets one line with the fault and its remedy
-     * ("BTN_START is held by 'gpio-keys': remove its overlay"), or "". Returns the held lines,
-     * one bit for each role, or HAL_ERR_ABSENT if there is no GPIO chip. */
+    /* Requests every wired line that is not held yet. Outputs are immediately driven to the level
+     * of gpio_role_begins_active(). `why[role]` receives one line with the fault and its remedy
+     * ("BTN_START is held by 'gpio-keys': remove its overlay"), or "". Returns the held lines, one
+     * bit for each role, or HAL_ERR_ABSENT if there is no GPIO chip. */
     int (*open)(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
-    /* Waits for edges at most `timeout_ms`, even if no line is held. Returns the number of
-     * edges, the oldest of each line first; `max` means that there may be more. Returns
-     * HAL_ERR_GONE after a chip was removed. The lines of that chip are then closed and the
-     * others remain held. */
+    /* Waits at most `timeout_ms` for edges, even if no line is held. Returns the number of edges,
+     * ordered by time for each line. A return value of `max` means that more edges may be pending.
+     * Returns HAL_ERR_GONE after a chip was removed. The lines of the removed chip are then closed,
+     * and all other lines remain held. */
     int (*wait)(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms);
-    /* Returns the level, after active_low: 0 or 1. Returns HAL_ERR_GONE if the line is not held. */
+    /* Returns the level: 1 means active, 0 means inactive (see active_low). Returns HAL_ERR_GONE if
+     * the line is not held. */
     int (*level)(void *self, enum gpio_role role);
-    /* Sets the level of an output. Returns HAL_OK, or HAL_ERR_GONE if the line is not held, or
-     * HAL_ERR_IO. */
+    /* Sets the level of an output. Returns HAL_OK, HAL_ERR_GONE if the line is not held, or
+     * HAL_ERR_IO on another error. */
     int (*set)(void *self, enum gpio_role role, int active);
-    /* Returns 1 if the kernel debounces this line. */
+    /* Returns 1 if the kernel debounces the line, otherwise 0. */
     int (*debounces)(void *self, enum gpio_role role);
     /* Calls `tell` for every line of every accessible chip. Returns the number of lines, or
      * HAL_ERR_ABSENT if there is no chip. */
     int (*list)(void *self, void (*tell)(void *context, const struct gpio_line_info *line),
                 void *context);
     void (*close)(void *self);
-    const char *(*describe)(void *self); /* Returns a name such as "libgpiod 1.6.3". */
+    const char *(*describe)(void *self); /* Returns the name of the library, such as "libgpiod
+                                            1.6.3". */
 };
 
 struct gpio_lines {

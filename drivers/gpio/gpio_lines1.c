@@ -1,24 +1,25 @@
-/* gpio_lines1.c -- the backend for libgpiod 1.6, which uses the kernel's first GPIO interface.
+/* gpio_lines1.c -- the backend for libgpiod 1.6, which uses the first version of the kernel's GPIO
+ * interface.
  *
- * Each input line has its own descriptor and a queue of 16 edges. When the queue is full, the
+ * Each input line has its own file descriptor and a queue of 16 edges. When the queue is full, the
  * kernel drops further edges without a report, and edges have no sequence numbers. A loss is
- * therefore inferred if the queue was full and the next edge has the direction that the line
- * already had. */
+ * therefore inferred if the queue was full and the next edge has the direction of the edge before
+ * it. */
 #include <gpiod.h>
 #include <string.h>
 
 #include "drivers/gpio/gpio_backend.h"
 #include "drivers/gpio/gpio_chips.h"
 
-#define QUEUE_SIZE 16u /* Size of LINEEVENT's kfifo in the kernel's gpiolib-cdev.c. */
+#define QUEUE_SIZE 16u /* Size of the LINEEVENT queue in the kernel's gpiolib-cdev.c. */
 #define NS_PER_S 1000000000ull
 
 static struct held {
-    /* Null if the line is not held. Each line opens its chip separately. */
+    /* Handle of the chip, or null if the line is not held. Each line opens its chip separately. */
     struct gpiod_chip *chip;
     struct gpiod_line *line;
     uint8_t active;   /* Level after the last edge. */
-    uint8_t was_full; /* 1 if the last read found the queue full. */
+    uint8_t was_full; /* 1 if the last read found a full queue, otherwise 0. */
 } lines[GPIO_ROLE_COUNT];
 
 /* ---- Requesting lines ----------------------------------------------------------------------- */
@@ -45,7 +46,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 
 static void gpio_lines1_release(enum gpio_role role)
 {
-    gpiod_chip_close(lines[role].chip); /* Closing the chip releases its line. */
+    gpiod_chip_close(lines[role].chip); /* Closing the chip releases the line. */
     lines[role] = (struct held){ 0 };
 }
 
@@ -112,7 +113,7 @@ static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
     return count;
 }
 
-/* ---- Levels --------------------------------------------------------------------------------- */
+/* ---- Levels and the backend ----------------------------------------------------------------- */
 
 static int get(enum gpio_role role)
 {
@@ -124,7 +125,7 @@ static int gpio_lines1_set(enum gpio_role role, int active)
     return gpiod_line_set_value(lines[role].line, active != 0);
 }
 
-/* Returns 0, because the first interface cannot debounce. */
+/* Returns 0, because the first version of the interface cannot debounce. */
 static int debounces(enum gpio_role role)
 {
     (void)role;

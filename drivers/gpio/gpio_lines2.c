@@ -1,7 +1,9 @@
-/* gpio_lines2.c -- the backend for libgpiod 2.x, which uses the kernel's second GPIO interface.
+/* gpio_lines2.c -- the backend for libgpiod 2.x, which uses the second version of the kernel's GPIO
+ * interface.
  *
- * Each line is a separate request with its own queue, so that a bouncing line cannot fill the
- * queue of another line. Edges are numbered, so losses are exact. The kernel can debounce. */
+ * Each line is a separate request with its own queue, so that a bouncing line cannot fill the queue
+ * of another line. Edges are numbered, so the number of lost edges is exact. The kernel can
+ * debounce a line. */
 #include <errno.h>
 #include <gpiod.h>
 #include <string.h>
@@ -9,15 +11,19 @@
 #include "drivers/gpio/gpio_backend.h"
 #include "drivers/gpio/gpio_chips.h"
 
-#define QUEUE_SIZE GPIO_EDGES_MAX /* Requested size; the kernel's default is 16 for each line. */
+#define QUEUE_SIZE                                                                                 \
+    GPIO_EDGES_MAX /* Requested queue size; the kernel's default is 16 edges for each line. */
 
 static struct held {
-    struct gpiod_chip *chip; /* Null if the line is not held. */
+    struct gpiod_chip *chip; /* Handle of the chip, or null if the line is not held. */
     unsigned int offset;
-    struct gpiod_line_request *request;     /* Null if the line was not requested yet. */
-    struct gpiod_edge_event_buffer *buffer; /* Buffer of an input with edge detection. */
-    uint32_t seen;                          /* Number of the last edge; 0: none yet. */
-    uint8_t debounces;                      /* 1 if the kernel debounces the line. */
+    struct gpiod_line_request *request;     /* Handle of the request, or null if the line is not
+                                               requested yet. */
+    struct gpiod_edge_event_buffer *buffer; /* Buffer for the edges of an input with edge detection,
+                                               otherwise null. */
+    uint32_t seen;                          /* Sequence number of the last edge; 0 means no edge
+                                               yet. */
+    uint8_t debounces;                      /* 1 if the kernel debounces the line, otherwise 0. */
 } lines[GPIO_ROLE_COUNT];
 
 /* ---- Finding lines -------------------------------------------------------------------------- */
@@ -61,10 +67,12 @@ static void gpio_lines2_release(enum gpio_role role)
     *held = (struct held){ 0 };
 }
 
-/* Returns true for lines whose transition times do not matter. The kernel stamps debounced edges
- * when its work queue runs, in steps of 4 ms and late on a busy machine. On an emulated machine,
- * coin pulses of 40 ms became 15 to 75 ms. Edges without kernel debouncing have exact time
- * stamps. */
+/* Returns true if the kernel may debounce the line of `role`. Coin and tilt lines are excluded,
+ * because the times of their transitions matter.
+ *
+ * The kernel stamps a debounced edge when its work queue runs, in steps of 4 ms and late on a busy
+ * machine. In a virtual machine, coin pulses of 40 ms were measured as 15 to 75 ms. Edges without
+ * kernel debouncing have exact time stamps. */
 static bool kernel_may_debounce(enum gpio_role role)
 {
     return !gpio_role_is_coin(role) && role != GPIO_TILT;
@@ -97,7 +105,7 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
     return failed;
 }
 
-/* Requests a line. Returns null on an error and sets errno. */
+/* Requests a line. Returns the request, or null with errno set on an error. */
 static struct gpiod_line_request *request_line(const struct held *held,
                                                const struct gpio_wire *wire, enum gpio_role role,
                                                bool has_edges)
@@ -157,7 +165,7 @@ static struct gpio_edge edge_of(struct held *held, enum gpio_role role,
         .time_ns = gpiod_edge_event_get_timestamp_ns(event),
         .role = (uint8_t)role,
         .active = gpiod_edge_event_get_event_type(event) == GPIOD_EDGE_EVENT_RISING_EDGE,
-        .lost_before = number - held->seen - 1u, /* The kernel counts from 1. */
+        .lost_before = number - held->seen - 1u, /* The kernel numbers the edges from 1. */
     };
     held->seen = number;
     return edge;
@@ -174,7 +182,7 @@ static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
     return count;
 }
 
-/* ---- Levels --------------------------------------------------------------------------------- */
+/* ---- Levels and the backend ----------------------------------------------------------------- */
 
 static int get(enum gpio_role role)
 {

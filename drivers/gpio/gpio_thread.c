@@ -1,4 +1,5 @@
-/* gpio_thread.c -- the GPIO thread: waits, debounces, counts coins, and drives outputs. */
+/* gpio_thread.c -- implements the GPIO thread: waits for edges, debounces, counts coins, and drives
+ * outputs. */
 #include "drivers/gpio/gpio_thread.h"
 
 #include <signal.h>
@@ -9,8 +10,12 @@
 #include "drivers/gpio/gpio_thread_lines.h"
 
 #define NS_PER_MS 1000000u
-#define WATCH_NS 100000000u /* Polling interval of all lines, with or without edges. */
-#define STOP_STEPS_MAX 200u /* Steps of 10 ms: ten pulses of the slowest meters. */
+#define WATCH_NS                                                                                   \
+    100000000u /* Interval at which the levels of all input lines are read, in addition to edge
+                  events. */
+#define STOP_STEPS_MAX                                                                             \
+    200u /* Longest wait in gpio_thread_stop(): 200 steps of 10 ms, enough for ten pulses of the
+            slowest meters. */
 #define STOP_STEP_NS 10000000
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
@@ -26,7 +31,8 @@ static void take_turn(struct gpio_thread *reader, enum gpio_role role,
     }
     reader->levels =
         turn.active ? reader->levels | gpio_role_bit(role) : reader->levels & ~gpio_role_bit(role);
-    /* Stored before `pressed`, so that a reader of the press also sees the level. */
+    /* `held` is stored before `pressed`, so that a thread that sees the press also sees the
+     * level. */
     atomic_store(&reader->held, reader->levels);
     if (turn.active) {
         atomic_fetch_or(&reader->pressed, gpio_role_bit(role));
@@ -47,7 +53,7 @@ static void publish_coins(struct gpio_thread *reader, uint32_t line)
     coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
 }
 
-/* Publishes the counts since the last call to the frame loop. */
+/* Adds the counts since the previous call to the atomic counters that the frame loop reads. */
 static void publish(struct gpio_thread *reader)
 {
     struct gpio_total *total = &reader->total;
@@ -69,7 +75,7 @@ static void publish(struct gpio_thread *reader)
     total->lost_edges += lost;
 }
 
-/* ---- One iteration -------------------------------------------------------------------------- */
+/* ---- One iteration of the thread ------------------------------------------------------------ */
 
 static void earlier(uint64_t *due_ns, uint64_t other_ns)
 {
@@ -105,7 +111,8 @@ static void take_edges(struct gpio_thread *reader, struct gpio_edge *edges, uint
     }
 }
 
-/* Reads the level of every line that had edges or is due, which completes its last transition. */
+/* Reads the level of every line that had edges or whose deadline has passed. The level completes
+ * the line's last transition. */
 static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
 {
     const struct gpio_lines *lines = &reader->lines;
@@ -138,7 +145,7 @@ static void drive_output(struct gpio_thread *reader, enum gpio_role role)
     const uint32_t bit = gpio_role_bit(role);
     struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
     if (!(reader->had & bit)) {
-        return; /* The pulses wait until the line returns. */
+        return; /* Pulses of a missing line are kept until the line is held again. */
     }
     const bool pulses = pulse_train_at(train, gpio_thread_now_ns(reader));
     const bool active = pulses || (atomic_load(&reader->wanted) & bit) != 0;
@@ -154,7 +161,7 @@ static void drive_output(struct gpio_thread *reader, enum gpio_role role)
 }
 
 /* Drives all outputs. New pulses are added to `pending` and `owed` before they are removed from
- * `pulses`, so that a reader of `pulses` and then `pending` misses none. */
+ * `pulses`. A thread that reads `pulses` and then `pending` therefore misses no pulse. */
 static void drive_outputs(struct gpio_thread *reader)
 {
     uint32_t owed = 0, taken[GPIO_OUTPUT_COUNT];
@@ -198,11 +205,12 @@ void gpio_thread_step(struct gpio_thread *reader)
         reader->lines.ops->wait(reader->lines.self, edges, GPIO_EDGES_MAX, wait_ms(reader));
     if (count == HAL_ERR_GONE) {
         gpio_thread_lose_lines(reader);
-        publish(reader); /* Publishes counts before the lines are requested again. */
+        publish(reader); /* Publishes the counts before the lines are requested again. */
         gpio_thread_request_lines(reader);
     }
     take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u, &touched);
-    if (count < (int)GPIO_EDGES_MAX) { /* If the buffer is full, more edges must be read first. */
+    if (count < (int)GPIO_EDGES_MAX) { /* If the buffer was full, more edges must be read before the
+                                          levels. */
         if (gpio_thread_now_ns(reader) >= reader->watch_ns) {
             reader->watch_ns = gpio_thread_now_ns(reader) + WATCH_NS;
             touched = ~0u;
@@ -261,16 +269,17 @@ static void *gpio_thread_read_lines(void *context)
     return NULL;
 }
 
-/* Signals that a fault in the thread itself raises. */
+/* Signals that a fault inside the thread raises. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
-/* Starts the thread with all other signals blocked, because the main thread handles them. */
+/* Starts the thread with all signals blocked except `panics`, because the main thread handles all
+ * other signals. */
 int gpio_thread_start(struct gpio_thread *reader)
 {
     sigset_t all, before;
     sigfillset(&all);
     for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
-        /* A blocked fault signal would end the process without a trace. */
+        /* A blocked fault signal would end the process without a stack trace. */
         sigdelset(&all, panics[i]);
     }
     pthread_sigmask(SIG_SETMASK, &all, &before);

@@ -1,8 +1,9 @@
-/* gpio_thread.h -- the thread that reads all input lines and drives all output lines.
+/* gpio_thread.h -- the GPIO thread, which reads all input lines and drives all output lines.
  *
- * No other thread uses the lines. Results wait in atomic counters until the frame loop reads
- * them, so a frame loop that stalls for a second loses no coin. Commands of the frame loop go
- * the same way. A removed chip or a line that could not be requested is retried once a second. */
+ * No other thread uses the lines. The results are kept in atomic counters until the frame loop
+ * reads them, so no coin is lost while the frame loop stalls for a second. Commands of the frame
+ * loop use atomic variables too. Lines that could not be requested, and lines of a removed chip,
+ * are requested again once a second. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_THREAD_H
 #define KINGYO_DRIVERS_GPIO_GPIO_THREAD_H
 
@@ -14,15 +15,18 @@
 #include "drivers/gpio/pulse_train.h"
 
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
-/* Longest delay of an output change, and of a level change without an edge event. */
+/* Longest delay of an output change, and of a level change without an edge event, in ms. */
 #define GPIO_WAIT_MS_MAX 20u
-#define GPIO_COIN_POLL_NS 5000000u /* Polling interval of a coin line: three times in a pulse. */
+#define GPIO_COIN_POLL_NS                                                                          \
+    5000000u /* Polling interval of a coin line, so that each pulse is polled at least three
+                times. */
 
-/* Counts since the lines were first requested. */
+/* Counts since gpio_thread_open(). */
 struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
-    uint32_t too_short, stuck, cut; /* Sums over all coin lines, as in coin_mech. */
-    /* Pairs of null edges (gpio_edge_filter.h): two glitches, or a missed coin. */
+    uint32_t too_short, stuck, cut; /* Sums over all coin lines of the counts that coin_mech.h
+                                       defines. */
+    /* Pairs of null edges (gpio_edge_filter.h), each either two glitches or a missed coin. */
     uint32_t doubtful;
     uint32_t lost_edges, lost_chips;
 };
@@ -30,34 +34,39 @@ struct gpio_total {
 struct gpio_thread {
     struct gpio_lines lines;
     struct hal_clock clock;
-    struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring with all default times filled in. */
+    struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring in which all default times are filled in. */
 
-    /* The following fields are used only by the reader thread. */
+    /* Only the GPIO thread uses the fields from `had` to `total`. */
     uint32_t had;                           /* Held lines, one bit for each role. */
-    uint32_t lit;                           /* Outputs that were last set active. */
-    uint64_t retry_ns;                      /* Time of the next request of missing lines. */
-    uint64_t watch_ns;                      /* Next time at which all levels are read. */
-    uint64_t coin_look_ns[COIN_LINE_COUNT]; /* Next time at which each coin line is read. */
+    uint32_t lit;                           /* Outputs whose last set level is active, one bit for
+                                               each role. */
+    uint64_t retry_ns;                      /* Time at which missing lines are requested again. */
+    uint64_t watch_ns;                      /* Time at which the levels of all lines are read
+                                               next. */
+    uint64_t coin_look_ns[COIN_LINE_COUNT]; /* Time at which each coin line is polled next. */
     struct gpio_edge_filter inputs[GPIO_INPUT_COUNT];
     struct coin_mech coin[COIN_LINE_COUNT];
     struct pulse_train trains[GPIO_OUTPUT_COUNT];
-    uint32_t levels;         /* Debounced levels, one bit for each role. */
-    struct gpio_total total; /* Totals for the caller of gpio_thread_step(). */
+    uint32_t levels;         /* Debounced levels of the buttons, one bit for each role. */
+    struct gpio_total total; /* Totals, which the caller of gpio_thread_step() may read. */
 
-    /* The following fields are shared by both threads. */
-    /* Buttons that are down, and press edges, one bit for each role. */
+    /* The GPIO thread and the frame loop share the atomic fields below. */
+    /* Debounced buttons that are pressed, and buttons that were pressed since the last read, one
+     * bit for each role. */
     _Atomic uint32_t held, pressed;
     _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Coins of each line since the last read. */
-    _Atomic uint32_t faults;                  /* Faults since the last read. */
+    _Atomic uint32_t faults;                  /* Number of faults since the last read. */
     _Atomic uint32_t raw;                     /* Levels before debouncing, one bit for each role. */
-    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges including bounces, since the last read. */
-    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line, since the last read. */
+    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges of each line since the last read, including
+                                                 bounces. */
+    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line since the last read. */
     _Atomic uint32_t missing; /* Wired lines that are not held, one bit for each role. */
-    _Atomic uint32_t wanted;  /* Outputs that must be active, one bit for each role. */
-    /* Pulses requested and not yet taken by the reader. */
+    _Atomic uint32_t wanted;  /* Outputs that the frame loop has set active, one bit for each
+                                 role. */
+    /* Pulses of each output that are requested and not yet taken over by the GPIO thread. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT];
-    _Atomic uint32_t owed; /* Unfinished pulses of all held outputs. */
-    /* Unfinished pulses of each output, held or missing. */
+    _Atomic uint32_t owed; /* Sum of the unfinished pulses of all held outputs. */
+    /* Unfinished pulses of each output, whether the output is held or missing. */
     _Atomic uint32_t pending[GPIO_OUTPUT_COUNT];
     _Atomic int stop;
     pthread_t thread;
@@ -68,8 +77,9 @@ struct gpio_thread {
     char text[HAL_TEXT_SIZE];
 };
 
-/* Requests the lines once, without a thread; the caller then calls gpio_thread_step(). Returns
- * the result of gpio_lines_ops.open. The caller owns `reader`, which must not move. */
+/* Initializes `reader` and requests the lines once, without starting a thread. A caller without a
+ * thread then calls gpio_thread_step(). Returns the result of gpio_lines_ops.open. The caller owns
+ * `reader`, which must not move. */
 int gpio_thread_open(struct gpio_thread *reader, struct gpio_lines lines,
                      const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock);
 
@@ -77,10 +87,11 @@ int gpio_thread_open(struct gpio_thread *reader, struct gpio_lines lines,
  * outputs. */
 void gpio_thread_step(struct gpio_thread *reader);
 
-/* Closes the lines: locks out coins, switches lamps off, and drops unfinished pulses. */
+/* Closes the lines. Coins are locked out, lamps are switched off, and unfinished pulses are
+ * dropped. */
 void gpio_thread_close(struct gpio_thread *reader);
 
-/* Starts the thread. Returns HAL_OK, or HAL_ERR_IO if there is no thread. */
+/* Starts the thread. Returns HAL_OK, or HAL_ERR_IO if the thread cannot be created. */
 int gpio_thread_start(struct gpio_thread *reader);
 
 /* Waits at most two seconds for unfinished pulses, ends the thread and closes the lines. */

@@ -1,4 +1,5 @@
-/* gpio_thread_lines.c -- requests lines, initializes them, and reports missing ones. */
+/* gpio_thread_lines.c -- requests the lines of the GPIO thread, initializes their states, and
+ * reports missing lines. */
 #include "drivers/gpio/gpio_thread_lines.h"
 
 #include <stdio.h>
@@ -6,7 +7,9 @@
 
 #include "drivers/gpio/gpio_config.h"
 
-#define RETRY_NS 1000000000u /* A returned chip is in use again within a second. */
+#define RETRY_NS                                                                                   \
+    1000000000u /* Interval of requests for missing lines, so that a chip that returns is used
+                   within a second. */
 
 uint32_t gpio_thread_begin_bits(void)
 {
@@ -38,13 +41,14 @@ static void begin_input(struct gpio_thread *reader, enum gpio_role role)
     if (gpio_role_is_coin(role)) {
         reader->coin[role - GPIO_COIN] = coin_mech_begin(wire->pulse_min_us * 1000ull,
                                                          wire->pulse_max_us * 1000ull, active, now);
-    } else if (active) { /* Pressed already, so there is no press edge. */
+    } else if (active) { /* The button was pressed before the line was requested, so no press is
+                            reported. */
         reader->levels |= gpio_role_bit(role);
     }
 }
 
-/* Completes a coin whose pulse had ended when the line was lost, even if its end was not
- * debounced yet. An unfinished pulse is cut. */
+/* Counts a coin whose pulse had ended when the line was lost, even if the end was not debounced
+ * yet. A pulse that had not ended is counted as cut. */
 static void lose_coin(struct gpio_thread *reader, enum gpio_role role)
 {
     const struct debounce *debounce = &reader->inputs[role].debounce;
@@ -86,8 +90,8 @@ static uint32_t count_bits(uint32_t bits)
     return (uint32_t)__builtin_popcount(bits);
 }
 
-/* Writes "; no start, coin (BTN_START: there is no GPIO chip in /dev)": all missing lines, and
- * the reason for the first. */
+/* Writes a text such as "; no start, coin (BTN_START: there is no GPIO chip in /dev)". The text
+ * lists all missing lines and gives the reason for the first missing line. */
 static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
                         char out[HAL_TEXT_SIZE])
 {
@@ -104,11 +108,11 @@ static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZ
     }
     const size_t room = HAL_TEXT_SIZE - length;
     if (first[0] && snprintf(out + length, room, " (%s)", first) >= (int)room) {
-        out[HAL_TEXT_SIZE - 2u] = ')'; /* The text was truncated. */
+        out[HAL_TEXT_SIZE - 2u] = ')'; /* Closes the parenthesis of a truncated text. */
     }
 }
 
-/* Updates the one-line description of held and missing lines. */
+/* Updates the one-line description of the held and the missing lines. */
 static void gpio_thread_lines_describe(struct gpio_thread *reader,
                                        char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE])
 {

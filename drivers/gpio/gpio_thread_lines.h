@@ -1,4 +1,4 @@
-/* gpio_thread_lines.h -- requests and releases the reader's lines. A private part of
+/* gpio_thread_lines.h -- requests and releases the lines of the GPIO thread. A private part of
  * gpio_thread.c. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_THREAD_LINES_H
 #define KINGYO_DRIVERS_GPIO_GPIO_THREAD_LINES_H
@@ -15,16 +15,17 @@ static inline uint32_t gpio_role_bit(enum gpio_role role)
     return 1u << role;
 }
 
-/* Returns the outputs that start active. */
+/* Returns the outputs that start active, one bit for each role. */
 uint32_t gpio_thread_begin_bits(void);
 
-/* Returns the wired lines that are not held. */
+/* Returns the wired lines that are not held, one bit for each role. */
 uint32_t gpio_thread_missing_bits(const struct gpio_thread *reader);
 
-/* Requests missing lines. Returns the result of gpio_lines_ops.open. */
+/* Requests the missing lines. Returns the result of gpio_lines_ops.open. */
 int gpio_thread_request_lines(struct gpio_thread *reader);
 
-/* Releases the lines of removed chips and counts one fault. */
+/* Marks the lines of removed chips as missing. Counts one fault if at least one line is newly
+ * missing. */
 void gpio_thread_lose_lines(struct gpio_thread *reader);
 
 #endif

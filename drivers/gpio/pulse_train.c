@@ -1,4 +1,4 @@
-/* pulse_train.c -- alternates pulses and pauses. */
+/* pulse_train.c -- implements the sequence of pulses and pauses. */
 #include "drivers/gpio/pulse_train.h"
 
 void pulse_train_add(struct pulse_train *train, uint32_t count)
