@@ -1,15 +1,20 @@
-/* disc.c -- water forces on a disc: C_N of a low-aspect wing at small angles, of a bluff disc at
- * large ones. */
+/* disc.c -- water forces on a thin disc.
+ *
+ * At small angles between the disc and its velocity, the normal force coefficient C_N is the
+ * coefficient of a low-aspect wing. At large angles, C_N is the coefficient of a bluff disc. */
 #include "core/poi/disc.h"
 
 #include "core/base/fmath.h"
 #include "core/base/physics.h"
 
-#define CN_BROADSIDE 1.17f  /* Bluff disc; 1.12 to 1.17 in the literature. */
-#define CN_PER_SINE 2.0f    /* Circular wing at small angles: 1.79 per radian, increasing. */
-#define NU_M2_S 1.0e-6f     /* Water at 20 C. */
+/* C_N of a disc that moves along its normal; the literature gives 1.12 to 1.17. */
+#define CN_BROADSIDE 1.17f
+/* C_N per sine of the angle of attack. A circular wing has 1.79 per radian at small angles, and
+ * more at larger ones. */
+#define CN_PER_SINE 2.0f
+#define NU_M2_S 1.0e-6f     /* Kinematic viscosity of water at 20 C. */
 #define ENTRY_HALF_M 0.005f /* Half the depth over which a level disc submerges. */
-/* 1.5 radii below the surface, the surface has no effect on the disc. */
+/* Depth below which the water surface no longer affects the added mass: 1.5 radii of the poi. */
 #define OPEN_DEPTH_M 0.06f
 
 float disc_immersed(float radius_m, float centre_y_m, float up_y)
@@ -33,7 +38,8 @@ float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s)
     const float half_rho_area = 0.5f * WATER_KG_M3 * F_PI * radius_m * radius_m;
     const float square = normal_m_s * normal_m_s + plane_m_s * plane_m_s;
     const float speed = f_sqrt(square);
-    /* F = rho/2 A min(1.17 V^2, 2 |v_n| V). Divided by |v_n| only if that is not small. */
+    /* The force is F = rho/2 A min(1.17 V^2, 2 |v_n| V). The coefficient is F / |v_n|, and the code
+     * divides by |v_n| only if |v_n| is not small. */
     const float slender = CN_PER_SINE * speed;
     const float normal = f_abs(normal_m_s);
     if (CN_PER_SINE * normal <= CN_BROADSIDE * speed) {
@@ -53,13 +59,15 @@ float disc_edge_n_s_m(float radius_m, float plane_m_s)
     return friction * 0.5f * WATER_KG_M3 * 2.0f * F_PI * radius_m * radius_m * speed;
 }
 
-/* Ratio of rotation, (16/45) a^5, to translation, (8/3) a^3. */
+/* The added inertia of rotation is (16/45) rho a^5 and the added mass is (8/3) rho a^3. The ratio
+ * of the two is (2/15) a^2. */
 float disc_turn_added_kg_m2(float radius_m, float added_kg)
 {
     return 2.0f / 15.0f * added_kg * radius_m * radius_m;
 }
 
-/* The integral of |x|^3 over a disc is (8/15) a^5. */
+/* The torque integrates the drag at each point, and the integral of |x|^3 over a disc of radius a
+ * is (8/15) a^5. */
 float disc_turn_n_m_s(float radius_m, float rate_rad_s)
 {
     const float square = radius_m * radius_m;
@@ -67,7 +75,7 @@ float disc_turn_n_m_s(float radius_m, float rate_rad_s)
     return 0.5f * WATER_KG_M3 * CN_BROADSIDE * integral * f_abs(rate_rad_s);
 }
 
-/* The mean of x^2 over a disc is a^2 / 4. */
+/* The mean of x^2 over a disc of radius a is a^2 / 4. */
 float disc_turn_pa(float radius_m, float rate_rad_s)
 {
     const float square_m2_s2 = 0.25f * radius_m * radius_m * rate_rad_s * rate_rad_s;

@@ -1,30 +1,34 @@
 /* disc.h -- the forces of the water on a thin tilted disc.
  *
- * Coefficients are force per speed, so that a caller can add them to the left side of an implicit
- * step. Drag then slows a poi and can never throw it back, at any speed. */
+ * The poi is the paper scoop, and this disc is a model of its ring and paper. Forces are returned
+ * as coefficients (force per speed), so that a caller can add them to the left side of an implicit
+ * integration step. With an implicit step, drag slows a poi but never reverses its motion, at any
+ * speed. rho is the density of water, and a is the radius of the disc. */
 #ifndef KINGYO_CORE_POI_DISC_H
 #define KINGYO_CORE_POI_DISC_H
 
-/* Returns the share [0, 1] of a disc's area under the still surface. `up_y` is the vertical
- * component of its unit normal. A level disc submerges over 10 mm, because its paper sags and takes
- * air along. */
+/* Returns the share [0, 1] of a disc's area that is below the still water surface at y = 0. `up_y`
+ * is the vertical component of the disc's unit normal. A level disc takes 10 mm of travel to
+ * submerge, because its paper sags and traps air. */
 float disc_immersed(float radius_m, float centre_y_m, float up_y);
 
-/* Returns the added mass along the normal: (8/3) rho a^3 in open water, half of it at the
- * surface. */
+/* Returns the added mass of water for motion along the disc's normal. The added mass is (8/3) rho
+ * a^3 in deep water and half of that at the surface. */
 float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed);
 
-/* Returns normal force / normal speed for a fully immersed disc (N s/m). C_N = min(1.17, 2 sin
- * alpha), alpha the angle between its plane and its velocity; both speeds are relative to the
- * water. */
+/* Returns the force along the normal divided by the speed along the normal, in N s/m, for a fully
+ * immersed disc. The force coefficient is C_N = min(1.17, 2 sin alpha), where alpha is the angle
+ * between the disc's plane and its velocity. Both speeds are relative to the water. */
 float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s);
 
-/* Returns friction / speed along the plane (N s/m), both faces, laminar plate. */
+/* Returns the skin friction divided by the speed along the disc's plane, in N s/m. The formula is
+ * the formula of a laminar plate and counts both faces. */
 float disc_edge_n_s_m(float radius_m, float plane_m_s);
 
-/* Coefficients of a disc that rotates about its own diameter: added inertia (kg m^2) for `added_kg`
- * along its normal; torque / rate under water (N m s); and the pressure from the mean square of its
- * speed. The water is (16/45) rho a^5, with C_N of a broadside disc at each point. */
+/* Coefficients of a disc that rotates about one of its diameters. The added inertia (kg m^2)
+ * belongs to the added mass `added_kg` along the normal. The drag coefficient under water is torque
+ * divided by rate (N m s). The pressure (Pa) follows from the mean square of the speed over the
+ * disc. Each point of the disc has the C_N of a disc that moves along its normal. */
 float disc_turn_added_kg_m2(float radius_m, float added_kg);
 float disc_turn_n_m_s(float radius_m, float rate_rad_s);
 float disc_turn_pa(float radius_m, float rate_rad_s);

@@ -1,30 +1,35 @@
-/* hand_spring.c -- the hand spring: one implicit step of a spring between hand and ring, against
- * the water. */
+/* hand_spring.c -- the hand spring: one implicit integration step of a spring between hand and
+ * ring. */
 #include "core/poi/hand_spring.h"
 
 #include "core/base/physics.h"
 #include "core/poi/disc.h"
 #include "core/poi/load.h"
 
-/* The hand. The stiffness is constant. The damping grows with the added mass of water, so that the
- * spring is critically damped along the normal under water. The ring lags a moving hand by damping
- * / stiffness: 25 ms in air, 56 ms broadside under water. */
+/* The spring between the player's hand and the ring has a constant stiffness. The damping grows
+ * with the added mass of water, so that the spring is critically damped along the normal under
+ * water. The ring lags behind a moving hand by damping / stiffness: 25 ms in air, and 56 ms under
+ * water for motion along the normal. */
 #define HAND_N_M 215.0f
 #define HAND_LAG_AIR_S 0.0250f
-#define HAND_N_MAX 20.0f /* Limit of a wrist; beyond it the poi gives way. */
+#define HAND_N_MAX 20.0f /* Largest force of the spring: the limit of a human wrist. */
 
-/* A hand that pushes against a slow obstacle slows down with it. Once free, the poi moves at the
- * recent speed of the hand and catches up slowly, because the spring alone would shoot it off at
- * 3.7 m/s. A freely moving ring lags by its speed times the lag. The limit is pace (1 + 4 lag). A
- * freely moving ring never reaches that limit: its speed stays at pace exp(lag / 0.3 s). */
-#define CATCH_UP_PER_S 4.0f  /* Rate at which the ring catches up with its lag. */
-#define CATCH_UP_M_S 1.0f    /* Highest additional speed while it catches up. */
-#define PACE_TAU_S 0.30f     /* Time constant with which the speed of the hand decays. */
-#define PACE_MAX_M_S 4.0f    /* No arm is faster, but an input report may be. */
-#define EDGE_ADDED_KG 0.010f /* Mass of water that the ring drags along its plane. */
+/* Limit of the ring's speed. A hand that pushes against a slow obstacle moves ahead of the ring and
+ * stretches the spring. Without a limit, the spring would shoot the ring off at 3.7 m/s once the
+ * obstacle is gone. The limit is the recent speed of the hand (pace) plus CATCH_UP_PER_S times the
+ * distance to the target. A freely moving ring never reaches this limit, because the ring's speed
+ * stays at or below pace exp(lag / 0.3 s). */
+/* Additional speed of the ring per metre of distance to its target, in 1/s. */
+#define CATCH_UP_PER_S 4.0f
+#define CATCH_UP_M_S 1.0f /* Highest additional speed while the ring catches up with its target. */
+#define PACE_TAU_S 0.30f  /* Time constant with which the stored recent speed of the hand decays. */
+/* Limit of the stored hand speed. No arm is faster, but a faulty input report may be. */
+#define PACE_MAX_M_S 4.0f
+#define EDGE_ADDED_KG 0.010f /* Added mass of water when the ring moves along its plane. */
 
-/* Returns the speed of the ring on one axis: mass m, drag D v, spring k (bounded) and damper c,
- * backward Euler. */
+/* Returns the speed of the ring on one axis after one backward Euler step. The mass moves under the
+ * spring force, the damping and the force `other_n`. A stiffness of 0 means that the spring force
+ * is constant. */
 static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float stiffness_n_m,
                         float damping_n_s_m, float other_n)
 {
@@ -33,7 +38,8 @@ static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float st
            (mass_kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
 }
 
-/* Returns the spring force; a spring stretched beyond HAND_N_MAX pulls with exactly that force. */
+/* Returns the spring force, limited to HAND_N_MAX. Writes the stiffness, or 0 if the force is
+ * limited. */
 static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
 {
     const vec3 full = v3_scale(stretch_m, HAND_N_M);
@@ -42,8 +48,8 @@ static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
     return v3_limit(full, HAND_N_MAX);
 }
 
-/* Returns the slam: water that starts to move with a submerging disc, v dm/dt. A disc that leaves
- * the water leaves that mass behind. */
+/* Returns the slam force: the reaction of the water that a submerging disc sets in motion, v dm/dt.
+ * Returns 0 for a disc that leaves the water. */
 static float slam_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
 {
     if (immersed <= poi->immersed) {
@@ -53,7 +59,7 @@ static float slam_n(const struct poi *poi, float immersed, float added_kg, float
     return -normal_m_s * added_kg * share / CORE_TICK_S;
 }
 
-/* Updates the recent speed of the hand. */
+/* Updates the recent speed of the hand (`pace_m_s`) and the position of the hand. */
 static void feel_pace(struct poi *poi, vec3 hand_m)
 {
     const float now_m_s = v3_length(v3_sub(hand_m, poi->hand_m)) * (float)CORE_TICK_HZ;
@@ -86,8 +92,8 @@ vec3 hand_spring_mass_kg(const struct poi *poi)
     return v3(plane_kg, load_kg + poi->added_kg, plane_kg);
 }
 
-/* Computes the water forces on a ring at velocity `v` in its own axes. A torn poi is only a
- * ring. */
+/* Computes the water forces on a ring at velocity `v` in the ring's own axes. Water passes through
+ * the holes of a torn poi, so that only its ring feels the water. */
 static void meet_water(struct poi *poi, vec3 v, float immersed)
 {
     const float plane_m_s = f_sqrt(v.x * v.x + v.z * v.z);
@@ -98,7 +104,8 @@ static void meet_water(struct poi *poi, vec3 v, float immersed)
     poi->slam_n = slam_n(poi, immersed, poi->added_kg, v.y);
 }
 
-/* Returns the speed of a ring under its load, the water and the spring, without limit. */
+/* Returns the velocity of the ring after this tick in the ring's axes, before the speed limit. `k`
+ * is the stiffness of the spring, and `burden_n` is the weight with the meniscus and the slaps. */
 static vec3 free_m_s(const struct poi *poi, vec3 v, vec3 spring_n, float k, vec3 burden_n)
 {
     const vec3 mass_kg = hand_spring_mass_kg(poi);

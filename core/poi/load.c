@@ -1,17 +1,20 @@
-/* load.c -- forces on ring and paper, each from the motion of the tick. */
+/* load.c -- the forces on the ring and on its paper, computed from the motion in this tick. */
 #include "core/poi/load.h"
 
 #include "core/base/physics.h"
 #include "core/poi/disc.h"
 
-/* The paper feels only lasting acceleration: the whole-pixel steps of a pointer, half a pixel at 8
- * to 30 Hz, must not become blows of water. The filter has two poles, because a single pole would
- * need twice the delay. */
+/* Time constant of the acceleration filter. A pointer device moves in whole pixels, and this jitter
+ * of half a pixel at 8 to 30 Hz must not act on the paper as water hammer. The filter has two
+ * poles, because a single pole would need twice the delay. */
 #define FEEL_TAU_S 0.050f
-#define FEEL_M_S2_MAX 6.0f /* A stop at a wall acts on the ring, not on the paper. */
+/* Limit of the filtered acceleration, because a sudden stop at a wall acts on the ring and not on
+ * the paper. */
+#define FEEL_M_S2_MAX 6.0f
 
 #define SIGMA_N_M 0.072f
-/* Height to which a plate lifts water before it separates: 2 sqrt(sigma / rho g). */
+/* Height to which a rising plate lifts the water surface before they separate: 2 sqrt(sigma / (rho
+ * g)). */
 #define CLING_M 0.0054f
 
 vec3 load_weight_n(const struct poi *poi)
@@ -28,8 +31,8 @@ vec3 load_water_n(const struct poi *poi, const struct basis *axes)
     return vec_basis_to_world(axes, water_n);
 }
 
-/* Returns the share [0, 1] of the ring's edge that is above the water by no more than a meniscus
- * spans. */
+/* Returns the share [0, 1] of the ring's edge that is above the water, but by at most CLING_M, so
+ * that the meniscus still clings there. */
 static float clinging_share(float centre_y_m, float up_y)
 {
     const float half_m = f_max(POI_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - up_y * up_y)), 1e-4f);
@@ -53,8 +56,8 @@ float load_kick_n(const struct poi *poi)
     return kick_n;
 }
 
-/* Filters the acceleration of the ring's true motion, so that a hand that pulls at a blocked ring
- * does not jolt it. */
+/* Updates the filtered acceleration from the actual motion of the ring. A hand that pulls at a
+ * blocked ring therefore causes no acceleration. */
 static void feel_jolt(struct poi *poi)
 {
     const vec3 gain_m_s = v3_sub(poi->velocity_m_s, poi->before_m_s);
@@ -65,16 +68,17 @@ static void feel_jolt(struct poi *poi)
     poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
 }
 
-/* Returns the pressure due to rotation about the disc's own diameter, from the mean square of the
- * normal speed. The two halves are pressed in opposite directions, but the strain depends on the
- * magnitude. */
+/* Returns the pressure due to a rotation about the disc's own diameter, from the mean square of the
+ * normal speed. The rotation presses the two halves in opposite directions, but the strain depends
+ * only on the magnitude. */
 static float turning_pa(const struct poi *poi)
 {
     const float rate_rad_s = v3_length(poi->spin_rad_s);
     return poi->immersed * disc_turn_pa(POI_RADIUS_M, rate_rad_s);
 }
 
-/* Half of the meniscus, that of the lower face, acts on the paper. */
+/* Returns the force of weight and meniscus on the paper along the normal. The lower face carries
+ * half of the meniscus force. */
 static float burden_n(const struct poi *poi, float area_m2, float up_y, float lift_m_s2)
 {
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;

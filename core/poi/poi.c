@@ -1,4 +1,4 @@
-/* poi.c -- one tick of the ring, and the ring as an obstacle and a shade. */
+/* poi.c -- one tick of the poi, and the poi as an obstacle for fish and as a shade on the water. */
 #include "core/poi/poi.h"
 
 #include "core/base/hash.h"
@@ -11,7 +11,9 @@
 #include "core/poi/ring_constraints.h"
 #include "core/poi/wrist.h"
 
-#define SCOOP_IMMERSED 0.2f /* Share of the disc: a level disc is 3 mm under water at its centre. */
+/* Immersed share of the disc from which a dip counts as a scoop. For a level disc the share means
+ * that its centre is 3 mm under water. */
+#define SCOOP_IMMERSED 0.2f
 
 _Static_assert(OBSTACLE_PAPER_SIDE == SHEET_SIDE && OBSTACLE_PAPER_HOLDS == CELL_PAPER,
                "fish read the sheet's own cells");
@@ -36,8 +38,8 @@ static void note_splash(struct poi *poi, float before)
     }
 }
 
-/* Counts scoops: a scoop submerges the disc by more than a ripple, and a player controls the
- * poi. */
+/* Counts the scoops (`dips`). A dip counts as a scoop if more than SCOOP_IMMERSED of the disc is
+ * under water and a player controls the poi. */
 static void count_dips(struct poi *poi)
 {
     if (poi->immersed <= 0.0f) {
@@ -83,7 +85,8 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     poi->stopped = v3_dot(off_m, off_m) > 0.0f;
 }
 
-/* Returns the share [0, 1] of the intended speed that fish blocked in the last tick. */
+/* Returns the share [0, 1] of the intended speed that fish blocked in the last tick, or 0 if no
+ * fish blocked the ring. */
 static float stalled(const struct poi *poi)
 {
     const float wants_m_s = v3_length(poi->velocity_m_s), had_m_s = v3_length(poi->before_m_s);
@@ -137,8 +140,8 @@ void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
     strain_paper(poi);
 }
 
-/* Thin paper takes a third of the light; holes take none. A tilted ring casts an ellipse, which is
- * replaced by a round shade of the same area. */
+/* Thin paper absorbs a third of the light, and holes absorb none. A tilted ring casts an elliptical
+ * shade, which is replaced by a round shade of equal area. */
 struct shade_cast poi_shade(const struct poi *poi)
 {
     const float flat = f_abs(vec_basis_from_angles(poi->angles).up.y);

@@ -1,4 +1,7 @@
-/* poi.h -- the paper scoop: a rigid ring with a sheet of paper, pulled by the hand spring. */
+/* poi.h -- the poi: a paper scoop, which is a rigid ring with a sheet of paper.
+ *
+ * A spring (hand_spring.h) pulls the ring toward the player's hand. y points up, and the still
+ * water surface is at y = 0. One tick is 1/120 s. */
 #ifndef KINGYO_CORE_POI_POI_H
 #define KINGYO_CORE_POI_POI_H
 
@@ -12,110 +15,137 @@
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
-#define POI_RADIUS_M 0.040f /* Inner radius: the federation's 80 mm. */
+/* Inner radius of the ring; the federation's rules prescribe 80 mm diameter. */
+#define POI_RADIUS_M 0.040f
 #define POI_OUTER_RADIUS_M 0.0465f
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
-#define POI_PAPER_DARK 0.34f /* Share of the light that thin paper over the water takes. */
-/* 16 fish of 4 cm cover the paper side by side; more slip off over the ring. */
+#define POI_PAPER_DARK 0.34f /* Share of the light that thin paper above the water absorbs. */
+/* Largest number of fish that lie on the paper. 16 fish of 4 cm cover the paper side by side, and
+ * further fish slip off over the ring. */
 #define POI_CARRIED_MAX 16u
 _Static_assert(SHEET_LOAD_MAX == 2u * POI_CARRIED_MAX, "a body and a slap of each");
 
-/* Returns half the extent of the ring along a world axis; `n` is the component of its unit normal
- * along that axis. */
+/* Returns the half extent of the ring along a world axis. `n` is the component of the ring's unit
+ * normal along that axis. */
 static inline float poi_half_extent_m(float n)
 {
     return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) +
            0.5f * POI_THICKNESS_M * f_abs(n);
 }
 
-/* The grip of the hand: the target, and whether the hand controls the angles. */
+/* Input for one tick: the target pose, and whether the player's hand controls the angles of the
+ * poi. */
 struct poi_grip {
     struct poi_target target;
-    int has_wrist; /* 0: no wrist input, so the poi tips over its bowl automatically. */
+    int has_wrist; /* 1 if the input controls the angles. 0 means no wrist input, so that the poi
+                      tips over its bowl automatically. */
 };
 
 struct poi {
-    uint8_t link;                  /* enum poi_source of the last input. */
-    uint8_t damage_immune;         /* 1 if no player controls the poi: damage of the paper is
-                                      disabled. */
-    uint32_t seed;                 /* Seed of this specimen, also for the slaps of its fish. */
-    vec3 position_m, velocity_m_s; /* Position and velocity of the ring's centre. */
+    uint8_t link;                  /* Source of the last input (enum poi_source). */
+    uint8_t damage_immune;         /* 1 if no player controls the poi, so that its paper takes no
+                                      damage; otherwise 0. */
+    uint32_t seed;                 /* Random seed of this poi: its paper and the slaps of its
+                                      fish. */
+    vec3 position_m, velocity_m_s; /* Position and velocity of the ring's centre, in world axes. */
     struct angles angles;
-    vec3 before_m, before_m_s;   /* Position and velocity at the start of the tick. */
-    struct angles before_angles; /* Angles at the start of the tick; the reaction may restore
-                                    them. */
-    vec3 hand_m;                 /* Target position of the hand in this tick. */
-    float pace_m_s;              /* Recent highest speed of the hand. */
-    uint8_t
-        reaction; /* Bits of enum obstacle_reaction: how fish blocked the ring in the last tick. */
-    uint8_t stopped;   /* 1 if walls, floor or a bowl blocked the ring in this tick. */
-    uint8_t jam_ticks; /* Ticks since fish block the ring against a hand that pulls up; <= 255. */
-    uint8_t clings; /* 1 if the ring was in the water and the meniscus still clings to its edge. */
-    vec3 angular_velocity_rad_s; /* Rates of yaw, pitch and roll, in that order. */
-    vec3 spin_rad_s;             /* World rotation; only the part that turns the normal. */
-    vec3 acceleration_m_s2;      /* Filtered acceleration of the last few ticks, which acts on water
-                                    and fish. */
-    vec3 jolt_m_s2;              /* State of the first of the two filters of `acceleration_m_s2`. */
-    float drag_n_s_m, slam_n;    /* Water forces on the paper in this tick: drag per m/s, and
-                                    slam. */
-    float edge_n_s_m;            /* Friction along the plane, per m/s. */
-    float added_kg;              /* Added mass of water along the normal. */
-    float meniscus_n;            /* Pull of the meniscus at the edge, downward. */
-    float immersed;              /* [0, 1] fraction of the disc below the surface. */
-    float splash_m_s;            /* Speed at which the ring entered (> 0) or left (< 0) the water in
-                                    this tick. */
-    float water_kg;              /* Water on the paper; a load only out of the tank. */
-    float film_kg, pool_kg;      /* Parts of the water: the clinging film and the pool. */
-    float drip_kg;               /* Water that hangs below the paper until it forms a drop. */
-    uint8_t drops;               /* Drops that fell in the last tick. */
-    uint8_t laden_ticks;         /* Ticks until the poi tips back after the last fish left it. */
-    float tip;                   /* [0, 1] progress of the tip toward the bowl. */
-    vec3 tip_toward;             /* Direction of the tip: horizontal, unit, chosen at its start. */
-    float pressure_pa;           /* Pressure on the paper in the last tick, positive toward +up. */
-    uint32_t dips;               /* Scoops: times a player put the poi into the water. */
-    uint8_t is_in;               /* 1 during such a scoop. */
-    uint32_t slap_tick, tear_tick; /* Ticks of the last slap sound and the last tear sound. */
+    vec3 before_m, before_m_s;   /* `position_m` and `velocity_m_s` at the start of the tick. */
+    struct angles before_angles; /* `angles` at the start of the tick, restored if fish block the
+                                    rotation. */
+    vec3 hand_m;                 /* Target position of the ring in this tick, as the player's hand
+                                    holds it. */
+    float pace_m_s;              /* Highest recent speed of the hand, which decays with time. */
+    uint8_t reaction;  /* Bits of enum obstacle_reaction: motion of the ring that fish blocked in
+                          the last tick. */
+    uint8_t stopped;   /* 1 if walls, floor, a bowl or another ring blocked the ring in this
+                          tick, otherwise 0. */
+    uint8_t jam_ticks; /* Consecutive ticks in which fish block the ring while the hand pulls it up;
+                          at most 255. */
+    uint8_t clings; /* 1 if the ring was in the water and the meniscus may still cling to its edge,
+                       otherwise 0. */
+    vec3 angular_velocity_rad_s; /* Rates of the yaw, pitch and roll angles, as x, y and z. */
+    vec3 spin_rad_s;             /* Rotation vector of the poi's normal in world axes, without the
+                                    rotation about the normal. */
+    vec3 acceleration_m_s2;      /* Low-pass filtered acceleration of the ring, which acts on the
+                                    carried water and fish. */
+    vec3 jolt_m_s2;              /* Output of the first of the two filter stages of
+                                    `acceleration_m_s2`. */
+    float drag_n_s_m, slam_n;    /* Water forces along the normal in this tick: drag coefficient in
+                                    N s/m, and slam force. */
+    float edge_n_s_m;            /* Coefficient of water friction along the plane of the ring. */
+    float added_kg;              /* Added mass of water for motion along the normal. */
+    float meniscus_n;            /* Downward pull of the meniscus at the ring's edge. */
+    float immersed;              /* Share [0, 1] of the disc that is below the water surface. */
+    float splash_m_s;            /* Speed at which the ring entered the water (> 0) or left the
+                                    water (< 0) in this tick; 0 if it did neither. */
+    float water_kg;              /* Water on the paper, which weighs only on the part in air. */
+    float film_kg, pool_kg;      /* The two parts of `water_kg`: the film on both faces and the pool
+                                    in the sag. */
+    float drip_kg;               /* Drained water that hangs below the paper until it forms a
+                                    drop. */
+    uint8_t drops;               /* Number of drops that fell in the last tick. */
+    uint8_t laden_ticks;         /* Remaining ticks in which the poi stays tipped after its last
+                                    fish left. */
+    float tip;                   /* Progress [0, 1] of the automatic tip toward the bowl. */
+    vec3 tip_toward;             /* Direction of the tip: a horizontal unit vector that is chosen
+                                    when the tip starts. */
+    float pressure_pa;           /* Pressure on the paper in the last tick, positive toward the
+                                    poi's up axis. */
+    uint32_t dips;               /* Number of scoops: dips into the water while a player controls
+                                    the poi. */
+    uint8_t is_in;               /* 1 while the poi is in the water during a counted dip, otherwise
+                                    0. */
+    uint32_t slap_tick, tear_tick; /* Tick numbers of the last slap sound and the last tear sound; 0
+                                      means none yet. */
     struct sheet sheet;
-    struct sheet_events strain; /* Effect of the last tick on the paper. */
+    struct sheet_events strain; /* Effect of the last tick on the paper: torn cells and tension. */
 
-    float carried_kg;       /* Weight of the fish that the paper supports in air. */
-    uint32_t carried_count; /* <= POI_CARRIED_MAX */
+    float carried_kg;       /* Mass of the carried fish that the paper supports, without the part
+                               that floats. */
+    uint32_t carried_count; /* Number of entries in `carried_fish`, at most POI_CARRIED_MAX. */
     struct carried_fish carried_fish[POI_CARRIED_MAX];
-    uint32_t load_count; /* <= SHEET_LOAD_MAX; gathered by the last catch_tick(). */
-    uint32_t slap_count; /* The first `slap_count` loads are slaps, the others are weights. */
+    uint32_t load_count; /* Number of entries in `loads`, gathered by the last catch_tick(); at most
+                            SHEET_LOAD_MAX. */
+    uint32_t slap_count; /* Number of slaps, which are the first entries of `loads`. The other
+                            entries are weights. */
     struct sheet_load loads[SHEET_LOAD_MAX];
 };
 
-/* Initialises a new poi of `grade` 4 .. 7 at rest; a `position_m` above the water keeps it dry. */
+/* Initialises a new poi at rest with paper of `grade` 4 (strong) to 7 (weak). The paper starts dry.
+ * `seed` selects the random properties of the paper. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
-/* Advances the ring by one tick: the hand spring pulls the ring; water, floor, walls and its own
- * bowl hold it back. Without wrist input the ring rises and turns toward the bowl when it is over
- * the bowl's mouth with fish on it. A blocked ring does not shoot off when it comes free: the ring
- * exceeds the recent speed of the hand by at most 1 m/s. Asserts that the target is finite. Force
- * on the hand: haptics.h; effect on the surface: surface_disturbance.h. */
+/* Advances the ring by one tick. The hand spring pulls the ring, and water, floor, walls and the
+ * player's own bowl hold the ring back. Without wrist input, a poi that carries fish over the
+ * bowl's mouth rises and tips toward the bowl. A ring that a blockage releases exceeds the recent
+ * speed of the hand by at most 1 m/s. Asserts that the target is finite. haptics.h computes the
+ * force feedback, and surface_disturbance.h computes the effect on the water surface. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 
-/* Returns the poi as an obstacle for fish, with its motion in this tick. The paper is borrowed. */
+/* Returns the poi as an obstacle for fish, with its motion in this tick. The result borrows the
+ * paper cells of `poi`. */
 struct obstacle poi_obstacle(const struct poi *poi);
 
-/* Applies the reaction in `ring` after the tick of the fish, where a fish could not move out of the
- * way. The remaining true motion then wets, strains and tears the paper, with the fish loads that
- * the last catch_tick() gathered. */
+/* Applies `ring.reaction` to the poi after the tick of the fish: the ring stays back where a fish
+ * could not give way. The remaining motion then wets, strains and tears the paper, together with
+ * the fish loads from the last catch_tick(). */
 void poi_apply_reaction(struct poi *poi, const struct obstacle *ring);
 
-/* Returns the share of the water force that remains: a torn poi is only a ring. */
+/* Returns the share of the water force along the normal that still acts on the poi. A torn poi
+ * keeps only the share of its ring. */
 static inline float poi_whole(const struct poi *poi)
 {
     return 0.15f + 0.85f * sheet_left(&poi->sheet);
 }
 
-/* Returns the mean depth over the whole paper of the water carried out of the tank. */
+/* Returns the volume of the carried water divided by the area of the paper. Water on the immersed
+ * part of the poi does not count. */
 float carried_water_m(const struct poi *poi);
 
-/* Returns the shade on the water below the poi, or no shade once the poi dips in. */
+/* Returns the shade that the poi casts on the water. There is no shade once the poi touches the
+ * water. */
 struct shade_cast poi_shade(const struct poi *poi);
 
 uint64_t poi_hash(uint64_t hash, const struct poi *poi);

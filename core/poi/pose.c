@@ -1,4 +1,4 @@
-/* pose.c -- rotations; vec.h gives the order of the angles. */
+/* pose.c -- rotations of rigid bodies; core/base/vec.h defines the order of the angles. */
 #include "core/poi/pose.h"
 
 struct angles pose_angles(const struct basis *axes)
@@ -8,8 +8,8 @@ struct angles pose_angles(const struct basis *axes)
     struct angles angles = { .pitch_rad = f_atan2(forward.y, level) };
     if (level > 1e-4f) {
         angles.yaw_rad = f_atan2(-forward.x, -forward.z);
-    } else { /* Facing straight up or down: yaw and roll are one rotation, which is stored as
-                yaw. */
+    } else { /* The body faces straight up or down. Yaw and roll are then one rotation, which is
+                stored as yaw. */
         angles.yaw_rad = f_atan2(-axes->right.z, axes->right.x);
     }
     const struct basis flat =
@@ -18,7 +18,7 @@ struct angles pose_angles(const struct basis *axes)
     return angles;
 }
 
-/* Rodrigues' formula. */
+/* Rotates `v` about the unit vector `axis` by Rodrigues' formula. */
 static vec3 rotate_about(vec3 v, vec3 axis, float sine, float cosine)
 {
     const vec3 across = v3_cross(axis, v);

@@ -1,12 +1,16 @@
-/* ring_constraints.c -- constraints of the ring, applied in order; walls are applied last. */
+/* ring_constraints.c -- position constraints of the ring, applied one after another.
+ *
+ * The order is bowl, floor, walls and reach. */
 #include "core/poi/ring_constraints.h"
 
-#define REACH_SIDE_M 0.15f /* Reach beyond the walls, over the rim. */
+/* Distance beyond the tank walls that a player can reach over the rim. */
+#define REACH_SIDE_M 0.15f
 #define REACH_HEIGHT_M 0.30f
-#define ASIDE_M_S 0.6f     /* Sliding speed off a bowl's hull. */
-#define FLOOR_GAP_M 0.003f /* The ring is thick, and its paper must not be pinched. */
+#define ASIDE_M_S 0.6f /* Highest speed at which the ring slides sideways off a bowl's hull. */
+/* Gap between ring and floor, because the ring is thick and its paper must not be pinched. */
+#define FLOOR_GAP_M 0.003f
 
-/* Clamps one coordinate to its limits and stops motion into them. */
+/* Clamps a coordinate to [low, high] and removes the speed beyond the limit. */
 static void clamp_coordinate(float *place, float *speed, float low, float high)
 {
     if (*place < low) {
@@ -18,15 +22,17 @@ static void clamp_coordinate(float *place, float *speed, float low, float high)
     }
 }
 
-/* Returns the distance of a point beyond a room around the origin; <= 0 inside. */
+/* Returns the horizontal distance of a point beyond a room centred on the origin; at most 0 if the
+ * point is inside. */
 static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
 {
     return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);
 }
 
-/* A ring inside the walls stays inside and passes only with its lowest edge above the rim. A ring
- * beyond the walls, or across the rim, rests on the rim. The previous position of the ring decides
- * which case applies, not its angles, because a rotation alone must never throw it over a wall. */
+/* Applies the tank walls. A ring inside the walls stays inside, unless its lowest edge is above the
+ * rim. A ring beyond the walls or across the rim rests on the rim. The ring's previous position
+ * decides which case applies. Its angles do not decide, because a rotation alone must never move
+ * the ring over a wall. */
 static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);
@@ -48,8 +54,8 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
     }
 }
 
-/* From above the ring rests on the mouth, from below under the hull, and from the side it slides
- * around. */
+/* Applies a bowl. A ring that comes from above rests on the mouth, a ring from below stops under
+ * the hull, and a ring from the side slides around the hull. */
 static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);

@@ -1,15 +1,17 @@
-/* ring_pairs.c -- contact of two flat discs: overlap, direction of least overlap, separation. */
+/* ring_pairs.c -- contact of two flat discs: overlap, direction of least overlap, and
+ * separation. */
 #include "core/poi/ring_pairs.h"
 
-/* Equal to the speed of a ring that slides off a bowl's hull (ring_constraints.c). */
+/* Sliding speed of two rings that press on each other, equal to ASIDE_M_S in ring_constraints.c. */
 #define ASIDE_M_S 0.6f
 #define PARALLEL 1e-4f /* Squared sine below which two normals count as parallel. */
 #define GAP_M 0.0002f  /* Gap left between two separated rings. */
 
-/* Two rings in one tick. */
+/* Geometry of two rings in one tick. */
 struct rings {
-    vec3 up_a, up_b;        /* Unit normals. */
-    vec3 apart_m, before_m; /* Vector between the centres, now and before the tick. */
+    vec3 up_a, up_b;        /* Unit normals of ring a and ring b. */
+    vec3 apart_m, before_m; /* Vectors from the centre of ring a to the centre of ring b: at the end
+                               and at the start of the tick. */
 };
 
 static float extents_m(const struct rings *rings, vec3 axis)
@@ -18,14 +20,16 @@ static float extents_m(const struct rings *rings, vec3 axis)
            poi_half_extent_m(v3_dot(rings->up_b, axis));
 }
 
-/* Returns the overlap along a unit axis; <= 0: apart. */
+/* Returns the overlap of the two rings along a unit axis; a result of at most 0 means that the
+ * rings are apart. */
 static float shared_m(const struct rings *rings, vec3 axis)
 {
     return extents_m(rings, axis) - f_abs(v3_dot(rings->apart_m, axis));
 }
 
-/* Returns the overlap along a normal that points from the first ring to the second before the tick.
- * Rings that passed through each other in one tick overlap by more than their thickness. */
+/* Returns the overlap of the two rings along `normal`. Reverses `normal` if necessary, so that it
+ * points from ring a to ring b as they were at the start of the tick. Rings that passed through
+ * each other in this tick overlap by more than their thickness. */
 static float shared_through_m(const struct rings *rings, vec3 *normal)
 {
     const float side = v3_dot(rings->before_m, *normal) < 0.0f ? -1.0f : 1.0f;
@@ -33,14 +37,15 @@ static float shared_through_m(const struct rings *rings, vec3 *normal)
     return extents_m(rings, *normal) - v3_dot(rings->apart_m, *normal);
 }
 
-/* Returns the direction between the centres within the plane of a normal. */
+/* Returns the unit vector `apart_m` projected on the plane with the given normal. */
 static vec3 along_plane(vec3 apart_m, vec3 normal)
 {
     const vec3 along = v3_muladd(apart_m, normal, -v3_dot(apart_m, normal));
     return v3_normalize_or(along, normal);
 }
 
-/* Returns 1 if one of the possible separating axes of two discs separates these. */
+/* Returns 1 if one of the possible separating axes of two discs separates the two rings, otherwise
+ * 0. */
 static int are_apart(const struct rings *rings)
 {
     const vec3 edge = v3_cross(rings->up_a, rings->up_b);
@@ -51,7 +56,7 @@ static int are_apart(const struct rings *rings)
             shared_m(rings, v3_normalize_or(edge, rings->up_a)) <= 0.0f);
 }
 
-/* Moves a ring along unit `out` and removes its speed in the opposite direction. */
+/* Moves a ring by `way_m` along the unit vector `out`, and removes its speed against `out`. */
 static void move(struct poi *poi, vec3 out, float way_m)
 {
     const float inward_m_s = f_min(v3_dot(poi->velocity_m_s, out), 0.0f);
@@ -60,8 +65,8 @@ static void move(struct poi *poi, vec3 out, float way_m)
     poi->stopped = 1;
 }
 
-/* Moves a ring sideways, never back, because a hand above another hand would otherwise hold it
- * forever. */
+/* Moves a ring sideways by at most `need_m`. The step cancels the ring's own approach and adds at
+ * most ASIDE_M_S, so that a ring above another ring cannot hold it down forever. */
 static void slide(struct poi *poi, vec3 out, float need_m)
 {
     const float came_m = f_max(0.0f, -v3_dot(v3_sub(poi->position_m, poi->before_m), out));

@@ -1,13 +1,16 @@
-/* ring_pairs.h -- contact of two pois in one tank: neither passes through nor holds the other. */
+/* ring_pairs.h -- contact of two pois (paper scoops) in one tank.
+ *
+ * Rings do not pass through each other, and no ring can hold another ring for long. */
 #ifndef KINGYO_CORE_POI_RING_PAIRS_H
 #define KINGYO_CORE_POI_RING_PAIRS_H
 
 #include "core/poi/poi.h"
 
-/* Separates two rings after poi_tick() of both, if they overlap or passed through each other in
- * this tick; each moves half. Rings pressed together slide past each other at 0.6 m/s each, so that
- * no hand holds another longer than that takes. The order of a and b has no effect. Returns 1 if
- * they touched; walls and bowls must then be tested again. */
+/* Separates two rings that overlap, or that passed through each other in this tick. Each ring moves
+ * half of the distance. The caller must have called poi_tick() for both. Rings that press on each
+ * other slide apart at 0.6 m/s each, so that no player can hold another player's ring for long. The
+ * order of `a` and `b` has no effect. Returns 1 if the rings touched. The caller must then apply
+ * the constraints of walls and bowls again. */
 int ring_pairs_separate(struct poi *a, struct poi *b);
 
 #endif

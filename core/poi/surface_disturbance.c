@@ -1,24 +1,27 @@
 /* surface_disturbance.c -- disturbances of the water surface by a poi.
  *
- * A ring that cuts the surface presses two points ahead of itself. Each draws a V behind it as soon
- * as it outruns the ripples, at 0.23 m/s. */
+ * A ring that cuts the surface presses on the surface at two points of its edge. Each point draws a
+ * V-shaped wake if it is faster than the ripples, which move at 0.23 m/s. */
 #include "core/poi/surface_disturbance.h"
 
-/* Share of a disc's vertical motion that the surface above it follows. */
+/* Share of a disc's vertical motion that the water surface above the disc follows. */
 #define HEAVE_SHARE 0.5f
-#define HEAVE_DEPTH_M 0.03f /* Depth over which that share decays. */
-#define HEAVE_MAX_M 0.003f  /* Limit per tick. */
+#define HEAVE_DEPTH_M 0.03f /* Depth over which HEAVE_SHARE decays by a factor of e. */
+/* Largest rise or fall of the surface per tick due to an immersed disc. */
+#define HEAVE_MAX_M 0.003f
 #define PLUNGE_MAX_M 0.004f
 #define BOW_RADIUS_M 0.012f
-/* Share of its motion along the surface by which a cutting edge presses the surface. */
+/* Depth of the dent at a cutting edge, as a share of the edge's horizontal motion. */
 #define BOW_SHARE 0.25f
-#define BOW_MAX_M 0.0012f /* Limit per tick. */
-/* A ring flatter than 9 degrees has no two cutting points: all of it enters. */
+#define BOW_MAX_M 0.0012f /* Largest depth of a cutting edge's dent per tick. */
+/* Sine of the tilt (9 degrees) below which a ring counts as level. A level ring has no two cutting
+ * points. */
 #define LEVEL_SLOPE 0.15f
 #define DROP_RADIUS_M 0.008f
 #define DROP_M 0.0005f
 
-/* Returns the unit vector up the slope of the paper, and the sine of its tilt. */
+/* Returns the unit vector that points up the slope of the paper along its plane. Writes the sine of
+ * the tilt to `slope`. */
 static vec3 uphill(vec3 up, float *slope)
 {
     const vec3 rise = v3_muladd(v3(0.0f, 1.0f, 0.0f), up, -up.y);
@@ -26,7 +29,7 @@ static vec3 uphill(vec3 up, float *slope)
     return v3_normalize_or(rise, v3(0.0f, 0.0f, 0.0f));
 }
 
-/* Presses the surface where the ring's edge passes through it. */
+/* Presses the surface at the two points where the ring's edge passes through it. */
 static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
 {
     float slope;
@@ -47,7 +50,8 @@ static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, ve
     }
 }
 
-/* Drops fall from the lowest point of the ring, or from the sag of a level ring. */
+/* Presses the surface where drops fall: below the lowest point of a tilted ring, or below the sag
+ * of a level ring. */
 static void drip(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
 {
     float slope;

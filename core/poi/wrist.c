@@ -1,31 +1,39 @@
-/* wrist.c -- the wrist as a damped spring about three axes, and the tip over the bowl. */
+/* wrist.c -- rotation of the ring: the wrist as a damped spring about three axes, and the tip over
+ * the bowl. */
 #include "core/poi/wrist.h"
 
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-#define TURN_RAD_S 80.0f   /* In air; lags by 25 ms. */
-#define TURN_KG_M2 1.2e-4f /* Inertia of the poi's 7 g, 13 cm from the hand. */
-#define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S) /* Torque per radian. */
+/* Natural frequency of the wrist spring in air, which gives a lag of 25 ms. */
+#define TURN_RAD_S 80.0f
+#define TURN_KG_M2 1.2e-4f /* Inertia of a 7 g poi about the hand, 13 cm away. */
+/* Stiffness of the wrist: torque in N m per radian. */
+#define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S)
 
-#define TIP_RAD (55.0f * F_DEG) /* Steep enough for a fish to roll over the ring. */
+/* Largest automatic tip, steep enough for a fish to roll over the ring. */
+#define TIP_RAD (55.0f * F_DEG)
 #define TIP_PER_S 3.0f
-/* Distance of ring and mouth centres, in sums of their radii, for the full tip. */
+/* Distance between the centres of ring and bowl mouth at which the ring tips fully, per sum of
+ * their radii. */
 #define TIP_NEAR 0.45f
-#define TIP_FAR 0.95f     /* The same distance for no tip. */
+#define TIP_FAR 0.95f     /* Distance like TIP_NEAR, at which the ring does not tip. */
 #define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish leaves the ring. */
-/* Distance from the mouth's centre, in its radii, below which the tip is full. */
+/* Distance of the fish's landing point from the centre of the bowl's mouth, per mouth radius, up to
+ * which the ring tips fully. */
 #define TIP_HIT 0.65f
 #define TIP_BACK_SHARE 0.4f
-/* The poi stays tipped for this time after the last fish, so that a fish still rolling over the
- * ring falls in. */
+/* Ticks for which the poi stays tipped after its last fish left, so that a fish still rolling over
+ * the ring falls into the bowl. */
 #define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u)
-#define TIP_EDGE_M 0.010f /* Height of the lower edge above the mouth while tipped. */
+/* Height of the ring's lower edge above the bowl's mouth while the poi is tipped. */
+#define TIP_EDGE_M 0.010f
 
-/* ---- Over the bowl -------------------------------------------------------------------------- */
+/* ---- Automatic tip over the bowl ------------------------------------------------------------ */
 
-/* Returns [0, 1]: how far the ring is over the mouth of its bowl, clear of the water, and in a
- * direction in which a fish would fall into the mouth. */
+/* Returns the goal [0, 1] of the tip. The goal is 1 if the ring is over the mouth of its bowl and
+ * above the water, and if a fish would fall into the mouth. `way` is the horizontal vector from the
+ * ring to the bowl. */
 static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
 {
     if (!bowl->present) {
@@ -39,9 +47,9 @@ static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
     return goal * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
 }
 
-/* Prefers roll to pitch, because a wrist rolls a handle more easily than it raises it. The handle
- * is never lowered, because it would pass through the bowl. Toward a bowl between ring and hand the
- * poi only rolls. */
+/* Returns the direction of the tip for a bowl in direction `way`. Prefers roll to pitch, because a
+ * wrist rolls a handle more easily than it raises it. The tip never lowers the handle, because the
+ * handle would pass through the bowl. The poi only rolls if the bowl is between ring and hand. */
 static vec3 rather_sideways(vec3 way, float yaw_rad)
 {
     const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
@@ -66,8 +74,8 @@ void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* The wrist that tips the ring also lifts it, because the fish would otherwise slide out below the
- * bowl's mouth. */
+/* The tip also lifts the ring, because the fish would otherwise slide out below the bowl's
+ * mouth. */
 struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
                                struct poi_target target)
 {
@@ -85,10 +93,10 @@ struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
     return target;
 }
 
-/* ---- Rotation -------------------------------------------------------------------------------- */
+/* ---- Rotation of the ring -------------------------------------------------------------------- */
 
-/* Water inertia and drag of a rotation about an axis; `along` is the component of the axis along
- * the disc's normal. A rotation about the normal itself has none. */
+/* Added inertia and drag of the water for a rotation about one axis. Both are 0 for a rotation
+ * about the disc's normal. */
 struct turn_water {
     float kg_m2, n_m_s;
 };
@@ -102,7 +110,8 @@ static struct turn_water turn_water(const struct poi *poi, float along, float ra
     };
 }
 
-/* Critically damped and implicit: stable at any stiffness. */
+/* Rotates one angle toward `goal` by one implicit step of a critically damped spring, which is
+ * stable at any stiffness. */
 static void turn_angle(float *angle, float *speed, float goal, struct turn_water water)
 {
     const float error = f_wrap_angle(goal - *angle), dt = CORE_TICK_S;
