@@ -1,4 +1,4 @@
-/* audio.c -- SDL's audio callback, which renders the synthesizer's output. */
+/* audio.c -- plays the synthesizer's output through SDL's audio callback; see audio.h. */
 #include "platform/audio.h"
 
 #include <dlfcn.h>
@@ -10,7 +10,7 @@
 
 #include "platform/os/clock.h"
 
-/* Audio callback, called on SDL's audio thread. */
+/* Renders one buffer of samples. SDL calls this function on its audio thread. */
 static void render(void *context, Uint8 *bytes, int size)
 {
     struct audio *audio = context;
@@ -30,7 +30,7 @@ static void say_nothing(const char *file, int line, const char *function, int er
 }
 
 /* Installs an empty error handler in ALSA. SDL loads ALSA at run time, and without a sound card
- * ALSA writes eight lines to standard error. describe() reports the fault in one line. */
+ * ALSA writes eight lines to standard error. describe() reports a missing card in one line. */
 static void quiet_alsa(void)
 {
     typedef void handler(const char *, int, const char *, int, const char *, ...);
@@ -38,9 +38,9 @@ static void quiet_alsa(void)
     void *library = dlopen("libasound.so.2", RTLD_LAZY);
     void *symbol = library ? dlsym(library, "snd_lib_error_set_handler") : NULL;
     if (symbol) {
-        memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX allows this conversion to a
-                                                              function pointer; C has no cast for
-                                                              it. */
+        memcpy(&set_handler, &symbol, sizeof set_handler); /* POSIX permits the conversion of an
+                                                              object pointer to a function pointer,
+                                                              but C has no cast for it. */
         set_handler(say_nothing);
     }
 }
@@ -51,7 +51,8 @@ static uint64_t audio_now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Returns when a sound card last appeared or disappeared; 0: there never was a card. */
+/* Returns the time in nanoseconds when a sound card last appeared or disappeared. Returns 0 if the
+ * folder of sound devices does not exist. */
 static uint64_t cards_changed_ns(const struct audio *audio)
 {
     struct stat folder;
@@ -61,8 +62,8 @@ static uint64_t cards_changed_ns(const struct audio *audio)
     return (uint64_t)folder.st_mtim.tv_sec * 1000000000u + (uint64_t)folder.st_mtim.tv_nsec;
 }
 
-/* Returns true if another search for a card is due. A search that finds no card takes SDL 3 to
- * 5 ms. */
+/* Returns true if another search for a sound card is due, and records the search. SDL takes 3 to
+ * 5 ms for a search that finds no card. */
 static bool is_worth_a_look(struct audio *audio)
 {
     const uint64_t now = audio_now_ns(), changed = cards_changed_ns(audio);
@@ -94,16 +95,17 @@ static int audio_open(void *self)
     };
     quiet_alsa();
     synth_init(&audio->synth);
-    atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* Drop the sounds queued for a lost
-                                                                 card. */
+    atomic_store(&audio->taken, atomic_load(&audio->pushed)); /* Discards the sounds that were
+                                                                 queued for a lost card. */
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {
-        /* No format changes are allowed, so that SDL converts to the format of the card. */
+        /* The call permits no format changes, so that SDL converts the samples to the card's
+         * format. */
         audio->device = SDL_OpenAudioDevice(NULL, 0, &wanted, NULL, 0);
         if (audio->device) {
             snprintf(audio->text, sizeof audio->text, "sound through SDL %s",
                      SDL_GetCurrentAudioDriver());
             SDL_PauseAudioDevice(audio->device, 0);
-            audio->tried_ns = 0; /* If the card is lost, search again at once. */
+            audio->tried_ns = 0; /* If the card is lost, the next open() searches immediately. */
             return HAL_OK;
         }
         SDL_QuitSubSystem(SDL_INIT_AUDIO);
@@ -130,12 +132,13 @@ static int audio_play(void *self, const struct sound_event *event)
         return HAL_ERR_ABSENT;
     }
     if (SDL_GetAudioDeviceStatus(audio->device) == SDL_AUDIO_STOPPED) {
-        audio_close(audio); /* The next open() then searches for a card. */
+        audio_close(audio); /* The next open() searches for a card. */
         return HAL_ERR_GONE;
     }
     const unsigned pushed = atomic_load(&audio->pushed);
     if (pushed - atomic_load(&audio->taken) == AUDIO_QUEUE_MAX) {
-        return HAL_ERR_BUSY; /* The card does not consume samples; a late sound is dropped. */
+        return HAL_ERR_BUSY; /* The card does not consume samples. The sound is dropped because it
+                                would be played too late. */
     }
     audio->queue[pushed % AUDIO_QUEUE_MAX] = *event;
     atomic_store(&audio->pushed, pushed + 1);

@@ -1,12 +1,12 @@
-/* cpu.c -- processor features and the floating-point control word; the core itself uses neither.
+/* cpu.c -- detects processor features and sets the floating-point control register; see cpu.h.
  *
  * The file includes no C library header, so that a test can compile it for other architectures. */
 #include "platform/cpu.h"
 
 #if defined(__x86_64__)
 
-/* Intel SDM volume 1, 10.2.3: all exceptions masked, round to nearest, neither FZ nor DAZ. The low
- * six bits are status flags. */
+/* Intel SDM volume 1, section 10.2.3 (MXCSR): all exceptions are masked, rounding is to nearest, FZ
+ * and DAZ are off. The low six bits are status flags. */
 #define CONTROL_STANDARD 0x1f80u
 #define CONTROL_MASK 0xffc0u
 
@@ -22,8 +22,8 @@ static void control_set(uint32_t word)
 
 #elif defined(__aarch64__)
 
-/* Arm ARM, FPCR: zero means round to nearest, no FZ (24), no FZ16 (19), no DN (25), no trap. FPCR
- * has no status flags. */
+/* Arm ARM, FPCR: zero means round to nearest, no FZ (bit 24), no FZ16 (bit 19), no DN (bit 25) and
+ * no traps. FPCR has no status flags. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0xffffffffu
 
@@ -41,7 +41,7 @@ static void control_set(uint32_t word)
 
 #elif defined(__arm__) && defined(__ARM_FP)
 
-/* Arm ARM, FPSCR: modes and traps are bits 8 to 12, 15 and 16 to 26; the others are status
+/* Arm ARM, FPSCR: the mode and trap bits are 8 to 12, 15 and 16 to 26. All other bits are status
  * flags. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0x07ff9f00u
@@ -60,8 +60,8 @@ static void control_set(uint32_t word)
 
 #elif defined(__riscv) && defined(__riscv_flen)
 
-/* RISC-V unprivileged ISA, fcsr: the rounding mode is bits 5 to 7, and zero means to nearest. The
- * low five bits are status flags. There is no flush-to-zero. */
+/* RISC-V unprivileged ISA, fcsr: bits 5 to 7 are the rounding mode, where zero means to nearest.
+ * The low five bits are status flags. RISC-V has no flush-to-zero mode. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0xe0u
 
@@ -79,8 +79,8 @@ static void control_set(uint32_t word)
 
 #else
 
-/* No control word is known for this architecture; only the core's own check (core/base/float_env.h)
- * applies. */
+/* No control register is known for this architecture. Only the core's own check
+ * (core/base/float_env.h) applies. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0u
 

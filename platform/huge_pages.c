@@ -1,5 +1,5 @@
-/* huge_pages.c -- an anonymous mapping aligned to 2 MiB; mmap() itself aligns only to ordinary
- * pages. */
+/* huge_pages.c -- allocates an anonymous mapping that is aligned to 2 MiB, because mmap() aligns
+ * only to ordinary pages. */
 #include "platform/huge_pages.h"
 
 #include <stdint.h>
@@ -26,7 +26,8 @@ void *huge_pages_alloc(size_t size)
         munmap(mapped, before);
     }
     munmap(memory + used, HUGE_PAGE - before);
-    madvise(memory, used, MADV_HUGEPAGE); /* A kernel without huge pages returns an error. */
+    madvise(memory, used, MADV_HUGEPAGE); /* The result is ignored because a kernel without huge
+                                             pages returns an error. */
     return memory;
 }
 

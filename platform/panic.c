@@ -1,4 +1,4 @@
-/* panic.c -- Calls the registered panic handler once, then ends the process without exit(). */
+/* panic.c -- calls the panic handler once, then ends the process without exit(). */
 #include "platform/panic.h"
 
 #include <poll.h>
@@ -10,10 +10,11 @@
 #include "platform/os/log.h"
 #include "platform/os/panic_text.h"
 
-/* Size of the signal stack in bytes. core_hash() and the file's writer need less than 4 KiB, but a
- * library's handler may also run on this stack. */
+/* Size of the signal stack in bytes. core_hash() and the replay writer need less than 4 KiB, but a
+ * signal handler of a library may also run on this stack. */
 #define STACK_SIZE (64u * 1024u)
-/* Time to wait until another thread has written its panic evidence; a slow card's sync. */
+/* Maximum time in milliseconds that a second panicking thread waits for the first thread's report.
+ * The sync of a slow card may take seconds. */
 #define OTHER_WAIT_MS 5000
 
 typedef void (*wish_function)(void *self, const char *reason);
@@ -31,10 +32,10 @@ static const struct {
 static uint8_t stack[STACK_SIZE];
 static wish_function wish;
 static void *wish_self;
-static atomic_int panicking; /* Id of the thread that panicked first; 0: none. */
+static atomic_int panicking; /* Id of the thread that panicked first. 0 means no panic. */
 
-/* Handles the first panic only. A second thread waits while the first thread writes its evidence. A
- * panic inside the handler ends the process. */
+/* Handles the first panic only. A second thread that panics waits while the first thread writes its
+ * report. A panic inside the handler returns immediately, so that the process ends. */
 void panic_report(const char *reason)
 {
     int first = 0;
@@ -60,7 +61,7 @@ static void on_fatal(int number)
     }
     panic_report(name);
     signal(number, SIG_DFL);
-    raise(number); /* Delivered when this handler returns. */
+    raise(number); /* The signal is delivered when the handler returns. */
 }
 
 void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self)

@@ -1,5 +1,5 @@
-/* panic_core.c -- defines core_panic() in a separate file because unit tests link their own
- * version. */
+/* panic_core.c -- defines core_panic(). The function has a file of its own because unit tests link
+ * another version. */
 #include <stdlib.h>
 
 #include "core/base/panic.h"

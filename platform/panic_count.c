@@ -1,4 +1,5 @@
-/* panic_count.c -- stores the panic count in fixed little-endian fields, followed by a checksum. */
+/* panic_count.c -- stores the count of panics in fixed little-endian fields, followed by a
+ * checksum. */
 #include "platform/panic_count.h"
 
 #include <errno.h>
@@ -29,7 +30,7 @@ enum {
 _Static_assert(AT_ATTEMPT + 4 <= AT_SUM && AT_SUM + 8 == PANICS_SIZE,
                "all fields have their place");
 
-/* ---- Time ------------------------------------------------------------------------------------ */
+/* ---- Time ---------------------------------------------------------------------------------- */
 
 uint64_t panics_boot(void)
 {
@@ -49,7 +50,7 @@ uint32_t panics_up_s(void)
     return (uint32_t)now.tv_sec;
 }
 
-/* ---- Consequences ---------------------------------------------------------------------------- */
+/* ---- Counting and leaving out -------------------------------------------------------------- */
 
 void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, int had_frame)
 {
@@ -102,16 +103,16 @@ const char *panics_left_name(uint32_t left)
     return names[left < LEFT_COUNT ? left : 0];
 }
 
-/* ---- The file ------------------------------------------------------------------------------- */
+/* ---- File ---------------------------------------------------------------------------------- */
 
-/* Returns a descriptor of a regular file, or a negative errno. The type is read from the
- * descriptor, so that the file cannot be exchanged after the check. */
+/* Returns a descriptor of a regular file, or a negative errno. Reads the file type from the
+ * descriptor, so that the file cannot be exchanged between the check and the use. */
 static int open_file(int folder, int flags)
 {
     struct stat about;
     const int file =
         openat(folder, PANICS_FILE, flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600);
-    if (file < 0) { /* A link, a socket, or a FIFO or folder opened for writing. */
+    if (file < 0) { /* The name belongs to a link, a socket, a FIFO or a folder. */
         return errno == ELOOP || errno == ENXIO || errno == EISDIR ? -ENOTSUP : -errno;
     }
     const int error = fstat(file, &about) != 0 ? -errno : S_ISREG(about.st_mode) ? 0 : -ENOTSUP;
@@ -140,8 +141,8 @@ static int parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])
            replay_get_u64(bytes + AT_SUM) == hash_bytes(HASH_START, bytes, AT_SUM);
 }
 
-/* Renames a link, FIFO, folder, socket or device in place of the file, so that panics can be
- * counted again. Returns 1 if the object was renamed. */
+/* Renames a link, FIFO, folder, socket or device that has the file's name, so that a new file can
+ * be created. Returns 1 if the object was renamed, otherwise 0. */
 static int set_strange_aside(int folder)
 {
     char name[40];

@@ -1,77 +1,86 @@
 /* panic_count.h -- counts panics in a small file in the data folder, and selects the data that the
- * next start leaves out. Pure, except for reading and writing the file.
+ * next program start leaves out.
  *
- * After three panics within ten minutes, or one before the first frame, the next start leaves out a
- * part of the stored data. Settings are left out first, then also replays, then also names, but
- * never the money. Time is counted since power-on because a board may have no clock. Panics before
- * the last power-on are counted in the total. They count for leaving data out only if no frame was
- * shown. */
+ * After three panics within ten minutes, or after one panic before the first frame, the next start
+ * leaves out a part of the stored data. The parts grow with each attempt: first settings, then also
+ * replays, then also names. The ledger is never left out. Times are seconds since power-on because
+ * a board may have no clock. Panics from before the last power-on count in the total. Such panics
+ * cause data to be left out only if no frame was shown.
+ *
+ * The module has no side effects except that it reads and writes the file. */
 #ifndef KINGYO_PLATFORM_PANIC_COUNT_H
 #define KINGYO_PLATFORM_PANIC_COUNT_H
 
 #include <stdint.h>
 
 #define PANICS_FILE "panics"
-/* Size of the file in bytes: less than one sector, so that a power cut cannot tear it. */
+/* Size of the file in bytes. The file is smaller than one disk sector, so that a power cut cannot
+ * leave a partly written file. */
 #define PANICS_SIZE 80u
-#define PANICS_RECENT 3u      /* Number of the newest panics that are stored. */
-#define PANICS_WITHIN_S 600u  /* Time window in seconds for PANICS_RECENT panics. */
-#define PANICS_OTHER_MAX 100u /* Names that are tried to rename a foreign object. */
-#define PANICS_FILES 10u      /* Replays of panics that are stored: panic-0.kgr to panic-9.kgr. */
+#define PANICS_RECENT 3u /* Number of the newest panics that the file stores. */
+#define PANICS_WITHIN_S                                                                            \
+    600u /* Period in seconds. PANICS_RECENT panics within this period cause data to be left out. */
+#define PANICS_OTHER_MAX                                                                           \
+    100u /* Number of file names that are tried to rename an object that is not a regular file. */
+#define PANICS_FILES                                                                               \
+    10u /* Number of replays of panics that are stored, in panic-0.kgr to panic-9.kgr. */
 
 enum panics_left { LEFT_NOTHING = 0, LEFT_SETTINGS, LEFT_REPLAYS, LEFT_NAMES, LEFT_COUNT };
 
-/* Count of panics. Zero: no panic ever happened. */
+/* Count of panics. A structure of zeros means that there was no panic. */
 struct panics {
-    uint32_t total;     /* Panics since the file was created; stops at UINT32_MAX. */
-    uint32_t left;      /* enum panics_left of the last start that left data out. */
-    uint64_t left_boot; /* Boot of the machine at that start. */
-    uint32_t is_early;  /* 1: the newest panic came before the first frame. */
-    uint32_t count;     /* Valid entries in `recent`, newest first. */
-    uint32_t attempt;   /* enum panics_left of an attempt that began and has not ended; else 0. */
+    uint32_t total;     /* Panics since the file was created. The count stops at UINT32_MAX. */
+    uint32_t left;      /* Data left out by the last start that left data out (enum panics_left). */
+    uint64_t left_boot; /* Boot id (panics_boot()) of the start that set `left`. */
+    uint32_t is_early;  /* 1 if the newest panic came before the first frame, otherwise 0. */
+    uint32_t count;     /* Number of valid entries in `recent`, which has the newest panic first. */
+    uint32_t attempt;   /* Data that a start tries to leave out (enum panics_left). 0 when no
+                           attempt is in progress. */
     struct {
-        uint64_t boot; /* Boot of the machine. */
-        uint32_t up_s; /* Seconds since that boot. */
+        uint64_t boot; /* Boot id (panics_boot()) of the panic. */
+        uint32_t up_s; /* Seconds between the boot and the panic. */
     } recent[PANICS_RECENT];
 };
 
-/* Return the boot of the machine as a number, and the seconds since. panics_up_s() is
- * async-signal-safe. */
+/* panics_boot() returns a number that identifies the current boot of the machine. panics_up_s()
+ * returns the seconds since that boot and is async-signal-safe. */
 uint64_t panics_boot(void);
 uint32_t panics_up_s(void);
 
-/* Counts a panic of a program that ran for `run_s` seconds. If the program showed a frame and ran
- * for ten minutes, or on another boot, the last left-out data is no longer suspected. */
+/* Counts a panic of a program that ran for `run_s` seconds. `had_frame` is 1 if the program showed
+ * a frame. Clears panics.left if the program showed a frame and either ran for ten minutes or runs
+ * on another boot than panics.left_boot. */
 void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, int had_frame);
 
-/* Returns 1 if the next start must leave data out. */
+/* Returns 1 if the next program start must leave data out, otherwise 0. */
 int panics_is_due(const struct panics *panics);
 
-/* Records that this start tries to leave out one part more. Returns that part. */
+/* Records that the current start tries to leave out one more part of the data. Returns the value of
+ * panics.attempt. */
 enum panics_left panics_try(struct panics *panics);
 
-/* Records that the attempt succeeded on this boot, and clears the recent panics. */
+/* Records that the attempt succeeded on the boot `boot`, and clears the recent panics. */
 void panics_set_left_out(struct panics *panics, uint64_t boot);
 
-/* Clears the attempt and the recent panics, so that the next start leaves nothing out. */
+/* Clears the attempt and the recent panics, so that the next program start leaves no data out. */
 void panics_clear(struct panics *panics);
 
-/* Returns "settings", "settings and replays" and so on; "nothing" for 0 and for values above
- * LEFT_NAMES. */
+/* Returns the name of an enum panics_left, for example "settings and replays". Returns "nothing"
+ * for LEFT_NOTHING and for invalid values. */
 const char *panics_left_name(uint32_t left);
 
-/* Reads the file in an open folder, without following links and without blocking. Returns 0, also
- * if there is no file, or a negative errno; -EBADMSG if the bytes are invalid. After an error
- * `panics` is zero. An object other than a regular file is renamed to PANICS_FILE ".other-1", "-2"
- * and so on and logged in one line. Then the result is 0 with a zero `panics`, or -ENOTSUP if the
- * renaming failed. */
+/* Reads the file in the open folder `folder`, without following links and without blocking. Returns
+ * 0 if the file was read or does not exist. Returns -EBADMSG if the bytes are invalid, or another
+ * negative errno. After an error `panics` is zero. An object other than a regular file is renamed
+ * to PANICS_FILE ".other-1", "-2" and so on, and one line is logged. If the object was renamed,
+ * returns 0 with a zero `panics`; otherwise returns -ENOTSUP. */
 int panics_read(struct panics *panics, int folder);
 
-/* Writes and syncs the file, mode 0600. Async-signal-safe. Returns 0 or a negative errno; -ENOTSUP
- * if the name belongs to an object other than a regular file. */
+/* Writes the file with mode 0600 and syncs it to disk. Async-signal-safe. Returns 0 or a negative
+ * errno. Returns -ENOTSUP if an object other than a regular file has the name. */
 int panics_write(const struct panics *panics, int folder);
 
-/* Returns the text for an error of either function. */
+/* Returns the text for an error of panics_read() or panics_write(). */
 const char *panics_error(int error);
 
 #endif

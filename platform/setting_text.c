@@ -1,4 +1,4 @@
-/* setting_text.c -- the words for choices, modes and times of day, and the help text of each
+/* setting_text.c -- the names of choices, modes and times of day, and the help text of each
  * setting. */
 #include "platform/setting_text.h"
 
@@ -12,9 +12,10 @@
 
 #define MINUTES_PER_HOUR 60
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Names of values ----------------------------------------------------------------------- */
 
-/* Words of a KIND_CHOICE or KIND_BITS setting: one for each value or bit, from the lowest on. */
+/* Names for the values of a KIND_CHOICE setting or the bits of a KIND_BITS setting, lowest
+ * first. */
 struct words {
     uint32_t count;
     const char *word[8];
@@ -23,7 +24,8 @@ struct words {
 static const struct words play = { 3, { "free", "paid", "event" } };
 static const struct words language = { 2, { "ja", "en" } };
 static const struct words rotation = { 4, { "0", "90", "180", "270" } };
-/* Paper grades between the mode's own and 4 have no word and are no valid values. */
+/* Values 1 to 3 have no name because they are not valid. Value 0 is the paper grade of the game
+ * mode. */
 static const struct words grade = { 8, { "own", "", "", "", "4", "5", "6", "7" } };
 static const struct words on = { 2, { "off", "on" } };
 
@@ -57,7 +59,7 @@ static struct words words_of(uint32_t id)
     }
 }
 
-/* Returns the index of the word, or -1. */
+/* Returns the index of the matching word, or -1 if no word matches. */
 static int32_t find_word(const struct words *words, const char *text, size_t length)
 {
     for (uint32_t i = 0; i < words->count; i++) {
@@ -69,7 +71,7 @@ static int32_t find_word(const struct words *words, const char *text, size_t len
     return -1;
 }
 
-/* ---- Reading -------------------------------------------------------------------------------- */
+/* ---- Parsing ------------------------------------------------------------------------------- */
 
 static int parse_number(const struct setting *setting, const char *text, int32_t *out)
 {
@@ -139,7 +141,7 @@ static int parse_kind(uint32_t id, const char *text, int32_t *out)
 int setting_parse(uint32_t id, const char *text, int32_t *out)
 {
     int32_t value = 0;
-    assert(setting_section(settings_entry(id)->group)); /* No setting in a file is signed. */
+    assert(setting_section(settings_entry(id)->group)); /* A setting in a file is never negative. */
     if (!parse_kind(id, text, &value) || !settings_allows(id, value)) {
         return 0;
     }
@@ -147,7 +149,7 @@ int setting_parse(uint32_t id, const char *text, int32_t *out)
     return 1;
 }
 
-/* ---- Writing -------------------------------------------------------------------------------- */
+/* ---- Printing ------------------------------------------------------------------------------ */
 
 __attribute__((format(printf, 3, 4))) static void setting_text_put(char *out, size_t size,
                                                                    const char *format, ...)
@@ -185,7 +187,7 @@ void setting_print(uint32_t id, int32_t value, char out[SETTING_TEXT_MAX])
     }
 }
 
-/* Writes "free, paid or event"; for bits "some of ... and ...". */
+/* Writes the words as a list: "free, paid or event", where `last` joins the last two words. */
 static void list_words(const struct words *words, const char *last, char *out)
 {
     for (uint32_t i = 0; i < words->count; i++) {
@@ -221,7 +223,7 @@ void setting_range(uint32_t id, char out[SETTING_RANGE_MAX])
     }
 }
 
-/* ---- Sections and help ----------------------------------------------------------------------- */
+/* ---- Sections and help texts --------------------------------------------------------------- */
 
 static const char *const sections[SETTING_GROUP_COUNT] = {
     [GROUP_MONEY] = "money",     [GROUP_GAME] = "game",         [GROUP_SOUND] = "sound",

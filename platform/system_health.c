@@ -1,4 +1,4 @@
-/* system_health.c -- collects the health of the system on a thread; see system_health.h. */
+/* system_health.c -- checks the system's health on a separate thread; see system_health.h. */
 #include "platform/system_health.h"
 
 #include <dirent.h>
@@ -23,7 +23,7 @@
 #define PATH_SIZE 1200u
 #define MIB 1048576u
 
-/* ---- The folder ----------------------------------------------------------------------------- */
+/* ---- Data folder --------------------------------------------------------------------------- */
 
 static bool has_folder(const struct system_health *machine)
 {
@@ -36,8 +36,7 @@ static bool path_in(const struct system_health *machine, const char *name, char 
     return length > 0 && (unsigned)length < PATH_SIZE;
 }
 
-/* Returns the result that check-data wrote at this start, or KEEPS_UNKNOWN if there is no
- * result. */
+/* Returns the result that check-data wrote at this boot, or KEEPS_UNKNOWN if there is no result. */
 static uint8_t keeps_as_checked(const struct system_health *machine)
 {
     char line[16] = "";
@@ -76,7 +75,7 @@ static uint32_t room_of(const struct system_health *machine)
     return mib < UINT32_MAX ? (uint32_t)mib : UINT32_MAX;
 }
 
-/* ---- The backup, and the clock --------------------------------------------------------------- */
+/* ---- Backup and clock ---------------------------------------------------------------------- */
 
 static int64_t seconds_on(clockid_t clock)
 {
@@ -85,9 +84,10 @@ static int64_t seconds_on(clockid_t clock)
     return (int64_t)now.tv_sec;
 }
 
-/* Updates the age of the backup. The civil clock is used once, when the file is first seen.
- * Afterwards the age is measured by the monotonic clock, because the civil clock may jump. A clock
- * that was set in between does not change the age of a backup made by this process. */
+/* Updates the age of the backup. The civil clock is read only when the program starts with an
+ * existing backup file. Afterwards the monotonic clock measures the age, because the civil clock
+ * may jump. A change of the civil clock therefore does not affect the age of a backup that this
+ * program made. */
 static void look_at_backup(struct system_health *machine, struct scene_machine *out)
 {
     char path[PATH_SIZE];
@@ -113,8 +113,8 @@ static void look_at_backup(struct system_health *machine, struct scene_machine *
     out->backup_min = age_min < UINT32_MAX ? (uint32_t)age_min : UINT32_MAX;
 }
 
-/* Returns the newest modification time of the store's files. A file written before this start must
- * have a time in the past. */
+/* Returns the newest modification time of the store's files in seconds, or 0 if there is no file.
+ * If this time is in the future, the system clock was set back. */
 static int64_t newest_file_s(const struct system_health *machine)
 {
     static const char *const names[] = { STORAGE_FILE, STORAGE_FILE STORAGE_BACKUP_SUFFIX };
@@ -130,7 +130,7 @@ static int64_t newest_file_s(const struct system_health *machine)
     return newest_s;
 }
 
-/* ---- Quarantined files ----------------------------------------------------------------------- */
+/* ---- Quarantined files --------------------------------------------------------------------- */
 
 enum system_health_quarantine system_health_quarantine_of(const char *file)
 {
@@ -170,7 +170,8 @@ bool system_health_is_seen(const char *folder, const char *file)
     return seen_path(folder, file, path) && access(path, F_OK) == 0;
 }
 
-/* Creates an empty marker file. If a power cut loses the marker, the operator is asked again. */
+/* Creates an empty marker file. The marker is not synced. If a power cut loses the marker, the
+ * operator is asked again. */
 static int system_health_create_mark(const char *folder, const char *file)
 {
     char path[PATH_SIZE];
@@ -179,8 +180,8 @@ static int system_health_create_mark(const char *folder, const char *file)
     return fd < 0 ? -errno : close(fd) != 0 ? -errno : 0;
 }
 
-/* Counts the quarantined files that are not acknowledged. With `marks`, marks them as
- * acknowledged. */
+/* Returns the number of quarantined files that are not acknowledged. If `marks` is true, also marks
+ * these files as acknowledged. */
 static uint32_t walk_aside(const struct system_health *machine, bool marks, int *error)
 {
     DIR *const folder = has_folder(machine) ? opendir(machine->data) : NULL;
@@ -208,7 +209,7 @@ int system_health_mark_seen(const struct system_health *machine)
     return error;
 }
 
-/* ---- Panics ---------------------------------------------------------------------------------- */
+/* ---- Panics -------------------------------------------------------------------------------- */
 
 static void look_at_panics(const struct system_health *machine, struct scene_machine *out)
 {
@@ -223,8 +224,7 @@ static void look_at_panics(const struct system_health *machine, struct scene_mac
     out->left_out = panics.left_boot == panics_boot() ? (uint8_t)panics.left : LEFT_NOTHING;
 }
 
-/* ---- One check
- * -------------------------------------------------------------------------------- */
+/* ---- One check ----------------------------------------------------------------------------- */
 
 void system_health_sample(struct system_health *machine, struct scene_machine *out)
 {
@@ -247,10 +247,10 @@ void system_health_sample(struct system_health *machine, struct scene_machine *o
     machine->has_begun = true;
 }
 
-/* ---- The thread ------------------------------------------------------------------------------ */
+/* ---- Thread -------------------------------------------------------------------------------- */
 
-/* Waits on the monotonic clock. A civil clock that is set back by years would block the thread for
- * years. */
+/* Waits up to SYSTEM_HEALTH_PERIOD_S on the monotonic clock. On the civil clock, a clock that is
+ * set back by years would block the thread for years. */
 static void wait_a_while(struct system_health *machine)
 {
     struct timespec until;
@@ -282,8 +282,8 @@ static void *system_health_thread(void *self)
     return NULL;
 }
 
-/* Starts the thread with all signals blocked, because the main thread handles the signals that end
- * the kiosk. */
+/* Starts the thread with all signals blocked except the fatal signals, because the main thread
+ * handles the signals that end the kiosk. */
 static bool start_thread(struct system_health *machine)
 {
     sigset_t all, before;
@@ -325,8 +325,7 @@ void system_health_stop(struct system_health *machine)
     machine->runs = false;
 }
 
-/* ---- Called by the frame loop
- * ----------------------------------------------------------------- */
+/* ---- Functions for the frame loop ---------------------------------------------------------- */
 
 void system_health_read(struct system_health *machine, struct scene_machine *out)
 {

@@ -1,4 +1,4 @@
-/* thermal.c -- reads the kernel's thermal zones on a thread; see thermal.h. */
+/* thermal.c -- reads the kernel's thermal zones on a separate thread; see thermal.h. */
 #include "platform/thermal.h"
 
 #include <dirent.h>
@@ -8,13 +8,14 @@
 #include <time.h>
 
 #define PATH_SIZE 512
-#define TRIP_MAX 12u    /* The kernel's maximum for a zone. */
-#define SANE_MIN_MDEG 0 /* Sensor values outside this range are ignored. */
+#define TRIP_MAX 12u    /* Maximum number of trip points of a zone in the kernel. */
+#define SANE_MIN_MDEG 0 /* Sensor values outside SANE_MIN_MDEG .. SANE_MAX_MDEG are ignored. */
 #define SANE_MAX_MDEG 150000
 
-/* ---- The kernel's files --------------------------------------------------------------------- */
+/* ---- Kernel files -------------------------------------------------------------------------- */
 
-/* Reads the first line of a zone's file, or "" if there is none. */
+/* Reads the first line of the file `name` of a thermal zone into `line`. Writes "" if there is no
+ * such file. */
 static void thermal_read_line(char *line, int line_size, const char *root, const char *zone,
                               const char *name)
 {
@@ -31,7 +32,8 @@ static void thermal_read_line(char *line, int line_size, const char *root, const
     line[strcspn(line, "\n")] = '\0';
 }
 
-/* Returns 1 and a plausible temperature. */
+/* Reads a temperature in thousandths of a degree. Returns 1 if the file has a plausible
+ * temperature, otherwise 0. */
 static int read_mdeg(const char *root, const char *zone, const char *name, int32_t *out)
 {
     char line[32], *end;
@@ -41,8 +43,8 @@ static int read_mdeg(const char *root, const char *zone, const char *name, int32
     return end != line && *end == '\0' && value > SANE_MIN_MDEG && value < SANE_MAX_MDEG;
 }
 
-/* Returns the zone's lowest passive trip point, from which the kernel slows the machine down, or
- * THERMAL_LIMIT_MDEG if there is none. */
+/* Returns the temperature of the zone's lowest passive trip point, above which the kernel slows the
+ * machine down. Returns THERMAL_LIMIT_MDEG if the zone has no passive trip point. */
 static int32_t limit_of(const char *root, const char *zone)
 {
     int32_t limit = SANE_MAX_MDEG;
@@ -78,10 +80,10 @@ int32_t thermal_read(const char *root)
     return least;
 }
 
-/* ---- The thread ----------------------------------------------------------------------------- */
+/* ---- Thread -------------------------------------------------------------------------------- */
 
-/* Waits on the monotonic clock. A civil clock that is set back by years would block the thread for
- * years. */
+/* Waits up to THERMAL_LOOK_S on the monotonic clock. On the civil clock, a clock that is set back
+ * by years would block the thread for years. */
 static void wait_a_while(struct thermal *thermal)
 {
     struct timespec until;

@@ -1,7 +1,7 @@
-/* thermal.h -- measures the margin to the temperature at which the machine slows itself down.
+/* thermal.h -- measures how far the temperature is below the limit at which the machine slows down.
  *
- * A separate thread reads the kernel's sensors every few seconds, because some sensors take
- * milliseconds and the frame loop must not block. */
+ * A separate thread reads the kernel's sensors every THERMAL_LOOK_S seconds, because some sensors
+ * take milliseconds and the frame loop must not block. */
 #ifndef KINGYO_PLATFORM_THERMAL_H
 #define KINGYO_PLATFORM_THERMAL_H
 
@@ -11,31 +11,34 @@
 #include <stdint.h>
 
 #define THERMAL_LOOK_S 5u
-/* Default limit if no zone states one; boards slow down from this temperature on. */
+/* Default temperature limit in thousandths of a degree Celsius, for a zone without a limit of its
+ * own. Typical boards slow down above this temperature. */
 #define THERMAL_LIMIT_MDEG 80000
-#define THERMAL_UNKNOWN_MDEG 999000 /* Margin if there is no sensor. */
+#define THERMAL_UNKNOWN_MDEG                                                                       \
+    999000 /* Margin in thousandths of a degree that means no sensor was found. */
 
-/* Returns the margin of the hottest zone under `root`, a folder like /sys/class/thermal, in
- * thousandths of a degree. */
+/* Returns the smallest margin of all thermal zones under `root`, a folder like /sys/class/thermal.
+ * The margin is the zone's limit minus its temperature in thousandths of a degree. Returns
+ * THERMAL_UNKNOWN_MDEG if there is no sensor. */
 int32_t thermal_read(const char *root);
 
-/* State of the monitor. The caller owns the structure and clears it. The address must not change
- * while the thread runs. */
+/* State of the temperature monitor. The caller owns the structure and initializes it to zero. The
+ * address must not change while the thread runs. */
 struct thermal {
-    const char *root; /* Null: /sys/class/thermal. */
+    const char *root; /* Folder of the thermal zones. Null means /sys/class/thermal. */
     pthread_t thread;
     bool runs;
     pthread_mutex_t lock;
     pthread_cond_t bell;
-    bool ends; /* Protected by `lock`. */
+    bool ends; /* True if the thread must end. Protected by `lock`. */
     atomic_int margin_mdeg;
-    atomic_uint looks; /* Number of measurements so far. */
+    atomic_uint looks; /* Number of completed measurements. */
 };
 
 /* Starts the thread. If no thread can be created, the margin remains unknown. */
 void thermal_start(struct thermal *thermal);
 
-/* Stops the thread and waits for its end. */
+/* Stops the thread and waits until the thread has ended. */
 void thermal_stop(struct thermal *thermal);
 
 #endif

@@ -1,5 +1,5 @@
-/* watchdog.c -- sends READY=1 after the first frame, then WATCHDOG=1 several times within each
- * deadline. */
+/* watchdog.c -- sends READY=1 after the first frame, then WATCHDOG=1 several times within each time
+ * limit. */
 #include "platform/watchdog.h"
 
 #include <stdio.h>
@@ -9,7 +9,8 @@
 #include <unistd.h>
 
 #define PERIOD_DEFAULT_NS 1000000000u
-#define KICKS_PER_DEADLINE 4u /* Three notifications may be lost or late. */
+#define KICKS_PER_DEADLINE                                                                         \
+    4u /* Notifications sent per time limit. Three of four notifications may be lost or late. */
 
 static int notify_address(struct sockaddr_un *address, socklen_t *size, const char *path)
 {
@@ -21,7 +22,7 @@ static int notify_address(struct sockaddr_un *address, socklen_t *size, const ch
     address->sun_family = AF_UNIX;
     memcpy(address->sun_path, path, length);
     if (path[0] == '@') {
-        address->sun_path[0] = '\0'; /* Linux abstract names begin with a zero byte. */
+        address->sun_path[0] = '\0'; /* Abstract socket names of Linux begin with a zero byte. */
     }
     *size = (socklen_t)(offsetof(struct sockaddr_un, sun_path) + length);
     return HAL_OK;
@@ -52,7 +53,8 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
     return HAL_OK;
 }
 
-/* Sends a line to the manager. Returns 1 if it was accepted; a busy manager is retried. */
+/* Sends `line` to the service manager. Returns 1 if the service manager accepted it, otherwise 0.
+ * The caller retries with the next kick. */
 static int watchdog_say(const struct watchdog *watchdog, const char *line)
 {
     const size_t size = strlen(line);

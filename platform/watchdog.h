@@ -1,7 +1,8 @@
-/* watchdog.h -- notifies the service manager that frames are still drawn.
+/* watchdog.h -- notifies the service manager that the kiosk still draws frames.
  *
- * Implements systemd's notification protocol: one datagram to the socket in $NOTIFY_SOCKET. Without
- * such a manager, the board uses the null watchdog. */
+ * Implements systemd's notification protocol: the kiosk sends one datagram to the socket in
+ * $NOTIFY_SOCKET. Without a service manager that uses this protocol, the board uses the null
+ * watchdog. */
 #ifndef KINGYO_PLATFORM_WATCHDOG_H
 #define KINGYO_PLATFORM_WATCHDOG_H
 
@@ -10,20 +11,23 @@
 struct watchdog {
     struct hal_clock clock;
     int socket_fd;
-    uint64_t period_ns; /* Interval between two notifications that are actually sent. */
+    uint64_t period_ns; /* Minimum interval in nanoseconds between two sent notifications. */
     uint64_t last_kick_ns;
     uint8_t told_ready;
-    uint8_t has_limit; /* 1: the manager restarts a process that is silent for too long. */
-    uint8_t is_deaf;   /* 1: the manager did not accept the last notification. */
+    uint8_t has_limit; /* 1 if the service manager restarts the kiosk when notifications are
+                          missing, otherwise 0. */
+    uint8_t is_deaf;   /* 1 if the service manager did not accept the last notification, otherwise
+                          0. */
     char text[HAL_TEXT_SIZE];
 };
 
-/* Connects to `notify_socket` ("/path" or "@abstract"), which expects a notification each `usec`
- * microseconds (0: no limit). Returns 0, or HAL_ERR_ABSENT if there is no manager. */
+/* Connects to `notify_socket` ("/path" or "@abstract"). The service manager expects a notification
+ * every `usec` microseconds; 0 means no time limit. Returns 0, or HAL_ERR_ABSENT if no service
+ * manager is connected. */
 int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,
                   uint64_t usec);
 
-/* Returns the device of `watchdog`, which must outlive the device. */
+/* Returns the HAL device that uses `watchdog`. `watchdog` must outlive the returned device. */
 struct hal_watchdog watchdog_device(struct watchdog *watchdog);
 
 #endif

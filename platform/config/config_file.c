@@ -13,16 +13,16 @@
 
 #define WHY_MAX 320u
 
-/* Sections in the order of the example file; the first ones are the groups of settings. */
+/* Sections in the order of the example file. The first five sections are the groups of settings. */
 static const char *const section_names[] = { "money",    "game",    "sound", "picture",
                                              "operator", "devices", "files" };
 #define SECTION_COUNT (sizeof section_names / sizeof section_names[0])
 
 struct reading {
     struct options *options;
-    const char *section; /* One of section_names; "" before the first section; null in an unknown
-                            section. */
-    char why[WHY_MAX];   /* Error in the line. */
+    const char *section; /* Current section, one of section_names. "" means before the first
+                            section; null means an unknown section. */
+    char why[WHY_MAX];   /* Reason why the line is invalid. */
 };
 
 __attribute__((format(printf, 2, 3))) static int object(struct reading *reading, const char *format,
@@ -35,9 +35,10 @@ __attribute__((format(printf, 2, 3))) static int object(struct reading *reading,
     return -1;
 }
 
-/* ---- Lines ---------------------------------------------------------------------------------- */
+/* ---- Lines --------------------------------------------------------------------------------- */
 
-/* Removes the white space around `text`, in place. */
+/* Removes leading and trailing white space from `text`, in place. Returns the start of the trimmed
+ * text. */
 static char *config_file_trim(char *text)
 {
     while (isspace((unsigned char)*text)) {
@@ -50,7 +51,8 @@ static char *config_file_trim(char *text)
     return text;
 }
 
-/* Cuts the comment off. A '#' inside a word is kept, because a path may contain one. */
+/* Removes the comment from `line`. A '#' starts a comment only at the start of the line or after
+ * white space, because a path may contain '#'. */
 static void cut_comment(char *line)
 {
     for (char *hash = strchr(line, '#'); hash; hash = strchr(hash + 1, '#')) {
@@ -61,8 +63,8 @@ static void cut_comment(char *line)
     }
 }
 
-/* Reads the next line. Returns 0 at the end. A line that is too long is read to its end, and
- * `*is_long` is set. */
+/* Reads the next line. Returns 1, or 0 at the end of the file. If a line is too long, sets
+ * `*is_long` and skips the rest of the line. */
 static int config_file_next_line(FILE *file, char line[CONFIG_LINE_MAX], int *is_long)
 {
     if (!fgets(line, CONFIG_LINE_MAX, file)) {
@@ -76,7 +78,7 @@ static int config_file_next_line(FILE *file, char line[CONFIG_LINE_MAX], int *is
     return 1;
 }
 
-/* ---- Sections ------------------------------------------------------------------------------- */
+/* ---- Sections ------------------------------------------------------------------------------ */
 
 static int begin_section(struct reading *reading, char *text)
 {
@@ -99,7 +101,8 @@ static int begin_section(struct reading *reading, char *text)
                   name);
 }
 
-/* Returns 1 if the key is in its section; before the first section every key is accepted. */
+/* Returns 1 if the option or setting `key` belongs to the current section. Before the first section
+ * every key is accepted. Otherwise returns 0 and writes the reason. */
 static int is_here(struct reading *reading, const char *key, const char *section)
 {
     if (reading->section[0] == '\0' || strcmp(reading->section, section) == 0) {
@@ -115,7 +118,7 @@ static int is_here(struct reading *reading, const char *key, const char *section
     return object(reading, "'%s' belongs to [%s]", key, section), 0;
 }
 
-/* ---- Keys ----------------------------------------------------------------------------------- */
+/* ---- Keys ---------------------------------------------------------------------------------- */
 
 static int read_setting(struct reading *reading, uint32_t id, const char *key, const char *value)
 {
@@ -167,7 +170,7 @@ static int read_key(struct reading *reading, const char *key, const char *value)
     return object(reading, "unknown key '%.40s'; 'kingyoctl config defaults' lists all", key);
 }
 
-/* Parses one line. Returns 0, or -1 with reading->why. */
+/* Parses one line. Returns 0, or -1 and writes the reason to reading->why. */
 static int config_file_read_line(struct reading *reading, char *line)
 {
     cut_comment(line);
@@ -189,7 +192,7 @@ static int config_file_read_line(struct reading *reading, char *line)
     return read_key(reading, config_file_trim(text), config_file_trim(equals + 1));
 }
 
-/* ---- Files ---------------------------------------------------------------------------------- */
+/* ---- Files --------------------------------------------------------------------------------- */
 
 struct warnings {
     const char *path;
@@ -217,8 +220,8 @@ static void tell_rest(const struct warnings *warnings)
     }
 }
 
-/* Checks the number of fish at the end of the file, because the tank is known only then. `line`:
- * line of the number of fish. */
+/* Checks the number of fish. The check runs at the end of the file, because only then the tank is
+ * known. `line` is the number of the line that set the number of fish. */
 static void check_fish(struct reading *reading, unsigned line, struct warnings *warnings)
 {
     char says[OPTION_TEXT_MAX], why[WHY_MAX];
@@ -269,7 +272,7 @@ int config_file_read(struct options *options, const char *path, void (*warn)(con
     return error;
 }
 
-/* ---- The example file ------------------------------------------------------------------------ */
+/* ---- Example file -------------------------------------------------------------------------- */
 
 static void print_settings(FILE *out, const char *section)
 {

@@ -1,10 +1,10 @@
 /* config_file.h -- reads kingyo.conf, the operator's configuration file.
  *
- * The file has sections in brackets and "key = value" lines. A '#' at the beginning of a line or
- * after white space starts a comment. A key is the name of a setting (core/settings.h), in the
- * section of its group, or of some options (option_table.h), in their section. Before the first
- * section every key is accepted, also options that a setting has replaced, so that old files
- * without sections remain valid. A line that cannot be used is reported and skipped, because a
+ * The file consists of sections in brackets and lines of the form "key = value". A '#' at the start
+ * of a line or after white space starts a comment. A key is the name of a setting (core/settings.h)
+ * or of an option (option_table.h), and must be in the section of the setting or option. Before the
+ * first section every key is accepted, including options that a setting has replaced. Old files
+ * without sections therefore remain valid. An invalid line is reported and skipped, because a
  * typing mistake must not prevent the start of the kiosk. */
 #ifndef KINGYO_PLATFORM_CONFIG_CONFIG_FILE_H
 #define KINGYO_PLATFORM_CONFIG_CONFIG_FILE_H
@@ -14,18 +14,20 @@
 #include "platform/config/options.h"
 
 #define CONFIG_FILE_DEFAULT "/etc/kingyo/kingyo.conf"
-#define CONFIG_WARNINGS_MAX 20u /* Warnings for one file; further ones are only counted. */
-/* Largest file in bytes; all keys with their comments take 5 KiB. */
+#define CONFIG_WARNINGS_MAX                                                                        \
+    20u /* Maximum number of warnings for one file. Additional warnings are only counted. */
+/* Maximum file size in bytes. All keys with their comments take 5 KiB. */
 #define CONFIG_SIZE_MAX (1u << 20)
-/* Longest line in bytes; a longer line is skipped with a warning. */
+/* Maximum length of a line in bytes. A longer line is skipped with a warning. */
 #define CONFIG_LINE_MAX (OPTIONS_PATH_MAX + 64u)
 
-/* Reads `path` into `options`: settings into options->file, other keys as the command line does.
- * `warn` (may be null) gets "FILE:LINE: reason", with the range of a value. Returns 0, or a
- * negative errno of regular_file_open() if the file cannot be read. */
+/* Reads the file `path`. Settings are written to options->file, and other keys change `options` as
+ * the command line does. Calls `warn` (may be null) for each invalid line, with "FILE:LINE: reason"
+ * and the permitted range. Returns 0, or a negative errno of regular_file_open() if the file cannot
+ * be read. */
 int config_file_read(struct options *options, const char *path, void (*warn)(const char *line));
 
-/* Writes an example file that contains only comments: every key with its purpose, range and
+/* Writes an example file that contains only comments: each key with its purpose, range and
  * default. */
 void config_file_print_defaults(FILE *out);
 

@@ -1,4 +1,4 @@
-/* option_table.c -- name, value, help text and parser of each option. */
+/* option_table.c -- the table with the name, value, help text and parser of each option. */
 #include "platform/config/option_table.h"
 
 #include <stdio.h>
@@ -11,7 +11,7 @@
 #include "platform/os/number.h"
 #include "platform/setting_text.h"
 
-/* ---- Values --------------------------------------------------------------------------------- */
+/* ---- Parsers of values --------------------------------------------------------------------- */
 
 static struct options_query_result *asked(struct options *options)
 {
@@ -25,7 +25,7 @@ static int option_table_add(struct options *options, uint32_t id, int32_t value)
     return 1;
 }
 
-/* Parses the value of a setting by the rules of its row. */
+/* Parses the value of the setting `id` as setting_parse() does and stores the value. */
 static int ask_text(struct options *options, uint32_t id, const char *text)
 {
     int32_t value;
@@ -102,7 +102,7 @@ static int set_usb(struct options *options, const char *value)
     return 1;
 }
 
-/* Parses the single GPIO line option in `value`. */
+/* Parses `value` as one GPIO line option. */
 static int option_table_read_wire(const char *value, char line[1][BOARD_LINE_SIZE],
                                   char why[HAL_TEXT_SIZE])
 {
@@ -152,14 +152,14 @@ static int set_language(struct options *options, const char *value)
     return ask_text(options, SET_LANGUAGE, value);
 }
 
-/* Sets the number of fish. too_many_fish() checks the tank's limit later, when the tank is
+/* Sets the number of fish. option_too_many_fish() checks the tank's maximum later, when the tank is
  * known. */
 static int set_fish(struct options *options, const char *value)
 {
     return ask_number(options, SET_FISH, value, 1, TANK_FISH_MAX);
 }
 
-/* Accepts one mode, the growth lab, or all of them to choose from. */
+/* Sets the game modes that a player can choose: one mode, the growth lab, or all modes. */
 static int set_mode(struct options *options, const char *value)
 {
     if (strcmp(value, "choose") == 0) {
@@ -194,8 +194,8 @@ static int set_tickets(struct options *options, const char *value)
     return ask_text(options, SET_TICKET_FISH, value);
 }
 
-/* Splits NAME=VALUE of any setting. Returns the setting and sets `value`, or returns SETTING_COUNT
- * if there is no such setting. */
+/* Splits NAME=VALUE. Returns the id of the setting NAME and sets `value`. Returns SETTING_COUNT if
+ * there is no such setting. */
 static uint32_t split_setting(const char *text, const char **value)
 {
     const size_t length = strcspn(text, "=");
@@ -249,7 +249,7 @@ static int set_version(struct options *options, const char *value)
     return 1;
 }
 
-/* ---- The table ------------------------------------------------------------------------------ */
+/* ---- Table --------------------------------------------------------------------------------- */
 
 static const struct option table[] = {
     { "demo", "[SECONDS]", "let the bot play off screen and write pictures (20 s)",
@@ -315,7 +315,8 @@ const char *option_text(const struct option *option, const char *text, char out[
     return out;
 }
 
-/* Writes the error for an invalid value of a known setting. */
+/* Writes the valid range to `out` if `text` is NAME=VALUE with an invalid value. Returns `out`, or
+ * null if the value is valid or the setting is unknown. */
 static const char *object_to_setting(const char *text, char out[OPTION_TEXT_MAX])
 {
     const char *value;

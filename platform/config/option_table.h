@@ -1,4 +1,4 @@
-/* option_table.h -- one table of options for the command line, the configuration file and
+/* option_table.h -- the table of options, used by the command line, the configuration file and
  * --help. */
 #ifndef KINGYO_PLATFORM_CONFIG_OPTION_TABLE_H
 #define KINGYO_PLATFORM_CONFIG_OPTION_TABLE_H
@@ -7,39 +7,48 @@
 
 #include "platform/config/options.h"
 
-#define OPTION_TEXT_MAX 160 /* As HAL_TEXT_SIZE because a board may add text. */
+#define OPTION_TEXT_MAX                                                                            \
+    160 /* Size in bytes of an option's text. At least HAL_TEXT_SIZE because a board may write
+           the text. */
 
 struct option {
     const char *name;
-    const char *value; /* Name of the value in --help; null: no value; in brackets: optional. */
+    const char *value; /* Name of the value in --help. Null means that the option has no value. A
+                          name in brackets means that the value is optional. */
     const char *help;
-    const char *expects; /* Text about valid values. option_text() may extend it. */
-    int (*set)(struct options *options, const char *value); /* Returns 1, or 0 if the value is
+    const char *expects; /* Text about valid values for error messages. option_text() may extend the
+                            text. */
+    int (*set)(struct options *options, const char *value); /* Parses `value` into `options`.
+                                                               Returns 1, or 0 if the value is
                                                                invalid. */
-    /* Section of the option in the configuration file. "" for an option that a setting has
-     * replaced, and that old files have before their first section. Null: not allowed in a file. */
+    /* Section of the option in the configuration file. "" means that a setting has replaced the
+     * option, so that old files may have the option before the first section. Null means that no
+     * file may contain the option. */
     const char *section;
 };
 
-/* Returns the option at an index, in the order of --help, or null beyond the end. */
+/* Returns the option at `index` in the order of --help, or null if `index` is beyond the end. */
 const struct option *option_at(uint32_t index);
 
-/* Returns the option with that name of `length` bytes, or null. */
+/* Returns the option whose name is the `length` bytes at `name`, or null if there is none. */
 const struct option *option_find(const char *name, size_t length);
 
-/* Returns `text`; for --fish also the limits of each tank, in the order of --tank's names. */
+/* Returns `text`. For --fish, writes `text` and the maximum of each tank to `out`, in the order of
+ * --tank's names, and returns `out`. */
 const char *option_text(const struct option *option, const char *text, char out[OPTION_TEXT_MAX]);
 
-/* Returns why `value` is invalid if the option has a more specific message than the valid range;
- * else null. */
+/* Returns a specific reason why `value` is invalid. Returns null if the value is valid, or if the
+ * error message needs only the valid range. */
 const char *option_objects(const struct option *option, const char *value,
                            char out[OPTION_TEXT_MAX]);
 
-/* Returns 1 if two GPIO line options use the same line, and names the line in `says`. */
+/* Returns 1 and names the GPIO line in `says` if two GPIO line options use the same GPIO line.
+ * Otherwise returns 0. */
 int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
 
-/* Returns 1 if the tank is too small for the fish that the file (`is_file`) or the command line
- * sets. Then `says` contains the message without its beginning. */
+/* Returns 1 if the tank cannot hold the number of fish that was set. Then writes the error message
+ * without its first words to `says`. Checks the configuration file if options->is_file is 1,
+ * otherwise the command line. */
 int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
 
 #endif

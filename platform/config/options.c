@@ -7,10 +7,10 @@
 
 #include "platform/config/option_table.h"
 
-/* ---- Command line --------------------------------------------------------------------------- */
+/* ---- Command line -------------------------------------------------------------------------- */
 
-/* Returns the value of the option at argv[*index]: the text after '=', or the next argument, or
- * null. */
+/* Returns the value of the option at argv[*index]: the text after '=', or the next argument.
+ * Returns null if there is no value. If the value is the next argument, advances `*index`. */
 static const char *value_of(const struct option *option, int argc, const char *const *argv,
                             int *index)
 {
@@ -23,8 +23,8 @@ static const char *value_of(const struct option *option, int argc, const char *c
     }
     const char *next = argv[*index + 1];
     const int is_optional = option->value[0] == '[';
-    const char first = next[next[0] == '-']; /* A negative number counts as a value, although an
-                                                invalid one. */
+    const char first = next[next[0] == '-']; /* A negative number is a value, so that the error
+                                                message names it as invalid. */
     if (is_optional ? !isdigit((unsigned char)first) : strncmp(next, "--", 2) == 0) {
         return NULL;
     }
@@ -94,7 +94,7 @@ int options_parse(struct options *options, int argc, const char *const *argv,
     return 0;
 }
 
-/* ---- Help ----------------------------------------------------------------------------------- */
+/* ---- Help ---------------------------------------------------------------------------------- */
 
 void options_print_help(void)
 {
@@ -126,7 +126,7 @@ void options_print_help(void)
          "kept.");
 }
 
-/* ---- Settings -------------------------------------------------------------------------------- */
+/* ---- Settings ------------------------------------------------------------------------------ */
 
 static void put_asked(const struct options_query_result *asked, struct settings *settings)
 {

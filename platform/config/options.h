@@ -1,5 +1,5 @@
-/* options.h -- parses the command line of `kingyo`; config_file.h reads the same options from a
- * file. Pure. */
+/* options.h -- parses the command line of `kingyo`. config_file.h reads the same options from a
+ * file. Pure functions. */
 #ifndef KINGYO_PLATFORM_CONFIG_OPTIONS_H
 #define KINGYO_PLATFORM_CONFIG_OPTIONS_H
 
@@ -20,13 +20,14 @@
 /* Exit codes of `kingyo` and `kingyoctl`. */
 enum exit_code {
     EXIT_OK = 0,
-    EXIT_NOT_SO = 1, /* The check failed, or the display was lost. */
+    EXIT_NOT_SO = 1, /* A check failed, or the display was lost. */
     EXIT_USAGE = 2,
-    EXIT_BAD_DATA = 65, /* EX_DATAERR of sysexits.h. */
-    EXIT_IO = 74,       /* EX_IOERR of sysexits.h. */
+    EXIT_BAD_DATA = 65, /* Invalid input data; the value of EX_DATAERR in sysexits.h. */
+    EXIT_IO = 74,       /* Failed input or output; the value of EX_IOERR in sysexits.h. */
 };
 
-/* Settings that one source sets explicitly. */
+/* Settings from one source, for example the command line. is_set[id] is 1 if the source sets
+ * value[id]. */
 struct options_query_result {
     int32_t value[SETTING_COUNT];
     uint8_t is_set[SETTING_COUNT];
@@ -34,41 +35,46 @@ struct options_query_result {
 
 struct options {
     uint8_t help, version;
-    uint8_t demo;           /* 1: play off screen and write pictures. */
+    uint8_t demo;           /* 1 if the kiosk plays off screen and writes pictures. */
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
-    uint32_t width, height; /* Window size in pixels; 0: full screen. */
-    uint8_t poi;            /* enum board_poi */
+    uint32_t width, height; /* Window size in pixels. 0 means full screen. */
+    uint8_t poi;            /* Controller to use (enum board_poi). */
     uint8_t has_seed;
     uint32_t seed;
-    uint8_t tank;                        /* enum tank_preset_id */
-    uint8_t is_file;                     /* 1: the current values come from the file. */
+    uint8_t tank;                        /* Tank to use (enum tank_preset_id). */
+    uint8_t is_file;                     /* 1 while values from the configuration file are parsed,
+                                            otherwise 0. */
     struct options_query_result machine; /* Settings from the machine's locale. */
     struct options_query_result file;    /* Settings from the configuration file. */
     struct options_query_result words;   /* Settings from the command line. */
-    uint8_t keyboard;                    /* enum board_keyboard */
+    uint8_t keyboard;                    /* Keyboard mode (enum board_keyboard). */
     uint8_t usb_count, line_count;
-    char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* "VVVV:PPPP" or "VVVV:PPPP:SERIAL" */
-    char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* "ROLE=LINE[,WORD...]" */
-    char record[OPTIONS_PATH_MAX]; /* File to record; "" if not set, as in the fields below. */
+    char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* USB controllers, each "VVVV:PPPP" or
+                                                   "VVVV:PPPP:SERIAL". */
+    char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* GPIO line options, each "ROLE=LINE[,WORD...]". */
+    char record[OPTIONS_PATH_MAX]; /* Path of the recording to write. In this path and the four
+                                      paths below, "" means not set. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
     char data[OPTIONS_PATH_MAX];
     char config[OPTIONS_PATH_MAX];
 };
 
-/* Parses `argv` into `options`, whose other values stay. Returns 0, or -1 with one line in `error`;
- * also if the tank cannot hold the fish, independent of the order of the options. */
+/* Parses `argv` into `options`. Options that `argv` does not name keep their values. Returns 0.
+ * Returns -1 and writes one line to `error` if an option is invalid, or if the tank cannot hold the
+ * number of fish. The order of the options has no effect. */
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* Sets the initial settings before the operator's menu changes them: each one is the default, or
- * comes from the machine's locale or the configuration file. */
+/* Sets the initial settings, which the operator's menu may change later. Each setting is the
+ * default, the value of the machine's locale, or the value of the configuration file. Later sources
+ * override earlier ones. */
 void options_first(const struct options *options, struct settings *settings);
 
-/* Sets the settings of the command line, which override all others. */
+/* Overrides `settings` with the settings of the command line. */
 void options_last(const struct options *options, struct settings *settings);
 
-/* Returns 1 if the file or the command line sets this setting. */
+/* Returns 1 if the configuration file or the command line sets the setting `id`, otherwise 0. */
 int options_query(const struct options *options, uint32_t id);
 
 /* Prints the text of --help. */

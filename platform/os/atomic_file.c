@@ -1,5 +1,5 @@
-/* atomic_file.c -- writes an atomic file and reports the first error, because a disk may be full at
- * any byte. */
+/* atomic_file.c -- writes an atomic file; see atomic_file.h. The first error is stored and returned
+ * at the close, because a disk may be full at any byte. */
 #include "platform/os/atomic_file.h"
 
 #include <errno.h>
@@ -9,10 +9,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening ------------------------------------------------------------------------------- */
 
-/* Resolves `path` to `place`. Returns 0 or a negative errno. `*mode` is 0 if the file does not
- * exist. */
+/* Resolves `path` to the absolute path `place`. Returns 0 or a negative errno. Sets `*mode` to the
+ * mode of the file, or to 0 if the file does not exist. */
 static int find_place(const char *path, char place[PATH_MAX], mode_t *mode)
 {
     struct stat status;
@@ -23,7 +23,7 @@ static int find_place(const char *path, char place[PATH_MAX], mode_t *mode)
         return error;
     }
     const int error = -errno;
-    if (error != -ENOENT || lstat(path, &status) == 0) { /* A dangling link is an error. */
+    if (error != -ENOENT || lstat(path, &status) == 0) { /* A dangling symbolic link is an error. */
         return error;
     }
     return snprintf(place, PATH_MAX, "%s", path) < PATH_MAX ? 0 : -ENAMETOOLONG;
@@ -39,7 +39,8 @@ static int atomic_file_use_descriptor(struct atomic_file *out, int fd)
     return error;
 }
 
-/* Opens a device or a pipe. Without a reader the open fails with ENXIO instead of blocking. */
+/* Opens a character device or a pipe. If the pipe has no reader, the open fails with ENXIO instead
+ * of blocking. */
 static int open_stream(struct atomic_file *out)
 {
     const int fd = open(out->place, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
@@ -50,8 +51,8 @@ static int open_stream(struct atomic_file *out)
     return atomic_file_use_descriptor(out, fd);
 }
 
-/* Opens the temporary file. An existing temporary file is deleted, whether it is left by a power
- * cut or foreign. A link is never followed. */
+/* Opens the temporary file. An existing file with this name is deleted first. The existing file may
+ * be left from a power cut, or belong to another program. A link is never followed. */
 static int open_part(struct atomic_file *out, mode_t mode)
 {
     const int length = snprintf(out->part, sizeof out->part, "%s" ATOMIC_FILE_PART, out->place);
@@ -98,9 +99,10 @@ int atomic_file_open_durable(struct atomic_file *out, const char *path)
     return open_any(out, path, true);
 }
 
-/* ---- Closing -------------------------------------------------------------------------------- */
+/* ---- Closing ------------------------------------------------------------------------------- */
 
-/* Syncs the folder. A new name is durable only after this sync. */
+/* Syncs the folder that contains `place`. A new file name survives a power cut only after this
+ * sync. */
 static int sync_folder(char place[PATH_MAX])
 {
     char *slash = strrchr(place, '/');
@@ -116,10 +118,10 @@ static int sync_folder(char place[PATH_MAX])
     return error;
 }
 
-/* Closes the stream. Returns its first error since it was opened. */
+/* Closes the stream. Returns 0, or the negative errno of the stream's first error. */
 static int finish(struct atomic_file *out)
 {
-    /* errno is still that of the failed write because successful calls do not change it. */
+    /* errno is still set by the failed write, because successful calls do not change errno. */
     const bool failed = ferror(out->file) != 0;
     int why = failed ? (errno ? errno : EIO) : 0;
     if (fflush(out->file) != 0 && why == 0) {

@@ -1,9 +1,10 @@
-/* atomic_file.h -- an atomic file: a reader finds the old content or the complete new content.
+/* atomic_file.h -- writes atomic files: a reader finds either the old content or the complete new
+ * content.
  *
- * The output goes to PATH.part in the same folder, which replaces PATH at the end. This holds even
- * if the disk is full or the power fails. A symbolic link is kept and its target is replaced; a
- * dangling link is rejected. Folders and disks are rejected. A terminal, /dev/null or a pipe with a
- * reader is written directly. */
+ * The output goes to the temporary file PATH.part in the same folder. At the end PATH.part replaces
+ * PATH. The content of PATH is therefore complete even if the disk is full or the power fails. If
+ * PATH is a symbolic link, the link stays and its target is replaced. A dangling link, a folder or
+ * a disk is rejected. A terminal, /dev/null or a pipe with a reader is written directly. */
 #ifndef KINGYO_PLATFORM_OS_ATOMIC_FILE_H
 #define KINGYO_PLATFORM_OS_ATOMIC_FILE_H
 
@@ -15,21 +16,22 @@
 
 struct atomic_file {
     FILE *file;
-    bool is_stream; /* 1: a terminal, pipe or /dev/null that is written without a temporary file. */
+    bool is_stream; /* True for a terminal, a pipe or /dev/null, which are written without a
+                       temporary file. */
     bool lasts;
     char place[PATH_MAX]; /* Resolved path of the target. */
     char part[PATH_MAX];
 };
 
-/* Opens `path` for writing, empty. Returns 0 or a negative errno. */
+/* Opens `path` for writing, with empty content. Returns 0 or a negative errno. */
 int atomic_file_open(struct atomic_file *out, const char *path);
 
-/* Opens as atomic_file_open(), and atomic_file_close() then blocks until the content is on disk.
- * Only a regular file is accepted: returns -ENOTSUP otherwise. */
+/* Opens `path` as atomic_file_open() does. atomic_file_close() then blocks until the content is on
+ * disk. Returns -ENOTSUP if `path` exists and is not a regular file. */
 int atomic_file_open_durable(struct atomic_file *out, const char *path);
 
-/* Closes the file. Returns 0, or the negative errno of the first failed write since the opening. In
- * that case the temporary file is removed and the old file is unchanged. */
+/* Closes the file. Returns 0, or the negative errno of the first failed write. After an error the
+ * temporary file is removed and the old file is unchanged. */
 int atomic_file_close(struct atomic_file *out);
 
 #endif

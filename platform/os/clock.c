@@ -1,9 +1,10 @@
-/* clock.c -- reads CLOCK_MONOTONIC, which is never set back, and the civil time. */
+/* clock.c -- reads CLOCK_MONOTONIC and the local date and time; see clock.h. */
 #include "platform/os/clock.h"
 
 #include <time.h>
 
-#define DAYS_TO_MARCH_2000 60 /* Days of January, and of February in a leap year. */
+#define DAYS_TO_MARCH_2000                                                                         \
+    60 /* Days from 2000-01-01 to 2000-03-01: January and a February with a leap day. */
 
 static uint64_t clock_now_ns(void *self)
 {
@@ -13,13 +14,14 @@ static uint64_t clock_now_ns(void *self)
     return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-/* Returns the days since 2000-01-01. The year is counted from March, so that the leap day is the
- * last day, and the days before a month are (153 m + 2) / 5. */
+/* Returns the days from 2000-01-01 to `date`. The calculation starts the year in March, so that the
+ * leap day is the last day of a year. The days before month m are then (153 m + 2) / 5. */
 static int32_t days_since_2000(const struct tm *date)
 {
     const int32_t is_early = date->tm_mon < 2;
     const int32_t year = date->tm_year - 100 - is_early;    /* Years since March 2000. */
-    const int32_t month = date->tm_mon - 2 + 12 * is_early; /* 0 is March. */
+    const int32_t month = date->tm_mon - 2 + 12 * is_early; /* Month of the shifted year. 0 is
+                                                               March. */
     const int32_t before = 365 * year + year / 4 - year / 100 + year / 400;
     return before + (153 * month + 2) / 5 + date->tm_mday - 1 + DAYS_TO_MARCH_2000;
 }

@@ -1,4 +1,4 @@
-/* clock.h -- device for the machine's monotonic clock and civil clock. */
+/* clock.h -- HAL device for the machine's monotonic clock and its local date and time. */
 #ifndef KINGYO_PLATFORM_OS_CLOCK_H
 #define KINGYO_PLATFORM_OS_CLOCK_H
 
@@ -6,19 +6,20 @@
 
 #include "platform/hal.h"
 
-/* Range of valid years. A board without a battery starts in 1970 or at the date of its image,
- * therefore an earlier year means that the clock was never set. The upper limit follows from 16
- * bits of days since 2000. */
+/* Range of valid years. A board without a clock battery starts in 1970 or at the date of its disk
+ * image. A year before CLOCK_FIRST_YEAR therefore means that the clock was never set.
+ * CLOCK_LAST_YEAR follows from 16 bits for the days since 2000. */
 #define CLOCK_FIRST_YEAR 2026
 #define CLOCK_LAST_YEAR 2178
 
-/* Returns the device of the machine's clocks. */
+/* Returns the HAL device of the machine's clocks. */
 struct hal_clock clock_device(void);
 
-/* Converts a date of the civil calendar to the units of hal_clock_ops.civil. */
+/* Converts a calendar date and time to the units of hal_clock_ops.civil. Writes 0 to `day` and
+ * `minute` if the year is invalid. */
 void clock_civil(const struct tm *date, uint16_t *day, uint16_t *minute);
 
-/* Sleeps until `time_ns` of clock_device(). Returns early when a signal arrives. */
+/* Sleeps until the time `time_ns` of clock_device(). Returns early if a signal arrives. */
 void clock_sleep_until(uint64_t time_ns);
 
 #endif

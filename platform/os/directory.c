@@ -1,5 +1,5 @@
-/* directory.c -- creates folders as mkdir -p does, and checks that the result is a writable
- * folder. */
+/* directory.c -- creates folders as `mkdir -p` does, and checks that each new folder is
+ * writable. */
 #include "platform/os/directory.h"
 
 #include <errno.h>
@@ -16,7 +16,8 @@ static int make_one(const char *path)
     return mkdir(path, 0755) != 0 && errno != EEXIST ? -errno : 0;
 }
 
-/* Creates all folders of `path`, which is restored before the return. */
+/* Creates all folders of `path`. `path` is changed during the call and restored before the
+ * return. */
 static int make_all(char *path)
 {
     int error = 0;

@@ -1,4 +1,4 @@
-/* json_char.c -- the escape sequences of RFC 8259. */
+/* json_char.c -- writes the escape sequences of RFC 8259; see json_char.h. */
 #include "platform/os/json_char.h"
 
 #include <stdint.h>
@@ -7,9 +7,10 @@
 
 #include "core/base/printable.h"
 
-#define MALFORMED "\xEF\xBF\xBD" /* U+FFFD */
+#define MALFORMED "\xEF\xBF\xBD" /* U+FFFD, the replacement character. */
 
-/* Writes a character that is not `"` or `\` and returns its size. */
+/* Writes the first character of `words`, which must not be a quote or a backslash. Returns the
+ * character's size in bytes. */
 static uint32_t put_char(const char *words, char out[JSON_CHAR_SIZE])
 {
     const uint32_t size = printable_utf8_size(words);

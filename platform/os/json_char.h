@@ -1,22 +1,23 @@
-/* json_char.h -- escapes text from outside the program for JSON.
+/* json_char.h -- escapes text for JSON that comes from outside the program.
  *
- * The name of a file or a device may hold any byte. Quotes, backslashes and every character that
- * core/base/printable.h rejects are escaped. U+FFFD replaces a byte that is not UTF-8. */
+ * The name of a file or a device may contain any byte. Quotes, backslashes and all characters that
+ * core/base/printable.h rejects are escaped. U+FFFD replaces each byte that is not valid UTF-8. */
 #ifndef KINGYO_PLATFORM_OS_JSON_CHAR_H
 #define KINGYO_PLATFORM_OS_JSON_CHAR_H
 
-#define JSON_CHAR_SIZE 7u /* At most six bytes and a terminating zero. */
+#define JSON_CHAR_SIZE                                                                             \
+    7u /* Size of one escaped character: at most six bytes and a terminating zero. */
 
-/* Writes the first character of `words`, which must not be empty, as it appears in a JSON string.
- * Returns the rest of `words`. */
+/* Writes the first character of `words` in escaped form to `out`. The caller guarantees that
+ * `words` is not empty. Returns the rest of `words`. */
 const char *json_char(const char *words, char out[JSON_CHAR_SIZE]);
 
-/* Writes `words` as a JSON string, with its quotes, to standard output. */
+/* Writes `words` to standard output as a JSON string in quotes. */
 void json_print(const char *words);
 
-/* Writes complete JSON text to standard output unchanged, except for characters that printable.h
- * rejects. Such characters are escaped because in JSON they can only appear in a string. Line
- * breaks and tabs between tokens are kept. */
+/* Writes the JSON document `json` to standard output. Characters that printable.h rejects are
+ * escaped, because valid JSON has them only inside strings. Line breaks and tabs between tokens are
+ * kept. */
 void json_print_text(const char *json);
 
 #endif

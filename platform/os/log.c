@@ -1,5 +1,5 @@
-/* log.c -- writes log lines with a journal priority, one system call a line, so that lines of
- * several threads do not mix. */
+/* log.c -- writes each log line with one system call, so that lines of several threads do not mix;
+ * see log.h. */
 #include "platform/os/log.h"
 
 #include <stdarg.h>
@@ -12,7 +12,8 @@
 #include "core/base/printable.h"
 #include "platform/os/panic_text.h"
 
-static int has_journal; /* Set once, before threads start. */
+static int has_journal; /* 1 if standard error is a journal. Set once, before other threads
+                           start. */
 
 int log_is_journal(const char *journal, int fd)
 {

@@ -1,5 +1,5 @@
-/* number.c -- parses numbers digit by digit, independent of the locale and without octal
- * numbers. */
+/* number.c -- parses numbers digit by digit, independent of the locale. A leading zero does not
+ * mean octal. */
 #include "platform/os/number.h"
 
 #include <string.h>
@@ -29,7 +29,7 @@ int number_parse(const char *text, uint32_t min, uint32_t max, uint32_t *out)
     return 1;
 }
 
-/* ---- Decimals ------------------------------------------------------------------------------- */
+/* ---- Decimal numbers ----------------------------------------------------------------------- */
 
 static int is_digit(char c)
 {
@@ -45,7 +45,8 @@ static double power_of_ten(int exponent)
     return power;
 }
 
-/* Reads the digits from `text` on into `mantissa`. Returns the text after the digits. */
+/* Reads the digits at the start of `text` into `mantissa` and counts them in `count`. Returns the
+ * text after the digits. */
 static const char *take_digits(const char *text, double *mantissa, int *count)
 {
     for (*count = 0; is_digit(*text); text++, ++*count) {
@@ -54,7 +55,8 @@ static const char *take_digits(const char *text, double *mantissa, int *count)
     return text;
 }
 
-/* Reads "e-3" as -3. Returns the text after the exponent, or null if the exponent is malformed. */
+/* Reads an exponent, for example "e-3" as -3. Returns the text after the exponent, or null if the
+ * exponent is malformed. */
 static const char *take_exponent(const char *text, int *exponent)
 {
     const int negative = text[1] == '-';
@@ -103,7 +105,8 @@ uint32_t number_print_fixed(char out[NUMBER_FIXED_MAX], double value, uint32_t d
     const double scaled = (value < 0.0 ? -value : value) * power_of_ten((int)decimals) + 0.5;
     uint64_t rest = (uint64_t)scaled;
     uint32_t count = 0, length = 0;
-    if (value < 0.0 && rest > 0) { /* Never prints "-0.000". */
+    if (value < 0.0 && rest > 0) { /* A value that rounds to zero is printed without a minus
+                                      sign. */
         out[length++] = '-';
     }
     do {

@@ -1,5 +1,5 @@
-/* panic_text.c -- formats text without stdio, because a signal may arrive while the stdio lock is
- * held. */
+/* panic_text.c -- formats text without stdio, because a signal may arrive while a thread holds the
+ * stdio lock. */
 #include "platform/os/panic_text.h"
 
 #include <errno.h>

@@ -1,27 +1,29 @@
-/* panic_text.h -- builds and writes one line with async-signal-safe calls only. */
+/* panic_text.h -- formats and writes one line of text with async-signal-safe functions only. */
 #ifndef KINGYO_PLATFORM_OS_PANIC_TEXT_H
 #define KINGYO_PLATFORM_OS_PANIC_TEXT_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-#define PANIC_TEXT_MAX 1536u /* Length of a log line; longer text is cut. */
+#define PANIC_TEXT_MAX 1536u /* Size of a line in bytes. Longer text is cut. */
 
-/* A line of text. Zero is an empty line. */
+/* Buffer for one line of text. A structure of zeros is an empty line. */
 struct panic_text {
     size_t used;
-    char out[PANIC_TEXT_MAX]; /* Zero-terminated. */
+    char out[PANIC_TEXT_MAX]; /* Text of the line, with a terminating zero. */
 };
 
-/* Append text, or a decimal number. Text beyond PANIC_TEXT_MAX is dropped. */
+/* panic_put() appends `words`; panic_put_number() appends `number` in decimal. Text beyond
+ * PANIC_TEXT_MAX is dropped. */
 void panic_put(struct panic_text *text, const char *words);
 void panic_put_number(struct panic_text *text, uint32_t number);
 
-/* Makes the line printable (core/base/printable.h) and appends the line end, even if the line is
- * full. */
+/* Replaces unprintable characters (core/base/printable.h) and appends a line end. The line end is
+ * written even if the line is full. */
 void panic_put_end(struct panic_text *text);
 
-/* Writes all bytes and retries after an interruption. Returns 0 or a negative errno. */
+/* Writes all `size` bytes to the descriptor `fd`. Retries after an interruption by a signal.
+ * Returns 0 or a negative errno. */
 int panic_write(int fd, const void *bytes, size_t size);
 
 #endif

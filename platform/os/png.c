@@ -1,5 +1,5 @@
-/* png.c -- encodes with stb_image_write and writes the file here, so that a full disk is reported
- * with its errno. */
+/* png.c -- encodes PNG with stb_image_write. The file is written by this module, so that a full
+ * disk is reported with its errno. */
 #include "platform/os/png.h"
 
 #include <errno.h>

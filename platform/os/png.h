@@ -4,9 +4,9 @@
 
 #include <stdint.h>
 
-/* Writes `width` x `height` pixels of 3 bytes, top row first. Returns 0 or a negative errno; after
- * an error no new file exists. Allocates memory, therefore demonstrations and tools call it and the
- * running kiosk does not. */
+/* Writes a PNG file of `width` x `height` pixels. `rgb` has 3 bytes per pixel, top row first.
+ * Returns 0 or a negative errno. After an error no new file exists. The function allocates memory,
+ * therefore only demonstrations and command-line tools call it; the running kiosk does not. */
 int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height);
 
 #endif

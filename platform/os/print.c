@@ -13,7 +13,7 @@ __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const ch
     char line[PRINT_LINE_MAX];
     vsnprintf(line, sizeof line - 1u, format, arguments);
     printable(line);
-    strcat(line, end); /* At most one byte, for which space is reserved. */
+    strcat(line, end); /* `end` is at most one byte, for which `line` has space. */
     fputs(line, file);
 }
 

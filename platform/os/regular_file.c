@@ -8,13 +8,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A file that is being read, and the bytes that may still be read. */
+/* Open file with a read limit. `left` is the number of bytes that may still be read. */
 struct bounded {
     int handle;
     uint32_t left;
 };
 
-/* Reads up to one byte beyond the limit, to detect a file that is longer. */
+/* Reads at most one byte more than `left`, to detect a file that is longer than the limit. Then
+ * returns -1 with errno EFBIG. */
 static ssize_t bounded_read(void *cookie, char *out, size_t size)
 {
     struct bounded *bounded = cookie;
@@ -36,7 +37,8 @@ static int bounded_close(void *cookie)
     return result;
 }
 
-/* Takes ownership of `handle`. Returns null with errno set if there is no memory. */
+/* Returns a stream that reads at most `size_max` bytes from `handle` and closes `handle` at its
+ * end. If there is no memory, closes `handle`, sets errno and returns null. */
 static FILE *bounded_open(int handle, uint32_t size_max)
 {
     const cookie_io_functions_t functions = { .read = bounded_read, .close = bounded_close };
@@ -54,13 +56,14 @@ static FILE *bounded_open(int handle, uint32_t size_max)
     return file;
 }
 
-/* Opens without blocking first, and then checks the type of the open file. */
+/* Opens the file without blocking, then checks the type of the open file. */
 FILE *regular_file_open(const char *path, uint32_t size_max)
 {
     struct stat about = { 0 };
     const int handle = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (handle < 0) {
-        errno = errno == ENXIO ? ENOTSUP : errno; /* A socket, or a device without its driver. */
+        errno = errno == ENXIO ? ENOTSUP : errno; /* `path` is a socket, or a device without its
+                                                     driver. */
         return NULL;
     }
     const int error = fstat(handle, &about) != 0 ? errno
@@ -76,14 +79,16 @@ FILE *regular_file_open(const char *path, uint32_t size_max)
     return bounded_open(handle, size_max);
 }
 
-/* The type is read from the descriptor, so that the file cannot be exchanged after the check. */
+/* Reads the file type from the descriptor, so that the file cannot be exchanged between the check
+ * and the use. */
 int regular_file_handle(const char *path, int flags, mode_t mode)
 {
     const int added = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
     struct stat about = { 0 };
     const int handle = open(path, (flags & ~O_TRUNC) | added, mode);
     if (handle < 0) {
-        errno = errno == ENXIO ? ENOTSUP : errno; /* A FIFO without a reader, or a socket. */
+        errno = errno == ENXIO ? ENOTSUP : errno; /* `path` is a FIFO without a reader, or a
+                                                     socket. */
         return -1;
     }
     int error = fstat(handle, &about) != 0 ? errno

@@ -12,8 +12,8 @@ int standard_streams_open(void)
         if (fcntl(fd, F_GETFD) >= 0) {
             continue;
         }
-        /* The wrong direction makes every use fail. open() returns the lowest free number, which is
-         * `fd`. */
+        /* /dev/null is opened in the wrong direction, so that each read or write fails. open()
+         * returns the lowest free descriptor, which is `fd`. */
         if (open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
             return errno != 0 ? -errno : -EIO;
         }
@@ -21,7 +21,8 @@ int standard_streams_open(void)
     return 0;
 }
 
-static int flush_error; /* errno of the first standard_output_flush() that failed; else 0. */
+static int flush_error; /* errno of the first failed standard_output_flush(), or 0 if no call
+                           failed. */
 
 int standard_output_flush(FILE *out)
 {
@@ -37,8 +38,8 @@ int standard_output_finish(void)
 {
     const int has_failed = ferror(stdout) != 0;
     errno = 0;
-    /* After a failed write the C library keeps the bytes, so that fflush() fails for the same
-     * reason. */
+    /* After a failed write the C library keeps the bytes in its buffer, so that fflush() fails
+     * again for the same reason. */
     if (fflush(stdout) == 0 && !has_failed) {
         return 0;
     }

@@ -1,21 +1,22 @@
-/* standard_streams.h -- opens the standard streams at the start of a program and reports lost
- * output at its end. */
+/* standard_streams.h -- opens the standard streams at program start and reports lost output at
+ * program end. */
 #ifndef KINGYO_PLATFORM_OS_STANDARD_STREAMS_H
 #define KINGYO_PLATFORM_OS_STANDARD_STREAMS_H
 
 #include <stdio.h>
 
-/* Opens each of the file descriptors 0, 1 and 2 that the parent process left closed, so that no
- * data file gets its number. Reads and writes on such a descriptor still fail with EBADF. Must be
- * called before any other file is opened. Returns 0 or a negative errno. */
+/* Opens each of the descriptors 0, 1 and 2 that the parent process left closed, so that no data
+ * file gets one of these numbers. Reads and writes on a descriptor opened here fail with EBADF.
+ * Must be called before any other file is opened. Returns 0 or a negative errno. */
 int standard_streams_open(void);
 
-/* Flushes standard output. Returns 0, or the negative errno of a failed write, including an earlier
- * one. */
+/* Flushes standard output. Returns 0, or the negative errno of the first failed write since program
+ * start. */
 int standard_output_finish(void);
 
-/* Flushes `out` before the end. Returns 0, or -1 and stores the reason for
- * standard_output_finish(). A command then omits its own line on standard error. */
+/* Flushes `out` before program end. Returns 0. On an error returns -1 and stores errno for
+ * standard_output_finish(), which reports the error. After an error the caller writes no error line
+ * of its own. */
 int standard_output_flush(FILE *out);
 
 #endif
