@@ -1,6 +1,6 @@
 /* hid.c -- the command `kingyoctl hid`.
  *
- * Explains a HID report descriptor and decodes reports with it. */
+ * The command explains a HID report descriptor and decodes reports with that descriptor. */
 #include <stdio.h>
 #include <string.h>
 
@@ -47,8 +47,8 @@ static enum exit_code decode(const char *descriptor_path, const char *reports_pa
     return code;
 }
 
-/* Prints the mapping that the kiosk would use for the descriptor. `ids` is "VVVV:PPPP", or null for
- * a device of no known vendor. */
+/* Prints the controller mapping that the kiosk would use for the descriptor. `ids` is "VVVV:PPPP",
+ * the vendor and product in hex. Null means a device of an unknown vendor. */
 static enum exit_code map(const char *path, const char *ids)
 {
     struct hid_identity who = { 0 };

@@ -1,6 +1,7 @@
-/* hid_file.c -- the reader of descriptor files.
+/* hid_file.c -- reads descriptor files.
  *
- * Every character is checked to decide whether a file is hex text or binary. */
+ * A file is hex text only if every character is a hex digit or white space. Any other file is
+ * binary. */
 #include "platform/ctl/devices/hid_file.h"
 
 #include <ctype.h>
@@ -30,8 +31,8 @@ static int is_hex_text(const uint8_t *bytes, size_t size)
     return 1;
 }
 
-/* Returns the index of the first hex digit that has no second digit, or `size` if there is no such
- * digit. */
+/* Returns the index of the first hex digit without a second digit, or `size` if every byte has two
+ * digits. */
 static size_t lone_digit(const uint8_t *text, size_t size)
 {
     size_t high = size;
@@ -67,8 +68,8 @@ enum exit_code hid_file_print_error(const char *path)
     return EXIT_IO;
 }
 
-/* Returns the index of the first character that is not allowed in hex text. Returns `size` if all
- * characters are allowed or the bytes are not text. */
+/* Returns the index of the first character that is neither a hex digit nor white space. Returns
+ * `size` if there is no such character, or if the bytes are not text. */
 static size_t first_odd_letter(const uint8_t *bytes, size_t size)
 {
     size_t odd = size;
@@ -84,8 +85,9 @@ static size_t first_odd_letter(const uint8_t *bytes, size_t size)
 enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
                              const char *path)
 {
-    const size_t lone = lone_digit(bytes, size); /* The search precedes the conversion because
-                                                    hid_from_hex() overwrites the text. */
+    const size_t lone = lone_digit(bytes, size); /* The unpaired digit is searched before the
+                                                    conversion, because hid_from_hex() overwrites
+                                                    the text. */
     const long count = hid_from_hex(bytes, size);
     if (count == HID_HALF_HEX) {
         print_error("kingyoctl hid: %s: hex text in which a byte has one digit: letter %zu", path,

@@ -1,6 +1,6 @@
 /* hid_live.c -- the live view of a HID device.
  *
- * The rows are created once from the descriptor. Reports only change their values. */
+ * The rows are created once from the descriptor. A report changes only the values of the rows. */
 #include "platform/ctl/devices/hid_live.h"
 
 #include <inttypes.h>
@@ -17,7 +17,7 @@
 #define VALUE_COLUMNS 11
 #define BAR_MIN 8u
 
-/* ---- Rows ------------------------------------------------------------------------------------ */
+/* ---- Rows of the view ------------------------------------------------------------------------ */
 
 static void add_row(struct hid_live *live, uint32_t group, uint32_t field, int is_set)
 {
@@ -48,7 +48,7 @@ void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descript
     }
 }
 
-/* ---- Reports --------------------------------------------------------------------------------- */
+/* ---- Updates from reports -------------------------------------------------------------------- */
 
 static void take_on(struct hid_live_row *row, uint32_t usage)
 {
@@ -68,8 +68,8 @@ static void take_set(const struct hid_live *live, struct hid_live_row *row,
         const hid_usage usage = group->flags & HID_VARIABLE
                                     ? (value ? hid_usage_at(descriptor, group, i) : 0)
                                     : hid_selected(descriptor, group, value);
-        if (usage & 0xffffu) { /* Usage 0 of a page means no control, for example a keyboard without
-                                  a pressed key. */
+        if (usage & 0xffffu) { /* Usage 0 of a page means that no control is active, for example no
+                                  key of a keyboard. */
             take_on(row, usage);
         }
     }
@@ -124,8 +124,8 @@ struct page {
     uint32_t width, line_begin;
 };
 
-/* Appends text to the current line and truncates it at the page width. All text is ASCII except the
- * name of the device. */
+/* Appends text to the current line and truncates the line at the page width. All text is ASCII
+ * except the name of the device. */
 __attribute__((format(printf, 2, 3))) static void hid_live_put(struct page *page,
                                                                const char *format, ...)
 {
@@ -148,8 +148,9 @@ static void end_line(struct page *page)
     page->line_begin = (uint32_t)page->length;
 }
 
-/* Draws a bar with the position of `value` between the logical limits. A value beyond a limit is
- * drawn at that end, with an angle bracket in place of the square bracket. */
+/* Draws a bar that shows the position of `value` between the logical minimum and maximum. A
+ * value beyond a limit is drawn at the end of the bar, with an angle bracket instead of a square
+ * bracket. */
 static void put_bar(struct page *page, const struct hid_group *group, int64_t value)
 {
     const uint32_t used = (uint32_t)page->length - page->line_begin;

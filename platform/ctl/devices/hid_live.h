@@ -1,7 +1,7 @@
-/* hid_live.h -- the latest value of every field of a live HID device, and a text view for a
- * terminal.
+/* hid_live.h -- stores the latest value of every field of a live HID device, and draws a text view
+ * of the values for a terminal.
  *
- * The functions are pure: their input is reports and times, and their output is text. */
+ * The functions are pure. Their inputs are reports and times, and their output is text. */
 #ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_LIVE_H
 #define KINGYO_PLATFORM_CTL_DEVICES_HID_LIVE_H
 
@@ -10,55 +10,56 @@
 
 #include "drivers/hid/hid_descriptor.h"
 
-/* Most rows of the view. Further fields are only counted. Few terminals have more lines. */
+/* Maximum number of rows of the view. Fields beyond the limit are counted in `hidden_count`. Few
+ * terminals have more lines. */
 #define HID_LIVE_ROWS 192u
 #define HID_LIVE_TEXT 65536u
 
-/* A row of the view: one field, or all the buttons or keys of one Input item. */
+/* A row of the view. The row shows one field, or all buttons or keys of one Input item. */
 struct hid_live_row {
     uint16_t group;
     uint16_t field;
-    uint8_t is_set; /* 1 if the row shows a set: all one-bit switches of an item, or the elements of
-                       an array. The row lists those that are on. */
+    uint8_t is_set; /* 1 if the row lists the active usages of a set: the one-bit switches of an
+                       Input item, or the elements of an array. 0 if the row shows one value. */
     uint8_t is_known;
     int64_t value; /* Latest value of the field. */
-    int64_t sum;   /* Sum of all values of the field. Shown for relative fields. */
+    int64_t sum;   /* Sum of all values of the field. The view shows the sum for relative fields. */
     uint32_t on_count;
-    uint32_t on[8]; /* First usages that are on. `on_count` also counts the usages that do not
+    uint32_t on[8]; /* First active usages. `on_count` also counts the active usages that do not
                        fit. */
 };
 
-/* State of a live view. hid_live_begin() fills it. */
+/* State of a live view. hid_live_begin() initializes the state. */
 struct hid_live {
     const struct hid_descriptor *descriptor;
     char title[128];
     uint32_t row_count, hidden_count;
-    uint32_t report_count, refused_count; /* Numbers of complete reports (`report_count`) and of
-                                             reports that were too short or had another id
-                                             (`refused_count`). */
-    uint32_t second_count, per_second;    /* Numbers of reports in the current second so far
-                                             (`second_count`) and in the last complete second
-                                             (`per_second`). */
+    uint32_t report_count, refused_count; /* `report_count` is the number of complete reports.
+                                             `refused_count` is the number of reports that were too
+                                             short or had another report id. */
+    uint32_t second_count, per_second;    /* `second_count` is the number of reports so far in the
+                                             current second. `per_second` is the number of reports
+                                             in the last complete second. */
     uint64_t second_ns;                   /* Monotonic time at which the current second began, in
                                              ns. */
     struct hid_live_row row[HID_LIVE_ROWS];
 };
 
-/* Starts a view with a row for each field that is not constant and has at most 32 bits.
+/* Initializes a view with one row for each field that is not constant and has at most 32 bits.
  * `descriptor` must outlive `live`. */
 void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descriptor,
                     const char *title);
 
-/* Updates the rows with a report that arrived at `time_ns`. A report that is incomplete is only
- * counted. */
+/* Updates the rows with a report that arrived at `time_ns`. An incomplete report only increments
+ * `refused_count`. */
 void hid_live_report(struct hid_live *live, struct hid_report report, uint64_t time_ns);
 
-/* Advances the clock of `live` to `time_ns` when no report arrives, so that the report rate drops
- * to 0. */
+/* Advances the clock of `live` to `time_ns`. The caller calls this function while no report
+ * arrives, so that the displayed report rate drops to 0. */
 void hid_live_time(struct hid_live *live, uint64_t time_ns);
 
-/* Writes the view as at most `height` lines of at most `width` columns. Each line ends in "\n".
- * Returns the length of the text. `text` is zero-terminated. */
+/* Writes the view to `text` as at most `height` lines of at most `width` columns. Each line ends in
+ * "\n", and `text` is zero-terminated. Returns the length of the text in bytes. */
 size_t hid_live_picture(const struct hid_live *live, uint32_t width, uint32_t height,
                         char text[HID_LIVE_TEXT]);
 

@@ -6,15 +6,15 @@
 #define PAGE_KEYBOARD 0x07u
 #define PAGE_BUTTON 0x09u
 
-/* First vendor-defined page. All pages above are vendor-defined too (HID Usage Tables 1.5,
- * section 3). */
+/* First vendor-defined page. All higher pages are vendor-defined too (HID Usage Tables 1.5, section
+ * 3). */
 #define PAGE_VENDOR 0xff00u
 
 static const struct {
     hid_usage usage;
     const char *word;
 } words[] = {
-    /* Generic Desktop page, section 4. */
+    /* Usages of the Generic Desktop page (HID Usage Tables 1.5, section 4). */
     { 0x00010001, "pointer" },
     { 0x00010002, "mouse" },
     { 0x00010004, "joystick" },
@@ -43,18 +43,18 @@ static const struct {
     { 0x00010091, "pad down" },
     { 0x00010092, "pad right" },
     { 0x00010093, "pad left" },
-    /* Simulation Controls page, section 5. */
+    /* Usages of the Simulation Controls page (section 5). */
     { 0x000200ba, "rudder" },
     { 0x000200bb, "throttle" },
     { 0x000200c4, "accelerator" },
     { 0x000200c5, "brake" },
     { 0x000200c8, "steering" },
-    /* Generic Device Controls and Consumer pages, sections 9 and 15. */
+    /* Usages of the Generic Device Controls page (section 9) and the Consumer page (section 15). */
     { 0x00060020, "battery" },
     { 0x000c0001, "consumer control" },
     { 0x000c0224, "back" },
     { 0x000c0238, "pan" },
-    /* Digitizers page, section 16. */
+    /* Usages of the Digitizers page (section 16). */
     { 0x000d0001, "digitizer" },
     { 0x000d0002, "pen" },
     { 0x000d0004, "touch screen" },

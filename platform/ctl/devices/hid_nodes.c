@@ -1,6 +1,6 @@
 /* hid_nodes.c -- lists the device nodes in /sys/class/hidraw.
  *
- * Each node has a folder with a uevent file. */
+ * Each node has a folder there, and the file device/uevent in the folder describes the device. */
 #include "platform/ctl/devices/hid_nodes.h"
 
 #include <dirent.h>

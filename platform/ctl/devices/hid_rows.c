@@ -1,4 +1,5 @@
-/* hid_rows.c -- prints descriptors with one row per field and reports with one row per value. */
+/* hid_rows.c -- prints a descriptor with one row for each field, and a report with one row for each
+ * value. */
 #include "platform/ctl/devices/hid_rows.h"
 
 #include <inttypes.h>
@@ -7,7 +8,7 @@
 #include "platform/ctl/devices/hid_file.h"
 #include "platform/os/print.h"
 
-/* Longest line in characters. A report of 8 KiB is 16 KiB of hex text. */
+/* Longest line of a report file in characters. A report of 8 KiB needs 16 KiB of hex text. */
 #define LINE_SIZE 65536
 #define REPORT_SIZE_MAX 16384u
 
@@ -16,7 +17,7 @@ static void print_usage(hid_usage usage)
     printf("%04x:%04x", usage >> 16, usage & 0xffffu);
 }
 
-/* ---- Subcommand describe --------------------------------------------------------------------- */
+/* ---- Output of `kingyoctl hid describe` ------------------------------------------------------ */
 
 static void print_ranges(const struct hid_descriptor *descriptor, const struct hid_group *group)
 {
@@ -65,7 +66,7 @@ void hid_rows_describe(const struct hid_descriptor *descriptor, const char *id)
     }
 }
 
-/* ---- Subcommand decode ----------------------------------------------------------------------- */
+/* ---- Output of `kingyoctl hid decode` -------------------------------------------------------- */
 
 static void print_value(const struct hid_descriptor *descriptor, const struct hid_group *group,
                         uint32_t index, struct hid_report report)
@@ -107,7 +108,7 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
     }
 }
 
-/* ---- Files of reports ------------------------------------------------------------------------ */
+/* ---- Files with recorded reports ------------------------------------------------------------- */
 
 static enum exit_code hid_rows_error(const char *path, unsigned row, const char *what)
 {
@@ -115,16 +116,17 @@ static enum exit_code hid_rows_error(const char *path, unsigned row, const char 
     return EXIT_BAD_DATA;
 }
 
-/* Progress of decoding the rows of a file that have the id of the descriptor. */
+/* State while a report file is decoded. Only rows with the id of the descriptor are decoded. */
 struct decoded {
     const struct hid_descriptor *descriptor;
     const char *id, *path;
-    uint32_t reports, whole; /* Number of reports with this id (`reports`), and how many of these
-                                are as long as declared (`whole`). */
+    uint32_t reports, whole; /* `reports` is the number of reports with the id. `whole` is the
+                                number of those reports that are as long as the descriptor
+                                declares. */
 };
 
-/* Decodes one row of a file of reports. Rows with another id are skipped. The header is printed
- * before the first matching row, so that nothing is printed if the file cannot be read. */
+/* Decodes one row of a report file. Rows with another id are skipped. The header is printed only
+ * before the first matching row, so that an unreadable file produces no output. */
 static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
 {
     line[strcspn(line, "\r\n")] = '\0';
@@ -151,8 +153,9 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
     return EXIT_OK;
 }
 
-/* Returns the exit code for a decoded file. Ids are compared with the descriptor's file name, so
- * that a file without a matching row most likely has a wrong name. */
+/* Returns the exit code for a decoded file. Prints an error if no report has the id, or if every
+ * report with the id is too short. The id is the descriptor's file name, so a file without a
+ * matching report most likely belongs to another descriptor. */
 static enum exit_code hid_rows_check_id(const struct decoded *of)
 {
     if (of->reports == 0) {

@@ -7,24 +7,25 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "platform/config/options.h"
 
-/* Prints the header line and one row per input field. */
+/* Prints a header line and one row for each input field of the descriptor. */
 void hid_rows_describe(const struct hid_descriptor *descriptor, const char *id);
 
 /* Header line of hid_rows_values(), without a newline. */
 #define HID_VALUE_HEADER "id\tseq\treport_id\tbit_offset\tbit_size\tusage\tvalue\tnote"
 
-/* Prints one row per value of a report, or no row if the report is shorter than declared. Constants
- * and fields of more than 32 bits are skipped. Every row ends in `tail`, which is a newline,
- * possibly after further columns. */
+/* Prints one row for each value of a report. Prints no row if the report is shorter than the
+ * descriptor declares. Constant fields and fields of more than 32 bits are skipped. Every row ends
+ * in `tail`, which contains optional further columns and a newline. */
 void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, const char *seq,
                      struct hid_report report, const char *tail);
 
-/* Decodes the reports in `file` that belong to `id`. Prints the header line and the values. The
- * file has a header line and rows of id, number, report in hex and optional further columns.
+/* Decodes the reports in `file` whose id equals `id`. Prints the header line and one row for each
+ * value. The file has a header line and then rows with an id, a number, the report in hex and
+ * optional further columns.
  *
- * Returns EXIT_OK, EXIT_NOT_SO if no report has this id or none is as long as declared,
- * EXIT_BAD_DATA or EXIT_IO. Each error is printed with `path`, and with the line number if one line
- * is invalid. */
+ * Returns EXIT_OK. Returns EXIT_NOT_SO if no report has the id, or if every report is shorter than
+ * declared. Returns EXIT_BAD_DATA for an invalid line and EXIT_IO for a read error. Each error
+ * message contains `path`, and the message for an invalid line also contains the line number. */
 enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const char *id, FILE *file,
                                const char *path);
 

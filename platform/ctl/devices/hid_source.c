@@ -1,4 +1,4 @@
-/* hid_source.c -- waits for bytes from a device or a file and divides the bytes into reports. */
+/* hid_source.c -- waits for bytes from a device or a file, and divides the bytes into reports. */
 #include "platform/ctl/devices/hid_source.h"
 
 #include <errno.h>
@@ -15,8 +15,8 @@
 #include "platform/ctl/lib/user_file.h"
 #include "platform/os/print.h"
 
-/* Timeout for the writer of a pipe, in ms. A shell needs less to start a process at the other
- * end. */
+/* Timeout in ms for a process that opens the writing end of a pipe. A shell starts the process in
+ * less time. */
 #define WRITER_WAIT_MS 2000
 #define WRITER_STEP_MS 20
 
@@ -31,7 +31,7 @@ static enum exit_code tell_open(const char *path)
     return hid_file_print_error(path);
 }
 
-/* ---- Descriptors ----------------------------------------------------------------------------- */
+/* ---- Opening a source and its descriptor ----------------------------------------------------- */
 
 static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, const char *path)
 {
@@ -67,9 +67,9 @@ static enum exit_code get_descriptor(struct hid_source *source, struct hid_descr
     return ask_node(source->file, descriptor, source->path);
 }
 
-/* Waits for a process that writes into the pipe, because that process may just have been
- * started. Also reads the first bytes. Returns 1, or 0 if no process opens the pipe within
- * WRITER_WAIT_MS. */
+/* Waits until another process opens the pipe for writing, because a shell starts both processes at
+ * about the same time. Also reads the first bytes. Returns 1, or 0 if no process opens the pipe
+ * within WRITER_WAIT_MS. */
 static int wait_for_writer(struct hid_source *source)
 {
     const ssize_t none = 0;
@@ -79,12 +79,12 @@ static int wait_for_writer(struct hid_source *source)
         size = read(source->file, source->bytes, sizeof source->bytes);
     }
     source->size = size > 0 ? (size_t)size : 0;
-    return size == none ? 0 : 1; /* A negative size means that a process has the pipe open but has
-                                    not written yet. */
+    return size == none ? 0 : 1; /* A negative size (EAGAIN) means that a process has opened the
+                                    pipe but has not written to it yet. */
 }
 
-/* Checks that a source other than a device node is a file of limited size or a pipe with a writer.
- * Returns EXIT_OK, or another exit code after printing the error. */
+/* Checks a source that is not a device node. The source must be a file of limited size, or a pipe
+ * with a writer. Returns EXIT_OK. After an error, prints one line and returns another exit code. */
 static enum exit_code check_type(struct hid_source *source)
 {
     struct stat about;
@@ -134,7 +134,7 @@ void hid_source_close(struct hid_source *source)
     source->file = -1;
 }
 
-/* ---- Reports --------------------------------------------------------------------------------- */
+/* ---- Dividing bytes into reports ------------------------------------------------------------- */
 
 static enum hid_pull end_with(enum exit_code *code, enum exit_code how)
 {
@@ -150,7 +150,8 @@ static enum hid_pull hid_source_error(const struct hid_source *source, const cha
     return end_with(code, EXIT_BAD_DATA);
 }
 
-/* Takes the next report from the buffered bytes. The descriptor declares its length. */
+/* Returns the next report from the buffered bytes. The descriptor declares the length of the
+ * report. */
 static enum hid_pull cut(struct hid_source *source, struct hid_report *out, enum exit_code *code)
 {
     const struct hid_descriptor *descriptor = source->descriptor;
@@ -175,14 +176,14 @@ static void hid_source_discard(struct hid_source *source, size_t size)
     memmove(source->bytes, source->bytes + size, source->size);
 }
 
-/* Waits for bytes and appends them to the buffer. Returns HID_PULL_NOTHING if no bytes arrived, and
- * also if bytes were added. */
+/* Waits for bytes and appends them to the buffer. At the end of the source, sets `at_end`. Returns
+ * HID_PULL_END after printing a read error, otherwise HID_PULL_NOTHING. */
 static enum hid_pull hid_source_wait_bytes(struct hid_source *source, int timeout_ms,
                                            enum exit_code *code)
 {
     struct pollfd wait = { .fd = source->file, .events = POLLIN };
     if (poll(&wait, 1, timeout_ms) <= 0) {
-        return HID_PULL_NOTHING; /* A timeout, or a signal that the caller handles. */
+        return HID_PULL_NOTHING; /* A timeout occurred, or a signal that the caller handles. */
     }
     const ssize_t size =
         read(source->file, source->bytes + source->size, sizeof source->bytes - source->size);

@@ -1,8 +1,8 @@
-/* hid_source.h -- a source of live reports: a device node, or a file or pipe with recorded reports.
+/* hid_source.h -- reads live reports from a device node, or recorded reports from a file or a pipe.
  *
- * Each read from a node (/dev/hidraw3) returns one report, and the node provides its own
- * descriptor. Any other source is a stream of bytes, as `cat /dev/hidraw3` writes it. The
- * descriptor divides the stream into reports. */
+ * Each read from a device node (for example /dev/hidraw3) returns one report, and the node provides
+ * the report descriptor. A file or a pipe contains a stream of bytes, as `cat /dev/hidraw3` writes
+ * it. The descriptor then determines where each report ends. */
 #ifndef KINGYO_PLATFORM_CTL_DEVICES_HID_SOURCE_H
 #define KINGYO_PLATFORM_CTL_DEVICES_HID_SOURCE_H
 
@@ -12,43 +12,46 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "platform/config/options.h"
 
-/* Buffer size in bytes: twice the longest report that a descriptor may declare. */
+/* Size of the receive buffer in bytes, twice the longest report that a descriptor may declare. */
 #define HID_SOURCE_BYTES 16384u
 
-/* An open source of reports. hid_source_open() fills it. */
+/* An open source of reports. hid_source_open() initializes the structure. */
 struct hid_source {
     const char *path;
     const struct hid_descriptor *descriptor;
     int file;
     uint8_t is_node;
-    uint8_t at_end; /* 1 at the end of a file, or after every writer of a pipe has closed it. */
+    uint8_t at_end; /* 1 after the end of the file, or after every writer of the pipe has closed the
+                       pipe. Otherwise 0. */
     size_t size;    /* Number of valid bytes in `bytes`. */
-    size_t given;   /* Length of the report that was returned last. The next call removes these
-                       bytes. */
-    uint64_t taken; /* Number of bytes of the stream that precede `bytes`. */
+    size_t given;   /* Length in bytes of the report that was returned last. The next call of
+                       hid_source_pull() removes these bytes. */
+    uint64_t taken; /* Position in the stream of the first byte in `bytes`. */
     uint8_t bytes[HID_SOURCE_BYTES];
 };
 
-/* Opens the source at `path`. Fills `descriptor` from the file `descriptor_path`, or from the node
- * if `descriptor_path` is null. Returns EXIT_OK, or another exit code after printing the error.
- * `path` and `descriptor` must outlive `source`. */
+/* Opens the source at `path` and fills `descriptor`. The descriptor is read from the file
+ * `descriptor_path`, or from the device node if `descriptor_path` is null. Returns EXIT_OK. After
+ * an error, prints one line and returns another exit code. `path` and `descriptor` must outlive
+ * `source`. */
 enum exit_code hid_source_open(struct hid_source *source, const char *path,
                                struct hid_descriptor *descriptor, const char *descriptor_path);
 
 /* Result of hid_source_pull(). */
 enum hid_pull {
-    HID_PULL_NOTHING = 0, /* No report arrived within `timeout_ms`. */
-    HID_PULL_REPORT,      /* `out` is a report. The bytes stay valid until the next call. */
-    HID_PULL_END,         /* The source has ended. `*code` is the exit code, and every error was
-                             printed. */
+    HID_PULL_NOTHING = 0, /* No complete report was received within `timeout_ms`. */
+    HID_PULL_REPORT,      /* A report was received. The bytes of `out` stay valid until the next
+                             call. */
+    HID_PULL_END,         /* The source has ended. `*code` is the exit code. An error has already
+                             been printed. */
 };
 
-/* Waits up to `timeout_ms` for the next report. Sets `out` for HID_PULL_REPORT, and `*code` for
- * HID_PULL_END. */
+/* Waits up to `timeout_ms` for the next report. For HID_PULL_REPORT, sets `*out`. For HID_PULL_END,
+ * sets `*code`. */
 enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct hid_report *out,
                               enum exit_code *code);
 
-/* Closes the source. */
+/* Closes the file or the device node of the source. */
 void hid_source_close(struct hid_source *source);
 
 #endif

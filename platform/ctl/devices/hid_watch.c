@@ -1,6 +1,7 @@
 /* hid_watch.c -- the live output of `kingyoctl hid watch`.
  *
- * Prints rows if standard output is not a terminal. Redraws a view on a terminal. */
+ * On a terminal, the command redraws a view of the latest values. Otherwise, the command prints one
+ * row for each value. */
 #include "platform/ctl/devices/hid_watch.h"
 
 #include <errno.h>
@@ -20,13 +21,14 @@
 #include "platform/os/number.h"
 #include "platform/os/print.h"
 
-/* Timeout of one wait in ms. The timeout limits the delay after Ctrl-C and lets the rate drop when
- * no report arrives. */
+/* Timeout of one wait in ms. The timeout limits the delay after Ctrl-C, and lets the displayed
+ * report rate drop when no report arrives. */
 #define WAIT_MS 50
-#define PICTURE_NS 50000000ull /* Shortest time between two views in ns: 20 views per second. */
+#define PICTURE_NS                                                                                 \
+    50000000ull /* Minimum time between two redraws in ns, which gives 20 redraws per second. */
 #define SECONDS_MAX 86400u
 
-/* Escape codes that select the terminal's alternate screen and hide the cursor. */
+/* Terminal escape codes. SCREEN_BEGIN selects the alternate screen and hides the cursor. */
 #define SCREEN_BEGIN "\x1b[?1049h\x1b[?25l"
 #define SCREEN_HOME "\x1b[H"
 #define LINE_REST "\x1b[K"
@@ -35,11 +37,11 @@
 
 struct watch_options {
     const char *path, *descriptor_path;
-    uint32_t seconds; /* Duration in seconds. 0 means until the source ends or the user stops the
-                         command. */
+    uint32_t seconds; /* Duration in seconds. 0 means that the command runs until the source ends or
+                         the user stops it. */
 };
 
-/* State of watching one device. */
+/* State of a display of one device's reports. */
 struct watch {
     struct hid_descriptor descriptor;
     struct hid_source source;
@@ -148,7 +150,7 @@ static enum exit_code hid_watch_loop(struct watch *watch, uint32_t seconds)
     }
 }
 
-/* Installs the handlers of signals that stop the view. The normal exit path then restores the
+/* Installs signal handlers that stop the view, so that the normal exit path restores the
  * terminal. */
 static void hear_signals(void)
 {
@@ -173,7 +175,8 @@ static enum exit_code watch_one(const struct watch_options *options)
     watch.begin_ns = hid_watch_now_ns();
     fputs(watch.on_terminal ? SCREEN_BEGIN : HID_VALUE_HEADER "\ttime_ms\n", stdout);
     const enum exit_code end = hid_watch_loop(&watch, options->seconds);
-    if (watch.on_terminal) { /* The last view stays visible on the normal screen. */
+    if (watch.on_terminal) { /* The last view is printed once more on the normal screen, where the
+                                view stays visible. */
         printf(SCREEN_END "%s", picture(&watch));
     }
     fflush(stdout);

@@ -1,6 +1,6 @@
 /* lines.c -- the command `kingyoctl lines`.
  *
- * Lists the GPIO lines, shows events on configured lines and tests outputs. */
+ * The command lists the GPIO lines, shows events on configured lines and tests outputs. */
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,9 +14,10 @@
 
 #define SECONDS_MAX 86400u
 
-/* Seconds for which an output is set without --seconds, for example to check a lamp. */
+/* Seconds for which an output stays on if --seconds is absent. The time is long enough to check a
+ * lamp. */
 #define SET_SECONDS 3u
-#define PULSES_MAX 1000u /* Most pulses for the test of a meter. */
+#define PULSES_MAX 1000u /* Maximum number of pulses in a test of a coin meter. */
 #define NS_PER_S 1000000000ull
 
 static const char name[] = "lines";
@@ -26,9 +27,10 @@ static volatile sig_atomic_t is_stopped;
 /* Arguments of a subcommand. */
 struct request {
     struct gpio_wire wires[GPIO_ROLE_COUNT];
-    enum gpio_role role; /* Role of the last line on the command line. */
-    uint32_t seconds;    /* Duration in seconds. 0 means that --seconds is absent. */
-    const char *word;    /* Last argument: "on", "off" or a number of pulses. Null if absent. */
+    enum gpio_role role; /* Role of the last line that the command line configures. */
+    uint32_t seconds;    /* Duration in seconds. 0 means that --seconds was not given. */
+    const char *word;    /* Last argument: "on", "off" or a number of pulses. Null if there is no
+                            such argument. */
 };
 
 static void stop(int signal_number)
@@ -81,8 +83,8 @@ static enum exit_code lines_read_words(struct request *request, int argc, const 
 
 /* ---- GPIO lines ------------------------------------------------------------------------------ */
 
-/* Returns whether every configured line was opened. Prints the reason for each line that was
- * not. */
+/* Returns 1 if every configured line was opened, otherwise 0. Prints the reason for each line that
+ * was not opened. */
 static int has_all(const struct gpio_thread *reader)
 {
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
@@ -111,7 +113,8 @@ static uint64_t lines_now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Services the lines until `until_ns`, a signal, or a write error on standard output. */
+/* Services the GPIO lines until the monotonic time `until_ns`, until a signal arrives, or until a
+ * write to standard output fails. */
 static void step_until(uint64_t until_ns, struct lines_show *show)
 {
     while (!is_stopped && !ferror(stdout) && lines_now_ns() < until_ns) {
@@ -143,9 +146,9 @@ static enum exit_code run_watch(const struct request *request)
         return code;
     }
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
-    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0); /* The lockout is released if it is
-                                                              configured, so that the coin acceptor
-                                                              accepts coins. */
+    switches.ops->set(switches.self, HAL_COIN_LOCKOUT, 0); /* Switches the coin lockout off, if a
+                                                              lockout line is configured, so that
+                                                              the coin acceptor accepts coins. */
     struct lines_show show = lines_show_begin(&gpio.reader);
     puts("seconds\trole\twhat");
     fflush(stdout);
@@ -154,8 +157,8 @@ static enum exit_code run_watch(const struct request *request)
     return EXIT_OK;
 }
 
-/* Checks that the request names exactly one output and has a value. Returns EXIT_OK or
- * EXIT_USAGE. */
+/* Checks that the request names exactly one output line and has a value. Returns EXIT_OK, or prints
+ * one line and returns EXIT_USAGE. */
 static enum exit_code open_output(const struct request *request, const char *wanted)
 {
     if (gpio_config_count(request->wires) != 1 || !request->word) {
@@ -210,8 +213,8 @@ static enum exit_code run_pulse(const struct request *request)
     }
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
     const enum hal_switch which = (enum hal_switch)(request->role - GPIO_INPUT_COUNT);
-    switches.ops->set(switches.self, which, 0); /* The output is switched off first, so that the
-                                                   pulses start at the idle level. */
+    switches.ops->set(switches.self, which, 0); /* Switches the output off first, so that the pulses
+                                                   start at the idle level. */
     switches.ops->pulse(switches.self, which, count);
     do {
         gpio_thread_step(&gpio.reader);

@@ -14,8 +14,9 @@ static const char *or_dash(const char *text)
 static void tell_line(void *context, const struct gpio_line_info *line)
 {
     FILE *out = context;
-    struct gpio_line_info shown = *line; /* The text is made printable because each consumer chooses
-                                            its own name. */
+    struct gpio_line_info shown = *line; /* Copy whose texts are made printable. The consumer of a
+                                            line chooses its name, so the name may contain any
+                                            character. */
     printable(shown.device);
     printable(shown.chip);
     printable(shown.name);
@@ -32,7 +33,7 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, tell_line, out);
     if (standard_output_flush(out) != 0) {
-        return EXIT_NOT_SO; /* main() reports the write error. */
+        return EXIT_NOT_SO; /* main() prints the error of the failed write. */
     }
     if (count == HAL_ERR_ABSENT) {
         print_error("kingyoctl lines: no GPIO chip in /dev (%s)", lines.ops->describe(lines.self));
@@ -67,8 +68,8 @@ static void begin_row(const struct lines_show *show, FILE *out, const char *role
             role);
 }
 
-/* Prints press and release of a button. A press that was released before the poll gets both
- * rows. */
+/* Prints the press and the release of a button. A button that was pressed and released between two
+ * polls gets two rows. */
 static void show_button(const struct lines_show *show, FILE *out, enum gpio_role role,
                         uint32_t pressed)
 {

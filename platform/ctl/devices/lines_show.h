@@ -1,5 +1,5 @@
-/* lines_show.h -- the output of `kingyoctl lines`: the list of GPIO lines, and the events on
- * configured lines. */
+/* lines_show.h -- prints the output of `kingyoctl lines`, which is either the list of all GPIO
+ * lines or the events on the configured lines. */
 #ifndef KINGYO_PLATFORM_CTL_DEVICES_LINES_SHOW_H
 #define KINGYO_PLATFORM_CTL_DEVICES_LINES_SHOW_H
 
@@ -8,11 +8,12 @@
 #include "drivers/gpio/buttons_gpio.h"
 #include "platform/config/options.h"
 
-/* Prints a header and a tab-separated row for each line of each chip. Returns EXIT_OK, or
- * EXIT_NOT_SO after printing an error if there is no chip or the output fails. */
+/* Prints a header and a tab-separated row for each line of each GPIO chip. Returns EXIT_OK. If
+ * there is no GPIO chip or the output fails, prints an error and returns EXIT_NOT_SO. */
 enum exit_code lines_list(struct gpio_lines lines, FILE *out);
 
-/* State of an event display. The counters are compared with those of the last call. */
+/* State of an event display. `held` and `total` are the levels and the counters of `reader` at the
+ * last call of lines_show_rows(), which prints the changes since that call. */
 struct lines_show {
     struct gpio_thread *reader;
     uint64_t begin_ns;
@@ -20,12 +21,12 @@ struct lines_show {
     struct gpio_total total;
 };
 
-/* Starts an event display with the current state of `reader` as its base. `reader` must outlive
- * the display. */
+/* Starts an event display. Only changes after the current state of `reader` are printed. `reader`
+ * must outlive the display. */
 struct lines_show lines_show_begin(struct gpio_thread *reader);
 
-/* Prints a row for each press, release, coin and fault since the last call. A row has the seconds
- * since the start, the role and the event, separated by tabs. */
+/* Prints a row for each press, release, coin and fault since the last call. A row contains the
+ * seconds since the start of the display, the role of the line and the event, separated by tabs. */
 void lines_show_rows(struct lines_show *show, FILE *out);
 
 #endif
