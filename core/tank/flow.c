@@ -1,16 +1,21 @@
-/* flow.c -- Lamb's flow around a disc in still water, and the flow at the edge of the ring. */
+/* flow.c -- Lamb's flow around a disc that moves broadside, and an estimate for a disc that moves
+ * along its plane. */
 #include "core/tank/flow.h"
 
-/* Share of the speed along the plane that the water at the ring has. */
+/* Speed of the water at the ring as a share of the disc's speed along its plane. */
 #define EDGE_SHARE 0.16f
-/* Least distance from the sharp edge in radii, because a body is larger than a point. */
+/* Smallest distance from the sharp edge in disc radii at which the flow is computed, because a fish
+ * is larger than a point. */
 #define BODY_SHARE 0.3f
-#define ENTRY_HALF_M 0.005f /* A level disc submerges over twice this distance. */
+#define ENTRY_HALF_M                                                                               \
+    0.005f /* A level disc passes from dry to submerged over twice this distance. */
 #define STILL_M_S 1e-4f
-#define FAR 6.0f /* In radii: a five-hundredth of the speed remains at this distance. */
+#define FAR                                                                                        \
+    6.0f /* Largest distance of the flow in disc radii. A five-hundredth of the disc's speed
+            remains at this distance. */
 
-/* Returns the share [0, 1] of the disc that is under water, from the heights of its lowest and
- * highest points. */
+/* Returns the share [0, 1] of the disc that is under water, computed from the heights of its lowest
+ * and highest points. */
 static float immersed(const struct obstacle *disc)
 {
     const float slope = f_sqrt(f_max(0.0f, 1.0f - disc->normal.y * disc->normal.y));
@@ -18,12 +23,14 @@ static float immersed(const struct obstacle *disc)
     return f_clamp(0.5f - 0.5f * disc->centre_m.y / half_m, 0.0f, 1.0f);
 }
 
-/* A point relative to a disc of radius 1: distance along the normal and distance from the axis. */
+/* Position or velocity relative to a disc of radius 1: component along the normal and distance from
+ * the axis. */
 struct place {
     float along, off;
 };
 
-/* Oblate spheroidal coordinates: along = zeta mu, off = sqrt((1 + zeta^2)(1 - mu^2)). */
+/* Oblate spheroidal coordinates of a point, in which along = zeta mu and off = sqrt((1 + zeta^2)(1
+ * - mu^2)). */
 struct spheroidal {
     float zeta, mu;
 };
@@ -37,9 +44,10 @@ static struct spheroidal spheroidal(struct place at)
     return (struct spheroidal){ zeta, at.along < 0.0f ? -mu : mu };
 }
 
-/* Returns the flow of a disc of radius 1 and speed 1 along its normal. Along the axis: (2 / pi)
- * (acot zeta - zeta / (zeta^2 + mu^2)). Off the axis: (2 / pi) mu sqrt(1 - mu^2) / ((zeta^2 + mu^2)
- * sqrt(1 + zeta^2)). Both are bounded near the sharp edge, where they would be infinite. */
+/* Returns the velocity of the water around a disc of radius 1 that moves with speed 1 along its
+ * normal. The component along the axis is (2 / pi) (acot zeta - zeta / (zeta^2 + mu^2)). The
+ * component off the axis is (2 / pi) mu sqrt(1 - mu^2) / ((zeta^2 + mu^2) sqrt(1 + zeta^2)). The
+ * denominators are bounded from below, because the velocity at the sharp edge would be infinite. */
 static struct place broadside(struct place at)
 {
     const struct spheroidal s = spheroidal(at);
@@ -52,8 +60,8 @@ static struct place broadside(struct place at)
     };
 }
 
-/* Returns the flow for motion along the plane, which decays with the cube of the distance from the
- * sheet. */
+/* Returns the velocity of the water around a disc of radius 1 that moves with speed 1 along its
+ * plane. The velocity decays with the cube of the distance from the disc. */
 static float edgewise(struct place at)
 {
     const float beyond = f_max(0.0f, at.off - 1.0f);
@@ -62,7 +70,8 @@ static float edgewise(struct place at)
     return EDGE_SHARE * near * near * near;
 }
 
-/* Cheap test: returns 0 only where there is no flow. */
+/* Cheap test whether the disc can move the water at a point. Returns 0 only if the flow there is
+ * zero. */
 static int stirs(const struct obstacle *disc, vec3 point_m)
 {
     const vec3 off_m = v3_sub(point_m, disc->centre_m), goes_m_s = obstacle_goes_m_s(disc);

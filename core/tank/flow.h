@@ -1,24 +1,25 @@
-/* flow.h -- the water around a moving disc, which carries fish along and acts on their lateral
- * line.
+/* flow.h -- the flow of water around a moving poi, which carries fish along and stimulates their
+ * lateral line.
  *
- * Potential flow of a thin disc that moves along its normal, exact in oblate spheroidal
- * coordinates. On the axis the water has the speed of the disc at the disc and 0.18 of it one
- * radius away. Farther out the flow is the dipole of the disc's added mass, (8/3) rho a^3, and
- * decays with the cube of the distance. A disc that moves along its plane moves little more than
- * the water at its ring. */
+ * The flow is the potential flow of a thin disc that moves along its normal, which is exact in
+ * oblate spheroidal coordinates. On the axis the water has the disc's own speed at the disc, and
+ * 0.18 of that speed one radius away. Farther away the flow is that of a dipole with the disc's
+ * added mass, (8/3) rho a^3, and decays with the cube of the distance. A disc that moves along its
+ * plane moves only the water near its ring. */
 #ifndef KINGYO_CORE_TANK_FLOW_H
 #define KINGYO_CORE_TANK_FLOW_H
 
 #include "core/tank/collision/obstacle.h"
 
-/* Returns the velocity of the water at a point, world, never faster than the disc. The flow is
- * zero around a disc in air, above the surface, beyond six radii and around a hull. Near the
- * surface the flow scales with the submerged share of the disc, and for torn paper with the
- * share that remains. */
+/* Returns the velocity of the water at a point in world coordinates, m/s. The water is never faster
+ * than the disc. Returns zero for a bowl, above the surface and beyond six disc radii. The flow is
+ * proportional to the submerged share of the disc. If the paper is torn, the flow along the normal
+ * is proportional to the share of paper that remains. */
 vec3 flow_at(const struct obstacle *disc, vec3 point_m);
 
-/* Returns the pressure of this flow divided by rho, m^2/s^2: the disc's speed times the flow speed
- * at the point. The value grows with the square of the speed, so a slow disc is hardly felt. */
+/* Returns the pressure of the flow divided by the water density, m^2/s^2: the speed of the disc
+ * times the speed of the flow at the point. The pressure grows with the square of the disc's speed,
+ * so fish hardly feel a slow disc. */
 float flow_push_m2_s2(const struct obstacle *disc, vec3 point_m);
 
 #endif

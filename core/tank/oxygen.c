@@ -1,5 +1,4 @@
-/* oxygen.c -- solubility, respiration and gas exchange: the oxygen balance of one well mixed
- * tank. */
+/* oxygen.c -- the oxygen balance of a well mixed tank: solubility, respiration and gas exchange. */
 #include "core/tank/oxygen.h"
 
 #include "core/base/hash.h"
@@ -9,30 +8,35 @@
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f
 #define HPA_PER_ATM 1013.25f
-#define STILL_M_H 0.03f   /* k_L of a still surface is 2 to 5 cm/h. */
-#define PUMP_PER_H 5.0f   /* kLa of an air stone is 2 to 10 per hour. */
-#define COST_MG_KG_M 0.6f /* Cost of transport, 5 cm goldfish (Li). */
-#define STEP_H 0.005f     /* Longest step of the balance; the rates are constant within a step. */
+#define STILL_M_H                                                                                  \
+    0.03f /* Exchange coefficient k_L of a still surface, for which 2 to 5 cm/h are published. */
+#define PUMP_PER_H                                                                                 \
+    5.0f /* Exchange rate kLa of an air stone, for which 2 to 10 per hour are published. */
+#define COST_MG_KG_M                                                                               \
+    0.6f              /* Oxygen for swimming, mg per kg of fish and metre (goldfish of 5 cm; Li). */
+#define STEP_H 0.005f /* Longest step of the balance. Rates are constant within a step. */
 #define LITRES_PER_M3 1000.0f
 
-/* Returns 1000 K / T minus its value at 25 C, in a form without cancellation. The terms of the
- * published polynomials in 1 / T are in the hundreds and their sum is 2, so single precision would
- * lose a thousandth. Both polynomials are therefore expanded around 25 C, the usual water
- * temperature of a stall. */
+/* Returns 1000 K / T minus the value of 1000 K / T at 25 C. The published polynomials in 1 / T have
+ * terms in the hundreds and a sum of 2, so single precision would lose a thousandth. Therefore the
+ * polynomials in this file are expanded around 25 C, the usual water temperature at a festival
+ * stall. */
 static float inverse_kelvin(float temperature_c)
 {
     const float reference_k = REFERENCE_C + KELVIN;
     return 1000.0f * (REFERENCE_C - temperature_c) / ((temperature_c + KELVIN) * reference_k);
 }
 
-/* Returns the saturation at one atmosphere, mg/L (Benson & Krause 1984). */
+/* Returns the saturation concentration at one atmosphere, mg/L (Benson & Krause 1984). `z` is the
+ * result of inverse_kelvin(). */
 static float saturation_at_1_atm(float z)
 {
     return f_exp(2.11184299f +
                  z * (1.63790983f + z * (0.53350163f + z * (0.870736542f - z * 0.8621949f))));
 }
 
-/* Returns the water vapour pressure, atm: exp(11.8571 - 3840.70 / T - 216961 / T^2). */
+/* Returns the pressure of water vapour, atm: exp(11.8571 - 3840.70 / T - 216961 / T^2). `z` is the
+ * result of inverse_kelvin(). */
 static float vapour_atm(float z)
 {
     return f_exp(-3.46535769f - z * (5.29608152f + z * 0.216961f));
@@ -47,8 +51,9 @@ float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
     return saturation_at_1_atm(z) * ((p - u) * (1.0f - theta * p)) / ((1.0f - u) * (1.0f - theta));
 }
 
-/* Routine rate of young Carassius auratus grandoculis, 15 to 30 C (Yamanaka): 0.0674 W^-0.193
- * e^(0.0562 T) mg/g/h, W in g. Q10 is 1.75. */
+/* Routine oxygen rate of young Carassius auratus grandoculis from 15 to 30 C (Yamanaka): 0.0674
+ * W^-0.193 e^(0.0562 T) mg per g and hour, with W in g. The rate grows by a factor of 1.75 per 10 K
+ * (Q10). */
 float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
 {
     const float mass_g = 1000.0f * mass_kg;
@@ -56,7 +61,7 @@ float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
     return routine + COST_MG_KG_M * mass_kg * 3600.0f * speed_m_s;
 }
 
-/* Yamanaka: 1.35 W^-0.107 mg/L at any temperature. */
+/* Critical concentration after Yamanaka: 1.35 W^-0.107 mg/L with W in g, at any temperature. */
 float oxygen_critical_mg_l(float mass_kg)
 {
     return 1.35f * f_exp(-0.107f * f_log(1000.0f * mass_kg));
@@ -67,9 +72,9 @@ float oxygen_exchange_per_h(float water_depth_m, int pump)
     return STILL_M_H / water_depth_m + (pump ? PUMP_PER_H : 0.0f);
 }
 
-/* The oxygen that fish breathe is a constant share of the dissolved oxygen during a step, so the
- * step is the exact and stable solution of a linear equation. The form of 1 - exp(-x) avoids
- * cancellation, with an error of 1e-6 for x below 0.2. */
+/* Advances the balance by one step. During the step, respiration removes a constant share of the
+ * dissolved oxygen. The balance is then a linear equation, which the step solves exactly and
+ * stably. The form of 1 - exp(-x) avoids cancellation, with an error of 1e-6 for x below 0.2. */
 static float relax_oxygen(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
 {
     const float share_per_h =

@@ -1,36 +1,44 @@
-/* preset.c -- the tanks on offer. */
+/* preset.c -- the three tank presets with their fish and behavior parameters. */
 #include "core/tank/preset.h"
 
 #include "core/base/panic.h"
 #include "core/morph/morph.h"
 #include "core/tank/fish.h"
 
-/* Share of the water that bodies may fill: 600 fish of the stall fill 0.11. A fuller tank would
- * cost too much time; contact_solver.h keeps bodies apart in any tank. */
+/* Largest share of the water that fish bodies may fill; 600 fish in the festival tank fill 0.11.
+ * A fuller tank would take too much computing time. contact_solver.h keeps bodies apart in any
+ * tank. */
 #define BODY_FILL_MAX 0.12f
 #define AGE_SAMPLES 32
 
 #define UNBOUND 1e9f
 
-/* Values that all tanks share, in body lengths of the thesis' 5 cm fish. Section 3.3 gives 15, 5.25
- * and 7.5 cm/s, half of the speeds that section 2.1 measures on a single fish. A resting fish
- * "stands still" (3.2), but no fish does so completely; it drifts at 0 to 0.5 cm/s. Section 3.4
- * gives 1 cm of personal space. Section 3.3 changes the heading with the gait but gives no amount.
- * Any of 360 degrees would be a spin at every change, so a swimming fish turns by a normal
- * distribution of 45 degrees. */
+/* Behavior parameters that all presets share, in body lengths of the 2013 thesis' fish of 5 cm.
+ * "Section" means a section of that thesis.
+ *
+ * Section 3.3 gives 15, 5.25 and 7.5 cm/s, half of the speeds that section 2.1 measures on a single
+ * fish. In section 3.2 a resting fish "stands still". Real fish never do so completely, so a
+ * resting fish drifts at 0 to 0.5 cm/s. Section 3.4 gives 1 cm of personal space.
+ *
+ * Section 3.3 changes the heading with the gait but gives no amount. A uniform choice of 360
+ * degrees would make the fish spin at every change. Therefore the change of a swimming fish has a
+ * normal distribution with a standard deviation of 45 degrees. */
 /* clang-format off */
 #define THESIS_CORE                                                                                \
     .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
     .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
 
-/* The 2013 thesis to the letter. Section 3.1: a body of 5 x 2 x 1 cm. Section 3.4: a fish avoids
- * whatever enters its personal space, at once and as hard as its gait turns. Nothing is predicted,
- * and no fish slows down. Walls count the same as "anything" in the space. The spaces keep their
- * size at every density: 600 of them fill 28 % of the water. Section 3.5: a shade attracts all
- * fish, including those that burst, at their present speed. Section 3.6: the depths are those of
- * the four bands, equal for all fish. Below 25 of 100 a fish gulps for 3 s and is full again.
- * Stamina grows at a rate while the mouth is in the film, because otherwise all fish would dive in
- * step. */
+/* The 2013 thesis without changes.
+ *
+ * Section 3.1: a body of 5 x 2 x 1 cm. Section 3.4: a fish avoids everything in its personal space
+ * immediately and turns as fast as its gait allows. The fish predicts nothing and never slows down.
+ * A wall in the space counts like any other object. The spaces keep their size at every density:
+ * the spaces of 600 fish fill 28 % of the water.
+ *
+ * Section 3.5: a shade attracts all fish at their present speed, including fish in a burst. Section
+ * 3.6: each of the four stamina bands has one depth, equal for all fish. A fish gulps for 3 s when
+ * its stamina is below 25 of 100, and then has full stamina. In the code, stamina grows steadily
+ * while the mouth is in the film, because otherwise all fish would dive in step. */
 #define THESIS_LAW                                                                                 \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
@@ -39,11 +47,15 @@
         .gulp_gain_per_s = 1.0f / 3.0f, .shade_draws_bursts = 1,                                   \
     }
 
-/* A living wakin: the speeds and choices of the thesis, and what the thesis leaves out. A 5 cm fish
- * weighs 2.3 to 2.9 g, but a box of 5 x 2 x 1 cm holds 10 g, so this body is slimmer. 1,000 spaces
- * of the thesis would fill 95 % of the official water, those of 4 cm fish 46 %. Beyond 35 % spaces
- * therefore shrink by the cube root of the excess. A fish that brakes 0.25 s ahead of a body
- * instead of 0.15 s loses a tenth of its speed in that crowd and has as many contacts. */
+/* A living wakin (a goldfish variety): the speeds and choices of the 2013 thesis with additions.
+ *
+ * A fish of 5 cm weighs 2.3 to 2.9 g, but the thesis' box of 5 x 2 x 1 cm holds 10 g, so this body
+ * is slimmer. The thesis' personal spaces of 1,000 fish would fill 95 % of the water of the
+ * official tank; those of 4 cm fish fill 46 %. Therefore the spaces shrink if they would fill more
+ * than 35 %.
+ *
+ * Braking 0.25 s instead of 0.15 s before contact would cost a tenth of the speed in that tank and
+ * would not reduce the number of contacts. */
 #define LIVING_WAKIN                                                                               \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.36f, .width_per_length = 0.20f,                        \
@@ -60,22 +72,23 @@
 static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     [TANK_PRESET_FESTIVAL] = {
         .name = "festival",
-        /* The federation's type B tank, filled slightly deeper than its 10 cm. */
+        /* Size of the federation's type B tank, but with 12 cm of water instead of 10 cm. */
         .size_m = { 0.85f, 0.12f, 0.55f },
         .wall_height_m = 0.15f,
         .fish_count = 300,
-        /* 3.3 cm to 8 cm by the growth curve of the wakin: ten weeks to seven months. */
+        /* The growth curve of the wakin gives 3.3 cm at ten weeks and 8 cm at seven months. */
         .age_days_min = 74.0f,
         .age_days_max = 222.0f,
-        .stamina_min = 0.30f, /* 2013 thesis, section 3.2. */
+        .stamina_min = 0.30f, /* Range of stamina in section 3.2 of the 2013 thesis. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.335f, 0.012f, 0.185f },
                     { -0.335f, 0.012f, 0.185f },
                     { 0.335f, 0.012f, -0.035f },
                     { -0.335f, 0.012f, -0.035f } },
-        .bowl_radius_m = 0.080f, /* The federation allows a bowl of at most 160 mm diameter. */
+        .bowl_radius_m = 0.080f, /* The federation allows a bowl with a diameter of at most
+                                    160 mm. */
         .temperature_c = 24.0f,
-        .time_compression = 60.0f, /* A minute of play is an hour for the oxygen. */
+        .time_compression = 60.0f, /* One minute of play is one hour for the oxygen. */
         .pump = 1,
         .params = LIVING_WAKIN,
         .view = {
@@ -87,13 +100,14 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_THESIS] = {
         .name = "thesis",
-        .size_m = { 1.36f, 0.20f, 0.65f }, /* Section 3.1; water depth of section 3.6. */
+        .size_m = { 1.36f, 0.20f, 0.65f }, /* Section 3.1 of the 2013 thesis gives the floor,
+                                              section 3.6 the water depth. */
         .wall_height_m = 0.23f,
-        .fish_count = 600, /* Section 4.1. */
-        .age_days_min = 120.0f, /* At this age the fish is red all over. */
+        .fish_count = 600, /* Section 4.1 of the 2013 thesis. */
+        .age_days_min = 120.0f, /* At an age of 120 days the fish is red all over. */
         .age_days_max = 120.0f,
         .length_m = 0.05f,
-        .stamina_min = 0.30f, /* Section 3.2. */
+        .stamina_min = 0.30f, /* Range of stamina in section 3.2 of the 2013 thesis. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.53f, 0.012f, 0.225f },
                     { -0.53f, 0.012f, 0.225f },
@@ -104,8 +118,9 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .time_compression = 1.0f,
         .params = THESIS_LAW,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.448f }, /* Steeper than the stall's view, because the tank is
-                                                  twice as wide as broad. */
+            .eye_m = { 0.0f, 1.622f, 0.448f }, /* The view is steeper than in the festival preset,
+                                                  because this tank is twice as wide (x) as it is
+                                                  long (z). */
             .target_m = { 0.0f, -0.02f, 0.008f },
             .half_height_tan = 0.258f,
             .aspect_min = 16.0f / 9.0f,
@@ -113,7 +128,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_OFFICIAL] = {
         .name = "official",
-        .size_m = { 1.36f, 0.10f, 0.65f }, /* The federation's type A tank, with 10 cm of water. */
+        .size_m = { 1.36f, 0.10f, 0.65f }, /* The federation's type A tank with 10 cm of water. */
         .wall_height_m = 0.23f,
         .fish_count = 1000,
         .age_days_min = 90.0f,
@@ -127,11 +142,12 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { 0.53f, 0.012f, -0.02f },
                     { -0.53f, 0.012f, -0.02f } },
         .bowl_radius_m = 0.080f,
-        .temperature_c = 25.0f, /* The rules allow 20 to 30 C; the pump is off. */
+        .temperature_c = 25.0f, /* The federation's rules allow 20 to 30 C and the pump is off. */
         .time_compression = 1.0f,
         .params = LIVING_WAKIN,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.421f }, /* View over a rim 13 cm above the water. */
+            .eye_m = { 0.0f, 1.622f, 0.421f }, /* The view passes over a wall that stands 13 cm
+                                                  above the water. */
             .target_m = { 0.0f, -0.02f, -0.019f },
             .half_height_tan = 0.274f,
             .aspect_min = 16.0f / 9.0f,

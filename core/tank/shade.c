@@ -1,4 +1,4 @@
-/* shade.c -- shades: their age, and how they attract and startle fish. */
+/* shade.c -- the age and motion of shades, and how shades attract and startle fish. */
 #include "core/tank/shade.h"
 
 #include "core/base/hash.h"
@@ -6,13 +6,22 @@
 #include "core/tank/behavior/gait.h"
 
 #define EDGE_TAU_S 0.10f
-#define PULL_PER_S 0.60f        /* Eq. 3.5: S = 0.01 per frame at 60 frames per second. */
-#define HARDLY_M_S 0.005f       /* Slower resulting velocities have no direction. */
-#define FULL_LENGTHS_PER_S 0.1f /* Push of near fish that stops the attraction completely. */
-#define FRIGHT_RIM_M 0.02f      /* Distance before its edge at which a shade is seen to approach. */
-/* Time to an alarm of 1 under a fan; the nerve latency follows (startle.h). */
+#define PULL_PER_S                                                                                 \
+    0.60f /* Eq. 3.5 of the 2013 thesis: S = 0.01 per frame at 60 frames per second. */
+#define HARDLY_M_S                                                                                 \
+    0.005f /* If the sum of course and attraction is slower than this, the sum has no usable
+              direction and the fish keeps its yaw. */
+#define FULL_LENGTHS_PER_S                                                                         \
+    0.1f /* A push of this speed by near fish, against the attraction, cancels the attraction
+            completely. In body lengths per second. */
+#define FRIGHT_RIM_M                                                                               \
+    0.02f /* Distance outside a shade's edge at which a fish already sees the shade approach. */
+/* Time in which the shade of a fan raises the alarm of a fish from 0 to 1. The nerve latency
+ * follows (startle.h). */
 #define FRIGHT_TIME_S 0.04f
-#define FRIGHT_PLAIN_DARK 0.60f /* A darker shade does not startle more than this one. */
+#define FRIGHT_PLAIN_DARK                                                                          \
+    0.60f /* Share of light taken from which the alarm has its full value. Darker shades cause no
+             more alarm. */
 
 static int is_finite(const struct shade_cast *cast)
 {
@@ -20,8 +29,8 @@ static int is_finite(const struct shade_cast *cast)
            f_is_finite(cast->dark);
 }
 
-/* Returns the speed of the fastest point of the edge: the speed of the centre plus the growth of
- * the radius. */
+/* Returns the speed of the fastest point of the shade's edge: the speed of the centre plus the
+ * change of the radius per second. */
 static float edge_speed_m_s(const struct shade_cast *from, const struct shade_cast *to, float dt_s)
 {
     const float x_m = to->x_m - from->x_m, z_m = to->z_m - from->z_m;
@@ -80,7 +89,8 @@ float shade_pull_m_s(const struct shade *shade, const struct behavior_params *pa
     return PULL_PER_S * reach_m * f_clamp(fade, 0.0f, 1.0f);
 }
 
-/* Returns the sum of the attraction of all shades, as a velocity; zero if none attracts. */
+/* Returns the sum of the attractions of all shades as a horizontal velocity. Returns zero if no
+ * shade attracts. */
 static vec3 pull_of_all(const struct shade *shades, uint32_t count,
                         const struct behavior_params *params, vec3 position_m)
 {
@@ -92,7 +102,8 @@ static vec3 pull_of_all(const struct shade *shades, uint32_t count,
         }
         const float distance_m = shade_distance_m(cast, position_m);
         const float pull_m_s = shade_pull_m_s(&shades[i], params, distance_m);
-        if (pull_m_s > 0.0f) { /* Here the distance is positive, so the direction is defined. */
+        if (pull_m_s > 0.0f) { /* shade_pull_m_s() returns 0 at the centre. Therefore `distance_m`
+                                  is positive and the direction is defined. */
             const vec3 to_m = v3(cast->x_m - position_m.x, 0.0f, cast->z_m - position_m.z);
             sum = v3_muladd(sum, to_m, pull_m_s / distance_m);
         }
@@ -100,8 +111,8 @@ static vec3 pull_of_all(const struct shade *shades, uint32_t count,
     return sum;
 }
 
-/* Reduces the attraction by the push of the fish already in the shade, so that no fish presses into
- * a full shade. */
+/* Reduces the attraction by the opposing push of the fish in the shade, so that no fish presses
+ * into a full shade. */
 static vec3 less_crowd(vec3 pull_m_s, const struct fish *fish)
 {
     const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
@@ -127,9 +138,9 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
     return 1;
 }
 
-/* Returns the factor of a contrast on the alarm. A weak contrast alarms little in any motion. The
- * paper of a poi takes a third of the light and alarms a twentieth as much as a fan, which takes
- * two thirds. */
+/* Returns the factor [0, 1] on the alarm for the share of light that a shade takes. A weak shade
+ * causes little alarm whatever its motion. The paper of a poi takes a third of the light and causes
+ * a twentieth of the alarm of a fan, which takes two thirds. */
 static float contrast(float dark)
 {
     const float share =
@@ -146,8 +157,8 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
         shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
         return 0.0f;
     }
-    /* A fish cannot see the shade before it fell on the water, even if its last decision is
-     * older. */
+    /* Limits the time to the age of the shade. The fish cannot have seen the shade earlier, even if
+     * the fish's last decision is older. */
     return contrast(cast->dark) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;
 }
 

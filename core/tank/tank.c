@@ -1,4 +1,5 @@
-/* tank.c -- the order of a tick for all fish: decide, move, broad phase, contact solver, settle. */
+/* tank.c -- the order of a tick for all fish: decisions, motion, broad phase, contact solver and
+ * velocities. */
 #include "core/tank/tank.h"
 
 #include "core/base/hash.h"
@@ -9,17 +10,22 @@
 #include "core/tank/behavior/swim.h"
 #include "core/tank/collision/reentry.h"
 
-#define STIRS_M 0.0001f  /* Motion per tick; an obstacle slower than 12 mm/s is not a poi in use. */
-#define BUBBLE_TICKS 6u  /* 20 bubbles per second rise. */
-#define BUBBLES_M 0.014f /* Radius of the bubbles around the stone. */
+#define STIRS_M                                                                                    \
+    0.0001f              /* Motion per tick above which an obstacle counts as a poi in use; equal to
+                            12 mm/s. */
+#define BUBBLE_TICKS 6u  /* Ticks between two bubbles of the pump: 20 bubbles per second. */
+#define BUBBLES_M 0.014f /* Radius around the air stone within which bubbles rise. */
 #define STONE_INSET_M 0.045f
 #define BUBBLE_RADIUS_M 0.012f
 #define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-#define PUSH_SHARE 0.344f /* Share per query: pushes rise and decay within a twelfth of a second. */
+#define PUSH_SHARE                                                                                 \
+    0.344f /* Share of the difference by which a fish's push approaches the new push at each
+              query. Pushes rise and decay with a time constant of a twelfth of a second. */
 #define BORNE_M_S 0.05f
-/* A fish that had no room recovers its full turning rate in half a second. */
+/* Recovery of `room`: after other fish blocked its turn, a fish regains its full turning rate in
+ * half a second. */
 #define ROOM_PER_S 2.0f
 
 struct tank_bounds tank_bounds(const struct tank *tank)
@@ -33,8 +39,8 @@ const struct behavior_params *tank_behavior_params(const struct tank *tank)
     return &tank_preset(tank->preset)->params;
 }
 
-/* Returns the number of shades up to the last present one; usually 0, so that the fish need not
- * test any. */
+/* Returns one more than the index of the last shade that is present. The result is usually 0, so
+ * that the fish test no shades. */
 static uint32_t shade_count(const struct tank *tank)
 {
     uint32_t count = TANK_SHADE_MAX;
@@ -68,7 +74,7 @@ struct broad_phase_search tank_search(const struct tank *tank)
     return (struct broad_phase_search){ .search = tank->search, .lanes = tank->lanes };
 }
 
-/* Makes a ring on the surface if a mouth opens there. */
+/* Makes a ring-shaped wave on the surface if the fish opens its mouth there. */
 static void ring(struct tank *tank, const struct fish *fish, const struct perception *around)
 {
     if (surface_gulps(fish, around->tick, around->dt_s)) {
@@ -77,8 +83,7 @@ static void ring(struct tank *tank, const struct fish *fish, const struct percep
     }
 }
 
-/* Returns 1 if a fallen fish lies on other fish, because water alone would let it sink at 12
- * cm/s. */
+/* Returns 1 if other fish support a fallen fish. In water alone the fish would sink at 12 cm/s. */
 static int is_borne(const struct fish *fish)
 {
     return fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S;
@@ -93,7 +98,8 @@ static void think_in_turn(struct tank *tank, struct perception around)
             around.dt_s = fish_behavior_dt_s(fish, around.tick);
             fish_behavior_tick(fish, i, &around);
             ring(tank, fish, &around);
-            if (fell && fish->falls) { /* The fish enters the water among others by reentry. */
+            if (fell && fish->falls) { /* Reentry separates the fish from the fish on which it
+                                          fell. */
                 fish->alarm = 1.0f;
                 reentry_begin(tank, fish, fish->velocity_m_s);
             }
@@ -114,7 +120,8 @@ static struct shoal shoal_of(struct tank *tank)
     };
 }
 
-/* Applies the results of a full query to the fish: encounters, pushes and room. */
+/* Applies the results of a full broad-phase query to the fish: avoidance advice, brakes, pushes and
+ * room to turn. */
 static void heed(struct tank *tank, const struct perception *around)
 {
     for (uint32_t i = 0; i < tank->broad_phase.count; i++) {
@@ -132,7 +139,7 @@ static void heed(struct tank *tank, const struct perception *around)
     }
 }
 
-/* Runs a broad-phase query if it is due or the last one is stale. */
+/* Runs a broad-phase query if it is due by schedule, or if the last query is stale. */
 static void update_broad_phase(struct tank *tank, uint32_t station, const struct perception *around)
 {
     struct broad_phase *broad_phase = &tank->broad_phase;
@@ -146,7 +153,8 @@ static void update_broad_phase(struct tank *tank, uint32_t station, const struct
         return;
     }
     struct broad_phase_search how = tank_search(tank);
-    how.contacts_only = !is_time; /* A query off schedule only finds contacts. */
+    how.contacts_only = !is_time; /* A query off schedule finds only contacts and no avoidance
+                                     advice. */
     broad_phase_update(broad_phase, tank->fish, how, around);
     if (is_time) {
         struct perception then = *around;
@@ -155,7 +163,7 @@ static void update_broad_phase(struct tank *tank, uint32_t station, const struct
     }
 }
 
-/* Runs the substeps of the contact solver. */
+/* Runs the substeps of the contact solver in this tick. */
 static void part_all(struct tank *tank, const struct solver_context *place,
                      const struct perception *around)
 {
@@ -172,7 +180,7 @@ static void part_all(struct tank *tank, const struct solver_context *place,
     contact_solver_end(&tank->solver, &tank->broad_phase, place);
 }
 
-/* Drops a random disturbance on the surface, which is never completely still. */
+/* Makes a small random wave every 24 ticks, because a real surface is never completely still. */
 static void drip(struct tank *tank, uint32_t tick)
 {
     if (tick % 24u != 0) {
@@ -191,7 +199,7 @@ vec3 tank_stone_m(vec3 size_m)
     return v3(STONE_INSET_M - 0.5f * size_m.x, -size_m.y, STONE_INSET_M - 0.5f * size_m.z);
 }
 
-/* Disturbs the surface above the air stone, where its bubbles burst. */
+/* Makes a wave above the air stone, where a bubble bursts. */
 static void bubble(struct tank *tank, uint32_t tick)
 {
     if (!tank->oxygen.pump || tick % BUBBLE_TICKS != 0) {
@@ -205,11 +213,12 @@ static void bubble(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
 }
 
-/* Returns the largest push per tick. Fish make way for a moving poi as fast as necessary; otherwise
- * they only ease apart. */
+/* Returns the largest distance in a tick by which other bodies may push a fish. The value is large
+ * near a moving poi, so that fish make way for it. */
 static float push_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
 {
-    int stirs = 0; /* A bowl that rocks on ripples does not count. */
+    int stirs = 0; /* 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on
+                      ripples is slower. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 step_m = obstacles[o].step_m;
         stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m &&

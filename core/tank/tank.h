@@ -1,6 +1,7 @@
-/* tank.h -- the water, the fish that swim in it, and the obstacles.
+/* tank.h -- the tank: the water, the fish that swim in it, and the obstacles.
  *
- * Axes: origin at the centre of the still surface, +x right, +y up, +z toward the player. */
+ * The origin is the centre of the still water surface; +x is to the right, +y up and +z toward the
+ * player. A poi is the paper scoop of a player. A tick is 1/120 s. */
 #ifndef KINGYO_CORE_TANK_TANK_H
 #define KINGYO_CORE_TANK_TANK_H
 
@@ -18,54 +19,68 @@
 #include "core/tank/water.h"
 
 _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each player");
-#define TANK_SHADE_MAX (SHADE_MAX + POI_MAX) /* Fans and hands, then the dry pois. */
+/* Number of shades: SHADE_MAX fans and human hands, followed by POI_MAX dry pois. */
+#define TANK_SHADE_MAX (SHADE_MAX + POI_MAX)
 
 struct tank {
     uint32_t seed;
-    uint8_t preset;        /* enum tank_preset_id */
-    uint8_t lanes, search; /* As in struct tank_config; no hash covers these two members. */
+    uint8_t preset;        /* Preset of the tank (enum tank_preset_id). */
+    uint8_t lanes, search; /* Same values as in struct tank_config. The state hashes do not cover
+                              `lanes` and `search`. */
     vec3 size_m;
     float wall_height_m;
-    float wall_follow;   /* As in struct tank_config. */
-    uint8_t ball_spaces; /* As in struct tank_config. */
+    float wall_follow;   /* Same value as in struct tank_config. */
+    uint8_t ball_spaces; /* Same value as in struct tank_config. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
-    float space; /* Personal space beyond the body, in body lengths; fixed at the start. */
+    float space; /* Personal space of a fish beyond its body, in body lengths. The value is computed
+                    when the tank is opened. */
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
-    uint32_t reentry_count; /* Upper bound of the fish in reentry; reentry_tick() recounts them. */
-    struct broad_phase
-        broad_phase; /* The results of the last query are state; broad_phase_hash() covers them. */
-    struct contact_solver solver; /* Scratch memory of one tick, which no hash covers. The member
-                                     stands here because a board's stack is too small. */
+    uint32_t reentry_count; /* Upper bound of the number of fish in reentry. reentry_tick() sets it
+                               to the exact number. */
+    /* Results of the last broad-phase query. The results are state, so broad_phase_hash() covers
+     * them. */
+    struct broad_phase broad_phase;
+    struct contact_solver solver; /* Scratch memory of one tick, which no state hash covers. The
+                                     solver is a member because the stack of a board is too small
+                                     for it. */
 };
 
-/* Parameters of a tank to open. */
+/* Parameters of a tank to be opened. */
 struct tank_config {
-    uint8_t preset;                 /* enum tank_preset_id */
-    uint32_t fish_count;            /* 1 .. tank_fish_max() */
-    uint32_t seed;                  /* Any value. */
-    float area_scale;               /* Factor on the floor area, TANK_AREA_SCALE_MIN .. _MAX. */
-    vec3 size_m;                    /* Inner size in TANK_SIDE_*_M and TANK_DEPTH_*_M; 0 selects the
-                                       preset's value. */
-    float wall_follow;              /* [0, 1] attraction of walls: 0 in every preset. */
-    uint8_t ball_spaces;            /* 1: personal spaces are balls around the boxes, and each fish
-                                       is tested against each other fish, for comparison (section
-                                       3.4). */
-    float stamina_min, stamina_max; /* [0, 1] at the start, uniform. */
-    float temperature_c;            /* OXYGEN_TEMPERATURE_MIN_C .. _MAX_C */
-    float pressure_hpa;             /* OXYGEN_PRESSURE_MIN_HPA .. _MAX_HPA */
-    float oxygen_mg_l;              /* TANK_OXYGEN_SATURATED, or 0 .. OXYGEN_MAX_MG_L. */
-    float time_compression;         /* 0 .. OXYGEN_TIME_COMPRESSION_MAX */
-    uint8_t pump;                   /* 1 if the air stone bubbles. */
-    uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX, whose places are kept clear of
-                                       fish at the start. */
-    uint8_t lanes;                  /* 0, 4 or 8 (core/base/simd.h): affects speed only. */
-    uint8_t search;                 /* enum pair_search: affects speed only. */
+    uint8_t preset;                 /* Preset of the tank (enum tank_preset_id). */
+    uint32_t fish_count;            /* Number of fish, 1 .. tank_config_fish_max(). */
+    uint32_t seed;                  /* Seed of all random numbers; any value is valid. */
+    float area_scale;               /* Factor on the area of the floor, TANK_AREA_SCALE_MIN ..
+                                       TANK_AREA_SCALE_MAX. */
+    vec3 size_m;                    /* Inner size within TANK_SIDE_*_M and TANK_DEPTH_*_M. A
+                                       component of 0 selects the preset's value. */
+    float wall_follow;              /* Strength [0, 1] of the attraction of walls; 0 in every
+                                       preset. */
+    uint8_t ball_spaces;            /* 1 if personal spaces are balls around the boxes and each fish
+                                       is tested against each other fish; only for comparison with
+                                       section 3.4 of the 2013 thesis. 0 means boxes. */
+    float stamina_min, stamina_max; /* Range of the stamina at the start, within [0, 1]; uniform. */
+    float temperature_c;            /* Temperature of the water, OXYGEN_TEMPERATURE_MIN_C ..
+                                       OXYGEN_TEMPERATURE_MAX_C. */
+    float pressure_hpa;             /* Pressure of the air, OXYGEN_PRESSURE_MIN_HPA ..
+                                       OXYGEN_PRESSURE_MAX_HPA. */
+    float oxygen_mg_l;              /* Dissolved oxygen at the start: 0 .. OXYGEN_MAX_MG_L, or
+                                       TANK_OXYGEN_SATURATED. */
+    float time_compression;         /* Speed of the oxygen balance, 0 .. OXYGEN_TIME_COMPRESSION_MAX
+                                       (oxygen.h). */
+    uint8_t pump;                   /* 1 if the air stone bubbles, otherwise 0. */
+    uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX. No fish starts at the place of
+                                       a bowl. */
+    uint8_t lanes;                  /* Number of SIMD lanes: 0, 4 or 8 (core/base/simd.h). The
+                                       number affects only speed. */
+    uint8_t search;                 /* Pair search (enum pair_search). The search affects only
+                                       speed. */
 };
 
-#define TANK_OXYGEN_SATURATED (-1.0f) /* Starts with water saturated with oxygen. */
+#define TANK_OXYGEN_SATURATED (-1.0f) /* Value of `oxygen_mg_l` for water saturated with oxygen. */
 
 #define TANK_SIDE_MIN_M 0.30f
 #define TANK_SIDE_MAX_M 2.00f
@@ -75,73 +90,79 @@ struct tank_config {
 #define TANK_AREA_SCALE_MIN 0.05f
 #define TANK_AREA_SCALE_MAX 250.0f
 
-/* Returns the configuration of a preset with the preset's own values. */
+/* Returns the configuration with the values of a preset, seed 1 and one bowl. */
 struct tank_config tank_config_of(uint8_t preset);
 
-/* Returns the largest number of fish of such a tank; at most TANK_FISH_MAX. */
+/* Returns the largest number of fish in a tank of the preset with the scaled floor; at most
+ * TANK_FISH_MAX. */
 uint32_t tank_fish_max(uint8_t preset, float area_scale);
 
-/* Returns the largest number of fish of a tank to open, whatever its own fish count. Returns 0 if
- * its size is out of range. */
+/* Returns the largest number of fish in a tank with this configuration; ignores config->fish_count.
+ * Returns 0 if the size or the area scale is out of range. */
 uint32_t tank_config_fish_max(const struct tank_config *config);
 
-/* Fills `tank` with still water and fish that do not overlap. Returns 1 on success. Returns 0 if a
- * value lies outside its range; `tank` is then unchanged. Also returns 0 if the fish found no room,
- * which happens only in tanks shorter than a fish; `tank` must then not be used. */
+/* Opens a tank: fills `tank` with still water and with fish that do not overlap. Returns 1 on
+ * success. Returns 0 and leaves `tank` unchanged if a value of `config` is out of range. Also
+ * returns 0 if the fish found no room, which happens only in tanks shorter than a fish. In that
+ * case `tank` must not be used. */
 int tank_open(struct tank *tank, const struct tank_config *config);
 
-/* Opens a preset with `fish_count` fish. Asserts that the values are in range and that the fish
- * find room. */
+/* Opens a preset with `fish_count` fish. Asserts that `preset` and `fish_count` are in range and
+ * that the fish find room. */
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
 
-/* A fish at a given place, to stage an encounter. */
+/* Pose and state of a fish that is placed to set up an encounter. */
 struct tank_stage {
     vec3 position_m;
     struct angles angles;
-    float length_m;  /* 0: the length that the tank gave the fish. */
-    float speed_m_s; /* Along the nose, >= 0. */
-    float stamina;   /* [0, 1] */
-    uint8_t gait;    /* GAIT_REST, GAIT_SWIM, GAIT_BURST or GAIT_SURFACE, for its longest
-                        duration. */
+    float length_m;  /* Length of the fish. 0 keeps the length that the tank gave the fish. */
+    float speed_m_s; /* Speed along the fish's forward axis, >= 0. */
+    float stamina;   /* Stamina, [0, 1]. */
+    uint8_t gait;    /* Gait of the fish: GAIT_REST, GAIT_SWIM, GAIT_BURST or GAIT_SURFACE. The gait
+                        lasts for its longest duration. */
 };
 
-/* Places the first `count` <= fish_count fish of a tank that was just opened. Bodies must be in the
- * water and apart. */
+/* Places the first `count` fish of a tank that was just opened. `count` must not exceed the number
+ * of fish. The caller guarantees that the bodies are in the water and do not overlap. */
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count);
 
 /* Returns the behavior parameters of the tank's fish. */
 const struct behavior_params *tank_behavior_params(const struct tank *tank);
 
-/* Sets the objects over the water in this tick; called before tank_tick(). Without any call there
- * are no shades. Asserts that all values are finite. */
+/* Sets the shades of this tick; called before tank_tick(). Without a call there are no shades.
+ * Asserts that all values are finite. */
 void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX]);
 
-/* Returns the number of swimming fish whose centre lies in such a shade, whether or not it is
- * present. */
+/* Returns the number of swimming fish whose centre lies in the shade of `cast`. Returns 0 if the
+ * shade is not present. */
 uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast);
 
-/* Advances every swimming fish by one tick (core/poi moves fish that are carried or in a bowl).
- * `obstacle_count` <= TANK_OBSTACLE_MAX. */
+/* Advances the water's oxygen and every swimming or falling fish by one tick. core/poi moves the
+ * fish on pois and in bowls. `obstacle_count` must not exceed TANK_OBSTACLE_MAX. */
 void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                uint32_t obstacle_count);
 
-/* Returns the position of the pump's air stone: on the floor in the far left corner. */
+/* Returns the position of the pump's air stone, which stands on the floor in the far left
+ * corner. */
 vec3 tank_stone_m(vec3 size_m);
 
 /* Returns the number of fish that gulp at the surface. */
 uint32_t tank_surfacing_count(const struct tank *tank);
 
-/* Return values that other modules of core/tank need. */
+/* Returns the inner faces of the tank, within which the contact solver keeps the fish. */
 struct tank_bounds tank_bounds(const struct tank *tank);
+
+/* Returns the options of a broad-phase query in this tank. */
 struct broad_phase_search tank_search(const struct tank *tank);
 
-/* Returns the perception of a fish in tick `tick`. The result points into the tank and at
- * `obstacles`, which may be null if there are none. */
+/* Returns the data on which a fish bases its decision in tick `tick`. The result points into the
+ * tank and at `obstacles`, which may be null if `obstacle_count` is 0. */
 struct perception tank_perception(const struct tank *tank, uint32_t tick,
                                   const struct obstacle *obstacles, uint32_t obstacle_count);
 
-uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Hashes fish and water. */
-uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Hashes poses and gaits of the
-                                                                     fish only. */
+uint64_t tank_hash(uint64_t hash, const struct tank *tank);       /* Hashes the fish and the
+                                                                     water. */
+uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Hashes only the poses and gaits
+                                                                     of the fish. */
 
 #endif

@@ -1,5 +1,5 @@
-/* tank_open.c -- the start of a tank: validation of its parameters, creation and placement of the
- * fish. */
+/* tank_open.c -- opening a tank: validates its configuration, creates the fish and places them
+ * without overlap. */
 #include "core/tank/tank.h"
 
 #include "core/base/mem.h"
@@ -11,12 +11,18 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 
-#define PLACE_TRIES 12u /* Tries to find a place clear of the bowl; afterwards any place is used. */
-#define START_ROUNDS_MAX 100u /* Full tanks take 3 to 48 rounds. */
-#define START_DRAWS_MAX 8u    /* 1 % of the smallest tanks get stuck and need other places. */
-#define START_SHOVE_M 0.004f  /* Largest push per round. */
+#define PLACE_TRIES                                                                                \
+    12u /* Number of random places tried for a fish until one is clear of the bowls. If none is
+           clear, the last place is used. */
+#define START_ROUNDS_MAX                                                                           \
+    100u /* Largest number of rounds that separate the fish at the start. Full tanks take 3 to 48
+            rounds. */
+#define START_DRAWS_MAX                                                                            \
+    8u                       /* Largest number of random placements of all fish. In 1 % of the
+                                smallest tanks the first placement gets stuck. */
+#define START_SHOVE_M 0.004f /* Largest push of a fish in one round. */
 
-/* ---- Validation ------------------------------------------------------------------------------ */
+/* ---- Validation of the configuration --------------------------------------------------------- */
 
 struct tank_config tank_config_of(uint8_t preset_id)
 {
@@ -45,7 +51,7 @@ uint32_t tank_fish_max(uint8_t preset, float area_scale)
 
 static int is_within_range(float value, float low, float high)
 {
-    return value >= low && value <= high; /* Written so that NaN fails. */
+    return value >= low && value <= high; /* This form of the comparison rejects NaN. */
 }
 
 static int water_fits(const struct tank_config *config)
@@ -111,7 +117,7 @@ static int config_fits(const struct tank_config *config)
            config->search <= PAIR_SEARCH_ALL;
 }
 
-/* ---- Creation and placement ------------------------------------------------------------------ */
+/* ---- Creation and placement of the fish ------------------------------------------------------ */
 
 static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, float clear_m)
 {
@@ -124,14 +130,14 @@ static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, fl
     return 0;
 }
 
-/* The part of the floor in which a fish is placed, as shares of the floor. */
+/* The part of the floor in which a fish is placed. Position and size are shares of the floor. */
 struct plot {
     float x, z, width, breadth;
 };
 
-/* Returns the plot of a fish. Each fish has its own plot, about square and row by row, so that fish
- * near each other at the start are also near each other in memory. A tank of 100,000 fish is a
- * third faster while this order lasts; it decays as the fish mix, over about ten minutes. */
+/* Returns the plot of a fish. Each fish has its own, nearly square plot; the plots are numbered row
+ * by row. Therefore fish that are near each other at the start are also near each other in memory.
+ * A tank of 100,000 fish is a third faster while this order lasts, which is about ten minutes. */
 static struct plot plot_of(const struct tank *tank, uint32_t index)
 {
     const float wide = f_sqrt((float)tank->fish_count * tank->size_m.x / tank->size_m.z);
@@ -143,8 +149,8 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
                           breadth };
 }
 
-/* Returns a place in the plot, or anywhere else if a bowl covers the plot. `draw` <
- * START_DRAWS_MAX. */
+/* Returns a random place in the plot of the fish, or in the whole tank if a bowl covers the first
+ * place. `draw` is the number of earlier placements, less than START_DRAWS_MAX. */
 static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32_t index,
                         const struct tank_config *config, uint32_t draw)
 {
@@ -181,8 +187,8 @@ static float hatch_length_m(const struct tank *tank, const struct tank_preset *p
                                    : growth_length_m(&species_wakin.card.growth, age_days);
 }
 
-/* Returns the initial gait with the chance of its share of time, as if the fish had long been in
- * the water. */
+/* Returns a random initial gait. The probability of a gait is its share of time, as if the fish had
+ * been in the water for a long time. */
 static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float stamina)
 {
     const struct gait_chance share = gait_shares(stamina);
@@ -209,16 +215,16 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish.tail_amplitude = 0.15f;
     fish.tail_phase_rad = (float)(fish.look & 1023u) * (F_TAU / 1024.0f);
     gait_enter(&fish, start_gait(tank, index, fish.stamina), index, &around);
-    fish.heading_rad = fish.angles.yaw_rad; /* Keeps the heading, because no change of gait has
-                                               turned the fish yet. */
+    fish.heading_rad = fish.angles.yaw_rad; /* Restores the heading, which gait_enter() turned,
+                                               because the fish has not yet changed its gait. */
     swim_resolve(&fish, &around);
-    /* Each fish is at a random point of its gait. */
+    /* A random share of the gait's duration has already passed. */
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;
 }
 
-/* Separates the random places until no fish overlap, which is faster than drawing until none
- * overlap. Returns 1 on success. */
+/* Pushes the fish apart until none overlap. This is faster than drawing new places until none
+ * overlap. Returns 1 on success, otherwise 0. */
 static int spread_out(struct tank *tank)
 {
     const struct solver_context place = { tank->fish, tank_bounds(tank), NULL,
@@ -239,7 +245,8 @@ static int spread_out(struct tank *tank)
     return 0;
 }
 
-/* Finds places without overlap for all fish. Returns 0 if none were found. */
+/* Draws and separates places for all fish until none overlap. Returns 1 on success, or 0 after
+ * START_DRAWS_MAX attempts. */
 static int find_room(struct tank *tank, const struct tank_config *config)
 {
     for (uint32_t draw = 1; !spread_out(tank); draw++) {
@@ -253,7 +260,7 @@ static int find_room(struct tank *tank, const struct tank_config *config)
     return 1;
 }
 
-/* ---- The tank ------------------------------------------------------------------------------- */
+/* ---- Opening and staging of a tank ----------------------------------------------------------- */
 
 int tank_open(struct tank *tank, const struct tank_config *config)
 {
@@ -293,16 +300,15 @@ static void place_staged_fish(struct fish *fish, const struct tank_stage *wanted
     fish->depth_goal_m = wanted->position_m.y;
     fish->stamina = wanted->stamina;
     fish->gait = wanted->gait;
-    fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Longest durations, thesis,
-                                                                      section 3.2. */
+    fish->gait_left_s = wanted->gait == GAIT_BURST ? 3.0f : 20.0f; /* Longest durations in section
+                                                                      3.2 of the 2013 thesis. */
     fish->speed_m_s = wanted->speed_m_s;
     fish->velocity_m_s = v3_scale(fish_forward(fish), wanted->speed_m_s);
     fish->air = AIR_ENOUGH;
     if (wanted->gait == GAIT_SURFACE) {
         surface_stage(fish, around->params);
     }
-    swim_resolve(fish, around); /* Sets the staged goals, which hold until the first decision of the
-                                   fish. */
+    swim_resolve(fish, around); /* Sets the goals, which the fish keeps until its first decision. */
 }
 
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)

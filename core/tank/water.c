@@ -1,7 +1,8 @@
-/* water.c -- a damped wave equation on a grid of cells, with walls that reflect waves.
+/* water.c -- the water surface as a damped wave equation on a grid of cells; walls reflect waves.
  *
- * Steps of 1/60 s over cells of about 7 mm. Waves travel at 0.23 m/s, the slowest speed of ripples
- * on real water (capillary-gravity minimum), which also keeps the explicit scheme stable. */
+ * A step is 1/60 s and a cell is about 7 mm wide. Waves travel at 0.23 m/s, the lowest speed of
+ * ripples on real water (the capillary-gravity minimum). The low speed also keeps the explicit
+ * scheme stable. */
 #include "core/tank/water.h"
 
 #include "core/base/hash.h"
@@ -9,27 +10,36 @@
 
 #define WAVE_SPEED_M_S 0.23f
 #define STEP_S (1.0f / 60.0f)
-#define WAVE_KEEP 0.986f   /* Share of the velocity kept per step: waves decay in about a second. */
-#define LEVEL_KEEP 0.9985f /* Share of the height kept per step: the level returns to 0. */
-#define COURANT_MAX 0.45f  /* (c dt / dx)^2 along each axis; the scheme diverges at 0.5 + 0.5. */
-/* Higher waves would leave a tank whose walls stand 6 cm above the water. */
+#define WAVE_KEEP                                                                                  \
+    0.986f /* Share of the vertical velocity that remains after a step; waves decay in about a
+              second. */
+#define LEVEL_KEEP                                                                                 \
+    0.9985f /* Share of the height that remains after a step; the surface returns to height 0. */
+#define COURANT_MAX                                                                                \
+    0.45f /* Limit of (c dt / dx)^2 along each axis. The scheme diverges if the sum of both axes
+             reaches 1. */
+/* Largest height of a wave. Higher waves would leave a tank whose walls stand 6 cm above the
+ * water. */
 #define HEIGHT_MAX_M 0.02f
-#define SLOPE_SCALE 508.0f /* scene.h: +-127 stands for a slope of +-0.25. */
+#define SLOPE_SCALE                                                                                \
+    508.0f /* Factor from a slope to the integer of the scene (scene.h), in which +-127 means a
+              slope of +-0.25. */
 
 void water_init(struct water *water)
 {
     memset(water, 0, sizeof *water);
 }
 
-/* Returns the profile of a push: 1 at the centre, a raised rim, and 0 from the radius on. Its
- * volume is zero, because water is incompressible. */
+/* Returns the depth of a push at the squared relative distance `s`: 1 at the centre, below 0 in a
+ * raised rim, and 0 from the radius outward. The volume of the push is zero, because water is
+ * incompressible. */
 static float press_profile(float s)
 {
     return s < 1.0f ? (1.0f - s) * (1.0f - s) * (1.0f - 4.0f * s) : 0.0f;
 }
 
-/* First and last cell whose centre can lie within `radius` of `at`, both in cells. The span is
- * empty if `first` is greater than `last`. */
+/* First and last cell whose centre can lie within `radius` cells of position `at`. No cell lies
+ * within the radius if `first` is greater than `last`. */
 struct span {
     int32_t first, last;
 };
@@ -43,7 +53,8 @@ static struct span span_of(float at, float radius, int32_t count)
                           span.last >= count ? count - 1 : span.last };
 }
 
-/* Both layers move, so that the push itself adds no velocity and waves start from rest. */
+/* Changes the heights of the current step and of the previous step equally. Therefore the push
+ * itself adds no velocity, and waves start from rest. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m)
 {
     if (f_abs(point_m.x) > 0.5f * size_m.x || f_abs(point_m.z) > 0.5f * size_m.z) {
@@ -51,7 +62,7 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
     }
     const float dx = size_m.x / (float)RIPPLE_X, dz = size_m.z / (float)RIPPLE_Z;
     const float reach_m =
-        f_max(radius_m, 1.5f * f_max(dx, dz)); /* Not smaller than the grid resolves. */
+        f_max(radius_m, 1.5f * f_max(dx, dz)); /* The grid cannot resolve a smaller radius. */
     const float at_x = (point_m.x + 0.5f * size_m.x) / dx - 0.5f;
     const float at_z = (point_m.z + 0.5f * size_m.z) / dz - 0.5f;
     const struct span columns = span_of(at_x, reach_m / dx, (int32_t)RIPPLE_X);
@@ -96,7 +107,8 @@ static void step_row(float *restrict next, const float *restrict now, const floa
                             kz * (above[i] - 2.0f * now[i] + below[i]);
         next[i] = next_height(now[i], next[i], curve);
     }
-    /* A wall reflects: the cell beyond it equals the cell before it. */
+    /* At a wall, the missing neighbour cell has the height of the cell at the wall, which reflects
+     * waves. */
     next[0] = next_height(now[0], next[0],
                           kx * (now[1] - now[0]) + kz * (above[0] - 2.0f * now[0] + below[0]));
     next[end] = next_height(now[end], next[end],
@@ -115,8 +127,9 @@ void water_step(struct water *water, vec3 size_m)
     const float kx = courant(size_m.x / (float)RIPPLE_X), kz = courant(size_m.z / (float)RIPPLE_Z);
     const uint32_t last = RIPPLE_Z - 1u;
     float(*now)[RIPPLE_X] = water->height_m[water->newest];
-    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Holds the heights of the
-                                                                     previous step. */
+    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Heights of the previous
+                                                                     step, which the new heights
+                                                                     replace. */
     for (uint32_t row = 0; row <= last; row++) {
         const float *above = now[row == 0 ? 0 : row - 1u];
         const float *below = now[row == last ? last : row + 1u];

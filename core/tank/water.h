@@ -1,5 +1,5 @@
-/* water.h -- the water surface: a height field of small waves, stirred by pois and used for
- * refraction. */
+/* water.h -- the water surface as a field of wave heights. Pois and fish make waves, and the
+ * renderer uses the slopes for refraction. */
 #ifndef KINGYO_CORE_TANK_WATER_H
 #define KINGYO_CORE_TANK_WATER_H
 
@@ -9,24 +9,25 @@
 #include "core/scene.h"
 
 struct water {
-    uint8_t newest; /* Index of the current layer; the other layer is one step older. */
+    uint8_t newest; /* Index of the current layer of `height_m`. The other layer holds the heights
+                       of the previous step. */
     float height_m[2][RIPPLE_Z][RIPPLE_X];
 };
 
 void water_init(struct water *water);
 
-/* Pushes the surface down smoothly by `depth_m` (may be negative) within `radius_m` of a point.
- * Points outside the tank are ignored. */
+/* Pushes the surface smoothly down by `depth_m` within `radius_m` of a point. A negative `depth_m`
+ * lifts the surface. Points outside the tank are ignored. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m);
 
-/* Returns the height of the surface at a point, interpolated between cell centres; beyond the
- * walls, the height at the wall. */
+/* Returns the height of the surface at (x_m, z_m), interpolated between cell centres. Outside the
+ * tank, returns the height at the nearest wall. */
 float water_height_m(const struct water *water, vec3 size_m, float x_m, float z_m);
 
-/* Advances the damped wave equation by one step; called every second tick. */
+/* Advances the wave equation by one step of 1/60 s; called every second tick. */
 void water_step(struct water *water, vec3 size_m);
 
-/* Writes the slopes in the scale of the scene. */
+/* Writes the slopes of the surface along x and z. +-127 means a slope of +-0.25, as in scene.h. */
 void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2]);
 
 uint64_t water_hash(uint64_t hash, const struct water *water);
