@@ -1,4 +1,5 @@
-/* main.c -- `kingyoctl`, the command line for operators, fish makers and researchers. */
+/* main.c -- the program `kingyoctl`, a command-line tool for operators, authors of fish species and
+ * researchers. */
 #include <stdio.h>
 #include <string.h>
 
@@ -70,8 +71,9 @@ static enum exit_code run_words(int argc, char **argv)
     return EXIT_USAGE;
 }
 
-/* A command prints without checking for write errors. main() detects lost output here for all
- * commands. A command that failed has already printed its one error line. */
+/* Runs the command that the first argument names. A command prints without checking for write
+ * errors. main() detects lost output for all commands after the command has run. A command that
+ * failed has already printed one error line. */
 int main(int argc, char **argv)
 {
     const int closed = standard_streams_open();

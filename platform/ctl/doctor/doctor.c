@@ -1,7 +1,7 @@
 /* doctor.c -- the command `kingyoctl doctor`.
  *
- * Checks devices, permissions, interfering drivers, display, sound and database. Prints one line
- * per finding with the action that solves the problem. */
+ * The command checks devices, permissions, interfering drivers, the display, sound and the
+ * database. Each finding is printed on one line with the action that solves the problem. */
 #include "platform/ctl/doctor/doctor.h"
 
 #include <errno.h>
@@ -18,8 +18,8 @@
 #include "platform/os/print.h"
 #include "platform/os/regular_file.h"
 
-/* Most words on the command line. The limit exceeds the number of GPIO lines and controllers
- * that the kiosk accepts. */
+/* Maximum number of words on the command line. The kiosk accepts fewer GPIO lines and controllers
+ * than this limit. */
 #define WORDS_MAX 160
 
 static const char name[] = "doctor";
@@ -30,9 +30,9 @@ struct doctor_words {
     int as_json;
 };
 
-/* ---- User of the kiosk ----------------------------------------------------------------------- */
+/* ---- User account of the kiosk --------------------------------------------------------------- */
 
-/* Sets the kiosk's default data folder, which depends on the user's home folder. */
+/* Sets the default data folder of the kiosk, which is below the home folder `home`. */
 static void take_home(struct doctor_user *user, const char *home)
 {
     if (home && home[0] == '/' && home[1]) {
@@ -59,7 +59,8 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     }
     snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
     if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
-        count = DOCTOR_GROUPS_MAX; /* Only the first DOCTOR_GROUPS_MAX groups are checked. */
+        count = DOCTOR_GROUPS_MAX; /* The account has more groups than the array. Only the first
+                                      DOCTOR_GROUPS_MAX groups are checked. */
     }
     user->group_count = entry ? (uint32_t)count : 0;
     return EXIT_OK;
@@ -76,8 +77,9 @@ static void doctor_warn(const char *line)
                          "lists the keys");
 }
 
-/* Reads the options in the order of main(): first the configuration file, then the command line,
- * which takes precedence. Returns EXIT_OK, or another exit code after printing the error. */
+/* Reads the options in the order in which the kiosk's main() reads them. The configuration file is
+ * read first, and the command line overrides the file. Returns EXIT_OK. After an error, prints one
+ * line and returns another exit code. */
 static enum exit_code read_config(int argc, const char *const *argv)
 {
     char path[OPTIONS_PATH_MAX], error[OPTIONS_ERROR_MAX];
@@ -98,7 +100,7 @@ static enum exit_code read_config(int argc, const char *const *argv)
     return EXIT_OK;
 }
 
-/* Selects the default configuration file if none is named, as the kiosk does. */
+/* Selects the default configuration file if the command line names no file, as the kiosk does. */
 static void take_default_config(void)
 {
     char path[OPTIONS_PATH_MAX];
@@ -122,8 +124,8 @@ static enum exit_code read_options(int argc, const char *const *argv)
     return code;
 }
 
-/* Separates doctor's own options from the options of the kiosk. `rest` gets the kiosk's options
- * after a program name, as main() receives them. */
+/* Separates the options of `kingyoctl doctor` from the options of the kiosk. `rest` receives the
+ * kiosk's options after a program name, as main() expects its arguments. */
 static enum exit_code take_words(struct doctor_words *words, int argc, const char *const *argv,
                                  const char **rest, int *rest_count)
 {
@@ -148,10 +150,11 @@ static enum exit_code take_words(struct doctor_words *words, int argc, const cha
     return EXIT_OK;
 }
 
-/* ---- Checks ---------------------------------------------------------------------------------- */
+/* ---- Running the checks ---------------------------------------------------------------------- */
 
-/* Sets the root folder. A root that does not exist is an error. Otherwise a mistyped root would
- * look like a machine without devices. Returns EXIT_OK, or EXIT_IO after printing the error. */
+/* Sets the root folder, which is the prefix of all paths. A root folder that does not exist is an
+ * error. Otherwise a mistyped folder would produce the findings of a machine without devices.
+ * Returns EXIT_OK. After an error, prints one line and returns EXIT_IO. */
 static enum exit_code take_root(const char *root)
 {
     struct stat about;

@@ -1,7 +1,8 @@
-/* doctor.h -- the findings of `kingyoctl doctor`.
+/* doctor.h -- the list of findings of `kingyoctl doctor`, and the checks that add findings to the
+ * list.
  *
- * Each finding names a component, its state and the action to take. The checks are
- * passive. No check claims a device, requests a GPIO line or creates a file. */
+ * Each finding names a component, its state and the action that the operator should take. The
+ * checks are passive. No check claims a device, requests a GPIO line or creates a file. */
 #ifndef KINGYO_PLATFORM_CTL_DOCTOR_DOCTOR_H
 #define KINGYO_PLATFORM_CTL_DOCTOR_DOCTOR_H
 
@@ -12,7 +13,7 @@
 #include "platform/config/options.h"
 #include "platform/os/directory.h"
 
-/* Most findings of one run. The report states how many further findings were dropped. */
+/* Maximum number of stored findings. The report prints how many further findings were dropped. */
 #define DOCTOR_FINDINGS_MAX 256u
 #define DOCTOR_TEXT 256u
 #define DOCTOR_PATH 512u
@@ -21,119 +22,121 @@
 /* Severity of a finding. */
 enum doctor_level {
     DOCTOR_FINE = 0,
-    DOCTOR_LOOK,  /* The component works or is optional, but the operator should check it. */
-    DOCTOR_WRONG, /* A requested or mandatory component will not work. */
+    DOCTOR_LOOK,  /* The component works or is optional, but the operator should check the
+                     component. */
+    DOCTOR_WRONG, /* A requested or mandatory component does not work for the kiosk. */
 };
 
 /* One finding: a component, its state and the action to take. */
 struct doctor_finding {
-    const char *part;        /* Kind of component ("controller", "line", ...), a static string. */
+    const char *part;        /* Kind of the component, for example "controller" or "line". A static
+                                string. */
     uint8_t level;           /* Severity of the finding (enum doctor_level). */
-    char what[DOCTOR_TEXT];  /* Name of the component. */
+    char what[DOCTOR_TEXT];  /* Name of the component, for example a device name or a path. */
     char state[DOCTOR_TEXT]; /* State of the component. */
-    char todo[2u * DOCTOR_TEXT]; /* Action that the operator should take. "" means no action. */
+    char todo[2u * DOCTOR_TEXT]; /* Action that the operator should take. "" means that no action is
+                                    needed. */
 };
 
-/* User account that runs the kiosk. */
+/* User account under which the kiosk runs. */
 struct doctor_user {
     char name[64];
     uid_t id;
-    char data[DIRECTORY_PATH_MAX]; /* Default data folder of the user's kiosk. "" means that
-                                      there is none. */
+    char data[DIRECTORY_PATH_MAX]; /* Default data folder of a kiosk that runs under the account. ""
+                                      means that the account has no home folder. */
     uint32_t group_count;
     gid_t groups[DOCTOR_GROUPS_MAX];
 };
 
-/* State of one run of doctor. */
+/* State of one run of `kingyoctl doctor`. */
 struct doctor {
-    const char *root; /* Prefix of all paths. "" means this machine; tests use a folder with the
-                         same layout. */
+    const char *root; /* Prefix of all paths: "" for this machine, or a test folder with the same
+                         layout. */
     struct options options;
     struct doctor_user user;
-    uint32_t count, more; /* Number of stored findings (`count`) and of findings dropped because the
-                             list was full (`more`). */
+    uint32_t count, more; /* `count` is the number of stored findings. `more` is the number of
+                             findings that were dropped because the list was full. */
     struct doctor_finding finding[DOCTOR_FINDINGS_MAX];
 };
 
-/* Adds a finding and returns it, so that the caller fills in the texts. Never returns null. A
- * finding beyond DOCTOR_FINDINGS_MAX is counted in `more` and dropped. */
+/* Adds a finding and returns it, so that the caller can fill in the state and the action. Never
+ * returns null. If the list is full, increments `more` and returns a scratch finding. */
 __attribute__((format(printf, 4, 5))) struct doctor_finding *doctor_find(struct doctor *doctor,
                                                                          const char *part,
                                                                          enum doctor_level level,
                                                                          const char *what, ...);
 
-/* Formats the state of a finding as printf() does. */
+/* Sets the state of a finding to a text that is formatted as by printf(). */
 __attribute__((format(printf, 2, 3))) void doctor_state(struct doctor_finding *finding,
                                                         const char *format, ...);
 
-/* Formats the action of a finding as printf() does. */
+/* Sets the action of a finding to a text that is formatted as by printf(). */
 __attribute__((format(printf, 2, 3))) void doctor_todo(struct doctor_finding *finding,
                                                        const char *format, ...);
 
-/* ---- Checks, one source file each ------------------------------------------------------------ */
+/* ---- Checks, each in its own source file ----------------------------------------------------- */
 
-/* Checks the controllers on USB. */
+/* Checks every USB device except hubs, and every controller that the options name. */
 void doctor_usb(struct doctor *doctor);
 
-/* Checks the HID devices on all other buses. */
+/* Checks the HID devices on all buses other than USB. */
 void doctor_nodes(struct doctor *doctor);
 
 /* Checks the devices that SDL reads: gamepads, mice, touch screens and keyboards. */
 void doctor_input(struct doctor *doctor);
 
-/* Checks the GPIO chips and the configured GPIO lines. */
+/* Checks the GPIO chips and the GPIO lines that the kiosk's options configure. */
 void doctor_gpio(struct doctor *doctor);
 
-/* Returns whether a desktop session controls the input devices and the screen. */
+/* Returns true if a desktop session controls the input devices and the screen. */
 bool doctor_under_a_desktop(const struct doctor *doctor);
 
 /* Checks the graphics cards and the screens connected to them. */
 void doctor_screen(struct doctor *doctor);
 
-/* Checks the sound cards and their outputs. */
+/* Checks the sound cards and their sound outputs. */
 void doctor_sound(struct doctor *doctor);
 
 /* Checks the data folder, the database and the stored controller mappings. */
 void doctor_store(struct doctor *doctor);
 
-/* ---- Permissions ----------------------------------------------------------------------------- */
+/* ---- Access permissions ---------------------------------------------------------------------- */
 
-/* Returns 0 if the user may read and write a path under the root. Otherwise returns ENOENT, EACCES
- * or another errno. */
+/* Checks whether the kiosk's user may read and write `path`, which is relative to the root. Returns
+ * 0 if the user may. Otherwise returns ENOENT, EACCES or another errno. */
 int doctor_may_use(const struct doctor *doctor, const char *path);
 
-/* Sets the action for a device node that the user may not access. The action is to join the node's
- * group if that group has access. Otherwise, for example if only root has access, the action is
- * `otherwise`. */
+/* Sets the action of a finding for a device node that the kiosk's user may not access. If the group
+ * of the node has access, the action is to join the group. Otherwise, for example if only root has
+ * access, the action is the text `otherwise`. */
 void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *finding,
                         const char *path, const char *otherwise);
 
-/* Returns whether a process named `kingyo` runs now. A device that is in use may then be in use by
- * the kiosk. */
+/* Returns true if a process named `kingyo` is running. The caller then reports that a busy device
+ * may be in use by the kiosk. */
 bool doctor_kiosk_is_running(const struct doctor *doctor);
 
-/* ---- Small files of /sys --------------------------------------------------------------------- */
+/* ---- Reading the small files of /sys --------------------------------------------------------- */
 
-/* Copies the first line of a file under the root to `out`, with unprintable characters replaced.
- * Writes "" if there is no such file. */
+/* Copies the first line of a file to `out` and replaces unprintable characters. The path is
+ * relative to the root. Writes "" if the file does not exist. */
 __attribute__((format(printf, 4, 5))) void doctor_line(const struct doctor *doctor, char *out,
                                                        size_t size, const char *path, ...);
 
-/* Sorted list of names in a folder. */
-/* Most names of one kind (video connectors, sound outputs, event nodes). Further names are
- * dropped. */
+/* Capacity of struct doctor_names, which is a sorted list of the names in a folder. Further names
+ * are dropped. */
 #define DOCTOR_NAMES_MAX 64u
 struct doctor_names {
     uint32_t count;
     char name[DOCTOR_NAMES_MAX][64];
 };
 
-/* Fills `out` with the names in the folder `path` that begin with `prefix`. `path` is relative
- * to the root. */
+/* Fills `out` with the names in the folder `path` that begin with `prefix`. The path is relative to
+ * the root. */
 void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
                  struct doctor_names *out);
 
-/* ---- Reports --------------------------------------------------------------------------------- */
+/* ---- Output of the findings ------------------------------------------------------------------ */
 
 /* Prints the findings as text on standard output. */
 void doctor_report_text(const struct doctor *doctor);
@@ -141,7 +144,7 @@ void doctor_report_text(const struct doctor *doctor);
 /* Prints the findings as JSON on standard output. */
 void doctor_report_json(const struct doctor *doctor);
 
-/* Returns the number of stored findings with the severity `level`. */
+/* Returns the number of stored findings whose severity is `level`. */
 uint32_t doctor_count(const struct doctor *doctor, enum doctor_level level);
 
 #endif

@@ -1,5 +1,5 @@
-/* doctor_access.c -- checks whether the kiosk's user may access a path, and which action would give
- * access. */
+/* doctor_access.c -- checks whether the kiosk's user may access a path, and finds the action that
+ * would give access. */
 #include <dirent.h>
 #include <errno.h>
 #include <grp.h>
@@ -25,8 +25,9 @@ static bool is_in(const struct doctor_user *user, gid_t group)
     return false;
 }
 
-/* Returns 0 or EACCES from the mode bits. The kernel uses only the bits of the first class that
- * matches: owner, group, others. */
+/* Checks the mode bits of a file. Returns 0 if the user may read and write the file, otherwise
+ * EACCES. Like the kernel, uses only the bits of the first matching class: owner, group or
+ * others. */
 static int by_mode(const struct doctor_user *user, const struct stat *about)
 {
     const mode_t both = S_IROTH | S_IWOTH;
@@ -45,8 +46,9 @@ int doctor_may_use(const struct doctor *doctor, const char *path)
         return errno;
     }
     if (doctor->user.id == geteuid() && access(whole, R_OK | W_OK) == 0) {
-        return 0; /* An access control list may allow more than the mode. The active user of a login
-                     seat has such a list. */
+        return 0; /* An access control list may allow more than the mode bits. For example, the
+                     logged-in user at the machine has access to many devices through such a
+                     list. */
     }
     return by_mode(&doctor->user, &about);
 }

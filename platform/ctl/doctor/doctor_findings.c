@@ -1,4 +1,4 @@
-/* doctor_findings.c -- the list of findings, and its output as text or JSON. */
+/* doctor_findings.c -- stores the findings, and prints the findings as text or JSON. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,8 +12,8 @@ static const char *const level_words[] = { "fine", "look", "WRONG" };
 struct doctor_finding *doctor_find(struct doctor *doctor, const char *part, enum doctor_level level,
                                    const char *what, ...)
 {
-    static struct doctor_finding spare; /* Finding that is returned when the list is full. Its
-                                           content is discarded. */
+    static struct doctor_finding spare; /* Scratch finding that is returned when the list is full.
+                                           Its content is never printed. */
     const bool has_room = doctor->count < DOCTOR_FINDINGS_MAX;
     struct doctor_finding *finding = has_room ? &doctor->finding[doctor->count++] : &spare;
     doctor->more += !has_room;
@@ -71,8 +71,8 @@ void doctor_report_text(const struct doctor *doctor)
 
 /* ---- Output as JSON -------------------------------------------------------------------------- */
 
-/* Prints a key and a string value. Texts of devices are printable already (doctor_line()), but
- * paths may contain any character. */
+/* Prints a JSON key and a string value. Device texts are already printable (doctor_line()), but a
+ * path may contain any character and must be escaped. */
 static void put_string(const char *key, const char *text)
 {
     printf("\"%s\":", key);

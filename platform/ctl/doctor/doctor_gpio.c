@@ -1,7 +1,8 @@
-/* doctor_gpio.c -- the check of GPIO chips and configured lines.
+/* doctor_gpio.c -- checks the GPIO chips and the configured lines.
  *
- * Checks whether each configured line exists, is free and has a unique name. Uses linux/gpio.h
- * directly, because the kernel reports the consumer of a line without requesting that line. */
+ * The check reports whether each configured line exists, is unused and has a unique name. The check
+ * uses linux/gpio.h directly, because the kernel reports the consumer of a line without a request
+ * for the line. */
 #include "platform/ctl/doctor/doctor_gpio.h"
 
 #include <errno.h>
@@ -16,7 +17,7 @@
 #include "drivers/gpio/gpio_dev.h"
 #include "platform/ctl/doctor/doctor.h"
 
-/* ---- Reading the lines ----------------------------------------------------------------------- */
+/* ---- Reading all GPIO lines ------------------------------------------------------------------ */
 
 static void doctor_gpio_read_lines(int file, const struct gpiochip_info *chip,
                                    struct gpio_census *census)
@@ -85,7 +86,7 @@ static uint32_t look_at_chips(struct doctor *doctor, struct gpio_census *census)
     return walk.count;
 }
 
-/* ---- Configured lines ------------------------------------------------------------------------ */
+/* ---- Checks of the configured lines ---------------------------------------------------------- */
 
 static bool is_meant(const struct gpio_wire *wire, const struct gpio_seen *seen)
 {
@@ -93,8 +94,9 @@ static bool is_meant(const struct gpio_wire *wire, const struct gpio_seen *seen)
                          : strcmp(wire->chip, seen->chip) == 0 && wire->offset == seen->offset;
 }
 
-/* Fills a finding for the line `seen`, which is one of `places` matching lines. If two chips have
- * the same label, only the names of their lines distinguish the chips. */
+/* Fills the finding for a configured line. `seen` is the first of `places` lines that match the
+ * configuration. If two chips have the same label, only the names of their lines distinguish the
+ * chips. */
 static void look_at_found(struct doctor_finding *finding, const struct gpio_wire *wire,
                           const struct gpio_seen *seen, uint32_t places)
 {
@@ -158,7 +160,8 @@ void doctor_gpio(struct doctor *doctor)
     }
     for (uint32_t i = 0; i < doctor->options.line_count; i++) {
         (void)gpio_wire_read(doctor->options.line[i], wires, why); /* The option parser has already
-                                                                      validated these texts. */
+                                                                      validated the text, so the
+                                                                      result needs no check. */
     }
     for (uint32_t role = 0; role < GPIO_ROLE_COUNT; role++) {
         if (wires[role].wired) {

@@ -1,6 +1,7 @@
-/* doctor_input.c -- the check of gamepads, mice, touch screens and keyboards.
+/* doctor_input.c -- checks the access to gamepads, mice, touch screens and keyboards.
  *
- * Without a desktop session, SDL reads these devices directly from the kernel's event nodes. */
+ * Without a desktop session, SDL reads these devices directly from the kernel's event nodes
+ * /dev/input/eventN. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
-/* doctor_rules.c -- the USB ids of the udev rules, copied from board/udev/70-kingyo.rules.
+/* doctor_rules.c -- the USB vendor and product ids that board/udev/70-kingyo.rules contains.
  *
- * The copy lets doctor run without the rules file. A test in tests/ctl compares both lists. */
+ * The table is a copy, so that doctor runs without the rules file. A test in tests/ctl compares the
+ * table with the rules file. */
 #include "platform/ctl/doctor/doctor_rules.h"
 
 #include <stdio.h>
@@ -9,10 +10,11 @@
 static const struct {
     uint16_t vendor, product;
 } listed[] = {
-    { 0x1209, 0x0001 }, /* Our own poi controller with its development id. */
+    { 0x1209, 0x0001 }, /* Kingyo's own poi controller (a paper scoop with sensors), with its
+                           development id. */
     { 0x054c, 0x05c4 }, { 0x054c, 0x09cc }, { 0x054c, 0x0ba0 }, { 0x054c, 0x0ce6 },
     { 0x054c, 0x0df2 },
-    /* 3Dconnexion controllers, with their own vendor id and with Logitech's. */
+    /* 3Dconnexion controllers, first with the vendor id of 3Dconnexion and then with Logitech's. */
     { 0x256f, 0xc62e }, { 0x256f, 0xc62f }, { 0x256f, 0xc631 }, { 0x256f, 0xc632 },
     { 0x256f, 0xc633 }, { 0x256f, 0xc635 }, { 0x256f, 0xc636 }, { 0x256f, 0xc652 },
     { 0x046d, 0xc626 }, { 0x046d, 0xc627 }, { 0x046d, 0xc628 }, { 0x046d, 0xc629 },

@@ -1,5 +1,4 @@
-/* doctor_screen.c -- the check of graphics cards, video connectors, sound cards and sound
- * outputs. */
+/* doctor_screen.c -- checks the graphics cards, video connectors, sound cards and sound outputs. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,8 +8,8 @@
 #include "platform/ctl/doctor/doctor.h"
 #include "platform/os/regular_file.h"
 
-/* Adds a finding for a node that the kiosk opens itself. If the user has no access, the finding
- * contains the command that gives access. */
+/* Adds a finding for a device node that the kiosk opens itself. If the kiosk's user has no access,
+ * the finding contains the command that gives access. */
 static void look_at_node(struct doctor *doctor, const char *part, const char *path,
                          const char *group)
 {
@@ -43,7 +42,7 @@ static void look_at_nodes(struct doctor *doctor, const char *part, const char *f
 /* ---- Screens --------------------------------------------------------------------------------- */
 
 /* Adds a finding for each video connector, for example "card1-HDMI-A-1". Returns the number of
- * connectors with a screen. */
+ * connectors to which a screen is connected. */
 static uint32_t look_at_sockets(struct doctor *doctor)
 {
     struct doctor_names sockets;
@@ -67,8 +66,8 @@ bool doctor_under_a_desktop(const struct doctor *doctor)
     return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
 }
 
-/* Checks whether a window can be opened. The check is made only for this machine and the current
- * user. */
+/* Checks whether the current user can open a window, and adds a finding for the result. Not called
+ * for a test folder, because only the real machine can open windows. */
 static void try_screen(struct doctor *doctor)
 {
     char why[HAL_TEXT_SIZE] = "";
@@ -103,8 +102,9 @@ void doctor_screen(struct doctor *doctor)
 
 /* ---- Sound ----------------------------------------------------------------------------------- */
 
-/* Adds a finding for each sound card. A card has a line such as " 0 [PCH ]: HDA-Intel - HDA Intel
- * PCH", followed by a line with its location. */
+/* Adds a finding for each sound card in /proc/asound/cards. Two lines describe a card. The first
+ * line is for example " 0 [PCH ]: HDA-Intel - HDA Intel PCH", and the second line contains the
+ * card's location. Returns the number of cards. */
 static uint32_t look_at_cards(struct doctor *doctor)
 {
     char path[OPTIONS_PATH_MAX + 64u], line[DOCTOR_TEXT];

@@ -1,5 +1,4 @@
-/* doctor_store.c -- the check of the data folder, the database and the stored controller
- * mappings. */
+/* doctor_store.c -- checks the data folder, the database and the stored controller mappings. */
 #include <dirent.h>
 #include <errno.h>
 #include <inttypes.h>
@@ -18,8 +17,8 @@
 #include "platform/store/storage.h"
 #include "platform/system_health.h"
 
-/* Free space in MiB below which doctor warns. The space holds the database twice, with a replay of
- * each ranked round. */
+/* Free space in MiB below which doctor prints a warning. The space is enough for two copies of a
+ * database that contains a replay of each ranked round. */
 #define ROOM_MIB 64u
 #define PATH_ROOM (OPTIONS_PATH_MAX + 400u)
 
@@ -40,16 +39,16 @@ static void look_at_room(struct doctor *doctor, const char *path)
     }
 }
 
-/* Returns whether the file system of `path` is mounted read-only. The mode of a folder does not
- * show this. */
+/* Returns 1 if the file system of `path` is mounted read-only, otherwise 0. The mode bits of a
+ * folder do not contain the mount state. */
 static int is_read_only(const char *path)
 {
     struct statvfs about;
     return statvfs(path, &about) == 0 && (about.f_flag & ST_RDONLY) != 0;
 }
 
-/* Adds a finding for the data folder. Returns 0 if the kiosk's user may use the folder, or an
- * errno. */
+/* Adds a finding for the data folder. Returns 0 if the kiosk's user may use the folder, otherwise
+ * an errno. */
 static int look_at_folder(struct doctor *doctor, const char *path)
 {
     const int error = is_read_only(path) ? EROFS : doctor_may_use(doctor, doctor->options.data);
@@ -75,8 +74,8 @@ static int look_at_folder(struct doctor *doctor, const char *path)
 
 /* ---- Database -------------------------------------------------------------------------------- */
 
-/* Hours after which a backup is reported as old. The kiosk makes a backup at each program start
- * and every hour. */
+/* Age in hours above which doctor reports a backup as old. The kiosk makes a backup at each program
+ * start and every hour. */
 #define BACKUP_OLD_H 48
 
 static int64_t count_of(struct ledger_file *file, const char *sql)
@@ -146,7 +145,8 @@ static void look_at_backup(struct doctor *doctor, const char *folder)
     struct stat about;
     snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE STORAGE_BACKUP_SUFFIX);
     if (stat(path, &about)) {
-        return; /* A kiosk that has never run has no backup. */
+        return; /* A missing backup gives no finding, because a kiosk that has never run has no
+                   backup. */
     }
     const int64_t hours = ((int64_t)time(NULL) - about.st_mtime) / 3600;
     struct doctor_finding *finding =
@@ -183,8 +183,8 @@ static const struct {
                                          "belongs to" },
 };
 
-/* Adds a finding for each quarantined file. Such a file stays in the data folder until the operator
- * removes it. */
+/* Adds a finding for each quarantined file, a damaged file that the kiosk renamed. A quarantined
+ * file stays in the data folder until the operator deletes it. */
 static void look_at_damaged(struct doctor *doctor, const char *folder)
 {
     DIR *list = opendir(folder);

@@ -1,7 +1,7 @@
-/* doctor_usb.c -- the check of every USB device except hubs.
+/* doctor_usb.c -- checks every USB device except hubs.
  *
- * Checks whether the kiosk accepts and can open the device, whether another program has claimed it,
- * and whether it stays awake. */
+ * The check reports whether the kiosk accepts the device, whether the kiosk can open it, whether
+ * another program has claimed it, and whether autosuspend is disabled. */
 #include "platform/ctl/doctor/doctor_usb.h"
 
 #include <dirent.h>
@@ -57,8 +57,8 @@ static void say_denied(struct doctor *doctor, const struct usb_device *device, b
     doctor_todo_access(doctor, finding, node, both);
 }
 
-/* Adds a finding for a device that is in use. libusb detaches a kernel driver automatically, but it
- * cannot detach another program. */
+/* Adds a finding for a device that is in use. libusb detaches a kernel driver automatically, but
+ * libusb cannot take a device from another program. */
 static void say_held(struct doctor *doctor, const struct usb_device *device)
 {
     const bool by_kiosk = doctor_kiosk_is_running(doctor);
@@ -129,8 +129,8 @@ static bool is_asked_for(const struct doctor *doctor, const struct hid_identity 
     return false;
 }
 
-/* Adds a finding for a device that is not a controller. A device that was requested by an option
- * gets a higher severity, so that the operator notices it. */
+/* Adds a finding for a device that is not a usable controller, with the reason `why`. If an option
+ * names the device, the finding has a higher severity, so that the operator notices it. */
 static void say_no_hand(struct doctor *doctor, const struct usb_device *device, const char *why)
 {
     const bool is_asked = is_asked_for(doctor, &device->identity);
@@ -164,8 +164,7 @@ static void say_device(struct doctor *doctor, const struct usb_device *device,
     }
 }
 
-/* Adds a finding for each device that is named in the options but not connected, as for a missing
- * GPIO line. */
+/* Adds a finding for each device that an option names but that is not connected. */
 static void say_missing(struct doctor *doctor, const struct hid_identity *there, uint32_t count)
 {
     for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
@@ -183,7 +182,8 @@ static void say_missing(struct doctor *doctor, const struct hid_identity *there,
     }
 }
 
-/* Reads which devices are selected by the options and by the menu. */
+/* Reads the selection of devices from the options, and from the file that the operator's menu
+ * writes. */
 static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
 {
     char path[2u * OPTIONS_PATH_MAX], why[HAL_TEXT_SIZE];
@@ -198,8 +198,9 @@ static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
     }
 }
 
-/* Returns whether `name` is a USB port: a bus, a port, and ports of hubs ("3-1.4"). "usb3" is a
- * bus, and "3-1.4:1.0" is an interface. */
+/* Returns true if `name` is a USB port, which consists of a bus, a port and optional hub ports, for
+ * example "3-1.4". "usb3" is a bus and "3-1.4:1.0" is an interface, so the result for these names
+ * is false. */
 static bool is_port(const char *name)
 {
     return name[0] >= '0' && name[0] <= '9' && strchr(name, '-') && !strchr(name, ':') &&

@@ -1,4 +1,4 @@
-/* doctor_usb_read.c -- the reader of small files below /sys/bus/usb/devices. */
+/* doctor_usb_read.c -- reads the small files below /sys/bus/usb/devices. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,8 +11,8 @@
 #define BOOT 1u
 #define BOOT_KEYBOARD 1u
 
-/* Most interfaces of one device that are read. USB 2.0 sets no limit, but real devices have up
- * to 8. */
+/* Maximum number of interfaces of one device that are read. USB 2.0 sets no limit, but real devices
+ * have at most 8 interfaces. */
 #define INTERFACES_MAX 32u
 
 static uint32_t number_at(const struct doctor *doctor, const char *folder, const char *name,
@@ -81,8 +81,7 @@ static void read_interface(const struct doctor *doctor, const struct usb_choice 
     }
 }
 
-/* Returns whether the kiosk would claim interface `a` rather than `b`. The finding for a device
- * describes the best interface. */
+/* Returns 1 if the kiosk would claim interface `a` rather than interface `b`, otherwise 0. */
 static int is_better(const struct usb_choice *choice, const struct usb_interface *a,
                      const struct usb_interface *b)
 {

@@ -1,6 +1,7 @@
-/* byte_buffer.c -- the growth of a byte buffer.
+/* byte_buffer.c -- the implementation of a growing byte buffer.
  *
- * The capacity doubles, so that each byte is copied about once on average. */
+ * The capacity doubles when the buffer is full, so that each byte is copied about once on
+ * average. */
 #include "platform/ctl/lib/byte_buffer.h"
 
 #include <stdarg.h>

@@ -1,6 +1,6 @@
-/* canvas.c -- the rasterizer of a canvas.
+/* canvas.c -- draws shapes and text into the pixels of a canvas.
  *
- * Each pixel adds colour times coverage in linear light. */
+ * A partly covered pixel is blended with the colour in linear light. */
 #include "platform/ctl/lib/canvas.h"
 
 #include <errno.h>
@@ -13,7 +13,8 @@
 #include "platform/os/png.h"
 #include "platform/render/ui/text.h"
 
-#define FONT_PIXEL_MIN 0.6f /* Minimum width of a letter's edge, in atlas pixels. */
+#define FONT_PIXEL_MIN                                                                             \
+    0.6f /* Minimum width of a letter's soft edge, in pixels of the font atlas. */
 
 bool canvas_open(struct canvas *canvas, uint32_t width, uint32_t height)
 {
@@ -58,11 +59,11 @@ vec3 canvas_colour(uint32_t rgb)
                             (float)(rgb & 255u) / 255.0f));
 }
 
-/* ---- Shapes ---------------------------------------------------------------------------------- */
+/* ---- Rectangles and shadows ------------------------------------------------------------------ */
 
 struct span {
-    uint32_t first, end; /* First pixel, and the pixel after the last one, that the range
-                            touches. */
+    uint32_t first, end; /* `first` is the first pixel that the range touches. `end` is one more
+                            than the last such pixel. */
 };
 
 static struct span touched(float from, float size, uint32_t limit)
@@ -72,7 +73,8 @@ static struct span touched(float from, float size, uint32_t limit)
     return (struct span){ (uint32_t)first, (uint32_t)end };
 }
 
-/* Returns the share [0, 1] of pixel `index` that lies in the range. */
+/* Returns the share, in [0, 1], of pixel `index` that the range from `from` to `from` + `size`
+ * covers. */
 static float covered(float from, float size, uint32_t index)
 {
     const float low = f_max(from, (float)index);
@@ -121,7 +123,8 @@ static float atlas(const struct font_glyph *glyph, int x, int y)
     return asset_font[((size_t)glyph->y + (size_t)y) * ASSET_FONT_WIDTH + glyph->x + (size_t)x];
 }
 
-/* Returns the distance field at an atlas position, by bilinear interpolation. */
+/* Returns the value of a glyph's distance field at a position in the font atlas, by bilinear
+ * interpolation. */
 static float distance_at(const struct font_glyph *glyph, float x, float y)
 {
     const float left = floorf(x - 0.5f), top = floorf(y - 0.5f);
@@ -134,7 +137,8 @@ static float distance_at(const struct font_glyph *glyph, float x, float y)
 static void draw_glyph(struct canvas *canvas, const struct font_glyph *glyph, float pen_x,
                        float pen_y, float size_px, vec3 ink)
 {
-    const float fine = asset_fonts[FONT_BODY].em_px / size_px; /* Atlas pixels per canvas pixel. */
+    const float fine = asset_fonts[FONT_BODY].em_px / size_px; /* Font atlas pixels per canvas
+                                                                  pixel. */
     const struct canvas_box box = { pen_x + glyph->left_em * size_px,
                                     pen_y + glyph->top_em * size_px, (float)glyph->width / fine,
                                     (float)glyph->height / fine };

@@ -1,7 +1,7 @@
 /* csv.c -- the CSV reader.
  *
- * Reads one line at a time. The header line gives the order of the columns, and each row gives
- * their values. */
+ * The reader parses one line at a time. The header line gives the order of the columns, and each
+ * later line gives one value for each column. */
 #include "platform/ctl/lib/csv.h"
 
 #include <errno.h>
@@ -12,11 +12,11 @@
 #include "platform/os/number.h"
 #include "platform/os/print.h"
 
-#define FIELD_SHOWN 40 /* Characters of an invalid value that an error message quotes. */
+#define FIELD_SHOWN                                                                                \
+    40 /* Maximum number of characters of an invalid value that an error message quotes. */
 #define LIST_MAX 256u
 
-static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF, encoded in
-                                                         UTF-8. */
+static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF in UTF-8. */
 
 static enum exit_code refuse_line(const struct csv *csv, const char *what)
 {
@@ -41,8 +41,8 @@ static int is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/* Removes the byte-order mark that some editors write. Otherwise the mark would become part of the
- * first column name. */
+/* Removes the byte-order mark that some editors write at the start of a file. Otherwise the mark
+ * would become part of the first column's name. */
 static void drop_byte_order_mark(char *text)
 {
     const size_t length = sizeof byte_order_mark - 1u;
@@ -51,8 +51,8 @@ static void drop_byte_order_mark(char *text)
     }
 }
 
-/* Reads the next line that is not empty into csv->text. Sets `*is_end` to 1 if there is no such
- * line. */
+/* Reads the next line that is not empty into csv->text. Sets `*is_end` to 1 at the end of the file,
+ * otherwise to 0. */
 static enum exit_code csv_next_line(struct csv *csv, int *is_end)
 {
     *is_end = 0;
@@ -82,8 +82,8 @@ static enum exit_code csv_next_line(struct csv *csv, int *is_end)
     }
 }
 
-/* Returns the next field of `*rest` without the white space around it, or null after the last
- * field. Advances `*rest`. */
+/* Returns the next field of the line, without the white space around the field. Returns null after
+ * the last field. Advances `*rest` past the field. */
 static char *cut_field(char **rest)
 {
     char *field = *rest;
@@ -206,8 +206,8 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
     return EXIT_OK;
 }
 
-/* Returns the index of the column at position `number` of the file. The header must have that
- * position. */
+/* Returns the index of the defined column that is at position `number` in the file. The caller
+ * guarantees that the header has this position. */
 static uint32_t column_at(const struct csv *csv, uint32_t number)
 {
     uint32_t index = 0;

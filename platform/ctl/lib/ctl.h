@@ -1,6 +1,7 @@
-/* ctl.h -- declarations that the commands of `kingyoctl` share.
+/* ctl.h -- declarations that all commands of `kingyoctl` share.
  *
- * Each command has a source file of its own. */
+ * `kingyoctl` is the command-line tool of Kingyo. Each command is implemented in its own source
+ * file. */
 #ifndef KINGYO_PLATFORM_CTL_LIB_CTL_H
 #define KINGYO_PLATFORM_CTL_LIB_CTL_H
 
@@ -12,12 +13,12 @@
 struct ctl_command {
     const char *name;
     const char *summary;
-    const char *usage;       /* Text that `kingyoctl NAME --help` prints after the summary. */
-    void (*tell_more)(void); /* Prints more help after the usage text. May be null. */
-    uint8_t helps_itself;    /* 1 if the command handles --help for its subcommands, and 0 if main()
-                                handles --help. */
-    /* Runs the command. argv[0] is the first word after the command's name. Returns the exit code
-     * of the program. main() has already handled --help. */
+    const char *usage;       /* Help text that `kingyoctl NAME --help` prints after the summary. */
+    void (*tell_more)(void); /* Prints further help after the usage text. May be null. */
+    uint8_t helps_itself;    /* 1 if the command itself handles --help for its subcommands. 0 if
+                                main() handles --help. */
+    /* Runs the command. argv[0] is the first argument after the command's name. Returns the exit
+     * code of the program. main() has already handled --help unless `helps_itself` is 1. */
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
@@ -28,8 +29,8 @@ extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_pap
 __attribute__((format(printf, 2, 3))) enum exit_code ctl_usage(const char *command,
                                                                const char *format, ...);
 
-/* Prints one line on standard error because the core returned CORE_ERR_FLOAT. Returns
- * EXIT_NOT_SO. */
+/* Prints an error line for CORE_ERR_FLOAT, which the core returns if the floating-point settings
+ * are unsuitable. Returns EXIT_NOT_SO. */
 enum exit_code ctl_float(const char *command);
 
 #endif

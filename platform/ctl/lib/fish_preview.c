@@ -1,29 +1,32 @@
-/* fish_preview.c -- the camera, the light and the skin of a fish preview. */
+/* fish_preview.c -- the camera, the light and the skin of a fish picture. */
 #include "platform/ctl/lib/fish_preview.h"
 
 #include <math.h>
 
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
-#define FIN_RAYS 13.0f /* Number of rays, the same as for the kiosk's fish. */
-/* Reduction of the opacity of the skin between two rays, compared with a ray. */
+#define FIN_RAYS 13.0f /* Number of rays of a fin, equal to the number in the kiosk's pictures. */
+/* Reduction of a fin's opacity between two rays, compared with the opacity at a ray. */
 #define RAY_HIDES 0.22f
-#define RAY_LIGHT 0.18f /* Reduction of the brightness of the skin between two rays. */
-/* Share by which a glass body becomes opaque where it is seen edge-on, because it reflects light
- * there. */
+#define RAY_LIGHT                                                                                  \
+    0.18f /* Reduction of a fin's brightness between two rays, compared with the brightness at a
+             ray. */
+/* Share of a glass body's transparency that is lost where the surface is seen edge-on, because the
+ * surface reflects light there. */
 #define GLASS_RIM 0.55f
 
 const char *const fish_preview_view_names[VIEW_COUNT] = { "side", "above", "aslant" };
 
 const struct fish_preview_bounds fish_preview_nowhere = { 1e9f, -1e9f, 1e9f, -1e9f };
 
-/* Returns the axes of the camera in the fish's body frame. */
+/* Returns the axes of the camera for a view, in the fish's body frame. */
 static const struct basis *camera(enum fish_preview_view view)
 {
     static const struct basis cameras[VIEW_COUNT] = {
         [VIEW_SIDE] = { { 0.0f, 0.0f, 1.0f }, { 0.0f, 1.0f, 0.0f }, { -1.0f, 0.0f, 0.0f } },
         [VIEW_ABOVE] = { { 0.0f, 0.0f, 1.0f }, { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f } },
-        /* The camera is 35 degrees toward the nose and 35 degrees above. */
+        /* The camera is turned by 35 degrees toward the fish's nose, and is 35 degrees above the
+         * fish. */
         [VIEW_ASLANT] = { { -0.57358f, 0.0f, 0.81915f },
                           { 0.46985f, 0.81915f, 0.32899f },
                           { -0.67101f, 0.57358f, -0.46985f } },
@@ -65,7 +68,7 @@ float fish_preview_hides(const struct paint *paint, const struct species_vertex 
 struct corners {
     const struct fish_preview *preview;
     uint16_t at[3];
-    vec3 normals[3]; /* Normals in the axes of the camera. */
+    vec3 normals[3]; /* Normals of the three corners, in the axes of the camera. */
 };
 
 static struct species_vertex place(const struct corners *c, const float part[3])
@@ -88,7 +91,8 @@ static vec3 facing(const struct corners *c, const float part[3], bool is_fin)
     return is_fin && n.z < 0.0f ? v3_scale(n, -1.0f) : n;
 }
 
-/* Computes the brightness from a large soft lamp at the upper left, the sky and the ground. */
+/* Returns the brightness at a point with the normal `n`. The light comes from a large soft lamp at
+ * the upper left, from the sky and from the ground. */
 static float light_on(vec3 n, bool is_fin)
 {
     const vec3 lamp = v3(-0.42f, 0.71f, 0.565f);
@@ -100,7 +104,7 @@ static float light_on(vec3 n, bool is_fin)
 
 static float gloss_on(vec3 n, float shine)
 {
-    /* Direction half way between the lamp and the camera. */
+    /* Direction half way between the directions to the lamp and to the camera. */
     const vec3 between = v3(-0.2373f, 0.4012f, 0.8844f);
     const float turned = f_max(v3_dot(n, between), 0.0f);
     return (0.04f + 0.30f * shine) * powf(turned, 18.0f + 40.0f * shine);

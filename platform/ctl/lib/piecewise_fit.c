@@ -1,5 +1,5 @@
-/* piecewise_fit.c -- refines the samples pass by pass. Each pass halves the intervals whose error
- * is too large. */
+/* piecewise_fit.c -- adds samples in several passes. Each pass halves the intervals whose error is
+ * too large. */
 #include "platform/ctl/lib/piecewise_fit.h"
 
 #include <stdlib.h>
@@ -9,7 +9,8 @@
 
 struct sample {
     float progress;
-    bool settled; /* True if the straight line to the next sample is accurate enough. */
+    bool settled; /* True if the straight line from this sample to the next sample is accurate
+                     enough. */
 };
 
 struct samples {
@@ -43,8 +44,8 @@ static float *append(struct samples *s, float progress, bool settled, const floa
     return place;
 }
 
-/* Copies `from` to `to` and inserts the middle of each interval whose error is too large. Returns
- * the number of inserted samples. */
+/* Copies the samples `from` to `to`, and inserts a sample in the middle of each interval whose
+ * error is too large. Returns the number of inserted samples. */
 static uint32_t refine(const struct samples *from, struct samples *to,
                        const struct piecewise_fit_function *f, float tolerance)
 {
@@ -70,8 +71,8 @@ static uint32_t refine(const struct samples *from, struct samples *to,
     return halved;
 }
 
-/* Runs one pass and replaces `s` with the refined samples. Returns false if memory allocation
- * fails. */
+/* Runs one pass of refine() and replaces `s` with the refined samples. Returns false if memory
+ * allocation fails. */
 static bool halve(struct samples *s, const struct piecewise_fit_function *f, float tolerance,
                   uint32_t *halved)
 {

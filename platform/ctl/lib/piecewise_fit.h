@@ -1,42 +1,43 @@
-/* piecewise_fit.h -- approximates a function of progress by a small number of samples with straight
- * lines between.
+/* piecewise_fit.h -- approximates a function of progress by few samples that are connected by
+ * straight lines.
  *
- * An animation in a file is a table of samples. The required density depends on the curvature of
- * the function, so samples are added only where the straight line is not accurate enough. */
+ * An animation in a glTF file is a table of samples. Samples are added only where the straight line
+ * between two samples is not accurate enough. */
 #ifndef KINGYO_PLATFORM_CTL_LIB_PIECEWISE_FIT_H
 #define KINGYO_PLATFORM_CTL_LIB_PIECEWISE_FIT_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Maximum number of halvings. The smallest interval is a 16,384th of the interval between two
- * marks. */
+/* Maximum number of times that an interval between two marks is halved. The smallest interval is
+ * 1/16,384 of the interval between the marks. */
 #define PIECEWISE_FIT_HALVINGS 14u
 
 struct piecewise_fit_function {
-    uint32_t width; /* Number of values of the function at one progress. */
+    uint32_t width; /* Number of values that the function returns for one progress. */
     void (*ask)(const void *self, float progress, float *values);
-    /* Returns the error if the mean of `from` and `to` is used instead of `exact`. */
+    /* Returns the error that occurs if the mean of `from` and `to` replaces `exact`. */
     float (*error)(const void *self, const float *from, const float *to, const float *exact);
     const void *self;
 };
 
 struct piecewise_fit {
     uint32_t count, width;
-    /* Progress of each sample, in rising order. The array has `count` elements and belongs to the
-     * track. */
+    /* Progress of each sample, in rising order. The array has `count` elements.
+     * piecewise_fit_free() frees the array. */
     float *progress;
-    /* Values of the samples. The array has `count` x `width` elements and belongs to the track. */
+    /* Values of the samples. The array has `count` x `width` elements. piecewise_fit_free() frees
+     * the array. */
     float *values;
 };
 
-/* Samples the function at every mark. There are at least two marks, in rising order from 0 to 1.
- * Adds samples until the error in the middle of every two neighbours is at most `tolerance`.
- * Returns false if memory allocation fails. */
+/* Samples the function at every mark, and then adds samples until the error in the middle of each
+ * interval is at most `tolerance`. The caller passes at least two marks in rising order from 0 to
+ * 1. Returns false if memory allocation fails. */
 bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_function *function,
                        const float *marks, uint32_t mark_count, float tolerance);
 
-/* Frees the samples of a track. */
+/* Frees the sample arrays of a track. */
 void piecewise_fit_free(struct piecewise_fit *track);
 
 #endif

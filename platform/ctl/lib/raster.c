@@ -1,4 +1,5 @@
-/* raster.c -- rasterizes triangles: coverage by edge functions, and depth order for each sample. */
+/* raster.c -- rasterizes triangles. Edge functions give the covered samples, and the layers of each
+ * sample are sorted by depth. */
 #include "platform/ctl/lib/raster.h"
 
 #include <math.h>
@@ -8,23 +9,26 @@
 #include "core/base/panic.h"
 
 #define SAMPLE_COUNT 16u
-#define PILE_MAX 32u /* Maximum number of layers of one sample, more than a fish has. */
-/* Remaining light below which deeper layers are invisible: half a step of 256 grey levels. */
+#define PILE_MAX                                                                                   \
+    32u /* Maximum number of layers of one sample. A fish has fewer layers at every point. */
+/* Remaining light below which deeper layers are skipped. The value is half a step of 256 grey
+ * levels. */
 #define HIDDEN 0.002f
 #define LAYERS_AT_FIRST 65536u
 
-/* Sixteen sample positions, in sixteenths of a pixel from the centre. No two positions share a row
- * or a column, so edges near the axes have sixteen grey levels and not four. */
+/* Positions of the sixteen samples, in sixteenths of a pixel from the centre. No two samples share
+ * a row or a column, so that a nearly horizontal or vertical edge has sixteen grey levels instead
+ * of four. */
 static const int8_t sample_at[SAMPLE_COUNT][2] = {
     { 1, 1 },  { -1, -3 }, { -3, 2 },  { 4, -1 }, { -5, -2 }, { 2, 5 },  { 5, 3 }, { 3, -5 },
     { -2, 6 }, { 0, -7 },  { -4, -6 }, { -6, 4 }, { -8, 0 },  { 7, -4 }, { 6, 7 }, { -7, -8 },
 };
 
 struct edge {
-    /* Coefficients of the edge function. A point is inside if dx * x + dy * y + at > 0. */
+    /* Coefficients of the edge function. A point (x, y) is inside if dx * x + dy * y + at > 0. */
     float dx, dy, at;
-    /* True if points exactly on the edge belong to this triangle. The value is true for only one of
-     * two triangles that share the edge. */
+    /* True if a point exactly on the edge belongs to the triangle. The value is true for only one
+     * of two triangles that share the edge. */
     bool owns;
 };
 
@@ -68,11 +72,13 @@ static void raster_push(struct raster *raster, uint32_t x, uint32_t y, struct ra
     *top = (uint32_t)raster->layer_count;
 }
 
-/* ---- Coverage -------------------------------------------------------------------------------- */
+/* ---- Coverage of a pixel --------------------------------------------------------------------- */
 
-/* Computes an edge function. With y down, the function is positive inside of corners that appear
- * counter-clockwise. The value is computed from the same end in both directions of the edge. The
- * two triangles that share the edge therefore get the same number with opposite signs. */
+/* Computes the edge function of the edge from `a` to `b`. With y downward, the function is positive
+ * inside a triangle whose corners appear counter-clockwise.
+ *
+ * The coefficients are always computed from the same end of the edge. Two triangles that share the
+ * edge therefore get exactly the same numbers with opposite signs. */
 static struct edge edge_of(vec3 a, vec3 b)
 {
     const bool swap = a.x > b.x || (a.x == b.x && a.y > b.y);
@@ -91,9 +97,10 @@ static float edge_at(const struct edge *e, float x, float y)
 }
 
 struct triangle {
-    struct edge edges[3]; /* Edges opposite corner 0, 1 and 2. */
+    struct edge edges[3]; /* edges[i] is the edge opposite corner i. */
     float double_area;
-    float depth_dx, depth_dy, depth_at; /* Coefficients of the depth plane through the corners. */
+    float depth_dx, depth_dy, depth_at; /* Coefficients of the depth plane through the three
+                                           corners. */
 };
 
 static bool triangle_of(const vec3 c[3], struct triangle *t)
@@ -115,8 +122,8 @@ static bool triangle_of(const vec3 c[3], struct triangle *t)
     return true;
 }
 
-/* Returns the mask of the samples of the pixel at (x, y) that lie inside, and computes their mean
- * position. */
+/* Returns the bit mask of the samples of the pixel at (x, y) that lie inside the triangle. Sets
+ * `*mean` to the mean position of these samples. */
 static uint16_t cover(const struct triangle *t, float x, float y, vec3 *mean)
 {
     uint16_t samples = 0;
@@ -193,10 +200,10 @@ void raster_triangle(struct raster *raster, const vec3 c[3], struct raster_skin 
     }
 }
 
-/* ---- Order ----------------------------------------------------------------------------------- */
+/* ---- Depth order ----------------------------------------------------------------------------- */
 
 struct pile {
-    const struct raster_layer *layers[PILE_MAX]; /* Layers, nearest first. */
+    const struct raster_layer *layers[PILE_MAX]; /* Layers of one sample, nearest layer first. */
     float depth[PILE_MAX];
     uint32_t count;
 };
@@ -204,7 +211,7 @@ struct pile {
 static void pile_add(struct pile *pile, const struct raster_layer *layer, float depth)
 {
     if (pile->count == PILE_MAX && pile->depth[PILE_MAX - 1u] >= depth) {
-        return; /* The pile is full, and the layer lies behind all others. */
+        return; /* The pile is full, and the new layer lies behind all stored layers. */
     }
     uint32_t at = pile->count < PILE_MAX ? pile->count++ : PILE_MAX - 1u;
     while (at > 0 && pile->depth[at - 1] < depth) {

@@ -1,4 +1,4 @@
-/* summary.c -- sorts the values and reads the quantiles. */
+/* summary.c -- sorts values and computes quantiles. */
 #include "platform/ctl/lib/summary.h"
 
 #include <stdlib.h>

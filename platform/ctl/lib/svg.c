@@ -1,4 +1,4 @@
-/* svg.c -- writes a few kinds of lines, dots and texts as SVG. */
+/* svg.c -- writes lines, dots and texts as SVG markup. */
 #include "platform/ctl/lib/svg.h"
 
 #include <errno.h>
@@ -8,7 +8,7 @@
 
 #define TEXT_MAX 256
 
-/* Writes a text with the special characters of XML as entities. */
+/* Writes a text as SVG. Characters that are special in XML are replaced by entities. */
 static void put_escaped(FILE *file, char *text)
 {
     for (printable(text); *text; text++) {
@@ -34,7 +34,8 @@ bool svg_open(struct svg *svg, const char *path, double width, double height, co
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" "
             "viewBox=\"0 0 %g %g\" font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>",
             width, height, width, height);
-    fputs(title, svg->file); /* The title is a constant of Kingyo and needs no escaping. */
+    fputs(title, svg->file); /* The title is a constant text of Kingyo and contains no special
+                                characters. */
     fprintf(svg->file, "</title>\n<rect width=\"%g\" height=\"%g\" fill=\"%s\"/>\n", width, height,
             SVG_PAPER);
     return true;

@@ -1,4 +1,4 @@
-/* usage.c -- the usage errors that all commands share. */
+/* usage.c -- prints the usage errors that all commands share. */
 #include <stdarg.h>
 #include <stdio.h>
 
