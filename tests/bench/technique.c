@@ -8,7 +8,7 @@
  *
  * All rounds are played in the festival with 300 fish, No. 6 paper and at most 60 s. Both arms of
  * an experiment play the same seeds, and so the same fish and the same paper. The advice of stall
- * keepers must show in the catches (the README lists the facts about technique). Returns exit
+ * keepers must show in the catches (tests/FIGURES.md lists the results). Returns exit
  * status 0 if all habits pay. With less than SEEDS_ENOUGH seeds, at least PAYS_MIN habits must pay
  * and none may be plainly wrong. Returns exit status 1 otherwise. */
 #include <stdio.h>
